@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/verdict.hpp"
+#include "core/hos/settings.hpp"
+
+namespace loopscope::core::diagnosis {
+
+/// The decision flow of the paper's figure 1 (its text: sections 1, 3 and 5), from evidence to
+/// verdict:
+///
+///     usable? -> pv frozen or held? -> op at its limit? -> valve position recorded and faulty?
+///       -> NGI, NLI: nonlinear?  yes -> oversized? sticking? valve acquitted? else unexplained
+///                                no  -> oscillating? sticking (odd-symmetric)? sustained from
+///                                       outside? tight tuning;  else slow? healthy
+///
+/// Confidence is 0 to 1 and falls with short records. Never throws.
+[[nodiscard]] Verdict decide(const Evidence& evidence, const hos::Settings& settings);
+
+}  // namespace loopscope::core::diagnosis

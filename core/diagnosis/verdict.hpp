@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loopscope::core::diagnosis {
+
+/// The closed list of verdicts; name() gives the word that users and scripts see.
+enum class VerdictCode {
+  healthy,
+  valve_stiction,
+  valve_deadband,
+  valve_saturation,
+  valve_characteristic,
+  valve_oversized,
+  process_nonlinearity,
+  external_disturbance,
+  process_change,
+  sensor_fault,
+  tight_tuning,
+  sluggish_tuning,
+  nonlinear_unexplained,
+  unexplained,
+  insufficient_data,
+};
+
+[[nodiscard]] std::string_view name(VerdictCode code);
+
+/// Every code, in the order above.
+[[nodiscard]] std::span<const VerdictCode> all_verdict_codes();
+
+/// What the evidence says about one loop, in words that can go into a work order.
+struct Verdict {
+  VerdictCode code = VerdictCode::insufficient_data;
+  double confidence = 0.0;           ///< 0 to 1
+  std::string summary;               ///< one sentence
+  std::vector<std::string> reasons;  ///< each names its numbers
+  std::string action;                ///< what to do next
+};
+
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "core/diagnosis/verdict.hpp"
+
+namespace loopscope::core::diagnosis {
+
+/// A number with three significant digits, for reasons that an engineer reads.
+[[nodiscard]] std::string number(double value);
+
+/// A share as a whole percentage, e.g. "12 %".
+[[nodiscard]] std::string percent(double share);
+
+/// A period in the unit that an engineer would say it in: "45 s", "12.5 min", "3.2 h".
+[[nodiscard]] std::string duration(double seconds);
+
+/// One sentence that names the verdict.
+[[nodiscard]] std::string summary_of(VerdictCode code);
+
+/// What to do next, in words for a work order.
+[[nodiscard]] std::string action_for(VerdictCode code);
+
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace loopscope::core::hos {
+
+/// One cache line, and the width of the widest vector register.
+inline constexpr std::size_t kAlignment = 64;
+
+/// Doubles in one cache line; rows are padded to a multiple of it.
+inline constexpr std::size_t kLanes = kAlignment / sizeof(double);
+
+/// Allocates on cache lines: FFTW plans made for one aligned buffer may then run on any other, and
+/// no vector load straddles two lines.
+template <typename T>
+struct AlignedAllocator {
+  using value_type = T;
+  AlignedAllocator() = default;
+  template <typename U>
+  AlignedAllocator(const AlignedAllocator<U>& /*other*/) {}
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{kAlignment}));
+  }
+  void deallocate(T* memory, std::size_t /*count*/) {
+    ::operator delete (memory, std::align_val_t{kAlignment});
+  }
+  friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
+};
+
+using AlignedVector = std::vector<double, AlignedAllocator<double>>;
+
+}  // namespace loopscope::core::hos

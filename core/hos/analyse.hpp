@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/hos/settings.hpp"
+
+namespace loopscope::core::hos {
+
+/// A peak of the squared bicoherence.
+struct Peak {
+  double f1 = 0.0;          ///< cycles per sample, 0 to 0.5, f1 >= f2
+  double f2 = 0.0;          ///< cycles per sample
+  double bic2 = 0.0;        ///< squared bicoherence, 0 to 1
+  std::optional<double> p;  ///< corrected for the whole triangle; nullopt = not computed
+};
+
+/// What the error signal couples; `none_found` never means "linear".
+enum class Coupling { none_found, quadratic, cubic, both };
+[[nodiscard]] std::string_view name(Coupling coupling);
+
+/// The paper's decision (section 3, "Practical implementation").
+struct PublishedDecision {
+  bool gaussian = true;  ///< NGI <= ngi_threshold
+  bool linear = true;    ///< gaussian, or NLI <= nli_threshold
+};
+
+/// The decision at the thresholds of `settings`, the paper's beta = 0.001 and 0.01 by default.
+/// What it does on linear signals is measured in the README of this room.
+[[nodiscard]] PublishedDecision published_decision(double ngi, double nli,
+                                                   const Settings& settings);
+
+/// Indices of one error signal.
+struct Result {
+  std::size_t segments = 0;         ///< K: segments without a missing sample
+  std::size_t bifrequencies = 0;    ///< L: bifrequencies of the principal domain
+  double mean_bic2 = 0.0;           ///< mean squared bicoherence over the domain
+  double std_bic2 = 0.0;            ///< its population standard deviation
+  double max_bic2 = 0.0;            ///< its maximum
+  double critical_mean_bic2 = 0.0;  ///< (c + sqrt(4L - 1))^2 / (4KL), eq. 11
+  double ngi = 0.0;                 ///< non-Gaussianity index, eq. 12
+  double nli = 0.0;                 ///< nonlinearity index, eq. 14
+  PublishedDecision published;
+  double skewness = 0.0;                                     ///< of the whole record
+  double excess_kurtosis = 0.0;                              ///< of the whole record
+  std::optional<double> ngi_p, nli_p, cubic_p, nonlinear_p;  ///< nullopt = not computed
+  /// `quadratic` when the published rule says nonlinear and a peak stands out; cubic coupling is
+  /// not looked for.
+  Coupling coupling = Coupling::none_found;
+  std::vector<Peak> peaks;  ///< strongest first
+};
+
+/// Higher-order statistics of `signal` (usually the error sp - pv; any unit, any offset).
+///
+/// NaN or infinity marks a missing sample: every segment that touches one is dropped and the null
+/// of the segments that are left applies. Returns nullopt when fewer than two segments are left or
+/// the signal has no variance above rounding noise. Finite samples never give a NaN in the result.
+/// May be called from many threads at once.
+/// Throws std::invalid_argument for settings out of range.
+[[nodiscard]] std::optional<Result> analyse(std::span<const double> signal,
+                                            const Settings& settings);
+
+}  // namespace loopscope::core::hos

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/hos/principal_domain.hpp"
+#include "core/hos/settings.hpp"
+#include "core/hos/spectra.hpp"
+#include "core/hos/triple_sums.hpp"
+
+namespace loopscope::core::hos {
+
+/// Squared bicoherence, eq. 2 and 6 read as Kim and Powers (1979) normalise it:
+///
+///     bic2(k1, k2) = |<X(k1) X(k2) X*(k1+k2)>|^2 / (<|X(k1) X(k2)|^2> <|X(k1+k2)|^2>)
+///
+/// with averages <> over segments. By the Cauchy-Schwarz inequality it lies within 0 to 1.
+/// Other normalisations travel under the same name; this one alone has the null that eq. 9 uses.
+///
+/// Made once per settings, then used for many signals (replicates of a bootstrap) in the same
+/// buffers; one object per thread.
+class Bicoherence {
+ public:
+  /// Throws std::invalid_argument for settings out of range.
+  explicit Bicoherence(const Settings& settings);
+
+  /// Squared bicoherence over domain(), valid until the next call. A bifrequency whose denominator
+  /// is no more than rounding noise has 0. Empty when fewer than two segments are complete (bic2
+  /// of one segment is 1 whatever the signal) or all denominators are zero, as for a constant.
+  std::span<const double> estimate(std::span<const double> signal);
+
+  /// K of the last estimate.
+  [[nodiscard]] std::size_t segments() const { return spectra_.segments(); }
+  [[nodiscard]] const PrincipalDomain& domain() const { return domain_; }
+
+ private:
+  /// Says whether any denominator was above zero.
+  bool normalise();
+
+  Spectra spectra_;
+  PrincipalDomain domain_;
+  TripleSums sums_;
+  std::vector<double> bic2_;
+};
+
+}  // namespace loopscope::core::hos

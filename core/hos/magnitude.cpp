@@ -1,0 +1,27 @@
+#include "core/hos/magnitude.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopscope::core::hos {
+
+double largest_magnitude(std::span<const double> signal) {
+  double largest = 0.0;
+  for (const double sample : signal) {
+    // A branch that is hardly ever taken: no comparison waits for the one before it.
+    if (std::abs(sample) > largest && std::isfinite(sample)) {
+      largest = std::abs(sample);
+    }
+  }
+  return largest;
+}
+
+double power_of_two_below(double magnitude) {
+  constexpr int kLargestExponent = 1000;
+  if (magnitude == 0.0) {
+    return 1.0;
+  }
+  return std::ldexp(1.0, std::clamp(std::ilogb(magnitude), -kLargestExponent, kLargestExponent));
+}
+
+}  // namespace loopscope::core::hos

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+namespace loopscope::core::hos {
+
+/// A spread of no more than this many units in the last place of the largest sample is what a
+/// constant shows that was computed (0.1 * 3 beside 0.3) or transformed, and no signal.
+inline constexpr double kRoundingUnits = 16.0;
+
+/// Largest magnitude among the finite samples; 0 when there is none.
+[[nodiscard]] double largest_magnitude(std::span<const double> signal);
+
+/// The power of two that `magnitude` lies above, by less than a factor of two (1 for zero).
+/// Dividing by it is exact, and squares and cubes of what is left do not overflow. Held within
+/// 2^-1000 to 2^1000, so that it and its reciprocal are normal numbers.
+[[nodiscard]] double power_of_two_below(double magnitude);
+
+}  // namespace loopscope::core::hos

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace loopscope::core::hos {
+
+/// Taper of every segment of N samples, n = 1..N (main lobe: half width in units of 1/N).
+enum class WindowShape {
+  hann,           ///< the paper's: 0.5 (1 - cos(2 pi n / (N + 1))), no zero at either end; 2
+  hann_periodic,  ///< 0.5 (1 - cos(2 pi (n - 1) / N)), zero at the first sample; 2
+  hamming,        ///< 0.54 - 0.46 cos(2 pi (n - 1) / (N - 1)); 2
+  rectangular,    ///< 1; 1
+};
+[[nodiscard]] std::string_view name(WindowShape shape);
+
+/// Settings of the segment-averaged estimates. The defaults are the paper's (section 2, last
+/// paragraph: 4096 samples, segments of 64, 50 % overlap, Hanning window of 64, DFT of 128).
+struct Settings {
+  std::size_t segment_length = 64;  ///< samples, even, 16 to 4096
+  double overlap = 0.5;             ///< share of a segment that the next one repeats, 0 to 0.9
+  WindowShape window = WindowShape::hann;
+  std::size_t dft_length = 128;  ///< even, >= segment_length, <= 8192
+  double alpha = 0.05;           ///< significance of the critical value (eq. 10), 0.0001 to 0.5
+  double ngi_threshold = 0.001;  ///< the paper's beta: NGI up to this counts as Gaussian, 0 to 1
+  double nli_threshold = 0.01;   ///< NLI up to this counts as linear, 0 to 1
+  std::size_t max_peaks = 5;     ///< strongest distinct peaks to report, 0 to 50
+};
+
+/// Throws std::invalid_argument that names the first setting out of its range and the range.
+void validate(const Settings& settings);
+
+}  // namespace loopscope::core::hos

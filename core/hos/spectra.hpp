@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/hos/aligned.hpp"
+#include "core/hos/settings.hpp"
+
+namespace loopscope::core::hos {
+
+class PairedFft;
+
+/// Windowed spectra of all complete segments of a signal, each segment's own mean removed.
+///
+/// Made once per settings and used for many signals; no call after the first of a length
+/// allocates more than the list of segments. Layout: three rows per frequency (real, imaginary,
+/// power), each over all segments and padded with zeros to whole cache lines, so that an average
+/// over segments of any product of spectra is a dot product with unit stride and without a
+/// remainder.
+///
+/// The signal is divided by the power of two below its largest magnitude first. That is exact,
+/// changes no ratio of spectra, and keeps the products of six of them away from overflow.
+class Spectra {
+ public:
+  /// Throws std::invalid_argument for settings out of range.
+  explicit Spectra(const Settings& settings);
+
+  /// Replaces the spectra by those of `signal`; NaN and infinity are missing samples.
+  void compute(std::span<const double> signal);
+
+  /// K: segments without a missing sample.
+  [[nodiscard]] std::size_t segments() const { return segments_; }
+  /// Length of a row: K rounded up to whole cache lines.
+  [[nodiscard]] std::size_t row_length() const { return row_length_; }
+  /// Frequency bins 0 .. frequencies() - 1, that is dft_length / 2 + 1 of them.
+  [[nodiscard]] std::size_t frequencies() const { return settings_.dft_length / 2 + 1; }
+  /// Bins above those that may be read as well and hold zeros, so that a tile of bifrequencies may
+  /// stick out of the domain.
+  static constexpr std::size_t kZeroFrequencies = 2;
+
+  [[nodiscard]] const double* real(std::size_t k) const { return row(k, 0); }
+  [[nodiscard]] const double* imaginary(std::size_t k) const { return row(k, 1); }
+  [[nodiscard]] const double* power(std::size_t k) const { return row(k, 2); }
+  /// Sum of the power of bin k over all segments; 0 where it is no more than rounding noise.
+  [[nodiscard]] double total_power(std::size_t k) const { return total_power_[k]; }
+
+  /// What the signal was divided by.
+  [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] const std::vector<double>& window() const { return window_; }
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+
+ private:
+  static constexpr std::size_t kRows = 3;
+
+  [[nodiscard]] const double* row(std::size_t k, std::size_t which) const {
+    return rows_.data() + (k * kRows + which) * row_length_;
+  }
+  void resize_rows(std::size_t row_length);
+  void load_segment(std::span<const double> segment, std::size_t sequence);
+  void clear_segment(std::size_t sequence);
+  void store_batch(std::size_t first_segment);
+  void sum_power(double largest);
+
+  Settings settings_;
+  std::vector<double> window_;
+  std::vector<double> centred_;  // one segment
+  const PairedFft* fft_;
+  AlignedVector input_;
+  AlignedVector output_;
+  AlignedVector rows_;
+  std::vector<double> total_power_;
+  std::size_t segments_ = 0;
+  std::size_t row_length_ = 0;
+  double scale_ = 1.0;
+};
+
+}  // namespace loopscope::core::hos

@@ -1,0 +1,61 @@
+#include "core/loop/performance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/loop/harris.hpp"
+#include "core/loop/if_finite.hpp"
+#include "core/loop/valve_work.hpp"
+#include "core/signal/spread.hpp"
+
+namespace loopscope::core::loop {
+namespace {
+
+constexpr double kSecondsPerHour = 3600.0;
+/// Within half a percent a valve is at its limit: positioners do not hold it closer.
+constexpr double kLimitPercent = 0.5;
+
+std::optional<double> auto_fraction_of(std::span<const signal::ControlMode> mode) {
+  using signal::ControlMode;
+  const auto known = mode.size() - static_cast<std::size_t>(
+                                       std::count(mode.begin(), mode.end(), ControlMode::unknown));
+  if (known == 0) return std::nullopt;
+  const auto automatic = std::count_if(mode.begin(), mode.end(), [](ControlMode m) {
+    return m == ControlMode::automatic || m == ControlMode::cascade;
+  });
+  return static_cast<double>(automatic) / static_cast<double>(known);
+}
+
+std::optional<double> at_limit_fraction_of(std::span<const double> op_percent) {
+  const auto recorded = std::count_if(op_percent.begin(), op_percent.end(),
+                                      [](double v) { return std::isfinite(v); });
+  if (recorded == 0) return std::nullopt;
+  const auto at_limit = std::count_if(op_percent.begin(), op_percent.end(), [](double v) {
+    return std::isfinite(v) && (v <= kLimitPercent || v >= 100.0 - kLimitPercent);
+  });
+  return static_cast<double>(at_limit) / static_cast<double>(recorded);
+}
+
+}  // namespace
+
+Performance measure_performance(std::span<const double> error, std::span<const double> op_percent,
+                                std::span<const signal::ControlMode> mode, double sample_interval_s,
+                                bool limits_known, const PerformanceSettings& settings) {
+  Performance result;
+  if (const auto spread = signal::measure_spread(error)) result.error_std = if_finite(spread->std);
+  if (const auto harris = measure_harris(error, settings.min_delay_samples,
+                                         settings.max_delay_samples, settings.ar_order)) {
+    result.harris_low = harris->low;
+    result.harris_high = harris->high;
+  }
+  if (const ValveWork work = measure_valve_work(op_percent); work.pairs > 0) {
+    const double hours = static_cast<double>(work.pairs) * sample_interval_s / kSecondsPerHour;
+    result.valve_travel_per_h = if_finite(work.travel / hours);
+    result.reversals_per_h = if_finite(work.reversals / hours);
+  }
+  result.auto_fraction = auto_fraction_of(mode);
+  if (limits_known) result.at_limit_fraction = at_limit_fraction_of(op_percent);
+  return result;
+}
+
+}  // namespace loopscope::core::loop

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "core/signal/loop_window.hpp"
+
+namespace loopscope::core::loop {
+
+/// How well the loop does its work, and how hard the valve works for it.
+struct Performance {
+  /// Harris index: minimum-variance over actual variance of the error, 0 (poor) to 1 (as good as
+  /// any linear controller), as a range over the plausible delays.
+  std::optional<double> harris_low, harris_high;
+  std::optional<double> error_std;           ///< pv units
+  std::optional<double> valve_travel_per_h;  ///< sum |op(k) - op(k-1)|, % of op range per hour
+  /// Changes of op's direction per hour; moves below 1e-6 of the largest |op| are rounding. Both
+  /// rates are per hour of neighbouring samples that are recorded.
+  std::optional<double> reversals_per_h;
+  std::optional<double>
+      auto_fraction;  ///< automatic or cascade, of the samples whose mode is known
+  std::optional<double> at_limit_fraction;  ///< share of samples with op within 0.5 % of a limit
+};
+
+struct PerformanceSettings {
+  std::size_t min_delay_samples = 2;   ///< a sampled loop answers after one sample at the earliest
+  std::size_t max_delay_samples = 10;  ///< longest plausible delay
+  std::size_t ar_order = 20;           ///< of the error model that the index is read from
+};
+
+/// `error` (pv units) and `op_percent` (empty when not recorded or without a range: op units then)
+/// may hold NaN; `mode` is empty when not recorded. Figures that cannot be computed are nullopt.
+/// `limits_known` says that op_percent really runs from 0 to 100.
+[[nodiscard]] Performance measure_performance(std::span<const double> error,
+                                              std::span<const double> op_percent,
+                                              std::span<const signal::ControlMode> mode,
+                                              double sample_interval_s, bool limits_known,
+                                              const PerformanceSettings& settings = {});
+
+}  // namespace loopscope::core::loop

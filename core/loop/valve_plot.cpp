@@ -1,0 +1,109 @@
+#include "core/loop/valve_plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/loop/if_finite.hpp"
+#include "core/loop/valve_work.hpp"
+#include "core/signal/spread.hpp"
+
+namespace loopscope::core::loop {
+namespace {
+
+/// Moves of mv below this share of its swing, or below what a position transmitter resolves, are
+/// noise. The smaller counts: a valve that moves by half a percent in all still has its branches.
+constexpr double kShareOfSwing = 0.02;
+constexpr double kTransmitterPercent = 0.1;
+/// Slices of mv in which the branches are compared, so that a valve with a bent characteristic is
+/// compared with itself at the same position.
+constexpr std::size_t kSlices = 20;
+
+struct Mean {
+  double sum = 0.0;
+  double count = 0.0;
+  void add(double value) {
+    sum += value;
+    count += 1.0;
+  }
+  [[nodiscard]] double value() const { return sum / count; }
+};
+
+struct Slice {
+  Mean rising, falling;  // of op - mv: free of where in the slice the samples lie
+};
+
+using Slices = std::array<Slice, kSlices>;
+
+double valve_tolerance(std::span<const double> mv, const signal::Spread& spread) {
+  const double noise = std::min(kShareOfSwing * (spread.high - spread.low), kTransmitterPercent);
+  return std::max(noise, move_tolerance(mv));
+}
+
+/// A sample is on a branch when mv has left its last resting place by more than the tolerance.
+Slices collect_branches(std::span<const double> op, std::span<const double> mv,
+                        const signal::Spread& spread) {
+  const double tolerance = valve_tolerance(mv, spread);
+  Slices slices;
+  double rest = std::nan("");
+  for (std::size_t k = 0; k < mv.size(); ++k) {
+    if (!std::isfinite(op[k]) || !std::isfinite(mv[k])) {
+      rest = std::nan("");
+      continue;
+    }
+    const double move = mv[k] - rest;
+    if (std::abs(move) <= tolerance) continue;
+    rest = mv[k];
+    if (std::isnan(move)) continue;
+    const double position = (mv[k] - spread.low) / (spread.high - spread.low);
+    Slice& slice = slices[std::min(kSlices - 1, static_cast<std::size_t>(position * kSlices))];
+    (move > 0.0 ? slice.rising : slice.falling).add(op[k] - mv[k]);
+  }
+  return slices;
+}
+
+std::optional<double> mean_width(const Slices& slices) {
+  double sum = 0.0;
+  double weights = 0.0;
+  for (const Slice& slice : slices) {
+    const double weight = std::min(slice.rising.count, slice.falling.count);
+    if (!(weight > 0.0)) continue;
+    sum += weight * (slice.rising.value() - slice.falling.value());
+    weights += weight;
+  }
+  if (!(weights > 0.0)) return std::nullopt;
+  return if_finite(std::max(0.0, sum / weights));
+}
+
+std::optional<double> stuck_fraction_of(std::span<const double> op, std::span<const double> mv,
+                                        const signal::Spread& mv_spread) {
+  const double op_tolerance = move_tolerance(op);
+  const double mv_tolerance = valve_tolerance(mv, mv_spread);
+  double moves = 0.0;
+  double stuck = 0.0;
+  for (std::size_t k = 1; k < op.size(); ++k) {
+    const double op_move = std::abs(op[k] - op[k - 1]);
+    const double mv_move = std::abs(mv[k] - mv[k - 1]);
+    if (!std::isfinite(mv_move) || !std::isfinite(op_move) || !(op_move > op_tolerance)) continue;
+    moves += 1.0;
+    // A slow ramp moves mv by less than the tolerance per sample, but by as much as op.
+    if (mv_move <= std::min(mv_tolerance, 0.1 * op_move)) stuck += 1.0;
+  }
+  if (!(moves > 0.0)) return std::nullopt;
+  return stuck / moves;
+}
+
+}  // namespace
+
+ValvePlot measure_valve_plot(std::span<const double> op, std::span<const double> mv) {
+  const auto op_spread = signal::measure_spread(op);
+  const auto mv_spread = signal::measure_spread(mv);
+  if (op.size() != mv.size() || !op_spread || !mv_spread || op_spread->constant() ||
+      mv_spread->constant()) {
+    return {};
+  }
+  return {mean_width(collect_branches(op, mv, *mv_spread)), stuck_fraction_of(op, mv, *mv_spread)};
+}
+
+}  // namespace loopscope::core::loop

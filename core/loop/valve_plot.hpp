@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace loopscope::core::loop {
+
+/// The mv-op plot: what the valve does with what it is told.
+struct ValvePlot {
+  /// Mean width in op between the branch on which mv rises and the one on which it falls, at the
+  /// same mv, in units of op: the dead band, or stickband less slip jump (S - J) of a sticking
+  /// valve. nullopt when the branches share no mv.
+  std::optional<double> width;
+  /// Share of the samples with op moving in which mv stands still, 0 to 1.
+  std::optional<double> stuck_fraction;
+};
+
+/// `op` and `mv` (NaN = missing) have one length and one unit, % of the range. No figures when
+/// either is constant.
+[[nodiscard]] ValvePlot measure_valve_plot(std::span<const double> op, std::span<const double> mv);
+
+}  // namespace loopscope::core::loop

@@ -1,0 +1,61 @@
+#include "core/signal/assemble.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopscope::core::signal {
+namespace {
+
+constexpr double kMicrosecondsPerSecond = 1e6;
+
+Samples align_if_recorded(const RawSeries& rows, const Grid& grid, Hold hold) {
+  return rows.empty() ? Samples{} : align(rows, grid, hold);
+}
+
+std::vector<ControlMode> to_modes(const Samples& numbers) {
+  std::vector<ControlMode> modes;
+  modes.reserve(numbers.size());
+  for (const double number : numbers) {
+    const bool known = number >= 0.0 && number <= static_cast<double>(ControlMode::cascade);
+    modes.push_back(known ? static_cast<ControlMode>(std::lround(number)) : ControlMode::unknown);
+  }
+  return modes;
+}
+
+}  // namespace
+
+Grid window_grid(const RawSeries& pv, double sample_interval_s, std::int64_t end_us,
+                 std::size_t max_samples) {
+  Grid grid{end_us, sample_interval_s, 0};
+  const auto after = std::upper_bound(pv.time_us.begin(), pv.time_us.end(), end_us);
+  if (after == pv.time_us.begin()) return grid;
+  const std::int64_t newest = *std::prev(after);
+  const double interval_us = sample_interval_s * kMicrosecondsPerSecond;
+  const auto slots_between = [&](std::int64_t from, std::int64_t to, double round) {
+    return std::floor(static_cast<double>(to - from) / interval_us + round);
+  };
+  const double missing_at_end = slots_between(newest, end_us, 0.0);
+  const double recorded = slots_between(pv.time_us.front(), newest, 0.5);
+  const double available = missing_at_end + recorded + 1.0;
+  grid.size = static_cast<std::size_t>(std::min(available, static_cast<double>(max_samples)));
+  const double to_start = missing_at_end - (static_cast<double>(grid.size) - 1.0);
+  grid.start_us = newest + std::llround(to_start * interval_us);
+  return grid;
+}
+
+LoopWindow assemble(const LoopRows& rows, const Grid& grid,
+                    const std::optional<OpRange>& op_range) {
+  LoopWindow window;
+  window.sample_interval_s = grid.sample_interval_s;
+  window.start_us = grid.start_us;
+  window.pv = align(rows.pv, grid, Hold::sample);
+  window.sp = align_if_recorded(rows.sp, grid, Hold::step);
+  window.op = align_if_recorded(rows.op, grid, Hold::sample);
+  window.mv = align_if_recorded(rows.mv, grid, Hold::sample);
+  window.mode = to_modes(align_if_recorded(rows.mode, grid, Hold::step));
+  window.op_range = op_range;
+  window.repeated_times = count_repeated_times(rows.pv);
+  return window;
+}
+
+}  // namespace loopscope::core::signal

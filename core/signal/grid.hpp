@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/signal/loop_window.hpp"
+#include "core/signal/raw_series.hpp"
+
+namespace loopscope::core::signal {
+
+/// A uniform grid of sample times.
+struct Grid {
+  std::int64_t start_us = 0;       ///< first slot, microseconds UTC since 1970
+  double sample_interval_s = 1.0;  ///< > 0
+  std::size_t size = 0;
+
+  /// Time of slot k, microseconds.
+  [[nodiscard]] std::int64_t time_us(std::size_t k) const;
+};
+
+/// How a value is held between rows.
+enum class Hold {
+  sample,  ///< a row fills only the slot it is nearest to (periodic recording)
+  step,    ///< a row holds until the next one (setpoint, mode: recorded on change)
+};
+
+/// Rows onto the grid: slots without a value are NaN. With Hold::step a bad row (NaN) ends the
+/// hold. Where several rows fall into one slot the last one counts.
+[[nodiscard]] Samples align(const RawSeries& rows, const Grid& grid, Hold hold);
+
+/// Number of rows whose time equals that of the row before.
+[[nodiscard]] std::size_t count_repeated_times(const RawSeries& rows);
+
+/// The median spacing of the rows in seconds (gaps and jitter do not move it); 0 when no two rows
+/// differ in time.
+[[nodiscard]] double usual_interval_s(const RawSeries& rows);
+
+}  // namespace loopscope::core::signal

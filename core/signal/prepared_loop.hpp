@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/signal/data_quality.hpp"
+#include "core/signal/loop_window.hpp"
+
+namespace loopscope::core::signal {
+
+/// Limits of what can be judged.
+struct PrepareSettings {
+  std::size_t window_samples = 4096;     ///< the last so many samples are analysed
+  std::size_t min_usable_samples = 512;  ///< 15 segments of 64 at 50 % overlap
+  double max_missing_fraction = 0.4;     ///< more than this and the window is not judged
+  std::size_t max_filled_gap = 2;        ///< missing samples in a row that a line may bridge
+};
+
+/// A window made ready for the numerics: the error signal, op in percent, and what was found odd.
+struct PreparedLoop {
+  double sample_interval_s = 1.0;
+  Samples error;       ///< sp - pv (mean(pv) - pv without sp), pv units; NaN = missing
+  Samples sp;          ///< gaps of up to max_filled_gap held, else NaN; empty = not recorded
+  Samples pv;          ///< gaps of up to max_filled_gap bridged, else NaN
+  Samples op_percent;  ///< % of range; op units when `op_range_known` is false; empty = no op
+  Samples mv_percent;  ///< likewise
+  std::vector<ControlMode> mode;
+  std::size_t pv_recorded = 0;     ///< pv samples before any gap was bridged
+  std::size_t repeated_times = 0;  ///< rows dropped because a later row had the same time
+  bool op_range_known = false;
+  bool op_moves = false;  ///< op was recorded and is not constant
+  DataQuality quality;
+};
+
+}  // namespace loopscope::core::signal

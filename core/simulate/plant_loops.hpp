@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/simulate/loop.hpp"
+
+namespace loopscope::core::simulate {
+
+/// Loops as plants have them, for demonstrations and tests. Their loads wander within bounds and
+/// their transmitters are noisy; the paper's are neither. Each function returns one record length
+/// of `samples` at the given interval in seconds.
+struct Recording {
+  std::size_t samples = 4096;
+  double sample_interval_s = 1.0;
+};
+
+[[nodiscard]] LoopSettings healthy_flow(const Recording& recording);
+[[nodiscard]] LoopSettings tight_tuning(const Recording& recording);
+[[nodiscard]] LoopSettings sluggish_tuning(const Recording& recording);
+[[nodiscard]] LoopSettings sticking_valve(const Recording& recording);
+[[nodiscard]] LoopSettings square_limit_cycle(const Recording& recording);
+[[nodiscard]] LoopSettings deadband(const Recording& recording);
+[[nodiscard]] LoopSettings oversized_valve(const Recording& recording);
+[[nodiscard]] LoopSettings saturated_valve(const Recording& recording);
+[[nodiscard]] LoopSettings worn_valve(const Recording& recording);
+[[nodiscard]] LoopSettings nonlinear_process(const Recording& recording);
+[[nodiscard]] LoopSettings process_gain_change(const Recording& recording);
+[[nodiscard]] LoopSettings outside_oscillation(const Recording& recording);
+[[nodiscard]] LoopSettings load_upsets(const Recording& recording);
+[[nodiscard]] LoopSettings quantised_sensor(const Recording& recording);
+[[nodiscard]] LoopSettings holding_sensor(const Recording& recording);
+[[nodiscard]] LoopSettings level_loop(const Recording& recording);
+[[nodiscard]] LoopSettings sticking_level(const Recording& recording);
+
+}  // namespace loopscope::core::simulate

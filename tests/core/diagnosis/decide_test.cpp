@@ -1,0 +1,224 @@
+#include "core/diagnosis/decide.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/diagnosis/nonlinearity.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+/// A full-length record without coupling, oscillation or odd data.
+Evidence quiet_evidence() {
+  Evidence evidence;
+  evidence.data_quality.usable = true;
+  evidence.data_quality.saturated_fraction = 0.0;
+  evidence.hos = hos::Result{};
+  evidence.hos->segments = 127;
+  evidence.hos->ngi = -0.0005;
+  evidence.hos->nli = 0.03;
+  evidence.performance.harris_low = 0.4;
+  evidence.performance.harris_high = 0.8;
+  evidence.valve_gain = {20.0, 0.1};
+  return evidence;
+}
+
+Evidence nonlinear_evidence() {
+  Evidence evidence = quiet_evidence();
+  evidence.hos->ngi = 0.02;
+  evidence.hos->nli = 0.3;
+  evidence.hos->peaks = {{0.1, 0.1, 0.8, {}}};
+  return evidence;
+}
+
+void oscillate(Evidence& evidence, double persistence) {
+  evidence.oscillation = {true, 60.0, 3.0, 1.0, persistence};
+}
+
+void show_triangular_shapes(Evidence& evidence) {
+  evidence.shape.shape_index = 0.8;
+  evidence.shape.horch_dtau = 0.9;
+  evidence.shape.horch_drho = 0.6;
+}
+
+VerdictCode code_of(const Evidence& evidence) {
+  return decide(evidence, {}).code;
+}
+
+TEST(Decide, QuietLoopIsHealthy) {
+  EXPECT_EQ(code_of(quiet_evidence()), VerdictCode::healthy);
+}
+
+TEST(Decide, UnusableDataAreNotJudged) {
+  Evidence evidence = quiet_evidence();
+  evidence.data_quality.usable = false;
+  evidence.data_quality.reason = "pv is constant";
+  evidence.hos.reset();
+  const Verdict verdict = decide(evidence, {});
+  EXPECT_EQ(verdict.code, VerdictCode::insufficient_data);
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("pv is constant")));
+}
+
+TEST(Decide, AFrozenMeasurementComesBeforeEverythingElse) {
+  Evidence evidence = nonlinear_evidence();
+  evidence.data_quality.flags = {"pv_frozen"};
+  EXPECT_EQ(code_of(evidence), VerdictCode::sensor_fault);
+}
+
+TEST(Decide, OutputAtItsLimitIsSaturation) {
+  Evidence evidence = quiet_evidence();
+  evidence.data_quality.saturated_fraction = 0.3;
+  EXPECT_EQ(code_of(evidence), VerdictCode::valve_saturation);
+}
+
+TEST(Decide, SlowLoopIsSluggish) {
+  Evidence evidence = quiet_evidence();
+  evidence.performance.harris_low = 0.02;
+  evidence.performance.harris_high = 0.1;
+  EXPECT_EQ(code_of(evidence), VerdictCode::sluggish_tuning);
+}
+
+TEST(Decide, DecayingOscillationWithoutCouplingIsTuning) {
+  Evidence evidence = quiet_evidence();
+  oscillate(evidence, 0.2);
+  EXPECT_EQ(code_of(evidence), VerdictCode::tight_tuning);
+}
+
+TEST(Decide, SustainedSinusoidIsADisturbanceEvenWhenHorchIsOdd) {
+  Evidence evidence = quiet_evidence();
+  oscillate(evidence, 0.95);
+  evidence.shape.shape_index = 0.2;
+  evidence.shape.horch_dtau = 0.9;  // seed 5.3: odd although nothing sticks
+  evidence.shape.horch_drho = 0.6;
+  EXPECT_EQ(code_of(evidence), VerdictCode::external_disturbance);
+}
+
+TEST(Decide, SymmetricLimitCycleIsStictionBecauseOfItsShape) {
+  Evidence evidence = quiet_evidence();
+  oscillate(evidence, 0.95);
+  show_triangular_shapes(evidence);
+  const Verdict verdict = decide(evidence, {});
+  EXPECT_EQ(verdict.code, VerdictCode::valve_stiction);
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("blind")));
+  Evidence coupled = nonlinear_evidence();
+  oscillate(coupled, 0.95);
+  show_triangular_shapes(coupled);
+  EXPECT_GT(decide(coupled, {}).confidence, verdict.confidence);
+}
+
+TEST(Decide, NonlinearWithTriangularShapesIsStiction) {
+  Evidence evidence = nonlinear_evidence();
+  oscillate(evidence, 0.9);
+  show_triangular_shapes(evidence);
+  EXPECT_EQ(code_of(evidence), VerdictCode::valve_stiction);
+}
+
+TEST(Decide, NonlinearWithoutAPatternStaysUnexplained) {
+  EXPECT_EQ(code_of(nonlinear_evidence()), VerdictCode::nonlinear_unexplained);
+}
+
+TEST(Decide, TinyOutputMovesAndALargeAnswerMeanAnOversizedValve) {
+  Evidence evidence = nonlinear_evidence();
+  evidence.valve_gain = {0.6, 0.3};  // paper, section 6.2.1: op between 49.4 and 50 %
+  EXPECT_EQ(code_of(evidence), VerdictCode::valve_oversized);
+}
+
+TEST(Decide, AConstantOutputAccusesNoValve) {
+  Evidence evidence = nonlinear_evidence();
+  oscillate(evidence, 0.9);
+  show_triangular_shapes(evidence);
+  evidence.data_quality.flags = {"op_constant"};
+  EXPECT_EQ(code_of(evidence), VerdictCode::nonlinear_unexplained);
+}
+
+TEST(Decide, RecordedPositionDecidesDirectly) {
+  Evidence evidence = quiet_evidence();
+  evidence.shape.mv_op_width = 3.0;
+  evidence.shape.mv_stuck_fraction = 0.7;
+  EXPECT_EQ(code_of(evidence), VerdictCode::valve_stiction);
+  EXPECT_GE(decide(evidence, {}).confidence, 0.9);
+  evidence.shape.mv_stuck_fraction = 0.05;
+  EXPECT_EQ(code_of(evidence), VerdictCode::valve_deadband);
+}
+
+TEST(Decide, AValveThatFollowsLeavesTheProcess) {
+  Evidence evidence = nonlinear_evidence();
+  evidence.shape.mv_op_width = 0.1;
+  evidence.shape.mv_stuck_fraction = 0.0;
+  EXPECT_EQ(code_of(evidence), VerdictCode::process_nonlinearity);
+}
+
+TEST(Decide, CorrelationHasNoVoteOnIntegratingLoops) {
+  Evidence evidence = nonlinear_evidence();
+  oscillate(evidence, 0.9);
+  evidence.shape.shape_index = 0.5;
+  evidence.shape.horch_dtau = 0.9;
+  evidence.shape.horch_drho = 0.6;
+  EXPECT_EQ(code_of(evidence), VerdictCode::valve_stiction);
+  evidence.integrating = true;
+  EXPECT_EQ(code_of(evidence), VerdictCode::nonlinear_unexplained);
+}
+
+TEST(Decide, CorrelationAloneAccusesNobody) {
+  Evidence evidence = quiet_evidence();
+  oscillate(evidence, 0.65);
+  evidence.shape.horch_dtau = 0.75;  // what a tightly tuned loop of nine samples a cycle shows
+  evidence.shape.horch_drho = 0.41;
+  EXPECT_EQ(code_of(evidence), VerdictCode::tight_tuning);
+}
+
+TEST(Decide, AnOversizedValveIsNamedWithoutCouplingToo) {
+  Evidence evidence = quiet_evidence();
+  oscillate(evidence, 0.5);
+  show_triangular_shapes(evidence);
+  evidence.valve_gain = {0.4, 0.1};
+  EXPECT_EQ(code_of(evidence), VerdictCode::valve_oversized);
+}
+
+TEST(Decide, SlowLevelControlIsNoFault) {
+  Evidence evidence = quiet_evidence();
+  evidence.performance.harris_low = 0.03;
+  evidence.performance.harris_high = 0.2;
+  EXPECT_EQ(code_of(evidence), VerdictCode::sluggish_tuning);
+  evidence.integrating = true;
+  EXPECT_EQ(code_of(evidence), VerdictCode::healthy);
+}
+
+TEST(Decide, ACoarseOrStaleMeasurementIsASensorFault) {
+  Evidence evidence = quiet_evidence();
+  evidence.data_quality.quantisation_factor = 1.2;
+  evidence.data_quality.flags = {"pv_quantised"};
+  EXPECT_EQ(code_of(evidence), VerdictCode::sensor_fault);
+  evidence = nonlinear_evidence();
+  evidence.data_quality.compression_factor = 12.0;
+  evidence.data_quality.flags = {"pv_held"};
+  EXPECT_EQ(code_of(evidence), VerdictCode::sensor_fault);
+}
+
+TEST(Decide, ShortRecordsWeighLess) {
+  Evidence evidence = quiet_evidence();
+  const double full = decide(evidence, {}).confidence;
+  evidence.data_quality.flags = {"short"};
+  EXPECT_LT(decide(evidence, {}).confidence, full);
+}
+
+TEST(Decide, NothingIsEverCalledLinear) {
+  for (const Evidence& evidence : {quiet_evidence(), nonlinear_evidence()}) {
+    const Verdict verdict = decide(evidence, {});
+    for (const std::string& reason : verdict.reasons) {
+      EXPECT_THAT(reason, testing::Not(HasSubstr(" linear")));
+    }
+  }
+}
+
+TEST(NgiLimit, GrowsWithShorterRecordsAndNeverFallsBelowThePaper) {
+  EXPECT_DOUBLE_EQ(ngi_limit(127, {}), 0.001);
+  EXPECT_NEAR(ngi_limit(22, {}), 0.001 * 127.0 / 22.0, 1e-12);
+  EXPECT_DOUBLE_EQ(ngi_limit(500, {}), 0.001);
+}
+
+}  // namespace
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace loopscope::core::hos::tests {
+
+/// Length of the paper's records.
+inline constexpr std::size_t kRecord = 4096;
+
+/// Gaussian white noise, mean 0, variance 1.
+[[nodiscard]] std::vector<double> white_noise(std::uint64_t seed, std::size_t length = kRecord);
+
+/// Exponential noise about its mean: mean 0, variance 1, third central moment 2, fourth 9.
+[[nodiscard]] std::vector<double> exponential_noise(std::uint64_t seed,
+                                                    std::size_t length = kRecord);
+
+/// x(k) = pole x(k-1) + e(k) with white Gaussian e, from a settled state; pole 1 is a random walk.
+[[nodiscard]] std::vector<double> first_order_noise(std::uint64_t seed, double pole,
+                                                    std::size_t length = kRecord);
+
+/// Three cosines at f1, f2, f1 + f2 whose phases are drawn anew in every block of 64 samples, the
+/// third the sum of the others (`coupled`) or drawn as well, in noise of standard deviation 0.5.
+[[nodiscard]] std::vector<double> triple(std::uint64_t seed, double f1, double f2, bool coupled);
+
+/// Example 4.2 of the paper, eq. 17 and 18: sinusoids at 0.12 and 0.30, `square` times their
+/// square (0.05 in the paper) and noise of variance 0.04.
+[[nodiscard]] std::vector<double> two_sinusoids(std::uint64_t seed, double square);
+
+/// cosine(2 pi k / period) in Gaussian noise of standard deviation 1.
+[[nodiscard]] std::vector<double> sinusoid_in_noise(std::uint64_t seed, double period);
+
+/// y(k) = gain x(k) + offset.
+[[nodiscard]] std::vector<double> affine(std::span<const double> x, double gain, double offset);
+
+}  // namespace loopscope::core::hos::tests

@@ -1,0 +1,77 @@
+#include "core/loop/valve_plot.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "tests/core/loop/signals.hpp"
+
+namespace loopscope::core::loop {
+namespace {
+
+using signals::Random;
+using signals::Series;
+
+Series swinging_op(Random& random) {
+  Series op = signals::wave(random, 4096, signals::Wave::sine, 120.0, 0.1);
+  for (double& v : op) v = 50.0 + 6.0 * v;
+  return op;
+}
+
+TEST(ValvePlot, DeadBandIsItsWidth) {
+  for (const double width : {0.5, 2.0, 5.0}) {
+    Random random(1);
+    const Series op = swinging_op(random);
+    const ValvePlot plot = measure_valve_plot(op, signals::through_valve(op, width, 0.0));
+    ASSERT_TRUE(plot.width);
+    EXPECT_NEAR(*plot.width, width, 0.05 * width);
+  }
+}
+
+TEST(ValvePlot, StickingValveShowsStickbandLessSlipJump) {
+  Random random(2);
+  const Series op = swinging_op(random);
+  const ValvePlot plot = measure_valve_plot(op, signals::through_valve(op, 3.0, 1.0));
+  ASSERT_TRUE(plot.width);
+  EXPECT_NEAR(*plot.width, 2.0, 0.1);
+  EXPECT_GT(*plot.stuck_fraction, 0.5);
+}
+
+TEST(ValvePlot, HealthyValveHasNoWidthAndIsNeverStuck) {
+  Random random(3);
+  const Series op = swinging_op(random);
+  const ValvePlot plot = measure_valve_plot(op, op);
+  EXPECT_NEAR(*plot.width, 0.0, 1e-9);
+  EXPECT_NEAR(*plot.stuck_fraction, 0.0, 1e-9);
+}
+
+TEST(ValvePlot, PositionNoiseDoesNotHideTheBand) {
+  Random random(4);
+  const Series op = swinging_op(random);
+  const Series mv =
+      signals::sum(signals::through_valve(op, 2.0, 0.0), signals::white(random, op.size()), 0.02);
+  EXPECT_NEAR(*measure_valve_plot(op, mv).width, 2.0, 0.1);
+}
+
+TEST(ValvePlot, GapsAreSkipped) {
+  Random random(5);
+  const Series op = swinging_op(random);
+  const Series mv = signals::with_missing(random, signals::through_valve(op, 2.0, 0.0), 0.2);
+  EXPECT_NEAR(*measure_valve_plot(op, mv).width, 2.0, 0.1);
+}
+
+TEST(ValvePlot, StuckFractionCountsOnlySamplesInWhichOpMoves) {
+  const Series op{1.0, 2.0, 3.0, 3.0, 3.0, 4.0, 5.0}, mv{0.0, 0.0, 3.0, 3.0, 3.0, 3.0, 5.0};
+  EXPECT_DOUBLE_EQ(*measure_valve_plot(op, mv).stuck_fraction, 0.5);
+}
+
+TEST(ValvePlot, ConstantOrMissingGivesNothing) {
+  Random random(6);
+  const Series op = swinging_op(random);
+  for (const Series& mv : {Series{}, Series(op.size(), 50.0), Series(op.size(), std::nan(""))}) {
+    const ValvePlot plot = measure_valve_plot(op, mv);
+    EXPECT_FALSE(plot.width || plot.stuck_fraction);
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::core::loop

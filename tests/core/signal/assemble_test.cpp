@@ -1,0 +1,74 @@
+#include "core/signal/assemble.hpp"
+
+#include <gtest/gtest.h>
+
+namespace loopscope::core::signal {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+RawSeries ramp(std::int64_t first_s, std::int64_t step_s, std::size_t count) {
+  RawSeries rows;
+  for (std::size_t k = 0; k < count; ++k) {
+    rows.time_us.push_back((first_s + step_s * static_cast<std::int64_t>(k)) * kSecond);
+    rows.value.push_back(static_cast<double>(k));
+  }
+  return rows;
+}
+
+TEST(WindowGrid, EndsAtTheSlotAndHoldsTheLastSamples) {
+  const Grid grid = window_grid(ramp(0, 10, 1000), 10.0, 9990 * kSecond, 100);
+  EXPECT_EQ(grid.size, 100U);
+  EXPECT_EQ(grid.time_us(99), 9990 * kSecond);
+}
+
+TEST(WindowGrid, AShortRecordIsNotPaddedAtItsStart) {
+  const Grid grid = window_grid(ramp(0, 10, 50), 10.0, 490 * kSecond, 100);
+  EXPECT_EQ(grid.size, 50U);
+  EXPECT_EQ(grid.start_us, 0);
+}
+
+TEST(WindowGrid, SamplesMissingAtTheEndBelongToTheWindow) {
+  const Grid grid = window_grid(ramp(0, 10, 50), 10.0, 590 * kSecond, 100);
+  EXPECT_EQ(grid.size, 60U);
+  EXPECT_EQ(grid.time_us(59), 590 * kSecond);
+}
+
+TEST(WindowGrid, KeepsThePhaseOfTheSamples) {
+  const Grid grid = window_grid(ramp(3, 10, 50), 10.0, 300 * kSecond, 10);
+  EXPECT_EQ(grid.time_us(9), 293 * kSecond);
+  EXPECT_EQ(grid.size, 10U);
+}
+
+TEST(WindowGrid, RowsAfterTheSlotDoNotCount) {
+  EXPECT_EQ(window_grid(ramp(100, 10, 5), 10.0, 99 * kSecond, 10).size, 0U);
+  EXPECT_EQ(window_grid({}, 10.0, 0, 10).size, 0U);
+}
+
+TEST(Assemble, EachTagIsAlignedAfterItsKind) {
+  LoopRows rows;
+  rows.pv = ramp(0, 10, 4);
+  rows.sp = {{-50 * kSecond, 20 * kSecond}, {7.0, 8.0}};
+  rows.op = ramp(0, 10, 4);
+  rows.mode = {{0}, {1.0}};
+  const LoopWindow window = assemble(rows, {0, 10.0, 4}, OpRange{4.0, 20.0});
+  EXPECT_EQ(window.pv, (Samples{0, 1, 2, 3}));
+  EXPECT_EQ(window.sp, (Samples{7, 7, 8, 8}));
+  EXPECT_EQ(window.op, window.pv);
+  EXPECT_TRUE(window.mv.empty());
+  EXPECT_EQ(window.mode, std::vector(4, ControlMode::automatic));
+  EXPECT_EQ(window.op_range->high, 20.0);
+}
+
+TEST(Assemble, AModeThatIsNoKnownNumberIsUnknown) {
+  LoopRows rows;
+  rows.pv = ramp(0, 1, 3);
+  rows.mode = {{0, kSecond, 2 * kSecond}, {0.0, 17.0, kMissing}};
+  const LoopWindow window = assemble(rows, {0, 1.0, 3}, std::nullopt);
+  EXPECT_EQ(window.mode[0], ControlMode::manual);
+  EXPECT_EQ(window.mode[1], ControlMode::unknown);
+  EXPECT_EQ(window.mode[2], ControlMode::unknown);
+}
+
+}  // namespace
+}  // namespace loopscope::core::signal

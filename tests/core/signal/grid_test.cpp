@@ -1,0 +1,94 @@
+#include "core/signal/grid.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace loopscope::core::signal {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+RawSeries rows_at(std::initializer_list<double> seconds) {
+  RawSeries rows;
+  for (const double t : seconds) {
+    rows.time_us.push_back(std::llround(t * 1e6));
+    rows.value.push_back(static_cast<double>(rows.value.size()));
+  }
+  return rows;
+}
+
+TEST(Grid, PeriodicRowsFillTheirOwnSlots) {
+  const Samples samples = align(rows_at({0, 10, 20, 30}), {0, 10.0, 4}, Hold::sample);
+  EXPECT_EQ(samples, (Samples{0, 1, 2, 3}));
+}
+
+TEST(Grid, JitteringRowsFallIntoTheNearestSlot) {
+  const Samples samples = align(rows_at({0.4, 9.7, 20.3, 29.9}), {0, 10.0, 4}, Hold::sample);
+  EXPECT_EQ(samples, (Samples{0, 1, 2, 3}));
+}
+
+TEST(Grid, ASlotWithoutARowIsMissing) {
+  const Samples samples = align(rows_at({0, 30}), {0, 10.0, 4}, Hold::sample);
+  EXPECT_EQ(samples[0], 0.0);
+  EXPECT_TRUE(std::isnan(samples[1]));
+  EXPECT_TRUE(std::isnan(samples[2]));
+  EXPECT_EQ(samples[3], 1.0);
+}
+
+TEST(Grid, RowsOutsideAreLeftOut) {
+  const Samples samples = align(rows_at({-10, 0, 10, 99}), {0, 10.0, 2}, Hold::sample);
+  EXPECT_EQ(samples, (Samples{1, 2}));
+}
+
+TEST(Grid, TheLastOfSeveralRowsCounts) {
+  const Samples samples = align(rows_at({0, 0, 0}), {0, 10.0, 1}, Hold::sample);
+  EXPECT_EQ(samples, (Samples{2}));
+}
+
+TEST(Grid, StepsHoldFromBeforeTheGridOn) {
+  const Samples samples = align(rows_at({-100, 15}), {0, 10.0, 4}, Hold::step);
+  EXPECT_EQ(samples, (Samples{0, 0, 1, 1}));
+}
+
+TEST(Grid, ABadRowEndsAHold) {
+  RawSeries rows = rows_at({0, 10});
+  rows.value[1] = kMissing;
+  const Samples samples = align(rows, {0, 10.0, 3}, Hold::step);
+  EXPECT_EQ(samples[0], 0.0);
+  EXPECT_TRUE(std::isnan(samples[1]) && std::isnan(samples[2]));
+}
+
+TEST(Grid, InfinityIsMissing) {
+  RawSeries rows = rows_at({0});
+  rows.value[0] = HUGE_VAL;
+  EXPECT_TRUE(std::isnan(align(rows, {0, 1.0, 1}, Hold::sample)[0]));
+}
+
+TEST(Grid, AThirdOfASecondDoesNotDriftOverALongWindow) {
+  RawSeries rows;
+  for (int k = 0; k < 10'080; ++k) {
+    rows.time_us.push_back(std::llround(k * 1e6 / 3.0));
+    rows.value.push_back(k);
+  }
+  const double interval_s = usual_interval_s(rows);
+  const Samples samples = align(rows, {0, interval_s, rows.value.size()}, Hold::sample);
+  EXPECT_EQ(samples, rows.value);
+}
+
+TEST(Grid, UsualIntervalIgnoresGapsAndRepeats) {
+  EXPECT_DOUBLE_EQ(usual_interval_s(rows_at({0, 10, 10, 20, 500, 510, 520})), 10.0);
+  EXPECT_EQ(usual_interval_s(rows_at({5})), 0.0);
+  EXPECT_EQ(usual_interval_s(rows_at({5, 5})), 0.0);
+}
+
+TEST(Grid, RepeatedTimesAreCounted) {
+  EXPECT_EQ(count_repeated_times(rows_at({0, 10, 10, 10, 20})), 2U);
+}
+
+TEST(Grid, TimesOfSlots) {
+  const Grid grid{5 * kSecond, 0.5, 3};
+  EXPECT_EQ(grid.time_us(2), 6 * kSecond);
+}
+
+}  // namespace
+}  // namespace loopscope::core::signal

@@ -1,0 +1,183 @@
+#include "core/signal/prepare.hpp"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <stdexcept>
+
+namespace loopscope::core::signal {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A well-behaved loop: every series recorded and moving.
+LoopWindow healthy_window(std::size_t size = 1000) {
+  LoopWindow window;
+  for (std::size_t k = 0; k < size; ++k) {
+    const auto t = static_cast<double>(k);
+    window.sp.push_back(50.0);
+    window.pv.push_back(50.0 + std::sin(0.3 * t) + 0.01 * std::cos(7.0 * t));
+    window.op.push_back(40.0 + std::cos(0.3 * t));
+  }
+  return window;
+}
+
+TEST(Prepare, ErrorIsSetpointMinusProcessVariable) {
+  const LoopWindow window = healthy_window();
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_TRUE(loop.quality.usable) << loop.quality.reason;
+  EXPECT_TRUE(loop.quality.flags.empty());
+  EXPECT_DOUBLE_EQ(loop.error[17], window.sp[17] - window.pv[17]);
+  EXPECT_EQ(*loop.quality.missing_fraction, 0.0);
+}
+
+TEST(Prepare, WithoutASetpointTheMeanStandsIn) {
+  LoopWindow window = healthy_window();
+  window.sp.clear();
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_THAT(loop.quality.flags, Contains("sp_missing"));
+  double sum = 0.0;
+  for (const double e : loop.error) sum += e;
+  EXPECT_NEAR(sum, 0.0, 1e-9);
+}
+
+TEST(Prepare, OnlyTheLastSamplesCount) {
+  LoopWindow window = healthy_window(5000);
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_EQ(loop.error.size(), 4096U);
+  EXPECT_EQ(loop.pv.back(), window.pv.back());
+  EXPECT_EQ(loop.pv.front(), window.pv[5000 - 4096]);
+}
+
+TEST(Prepare, ShortGapsAreBridgedLongOnesStayMissing) {
+  LoopWindow window = healthy_window();
+  window.pv[10] = window.pv[11] = kMissing;
+  window.pv[20] = window.pv[21] = window.pv[22] = kMissing;
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_NEAR(loop.pv[10], window.pv[9] + (window.pv[12] - window.pv[9]) / 3.0, 1e-12);
+  EXPECT_TRUE(std::isnan(loop.pv[21]) && std::isnan(loop.error[21]));
+  EXPECT_NEAR(*loop.quality.missing_fraction, 0.005, 1e-12);
+}
+
+TEST(Prepare, InfinityCountsAsMissing) {
+  LoopWindow window = healthy_window();
+  for (std::size_t k = 100; k < 110; ++k) window.pv[k] = HUGE_VAL;
+  EXPECT_NEAR(*prepare(window, {}).quality.missing_fraction, 0.01, 1e-12);
+}
+
+TEST(Prepare, TooFewSamplesAreNotJudged) {
+  const PreparedLoop loop = prepare(healthy_window(511), {});
+  EXPECT_FALSE(loop.quality.usable);
+  EXPECT_THAT(loop.quality.reason, HasSubstr("511 usable samples"));
+  EXPECT_TRUE(prepare(healthy_window(512), {}).quality.usable);
+}
+
+TEST(Prepare, AnEmptyWindowIsNotJudged) {
+  const PreparedLoop loop = prepare({}, {});
+  EXPECT_FALSE(loop.quality.usable);
+  EXPECT_EQ(*loop.quality.missing_fraction, 1.0);
+}
+
+TEST(Prepare, TooMuchMissingIsNotJudged) {
+  LoopWindow window = healthy_window(2000);
+  for (std::size_t k = 0; k < 900; ++k) window.pv[k] = kMissing;
+  EXPECT_THAT(prepare(window, {}).quality.reason, HasSubstr("45 % of the pv samples"));
+}
+
+TEST(Prepare, AConstantProcessVariableIsNotJudged) {
+  LoopWindow window = healthy_window();
+  for (double& v : window.pv) v = 0.1 + 0.2;
+  window.pv[5] = 0.3;  // differs from 0.1 + 0.2 in the last place only
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_EQ(loop.quality.reason, "pv is constant");
+  EXPECT_THAT(loop.quality.flags, Contains("pv_constant"));
+}
+
+TEST(Prepare, AConstantOutputIsAFlagNotAnError) {
+  LoopWindow window = healthy_window();
+  window.op.assign(window.size(), 42.0);
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_TRUE(loop.quality.usable);
+  EXPECT_FALSE(loop.op_moves);
+  EXPECT_THAT(loop.quality.flags, Contains("op_constant"));
+}
+
+TEST(Prepare, AMissingOutputIsAFlagNotAnError) {
+  LoopWindow window = healthy_window();
+  window.op.clear();
+  EXPECT_THAT(prepare(window, {}).quality.flags, Contains("op_missing"));
+  EXPECT_TRUE(prepare(window, {}).quality.usable);
+}
+
+TEST(Prepare, OutputOutsideZeroToHundredHasNoKnownRange) {
+  LoopWindow window = healthy_window();
+  for (double& v : window.op) v += 350.0;
+  const PreparedLoop unknown = prepare(window, {});
+  EXPECT_THAT(unknown.quality.flags, Contains("op_range_unknown"));
+  EXPECT_EQ(unknown.op_percent, window.op);
+  EXPECT_FALSE(unknown.quality.saturated_fraction.has_value());
+  window.op_range = OpRange{300.0, 500.0};
+  const PreparedLoop known = prepare(window, {});
+  EXPECT_THAT(known.quality.flags, Not(Contains("op_range_unknown")));
+  EXPECT_DOUBLE_EQ(known.op_percent[3], (window.op[3] - 300.0) / 2.0);
+}
+
+TEST(Prepare, TimeAtALimitIsMeasured) {
+  LoopWindow window = healthy_window();
+  for (std::size_t k = 0; k < 250; ++k) window.op[k] = k % 2 == 0 ? 100.0 : 0.2;
+  EXPECT_NEAR(*prepare(window, {}).quality.saturated_fraction, 0.25, 1e-12);
+}
+
+TEST(Prepare, AFrozenProcessVariableIsFlagged) {
+  LoopWindow window = healthy_window();
+  for (std::size_t k = 100; k < 420; ++k) window.pv[k] = 50.5;
+  EXPECT_THAT(prepare(window, {}).quality.flags, Contains("pv_frozen"));
+}
+
+TEST(Prepare, AProcessVariableRenewedSeldomIsFlaggedWithItsFactor) {
+  LoopWindow window = healthy_window(1200);
+  for (std::size_t k = 0; k < window.size(); ++k) window.pv[k] = window.pv[k - k % 12];
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_THAT(loop.quality.flags, Contains("pv_held"));
+  EXPECT_NEAR(*loop.quality.compression_factor, 12.0, 0.2);
+  EXPECT_DOUBLE_EQ(*prepare(healthy_window(), {}).quality.compression_factor, 1.0);
+}
+
+TEST(Prepare, ACoarseGridIsFlaggedWithItsFactor) {
+  LoopWindow window = healthy_window();
+  for (double& v : window.pv) v = std::round(v);
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_THAT(loop.quality.flags, Contains("pv_quantised"));
+  EXPECT_GT(*loop.quality.quantisation_factor, 1.0);
+}
+
+TEST(Prepare, ASetpointThatAlwaysMovesIsFlagged) {
+  LoopWindow window = healthy_window();
+  for (std::size_t k = 0; k < window.size(); ++k) window.sp[k] += 0.01 * static_cast<double>(k % 7);
+  EXPECT_THAT(prepare(window, {}).quality.flags, Contains("sp_moving"));
+}
+
+TEST(Prepare, AControllerMostlyInManualIsNotJudged) {
+  LoopWindow window = healthy_window();
+  window.mode.assign(window.size(), ControlMode::automatic);
+  EXPECT_TRUE(prepare(window, {}).quality.usable);
+  for (std::size_t k = 0; k < 600; ++k) window.mode[k] = ControlMode::manual;
+  EXPECT_THAT(prepare(window, {}).quality.reason, HasSubstr("in manual for 60 %"));
+  window.mode.assign(window.size(), ControlMode::unknown);
+  EXPECT_TRUE(prepare(window, {}).quality.usable);
+}
+
+TEST(Prepare, SeriesOfDifferentLengthsAreAFault) {
+  LoopWindow window = healthy_window();
+  window.op.pop_back();
+  EXPECT_THROW(static_cast<void>(prepare(window, {})), std::invalid_argument);
+  window = healthy_window();
+  window.sample_interval_s = 0.0;
+  EXPECT_THROW(static_cast<void>(prepare(window, {})), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace loopscope::core::signal
