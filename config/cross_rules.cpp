@@ -1,0 +1,135 @@
+#include "config/cross_rules.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "config/number_text.hpp"
+
+namespace loopscope::config {
+
+namespace {
+
+std::string samples(std::size_t count) {
+  return std::to_string(count) + " samples";
+}
+
+std::string seconds(double value) {
+  return number_text(value) + " s";
+}
+
+void check_historian_names(const Settings& settings, ProblemList& problems) {
+  const auto path = [](std::size_t i) { return "/historians/" + std::to_string(i) + "/name"; };
+  for (std::size_t i = 0; i < settings.historians.size(); ++i) {
+    for (std::size_t first = 0; first < i; ++first) {
+      if (settings.historians[first].name != settings.historians[i].name) continue;
+      problems.add_unless_refused({path(i), path(first)}, "is the name of " + path(first) + " too",
+                                  "loops refer to a historian by its name: give each its own");
+      break;
+    }
+  }
+}
+
+void check_historians(const Settings& settings, ProblemList& problems) {
+  if (settings.historians.empty())
+    problems.add_unless_refused({"/historians"}, "is missing or empty, at least one is needed",
+                                R"("historians": [{"connection": "service=plant"}])");
+  check_historian_names(settings, problems);
+  for (std::size_t i = 0; i < settings.historians.size(); ++i) {
+    const std::string path = "/historians/" + std::to_string(i);
+    const HistorianSettings& historian = settings.historians[i];
+    if (historian.quality_column.empty() && historian.quality_rule != "none")
+      problems.add_unless_refused({path + "/quality_rule", path + "/quality_column"},
+                                  "\"" + historian.quality_rule + "\" needs a quality column",
+                                  R"(name it in quality_column, or set quality_rule to "none")");
+  }
+}
+
+void check_schedule(const ScheduleSettings& schedule, ProblemList& problems) {
+  // A worker that is late by one look, or misses one, must not lose its loops to another.
+  if (schedule.lease_s < 3.0 * schedule.poll_s)
+    problems.add_unless_refused(
+        {"/schedule/lease_s", "/schedule/poll_s"},
+        seconds(schedule.lease_s) + " is less than 3 poll_s, " + seconds(3.0 * schedule.poll_s),
+        "hold loops longer or look more often");
+  if (schedule.default_period_s < schedule.poll_s)
+    problems.add_unless_refused(
+        {"/schedule/default_period_s", "/schedule/poll_s"},
+        seconds(schedule.default_period_s) + " is less than poll_s, " + seconds(schedule.poll_s),
+        "no loop is analysed more often than the daemon looks");
+}
+
+void check_window(const core::signal::PrepareSettings& prepare, ProblemList& problems) {
+  if (prepare.min_usable_samples > prepare.window_samples)
+    problems.add_unless_refused({"/analysis/min_usable_samples", "/analysis/window_samples"},
+                                samples(prepare.min_usable_samples) +
+                                    " are more than window_samples, " +
+                                    samples(prepare.window_samples),
+                                "no window could be judged");
+}
+
+void check_overlap(const core::hos::Settings& hos, ProblemList& problems) {
+  // The greatest overlap leaves a hop of more than one sample, so a whole number is all it takes.
+  const double repeated = hos.overlap * static_cast<double>(hos.segment_length);
+  const double whole = std::round(repeated);
+  constexpr double kRounding = 1e-6;  // samples; forgives 0.333333333 of 4096, not a real fraction
+  if (std::abs(repeated - whole) > kRounding)
+    problems.add_unless_refused({"/analysis/hos/overlap", "/analysis/hos/segment_length"},
+                                number_text(hos.overlap) + " of a segment are " +
+                                    number_text(repeated) + " samples, not a whole number",
+                                number_text(whole / static_cast<double>(hos.segment_length)) +
+                                    " are " + samples(static_cast<std::size_t>(whole)));
+}
+
+void check_segments(const core::AnalysisSettings& analysis, ProblemList& problems) {
+  const core::hos::Settings& hos = analysis.hos;
+  if (hos.dft_length < hos.segment_length)
+    problems.add_unless_refused(
+        {"/analysis/hos/dft_length", "/analysis/hos/segment_length"},
+        samples(hos.dft_length) + " are less than segment_length, " + samples(hos.segment_length),
+        "a DFT takes a whole segment");
+  const auto length = static_cast<double>(hos.segment_length);
+  const auto two_segments = static_cast<std::size_t>(std::ceil(length * (2.0 - hos.overlap)));
+  if (analysis.prepare.min_usable_samples < two_segments)
+    problems.add_unless_refused(
+        {"/analysis/hos/segment_length", "/analysis/min_usable_samples", "/analysis/hos/overlap"},
+        "two segments take " + samples(two_segments) + ", more than min_usable_samples, " +
+            samples(analysis.prepare.min_usable_samples),
+        "an average needs two segments in the shortest window");
+}
+
+void check_oscillation(const core::AnalysisSettings& analysis, ProblemList& problems) {
+  const double shortest_period = 2.0 * analysis.oscillation.min_half_period_samples;
+  const double needed = analysis.oscillation.min_cycles * shortest_period;
+  const std::size_t window = analysis.prepare.window_samples;
+  if (needed > static_cast<double>(window))
+    problems.add_unless_refused(
+        {"/analysis/oscillation/min_cycles", "/analysis/oscillation/min_half_period_samples",
+         "/analysis/window_samples"},
+        number_text(analysis.oscillation.min_cycles) + " cycles of the shortest period take " +
+            number_text(needed) + " samples, more than window_samples, " + samples(window),
+        "no oscillation could be found");
+}
+
+void check_performance(const core::loop::PerformanceSettings& performance, ProblemList& problems) {
+  if (performance.min_delay_samples > performance.max_delay_samples)
+    problems.add_unless_refused(
+        {"/analysis/performance/min_delay_samples", "/analysis/performance/max_delay_samples"},
+        samples(performance.min_delay_samples) + " are more than max_delay_samples, " +
+            samples(performance.max_delay_samples),
+        {});
+}
+
+}  // namespace
+
+void check_cross_rules(const Settings& settings, ProblemList& problems) {
+  check_historians(settings, problems);
+  check_schedule(settings.schedule, problems);
+  check_window(settings.analysis.prepare, problems);
+  check_segments(settings.analysis, problems);
+  check_overlap(settings.analysis.hos, problems);
+  check_oscillation(settings.analysis, problems);
+  check_performance(settings.analysis.performance, problems);
+}
+
+}  // namespace loopscope::config

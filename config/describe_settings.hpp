@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace loopscope::config {
+
+/// Every setting with its default, range, unit and meaning as a Markdown table (for the README and
+/// `check-config --describe`).
+[[nodiscard]] std::string describe_settings();
+
+}  // namespace loopscope::config

@@ -1,0 +1,118 @@
+#include "config/read_value.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "config/connection_secret.hpp"
+#include "config/nearest_name.hpp"
+#include "config/number_text.hpp"
+
+namespace loopscope::config {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Problem wrong_kind(const Json& value, const std::string& path, const std::string& wanted) {
+  std::string hint;
+  if (value.is_null()) hint = "leave the key out for its default";
+  if (value.is_string()) hint = "write it without quotes";
+  if (value.is_number()) hint = "write it in quotes";
+  return {path, "is " + kind_of(value) + ", not " + wanted, hint};
+}
+
+/// Why a number is refused; empty when it is accepted.
+std::string complaint_about(double number, const Limits& limits, bool whole) {
+  const std::string text = number_text(number);
+  if (number < limits.low || number > limits.high)
+    return text + " is out of range, " + limits_text(limits);
+  if (whole && std::trunc(number) != number)
+    return text + " is no whole number, " + limits_text(limits);
+  if (limits.even && std::fmod(number, 2.0) != 0.0) return text + " is odd, " + limits_text(limits);
+  return {};
+}
+
+void read_number(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
+                 ProblemList& problems) {
+  const bool whole = takes_whole_numbers(slot);
+  if (!value.is_number()) {
+    problems.add(
+        wrong_kind(value, path, (whole ? "a whole number, " : "a number, ") + limits_text(limits)));
+    return;
+  }
+  const auto number = value.get<double>();
+  const std::string complaint = complaint_about(number, limits, whole);
+  if (complaint.empty())
+    store_number(slot, number);
+  else
+    problems.add({path, complaint, {}});
+}
+
+bool has_control_character(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+}
+
+std::optional<Problem> refuse_word(const std::string& word, const std::string& path,
+                                   const Limits& limits) {
+  const std::vector<std::string> known(limits.words.begin(), limits.words.end());
+  if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
+  const auto nearest = nearest_name(word, known);
+  return Problem{path, Json(word).dump() + " is none of " + limits_text(limits),
+                 nearest ? "did you mean \"" + *nearest + "\"?" : ""};
+}
+
+/// Texts of connections are never quoted in a message: they may hold what they should not.
+std::optional<Problem> refuse_text(const std::string& text, const std::string& path,
+                                   const Limits& limits) {
+  if (limits.form == Form::choice) return refuse_word(text, path, limits);
+  if (text.empty() && !may_be_empty(limits.form))
+    return Problem{path, "is empty",
+                   is_connection(limits.form) ? "a libpq connection string, e.g. \"service=plant\""
+                                              : "leave the key out for its default"};
+  if (has_control_character(text)) return Problem{path, "holds a control character", {}};
+  if (is_connection(limits.form) && holds_secret(text))
+    return Problem{path, "holds a password",
+                   "move it to ~/.pgpass, or to pg_service.conf and write \"service=NAME\""};
+  return std::nullopt;
+}
+
+void read_text(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
+               ProblemList& problems) {
+  if (!value.is_string()) {
+    const bool choice = limits.form == Form::choice;
+    problems.add(wrong_kind(value, path, (choice ? "one of " : "a ") + limits_text(limits)));
+    return;
+  }
+  const auto text = value.get<std::string>();
+  if (auto problem = refuse_text(text, path, limits))
+    problems.add(std::move(*problem));
+  else
+    store_text(slot, text);
+}
+
+}  // namespace
+
+void read_value(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
+                ProblemList& problems) {
+  if (limits.form == Form::number)
+    read_number(value, path, limits, slot, problems);
+  else
+    read_text(value, path, limits, slot, problems);
+}
+
+std::string kind_of(const Json& value) {
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return "an array";
+  if (value.is_string()) return "a text";
+  if (value.is_number()) return "a number";
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+  return "null";
+}
+
+}  // namespace loopscope::config

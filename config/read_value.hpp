@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "config/limits.hpp"
+#include "config/problem_list.hpp"
+#include "config/slot.hpp"
+
+namespace loopscope::config {
+
+/// Checks one JSON value against type and limits and stores it in the slot; a value that is refused
+/// leaves the slot alone and becomes a problem at `path`. A number is whole by its value, not by
+/// its spelling: 64, 64.0 and 6.4e1 are the same setting.
+void read_value(const nlohmann::ordered_json& value, const std::string& path, const Limits& limits,
+                const Slot& slot, ProblemList& problems);
+
+/// "an object", "a number", ...: what a JSON value is, in a sentence.
+[[nodiscard]] std::string kind_of(const nlohmann::ordered_json& value);
+
+}  // namespace loopscope::config

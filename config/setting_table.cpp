@@ -1,0 +1,171 @@
+#include "config/setting_table.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace loopscope::config {
+
+namespace {
+
+using core::AnalysisSettings;
+using core::loop::OscillationSettings;
+using core::loop::PerformanceSettings;
+using core::signal::PrepareSettings;
+using Hos = core::hos::Settings;
+
+/// The slot that is reached from Settings over a chain of members.
+template <auto... Members>
+Slot at(Settings& settings, std::size_t) {
+  return &(settings.*....*Members);
+}
+
+template <auto Member>
+Slot in_historian(Settings& settings, std::size_t index) {
+  return &(settings.historians.at(index).*Member);
+}
+
+template <auto Member>
+constexpr auto in_results = at<&Settings::results, Member>;
+template <auto Member>
+constexpr auto in_schedule = at<&Settings::schedule, Member>;
+template <auto Member>
+constexpr auto in_daemon = at<&Settings::daemon, Member>;
+template <auto Member>
+constexpr auto in_flags = at<&Settings::flags, Member>;
+template <auto Member>
+constexpr auto in_prepare = at<&Settings::analysis, &AnalysisSettings::prepare, Member>;
+template <auto Member>
+constexpr auto in_hos = at<&Settings::analysis, &AnalysisSettings::hos, Member>;
+template <auto Member>
+constexpr auto in_oscillation = at<&Settings::analysis, &AnalysisSettings::oscillation, Member>;
+template <auto Member>
+constexpr auto in_performance = at<&Settings::analysis, &AnalysisSettings::performance, Member>;
+
+constexpr std::string_view kTimeKinds[] = {"timestamptz",   "timestamp_utc", "epoch_s",
+                                           "epoch_s_float", "epoch_ms",      "epoch_us"};
+constexpr std::string_view kQualityRules[] = {"none", "opcda", "zero"};
+constexpr std::string_view kLogLevels[] = {"debug", "info", "warning", "error"};
+constexpr std::string_view kLogFormats[] = {"text", "json"};
+
+/// The names are those of core/hos, not written down a second time.
+const auto kWindowNames = [] {
+  std::array<std::string_view, kWindowShapes.size()> names;
+  std::transform(kWindowShapes.begin(), kWindowShapes.end(), names.begin(),
+                 [](core::hos::WindowShape shape) { return core::hos::name(shape); });
+  return names;
+}();
+
+/// The fewest samples that a verdict may rest on: 15 segments of 64 at 50 % overlap.
+constexpr double kFewestSamples = 512;
+/// A window this long holds a week at one sample in five seconds.
+constexpr double kMostSamples = 131072;
+
+constexpr std::array kTable = {
+    Setting{"/results/connection", in_results<&ResultsSettings::connection>, any(Form::connection),
+            "database of results, catalogue and schedule, as the worker"},
+    Setting{"/results/owner_connection", in_results<&ResultsSettings::owner_connection>,
+            any(Form::optional_connection),
+            "the same as the schema's owner (`migrate`, `maintain`, `loops`, `import`); empty = "
+            "`connection`"},
+    Setting{"/results/retention_months", in_results<&ResultsSettings::retention_months>,
+            range(0, 1200, "months"),
+            "results older than this are dropped by `maintain`; 0 = none"},
+
+    Setting{"/historians/*/name", in_historian<&HistorianSettings::name>, any(Form::text),
+            "what loops refer to as their source; unique"},
+    Setting{"/historians/*/connection", in_historian<&HistorianSettings::connection>,
+            any(Form::connection), "database of the historian, as a reader"},
+    Setting{"/historians/*/writer_connection", in_historian<&HistorianSettings::writer_connection>,
+            any(Form::optional_connection),
+            "the same as a writer, for `import` only; empty = `connection`"},
+    Setting{"/historians/*/table", in_historian<&HistorianSettings::table>, any(Form::text),
+            "[schema.]table or view with one row per tag and time"},
+    Setting{"/historians/*/tag_column", in_historian<&HistorianSettings::tag_column>,
+            any(Form::text), "column of the tag"},
+    Setting{"/historians/*/time_column", in_historian<&HistorianSettings::time_column>,
+            any(Form::text), "column of the time"},
+    Setting{"/historians/*/value_column", in_historian<&HistorianSettings::value_column>,
+            any(Form::text), "column of the value"},
+    Setting{"/historians/*/quality_column", in_historian<&HistorianSettings::quality_column>,
+            any(Form::optional_text), "column of the quality code; empty = none"},
+    Setting{"/historians/*/time_kind", in_historian<&HistorianSettings::time_kind>,
+            one_of(kTimeKinds), "how the time column counts; epochs are UTC"},
+    Setting{"/historians/*/quality_rule", in_historian<&HistorianSettings::quality_rule>,
+            one_of(kQualityRules), "what is good: every finite value, (q & 0xC0) = 0xC0, or 0"},
+
+    Setting{"/schedule/poll_s", in_schedule<&ScheduleSettings::poll_s>, range(0.1, 3600, "s"),
+            "between two looks for due loops"},
+    Setting{"/schedule/settle_s", in_schedule<&ScheduleSettings::settle_s>, range(0, 86400, "s"),
+            "rows newer than this are left to settle"},
+    Setting{"/schedule/lease_s", in_schedule<&ScheduleSettings::lease_s>, range(10, 86400, "s"),
+            "that a claimed loop is held; at least 3 `poll_s`"},
+    Setting{"/schedule/batch_loops", in_schedule<&ScheduleSettings::batch_loops>,
+            range(1, 256, "loops"), "claimed, read and written together"},
+    Setting{"/schedule/default_period_s", in_schedule<&ScheduleSettings::default_period_s>,
+            range(1, 2592000, "s"),
+            "between two analyses of a loop that is added without a period; at least `poll_s`"},
+
+    Setting{"/daemon/workers", in_daemon<&DaemonSettings::workers>, range(0, 256, "threads"),
+            "that analyse; 0 = one per core"},
+    Setting{"/daemon/log_level", in_daemon<&DaemonSettings::log_level>, one_of(kLogLevels),
+            "least severe messages that are logged"},
+    Setting{"/daemon/log_format", in_daemon<&DaemonSettings::log_format>, one_of(kLogFormats),
+            "lines for people or for machines"},
+
+    Setting{"/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
+            range(0.0001, 0.5), "share of the flags that may be false"},
+    Setting{"/flags/min_confidence", in_flags<&FlagSettings::min_confidence>, range(0, 1),
+            "verdicts below are not flagged"},
+
+    Setting{"/analysis/window_samples", in_prepare<&PrepareSettings::window_samples>,
+            range(kFewestSamples, kMostSamples, "samples"), "that are analysed: the last ones"},
+    Setting{"/analysis/min_usable_samples", in_prepare<&PrepareSettings::min_usable_samples>,
+            range(kFewestSamples, kMostSamples, "samples"), "with fewer a window is not judged"},
+    Setting{"/analysis/max_missing_fraction", in_prepare<&PrepareSettings::max_missing_fraction>,
+            range(0, 0.9), "with more missing a window is not judged"},
+    Setting{"/analysis/max_filled_gap", in_prepare<&PrepareSettings::max_filled_gap>,
+            range(0, 100, "samples"), "longest gap that a line may bridge"},
+
+    Setting{"/analysis/hos/segment_length", in_hos<&Hos::segment_length>,
+            even_range(16, 4096, "samples"), "segment of the averaged estimates"},
+    Setting{"/analysis/hos/overlap", in_hos<&Hos::overlap>, range(0, 0.9),
+            "share of a segment that the next one repeats; whole samples"},
+    Setting{"/analysis/hos/window", in_hos<&Hos::window>, one_of(kWindowNames),
+            "taper of a segment; `hann` is the paper's"},
+    Setting{"/analysis/hos/dft_length", in_hos<&Hos::dft_length>, even_range(16, 8192, "samples"),
+            "segments are padded to this; at least one segment"},
+    Setting{"/analysis/hos/alpha", in_hos<&Hos::alpha>, range(0.0001, 0.5),
+            "significance of the critical bicoherence"},
+    Setting{"/analysis/hos/ngi_threshold", in_hos<&Hos::ngi_threshold>, range(0, 1),
+            "NGI up to this counts as Gaussian"},
+    Setting{"/analysis/hos/nli_threshold", in_hos<&Hos::nli_threshold>, range(0, 1),
+            "NLI up to this counts as linear"},
+    Setting{"/analysis/hos/max_peaks", in_hos<&Hos::max_peaks>, range(0, 50, "peaks"),
+            "strongest distinct peaks to report"},
+
+    Setting{"/analysis/oscillation/min_regularity",
+            in_oscillation<&OscillationSettings::min_regularity>, range(0.1, 100),
+            "an oscillation is at least this regular: mean / (3 std) of its half periods"},
+    Setting{"/analysis/oscillation/min_half_period_samples",
+            in_oscillation<&OscillationSettings::min_half_period_samples>,
+            range(1, 1000, "samples"), "shorter half periods are noise"},
+    Setting{"/analysis/oscillation/min_cycles", in_oscillation<&OscillationSettings::min_cycles>,
+            range(1, 1000, "cycles"), "that the window has to hold"},
+
+    Setting{"/analysis/performance/min_delay_samples",
+            in_performance<&PerformanceSettings::min_delay_samples>, range(1, 1000, "samples"),
+            "shortest plausible delay of a loop"},
+    Setting{"/analysis/performance/max_delay_samples",
+            in_performance<&PerformanceSettings::max_delay_samples>, range(1, 1000, "samples"),
+            "longest plausible delay of a loop"},
+    Setting{"/analysis/performance/ar_order", in_performance<&PerformanceSettings::ar_order>,
+            range(1, 200, "coefficients"), "order of the error model behind the Harris index"},
+};
+
+}  // namespace
+
+std::span<const Setting> setting_table() {
+  return kTable;
+}
+
+}  // namespace loopscope::config

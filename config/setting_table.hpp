@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "config/limits.hpp"
+#include "config/settings.hpp"
+#include "config/slot.hpp"
+
+namespace loopscope::config {
+
+/// One setting. The default is what a default-constructed Settings holds in the slot; a text that
+/// is empty there and may not be empty is required.
+struct Setting {
+  std::string_view path;  ///< JSON path; "*" stands for the index into an array
+  /// The place in `settings`; `index` says which element where the path has a "*".
+  Slot (*slot)(Settings& settings, std::size_t index);
+  Limits limits;
+  std::string_view meaning;
+};
+
+/// Every setting of the file, in the order of the documentation. Reading, validation, documentation
+/// and provenance all go by this table.
+[[nodiscard]] std::span<const Setting> setting_table();
+
+}  // namespace loopscope::config

@@ -1,0 +1,54 @@
+#include "config/slot.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <type_traits>
+
+namespace loopscope::config {
+
+namespace {
+
+using core::hos::WindowShape;
+
+void store(WindowShape& shape, const std::string& name) {
+  const auto* found =
+      std::find_if(kWindowShapes.begin(), kWindowShapes.end(),
+                   [&name](WindowShape candidate) { return core::hos::name(candidate) == name; });
+  if (found == kWindowShapes.end()) throw std::logic_error("no window shape is called " + name);
+  shape = *found;
+}
+
+}  // namespace
+
+bool takes_whole_numbers(const Slot& slot) {
+  return std::holds_alternative<int*>(slot) || std::holds_alternative<std::size_t*>(slot);
+}
+
+nlohmann::ordered_json slot_value(const Slot& slot) {
+  if (const auto* shape = std::get_if<WindowShape*>(&slot)) return core::hos::name(**shape);
+  return std::visit([](const auto* place) { return nlohmann::ordered_json(*place); }, slot);
+}
+
+void store_number(const Slot& slot, double value) {
+  std::visit(
+      [value](auto* place) {
+        using Value = std::remove_pointer_t<decltype(place)>;
+        if constexpr (std::is_arithmetic_v<Value>)
+          *place = static_cast<Value>(value);
+        else
+          throw std::logic_error("a number was stored in a setting of words");
+      },
+      slot);
+}
+
+void store_text(const Slot& slot, const std::string& value) {
+  if (auto* const* text = std::get_if<std::string*>(&slot))
+    **text = value;
+  else if (auto* const* shape = std::get_if<WindowShape*>(&slot))
+    store(**shape, value);
+  else
+    throw std::logic_error("a text was stored in a setting of numbers");
+}
+
+}  // namespace loopscope::config

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <variant>
+
+#include "core/hos/settings.hpp"
+
+namespace loopscope::config {
+
+/// Where the value of one setting lives.
+using Slot = std::variant<double*, int*, std::size_t*, std::string*, core::hos::WindowShape*>;
+
+/// Every window shape; the file calls them by their core::hos::name().
+inline constexpr std::array kWindowShapes = {
+    core::hos::WindowShape::hann, core::hos::WindowShape::hann_periodic,
+    core::hos::WindowShape::hamming, core::hos::WindowShape::rectangular};
+
+/// Whether the slot takes whole numbers only.
+[[nodiscard]] bool takes_whole_numbers(const Slot& slot);
+
+/// The value as JSON.
+[[nodiscard]] nlohmann::ordered_json slot_value(const Slot& slot);
+
+/// Stores a number that the slot's type can hold; throws std::logic_error for a slot of words.
+void store_number(const Slot& slot, double value);
+
+/// Stores a text, or the window shape of that name; throws std::logic_error for a slot of numbers
+/// and for a name that no shape has.
+void store_text(const Slot& slot, const std::string& value);
+
+}  // namespace loopscope::config

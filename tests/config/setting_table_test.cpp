@@ -1,0 +1,82 @@
+#include "config/setting_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "config/read_value.hpp"
+#include "tests/config/field_count.hpp"
+
+namespace loopscope::config::tests {
+namespace {
+
+/// How many settings stand directly in a section.
+std::size_t settings_in(const std::string& section) {
+  std::size_t count = 0;
+  for (const Setting& setting : setting_table())
+    if (setting.path.substr(0, setting.path.rfind('/')) == section) ++count;
+  return count;
+}
+
+TEST(SettingTable, EveryFieldOfEveryStructHasItsRow) {
+  EXPECT_EQ(settings_in("/results"), field_count<ResultsSettings>());
+  EXPECT_EQ(settings_in("/historians/*"), field_count<HistorianSettings>());
+  EXPECT_EQ(settings_in("/schedule"), field_count<ScheduleSettings>());
+  EXPECT_EQ(settings_in("/daemon"), field_count<DaemonSettings>());
+  EXPECT_EQ(settings_in("/flags"), field_count<FlagSettings>());
+  EXPECT_EQ(settings_in("/analysis"), field_count<core::signal::PrepareSettings>());
+  EXPECT_EQ(settings_in("/analysis/hos"), field_count<core::hos::Settings>());
+  EXPECT_EQ(settings_in("/analysis/oscillation"), field_count<core::loop::OscillationSettings>());
+  EXPECT_EQ(settings_in("/analysis/performance"), field_count<core::loop::PerformanceSettings>());
+  EXPECT_EQ(field_count<core::AnalysisSettings>(), 4U) << "a section is not in the table";
+  EXPECT_EQ(field_count<Settings>(), 6U) << "a section is not in the table";
+}
+
+TEST(SettingTable, NoPathAndNoPlaceStandsInItTwice) {
+  Settings settings;
+  settings.historians.resize(1);
+  std::set<std::string_view> paths;
+  std::set<const void*> places;
+  for (const Setting& setting : setting_table()) {
+    EXPECT_TRUE(paths.insert(setting.path).second) << setting.path;
+    const void* place =
+        std::visit([](auto* p) -> const void* { return p; }, setting.slot(settings, 0));
+    EXPECT_TRUE(places.insert(place).second) << setting.path;
+    EXPECT_FALSE(setting.meaning.empty()) << setting.path;
+  }
+}
+
+TEST(SettingTable, DefaultsAreWithinTheirLimitsOrRequired) {
+  Settings settings;
+  settings.historians.resize(1);
+  for (const Setting& setting : setting_table()) {
+    const Slot slot = setting.slot(settings, 0);
+    ProblemList problems;
+    read_value(slot_value(slot), std::string(setting.path), setting.limits, slot, problems);
+    if (setting.limits.form == Form::connection)
+      EXPECT_EQ(problems.problems().size(), 1U) << setting.path;
+    else
+      EXPECT_THAT(problems.problems(), testing::IsEmpty()) << setting.path;
+  }
+}
+
+TEST(SettingTable, NumbersAreAcceptedUpToTheirLimitsAndNotBeyond) {
+  Settings settings;
+  settings.historians.resize(1);
+  for (const Setting& setting : setting_table()) {
+    if (setting.limits.form != Form::number) continue;
+    const auto accepts = [&](double number) {
+      ProblemList problems;
+      read_value(number, "/x", setting.limits, setting.slot(settings, 0), problems);
+      return problems.problems().empty();
+    };
+    EXPECT_TRUE(accepts(setting.limits.low) && accepts(setting.limits.high)) << setting.path;
+    EXPECT_FALSE(accepts(setting.limits.low - 2.0)) << setting.path;
+    EXPECT_FALSE(accepts(setting.limits.high + 2.0)) << setting.path;
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::config::tests
