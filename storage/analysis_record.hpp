@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "core/diagnosis/diagnose.hpp"
+
+namespace loopscope::storage {
+
+/// One analysis as it is stored: keys, provenance and the diagnosis itself.
+struct AnalysisRecord {
+  std::int64_t slot_end_us = 0;  ///< microseconds UTC; the key together with loop and revision
+  int algorithm_revision = core::kAlgorithmRevision;
+  std::int64_t window_start_us = 0;  ///< first sample of the window
+  std::int64_t window_end_us = 0;    ///< last sample of the window
+  std::size_t samples = 0;           ///< grid slots in the window
+  double sample_interval_s = 0.0;    ///< 0 = unknown (no rows)
+  std::string input_digest;          ///< 16 hexadecimal digits over the aligned window and settings
+  std::string program_version;
+  std::string settings_json;  ///< the analysis settings in force, as a JSON object
+  double fetch_ms = 0.0;      ///< share of the batch's reading time
+  double analyse_ms = 0.0;    ///< core::diagnose
+  core::Diagnosis diagnosis;
+};
+
+}  // namespace loopscope::storage

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/signal/loop_window.hpp"
+
+namespace loopscope::storage {
+
+/// One loop of the catalogue (table loopscope.loop). Names and tags may hold any text.
+struct CatalogueEntry {
+  std::int64_t loop_id = 0;          ///< 0 = not stored yet
+  std::string name;                  ///< unique, not empty
+  std::string source = "plant";      ///< name of a historian in the settings
+  std::string sp_tag;                ///< empty = not recorded
+  std::string pv_tag;                ///< not empty
+  std::string op_tag;                ///< empty = not recorded
+  std::string mv_tag;                ///< empty = not recorded
+  std::string mode_tag;              ///< empty = not recorded
+  std::optional<double> interval_s;  ///< sample interval; nullopt = found from the rows
+  double period_s = 3600.0;          ///< seconds between two analyses, > 0
+  std::optional<core::signal::OpRange> op_range;
+  std::string loop_type;    ///< flow, pressure, level, temperature, ... or empty
+  double importance = 1.0;  ///< weight in the ranking, > 0
+  bool enabled = true;
+  std::int64_t registered_us = 0;  ///< when it was added, microseconds UTC
+};
+
+}  // namespace loopscope::storage

@@ -1,0 +1,115 @@
+#include "storage/connection_settings.hpp"
+
+#include <array>
+#include <libpq-fe.h>
+#include <map>
+#include <memory>
+#include <unistd.h>
+
+#include "storage/error.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+using Options = std::map<std::string, std::string>;
+
+// A dead peer is noticed after idle + interval * count = 25 s while we wait, and after 20 s while
+// we send: well within the shortest lease that is of use. The kernel's defaults are hours.
+constexpr std::array<std::pair<const char*, const char*>, 5> kNetwork{{
+    {"keepalives", "1"},
+    {"keepalives_idle", "10"},
+    {"keepalives_interval", "5"},
+    {"keepalives_count", "3"},
+    {"tcp_user_timeout", "20000"},
+}};
+
+// Custom plans: a generic one takes LIMIT $n for a tenth of the table and scans it all. The time
+// zone and the float digits make results independent of the server's configuration. Locks are
+// waited for briefly, because whoever waits holds a lease that runs out.
+constexpr const char* kSession =
+    "-c TimeZone=UTC -c DateStyle=ISO -c extra_float_digits=1 -c client_min_messages=warning"
+    " -c jit=off -c plan_cache_mode=force_custom_plan"
+    " -c lock_timeout=5s -c idle_in_transaction_session_timeout=60s";
+
+bool may_hold_secret(const std::string& conninfo) {
+  return conninfo.find("password") != std::string::npos || conninfo.find('@') != std::string::npos;
+}
+
+Options parse(const ConnectionSettings& settings) {
+  char* raw_error = nullptr;
+  const std::unique_ptr<PQconninfoOption, decltype(&PQconninfoFree)> parsed{
+      PQconninfoParse(settings.conninfo.c_str(), &raw_error), &PQconninfoFree};
+  const std::unique_ptr<char, decltype(&PQfreemem)> error{raw_error, &PQfreemem};
+  if (!parsed) {
+    const std::string why = error && !may_hold_secret(settings.conninfo)
+                                ? ": " + std::string(error.get())
+                                : std::string(" (not shown, it may hold a password)");
+    throw DatabaseError("the connection string cannot be read" + why + ", " + settings.purpose,
+                        "write it like \"host=db1 dbname=plant user=plant_monitor\"",
+                        Remedy::give_up);
+  }
+  Options options;
+  for (const PQconninfoOption* option = parsed.get(); option->keyword != nullptr; ++option) {
+    if (option->val != nullptr) options[option->keyword] = option->val;
+  }
+  return options;
+}
+
+std::string application_name(const std::string& purpose) {
+  std::array<char, 256> host{};
+  if (gethostname(host.data(), host.size() - 1) != 0) host[0] = '\0';
+  // The server cuts the whole at 63 bytes: shorten the host, so that the pid survives.
+  return "loopscope/" + purpose + "/" + std::string(host.data()).substr(0, 24) + "/" +
+         std::to_string(getpid());
+}
+
+std::string session_options(const ConnectionSettings& settings) {
+  std::string options = kSession;
+  options += " -c statement_timeout=" + std::to_string(settings.statement_timeout_s) + "s";
+  if (settings.read_only) options += " -c default_transaction_read_only=on";
+  return options;
+}
+
+std::string join(const Options& options) {
+  std::string conninfo;
+  for (const auto& [key, value] : options) {
+    if (!conninfo.empty()) conninfo += ' ';
+    conninfo += key + "='";
+    for (const char character : value) {
+      if (character == '\'' || character == '\\') conninfo += '\\';
+      conninfo += character;
+    }
+    conninfo += '\'';
+  }
+  return conninfo;
+}
+
+}  // namespace
+
+std::string complete_conninfo(const ConnectionSettings& settings) {
+  Options options = parse(settings);
+  for (const auto& [key, value] : kNetwork) options.try_emplace(key, value);
+  options.try_emplace("connect_timeout", std::to_string(settings.connect_timeout_s));
+  options.try_emplace("application_name", application_name(settings.purpose));
+  // The one thing that the user cannot choose: all text in the program is UTF-8.
+  options["client_encoding"] = "UTF8";
+  // After a failover the former primary may still answer: writing there cannot work.
+  if (!settings.read_only) options.try_emplace("target_session_attrs", "read-write");
+  // The server takes the last of equal settings: the user's come after ours.
+  std::string& session = options["options"];
+  session = session_options(settings) + (session.empty() ? "" : " " + session);
+  return join(options);
+}
+
+std::string describe_target(const ConnectionSettings& settings) {
+  const Options options = parse(settings);
+  std::string described;
+  for (const char* key : {"service", "host", "hostaddr", "port", "dbname", "user"}) {
+    if (const auto found = options.find(key); found != options.end()) {
+      described += (described.empty() ? "" : " ") + found->first + "=" + found->second;
+    }
+  }
+  return settings.purpose + " database" + (described.empty() ? "" : " (" + described + ")");
+}
+
+}  // namespace loopscope::storage

@@ -1,0 +1,211 @@
+#include "storage/explain_error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace loopscope::storage {
+namespace {
+
+using Hint = std::string (*)(const RawError&, const ErrorPlace&);
+
+/// Starts with the code (a class of two characters or a whole SQLSTATE): first match counts.
+struct StateRule {
+  std::string_view code;
+  Remedy remedy;
+  Hint hint;
+};
+
+/// libpq gives no SQLSTATE when connecting fails: its words have to do.
+struct WordsRule {
+  std::string_view words;
+  Remedy remedy;
+  const char* hint;
+};
+
+bool is_results(const ErrorPlace& place) {
+  return place.kind == DatabaseKind::results;
+}
+
+std::string user_or_placeholder(const ErrorPlace& place) {
+  return place.user.empty() ? "USER" : place.user;
+}
+
+/// The words after `start` up to the end of the line.
+std::string_view rest_of_line(std::string_view message, std::string_view start) {
+  const std::size_t at = message.find(start);
+  if (at == std::string_view::npos) return {};
+  message.remove_prefix(at + start.size());
+  return message.substr(0, message.find('\n'));
+}
+
+/// The rights that the statement needs on an object of this kind.
+std::string needed_rights(std::string_view kind, std::string_view statement) {
+  if (kind == "database") return "CREATE ON DATABASE ";
+  if (kind == "schema") {
+    return statement == "create_table" ? "USAGE, CREATE ON SCHEMA " : "USAGE ON SCHEMA ";
+  }
+  const bool writes = statement == "copy_rows" || statement == "delete_rows";
+  return writes ? "SELECT, INSERT, DELETE ON " : "SELECT ON ";
+}
+
+std::string grant_on(std::string_view kind, std::string_view name, const ErrorPlace& place) {
+  return "GRANT " + needed_rights(kind, place.statement) + std::string(name) + " TO " +
+         user_or_placeholder(place);
+}
+
+std::string hint_privilege(const RawError& error, const ErrorPlace& place) {
+  const std::string_view object = rest_of_line(error.message, "permission denied for ");
+  const std::string_view kind = object.substr(0, object.find(' '));
+  const std::string_view name = object.substr(std::min(object.size(), kind.size() + 1));
+  if (is_results(place) && kind == "database") {
+    return "as a superuser: psql -f deploy/roles.sql, or " + grant_on(kind, name, place);
+  }
+  if (is_results(place)) {
+    return "run `loopscope migrate --config F` as the owner, which grants the rights of the group"
+           " roles, and make the user a member: GRANT loopscope_worker TO " +
+           user_or_placeholder(place) + " (loopscope_owner to change the catalogue or the schema)";
+  }
+  if (object.empty())
+    return "let the table's owner grant the right to " + user_or_placeholder(place);
+  return "as the owner: " + grant_on(kind, name, place);
+}
+
+std::string hint_relation(const RawError&, const ErrorPlace& place) {
+  return is_results(place) ? "run `loopscope migrate --config F` as the owner"
+                           : "check `table` of this historian in the settings (schema.table)";
+}
+
+std::string hint_column(const RawError&, const ErrorPlace& place) {
+  return is_results(place) ? "the schema is not the one of this program: run `loopscope migrate "
+                             "--config F` as the owner"
+                           : "check the column names of this historian in the settings";
+}
+
+std::string hint_type(const RawError&, const ErrorPlace& place) {
+  return is_results(place) ? "the stored value does not fit: report this as a fault of the program"
+                           : "check `time_kind`, `quality_rule` and the columns' types of this "
+                             "historian; a view can convert what does not fit";
+}
+
+template <char const* text>
+std::string fixed(const RawError&, const ErrorPlace&) {
+  return text;
+}
+
+constexpr char kGone[] = "the server ended the connection: it is made again by itself";
+constexpr char kAgain[] = "other sessions were in the way: it is tried again by itself";
+constexpr char kLock[] =
+    "another session holds a lock: see pg_locks and pg_stat_activity; it is tried again by itself";
+constexpr char kSlow[] =
+    "the server was too slow: look for a missing index with `loopscope check-config`";
+constexpr char kReadOnly[] =
+    "the server is a standby or read-only: name the primary, or all hosts, in the connection "
+    "string";
+constexpr char kDisk[] = "free space on the database server's disk";
+constexpr char kMemory[] = "the server is out of memory: lower schedule.batch_loops";
+constexpr char kConnections[] =
+    "raise max_connections on the server or lower daemon.workers in the settings";
+constexpr char kPassword[] = "check the user in the connection string and ~/.pgpass (mode 0600)";
+constexpr char kDatabase[] = "check dbname in the connection string, or create the database";
+constexpr char kConstraint[] = "the value breaks a rule of the schema: see the detail above";
+constexpr char kServerFault[] = "a fault of the server: read its log";
+
+constexpr std::array<StateRule, 25> kStates{{
+    {"08", Remedy::reconnect, fixed<kGone>},
+    {"57P04", Remedy::give_up, fixed<kDatabase>},
+    {"57P", Remedy::reconnect, fixed<kGone>},
+    {"57014", Remedy::retry, fixed<kSlow>},
+    {"25P03", Remedy::reconnect, fixed<kGone>},
+    {"25006", Remedy::reconnect, fixed<kReadOnly>},
+    {"40", Remedy::retry, fixed<kAgain>},
+    {"55P03", Remedy::retry, fixed<kLock>},
+    {"53100", Remedy::give_up, fixed<kDisk>},
+    {"53200", Remedy::retry, fixed<kMemory>},
+    {"53300", Remedy::reconnect, fixed<kConnections>},
+    {"42501", Remedy::give_up, hint_privilege},
+    {"42P01", Remedy::give_up, hint_relation},
+    {"3F000", Remedy::give_up, hint_relation},
+    {"42703", Remedy::give_up, hint_column},
+    {"42804", Remedy::give_up, hint_type},
+    {"42846", Remedy::give_up, hint_type},
+    {"42883", Remedy::give_up, hint_type},
+    {"22", Remedy::give_up, hint_type},
+    {"23", Remedy::give_up, fixed<kConstraint>},
+    {"28", Remedy::give_up, fixed<kPassword>},
+    {"3D000", Remedy::give_up, fixed<kDatabase>},
+    {"XX", Remedy::give_up, fixed<kServerFault>},
+    {"58", Remedy::give_up, fixed<kServerFault>},
+    {"", Remedy::give_up, fixed<kServerFault>},
+}};
+
+constexpr std::array<WordsRule, 13> kConnecting{{
+    {"role \"", Remedy::give_up,
+     "check user= in the connection string, or create the login: CREATE ROLE name LOGIN IN ROLE "
+     "loopscope_worker (deploy/roles.sql makes the group roles)"},
+    {"password", Remedy::give_up, kPassword},
+    {"Peer authentication failed", Remedy::give_up,
+     "run as the system user of that name, or set up another method in pg_hba.conf"},
+    {"pg_hba.conf", Remedy::give_up, "let the database's administrator add a line to pg_hba.conf"},
+    {"SSL", Remedy::give_up, "check sslmode and sslrootcert in the connection string"},
+    {"certificate", Remedy::give_up, "check sslrootcert in the connection string"},
+    {"definition of service", Remedy::give_up, "check service= and pg_service.conf"},
+    {"permission denied for database", Remedy::give_up, "GRANT CONNECT ON DATABASE to the user"},
+    {"session is read-only", Remedy::reconnect, kReadOnly},
+    {"connection slots", Remedy::reconnect, kConnections},
+    {"too many clients", Remedy::reconnect, kConnections},
+    {"could not translate host name", Remedy::reconnect, "check host= in the connection string"},
+    {"the database system is", Remedy::reconnect, "wait until the server has started"},
+}};
+constexpr const char* kUnreachable =
+    "check that the server runs and that host= and port= in the connection string are right";
+
+/// "ERROR:  what" without the severity, with the server's detail in brackets.
+std::string primary_message(const RawError& error) {
+  std::string_view line = error.message;
+  line = line.substr(0, line.find('\n'));
+  for (const std::string_view severity : {"ERROR:  ", "FATAL:  ", "PANIC:  "}) {
+    if (line.starts_with(severity)) line.remove_prefix(severity.size());
+  }
+  std::string message(line.empty() ? "the connection was lost" : line);
+  const std::string_view detail = rest_of_line(error.message, "\nDETAIL:  ");
+  if (!detail.empty()) message += " (" + std::string(detail) + ")";
+  return message;
+}
+
+std::string place_text(const ErrorPlace& place) {
+  return place.statement.empty() ? place.target
+                                 : "statement " + place.statement + ", " + place.target;
+}
+
+DatabaseError explain_connecting(const RawError& error, const ErrorPlace& place) {
+  const std::string what = primary_message(error) + ", " + place_text(place);
+  // Several hosts give several lines: the words may stand in any of them.
+  for (const WordsRule& rule : kConnecting) {
+    if (error.message.find(rule.words) != std::string::npos) {
+      return {what, rule.hint, rule.remedy};
+    }
+  }
+  const bool no_database = error.message.find("database \"") != std::string::npos &&
+                           error.message.find("does not exist") != std::string::npos;
+  if (no_database) return {what, kDatabase, Remedy::give_up};
+  return {what, kUnreachable, Remedy::reconnect};
+}
+
+}  // namespace
+
+DatabaseError explain(const RawError& error, const ErrorPlace& place) {
+  if (error.sqlstate.empty() && place.statement.empty()) return explain_connecting(error, place);
+  const std::string what = primary_message(error) + ", " + place_text(place);
+  if (error.sqlstate.empty() || error.connection_lost) {
+    return {what, kGone, Remedy::reconnect, error.sqlstate};
+  }
+  for (const StateRule& rule : kStates) {
+    if (error.sqlstate.starts_with(rule.code)) {
+      return {what, rule.hint(error, place), rule.remedy, error.sqlstate};
+    }
+  }
+  return {what, kServerFault, Remedy::give_up, error.sqlstate};
+}
+
+}  // namespace loopscope::storage

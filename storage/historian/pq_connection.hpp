@@ -1,0 +1,92 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <libpq-fe.h>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "storage/connection_settings.hpp"
+#include "storage/explain_error.hpp"
+#include "storage/statement.hpp"
+
+namespace loopscope::storage {
+
+struct PqDelete {
+  void operator()(PGconn* connection) const { PQfinish(connection); }
+  void operator()(PGresult* result) const { PQclear(result); }
+  void operator()(char* text) const { PQfreemem(text); }
+};
+
+/// Rows of a statement. Row and column count from 0.
+class PqRows {
+ public:
+  explicit PqRows(PGresult* result) : result_(result) {}
+  [[nodiscard]] int size() const { return PQntuples(result_.get()); }
+  [[nodiscard]] bool is_null(int row, int column) const {
+    return PQgetisnull(result_.get(), row, column) != 0;
+  }
+  /// The value as it was sent: text, or binary when the statement was run so.
+  [[nodiscard]] std::span<const std::byte> bytes(int row, int column) const;
+  [[nodiscard]] std::string text(int row, int column) const;
+  /// Rows that an INSERT, DELETE or COPY wrote.
+  [[nodiscard]] std::size_t affected() const;
+
+ private:
+  std::unique_ptr<PGresult, PqDelete> result_;
+};
+
+enum class ResultFormat { text = 0, binary = 1 };
+
+/// One libpq connection to a historian: binary results, COPY, and a deadline of our own
+/// (patience.hpp).
+class PqConnection {
+ public:
+  explicit PqConnection(const ConnectionSettings& settings);
+
+  /// Runs a statement with its parameters `$1`, `$2`, ... as text.
+  PqRows run(const Statement& statement, const std::vector<std::string>& parameters = {},
+             ResultFormat format = ResultFormat::text);
+  /// Runs a COPY ... FROM STDIN in text format; returns the rows written. `next(chunk)` fills a
+  /// chunk with whole or partial lines and returns false when there is none left.
+  template <typename Next>
+  std::size_t copy_in(const Statement& statement, Next next) {
+    begin_copy(statement);
+    std::string chunk;
+    while (next(chunk)) {
+      send_copy(chunk);
+      chunk.clear();
+    }
+    return end_copy();
+  }
+
+  /// `name` quoted as an identifier.
+  [[nodiscard]] std::string quote(const std::string& name) const;
+  [[nodiscard]] const std::string& target() const { return place_.target; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void begin_copy(const Statement& statement);
+  void send_copy(std::string_view chunk);
+  std::size_t end_copy();
+  void start(const Statement& statement);
+  void flush();
+  PqRows finish();
+  [[nodiscard]] PGresult* next_result();
+  /// Waits until the socket is ready for `events` (poll); throws when the deadline has passed.
+  void wait(short events);
+  [[noreturn]] void fail(const std::string& message, const std::string& sqlstate);
+  [[noreturn]] void fail_connection();
+
+  std::unique_ptr<PGconn, PqDelete> connection_;
+  ErrorPlace place_;
+  std::optional<std::chrono::seconds> patience_;
+  Clock::time_point deadline_;
+};
+
+}  // namespace loopscope::storage

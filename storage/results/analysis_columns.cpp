@@ -1,0 +1,211 @@
+#include "storage/results/analysis_columns.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "storage/array_literal.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+using core::hos::Result;
+
+/// One column of loopscope.analysis: its name, the type of the array that carries it, the cast
+/// that it needs besides (text[] and jsonb travel as text), and what it holds.
+struct Column {
+  std::string_view name;
+  std::string_view type;
+  void (*add)(ArrayLiteral&, const CompletedLoop&);
+  std::string_view cast = "";
+};
+
+const AnalysisRecord& record(const CompletedLoop& loop) {
+  return *loop.record;
+}
+const core::Evidence& evidence(const CompletedLoop& loop) {
+  return record(loop).diagnosis.evidence;
+}
+
+void add_optional_text(ArrayLiteral& array, std::string_view text) {
+  text.empty() ? array.add_null() : array.add_text(text);
+}
+
+/// A member of the higher-order statistics; NULL when there are none.
+template <auto member>
+void add_hos(ArrayLiteral& array, const CompletedLoop& loop) {
+  const std::optional<Result>& hos = evidence(loop).hos;
+  if (!hos) return array.add_null();
+  using Value = std::remove_cvref_t<decltype(*hos.*member)>;
+  if constexpr (std::is_integral_v<Value>) {
+    array.add_integer(static_cast<std::int64_t>(*hos.*member));
+  } else {
+    array.add_number(*hos.*member);
+  }
+}
+
+template <auto member>
+void add_published(ArrayLiteral& array, const CompletedLoop& loop) {
+  const std::optional<Result>& hos = evidence(loop).hos;
+  hos ? array.add_boolean(hos->published.*member) : array.add_null();
+}
+
+void add_coupling(ArrayLiteral& array, const CompletedLoop& loop) {
+  const std::optional<Result>& hos = evidence(loop).hos;
+  hos ? array.add_text(core::hos::name(hos->coupling)) : array.add_null();
+}
+
+/// A figure of one part of the evidence: &Evidence::shape, &Shape::horch_dtau.
+template <auto part, auto member>
+void add_figure(ArrayLiteral& array, const CompletedLoop& loop) {
+  array.add_number(evidence(loop).*part.*member);
+}
+
+using core::Evidence;
+using core::loop::Oscillation;
+using core::loop::Performance;
+using core::loop::Shape;
+using core::signal::DataQuality;
+
+template <auto member>
+constexpr auto quality = add_figure<&Evidence::data_quality, member>;
+template <auto member>
+constexpr auto oscillation = add_figure<&Evidence::oscillation, member>;
+template <auto member>
+constexpr auto performance = add_figure<&Evidence::performance, member>;
+template <auto member>
+constexpr auto shape = add_figure<&Evidence::shape, member>;
+
+// The loop model's columns and hos_slow are not written yet by any analysis and stay NULL.
+const std::array kColumns{
+    Column{"loop_id", "bigint",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_integer(l.loop_id); }},
+    Column{"slot_end", "timestamptz",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_time(record(l).slot_end_us); }},
+    Column{"algorithm_revision", "integer",
+           [](ArrayLiteral& a, const CompletedLoop& l) {
+             a.add_integer(record(l).algorithm_revision);
+           }},
+    Column{"fence", "bigint",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_integer(l.fence); }},
+    Column{"program_version", "text",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_text(record(l).program_version); }},
+    Column{"settings", "text",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_text(record(l).settings_json); },
+           "::jsonb"},
+    Column{"input_digest", "text",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_text(record(l).input_digest); }},
+    Column{"fetch_ms", "float8",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_number(record(l).fetch_ms); }},
+    Column{"analyse_ms", "float8",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_number(record(l).analyse_ms); }},
+    Column{"window_start", "timestamptz",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_time(record(l).window_start_us); }},
+    Column{"window_end", "timestamptz",
+           [](ArrayLiteral& a, const CompletedLoop& l) { a.add_time(record(l).window_end_us); }},
+    Column{"samples", "bigint",
+           [](ArrayLiteral& a, const CompletedLoop& l) {
+             a.add_integer(static_cast<std::int64_t>(record(l).samples));
+           }},
+    Column{
+        "interval_s", "float8",
+        [](ArrayLiteral& a, const CompletedLoop& l) { a.add_number(record(l).sample_interval_s); }},
+    Column{"usable", "boolean",
+           [](ArrayLiteral& a, const CompletedLoop& l) {
+             a.add_boolean(evidence(l).data_quality.usable);
+           }},
+    Column{"unusable_reason", "text",
+           [](ArrayLiteral& a, const CompletedLoop& l) {
+             add_optional_text(a, evidence(l).data_quality.reason);
+           }},
+    Column{"flags", "text",
+           [](ArrayLiteral& a, const CompletedLoop& l) {
+             a.add_text_list(evidence(l).data_quality.flags);
+           },
+           "::text[]"},
+    Column{"missing_fraction", "float8", quality<&DataQuality::missing_fraction>},
+    Column{"compression_factor", "float8", quality<&DataQuality::compression_factor>},
+    Column{"quantisation_factor", "float8", quality<&DataQuality::quantisation_factor>},
+    Column{"saturated_fraction", "float8", quality<&DataQuality::saturated_fraction>},
+    Column{"segments", "integer", add_hos<&Result::segments>},
+    Column{"bifrequencies", "integer", add_hos<&Result::bifrequencies>},
+    Column{"mean_bic2", "float8", add_hos<&Result::mean_bic2>},
+    Column{"std_bic2", "float8", add_hos<&Result::std_bic2>},
+    Column{"max_bic2", "float8", add_hos<&Result::max_bic2>},
+    Column{"critical_mean_bic2", "float8", add_hos<&Result::critical_mean_bic2>},
+    Column{"ngi", "float8", add_hos<&Result::ngi>},
+    Column{"nli", "float8", add_hos<&Result::nli>},
+    Column{"published_gaussian", "boolean", add_published<&core::hos::PublishedDecision::gaussian>},
+    Column{"published_linear", "boolean", add_published<&core::hos::PublishedDecision::linear>},
+    Column{"skewness", "float8", add_hos<&Result::skewness>},
+    Column{"excess_kurtosis", "float8", add_hos<&Result::excess_kurtosis>},
+    Column{"ngi_p", "float8", add_hos<&Result::ngi_p>},
+    Column{"nli_p", "float8", add_hos<&Result::nli_p>},
+    Column{"cubic_p", "float8", add_hos<&Result::cubic_p>},
+    Column{"nonlinear_p", "float8", add_hos<&Result::nonlinear_p>},
+    Column{"coupling", "text", add_coupling},
+    Column{"oscillating", "boolean",
+           [](ArrayLiteral& a, const CompletedLoop& l) {
+             a.add_boolean(evidence(l).oscillation.present);
+           }},
+    Column{"oscillation_period_s", "float8", oscillation<&Oscillation::period_s>},
+    Column{"oscillation_regularity", "float8", oscillation<&Oscillation::regularity>},
+    Column{"oscillation_amplitude", "float8", oscillation<&Oscillation::amplitude>},
+    Column{"oscillation_persistence", "float8", oscillation<&Oscillation::persistence>},
+    Column{"harris_low", "float8", performance<&Performance::harris_low>},
+    Column{"harris_high", "float8", performance<&Performance::harris_high>},
+    Column{"error_std", "float8", performance<&Performance::error_std>},
+    Column{"valve_travel_per_h", "float8", performance<&Performance::valve_travel_per_h>},
+    Column{"reversals_per_h", "float8", performance<&Performance::reversals_per_h>},
+    Column{"auto_fraction", "float8", performance<&Performance::auto_fraction>},
+    Column{"at_limit_fraction", "float8", performance<&Performance::at_limit_fraction>},
+    Column{"horch_dtau", "float8", shape<&Shape::horch_dtau>},
+    Column{"horch_drho", "float8", shape<&Shape::horch_drho>},
+    Column{"shape_index", "float8", shape<&Shape::shape_index>},
+    Column{"ellipse_stiction", "float8", shape<&Shape::ellipse_stiction>},
+    Column{"ellipse_r2", "float8", shape<&Shape::ellipse_r2>},
+    Column{"mv_op_width", "float8", shape<&Shape::mv_op_width>},
+    Column{"mv_stuck_fraction", "float8", shape<&Shape::mv_stuck_fraction>},
+};
+
+/// The statement's text, made from the columns once.
+std::string upsert_sql() {
+  std::string names, selected, arrays, updates;
+  int parameter = 0;
+  for (const Column& column : kColumns) {
+    const std::string name(column.name);
+    const char* comma = parameter == 0 ? "" : ", ";
+    names += comma + name;
+    selected += comma + name + std::string(column.cast);
+    arrays += comma + ("$" + std::to_string(++parameter)) + "::" + std::string(column.type) + "[]";
+    updates += name + " = EXCLUDED." + name + ", ";
+  }
+  return "INSERT INTO loopscope.analysis AS stored (" + names + ") SELECT " + selected +
+         " FROM unnest(" + arrays + ") AS row (" + names + ")" +
+         " ON CONFLICT (loop_id, slot_end, algorithm_revision) DO UPDATE SET " + updates +
+         "input_revision = stored.input_revision + 1, analysed_at = now()"
+         // The fence keeps a late worker from putting older findings over newer ones.
+         " WHERE stored.input_digest <> EXCLUDED.input_digest AND stored.fence <= EXCLUDED.fence"
+         " RETURNING loop_id, input_revision, analysis_id";
+}
+
+}  // namespace
+
+const Statement& upsert_analyses() {
+  static const Statement statement{"upsert_analyses", upsert_sql()};
+  return statement;
+}
+
+std::vector<std::string> analysis_parameters(const std::vector<const CompletedLoop*>& loops) {
+  std::vector<std::string> parameters;
+  parameters.reserve(kColumns.size());
+  for (const Column& column : kColumns) {
+    ArrayLiteral array;
+    for (const CompletedLoop* loop : loops) column.add(array, *loop);
+    parameters.push_back(array.text());
+  }
+  return parameters;
+}
+
+}  // namespace loopscope::storage

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/results/results_database.hpp"
+#include "storage/statement.hpp"
+
+namespace loopscope::storage {
+
+/// Inserts analysis rows, or updates those whose input has changed (another digest), and returns
+/// loop_id, input_revision (1 = inserted) and analysis_id of what it wrote: nothing for a row that
+/// is stored already. Takes what analysis_parameters() makes.
+[[nodiscard]] const Statement& upsert_analyses();
+
+/// One array per column, in the order that the statement expects; every loop has a record.
+[[nodiscard]] std::vector<std::string> analysis_parameters(
+    const std::vector<const CompletedLoop*>& loops);
+
+}  // namespace loopscope::storage

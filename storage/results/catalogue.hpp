@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "storage/catalogue_entry.hpp"
+#include "storage/connection_settings.hpp"
+#include "storage/error.hpp"
+
+namespace loopscope::storage {
+
+/// The loop catalogue: lists, adds and changes loops. Every function is one transaction and
+/// throws DatabaseError.
+class Catalogue {
+ public:
+  explicit Catalogue(const ConnectionSettings& settings);
+  ~Catalogue();
+
+  [[nodiscard]] std::vector<CatalogueEntry> list();
+  [[nodiscard]] std::optional<CatalogueEntry> find(const std::string& name);
+  /// Inserts the loops, or changes those whose name exists; gives each a schedule row that is due
+  /// at once. All or nothing. Returns how many were new.
+  std::size_t save(std::span<const CatalogueEntry> entries);
+  /// Returns how many of the names exist; those are switched.
+  std::size_t set_enabled(std::span<const std::string> names, bool enabled);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace loopscope::storage

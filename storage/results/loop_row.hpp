@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <pqxx/pqxx>
+
+#include "storage/catalogue_entry.hpp"
+
+namespace loopscope::storage {
+
+/// A whole number; nullopt for NULL.
+[[nodiscard]] std::optional<std::int64_t> read_integer(const pqxx::field& field);
+
+/// A number; nullopt for NULL.
+[[nodiscard]] std::optional<double> read_number(const pqxx::field& field);
+
+/// The catalogue entry in a row of the statements that list the loop's columns.
+[[nodiscard]] CatalogueEntry read_loop(const pqxx::row& row);
+
+}  // namespace loopscope::storage

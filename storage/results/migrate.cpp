@@ -1,0 +1,123 @@
+#include "storage/results/migrate.hpp"
+
+#include "storage/results/embedded_migrations.hpp"
+#include "storage/results/schema_version.hpp"
+#include "storage/results/session.hpp"
+#include "storage/results/statements.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+// This month and the next three: `maintain` may fail to run for a quarter of a year before rows
+// end up in DEFAULT.
+constexpr int kMonthsAhead = 4;
+
+/// Moving a month's rows out of DEFAULT or dropping a month may take longer than any query of the
+/// worker is allowed to.
+ConnectionSettings without_time_limit(ConnectionSettings settings) {
+  settings.statement_timeout_s = 0;
+  return settings;
+}
+
+[[noreturn]] void refuse(const std::string& what, const std::string& hint) {
+  throw DatabaseError(what + ", schema loopscope", hint, Remedy::give_up);
+}
+
+/// Whether the recorded migrations are the first ones of this program's.
+void check_applied(const pqxx::result& applied) {
+  const auto compiled_in = embedded_migrations();
+  for (const pqxx::row& row : applied) {
+    const std::string name = row["name"].c_str();
+    const auto number = row["version"].as<std::size_t>();
+    if (number > compiled_in.size()) {
+      refuse("migration " + name + " is not known to this program", "install the newer program");
+    }
+    const Migration& known = compiled_in[number - 1];
+    if (name != known.name || row["sha256"].c_str() != std::string(known.sha256)) {
+      refuse(
+          "migration " + name + " was applied with another text than this program's " + known.name,
+          "use the program that made the schema, or start with an empty database");
+    }
+  }
+}
+
+std::vector<std::string> apply_pending(Transaction& transaction, std::size_t applied) {
+  std::vector<std::string> names;
+  for (const Migration& migration : embedded_migrations().subspan(applied)) {
+    transaction.run_script(migration.name, migration.sql);
+    transaction.run(statements::kRecordMigration,
+                    {std::to_string(migration.number), migration.name, migration.sha256});
+    names.emplace_back(migration.name);
+  }
+  return names;
+}
+
+std::vector<std::string> make_partitions(Transaction& transaction) {
+  std::vector<std::string> names;
+  for (const pqxx::row& row :
+       transaction.run(statements::kMakePartitions, {std::to_string(kMonthsAhead)})) {
+    names.emplace_back(row["name"].c_str());
+  }
+  return names;
+}
+
+std::vector<std::string> migrate_all(Transaction& transaction) {
+  transaction.run(statements::kLockMigrations);
+  transaction.run(statements::kBecomeOwner);
+  std::size_t applied = 0;
+  if (transaction.run(statements::kHasSchema)[0][0].as<bool>()) {
+    const pqxx::result rows = transaction.run(statements::kAppliedMigrations);
+    check_applied(rows);
+    applied = rows.size();
+  }
+  std::vector<std::string> names = apply_pending(transaction, applied);
+  make_partitions(transaction);
+  transaction.run(statements::kGrantRights);
+  return names;
+}
+
+/// Each partition in its own transaction: its parent is locked only for that moment.
+std::vector<std::string> drop_expired(Session& session, int retention_months) {
+  const std::string months = std::to_string(retention_months);
+  const pqxx::result expired = session.transact([&](Transaction& transaction) {
+    transaction.run(statements::kBecomeOwner);
+    transaction.run(statements::kDeleteOldRows, {months});
+    return transaction.run(statements::kExpiredPartitions, {months});
+  });
+  std::vector<std::string> dropped;
+  for (const pqxx::row& row : expired) {
+    const std::string name = row["name"].c_str();
+    session.transact([&](Transaction& transaction) {
+      transaction.run(statements::kBecomeOwner);
+      transaction.run(statements::kDropPartition, {name});
+    });
+    dropped.push_back(name);
+  }
+  return dropped;
+}
+
+}  // namespace
+
+int required_schema_version() {
+  return embedded_migrations().back().number;
+}
+
+std::vector<std::string> migrate(const ConnectionSettings& owner) {
+  Session session(without_time_limit(owner));
+  return session.transact(migrate_all);
+}
+
+MaintenanceResult maintain(const ConnectionSettings& owner, int retention_months) {
+  Session session(without_time_limit(owner));
+  require_schema_version(session);
+  MaintenanceResult result;
+  result.created = session.transact([](Transaction& transaction) {
+    transaction.run(statements::kLockMigrations);
+    transaction.run(statements::kBecomeOwner);
+    return make_partitions(transaction);
+  });
+  if (retention_months > 0) result.dropped = drop_expired(session, retention_months);
+  return result;
+}
+
+}  // namespace loopscope::storage

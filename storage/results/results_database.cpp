@@ -1,0 +1,179 @@
+#include "storage/results/results_database.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "storage/array_literal.hpp"
+#include "storage/results/loop_row.hpp"
+#include "storage/results/schema_version.hpp"
+#include "storage/results/session.hpp"
+#include "storage/results/statements.hpp"
+#include "storage/results/write_results.hpp"
+#include "storage/utf8.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+std::vector<ClaimedLoop> claim(Session& session, const Statement& statement,
+                               const std::vector<std::string>& parameters) {
+  const pqxx::result rows = session.transact(
+      [&](Transaction& transaction) { return transaction.run(statement, parameters); });
+  std::vector<ClaimedLoop> claimed;
+  claimed.reserve(rows.size());
+  for (const pqxx::row& row : rows) {
+    claimed.push_back({read_loop(row), row["fence"].as<std::int64_t>(), row["attempts"].as<int>(),
+                       row["now_us"].as<std::int64_t>(), read_integer(row["last_slot_end_us"])});
+  }
+  return claimed;
+}
+
+/// The two arrays that name claims.
+std::vector<std::string> claim_keys(std::span<const ClaimedLoop> claimed) {
+  ArrayLiteral loop_id, fence;
+  for (const ClaimedLoop& claim : claimed) {
+    loop_id.add_integer(claim.loop.loop_id);
+    fence.add_integer(claim.fence);
+  }
+  return {loop_id.text(), fence.text()};
+}
+
+/// Gives the completed loops back and returns those whose lease still held.
+std::vector<const CompletedLoop*> complete(Transaction& transaction,
+                                           std::span<const CompletedLoop> completed) {
+  ArrayLiteral loop_id, fence, slot_end, next_due, has_record;
+  for (const CompletedLoop& loop : completed) {
+    loop_id.add_integer(loop.loop_id);
+    fence.add_integer(loop.fence);
+    slot_end.add_time(loop.slot_end_us);
+    next_due.add_time(loop.next_due_us);
+    has_record.add_boolean(loop.record.has_value());
+  }
+  std::unordered_set<std::int64_t> held;
+  for (const pqxx::row& row : transaction.run(
+           statements::kComplete,
+           {loop_id.text(), fence.text(), slot_end.text(), next_due.text(), has_record.text()})) {
+    held.insert(row["loop_id"].as<std::int64_t>());
+  }
+  std::vector<const CompletedLoop*> kept;
+  for (const CompletedLoop& loop : completed) {
+    if (held.contains(loop.loop_id)) kept.push_back(&loop);
+  }
+  return kept;
+}
+
+/// Returns how many leases still held.
+std::size_t set_aside(Transaction& transaction, std::span<const FailedLoop> failed) {
+  if (failed.empty()) return 0;
+  ArrayLiteral loop_id, fence, error, retry_after_s;
+  for (const FailedLoop& loop : failed) {
+    loop_id.add_integer(loop.loop_id);
+    fence.add_integer(loop.fence);
+    error.add_text(loop.error);
+    retry_after_s.add_number(loop.retry_after_s);
+  }
+  return transaction
+      .run(statements::kSetAside,
+           {loop_id.text(), fence.text(), error.text(), retry_after_s.text()})
+      .size();
+}
+
+WriteCount finish_all(Transaction& transaction, std::span<const CompletedLoop> completed,
+                      std::span<const FailedLoop> failed) {
+  std::vector<const CompletedLoop*> with_record;
+  std::size_t held = 0;
+  if (!completed.empty()) {
+    with_record = complete(transaction, completed);
+    held = with_record.size();
+    std::erase_if(with_record, [](const CompletedLoop* loop) { return !loop->record; });
+  }
+  WriteCount count = write_records(transaction, with_record);
+  count.unchanged += held - with_record.size();
+  count.failed = set_aside(transaction, failed);
+  count.fenced_off = completed.size() - held + failed.size() - count.failed;
+  return count;
+}
+
+}  // namespace
+
+struct ResultsDatabase::Impl {
+  explicit Impl(const ConnectionSettings& settings) : session(settings) {
+    require_schema_version(session);
+  }
+  Session session;
+};
+
+ResultsDatabase::ResultsDatabase(const ConnectionSettings& settings)
+    : impl_(std::make_unique<Impl>(settings)) {}
+ResultsDatabase::~ResultsDatabase() = default;
+ResultsDatabase::ResultsDatabase(ResultsDatabase&&) noexcept = default;
+ResultsDatabase& ResultsDatabase::operator=(ResultsDatabase&&) noexcept = default;
+
+std::vector<ClaimedLoop> ResultsDatabase::claim_due(const std::string& owner, double lease_s,
+                                                    int limit) {
+  return claim(impl_->session, statements::kClaimDue,
+               {make_storable(owner), number_text(lease_s), std::to_string(limit)});
+}
+
+std::vector<ClaimedLoop> ResultsDatabase::claim_next(const std::string& owner, double lease_s,
+                                                     int limit, std::int64_t after) {
+  return claim(
+      impl_->session, statements::kClaimNext,
+      {make_storable(owner), number_text(lease_s), std::to_string(limit), std::to_string(after)});
+}
+
+std::vector<StoredDigest> ResultsDatabase::stored_digests(
+    std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision) {
+  ArrayLiteral loop_id, slot_end;
+  for (const auto& [loop, slot] : loop_and_slot) {
+    loop_id.add_integer(loop);
+    slot_end.add_time(slot);
+  }
+  const pqxx::result rows = impl_->session.transact([&](Transaction& transaction) {
+    return transaction.run(statements::kStoredDigests,
+                           {loop_id.text(), slot_end.text(), std::to_string(algorithm_revision)});
+  });
+  std::vector<StoredDigest> digests;
+  for (const pqxx::row& row : rows) {
+    digests.push_back({row["loop_id"].as<std::int64_t>(), row["slot_end_us"].as<std::int64_t>(),
+                       row["input_digest"].c_str()});
+  }
+  return digests;
+}
+
+WriteCount ResultsDatabase::finish(std::span<const CompletedLoop> completed,
+                                   std::span<const FailedLoop> failed) {
+  return impl_->session.transact(
+      [&](Transaction& transaction) { return finish_all(transaction, completed, failed); });
+}
+
+void ResultsDatabase::release(std::span<const ClaimedLoop> claimed) {
+  impl_->session.transact([&](Transaction& transaction) {
+    transaction.run(statements::kRelease, claim_keys(claimed));
+  });
+}
+
+std::size_t ResultsDatabase::extend(std::span<const ClaimedLoop> claimed, double lease_s) {
+  std::vector<std::string> parameters = claim_keys(claimed);
+  parameters.push_back(number_text(lease_s));
+  return impl_->session.transact([&](Transaction& transaction) {
+    return static_cast<std::size_t>(transaction.run(statements::kExtend, parameters).size());
+  });
+}
+
+std::size_t ResultsDatabase::count_enabled_loops() {
+  return impl_->session.transact([](Transaction& transaction) {
+    return transaction.run(statements::kCountEnabled)[0][0].as<std::size_t>();
+  });
+}
+
+void ResultsDatabase::set_parameter(const std::string& name, double value) {
+  impl_->session.transact([&](Transaction& transaction) {
+    if (transaction.run(statements::kSetParameter, {name, number_text(value)}).empty()) {
+      throw DatabaseError("no such parameter, loopscope.parameter " + name,
+                          "SELECT name, description FROM loopscope.parameter lists them",
+                          Remedy::give_up);
+    }
+  });
+}
+
+}  // namespace loopscope::storage

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "storage/analysis_record.hpp"
+#include "storage/catalogue_entry.hpp"
+#include "storage/connection_settings.hpp"
+#include "storage/error.hpp"
+
+namespace loopscope::storage {
+
+/// A loop that this worker holds until its lease ends.
+struct ClaimedLoop {
+  CatalogueEntry loop;
+  std::int64_t fence = 0;                        ///< rises with every claim
+  int attempts = 0;                              ///< failures in a row before this claim
+  std::int64_t database_now_us = 0;              ///< the database's clock at the claim
+  std::optional<std::int64_t> last_slot_end_us;  ///< newest slot that was completed
+};
+
+/// A claimed loop that was brought to its end: give it back, with or without a new row.
+struct CompletedLoop {
+  std::int64_t loop_id = 0;
+  std::int64_t fence = 0;
+  std::int64_t slot_end_us = 0;
+  std::int64_t next_due_us = 0;          ///< when it shall be looked at again
+  std::optional<AnalysisRecord> record;  ///< nullopt = the stored analysis still holds
+};
+
+/// A claimed loop whose work failed: it is set aside and retried after a pause.
+struct FailedLoop {
+  std::int64_t loop_id = 0;
+  std::int64_t fence = 0;
+  std::string error;
+  double retry_after_s = 60.0;
+};
+
+/// What a write did.
+struct WriteCount {
+  std::size_t inserted = 0;    ///< new analysis rows
+  std::size_t revised = 0;     ///< rows whose input had changed (input_revision raised)
+  std::size_t unchanged = 0;   ///< completed without a new row
+  std::size_t failed = 0;      ///< set aside
+  std::size_t fenced_off = 0;  ///< the lease had been lost: nothing was written for these
+};
+
+/// The key of a stored analysis and its digest.
+struct StoredDigest {
+  std::int64_t loop_id = 0;
+  std::int64_t slot_end_us = 0;
+  std::string input_digest;
+};
+
+/// The results schema `loopscope` as the worker sees it. One object = one connection; not shared
+/// between threads. Every function throws DatabaseError; after Remedy::reconnect the object must
+/// be thrown away.
+class ResultsDatabase {
+ public:
+  /// Connects and checks that the schema has the version this program was built for.
+  explicit ResultsDatabase(const ConnectionSettings& settings);
+  ~ResultsDatabase();
+  ResultsDatabase(ResultsDatabase&&) noexcept;
+  ResultsDatabase& operator=(ResultsDatabase&&) noexcept;
+
+  /// Claims up to `limit` enabled loops that are due, oldest first, for `lease_s` seconds.
+  [[nodiscard]] std::vector<ClaimedLoop> claim_due(const std::string& owner, double lease_s,
+                                                   int limit);
+  /// Claims up to `limit` enabled loops with loop_id > `after` that no living lease holds, due or
+  /// not, in the order of loop_id: one pass over the catalogue.
+  [[nodiscard]] std::vector<ClaimedLoop> claim_next(const std::string& owner, double lease_s,
+                                                    int limit, std::int64_t after);
+  /// Digests of those (loop, slot, revision) that are already stored.
+  [[nodiscard]] std::vector<StoredDigest> stored_digests(
+      std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision);
+  /// Writes results and gives the loops back in ONE transaction. A loop whose fence is no longer
+  /// the claimed one is skipped and counted. Repeating the call after a lost commit is harmless.
+  WriteCount finish(std::span<const CompletedLoop> completed, std::span<const FailedLoop> failed);
+  /// Gives claimed loops back untouched (shutdown): they are due at once.
+  void release(std::span<const ClaimedLoop> claimed);
+  /// Seconds that the lease of these loops is extended by from now; returns how many are still
+  /// held.
+  std::size_t extend(std::span<const ClaimedLoop> claimed, double lease_s);
+
+  [[nodiscard]] std::size_t count_enabled_loops();
+  /// Stores the settings that the views compute with (table loopscope.parameter).
+  void set_parameter(const std::string& name, double value);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace loopscope::storage

@@ -1,0 +1,31 @@
+#include "storage/results/schema_version.hpp"
+
+#include <string>
+
+#include "storage/results/migrate.hpp"
+#include "storage/results/statements.hpp"
+
+namespace loopscope::storage {
+
+int schema_version(Transaction& transaction) {
+  if (!transaction.run(statements::kHasSchema)[0][0].as<bool>()) return 0;
+  return transaction.run(statements::kSchemaVersion)[0][0].as<int>();
+}
+
+void require_schema_version(Session& session) {
+  const int found = session.transact(schema_version);
+  const int required = required_schema_version();
+  if (found == required) return;
+  if (found > required) {
+    throw DatabaseError("the schema loopscope has version " + std::to_string(found) +
+                            ", newer than this program's " + std::to_string(required),
+                        "install the newer program", Remedy::give_up);
+  }
+  const std::string what = found == 0
+                               ? std::string("the schema loopscope does not exist")
+                               : "the schema loopscope has version " + std::to_string(found) +
+                                     ", this program needs " + std::to_string(required);
+  throw DatabaseError(what, "run `loopscope migrate --config F` as the owner", Remedy::give_up);
+}
+
+}  // namespace loopscope::storage

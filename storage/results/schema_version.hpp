@@ -1,0 +1,13 @@
+#pragma once
+
+#include "storage/results/session.hpp"
+
+namespace loopscope::storage {
+
+/// The version of the schema `loopscope`; 0 = there is none.
+[[nodiscard]] int schema_version(Transaction& transaction);
+
+/// Throws DatabaseError (give_up) unless the schema is the one that this program was built for.
+void require_schema_version(Session& session);
+
+}  // namespace loopscope::storage

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <pqxx/pqxx>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "storage/connection_settings.hpp"
+#include "storage/error.hpp"
+#include "storage/explain_error.hpp"
+#include "storage/results/socket_deadline.hpp"
+#include "storage/statement.hpp"
+
+namespace loopscope::storage {
+
+/// An open transaction of a Session.
+class Transaction {
+ public:
+  /// Runs a statement with its parameters `$1`, `$2`, ... as text. Throws when the number of rows
+  /// is not the one that the statement promises.
+  pqxx::result run(const Statement& statement, const std::vector<std::string>& parameters = {});
+  /// Runs a script of several commands (a migration).
+  void run_script(const char* name, const char* sql);
+
+ private:
+  friend class Session;
+  Transaction(pqxx::work& work, std::string& statement, SocketDeadline& deadline)
+      : work_(work), statement_(statement), deadline_(deadline) {}
+  pqxx::work& work_;
+  std::string& statement_;  // the session's, for the message should it fail
+  SocketDeadline& deadline_;
+};
+
+/// One connection to the results database and the only place that knows libpqxx's exceptions.
+///
+/// libpqxx 6.4 reconnects by itself on the third use of a broken connection and has lost the
+/// session by then: after the first broken use every later one is refused here.
+class Session {
+ public:
+  explicit Session(const ConnectionSettings& settings);
+
+  /// Runs `work(Transaction&)` in one transaction, commits it and returns what work returned.
+  /// Throws DatabaseError; then nothing was stored, except when the message says "in doubt".
+  template <typename Work>
+  auto transact(Work&& work) {
+    refuse_if_dead();
+    statement_ = "begin";
+    // Around the transaction: its beginning and its rollback are statements too.
+    const SocketDeadline::Guard guard(deadline_);
+    try {
+      pqxx::work transaction(connection_);
+      Transaction facade(transaction, statement_, deadline_);
+      if constexpr (std::is_void_v<decltype(work(facade))>) {
+        work(facade);
+        commit(transaction);
+      } else {
+        auto result = work(facade);
+        commit(transaction);
+        return result;
+      }
+    } catch (...) {
+      explain_current_exception();
+    }
+  }
+
+ private:
+  void commit(pqxx::work& transaction);
+  void refuse_if_dead() const;
+  [[noreturn]] void explain_current_exception();
+  [[noreturn]] void fail(const std::string& message, const std::string& sqlstate,
+                         bool connection_lost);
+
+  ErrorPlace place_;
+  std::string statement_;
+  bool dead_ = false;
+  pqxx::connection connection_;
+  SocketDeadline deadline_;
+};
+
+}  // namespace loopscope::storage

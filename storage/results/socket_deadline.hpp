@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace loopscope::storage {
+
+/// Ends a blocking wait on a socket from outside: libpqxx 6.4 has no deadlines of its own. When an
+/// armed deadline passes, the socket is shut down, which libpq sees as a connection that broke.
+class SocketDeadline {
+ public:
+  /// `socket` must stay open as long as this object lives; without `patience` nothing ever happens.
+  SocketDeadline(int socket, std::optional<std::chrono::seconds> patience);
+
+  /// The deadline is armed as long as the guard lives.
+  class Guard {
+   public:
+    explicit Guard(SocketDeadline& deadline) : deadline_(deadline) { deadline_.restart(); }
+    ~Guard() { deadline_.disarm(); }
+    Guard(const Guard&) = delete;
+    Guard& operator=(const Guard&) = delete;
+
+   private:
+    SocketDeadline& deadline_;
+  };
+
+  /// Counts from now: each statement under one guard has the whole time.
+  void restart();
+
+  /// Whether the deadline passed and the socket was shut down.
+  [[nodiscard]] bool expired();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void disarm();
+  void watch(const std::stop_token& stop);
+
+  int socket_;
+  std::optional<std::chrono::seconds> patience_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::optional<Clock::time_point> deadline_;
+  bool expired_ = false;
+  std::jthread watcher_;  // last: it ends before what it uses
+};
+
+}  // namespace loopscope::storage

@@ -1,0 +1,220 @@
+#include "storage/results/statements.hpp"
+
+namespace loopscope::storage::statements {
+namespace {
+
+// What read_loop() (loop_row.hpp) takes from a row. Times travel as whole microseconds: extract()
+// is exact, because it is numeric since PostgreSQL 14.
+#define LOOPSCOPE_LOOP_COLUMNS                                                                 \
+  "loop.loop_id, loop.name, loop.source, loop.sp_tag, loop.pv_tag, loop.op_tag, loop.mv_tag,"  \
+  " loop.mode_tag, loop.interval_s, loop.period_s, loop.op_low, loop.op_high, loop.loop_type," \
+  " loop.importance, loop.enabled,"                                                            \
+  " (extract(epoch FROM loop.registered_at) * 1000000)::bigint AS registered_us"
+
+// A claim is ONE statement. ANY (ARRAY (...)) makes the planner fetch the few chosen rows by key;
+// joined as a subquery they cost a scan of the whole table under an unlucky plan. A claim that
+// finds an owner takes over from a worker that was lost: that counts as a failure, so that a loop
+// which kills its workers is noticed. Only the database's clock is used.
+#define LOOPSCOPE_CLAIM(CHOICE)                                                                 \
+  "WITH claimed AS ("                                                                           \
+  "  UPDATE loopscope.schedule AS s SET"                                                        \
+  "    owner = $1, fence = s.fence + 1, visible_at = now() + $2::float8 * interval '1 second'," \
+  "    attempts = s.attempts + (s.owner IS NOT NULL)::integer,"                                 \
+  "    last_error = CASE WHEN s.owner IS NULL THEN s.last_error"                                \
+  "                      ELSE 'the lease of ' || s.owner || ' ended without a result' END"      \
+  "  WHERE s.loop_id = ANY (ARRAY(" CHOICE                                                      \
+  "))"                                                                                          \
+  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end) "                               \
+  "SELECT " LOOPSCOPE_LOOP_COLUMNS                                                              \
+  ","                                                                                           \
+  "  claimed.fence, claimed.attempts, (extract(epoch FROM now()) * 1000000)::bigint AS now_us," \
+  "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us "        \
+  "FROM claimed JOIN loopscope.loop USING (loop_id) ORDER BY loop_id"
+
+}  // namespace
+
+const Statement kClaimDue{"claim_due", LOOPSCOPE_CLAIM(R"(
+    SELECT due.loop_id FROM loopscope.schedule AS due
+    WHERE due.enabled AND due.visible_at <= now()
+    ORDER BY due.visible_at LIMIT $3::bigint FOR UPDATE SKIP LOCKED)")};
+
+const Statement kClaimNext{"claim_next", LOOPSCOPE_CLAIM(R"(
+    SELECT free.loop_id FROM loopscope.schedule AS free
+    WHERE free.enabled AND free.loop_id > $4::bigint
+      AND (free.owner IS NULL OR free.visible_at <= now())
+    ORDER BY free.loop_id LIMIT $3::bigint FOR UPDATE SKIP LOCKED)")};
+
+const Statement kExtend{"extend_leases", R"(
+    UPDATE loopscope.schedule AS s SET visible_at = now() + $3::float8 * interval '1 second'
+    FROM unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
+    WHERE s.loop_id = held.loop_id AND s.fence = held.fence AND s.owner IS NOT NULL
+    RETURNING s.loop_id)"};
+
+const Statement kRelease{"release", R"(
+    UPDATE loopscope.schedule AS s SET owner = NULL, visible_at = now()
+    FROM unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
+    WHERE s.loop_id = held.loop_id AND s.fence = held.fence AND s.owner IS NOT NULL)",
+                         Rows::none};
+
+// The owner is not asked for: a repeat after a commit in doubt finds it gone and must still count
+// as this worker's, which the fence proves.
+const Statement kComplete{"complete", R"(
+    UPDATE loopscope.schedule AS s SET
+      owner = NULL, visible_at = done.next_due, attempts = 0, last_error = NULL,
+      last_slot_end = greatest(s.last_slot_end, done.slot_end),
+      result_slot_end = CASE WHEN done.has_record THEN greatest(s.result_slot_end, done.slot_end)
+                             ELSE s.result_slot_end END
+    FROM unnest($1::bigint[], $2::bigint[], $3::timestamptz[], $4::timestamptz[], $5::boolean[])
+      AS done (loop_id, fence, slot_end, next_due, has_record)
+    WHERE s.loop_id = done.loop_id AND s.fence = done.fence
+    RETURNING s.loop_id)"};
+
+// A repeat finds no owner and counts no second failure.
+const Statement kSetAside{"set_aside", R"(
+    UPDATE loopscope.schedule AS s SET
+      owner = NULL, visible_at = now() + failed.retry_after_s * interval '1 second',
+      attempts = s.attempts + (s.owner IS NOT NULL)::integer, last_error = failed.error
+    FROM unnest($1::bigint[], $2::bigint[], $3::text[], $4::float8[])
+      AS failed (loop_id, fence, error, retry_after_s)
+    WHERE s.loop_id = failed.loop_id AND s.fence = failed.fence
+    RETURNING s.loop_id)"};
+
+const Statement kCountEnabled{"count_enabled_loops",
+                              "SELECT count(*) FROM loopscope.schedule WHERE enabled", Rows::one};
+
+const Statement kStoredDigests{"stored_digests", R"(
+    SELECT wanted.loop_id, (extract(epoch FROM wanted.slot_end) * 1000000)::bigint AS slot_end_us,
+           analysis.input_digest
+    FROM unnest($1::bigint[], $2::timestamptz[]) AS wanted (loop_id, slot_end)
+    CROSS JOIN LATERAL (
+      SELECT stored.input_digest FROM loopscope.analysis AS stored
+      WHERE stored.loop_id = wanted.loop_id AND stored.slot_end = wanted.slot_end
+        AND stored.algorithm_revision = $3::integer
+      LIMIT 1) AS analysis)"};
+
+const Statement kInsertVerdicts{"insert_verdicts", R"(
+    INSERT INTO loopscope.verdict (loop_id, slot_end, algorithm_revision, input_revision,
+                                   analysis_id, code, confidence, summary, reasons, action)
+    SELECT loop_id, slot_end, algorithm_revision, input_revision,
+           analysis_id, code, confidence, summary, reasons::text[], action
+    FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::integer[],
+                $5::bigint[], $6::text[], $7::float8[], $8::text[], $9::text[], $10::text[])
+      AS row (loop_id, slot_end, algorithm_revision, input_revision,
+              analysis_id, code, confidence, summary, reasons, action))",
+                                Rows::none};
+
+const Statement kInsertPeaks{"insert_peaks", R"(
+    INSERT INTO loopscope.bicoherence_peak (loop_id, slot_end, algorithm_revision, input_revision,
+                                            rank, f1, f2, bic2, p)
+    SELECT * FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::integer[],
+                         $5::integer[], $6::float8[], $7::float8[], $8::float8[], $9::float8[]))",
+                             Rows::none};
+
+const Statement kSetParameter{"set_parameter", R"(
+    UPDATE loopscope.parameter SET value = $2::float8 WHERE name = $1 RETURNING name)"};
+
+const Statement kListLoops{"list_loops",
+                           "SELECT " LOOPSCOPE_LOOP_COLUMNS " FROM loopscope.loop ORDER BY name"};
+
+const Statement kFindLoop{"find_loop",
+                          "SELECT " LOOPSCOPE_LOOP_COLUMNS " FROM loopscope.loop WHERE name = $1"};
+
+// xmax is 0 in a row that was inserted and the updating transaction in one that was there before.
+const Statement kSaveLoops{"save_loops", R"(
+    INSERT INTO loopscope.loop AS kept (name, source, sp_tag, pv_tag, op_tag, mv_tag, mode_tag,
+                                        interval_s, period_s, op_low, op_high, loop_type,
+                                        importance, enabled)
+    SELECT name, source, nullif(sp_tag, ''), pv_tag, nullif(op_tag, ''), nullif(mv_tag, ''),
+           nullif(mode_tag, ''), interval_s, period_s, op_low, op_high, nullif(loop_type, ''),
+           importance, enabled
+    FROM unnest($1::text[], $2::text[], $3::text[], $4::text[], $5::text[], $6::text[], $7::text[],
+                $8::float8[], $9::float8[], $10::float8[], $11::float8[], $12::text[],
+                $13::float8[], $14::boolean[])
+      AS entry (name, source, sp_tag, pv_tag, op_tag, mv_tag, mode_tag, interval_s, period_s,
+                op_low, op_high, loop_type, importance, enabled)
+    ON CONFLICT (name) DO UPDATE SET
+      source = EXCLUDED.source, sp_tag = EXCLUDED.sp_tag, pv_tag = EXCLUDED.pv_tag,
+      op_tag = EXCLUDED.op_tag, mv_tag = EXCLUDED.mv_tag, mode_tag = EXCLUDED.mode_tag,
+      interval_s = EXCLUDED.interval_s, period_s = EXCLUDED.period_s, op_low = EXCLUDED.op_low,
+      op_high = EXCLUDED.op_high, loop_type = EXCLUDED.loop_type,
+      importance = EXCLUDED.importance, enabled = EXCLUDED.enabled, changed_at = now()
+    RETURNING kept.loop_id, kept.xmax = 0 AS is_new)"};
+
+// A loop that a worker holds becomes due when the worker is done with it.
+const Statement kMakeDue{"make_due", R"(
+    UPDATE loopscope.schedule SET visible_at = now()
+    WHERE loop_id = ANY ($1::bigint[]) AND owner IS NULL)",
+                         Rows::none};
+
+const Statement kSetEnabled{"set_enabled", R"(
+    UPDATE loopscope.loop SET enabled = $2::boolean, changed_at = now()
+    WHERE name = ANY ($1::text[]) RETURNING loop_id)"};
+
+const Statement kHasSchema{
+    "has_schema", "SELECT to_regclass('loopscope.schema_migration') IS NOT NULL", Rows::one};
+
+const Statement kSchemaVersion{"schema_version",
+                               "SELECT coalesce(max(version), 0) FROM loopscope.schema_migration",
+                               Rows::one};
+
+// Several logins may be members of loopscope_owner: what one makes, all can change. Where that role
+// may not create the schema (roles.sql was run in another database) the login itself becomes owner.
+const Statement kBecomeOwner{"become_owner", R"(
+    SELECT set_config('role', 'loopscope_owner', true)
+    FROM pg_roles AS owner
+    LEFT JOIN pg_namespace AS schema ON schema.nspname = 'loopscope'
+    WHERE owner.rolname = 'loopscope_owner' AND pg_has_role(owner.oid, 'MEMBER')
+      AND CASE WHEN schema.oid IS NULL
+               THEN has_database_privilege(owner.oid, current_database(), 'CREATE')
+               ELSE schema.nspowner = owner.oid END)"};
+
+// Any fixed number does, as long as nothing else in the database uses it.
+const Statement kLockMigrations{"lock_migrations",
+                                "SELECT pg_advisory_xact_lock(7310868735423867747)", Rows::one};
+
+const Statement kAppliedMigrations{
+    "applied_migrations",
+    "SELECT version, name, sha256 FROM loopscope.schema_migration ORDER BY version"};
+
+const Statement kRecordMigration{"record_migration", R"(
+    INSERT INTO loopscope.schema_migration (version, name, sha256) VALUES ($1::integer, $2, $3))",
+                                 Rows::none};
+
+const Statement kMakePartitions{"make_partitions",
+                                "SELECT loopscope.make_partitions(now(), $1::integer) AS name"};
+
+const Statement kGrantRights{"grant_rights", "SELECT loopscope.grant_rights()", Rows::one};
+
+const Statement kExpiredPartitions{"expired_partitions", R"(
+    SELECT loopscope.expired_partitions(now() - make_interval(months => $1::integer)) AS name)"};
+
+const Statement kDropPartition{"drop_partition", "SELECT loopscope.drop_partition($1)", Rows::one};
+
+const Statement kDeleteOldRows{"delete_old_rows", R"(
+    SELECT loopscope.delete_old_rows(now() - make_interval(months => $1::integer)))",
+                               Rows::one};
+
+// One row per right: whether the connected user has it, and whether it should.
+const Statement kCheckRights{"check_rights", R"(
+    SELECT privilege || ' on ' || object AS what, needed,
+           CASE WHEN object = 'schema loopscope'
+                THEN has_schema_privilege('loopscope', privilege)
+                WHEN object = 'sequence loopscope.analysis_id'
+                THEN has_sequence_privilege('loopscope.analysis_id', privilege)
+                WHEN privilege = 'UPDATE'
+                THEN has_any_column_privilege(object, privilege)
+                ELSE has_table_privilege(object, privilege) END AS granted
+    FROM (VALUES
+      ('USAGE', 'schema loopscope', true), ('CREATE', 'schema loopscope', false),
+      ('SELECT', 'loopscope.loop', true), ('DELETE', 'loopscope.loop', false),
+      ('SELECT', 'loopscope.schedule', true), ('UPDATE', 'loopscope.schedule', true),
+      ('SELECT', 'loopscope.analysis', true), ('INSERT', 'loopscope.analysis', true),
+      ('UPDATE', 'loopscope.analysis', true), ('DELETE', 'loopscope.analysis', false),
+      ('INSERT', 'loopscope.bicoherence_peak', true), ('INSERT', 'loopscope.explanation_step', true),
+      ('INSERT', 'loopscope.verdict', true), ('DELETE', 'loopscope.verdict', false),
+      ('SELECT', 'loopscope.parameter', true), ('UPDATE', 'loopscope.parameter', true),
+      ('SELECT', 'loopscope.schema_migration', true),
+      ('USAGE', 'sequence loopscope.analysis_id', true)
+    ) AS checked (privilege, object, needed))"};
+
+}  // namespace loopscope::storage::statements

@@ -1,0 +1,108 @@
+#include "storage/results/write_results.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+
+#include "storage/array_literal.hpp"
+#include "storage/results/analysis_columns.hpp"
+#include "storage/results/statements.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+/// An analysis row that was written in this transaction.
+struct WrittenAnalysis {
+  const CompletedLoop* loop = nullptr;
+  std::int64_t input_revision = 0;
+  std::int64_t analysis_id = 0;
+};
+
+std::vector<WrittenAnalysis> upsert(Transaction& transaction,
+                                    const std::vector<const CompletedLoop*>& loops) {
+  std::unordered_map<std::int64_t, const CompletedLoop*> by_id;
+  for (const CompletedLoop* loop : loops) by_id[loop->loop_id] = loop;
+  std::vector<WrittenAnalysis> written;
+  for (const pqxx::row& row : transaction.run(upsert_analyses(), analysis_parameters(loops))) {
+    written.push_back({by_id.at(row["loop_id"].as<std::int64_t>()),
+                       row["input_revision"].as<std::int64_t>(),
+                       row["analysis_id"].as<std::int64_t>()});
+  }
+  return written;
+}
+
+/// The four columns that the tables beside analysis share.
+struct KeyArrays {
+  ArrayLiteral loop_id, slot_end, algorithm_revision, input_revision;
+
+  void add(const WrittenAnalysis& written) {
+    loop_id.add_integer(written.loop->loop_id);
+    slot_end.add_time(written.loop->record->slot_end_us);
+    algorithm_revision.add_integer(written.loop->record->algorithm_revision);
+    input_revision.add_integer(written.input_revision);
+  }
+};
+
+/// A confidence that is no share of 1 would be refused, and the whole batch with it.
+double confidence_of(const core::diagnosis::Verdict& verdict) {
+  return verdict.confidence >= 0.0 ? std::min(verdict.confidence, 1.0) : 0.0;
+}
+
+void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
+  KeyArrays key;
+  ArrayLiteral analysis_id, code, confidence, summary, reasons, action;
+  for (const WrittenAnalysis& written : analyses) {
+    const core::diagnosis::Verdict& verdict = written.loop->record->diagnosis.verdict;
+    key.add(written);
+    analysis_id.add_integer(written.analysis_id);
+    code.add_text(core::diagnosis::name(verdict.code));
+    confidence.add_number(confidence_of(verdict));
+    summary.add_text(verdict.summary);
+    reasons.add_text_list(verdict.reasons);
+    action.add_text(verdict.action);
+  }
+  transaction.run(statements::kInsertVerdicts,
+                  {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
+                   key.input_revision.text(), analysis_id.text(), code.text(), confidence.text(),
+                   summary.text(), reasons.text(), action.text()});
+}
+
+void insert_peaks(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
+  KeyArrays key;
+  ArrayLiteral rank, f1, f2, bic2, p;
+  for (const WrittenAnalysis& written : analyses) {
+    const auto& hos = written.loop->record->diagnosis.evidence.hos;
+    for (std::size_t i = 0; hos && i < hos->peaks.size(); ++i) {
+      const core::hos::Peak& peak = hos->peaks[i];
+      key.add(written);
+      rank.add_integer(static_cast<std::int64_t>(i) + 1);
+      f1.add_number(peak.f1);
+      f2.add_number(peak.f2);
+      bic2.add_number(peak.bic2);
+      p.add_number(peak.p);
+    }
+  }
+  transaction.run(
+      statements::kInsertPeaks,
+      {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
+       key.input_revision.text(), rank.text(), f1.text(), f2.text(), bic2.text(), p.text()});
+}
+
+}  // namespace
+
+WriteCount write_records(Transaction& transaction, const std::vector<const CompletedLoop*>& loops) {
+  WriteCount count;
+  if (loops.empty()) return count;
+  const std::vector<WrittenAnalysis> written = upsert(transaction, loops);
+  count.unchanged = loops.size() - written.size();
+  if (written.empty()) return count;
+  insert_verdicts(transaction, written);
+  insert_peaks(transaction, written);
+  const auto is_new = [](const WrittenAnalysis& analysis) { return analysis.input_revision == 1; };
+  count.inserted = static_cast<std::size_t>(std::ranges::count_if(written, is_new));
+  count.revised = written.size() - count.inserted;
+  return count;
+}
+
+}  // namespace loopscope::storage

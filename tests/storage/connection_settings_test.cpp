@@ -1,0 +1,96 @@
+#include "storage/connection_settings.hpp"
+
+#include <gmock/gmock.h>
+#include <libpq-fe.h>
+#include <map>
+#include <memory>
+
+#include "storage/error.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// What libpq makes of a completed connection string.
+std::map<std::string, std::string> options_of(const ConnectionSettings& settings) {
+  const std::unique_ptr<PQconninfoOption, decltype(&PQconninfoFree)> parsed(
+      PQconninfoParse(complete_conninfo(settings).c_str(), nullptr), &PQconninfoFree);
+  std::map<std::string, std::string> options;
+  for (const PQconninfoOption* option = parsed.get(); option && option->keyword; ++option) {
+    if (option->val != nullptr) options[option->keyword] = option->val;
+  }
+  return options;
+}
+
+ConnectionSettings settings(const std::string& conninfo) {
+  ConnectionSettings result;
+  result.conninfo = conninfo;
+  result.purpose = "results";
+  return result;
+}
+
+TEST(ConnectionSettings, AddsTimeoutsAndTheSession) {
+  const auto options = options_of(settings("host=db1 dbname=plant"));
+  EXPECT_EQ(options.at("host"), "db1");
+  EXPECT_EQ(options.at("connect_timeout"), "5");
+  EXPECT_EQ(options.at("keepalives_idle"), "10");
+  EXPECT_EQ(options.at("tcp_user_timeout"), "20000");
+  EXPECT_EQ(options.at("client_encoding"), "UTF8");
+  EXPECT_EQ(options.at("target_session_attrs"), "read-write");
+  EXPECT_THAT(options.at("application_name"), StartsWith("loopscope/results/"));
+  EXPECT_THAT(options.at("options"), HasSubstr("-c TimeZone=UTC"));
+  EXPECT_THAT(options.at("options"), HasSubstr("-c statement_timeout=60s"));
+  EXPECT_THAT(options.at("options"), Not(HasSubstr("read_only")));
+}
+
+TEST(ConnectionSettings, ReaderIsReadOnlyAndTakesAnyHost) {
+  ConnectionSettings reader = settings("host=db1");
+  reader.read_only = true;
+  const auto options = options_of(reader);
+  EXPECT_THAT(options.at("options"), HasSubstr("default_transaction_read_only=on"));
+  EXPECT_FALSE(options.contains("target_session_attrs"));
+}
+
+TEST(ConnectionSettings, LeavesWhatTheUserSays) {
+  const auto options = options_of(
+      settings("connect_timeout=77 application_name='my name' options='-c statement_timeout=5s'"));
+  EXPECT_EQ(options.at("connect_timeout"), "77");
+  EXPECT_EQ(options.at("application_name"), "my name");
+  EXPECT_EQ(options.at("client_encoding"), "UTF8") << "all text in the program is UTF-8";
+  EXPECT_THAT(options.at("options"), EndsWith(" -c statement_timeout=5s"));
+  EXPECT_THAT(options.at("options"), HasSubstr("jit=off"));
+}
+
+TEST(ConnectionSettings, TakesUrisAndOddCharacters) {
+  const auto options = options_of(settings("postgresql://us%27er:p%5Cw@db1:5433/pl%20ant"));
+  EXPECT_EQ(options.at("user"), "us'er");
+  EXPECT_EQ(options.at("password"), "p\\w");
+  EXPECT_EQ(options.at("dbname"), "pl ant");
+  EXPECT_EQ(options.at("port"), "5433");
+}
+
+TEST(ConnectionSettings, TargetNamesNoSecret) {
+  EXPECT_EQ(describe_target(settings("host=db1 dbname=plant user=u password=geheim")),
+            "results database (host=db1 dbname=plant user=u)");
+  EXPECT_EQ(describe_target(settings("")), "results database");
+}
+
+TEST(ConnectionSettings, UnreadableStringIsRefusedWithoutShowingSecrets) {
+  for (const char* bad : {"host", "postgresql://u:geheim@[::1", "password=geheim host"}) {
+    try {
+      static_cast<void>(complete_conninfo(settings(bad)));
+      FAIL() << bad;
+    } catch (const DatabaseError& error) {
+      EXPECT_EQ(error.remedy(), Remedy::give_up);
+      EXPECT_THAT(error.what(), Not(HasSubstr("geheim")));
+      EXPECT_THAT(error.what(), HasSubstr("cannot be read"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::storage

@@ -1,0 +1,97 @@
+#include "storage/explain_error.hpp"
+
+#include <gmock/gmock.h>
+
+namespace loopscope::storage {
+namespace {
+
+using testing::HasSubstr;
+
+DatabaseError explained(const std::string& sqlstate, const std::string& message,
+                        DatabaseKind kind = DatabaseKind::results) {
+  return explain({message, sqlstate, false}, {kind, "T database", "anna", "claim_due"});
+}
+
+DatabaseError connecting(const std::string& message) {
+  return explain({message, "", true}, {DatabaseKind::results, "T database", "", ""});
+}
+
+TEST(ExplainError, SaysWhatAndWhere) {
+  const DatabaseError error =
+      explained("23505", "ERROR:  duplicate key\nDETAIL:  Key (name)=(a) already exists.\n");
+  EXPECT_STREQ(error.what(),
+               "duplicate key (Key (name)=(a) already exists.), statement claim_due, T database");
+  EXPECT_EQ(error.sqlstate(), "23505");
+  EXPECT_EQ(error.remedy(), Remedy::give_up);
+}
+
+TEST(ExplainError, RemedyFollowsTheState) {
+  const auto remedy = [](const char* state) { return explained(state, "ERROR:  x").remedy(); };
+  for (const char* state : {"40001", "40P01", "55P03", "57014", "53200"}) {
+    EXPECT_EQ(remedy(state), Remedy::retry) << state;
+  }
+  for (const char* state : {"08006", "57P01", "57P02", "57P03", "25006", "53300", "25P03"}) {
+    EXPECT_EQ(remedy(state), Remedy::reconnect) << state;
+  }
+  for (const char* state :
+       {"42501", "42P01", "42703", "53100", "28P01", "57P04", "XX000", "22P02", "3D000", "99999"}) {
+    EXPECT_EQ(remedy(state), Remedy::give_up) << state;
+  }
+}
+
+TEST(ExplainError, HintsNameTheCommandOrTheSetting) {
+  EXPECT_THAT(explained("42P01", "ERROR:  relation \"loopscope.loop\" does not exist").hint(),
+              HasSubstr("`loopscope migrate --config F`"));
+  EXPECT_THAT(explained("42P01", "ERROR:  x", DatabaseKind::historian).hint(),
+              HasSubstr("`table`"));
+  EXPECT_THAT(explained("42703", "ERROR:  x", DatabaseKind::historian).hint(), HasSubstr("column"));
+  EXPECT_THAT(explained("22P02", "ERROR:  x", DatabaseKind::historian).hint(),
+              HasSubstr("`time_kind`"));
+  EXPECT_THAT(explained("53100", "ERROR:  could not extend file").hint(), HasSubstr("free space"));
+  EXPECT_THAT(explained("55P03", "ERROR:  x").hint(), HasSubstr("pg_locks"));
+}
+
+TEST(ExplainError, PrivilegeNamesTheGrant) {
+  EXPECT_EQ(explained("42501", "ERROR:  permission denied for view seen\n", DatabaseKind::historian)
+                .hint(),
+            "as the owner: GRANT SELECT ON seen TO anna");
+  EXPECT_EQ(
+      explained("42501", "ERROR:  permission denied for schema plant\n", DatabaseKind::historian)
+          .hint(),
+      "as the owner: GRANT USAGE ON SCHEMA plant TO anna");
+  EXPECT_THAT(explained("42501", "ERROR:  permission denied for table loop\n").hint(),
+              HasSubstr("GRANT loopscope_worker TO anna"));
+  EXPECT_THAT(explained("42501", "ERROR:  permission denied for database plant\n").hint(),
+              HasSubstr("GRANT CREATE ON DATABASE plant TO anna"));
+  const ErrorPlace copying{DatabaseKind::historian, "T database", "anna", "copy_rows"};
+  EXPECT_EQ(explain({"ERROR:  permission denied for table h", "42501", false}, copying).hint(),
+            "as the owner: GRANT SELECT, INSERT, DELETE ON h TO anna");
+  EXPECT_THAT(explained("42501", "FEHLER:  keine Berechtigung\n", DatabaseKind::historian).hint(),
+              HasSubstr("anna"));
+}
+
+TEST(ExplainError, ConnectingIsToldApartByItsWords) {
+  const std::string to = "connection to server at \"db1\", port 5432 failed: ";
+  EXPECT_EQ(connecting(to + "Connection refused").remedy(), Remedy::reconnect);
+  EXPECT_THAT(connecting(to + "Connection refused").hint(), HasSubstr("server runs"));
+  EXPECT_EQ(connecting(to + "FATAL:  the database system is starting up").remedy(),
+            Remedy::reconnect);
+  EXPECT_EQ(connecting(to + "FATAL:  role \"x\" does not exist").remedy(), Remedy::give_up);
+  EXPECT_THAT(connecting(to + "FATAL:  role \"x\" does not exist").hint(),
+              HasSubstr("CREATE ROLE"));
+  EXPECT_THAT(connecting(to + "FATAL:  database \"x\" does not exist").hint(), HasSubstr("dbname"));
+  EXPECT_THAT(connecting(to + "FATAL:  password authentication failed for user \"x\"").hint(),
+              HasSubstr(".pgpass"));
+  EXPECT_THAT(connecting(to + "FATAL:  sorry, too many clients already").hint(),
+              HasSubstr("max_connections"));
+}
+
+TEST(ExplainError, LostConnectionWinsOverItsState) {
+  const DatabaseError error =
+      explain({"", "42P01", true}, {DatabaseKind::results, "T database", "", "commit"});
+  EXPECT_EQ(error.remedy(), Remedy::reconnect);
+  EXPECT_THAT(error.what(), HasSubstr("the connection was lost"));
+}
+
+}  // namespace
+}  // namespace loopscope::storage

@@ -1,0 +1,73 @@
+#include "storage/historian/pq_connection.hpp"
+
+#include <gmock/gmock.h>
+
+#include "storage/error.hpp"
+#include "tests/storage/historian/historian_fixture.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+using testing::HasSubstr;
+
+class PqConnectionTest : public HistorianTest {};
+
+TEST_F(PqConnectionTest, ConnectingToNothingSaysWhereAndHow) {
+  ConnectionSettings nowhere = settings();
+  nowhere.conninfo = "host=/no/such/folder";
+  try {
+    PqConnection connection(nowhere);
+    FAIL();
+  } catch (const DatabaseError& error) {
+    EXPECT_EQ(error.remedy(), Remedy::reconnect);
+    EXPECT_THAT(error.what(), HasSubstr("historian database (host=/no/such/folder)"));
+  }
+}
+
+TEST_F(PqConnectionTest, ErrorLeavesTheConnectionUsable) {
+  PqConnection connection(settings());
+  EXPECT_THROW(connection.run({"wrong", "SELECT 1/0"}), DatabaseError);
+  EXPECT_EQ(connection.run({"right", "SELECT 42"}).text(0, 0), "42");
+}
+
+TEST_F(PqConnectionTest, QuotesNamesAndRefusesBytesThatAreNone) {
+  const PqConnection connection(settings());
+  EXPECT_EQ(connection.quote("we\"ird"), "\"we\"\"ird\"");
+  EXPECT_THROW(static_cast<void>(connection.quote("\xff")), DatabaseError);
+}
+
+TEST_F(PqConnectionTest, LargeParametersAreSentWhole) {
+  PqConnection connection(settings());
+  const std::string large(20'000'000, 'x');
+  EXPECT_EQ(connection.run({"length", "SELECT length($1)"}, {large}).text(0, 0), "20000000");
+}
+
+TEST_F(PqConnectionTest, StatementTimeoutOfTheServerComesFirst) {
+  ConnectionSettings quick = settings();
+  quick.statement_timeout_s = 1;
+  PqConnection connection(quick);
+  try {
+    connection.run({"sleep", "SELECT pg_sleep(60)"});
+    FAIL();
+  } catch (const DatabaseError& error) {
+    EXPECT_EQ(error.sqlstate(), "57014");
+    EXPECT_EQ(error.remedy(), Remedy::retry);
+  }
+}
+
+TEST_F(PqConnectionTest, ServerThatStandsStillIsGivenUp) {
+  ConnectionSettings quick = settings();
+  quick.statement_timeout_s = 1;
+  quick.conninfo += " options='-c statement_timeout=0'";
+  PqConnection connection(quick);
+  try {
+    connection.run({"sleep", "SELECT pg_sleep(60)"});
+    FAIL();
+  } catch (const DatabaseError& error) {
+    EXPECT_EQ(error.remedy(), Remedy::reconnect);
+    EXPECT_THAT(error.what(), HasSubstr("did not answer in time"));
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::storage

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <map>
+
+#include "tests/storage/results/views_fixture.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+using core::diagnosis::VerdictCode;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+class FlaggedLoopTest : public ViewsTest {
+ protected:
+  void annotate(const std::string& loop, const std::string& columns, const std::string& values) {
+    database->execute("INSERT INTO loopscope.annotation (loop_id, " + columns +
+                      ") SELECT loop_id, " + values + " FROM loopscope.loop WHERE name = '" + loop +
+                      "'");
+  }
+};
+
+TEST_F(FlaggedLoopTest, FaultsOfEnabledLoopsWithEnoughConfidence) {
+  tell({{.loop = "sticky"},
+        {.loop = "fine", .code = VerdictCode::healthy},
+        {.loop = "dead", .code = VerdictCode::insufficient_data},
+        {.loop = "unsure", .confidence = 0.29},
+        {.loop = "off"}});
+  Catalogue(settings_for(*database)).set_enabled(std::vector<std::string>{"off"}, false);
+  EXPECT_THAT(flagged(), ElementsAre("sticky"));
+  connect().set_parameter("min_confidence", 0.2);
+  EXPECT_THAT(flagged(), UnorderedElementsAre("sticky", "unsure"));
+}
+
+TEST_F(FlaggedLoopTest, NewestVerdictCounts) {
+  tell({{.loop = "mended", .slot_hours = 1},
+        {.loop = "mended", .code = VerdictCode::healthy, .slot_hours = 2}});
+  EXPECT_THAT(flagged(), IsEmpty());
+}
+
+TEST_F(FlaggedLoopTest, RanksByTheProductOfItsFactors) {
+  // severity = 1 - harris: stiction 0.8 x 1.0, twice as important tuning 0.5 x 2 x 0.7 = 0.7,
+  // sure disturbance 0.9 x 0.5 = 0.45, unsure stiction 0.8 x 0.5 = 0.4.
+  tell({{.loop = "unsure stiction", .confidence = 0.5, .harris = 0.2},
+        {.loop = "disturbance", .code = VerdictCode::external_disturbance, .harris = 0.1},
+        {.loop = "stiction", .harris = 0.2},
+        {.loop = "tuning", .code = VerdictCode::tight_tuning, .harris = 0.5}});
+  database->execute("UPDATE loopscope.loop SET importance = 2 WHERE name = 'tuning'");
+  EXPECT_THAT(flagged(), ElementsAre("stiction", "tuning", "disturbance", "unsure stiction"));
+  EXPECT_EQ(value("SELECT bool_and(abs(score - severity * importance * kind_weight * confidence)"
+                  " < 1e-12) FROM loopscope.flagged_loop"),
+            "t");
+  EXPECT_EQ(value("SELECT round(score::numeric, 3) FROM loopscope.flagged_loop WHERE rank = 2"),
+            "0.700");
+}
+
+/// The definition of Benjamini and Hochberg (1995), step by step, to compare the view with.
+std::vector<std::string> benjamini_hochberg(std::vector<std::pair<double, std::string>> tested,
+                                            double rate) {
+  std::ranges::sort(tested);
+  std::size_t rejected = 0;
+  for (std::size_t i = 1; i <= tested.size(); ++i) {
+    const double bound = rate * static_cast<double>(i) / static_cast<double>(tested.size());
+    if (tested[i - 1].first <= bound) rejected = i;
+  }
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < rejected; ++i) names.push_back(tested[i].second);
+  return names;
+}
+
+TEST_F(FlaggedLoopTest, FalseDiscoveryControlIsThatOfBenjaminiAndHochberg) {
+  // With m = 8 and q = 0.05 the bounds are 0.00625, 0.0125, 0.01875, 0.025, 0.03125, ...: the third
+  // p-value misses its own bound, but the fourth holds, so four are flagged and not two.
+  const std::vector<double> p{0.001, 0.012, 0.019, 0.024, 0.2, 0.3, 0.5, 0.9};
+  std::vector<Story> stories;
+  std::vector<std::pair<double, std::string>> tested;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const std::string name = "loop" + std::to_string(i);
+    stories.push_back({.loop = name, .nonlinear_p = p[i]});
+    tested.emplace_back(p[i], name);
+  }
+  tell(stories);
+  ASSERT_EQ(benjamini_hochberg(tested, 0.05).size(), 4u);
+  EXPECT_THAT(flagged(), testing::UnorderedElementsAreArray(benjamini_hochberg(tested, 0.05)));
+  EXPECT_EQ(value("SELECT DISTINCT false_discovery_threshold FROM loopscope.flagged_loop"),
+            "0.024");
+  for (const double rate : {0.001, 0.01, 0.2, 0.5}) {
+    connect().set_parameter("false_discovery_rate", rate);
+    EXPECT_THAT(flagged(), testing::UnorderedElementsAreArray(benjamini_hochberg(tested, rate)))
+        << rate;
+  }
+}
+
+TEST_F(FlaggedLoopTest, ControlConcernsOnlyVerdictsThatRestOnNonlinearity) {
+  tell({{.loop = "nonlinear", .nonlinear_p = 0.9},
+        {.loop = "untested"},
+        {.loop = "tuning", .code = VerdictCode::tight_tuning, .nonlinear_p = 0.9}});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("untested", "tuning"));
+}
+
+TEST_F(FlaggedLoopTest, HealthyLoopsBelongToTheFamilyOfTests) {
+  // Alone, p = 0.04 passes at 0.05; beside a healthy loop that was tested too, it does not.
+  tell({{.loop = "a", .nonlinear_p = 0.04}});
+  EXPECT_THAT(flagged(), ElementsAre("a"));
+  tell({{.loop = "b", .code = VerdictCode::healthy, .nonlinear_p = 0.8}});
+  EXPECT_THAT(flagged(), IsEmpty());
+}
+
+TEST_F(FlaggedLoopTest, AnnotationsHideWhileTheyHold) {
+  tell({{.loop = "a"}});
+  annotate("a", "kind, until, reason", "'suppressed', now() - interval '1 s', 'shutdown'");
+  EXPECT_THAT(flagged(), ElementsAre("a")) << "its time is over";
+  annotate("a", "kind, until, reason", "'suppressed', now() + interval '1 h', 'shutdown'");
+  EXPECT_THAT(flagged(), IsEmpty());
+  database->execute("UPDATE loopscope.annotation SET withdrawn_at = now()");
+  EXPECT_THAT(flagged(), ElementsAre("a"));
+  annotate("a", "kind, code", "'false_positive', 'tight_tuning'");
+  EXPECT_THAT(flagged(), ElementsAre("a")) << "about another verdict";
+  annotate("a", "kind, code", "'acknowledged', 'valve_stiction'");
+  EXPECT_THAT(flagged(), IsEmpty());
+}
+
+TEST_F(FlaggedLoopTest, SuppressionNeedsAnEndAndAReason) {
+  tell({{.loop = "a"}});
+  EXPECT_THROW(annotate("a", "kind", "'suppressed'"), std::runtime_error);
+  EXPECT_THROW(annotate("a", "kind, until", "'suppressed', now()"), std::runtime_error);
+  EXPECT_THROW(annotate("a", "kind, until, reason", "'suppressed', 'infinity', 'x'"),
+               std::runtime_error);
+  EXPECT_THROW(annotate("a", "kind", "'ignored'"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace loopscope::storage

@@ -1,0 +1,85 @@
+#include "tests/storage/results/results_fixture.hpp"
+
+#include "storage/results/migrate.hpp"
+
+namespace loopscope::storage {
+
+ConnectionSettings settings_for(const tests::TestDatabase& database, const std::string& user) {
+  ConnectionSettings settings;
+  settings.conninfo = user.empty() ? database.conninfo() : database.conninfo(user);
+  settings.purpose = "results";
+  return settings;
+}
+
+std::int64_t slot(int hours) {
+  constexpr std::int64_t kStartUs = 1'767'225'600'000'000;
+  return kStartUs + std::int64_t{hours} * 3'600'000'000;
+}
+
+CatalogueEntry loop_named(const std::string& name) {
+  CatalogueEntry loop;
+  loop.name = name;
+  loop.pv_tag = name + ".PV";
+  return loop;
+}
+
+AnalysisRecord record_at(std::int64_t slot_end_us, const std::string& digest) {
+  AnalysisRecord record;
+  record.slot_end_us = slot_end_us;
+  record.window_start_us = slot_end_us - 4095'000'000;
+  record.window_end_us = slot_end_us;
+  record.samples = 4096;
+  record.sample_interval_s = 1.0;
+  record.input_digest = digest;
+  record.program_version = "0.1.0";
+  record.settings_json = R"({"hos": {"segment_length": 64}})";
+  record.fetch_ms = 1.5;
+  record.analyse_ms = 2.5;
+  core::Evidence& evidence = record.diagnosis.evidence;
+  evidence.data_quality.usable = true;
+  evidence.data_quality.flags = {"sp_missing", "a \"quoted\", odd {flag}\\"};
+  evidence.data_quality.missing_fraction = 0.25;
+  evidence.hos.emplace();
+  evidence.hos->segments = 127;
+  evidence.hos->bifrequencies = 320;
+  evidence.hos->ngi = 0.0125;
+  evidence.hos->nli = 0.5;
+  evidence.hos->coupling = core::hos::Coupling::quadratic;
+  evidence.hos->peaks = {{0.125, 0.0625, 0.5, 0.001}, {0.25, 0.125, 0.25, std::nullopt}};
+  evidence.oscillation.present = true;
+  evidence.oscillation.period_s = 40.0;
+  evidence.performance.harris_low = 0.2;
+  evidence.performance.harris_high = 0.4;
+  evidence.performance.error_std = 2.0;
+  evidence.shape.horch_dtau = 0.75;
+  record.diagnosis.verdict = {core::diagnosis::VerdictCode::valve_stiction,
+                              0.875,
+                              "The valve sticks.",
+                              {"first, with a comma", "second 'quoted' \"reason\""},
+                              "Stroke it."};
+  return record;
+}
+
+CompletedLoop completed(const ClaimedLoop& claim, std::int64_t slot_end_us,
+                        const std::string& digest) {
+  return {claim.loop.loop_id, claim.fence, slot_end_us, slot_end_us + 3'600'000'000,
+          record_at(slot_end_us, digest)};
+}
+
+void ResultsTest::SetUp() {
+  if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
+  database = std::make_unique<tests::TestDatabase>();
+  migrate(settings_for(*database));
+}
+
+void ResultsTest::add_loops(const std::vector<std::string>& names) {
+  std::vector<CatalogueEntry> loops;
+  for (const std::string& name : names) loops.push_back(loop_named(name));
+  Catalogue(settings_for(*database)).save(loops);
+}
+
+std::vector<ClaimedLoop> ResultsTest::claim_all(ResultsDatabase& results, double lease_s) {
+  return results.claim_due("worker", lease_s, 1000);
+}
+
+}  // namespace loopscope::storage

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "storage/results/catalogue.hpp"
+#include "storage/results/results_database.hpp"
+#include "tests/support/test_database.hpp"
+
+namespace loopscope::storage {
+
+/// Settings of a connection to a test database; an empty user means the superuser.
+[[nodiscard]] ConnectionSettings settings_for(const tests::TestDatabase& database,
+                                              const std::string& user = "");
+
+/// 2026-01-01 00:00:00 UTC plus so many hours, in microseconds: a slot's end.
+[[nodiscard]] std::int64_t slot(int hours);
+
+/// A loop that needs nothing but a name.
+[[nodiscard]] CatalogueEntry loop_named(const std::string& name);
+
+/// An analysis with every figure set to something that can be told apart.
+[[nodiscard]] AnalysisRecord record_at(std::int64_t slot_end_us, const std::string& digest);
+
+/// A claim brought to its end with such a record.
+[[nodiscard]] CompletedLoop completed(const ClaimedLoop& claim, std::int64_t slot_end_us,
+                                      const std::string& digest);
+
+/// A migrated database of its own for each test; skipped, visibly, without a server.
+class ResultsTest : public testing::Test {
+ protected:
+  void SetUp() override;
+
+  /// Adds enabled loops that are due.
+  void add_loops(const std::vector<std::string>& names);
+  /// Claims everything that is due.
+  std::vector<ClaimedLoop> claim_all(ResultsDatabase& results, double lease_s = 100.0);
+  [[nodiscard]] ResultsDatabase connect() const { return ResultsDatabase(settings_for(*database)); }
+  [[nodiscard]] std::string value(const std::string& sql) const { return database->value(sql); }
+
+  std::unique_ptr<tests::TestDatabase> database;
+};
+
+}  // namespace loopscope::storage

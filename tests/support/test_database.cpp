@@ -1,0 +1,120 @@
+#include "tests/support/test_database.hpp"
+
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <libpq-fe.h>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <unistd.h>
+
+#include "tests/support/source_dir.hpp"
+
+namespace loopscope::tests {
+namespace {
+
+using Connection = std::unique_ptr<PGconn, decltype(&PQfinish)>;
+using Result = std::unique_ptr<PGresult, decltype(&PQclear)>;
+using Table = std::vector<std::vector<std::string>>;
+
+Table run(const std::string& conninfo, const std::string& sql) {
+  const Connection connection(
+      PQconnectdb((conninfo + " options='-c client_min_messages=warning'").c_str()), &PQfinish);
+  const Result result(PQexec(connection.get(), sql.c_str()), &PQclear);
+  const ExecStatusType status = PQresultStatus(result.get());
+  if (status != PGRES_COMMAND_OK && status != PGRES_TUPLES_OK) {
+    throw std::runtime_error(PQerrorMessage(connection.get()) + std::string("in: ") + sql);
+  }
+  Table table;
+  for (int row = 0; row < PQntuples(result.get()); ++row) {
+    table.emplace_back();
+    for (int column = 0; column < PQnfields(result.get()); ++column) {
+      const bool is_null = PQgetisnull(result.get(), row, column) != 0;
+      table.back().emplace_back(is_null ? "NULL" : PQgetvalue(result.get(), row, column));
+    }
+  }
+  return table;
+}
+
+std::string server() {
+  const std::optional<std::string> found = test_server();
+  if (!found) throw std::runtime_error(kNoServer);
+  return *found;
+}
+
+/// libpq takes the last of equal keys.
+std::string with(const std::string& conninfo, const std::string& key, const std::string& value) {
+  return conninfo + " " + key + "=" + value;
+}
+
+/// Tests run side by side in processes of their own.
+std::string unique_name() {
+  static std::atomic<int> count{0};
+  return "test_" + std::to_string(getpid()) + "_" + std::to_string(++count);
+}
+
+}  // namespace
+
+std::optional<std::string> test_server() {
+  std::ifstream file(std::filesystem::path(LOOPSCOPE_BINARY_DIR) / "postgres.env");
+  const std::string key = "LOOPSCOPE_TEST_DATABASE=";
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(key)) return line.substr(key.size());
+  }
+  return std::nullopt;
+}
+
+TestDatabase::TestDatabase(const std::string& encoding) : name_(unique_name()) {
+  run(server(), "CREATE DATABASE " + name_ + " TEMPLATE template0 ENCODING '" + encoding + "'");
+}
+
+TestDatabase::~TestDatabase() {
+  try {
+    run(server(), "DROP DATABASE " + name_ + " WITH (FORCE)");
+    for (const std::string& login : logins_) run(server(), "DROP ROLE " + login);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+  }
+}
+
+std::string TestDatabase::conninfo() const {
+  return with(server(), "dbname", name_);
+}
+
+std::string TestDatabase::conninfo(const std::string& user) const {
+  return with(conninfo(), "user", user);
+}
+
+void TestDatabase::make_roles() {
+  const std::ifstream file(source_dir() / "deploy" / "roles.sql");
+  std::ostringstream script;
+  script << file.rdbuf();
+  execute(script.str());
+}
+
+std::string TestDatabase::make_login(const std::string& group) {
+  const std::string login = name_ + "_login" + std::to_string(logins_.size());
+  execute("CREATE ROLE " + login + " LOGIN" + (group.empty() ? "" : " IN ROLE " + group));
+  logins_.push_back(login);
+  return login;
+}
+
+void TestDatabase::execute(const std::string& sql) const {
+  run(conninfo(), sql);
+}
+
+Table TestDatabase::rows(const std::string& sql) const {
+  return run(conninfo(), sql);
+}
+
+std::string TestDatabase::value(const std::string& sql) const {
+  const Table table = rows(sql);
+  if (table.size() != 1 || table[0].empty()) {
+    throw std::runtime_error(std::to_string(table.size()) + " rows instead of one in: " + sql);
+  }
+  return table[0][0];
+}
+
+}  // namespace loopscope::tests

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loopscope::tests {
+
+/// Connection string (superuser) of the throw-away server that ctest starts for tests with the
+/// label `server`, or that tests/support/postgres started by hand; nullopt when there is none.
+[[nodiscard]] std::optional<std::string> test_server();
+
+/// What a test says when it is skipped for want of a server.
+inline constexpr const char* kNoServer =
+    "no PostgreSQL server: run the test by ctest, which starts one";
+
+/// A fresh database on the throw-away server, dropped at the end with the logins made for it. Its
+/// SQL goes by another way than the program's, so that a test does not check the program by
+/// itself. Every function throws std::runtime_error with the server's words.
+class TestDatabase {
+ public:
+  /// `encoding` is that of the database, e.g. "UTF8" or "LATIN1".
+  explicit TestDatabase(const std::string& encoding = "UTF8");
+  ~TestDatabase();
+  TestDatabase(const TestDatabase&) = delete;
+  TestDatabase& operator=(const TestDatabase&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// Connection string as the superuser, or as `user`.
+  [[nodiscard]] std::string conninfo() const;
+  [[nodiscard]] std::string conninfo(const std::string& user) const;
+
+  /// Runs deploy/roles.sql, which makes the group roles.
+  void make_roles();
+  /// Makes a login that is a member of `group` (empty = of none) and returns its name.
+  std::string make_login(const std::string& group);
+
+  /// Runs one or several commands.
+  void execute(const std::string& sql) const;
+  /// Rows of a query as text; NULL is "NULL".
+  [[nodiscard]] std::vector<std::vector<std::string>> rows(const std::string& sql) const;
+  /// First column of the only row.
+  [[nodiscard]] std::string value(const std::string& sql) const;
+
+ private:
+  std::string name_;
+  std::vector<std::string> logins_;
+};
+
+}  // namespace loopscope::tests
