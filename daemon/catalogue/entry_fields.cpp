@@ -1,0 +1,143 @@
+#include "daemon/catalogue/entry_fields.hpp"
+
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <stdexcept>
+
+#include "daemon/recording/cells.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using core::signal::kMissing;
+using storage::CatalogueEntry;
+
+template <std::string CatalogueEntry::*Member>
+std::string read_text(const CatalogueEntry& entry) {
+  return entry.*Member;
+}
+
+template <std::string CatalogueEntry::*Member>
+void write_text(CatalogueEntry& entry, std::string_view text) {
+  entry.*Member = std::string(text);
+}
+
+double number_in(std::string_view text) {
+  const std::optional<double> value = parse_number(text);
+  if (!value || !std::isfinite(*value)) {
+    throw std::invalid_argument(fmt::format("\"{}\" is not a number", text));
+  }
+  return *value;
+}
+
+double positive_number_in(std::string_view text) {
+  const double value = number_in(text);
+  if (value <= 0.0) throw std::invalid_argument(fmt::format("{} is not above 0", text));
+  return value;
+}
+
+template <double CatalogueEntry::*Member>
+std::string read_number(const CatalogueEntry& entry) {
+  return fmt::format("{}", entry.*Member);
+}
+
+template <double CatalogueEntry::*Member>
+void write_positive(CatalogueEntry& entry, std::string_view text) {
+  entry.*Member = positive_number_in(text);
+}
+
+std::string read_interval(const CatalogueEntry& entry) {
+  return entry.interval_s ? fmt::format("{}", *entry.interval_s) : std::string();
+}
+
+void write_interval(CatalogueEntry& entry, std::string_view text) {
+  entry.interval_s.reset();
+  if (!trimmed(text).empty()) entry.interval_s = positive_number_in(text);
+}
+
+template <double core::signal::OpRange::*End>
+std::string read_op_end(const CatalogueEntry& entry) {
+  return entry.op_range ? fmt::format("{}", *entry.op_range.*End) : std::string();
+}
+
+/// The ends come one after the other; check_entry() sees to it that both came.
+template <double core::signal::OpRange::*End>
+void write_op_end(CatalogueEntry& entry, std::string_view text) {
+  if (trimmed(text).empty()) {
+    entry.op_range.reset();
+    return;
+  }
+  if (!entry.op_range) entry.op_range = core::signal::OpRange{kMissing, kMissing};
+  *entry.op_range.*End = number_in(text);
+}
+
+std::string read_enabled(const CatalogueEntry& entry) {
+  return entry.enabled ? "true" : "false";
+}
+
+void write_enabled(CatalogueEntry& entry, std::string_view text) {
+  for (const std::string_view word : {"true", "yes", "1", "t"}) {
+    if (same_word(trimmed(text), word)) return void(entry.enabled = true);
+  }
+  for (const std::string_view word : {"false", "no", "0", "f"}) {
+    if (same_word(trimmed(text), word)) return void(entry.enabled = false);
+  }
+  throw std::invalid_argument(fmt::format("\"{}\" is neither true nor false", text));
+}
+
+using core::signal::OpRange;
+
+constexpr std::array kFields{
+    EntryField{"name", "unique name", read_text<&CatalogueEntry::name>,
+               write_text<&CatalogueEntry::name>},
+    EntryField{"source", "name of the historian in the settings",
+               read_text<&CatalogueEntry::source>, write_text<&CatalogueEntry::source>},
+    EntryField{"sp_tag", "setpoint tag", read_text<&CatalogueEntry::sp_tag>,
+               write_text<&CatalogueEntry::sp_tag>},
+    EntryField{"pv_tag", "process variable tag", read_text<&CatalogueEntry::pv_tag>,
+               write_text<&CatalogueEntry::pv_tag>},
+    EntryField{"op_tag", "controller output tag", read_text<&CatalogueEntry::op_tag>,
+               write_text<&CatalogueEntry::op_tag>},
+    EntryField{"mv_tag", "valve position tag", read_text<&CatalogueEntry::mv_tag>,
+               write_text<&CatalogueEntry::mv_tag>},
+    EntryField{"mode_tag", "mode tag (0 manual, 1 automatic, 2 cascade)",
+               read_text<&CatalogueEntry::mode_tag>, write_text<&CatalogueEntry::mode_tag>},
+    EntryField{"interval_s", "sample interval, seconds; empty = found from the rows", read_interval,
+               write_interval},
+    EntryField{"period_s", "seconds between two analyses", read_number<&CatalogueEntry::period_s>,
+               write_positive<&CatalogueEntry::period_s>},
+    EntryField{"op_low", "controller output at 0 %", read_op_end<&OpRange::low>,
+               write_op_end<&OpRange::low>},
+    EntryField{"op_high", "controller output at 100 %", read_op_end<&OpRange::high>,
+               write_op_end<&OpRange::high>},
+    EntryField{"loop_type", "flow, pressure, level, temperature, ...",
+               read_text<&CatalogueEntry::loop_type>, write_text<&CatalogueEntry::loop_type>},
+    EntryField{"importance", "weight in the ranking, above 0",
+               read_number<&CatalogueEntry::importance>,
+               write_positive<&CatalogueEntry::importance>},
+    EntryField{"enabled", "true or false", read_enabled, write_enabled},
+};
+
+}  // namespace
+
+std::span<const EntryField> entry_fields() {
+  return kFields;
+}
+
+const EntryField* find_entry_field(std::string_view name) {
+  for (const EntryField& field : kFields) {
+    if (same_word(field.name, trimmed(name))) return &field;
+  }
+  return nullptr;
+}
+
+void check_entry(const CatalogueEntry& entry) {
+  if (entry.name.empty()) throw std::invalid_argument("the name is empty");
+  if (entry.pv_tag.empty()) throw std::invalid_argument("the pv tag is empty");
+  if (entry.op_range && !(entry.op_range->low < entry.op_range->high)) {
+    throw std::invalid_argument("op_low and op_high need both ends, low below high");
+  }
+}
+
+}  // namespace loopscope::daemon

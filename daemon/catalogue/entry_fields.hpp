@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "storage/catalogue_entry.hpp"
+
+namespace loopscope::daemon {
+
+/// One field of a catalogue entry as users write it: the column of the CSV and, with `_` as `-`,
+/// the option of `loops add` and `loops set`.
+struct EntryField {
+  std::string_view name;
+  std::string_view description;
+  std::string (*read)(const storage::CatalogueEntry& entry);
+  /// Throws std::invalid_argument naming what the text is not.
+  void (*write)(storage::CatalogueEntry& entry, std::string_view text);
+};
+
+/// Every field that users may set, in the order of the CSV.
+[[nodiscard]] std::span<const EntryField> entry_fields();
+
+/// The field of that name; nullptr when there is none.
+[[nodiscard]] const EntryField* find_entry_field(std::string_view name);
+
+/// Rules across fields: a name, a pv tag, both ends of the op range or none. Throws
+/// std::invalid_argument.
+void check_entry(const storage::CatalogueEntry& entry);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,69 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "config/read_settings.hpp"
+#include "daemon/commands/commands.hpp"
+#include "daemon/failure.hpp"
+#include "daemon/service/storage_settings.hpp"
+#include "storage/check.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+/// Prints the findings about one database; returns how many are problems.
+int print_findings(const std::string& about, const std::vector<storage::Finding>& findings) {
+  int problems = 0;
+  for (const storage::Finding& finding : findings) {
+    std::cout << fmt::format("{:<8} {}: {}\n", finding.ok ? "ok" : "PROBLEM", about, finding.what);
+    if (!finding.ok) {
+      ++problems;
+      std::cout << "         HINT: " << finding.hint << '\n';
+    }
+  }
+  return problems;
+}
+
+void check_config(const std::string& file) {
+  const config::Settings settings = config::read_settings(file);
+  std::cout << fmt::format("{:<8} {}: no problem in the file\n", "ok", file);
+  int problems =
+      print_findings("results database", storage::check_results(results_connection(settings)));
+  for (const config::HistorianSettings& historian : settings.historians) {
+    problems += print_findings(
+        "historian " + historian.name,
+        storage::check_historian(historian_connection(historian), historian_layout(historian)));
+  }
+  if (problems > 0) {
+    throw Failure(ExitCode::database, fmt::format("{} problems with the databases", problems),
+                  "each PROBLEM above has its own hint");
+  }
+}
+
+}  // namespace
+
+void add_check_config(CLI::App& program) {
+  CLI::App& command = *program.add_subcommand(
+      "check-config", "Reports every problem of a settings file, connects, checks privileges");
+  struct Options {
+    std::string config;
+    bool describe = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::Option* config = command.add_option("--config", options->config, "Settings file");
+  command.add_flag("--describe", options->describe, "Print every setting with its range and unit")
+      ->excludes(config);
+  command.callback([options] {
+    if (options->describe) {
+      std::cout << config::describe_settings();
+    } else if (options->config.empty()) {
+      throw Failure(ExitCode::usage, "--config is required", "or --describe for every setting");
+    } else {
+      check_config(options->config);
+    }
+  });
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,23 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace loopscope::daemon {
+
+/// Each adds one subcommand with its options and the callback that carries it out. Callbacks
+/// throw Failure, config::SettingsError, storage::DatabaseError or CLI errors; main maps them to
+/// exit codes.
+void add_run(CLI::App& program);
+void add_once(CLI::App& program);
+void add_analyze(CLI::App& program);
+void add_reproduce(CLI::App& program);
+void add_simulate(CLI::App& program);
+void add_import(CLI::App& program);
+void add_loops(CLI::App& program);
+void add_migrate(CLI::App& program);
+void add_maintain(CLI::App& program);
+void add_check_config(CLI::App& program);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,167 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "config/read_settings.hpp"
+#include "core/signal/grid.hpp"
+#include "daemon/commands/commands.hpp"
+#include "daemon/commands/option_values.hpp"
+#include "daemon/failure.hpp"
+#include "daemon/recording/recording.hpp"
+#include "daemon/recording/time_text.hpp"
+#include "daemon/service/slot.hpp"
+#include "daemon/service/storage_settings.hpp"
+#include "storage/historian/historian_reader.hpp"
+#include "storage/historian/historian_writer.hpp"
+#include "storage/results/catalogue.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using core::signal::LoopRows;
+using core::signal::RawSeries;
+using storage::CatalogueEntry;
+
+struct ImportOptions {
+  std::string config;
+  std::string loop;
+  std::string file;
+  std::string source;
+  std::string type;
+  std::string op_range;
+  std::string end;
+  double period_s = 0.0;
+  bool create_table = false;
+  bool replace = false;
+};
+
+struct TagColumn {
+  std::string CatalogueEntry::*tag;
+  RawSeries LoopRows::*rows;
+  const char* suffix;
+};
+
+constexpr TagColumn kTagColumns[] = {
+    {&CatalogueEntry::sp_tag, &LoopRows::sp, ".SP"},
+    {&CatalogueEntry::pv_tag, &LoopRows::pv, ".PV"},
+    {&CatalogueEntry::op_tag, &LoopRows::op, ".OP"},
+    {&CatalogueEntry::mv_tag, &LoopRows::mv, ".MV"},
+    {&CatalogueEntry::mode_tag, &LoopRows::mode, ".MODE"},
+};
+
+/// The catalogue's entry brought up to what the command line says; a new one gets tags NAME.PV and
+/// so on for the columns that the file has.
+CatalogueEntry entry_for(const ImportOptions& options, const config::Settings& settings,
+                         const Recording& recording, std::optional<CatalogueEntry> known) {
+  CatalogueEntry entry = known.value_or(CatalogueEntry{});
+  if (!known) {
+    entry.name = options.loop;
+    entry.source = settings.historians.front().name;
+    entry.period_s = settings.schedule.default_period_s;
+    const double interval_s = core::signal::usual_interval_s(recording.rows.pv);
+    if (interval_s > 0.0) entry.interval_s = interval_s;
+  }
+  for (const TagColumn& column : kTagColumns) {
+    const bool recorded = !(recording.rows.*column.rows).empty();
+    if (recorded && (entry.*column.tag).empty()) entry.*column.tag = entry.name + column.suffix;
+  }
+  if (!options.source.empty()) entry.source = options.source;
+  if (!options.type.empty()) entry.loop_type = options.type;
+  if (options.period_s > 0.0) entry.period_s = options.period_s;
+  if (const auto range = parse_op_range(options.op_range)) entry.op_range = range;
+  return entry;
+}
+
+/// Where a recording that counts seconds from its own start is put: its last sample at --end, or
+/// at the end of the loop's newest settled slot, so that the next pass finds all of it.
+std::int64_t end_time(const ImportOptions& options, const CatalogueEntry& entry,
+                      std::int64_t now_us, double settle_s) {
+  if (options.end.empty()) {
+    constexpr double kMicrosecondsPerSecond = 1e6;
+    const auto settle_us = static_cast<std::int64_t>(settle_s * kMicrosecondsPerSecond);
+    return floor_to_period(now_us - settle_us, entry.period_s);
+  }
+  if (const auto time = parse_time(options.end)) return *time;
+  throw Failure(ExitCode::usage, fmt::format("--end \"{}\" is not a time", options.end),
+                "write ISO 8601, e.g. 2026-03-01T12:00:00Z");
+}
+
+void shift(LoopRows& rows, std::int64_t by_us) {
+  for (const TagColumn& column : kTagColumns) {
+    for (std::int64_t& time : (rows.*column.rows).time_us) time += by_us;
+  }
+}
+
+void require_no_history(storage::HistorianReader& historian, const CatalogueEntry& entry) {
+  const auto newest = historian.newest(std::vector{entry.pv_tag}, historian.now_us());
+  if (!newest.front()) return;
+  throw Failure(ExitCode::usage,
+                fmt::format("tag \"{}\" already has rows up to {}", entry.pv_tag,
+                            format_time(*newest.front())),
+                "give --end TIME to place this recording, with --replace where it overlaps");
+}
+
+std::vector<storage::TagRows> tag_rows(const CatalogueEntry& entry, LoopRows& rows) {
+  std::vector<storage::TagRows> tags;
+  for (const TagColumn& column : kTagColumns) {
+    if ((rows.*column.rows).empty()) continue;
+    tags.push_back({entry.*column.tag, std::move(rows.*column.rows)});
+  }
+  return tags;
+}
+
+void import_recording(const ImportOptions& options) {
+  Recording recording = read_recording(options.file);
+  if (recording.rows.pv.empty()) {
+    throw Failure(ExitCode::unusable_data, options.file + ": the file has no rows",
+                  "a recording needs at least one row below its header");
+  }
+  const config::Settings settings = config::read_settings(options.config);
+  storage::Catalogue catalogue(owner_connection(settings));
+  const CatalogueEntry entry =
+      entry_for(options, settings, recording, catalogue.find(options.loop));
+  const config::HistorianSettings& source = find_historian(settings, entry.source);
+  const auto writer = historian_writer_connection(source);
+  const storage::NarrowLayout layout = historian_layout(source);
+  if (options.create_table) storage::create_historian_table(writer, layout);
+  storage::HistorianReader historian(historian_connection(source), layout);
+  if (!recording.absolute_time) {
+    if (options.end.empty()) require_no_history(historian, entry);
+    shift(recording.rows, end_time(options, entry, historian.now_us(), settings.schedule.settle_s) -
+                              recording.rows.pv.time_us.back());
+  }
+  const std::size_t rows =
+      storage::import_rows(writer, layout, tag_rows(entry, recording.rows), options.replace);
+  catalogue.save(std::vector{entry});
+  std::cout << fmt::format("{}: {} rows imported\n", entry.name, rows);
+}
+
+}  // namespace
+
+void add_import(CLI::App& program) {
+  CLI::App& command = *program.add_subcommand(
+      "import", "Loads a recording into a historian table (demo and tests)");
+  const auto options = std::make_shared<ImportOptions>();
+  command.add_option("--config", options->config, "Settings file")->required();
+  command.add_option("--loop", options->loop, "Loop; added to the catalogue if it is not there")
+      ->required();
+  command
+      .add_option("FILE", options->file, "CSV: t_s or time, sp, pv, op, optional mv, mode, quality")
+      ->required();
+  command.add_option("--source", options->source, "Historian of the settings (default: the first)");
+  command.add_option("--type", options->type, "Kind of loop: flow, pressure, level, ...");
+  command.add_option("--op-range", options->op_range, "Controller output at 0 and 100 %: LOW,HIGH");
+  command.add_option("--period-s", options->period_s, "Seconds between two analyses of this loop")
+      ->check(CLI::PositiveNumber);
+  command.add_option(
+      "--end", options->end,
+      "Time of the last sample of a file with t_s (default: the loop's newest slot)");
+  command.add_flag("--create-table", options->create_table,
+                   "Create the historian's table if missing");
+  command.add_flag("--replace", options->replace, "Replace rows of the same tags and times");
+  command.callback([options] { import_recording(*options); });
+}
+
+}  // namespace loopscope::daemon

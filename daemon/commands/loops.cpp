@@ -1,0 +1,200 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "config/read_settings.hpp"
+#include "daemon/catalogue/catalogue_csv.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
+#include "daemon/commands/commands.hpp"
+#include "daemon/failure.hpp"
+#include "daemon/service/storage_settings.hpp"
+#include "storage/results/catalogue.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using storage::CatalogueEntry;
+
+struct LoopsOptions {
+  std::string config;
+  std::string file;
+  std::vector<std::string> names;
+  std::map<std::string, std::string> fields;  ///< field name -> text, as given on the command line
+};
+
+using Options = std::shared_ptr<LoopsOptions>;
+
+struct Opened {
+  config::Settings settings;
+  storage::Catalogue catalogue;
+};
+
+Opened open(const LoopsOptions& options) {
+  config::Settings settings = config::read_settings(options.config);
+  storage::ConnectionSettings connection = owner_connection(settings);
+  return {std::move(settings), storage::Catalogue(connection)};
+}
+
+/// What a loop has that is added without saying more.
+CatalogueEntry defaults_of(const config::Settings& settings) {
+  CatalogueEntry entry;
+  entry.source = settings.historians.front().name;
+  entry.period_s = settings.schedule.default_period_s;
+  return entry;
+}
+
+void list(const LoopsOptions& options) {
+  Opened opened = open(options);
+  std::cout << fmt::format("{:<28} {:<9} {:<12} {:>9} {:>9} {:>10}  {}\n", "name", "enabled",
+                           "type", "interval", "period", "importance", "pv tag");
+  for (const CatalogueEntry& entry : opened.catalogue.list()) {
+    const std::string interval =
+        entry.interval_s ? fmt::format("{:g} s", *entry.interval_s) : std::string("found");
+    std::cout << fmt::format("{:<28} {:<9} {:<12} {:>9} {:>7} s {:>10}  {}\n", entry.name,
+                             entry.enabled ? "yes" : "no", entry.loop_type, interval,
+                             fmt::format("{:g}", entry.period_s), entry.importance, entry.pv_tag);
+  }
+}
+
+void export_csv(const LoopsOptions& options) {
+  Opened opened = open(options);
+  const std::string text = catalogue_csv(opened.catalogue.list());
+  if (options.file == "-") {
+    std::cout << text;
+    return;
+  }
+  std::ofstream stream(options.file, std::ios::binary);
+  if (!(stream << text).flush()) {
+    throw Failure(ExitCode::usage, options.file + ": the file cannot be written",
+                  "check the folder and its permissions, or write to - (standard output)");
+  }
+}
+
+void require_known_sources(const Opened& opened, const std::vector<CatalogueEntry>& entries) {
+  for (const CatalogueEntry& entry : entries) {
+    static_cast<void>(find_historian(opened.settings, entry.source));
+  }
+}
+
+void load_csv(const LoopsOptions& options) {
+  const CsvTable table = read_csv(options.file);
+  Opened opened = open(options);
+  const auto entries = parse_catalogue(table, defaults_of(opened.settings));
+  require_known_sources(opened, entries);
+  const std::size_t added = opened.catalogue.save(entries);
+  std::cout << fmt::format("{} loops added, {} changed\n", added, entries.size() - added);
+}
+
+void apply_fields(const LoopsOptions& options, CatalogueEntry& entry) {
+  try {
+    for (const auto& [name, text] : options.fields) find_entry_field(name)->write(entry, text);
+    check_entry(entry);
+  } catch (const std::invalid_argument& problem) {
+    throw Failure(ExitCode::usage, fmt::format("loop \"{}\": {}", entry.name, problem.what()),
+                  "see loopscope loops add --help");
+  }
+}
+
+void add_loop(const LoopsOptions& options) {
+  Opened opened = open(options);
+  CatalogueEntry entry = defaults_of(opened.settings);
+  entry.name = options.names.front();
+  if (opened.catalogue.find(entry.name)) {
+    throw Failure(ExitCode::usage, fmt::format("loop \"{}\" exists already", entry.name),
+                  "change it with loopscope loops set");
+  }
+  apply_fields(options, entry);
+  require_known_sources(opened, {entry});
+  opened.catalogue.save(std::vector{entry});
+  std::cout << fmt::format("added {}\n", entry.name);
+}
+
+Failure no_such_loop(const std::string& name) {
+  return {ExitCode::usage, fmt::format("no loop named \"{}\" in the catalogue", name),
+          "loopscope loops --config F lists them"};
+}
+
+void set_fields(const LoopsOptions& options) {
+  Opened opened = open(options);
+  std::optional<CatalogueEntry> entry = opened.catalogue.find(options.names.front());
+  if (!entry) throw no_such_loop(options.names.front());
+  apply_fields(options, *entry);
+  require_known_sources(opened, {*entry});
+  opened.catalogue.save(std::vector{*entry});
+  std::cout << fmt::format("changed {}\n", entry->name);
+}
+
+void switch_loops(const LoopsOptions& options, bool enabled) {
+  Opened opened = open(options);
+  for (const std::string& name : options.names) {
+    if (!opened.catalogue.find(name)) throw no_such_loop(name);
+  }
+  const std::size_t count = opened.catalogue.set_enabled(options.names, enabled);
+  std::cout << fmt::format("{} {} loops\n", enabled ? "enabled" : "disabled", count);
+}
+
+void add_field_options(CLI::App& command, const Options& options) {
+  for (const EntryField& field : entry_fields()) {
+    if (field.name == "name") continue;
+    std::string flag = "--" + std::string(field.name);
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    command.add_option_function<std::string>(
+        flag,
+        [options, name = std::string(field.name)](const std::string& text) {
+          options->fields[name] = text;
+        },
+        std::string(field.description));
+  }
+}
+
+CLI::App& add_action(CLI::App& loops, const char* name, const char* description,
+                     const Options& options, void (*carry_out)(const LoopsOptions&)) {
+  CLI::App& command = *loops.add_subcommand(name, description);
+  command.fallthrough();
+  command.callback([options, carry_out] { carry_out(*options); });
+  return command;
+}
+
+void add_edit_action(CLI::App& loops, const char* name, const char* description,
+                     const Options& options, void (*carry_out)(const LoopsOptions&)) {
+  CLI::App& command = add_action(loops, name, description, options, carry_out);
+  command.add_option("NAME", options->names, "Loop")->required()->expected(1);
+  add_field_options(command, options);
+}
+
+}  // namespace
+
+void add_loops(CLI::App& program) {
+  CLI::App& loops =
+      *program.add_subcommand("loops", "Lists, adds, changes and disables loops in the catalogue");
+  const auto options = std::make_shared<LoopsOptions>();
+  loops.add_option("--config", options->config, "Settings file")->required();
+  loops.require_subcommand(0, 1);
+  add_action(loops, "list", "All loops as a table (default)", options, list);
+  add_action(loops, "export", "All loops as CSV", options, export_csv)
+      .add_option("FILE", options->file, "File to write, - for standard output")
+      ->required();
+  add_action(loops, "load", "Adds and changes loops from CSV, all or none", options, load_csv)
+      .add_option("FILE", options->file, "File to read")
+      ->required();
+  add_edit_action(loops, "add", "Adds one loop", options, add_loop);
+  add_edit_action(loops, "set", "Changes one loop", options, set_fields);
+  add_action(loops, "enable", "Analyses these loops again", options,
+             [](const LoopsOptions& o) { switch_loops(o, true); })
+      .add_option("NAME", options->names, "Loops")
+      ->required();
+  add_action(loops, "disable", "Leaves these loops out from now on", options,
+             [](const LoopsOptions& o) { switch_loops(o, false); })
+      .add_option("NAME", options->names, "Loops")
+      ->required();
+  loops.callback([&loops, options] {
+    if (loops.get_subcommands().empty()) list(*options);
+  });
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,136 @@
+#include "daemon/output/analysis_json.hpp"
+
+#include <optional>
+
+namespace loopscope::daemon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json input_json(const InputFacts& input) {
+  return {{"file", input.file},
+          {"samples", input.samples},
+          {"interval_s", or_null(input.interval_s)},
+          {"start", input.start},
+          {"end", input.end}};
+}
+
+Json quality_json(const core::signal::DataQuality& quality) {
+  return {{"usable", quality.usable},
+          {"reason", quality.usable ? Json(nullptr) : Json(quality.reason)},
+          {"flags", quality.flags},
+          {"missing_fraction", or_null(quality.missing_fraction)},
+          {"compression_factor", or_null(quality.compression_factor)},
+          {"quantisation_factor", or_null(quality.quantisation_factor)},
+          {"saturated_fraction", or_null(quality.saturated_fraction)}};
+}
+
+Json peaks_json(const std::vector<core::hos::Peak>& peaks) {
+  Json list = Json::array();
+  for (const core::hos::Peak& peak : peaks) {
+    list.push_back({{"f1", peak.f1}, {"f2", peak.f2}, {"bic2", peak.bic2}, {"p", or_null(peak.p)}});
+  }
+  return list;
+}
+
+Json hos_json(const core::hos::Result& hos) {
+  return {{"segments", hos.segments},
+          {"bifrequencies", hos.bifrequencies},
+          {"mean_bic2", hos.mean_bic2},
+          {"std_bic2", hos.std_bic2},
+          {"max_bic2", hos.max_bic2},
+          {"critical_mean_bic2", hos.critical_mean_bic2},
+          {"ngi", hos.ngi},
+          {"nli", hos.nli},
+          {"published", {{"gaussian", hos.published.gaussian}, {"linear", hos.published.linear}}},
+          {"skewness", hos.skewness},
+          {"excess_kurtosis", hos.excess_kurtosis},
+          {"ngi_p", or_null(hos.ngi_p)},
+          {"nli_p", or_null(hos.nli_p)},
+          {"cubic_p", or_null(hos.cubic_p)},
+          {"nonlinear_p", or_null(hos.nonlinear_p)},
+          {"coupling", core::hos::name(hos.coupling)},
+          {"peaks", peaks_json(hos.peaks)}};
+}
+
+/// The same keys with null for a window whose statistics were not computed.
+Json empty_hos_json() {
+  Json object = hos_json({});
+  for (auto& [key, value] : object.items()) value = nullptr;
+  object["published"] = {{"gaussian", nullptr}, {"linear", nullptr}};
+  object["peaks"] = Json::array();
+  return object;
+}
+
+Json oscillation_json(const core::loop::Oscillation& oscillation) {
+  return {{"present", oscillation.present},
+          {"period_s", or_null(oscillation.period_s)},
+          {"regularity", or_null(oscillation.regularity)},
+          {"amplitude", or_null(oscillation.amplitude)},
+          {"persistence", or_null(oscillation.persistence)}};
+}
+
+Json performance_json(const core::loop::Performance& performance) {
+  return {{"harris_low", or_null(performance.harris_low)},
+          {"harris_high", or_null(performance.harris_high)},
+          {"error_std", or_null(performance.error_std)},
+          {"valve_travel_per_h", or_null(performance.valve_travel_per_h)},
+          {"reversals_per_h", or_null(performance.reversals_per_h)},
+          {"auto_fraction", or_null(performance.auto_fraction)},
+          {"at_limit_fraction", or_null(performance.at_limit_fraction)}};
+}
+
+Json shape_json(const core::Evidence& evidence) {
+  const core::loop::Shape& shape = evidence.shape;
+  return {{"horch_dtau", or_null(shape.horch_dtau)},
+          {"horch_drho", or_null(shape.horch_drho)},
+          {"shape_index", or_null(shape.shape_index)},
+          {"ellipse_stiction", or_null(shape.ellipse_stiction)},
+          {"ellipse_r2", or_null(shape.ellipse_r2)},
+          {"mv_op_width", or_null(shape.mv_op_width)},
+          {"mv_stuck_fraction", or_null(shape.mv_stuck_fraction)},
+          {"op_span_percent", or_null(evidence.valve_gain.op_span_percent)},
+          {"pv_relative_span", or_null(evidence.valve_gain.pv_relative_span)}};
+}
+
+/// No model is fitted yet: every figure is unknown, and no step claims anything.
+Json model_json() {
+  return {{"error_kind", nullptr},
+          {"noise_floor", nullptr},
+          {"baseline", {{"description", nullptr}, {"holdout_error", nullptr}}},
+          {"steps", Json::array()},
+          {"unexplained",
+           {{"fraction", nullptr},
+            {"whiteness_p", nullptr},
+            {"ngi_p", nullptr},
+            {"statement", nullptr}}}};
+}
+
+Json verdict_json(const core::diagnosis::Verdict& verdict) {
+  return {{"code", core::diagnosis::name(verdict.code)},
+          {"confidence", verdict.confidence},
+          {"summary", verdict.summary},
+          {"reasons", verdict.reasons},
+          {"action", verdict.action}};
+}
+
+}  // namespace
+
+Json analysis_json(const InputFacts& input, const core::Diagnosis& diagnosis) {
+  const core::Evidence& evidence = diagnosis.evidence;
+  return {{"input", input_json(input)},
+          {"data_quality", quality_json(evidence.data_quality)},
+          {"hos", evidence.hos ? hos_json(*evidence.hos) : empty_hos_json()},
+          {"hos_slow", nullptr},
+          {"oscillation", oscillation_json(evidence.oscillation)},
+          {"performance", performance_json(evidence.performance)},
+          {"shape", shape_json(evidence)},
+          {"model", model_json()},
+          {"verdict", verdict_json(diagnosis.verdict)}};
+}
+
+}  // namespace loopscope::daemon

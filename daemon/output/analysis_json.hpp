@@ -1,0 +1,23 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/diagnosis/diagnose.hpp"
+
+namespace loopscope::daemon {
+
+/// What the object `input` of `analyze --json` says.
+struct InputFacts {
+  std::string file;
+  std::size_t samples = 0;
+  std::optional<double> interval_s;
+  nlohmann::ordered_json start;  ///< ISO 8601, or seconds for a file with t_s
+  nlohmann::ordered_json end;
+};
+
+/// The whole diagnosis as the JSON object of contract.md; what is not computed is null.
+[[nodiscard]] nlohmann::ordered_json analysis_json(const InputFacts& input,
+                                                   const core::Diagnosis& diagnosis);
+
+}  // namespace loopscope::daemon

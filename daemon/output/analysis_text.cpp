@@ -1,0 +1,87 @@
+#include "daemon/output/analysis_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <optional>
+
+namespace loopscope::daemon {
+namespace {
+
+std::string figure(const std::optional<double>& value) {
+  return value ? fmt::format("{:.4g}", *value) : std::string("-");
+}
+
+std::string line(const char* label, const std::string& text) {
+  return fmt::format("  {:<14}{}\n", label, text);
+}
+
+std::string verdict_text(const core::diagnosis::Verdict& verdict) {
+  std::string text =
+      fmt::format("  {} (confidence {:.2f}): {}\n", core::diagnosis::name(verdict.code),
+                  verdict.confidence, verdict.summary);
+  for (const std::string& reason : verdict.reasons) text += "    - " + reason + "\n";
+  return text + "  What to do: " + verdict.action + "\n";
+}
+
+std::string hos_text(const core::hos::Result& hos) {
+  return fmt::format(
+      "NGI {:.4f}, NLI {:.4f} over {} segments and {} bifrequencies; published "
+      "rule: {}, {}",
+      hos.ngi, hos.nli, hos.segments, hos.bifrequencies,
+      hos.published.gaussian ? "Gaussian" : "non-Gaussian",
+      hos.published.linear ? "no nonlinearity shown" : "nonlinear");
+}
+
+std::string peaks_text(const core::hos::Result& hos, double sample_interval_s) {
+  std::string text;
+  for (const core::hos::Peak& peak : hos.peaks) {
+    text += line("peak", fmt::format("bic2 {:.3f} at ({:.4f}, {:.4f}) cycles per sample: periods "
+                                     "{:.4g} s and {:.4g} s",
+                                     peak.bic2, peak.f1, peak.f2, sample_interval_s / peak.f1,
+                                     sample_interval_s / peak.f2));
+  }
+  return text;
+}
+
+std::string oscillation_text(const core::loop::Oscillation& oscillation) {
+  return fmt::format("{}; period {} s, regularity {}, persistence {}, amplitude {}",
+                     oscillation.present ? "present" : "none found", figure(oscillation.period_s),
+                     figure(oscillation.regularity), figure(oscillation.persistence),
+                     figure(oscillation.amplitude));
+}
+
+std::string performance_text(const core::loop::Performance& performance) {
+  return fmt::format(
+      "Harris {} to {}; error std {}; valve travel {} %/h, {} reversals/h; at a "
+      "limit {}",
+      figure(performance.harris_low), figure(performance.harris_high),
+      figure(performance.error_std), figure(performance.valve_travel_per_h),
+      figure(performance.reversals_per_h), figure(performance.at_limit_fraction));
+}
+
+std::string shape_text(const core::loop::Shape& shape) {
+  return fmt::format("shape index {}, Horch dtau {} drho {}, ellipse {} %, mv-op width {} %",
+                     figure(shape.shape_index), figure(shape.horch_dtau), figure(shape.horch_drho),
+                     figure(shape.ellipse_stiction), figure(shape.mv_op_width));
+}
+
+}  // namespace
+
+std::string analysis_text(const std::string& title, double sample_interval_s,
+                          const core::Diagnosis& diagnosis) {
+  const core::Evidence& evidence = diagnosis.evidence;
+  std::string text = title + "\n" + verdict_text(diagnosis.verdict) + "\n";
+  if (evidence.hos) {
+    text += line("statistics", hos_text(*evidence.hos));
+    text += peaks_text(*evidence.hos, sample_interval_s);
+  }
+  text += line("oscillation", oscillation_text(evidence.oscillation));
+  text += line("performance", performance_text(evidence.performance));
+  text += line("shape", shape_text(evidence.shape));
+  text += line("data",
+               fmt::format("missing {}, flags: {}", figure(evidence.data_quality.missing_fraction),
+                           fmt::join(evidence.data_quality.flags, ", ")));
+  return text;
+}
+
+}  // namespace loopscope::daemon

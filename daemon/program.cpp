@@ -1,0 +1,79 @@
+#include "daemon/program.hpp"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "config/read_settings.hpp"
+#include "daemon/commands/commands.hpp"
+#include "daemon/failure.hpp"
+#include "storage/error.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+int report(ExitCode code, const std::string& what, const std::string& hint) {
+  std::cout.flush();
+  std::cerr << "error: " << what << '\n';
+  if (!hint.empty()) std::cerr << "HINT: " << hint << '\n';
+  return static_cast<int>(code);
+}
+
+int report_settings(const config::SettingsError& error) {
+  std::string hints;
+  for (const config::Problem& problem : error.problems()) {
+    if (problem.hint.empty()) continue;
+    hints += (hints.empty() ? "" : "\nHINT: ") + problem.path + ": " + problem.hint;
+  }
+  if (hints.empty()) hints = "loopscope check-config --describe lists every setting";
+  return report(ExitCode::configuration, error.what(), hints);
+}
+
+/// CLI11 also ends --help and --version by an exception: those print and leave with 0.
+int report_usage(const CLI::App& program, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return program.exit(error);
+  return report(ExitCode::usage, error.what(), "see loopscope --help, loopscope COMMAND --help");
+}
+
+void add_commands(CLI::App& program) {
+  add_run(program);
+  add_once(program);
+  add_analyze(program);
+  add_reproduce(program);
+  add_simulate(program);
+  add_import(program);
+  add_loops(program);
+  add_migrate(program);
+  add_maintain(program);
+  add_check_config(program);
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  CLI::App program{"Loopscope tells a plant why its control loops perform poorly.", "loopscope"};
+  program.set_version_flag("--version", "loopscope " LOOPSCOPE_VERSION);
+  program.require_subcommand(1);
+  add_commands(program);
+  try {
+    program.parse(argc, argv);
+    return static_cast<int>(ExitCode::done);
+  } catch (const CLI::ParseError& error) {
+    return report_usage(program, error);
+  } catch (const Failure& failure) {
+    return report(failure.exit_code(), failure.what(), failure.hint());
+  } catch (const config::SettingsError& error) {
+    return report_settings(error);
+  } catch (const storage::DatabaseError& error) {
+    return report(ExitCode::database, error.what(), error.hint());
+  } catch (const std::bad_alloc&) {
+    return report(ExitCode::fault, "out of memory", "give the program more, or fewer workers");
+  } catch (const std::exception& error) {
+    return report(ExitCode::fault, error.what(),
+                  "this is a fault in the program: please report it");
+  }
+}
+
+}  // namespace loopscope::daemon

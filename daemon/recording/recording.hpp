@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "core/signal/assemble.hpp"
+#include "core/signal/loop_window.hpp"
+#include "daemon/recording/csv_table.hpp"
+
+namespace loopscope::daemon {
+
+/// One recorded loop as contract.md describes the file: `t_s` (seconds) or `time` (ISO 8601), pv,
+/// and where recorded sp, op, mv, mode, quality. Other columns are ignored.
+struct Recording {
+  std::string name;             ///< the file, for messages
+  bool absolute_time = false;   ///< the file had `time`; else times count from t_s = 0
+  core::signal::LoopRows rows;  ///< empty cells, NaN, infinity and bad quality are NaN
+};
+
+/// Throws Failure (unusable_data) naming line and column: no time or pv column, text in a number
+/// column, times that run backwards.
+[[nodiscard]] Recording parse_recording(const CsvTable& table);
+
+/// parse_recording(read_csv(file)).
+[[nodiscard]] Recording read_recording(const std::filesystem::path& file);
+
+/// The last `max_samples` samples of the recording on its own grid (`interval_s` or the usual
+/// spacing of its rows).
+[[nodiscard]] core::signal::LoopWindow last_window(
+    const Recording& recording, std::size_t max_samples,
+    const std::optional<core::signal::OpRange>& op_range, std::optional<double> interval_s = {});
+
+}  // namespace loopscope::daemon

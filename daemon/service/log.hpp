@@ -1,0 +1,11 @@
+#pragma once
+
+#include "config/settings.hpp"
+
+namespace loopscope::daemon {
+
+/// Sets the program's log up: to standard error, one line an event, as text or as JSON objects
+/// with the keys ts, level, pid, thread and message.
+void set_up_log(const config::DaemonSettings& settings);
+
+}  // namespace loopscope::daemon

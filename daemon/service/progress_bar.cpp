@@ -1,0 +1,34 @@
+#include "daemon/service/progress_bar.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iostream>
+#include <unistd.h>
+
+namespace loopscope::daemon {
+namespace {
+
+constexpr std::size_t kBarWidth = 40;
+
+}  // namespace
+
+std::string progress_text(std::size_t done, std::size_t total, std::size_t width) {
+  const std::size_t filled = total == 0 ? width : std::min(done, total) * width / total;
+  return fmt::format("[{}{}] {}/{} loops", std::string(filled, '#'),
+                     std::string(width - filled, '.'), done, total);
+}
+
+ProgressBar::ProgressBar(std::size_t total) : terminal_(isatty(STDERR_FILENO) == 1), total_(total) {
+  advance(0);
+}
+
+ProgressBar::~ProgressBar() {
+  if (terminal_) std::cerr << '\n';
+}
+
+void ProgressBar::advance(std::size_t steps) {
+  done_ += steps;
+  if (terminal_) std::cerr << '\r' << progress_text(done_, total_, kBarWidth) << std::flush;
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,36 @@
+#include "daemon/service/slot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopscope::daemon {
+namespace {
+
+constexpr double kMicrosecondsPerSecond = 1e6;
+constexpr double kFirstPause_s = 60.0;
+constexpr double kLongestPause_s = 6.0 * 3600.0;
+/// 2^9 minutes are beyond the longest pause; larger exponents would only overflow.
+constexpr int kMostDoublings = 9;
+
+std::int64_t microseconds(double seconds) {
+  return std::llround(seconds * kMicrosecondsPerSecond);
+}
+
+}  // namespace
+
+std::int64_t floor_to_period(std::int64_t time_us, double period_s) {
+  const std::int64_t period_us = std::max<std::int64_t>(microseconds(period_s), 1);
+  const std::int64_t remainder = time_us % period_us;
+  return time_us - (remainder < 0 ? remainder + period_us : remainder);
+}
+
+std::int64_t next_due(std::int64_t slot_end_us, double period_s, double settle_s) {
+  return slot_end_us + microseconds(period_s) + microseconds(settle_s);
+}
+
+double retry_pause_s(int attempts) {
+  return std::min(std::ldexp(kFirstPause_s, std::clamp(attempts, 0, kMostDoublings)),
+                  kLongestPause_s);
+}
+
+}  // namespace loopscope::daemon

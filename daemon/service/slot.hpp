@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+namespace loopscope::daemon {
+
+/// How the end of a slot is found (contract.md, "Recordings and windows").
+enum class SlotRule {
+  clock,          ///< run: the database's time minus the settling time, floored to the period
+  newest_sample,  ///< once: the newest sample, floored in the same way
+};
+
+/// The last whole multiple of `period_s` since 1970 that is not after `time_us`.
+[[nodiscard]] std::int64_t floor_to_period(std::int64_t time_us, double period_s);
+
+/// When a loop whose slot `slot_end_us` is done has to be looked at again: as soon as the next
+/// slot has settled.
+[[nodiscard]] std::int64_t next_due(std::int64_t slot_end_us, double period_s, double settle_s);
+
+/// Pause before a loop that failed `attempts` times in a row is tried again: doubles from one
+/// minute up to six hours.
+[[nodiscard]] double retry_pause_s(int attempts);
+
+}  // namespace loopscope::daemon

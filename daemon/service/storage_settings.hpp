@@ -1,0 +1,27 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "config/settings.hpp"
+#include "storage/connection_settings.hpp"
+#include "storage/historian/narrow_layout.hpp"
+
+namespace loopscope::daemon {
+
+/// The settings file's words as storage/ wants them: the two rooms do not know each other.
+[[nodiscard]] storage::ConnectionSettings results_connection(const config::Settings& settings);
+/// The schema owner's connection (migrate, maintain, loops, import).
+[[nodiscard]] storage::ConnectionSettings owner_connection(const config::Settings& settings);
+[[nodiscard]] storage::ConnectionSettings historian_connection(
+    const config::HistorianSettings& historian);
+/// The connection that may write into the historian (import).
+[[nodiscard]] storage::ConnectionSettings historian_writer_connection(
+    const config::HistorianSettings& historian);
+[[nodiscard]] storage::NarrowLayout historian_layout(const config::HistorianSettings& historian);
+
+/// The historian of that name. Throws Failure (configuration) when the settings have none.
+[[nodiscard]] const config::HistorianSettings& find_historian(const config::Settings& settings,
+                                                              const std::string& name);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/settings.hpp"
+#include "daemon/service/fault_log.hpp"
+#include "daemon/service/slot.hpp"
+#include "daemon/service/window_reader.hpp"
+#include "storage/historian/historian_reader.hpp"
+#include "storage/results/results_database.hpp"
+
+namespace loopscope::daemon {
+
+/// One worker: its own connections, used by one thread at a time. Claims loops, fetches their
+/// windows, analyses them and writes the results back; a fault of one loop or one historian sets
+/// those loops aside and stops nothing else. A dead connection is thrown away and made anew at the
+/// next use.
+class Worker {
+ public:
+  Worker(std::shared_ptr<const config::Settings> settings, std::string owner, SlotRule slot_rule,
+         FaultLog& faults);
+
+  /// Claims loops that are due. Throws storage::DatabaseError when the results database fails.
+  [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
+  /// Claims the next loops after `after` in the order of the catalogue.
+  [[nodiscard]] std::vector<storage::ClaimedLoop> claim_next(std::int64_t after);
+  /// Brings claimed loops to their end. Throws storage::DatabaseError when the results cannot be
+  /// written; the leases then run out and another worker takes over.
+  storage::WriteCount process(const std::vector<storage::ClaimedLoop>& claims);
+
+  [[nodiscard]] const std::shared_ptr<const config::Settings>& settings() const {
+    return settings_;
+  }
+  /// Calls `use(storage::ResultsDatabase&)`, connecting when there is no connection; a dead one is
+  /// forgotten before its error goes on.
+  template <typename Use>
+  auto with_results(Use use) {
+    try {
+      return use(results());
+    } catch (const storage::DatabaseError& error) {
+      if (error.remedy() == storage::Remedy::reconnect) results_.reset();
+      throw;
+    }
+  }
+
+ private:
+  /// A claimed loop whose window was read.
+  struct Fetched {
+    const storage::ClaimedLoop* claim;
+    LoopWindowAtSlot at_slot;
+    double fetch_ms;
+  };
+  struct Batch {
+    std::vector<Fetched> fetched;
+    std::vector<storage::CompletedLoop> completed;
+    std::vector<storage::FailedLoop> failed;
+  };
+
+  storage::ResultsDatabase& results();
+  storage::HistorianReader& historian(const std::string& source);
+  void fetch(const std::string& source, const std::vector<const storage::ClaimedLoop*>& claims,
+             Batch& batch);
+  void set_aside(const std::string& source, const std::string& error, const std::string& hint,
+                 const std::vector<const storage::ClaimedLoop*>& claims, Batch& batch);
+  void analyse(Batch& batch);
+  void analyse_loop(const Fetched& fetched, const std::string& stored_digest, Batch& batch);
+
+  std::shared_ptr<const config::Settings> settings_;
+  std::string settings_json_;  ///< provenance of every analysis
+  std::string owner_;
+  SlotRule slot_rule_;
+  FaultLog& faults_;
+  std::optional<storage::ResultsDatabase> results_;
+  std::map<std::string, storage::HistorianReader> historians_;
+};
+
+}  // namespace loopscope::daemon

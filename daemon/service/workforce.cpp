@@ -1,0 +1,46 @@
+#include "daemon/service/workforce.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <thread>
+#include <unistd.h>
+
+namespace loopscope::daemon {
+namespace {
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+}  // namespace
+
+std::size_t worker_count(const config::DaemonSettings& settings) {
+  if (settings.workers > 0) return static_cast<std::size_t>(settings.workers);
+  return std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+}
+
+std::string worker_name(std::size_t index) {
+  return fmt::format("{}/{}/{}", host_name(), getpid(), index);
+}
+
+void add(storage::WriteCount& sum, const storage::WriteCount& more) {
+  sum.inserted += more.inserted;
+  sum.revised += more.revised;
+  sum.unchanged += more.unchanged;
+  sum.failed += more.failed;
+  sum.fenced_off += more.fenced_off;
+}
+
+std::string count_text(const storage::WriteCount& count) {
+  const std::size_t all =
+      count.inserted + count.revised + count.unchanged + count.failed + count.fenced_off;
+  std::string text = fmt::format("{} loops: {} new, {} revised, {} unchanged, {} set aside", all,
+                                 count.inserted, count.revised, count.unchanged, count.failed);
+  if (count.fenced_off > 0) text += fmt::format(", {} taken over by others", count.fenced_off);
+  return text;
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,101 @@
+#include "tests/architecture/rooms.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace loopscope::tests::architecture {
+
+namespace {
+
+/// What lies below config/ and storage/: core/ without core/simulate, which stands beside.
+const std::vector<std::string_view> kCore = {"core/signal", "core/hos",   "core/loop",
+                                             "core/model",  "core/plant", "core/diagnosis"};
+
+const std::array kRooms = {
+    Room{"core/signal", {}, {}, true},
+    Room{"core/hos", {}, {"FFTW", "Eigen"}, true},
+    Room{"core/loop", {"core/signal", "core/hos"}, {"Eigen"}, true},
+    Room{"core/model", {"core/signal", "core/hos"}, {"Eigen", "NLopt"}, true},
+    Room{"core/plant", {"core/signal", "core/hos", "core/loop", "core/model"}, {}, true},
+    Room{"core/diagnosis",
+         {"core/signal", "core/hos", "core/loop", "core/model", "core/plant"},
+         {},
+         true},
+    Room{"core/simulate", {}, {}, true},
+    Room{"config", kCore, {"nlohmann-json"}},
+    Room{"storage", kCore, {"libpqxx", "libpq"}, false, true},
+    Room{"daemon",
+         {"core", "config", "storage"},
+         {"Asio", "spdlog", "fmt", "CLI11", "nlohmann-json", "date"},
+         false,
+         true},
+};
+
+struct Library {
+  std::string_view name;
+  std::string_view prefix;  ///< of its headers
+};
+
+constexpr std::array kLibraries = {
+    Library{"FFTW", "fftw3.h"},
+    Library{"Eigen", "Eigen/"},
+    Library{"Eigen", "unsupported/Eigen/"},
+    Library{"NLopt", "nlopt."},
+    Library{"nlohmann-json", "nlohmann/"},
+    Library{"libpqxx", "pqxx/"},
+    Library{"libpq", "libpq-fe.h"},
+    Library{"Asio", "asio"},
+    Library{"spdlog", "spdlog/"},
+    Library{"fmt", "fmt/"},
+    Library{"CLI11", "CLI/"},
+    Library{"date", "date/"},
+    Library{"GoogleTest", "gtest/"},
+    Library{"GoogleTest", "gmock/"},
+};
+
+/// A list of what is allowed, so that a header that nobody has thought of is refused.
+constexpr std::array<std::string_view, 49> kPureHeaders = {
+    "algorithm",     "array",    "bit",         "bitset",     "cassert",
+    "cctype",        "cfloat",   "charconv",    "climits",    "cmath",
+    "compare",       "complex",  "concepts",    "cstddef",    "cstdint",
+    "cstring",       "deque",    "exception",   "functional", "initializer_list",
+    "iomanip",       "iterator", "limits",      "list",       "locale",
+    "map",           "memory",   "new",         "numbers",    "numeric",
+    "optional",      "ostream",  "queue",       "random",     "set",
+    "span",          "sstream",  "stack",       "stdexcept",  "string",
+    "string_view",   "tuple",    "type_traits", "typeindex",  "unordered_map",
+    "unordered_set", "utility",  "variant",     "vector",
+};
+
+constexpr std::array kExceptions = {
+    Exception{"core/hos/paired_fft.cpp", "mutex",
+              "FFTW's planner is the one thing in core/ that all threads of a program share"},
+    Exception{"core/hos/triple_tile_avx2.cpp", "immintrin.h", "vector instructions"},
+    Exception{"core/hos/triple_tile_avx512.cpp", "immintrin.h", "vector instructions"},
+};
+
+}  // namespace
+
+const Room* room_of(std::string_view path) {
+  const auto* found = std::find_if(kRooms.begin(), kRooms.end(), [path](const Room& room) {
+    return path.starts_with(room.path) && path.substr(room.path.size()).starts_with('/');
+  });
+  return found == kRooms.end() ? nullptr : found;
+}
+
+std::string_view library_of(std::string_view header) {
+  const auto* found =
+      std::find_if(kLibraries.begin(), kLibraries.end(),
+                   [header](const Library& library) { return header.starts_with(library.prefix); });
+  return found == kLibraries.end() ? std::string_view() : found->name;
+}
+
+bool is_pure_header(std::string_view header) {
+  return std::find(kPureHeaders.begin(), kPureHeaders.end(), header) != kPureHeaders.end();
+}
+
+std::span<const Exception> exceptions() {
+  return kExceptions;
+}
+
+}  // namespace loopscope::tests::architecture

@@ -1,0 +1,69 @@
+#include "daemon/catalogue/catalogue_csv.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "daemon/failure.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using storage::CatalogueEntry;
+using testing::HasSubstr;
+
+std::vector<CatalogueEntry> load(std::string_view text) {
+  return parse_catalogue(parse_csv(text, "loops.csv"), {});
+}
+
+std::string failure_of(std::string_view text) {
+  try {
+    static_cast<void>(load(text));
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::unusable_data);
+    return failure.what();
+  }
+  return "no failure";
+}
+
+TEST(CatalogueCsv, WrittenLoopsReadBack) {
+  CatalogueEntry entry;
+  entry.name = "FIC \"101\", east";
+  entry.pv_tag = "P,V";
+  entry.op_tag = "o'p;--";
+  entry.interval_s = 0.5;
+  entry.op_range = core::signal::OpRange{4.0, 20.0};
+  entry.importance = 2.5;
+  entry.enabled = false;
+  const auto loaded = load(catalogue_csv(std::vector{entry}));
+  ASSERT_EQ(loaded.size(), 1U);
+  EXPECT_EQ(loaded[0].name, entry.name);
+  EXPECT_EQ(loaded[0].op_tag, entry.op_tag);
+  EXPECT_EQ(loaded[0].interval_s, entry.interval_s);
+  EXPECT_EQ(loaded[0].op_range->low, 4.0);
+  EXPECT_FALSE(loaded[0].enabled);
+  EXPECT_EQ(catalogue_csv(loaded), catalogue_csv(std::vector{entry}));
+}
+
+TEST(CatalogueCsv, NameAndProcessVariableAreEnough) {
+  const auto loaded = load("pv_tag,name\nA.PV,A\nB.PV,B\n");
+  ASSERT_EQ(loaded.size(), 2U);
+  EXPECT_EQ(loaded[1].name, "B");
+  EXPECT_EQ(loaded[1].period_s, CatalogueEntry{}.period_s);
+  EXPECT_TRUE(loaded[1].enabled);
+}
+
+TEST(CatalogueCsv, ProblemsNameLineAndColumn) {
+  EXPECT_THAT(failure_of("name,pv_tag,colour\n"), HasSubstr("unknown column \"colour\""));
+  EXPECT_THAT(failure_of("name,pv_tag,period_s\nA,B,-5\n"),
+              HasSubstr("line 2, column period_s: -5 is not above 0"));
+  EXPECT_THAT(failure_of("name,pv_tag,enabled\nA,B,perhaps\n"),
+              HasSubstr("neither true nor false"));
+  EXPECT_THAT(failure_of("name,pv_tag\nA,\n"), HasSubstr("line 2: the pv tag is empty"));
+  EXPECT_THAT(failure_of("name,pv_tag\n,B\n"), HasSubstr("the name is empty"));
+  EXPECT_THAT(failure_of("name,pv_tag\nA,B\nA,C\n"), HasSubstr("line 3: \"A\" stands twice"));
+  EXPECT_THAT(failure_of("name,pv_tag,op_low\nA,B,0\n"), HasSubstr("both ends"));
+  EXPECT_THAT(failure_of("name,pv_tag,op_low,op_high\nA,B,5,5\n"), HasSubstr("low below high"));
+}
+
+}  // namespace
+}  // namespace loopscope::daemon

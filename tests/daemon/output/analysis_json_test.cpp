@@ -1,0 +1,101 @@
+#include "daemon/output/analysis_json.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace loopscope::daemon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Every key that contract.md promises, as JSON pointers.
+constexpr const char* kPromised[] = {"/input/file",
+                                     "/input/samples",
+                                     "/input/interval_s",
+                                     "/input/start",
+                                     "/input/end",
+                                     "/data_quality/usable",
+                                     "/data_quality/flags",
+                                     "/data_quality/missing_fraction",
+                                     "/data_quality/compression_factor",
+                                     "/data_quality/quantisation_factor",
+                                     "/data_quality/saturated_fraction",
+                                     "/hos/segments",
+                                     "/hos/bifrequencies",
+                                     "/hos/mean_bic2",
+                                     "/hos/std_bic2",
+                                     "/hos/max_bic2",
+                                     "/hos/ngi",
+                                     "/hos/nli",
+                                     "/hos/published/gaussian",
+                                     "/hos/published/linear",
+                                     "/hos/ngi_p",
+                                     "/hos/nli_p",
+                                     "/hos/cubic_p",
+                                     "/hos/nonlinear_p",
+                                     "/hos/coupling",
+                                     "/hos/peaks",
+                                     "/hos_slow",
+                                     "/oscillation/present",
+                                     "/oscillation/period_s",
+                                     "/oscillation/regularity",
+                                     "/oscillation/amplitude",
+                                     "/performance/harris_low",
+                                     "/performance/harris_high",
+                                     "/performance/error_std",
+                                     "/performance/valve_travel_per_h",
+                                     "/performance/reversals_per_h",
+                                     "/performance/auto_fraction",
+                                     "/performance/at_limit_fraction",
+                                     "/shape/horch_dtau",
+                                     "/shape/horch_drho",
+                                     "/shape/shape_index",
+                                     "/shape/ellipse_stiction",
+                                     "/model/error_kind",
+                                     "/model/noise_floor",
+                                     "/model/baseline/description",
+                                     "/model/baseline/holdout_error",
+                                     "/model/steps",
+                                     "/model/unexplained/fraction",
+                                     "/model/unexplained/whiteness_p",
+                                     "/model/unexplained/ngi_p",
+                                     "/model/unexplained/statement",
+                                     "/verdict/code",
+                                     "/verdict/confidence",
+                                     "/verdict/summary",
+                                     "/verdict/reasons",
+                                     "/verdict/action"};
+
+core::signal::LoopWindow noisy_sine(std::size_t size) {
+  core::signal::LoopWindow window;
+  for (std::size_t k = 0; k < size; ++k) {
+    const auto t = static_cast<double>(k);
+    window.pv.push_back(std::sin(0.3 * t) + 0.3 * std::sin(std::fmod(t * t, 17.0)));
+  }
+  window.sp.assign(size, 0.0);
+  return window;
+}
+
+void expect_promised_keys(const Json& json) {
+  for (const char* pointer : kPromised) {
+    EXPECT_TRUE(json.contains(Json::json_pointer(pointer))) << pointer;
+  }
+}
+
+TEST(AnalysisJson, HasEveryPromisedKeyWhenJudged) {
+  const auto json =
+      analysis_json({"f.csv", 1000, 1.0, 0.0, 999.0}, core::diagnose(noisy_sine(1000), {}));
+  expect_promised_keys(json);
+  EXPECT_TRUE(json["hos"]["ngi"].is_number());
+  EXPECT_EQ(json["verdict"]["reasons"].type(), Json::value_t::array);
+}
+
+TEST(AnalysisJson, HasEveryPromisedKeyWhenNotJudged) {
+  const auto json = analysis_json({"f.csv", 10, 1.0, 0.0, 9.0}, core::diagnose(noisy_sine(10), {}));
+  expect_promised_keys(json);
+  EXPECT_TRUE(json["hos"]["ngi"].is_null());
+  EXPECT_EQ(json["verdict"]["code"], "insufficient_data");
+}
+
+}  // namespace
+}  // namespace loopscope::daemon

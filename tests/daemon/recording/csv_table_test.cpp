@@ -1,0 +1,79 @@
+#include "daemon/recording/csv_table.hpp"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "daemon/failure.hpp"
+#include "tests/support/source_dir.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string failure_of(std::string_view text) {
+  try {
+    static_cast<void>(parse_csv(text, "f.csv"));
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::unusable_data);
+    EXPECT_FALSE(failure.hint().empty());
+    return failure.what();
+  }
+  return "no failure";
+}
+
+TEST(CsvTable, HeaderAndRowsWithTheirLines) {
+  const CsvTable table = parse_csv("a,b\n1,2\n\n3,4\n", "f.csv");
+  EXPECT_THAT(table.header, ElementsAre("a", "b"));
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_THAT(table.rows[1].cells, ElementsAre("3", "4"));
+  EXPECT_EQ(table.rows[1].line, 4U);
+}
+
+TEST(CsvTable, ByteOrderMarkCarriageReturnsAndAMissingLastNewline) {
+  const CsvTable table = parse_csv(
+      "\xEF\xBB\xBF"
+      "a,b\r\n1,\r\n3,4",
+      "f.csv");
+  EXPECT_THAT(table.header, ElementsAre("a", "b"));
+  EXPECT_THAT(table.rows[0].cells, ElementsAre("1", ""));
+  EXPECT_THAT(table.rows[1].cells, ElementsAre("3", "4"));
+}
+
+TEST(CsvTable, QuotedCells) {
+  const CsvTable table = parse_csv("a,b\n\"x,\"\"y\"\"\nz\",2\n5,6\n", "f.csv");
+  EXPECT_THAT(table.rows[0].cells, ElementsAre("x,\"y\"\nz", "2"));
+  EXPECT_EQ(table.rows[1].line, 4U);
+}
+
+TEST(CsvTable, WrittenCellsReadBack) {
+  for (const std::string text : {"plain", "with,comma", "with \"quotes\"", "line\nbreak", ""}) {
+    const CsvTable table = parse_csv("a,b\n" + csv_cell(text) + ",x\n", "f.csv");
+    EXPECT_EQ(table.rows[0].cells[0], text);
+  }
+}
+
+TEST(CsvTable, ProblemsNameTheirLine) {
+  EXPECT_THAT(failure_of(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(failure_of("\n\n"), HasSubstr("the file is empty"));
+  EXPECT_THAT(failure_of("a,b\n1,2\n1\n"), HasSubstr("line 3: 1 cells where the header has 2"));
+  EXPECT_THAT(failure_of("a,b\n1,\"2\n"), HasSubstr("line 2: a quote is opened"));
+}
+
+TEST(CsvTable, FilesThatCannotBeRead) {
+  const tests::TemporaryFolder folder;
+  EXPECT_THROW(static_cast<void>(read_csv(folder.path() / "absent.csv")), Failure);
+  EXPECT_THROW(static_cast<void>(read_csv(folder.path())), Failure);
+  std::ofstream(folder.path() / "empty.csv").flush();
+  try {
+    static_cast<void>(read_csv(folder.path() / "empty.csv"));
+    ADD_FAILURE() << "an empty file was accepted";
+  } catch (const Failure& failure) {
+    EXPECT_THAT(failure.what(), HasSubstr("is empty"));
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::daemon

@@ -1,0 +1,37 @@
+#include "daemon/recording/time_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace loopscope::daemon {
+namespace {
+
+constexpr std::int64_t kNoon = 1'772'366'400'000'000;  // 2026-03-01T12:00:00Z
+
+TEST(TimeText, SpellingsOfOneInstant) {
+  for (const char* text : {"2026-03-01T12:00:00Z", "2026-03-01 12:00:00", "2026-03-01T12:00:00",
+                           "2026-03-01T13:00:00+01:00", "2026-03-01 07:00:00-0500",
+                           "2026-03-01T12:00Z", "2026-03-01T12:00:00.000Z"}) {
+    EXPECT_EQ(parse_time(text), kNoon) << text;
+  }
+}
+
+TEST(TimeText, FractionsOfASecond) {
+  EXPECT_EQ(parse_time("2026-03-01T12:00:00.25Z"), kNoon + 250'000);
+}
+
+TEST(TimeText, AnythingElseIsNoTime) {
+  for (const char* text : {"", "noon", "2026-13-01T00:00:00Z", "2026-03-01T25:00:00Z",
+                           "2026-03-01T12:00:00Z tail", "12:00:00"}) {
+    EXPECT_FALSE(parse_time(text).has_value()) << text;
+  }
+}
+
+TEST(TimeText, FormattedTimesReadBack) {
+  for (const std::int64_t time : {kNoon, kNoon + 1, std::int64_t{0}, std::int64_t{-1'500'000}}) {
+    EXPECT_EQ(parse_time(format_time(time)), time) << format_time(time);
+  }
+  EXPECT_EQ(format_time(kNoon), "2026-03-01T12:00:00Z");
+}
+
+}  // namespace
+}  // namespace loopscope::daemon

@@ -1,0 +1,164 @@
+#include <cmath>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/end_to_end/plant.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/source_dir.hpp"
+
+namespace loopscope::tests {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+class Analyze : public testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name, std::ios::binary) << text;
+    return (folder_.path() / name).string();
+  }
+
+  static ProgramResult analyze(const std::string& file) {
+    return run_program({LOOPSCOPE_PROGRAM, "analyze", file, "--json"});
+  }
+
+  void expect_refused(const std::string& name, const std::string& text,
+                      const std::string& part) const {
+    const ProgramResult result = analyze(write(name, text));
+    EXPECT_EQ(result.exit_code, 5) << name;
+    EXPECT_EQ(result.out, "") << name;
+    EXPECT_THAT(result.err, HasSubstr("error: ")) << name;
+    EXPECT_THAT(result.err, HasSubstr(part)) << name;
+    EXPECT_THAT(result.err, HasSubstr("HINT: ")) << name;
+  }
+
+  Json expect_verdict(const std::string& name, const std::string& text,
+                      const std::string& code) const {
+    const ProgramResult result = analyze(write(name, text));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    Json json = Json::parse(result.out);
+    EXPECT_EQ(json["verdict"]["code"], code) << result.out;
+    return json;
+  }
+
+  TemporaryFolder folder_;
+};
+
+/// A healthy loop; a constant output replaces the recorded one when it is given.
+std::string rows(std::size_t count, const std::string& op = "") {
+  std::istringstream recorded(noisy_loop_csv(count, 1));
+  std::string text;
+  std::string line;
+  std::getline(recorded, line);
+  text = line + "\n";
+  while (std::getline(recorded, line)) {
+    text += op.empty() ? line : line.substr(0, line.rfind(',') + 1) + op;
+    text += "\n";
+  }
+  return text;
+}
+
+TEST_F(Analyze, FilesThatCannotBeParsedAreErrorsWithoutOutput) {
+  const ProgramResult missing = analyze((folder_.path() / "absent.csv").string());
+  EXPECT_EQ(missing.exit_code, 5);
+  EXPECT_THAT(missing.err, HasSubstr("cannot be read"));
+  expect_refused("empty.csv", "", "is empty");
+  expect_refused("header.csv", "a,b,c\n1,2,3\n", "header");
+  expect_refused("text.csv", "t_s,sp,pv,op\n0,1,2,3\n1,1,abc,3\n", "line 3, column \"pv\"");
+  expect_refused("backwards.csv", "t_s,sp,pv,op\n5,1,2,3\n4,1,2,3\n", "runs backwards");
+  expect_refused("ragged.csv", "t_s,sp,pv,op\n5,1,2\n", "line 2: 3 cells");
+}
+
+TEST_F(Analyze, DataThatCannotBeJudgedAreAVerdict) {
+  expect_verdict("ten.csv", rows(10), "insufficient_data");
+  expect_verdict("only_header.csv", "t_s,sp,pv,op\n", "insufficient_data");
+  std::string constant = "t_s,sp,pv,op\n";
+  for (int k = 0; k < 1000; ++k) constant += std::to_string(k) + ",5,5,50\n";
+  expect_verdict("constant.csv", constant, "insufficient_data");
+}
+
+TEST_F(Analyze, OddValuesAreMissingNotErrors) {
+  std::string text = rows(1000);
+  text += "10000,50,NaN,50\n10010,50,inf,50\n10020,50,,50\n10030,50,50,50\n10030,50,50.1,50\n";
+  const Json json = expect_verdict("odd.csv", text, "healthy");
+  EXPECT_NEAR(json["data_quality"]["missing_fraction"].get<double>(), 3.0 / 1004.0, 1e-9);
+  EXPECT_THAT(json["data_quality"]["flags"].dump(), HasSubstr("repeated_times"));
+}
+
+TEST_F(Analyze, AConstantOutputStillHasItsStatistics) {
+  const Json json = expect_verdict("op.csv", rows(1000, "42"), "healthy");
+  EXPECT_THAT(json["data_quality"]["flags"].dump(), HasSubstr("op_constant"));
+  EXPECT_TRUE(json["hos"]["ngi"].is_number());
+}
+
+TEST_F(Analyze, TextForPeople) {
+  const ProgramResult result =
+      run_program({LOOPSCOPE_PROGRAM, "analyze", write("text_out.csv", rows(1000))});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("healthy (confidence"));
+  EXPECT_THAT(result.out, HasSubstr("What to do: Nothing to do."));
+}
+
+TEST_F(Analyze, WrongUsage) {
+  EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM}).exit_code, 2);
+  EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "nonsense"}).exit_code, 2);
+  EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "analyze"}).exit_code, 2);
+  EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "analyze", "--op-range", "7", "f.csv"}).exit_code, 5);
+  const ProgramResult range =
+      run_program({LOOPSCOPE_PROGRAM, "analyze", "--op-range", "20,4", write("r.csv", rows(10))});
+  EXPECT_EQ(range.exit_code, 2);
+  EXPECT_THAT(range.err, HasSubstr("HINT: "));
+}
+
+TEST_F(Analyze, EveryCommandHasHelp) {
+  for (const char* command : {"run", "once", "analyze", "reproduce", "simulate", "import", "loops",
+                              "migrate", "maintain", "check-config"}) {
+    const ProgramResult result = run_program({LOOPSCOPE_PROGRAM, command, "--help"});
+    EXPECT_EQ(result.exit_code, 0) << command;
+    EXPECT_THAT(result.out, HasSubstr("Usage:")) << command;
+  }
+}
+
+/// The signals of ../shared/reference as loops: sp = 0, pv = -signal, so that the error is the
+/// signal.
+TEST_F(Analyze, ReferenceSignalsGiveTheReferenceFigures) {
+  const auto reference = shared_dir() / "reference";
+  if (!std::filesystem::exists(reference)) GTEST_SKIP() << reference << " is not there";
+  const Json expected = Json::parse(std::ifstream(reference / "expected.json"));
+  std::ifstream signals(reference / "signals.csv");
+  std::string line;
+  std::getline(signals, line);
+  std::erase(line, '\r');
+  std::vector<std::string> names;
+  std::istringstream header(line);
+  for (std::string name; std::getline(header, name, ',');) names.push_back(name);
+  std::vector<std::string> files(names.size(), "t_s,sp,pv,op\n");
+  for (int k = 0; std::getline(signals, line); ++k) {
+    std::erase(line, '\r');
+    std::istringstream cells(line);
+    std::string cell;
+    for (std::string& file : files) {
+      std::getline(cells, cell, ',');
+      const std::string negated = cell.front() == '-' ? cell.substr(1) : "-" + cell;
+      file += std::to_string(k) + ",0," + negated + ",50\n";
+    }
+  }
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const ProgramResult result = analyze(write(names[k] + ".csv", files[k]));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Json hos = Json::parse(result.out)["hos"];
+    const Json& wanted = expected["signals"][names[k]];
+    for (const char* key : {"segments", "bifrequencies", "mean_bic2", "std_bic2", "max_bic2",
+                            "critical_mean_bic2", "ngi", "nli"}) {
+      const double value = wanted[key].get<double>();
+      EXPECT_NEAR(hos[key].get<double>(), value, 1e-9 * std::abs(value)) << names[k] << ' ' << key;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::tests

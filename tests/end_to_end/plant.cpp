@@ -1,0 +1,108 @@
+#include "tests/end_to_end/plant.hpp"
+
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <unistd.h>
+
+namespace loopscope::tests {
+namespace {
+
+constexpr const char* kPsql = "/usr/bin/psql";
+
+std::string server_connection() {
+  std::ifstream file(std::filesystem::path(LOOPSCOPE_BINARY_DIR) / "postgres.env");
+  std::string line;
+  const std::string key = "LOOPSCOPE_TEST_DATABASE=";
+  while (std::getline(file, line)) {
+    if (line.starts_with(key)) return line.substr(key.size());
+  }
+  throw std::runtime_error("no test server: run through ctest, which starts one");
+}
+
+ProgramResult psql(const std::string& connection, const std::string& query) {
+  return run_program({kPsql, "-X", "-d", connection, "-v", "ON_ERROR_STOP=1", "-Atc", query});
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    text.replace(at, from.size(), to);
+    at += to.size();
+  }
+}
+
+}  // namespace
+
+Plant::Plant() : server_(server_connection()) {
+  static int number = 0;
+  database_ = "plant_" + std::to_string(getpid()) + "_" + std::to_string(++number);
+  psql(server_, "create database " + database_);
+  connection_ = server_;
+  replace_all(connection_, "dbname=postgres", "dbname=" + database_);
+  write_settings(settings());
+  const ProgramResult migrated = loopscope("migrate");
+  if (migrated.exit_code != 0) throw std::runtime_error("migrate failed: " + migrated.err);
+}
+
+Plant::~Plant() {
+  psql(server_, "drop database " + database_ + " with (force)");
+}
+
+std::string Plant::settings(const std::string& more) {
+  return R"({
+  // a plant for one test
+  "results": {"connection": "@CONNECTION@"},
+  "historians": [{"name": "plant", "connection": "@CONNECTION@"}])" +
+         (more.empty() ? "" : ",\n  " + more) + "\n}\n";
+}
+
+void Plant::write_settings(const std::string& text) const {
+  std::string filled = text;
+  replace_all(filled, "@CONNECTION@", connection_);
+  std::ofstream(settings_file()) << filled;
+}
+
+std::vector<std::string> Plant::command_line(const std::string& command) const {
+  return {LOOPSCOPE_PROGRAM, command, "--config", settings_file()};
+}
+
+ProgramResult Plant::loopscope(const std::string& command,
+                               const std::vector<std::string>& rest) const {
+  std::vector<std::string> arguments = command_line(command);
+  arguments.insert(arguments.end(), rest.begin(), rest.end());
+  return run_program(arguments);
+}
+
+std::string Plant::sql(const std::string& query) const {
+  const ProgramResult result = psql(connection_, query);
+  if (result.exit_code != 0) throw std::runtime_error(result.err + " in " + query);
+  return result.out.empty() ? result.out : result.out.substr(0, result.out.size() - 1);
+}
+
+std::string Plant::import_loop(const std::string& name, std::size_t samples, unsigned seed) const {
+  const std::string file = folder() / ("recording_" + std::to_string(seed) + ".csv");
+  std::ofstream(file) << noisy_loop_csv(samples, seed);
+  const ProgramResult imported = loopscope("import", {"--create-table", "--loop", name, file});
+  if (imported.exit_code != 0) throw std::runtime_error("import failed: " + imported.err);
+  return file;
+}
+
+std::string noisy_loop_csv(std::size_t samples, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> noise(0.0, 0.2);
+  std::ostringstream text;
+  text.precision(17);
+  text << "t_s,sp,pv,op\n";
+  double pv = 50.0;
+  double op = 50.0;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const double error = 50.0 - pv;
+    op += 0.2 * error;
+    pv = 0.8 * pv + 0.2 * (op + 0.3 * error) + noise(random);
+    text << 10 * k << ",50," << pv << ',' << op << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace loopscope::tests

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/run_program.hpp"
+#include "tests/support/source_dir.hpp"
+
+namespace loopscope::tests {
+
+/// A plant for one test: a database of its own on the throw-away server with the schema migrated
+/// and an empty historian, and a settings file. Everything is removed at the end.
+class Plant {
+ public:
+  Plant();
+  ~Plant();
+  Plant(const Plant&) = delete;
+  Plant& operator=(const Plant&) = delete;
+
+  /// Runs the program: loopscope COMMAND --config FILE REST...
+  [[nodiscard]] ProgramResult loopscope(const std::string& command,
+                                        const std::vector<std::string>& rest = {}) const;
+  /// The same arguments, for a program in the background.
+  [[nodiscard]] std::vector<std::string> command_line(const std::string& command) const;
+
+  /// What psql prints for a query: columns separated by |, rows by line breaks.
+  std::string sql(const std::string& query) const;
+
+  /// Replaces the settings file; @CONNECTION@ stands for the database.
+  void write_settings(const std::string& text) const;
+  /// Settings with an object put in the place of the default one, e.g. schedule.
+  [[nodiscard]] static std::string settings(const std::string& more = "");
+
+  /// Writes a recording of `samples` rows of a noisy loop and imports it; returns its file.
+  std::string import_loop(const std::string& name, std::size_t samples = 1000,
+                          unsigned seed = 1) const;
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
+  [[nodiscard]] std::string settings_file() const { return folder_.path() / "loopscope.json"; }
+  [[nodiscard]] const std::string& connection() const { return connection_; }
+
+ private:
+  TemporaryFolder folder_;
+  std::string server_;
+  std::string database_;
+  std::string connection_;
+};
+
+/// Text of `samples` rows t_s,sp,pv,op of a first-order loop under noise.
+[[nodiscard]] std::string noisy_loop_csv(std::size_t samples, unsigned seed);
+
+}  // namespace loopscope::tests
