@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/diagnosis/decide.hpp"
+#include "core/signal/spread.hpp"
 
 namespace loopscope::core {
 namespace {
@@ -12,6 +13,13 @@ constexpr std::size_t kMinSegments = 15;
 /// Findings on fewer carry the flag `short`.
 constexpr std::size_t kShortSegments = 32;
 
+std::string unusable_segments(std::size_t segments, const signal::PreparedLoop& loop) {
+  const auto spread = signal::measure_spread(loop.error);
+  if (spread && spread->constant()) return "the error does not vary";
+  return "the gaps leave " + std::to_string(segments) + " unbroken segments, at least " +
+         std::to_string(kMinSegments) + " are needed";
+}
+
 void measure_statistics(const signal::PreparedLoop& loop, const AnalysisSettings& settings,
                         Evidence& evidence) {
   evidence.hos = hos::analyse(loop.error, settings.hos);
@@ -20,10 +28,7 @@ void measure_statistics(const signal::PreparedLoop& loop, const AnalysisSettings
   if (segments < kMinSegments) {
     evidence.hos.reset();
     quality.usable = false;
-    quality.reason = segments == 0 ? "the error does not vary"
-                                   : "the gaps leave " + std::to_string(segments) +
-                                         " unbroken segments, at least " +
-                                         std::to_string(kMinSegments) + " are needed";
+    quality.reason = unusable_segments(segments, loop);
   } else if (segments < kShortSegments) {
     quality.flags.emplace_back("short");
   }

@@ -27,6 +27,10 @@ struct Mean {
     sum += value;
     count += 1.0;
   }
+  void add(const Mean& more) {
+    sum += more.sum;
+    count += more.count;
+  }
   [[nodiscard]] double value() const { return sum / count; }
 };
 
@@ -63,6 +67,17 @@ Slices collect_branches(std::span<const double> op, std::span<const double> mv,
   return slices;
 }
 
+/// A valve that only jumps rises onto one position and falls onto another: no slice holds both
+/// branches, but all slices together do.
+Slices pooled(const Slices& slices) {
+  Slices pool;
+  for (const Slice& slice : slices) {
+    pool.front().rising.add(slice.rising);
+    pool.front().falling.add(slice.falling);
+  }
+  return pool;
+}
+
 std::optional<double> mean_width(const Slices& slices) {
   double sum = 0.0;
   double weights = 0.0;
@@ -74,6 +89,11 @@ std::optional<double> mean_width(const Slices& slices) {
   }
   if (!(weights > 0.0)) return std::nullopt;
   return if_finite(std::max(0.0, sum / weights));
+}
+
+std::optional<double> branch_width(const Slices& slices) {
+  const std::optional<double> width = mean_width(slices);
+  return width ? width : mean_width(pooled(slices));
 }
 
 std::optional<double> stuck_fraction_of(std::span<const double> op, std::span<const double> mv,
@@ -103,7 +123,8 @@ ValvePlot measure_valve_plot(std::span<const double> op, std::span<const double>
       mv_spread->constant()) {
     return {};
   }
-  return {mean_width(collect_branches(op, mv, *mv_spread)), stuck_fraction_of(op, mv, *mv_spread)};
+  return {branch_width(collect_branches(op, mv, *mv_spread)),
+          stuck_fraction_of(op, mv, *mv_spread)};
 }
 
 }  // namespace loopscope::core::loop

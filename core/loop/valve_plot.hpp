@@ -8,8 +8,8 @@ namespace loopscope::core::loop {
 /// The mv-op plot: what the valve does with what it is told.
 struct ValvePlot {
   /// Mean width in op between the branch on which mv rises and the one on which it falls, at the
-  /// same mv, in units of op: the dead band, or stickband less slip jump (S - J) of a sticking
-  /// valve. nullopt when the branches share no mv.
+  /// same mv (at any mv where they share none), in units of op: the dead band, or stickband less
+  /// slip jump (S - J) of a sticking valve. nullopt when mv moves in one direction only.
   std::optional<double> width;
   /// Share of the samples with op moving in which mv stands still, 0 to 1.
   std::optional<double> stuck_fraction;

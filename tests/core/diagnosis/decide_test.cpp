@@ -22,6 +22,7 @@ Evidence quiet_evidence() {
   evidence.hos->nli = 0.03;
   evidence.performance.harris_low = 0.4;
   evidence.performance.harris_high = 0.8;
+  evidence.performance.error_std = 0.8;
   evidence.valve_gain = {20.0, 0.1};
   return evidence;
 }
@@ -87,6 +88,13 @@ TEST(Decide, DecayingOscillationWithoutCouplingIsTuning) {
   EXPECT_EQ(code_of(evidence), VerdictCode::tight_tuning);
 }
 
+TEST(Decide, AnOscillationOfNoWeightIsNoFault) {
+  Evidence evidence = quiet_evidence();
+  oscillate(evidence, 0.3);
+  evidence.oscillation.amplitude = 0.4;  // 12 % of the error's variance
+  EXPECT_EQ(code_of(evidence), VerdictCode::healthy);
+}
+
 TEST(Decide, SustainedSinusoidIsADisturbanceEvenWhenHorchIsOdd) {
   Evidence evidence = quiet_evidence();
   oscillate(evidence, 0.95);
@@ -118,6 +126,16 @@ TEST(Decide, NonlinearWithTriangularShapesIsStiction) {
 
 TEST(Decide, NonlinearWithoutAPatternStaysUnexplained) {
   EXPECT_EQ(code_of(nonlinear_evidence()), VerdictCode::nonlinear_unexplained);
+}
+
+TEST(Decide, MarginalCouplingHasLittleConfidence) {
+  Evidence evidence = nonlinear_evidence();
+  const double clear = decide(evidence, {}).confidence;
+  evidence.hos->ngi = 0.0015;
+  const Verdict marginal = decide(evidence, {});
+  EXPECT_EQ(marginal.code, VerdictCode::nonlinear_unexplained);
+  EXPECT_LT(marginal.confidence, 0.3);  // below what is flagged by default
+  EXPECT_GT(clear, 0.3);
 }
 
 TEST(Decide, TinyOutputMovesAndALargeAnswerMeanAnOversizedValve) {

@@ -36,6 +36,23 @@ TEST(ValvePlot, StickingValveShowsStickbandLessSlipJump) {
   EXPECT_GT(*plot.stuck_fraction, 0.5);
 }
 
+TEST(ValvePlot, AValveThatOnlyJumpsHasAWidthToo) {
+  std::vector<double> op;
+  std::vector<double> mv;
+  for (int k = 0; k < 1000; ++k) {
+    const double phase = k % 100;
+    op.push_back(phase < 50 ? 48.0 + 0.08 * phase : 52.0 - 0.08 * (phase - 50));
+    // Jumps to 51 at op = 51.5 and to 49 at 48.5: the branches lie one percent apart.
+    mv.push_back(mv.empty()          ? 49.0
+                 : op.back() >= 51.5 ? 51.0
+                 : op.back() <= 48.5 ? 49.0
+                                     : mv.back());
+  }
+  const ValvePlot plot = measure_valve_plot(op, mv);
+  EXPECT_NEAR(*plot.width, 1.0, 0.1);
+  EXPECT_GT(*plot.stuck_fraction, 0.9);
+}
+
 TEST(ValvePlot, HealthyValveHasNoWidthAndIsNeverStuck) {
   Random random(3);
   const Series op = swinging_op(random);
