@@ -18,7 +18,7 @@ enum class QualityRule {
 /// checked against the catalogue of the database and quoted.
 struct NarrowLayout {
   std::string source = "plant";             ///< the name that loops refer to
-  std::string relation = "public.history";  ///< [schema.]table or view
+  std::string relation = "public.history";  ///< [schema.]table or view, split at the first dot
   std::string tag_column = "tag";
   std::string time_column = "time";
   std::string value_column = "value";

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "storage/array_literal.hpp"
 #include "storage/timestamp.hpp"
 
 namespace loopscope::storage {

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 
-#include "storage/array_literal.hpp"
 #include "storage/historian/binary_array.hpp"
 #include "storage/historian/narrow_layout.hpp"
 

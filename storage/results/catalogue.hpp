@@ -22,8 +22,8 @@ class Catalogue {
 
   [[nodiscard]] std::vector<CatalogueEntry> list();
   [[nodiscard]] std::optional<CatalogueEntry> find(const std::string& name);
-  /// Inserts the loops, or changes those whose name exists; gives each a schedule row that is due
-  /// at once. All or nothing. Returns how many were new.
+  /// Inserts the loops, or changes those whose name exists; makes each due at once (one that
+  /// a worker holds: when the worker is done). All or nothing. Returns how many were new.
   std::size_t save(std::span<const CatalogueEntry> entries);
   /// Returns how many of the names exist; those are switched.
   std::size_t set_enabled(std::span<const std::string> names, bool enabled);

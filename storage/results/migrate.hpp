@@ -12,9 +12,10 @@ namespace loopscope::storage {
 
 /// Brings the schema `loopscope` up to date in one transaction under an advisory lock, makes the
 /// partitions of this month and the next three, and grants rights to those of the roles
-/// loopscope_worker and loopscope_reader that exist. Returns the names of the migrations applied
-/// (empty = nothing to do). Refuses (DatabaseError) a schema newer than the program and one whose
-/// recorded migrations differ from the compiled-in ones.
+/// loopscope_worker and loopscope_reader that exist. A member of loopscope_owner makes everything
+/// as that role, so that every other member can change it. Returns the names of the migrations
+/// applied (empty = nothing to do). Refuses (DatabaseError) a schema newer than the program and one
+/// whose recorded migrations differ from the compiled-in ones.
 std::vector<std::string> migrate(const ConnectionSettings& owner);
 
 /// What maintain() did.

@@ -19,9 +19,9 @@ namespace loopscope::storage {
 /// A loop that this worker holds until its lease ends.
 struct ClaimedLoop {
   CatalogueEntry loop;
-  std::int64_t fence = 0;                        ///< rises with every claim
-  int attempts = 0;                              ///< failures in a row before this claim
-  std::int64_t database_now_us = 0;              ///< the database's clock at the claim
+  std::int64_t fence = 0;            ///< rises with every claim
+  int attempts = 0;                  ///< failures in a row before this claim, lost leases included
+  std::int64_t database_now_us = 0;  ///< the database's clock at the claim
   std::optional<std::int64_t> last_slot_end_us;  ///< newest slot that was completed
 };
 
