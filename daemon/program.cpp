@@ -25,7 +25,8 @@ int report_settings(const config::SettingsError& error) {
   std::string hints;
   for (const config::Problem& problem : error.problems()) {
     if (problem.hint.empty()) continue;
-    hints += (hints.empty() ? "" : "\nHINT: ") + problem.path + ": " + problem.hint;
+    hints += hints.empty() ? "" : "\nHINT: ";
+    hints += problem.path.empty() ? problem.hint : problem.path + ": " + problem.hint;
   }
   if (hints.empty()) hints = "loopscope check-config --describe lists every setting";
   return report(ExitCode::configuration, error.what(), hints);
@@ -35,6 +36,13 @@ int report_settings(const config::SettingsError& error) {
 int report_usage(const CLI::App& program, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return program.exit(error);
   return report(ExitCode::usage, error.what(), "see loopscope --help, loopscope COMMAND --help");
+}
+
+/// A full disk behind a redirected standard output must not pass for success.
+void require_written_output() {
+  if (std::cout.flush()) return;
+  throw Failure(ExitCode::usage, "standard output could not be written",
+                "check the disk or the program behind the pipe");
 }
 
 void add_commands(CLI::App& program) {
@@ -59,6 +67,7 @@ int run_program(int argc, const char* const* argv) {
   add_commands(program);
   try {
     program.parse(argc, argv);
+    require_written_output();
     return static_cast<int>(ExitCode::done);
   } catch (const CLI::ParseError& error) {
     return report_usage(program, error);

@@ -18,8 +18,8 @@ struct CatalogueEntry {
   std::string op_tag;                ///< empty = not recorded
   std::string mv_tag;                ///< empty = not recorded
   std::string mode_tag;              ///< empty = not recorded
-  std::optional<double> interval_s;  ///< sample interval; nullopt = found from the rows
-  double period_s = 3600.0;          ///< seconds between two analyses, > 0
+  std::optional<double> interval_s;  ///< seconds, 0.001 to 86400; nullopt = found from the rows
+  double period_s = 3600.0;          ///< seconds between two analyses, 1 to 2592000
   std::optional<core::signal::OpRange> op_range;
   std::string loop_type;    ///< flow, pressure, level, temperature, ... or empty
   double importance = 1.0;  ///< weight in the ranking, > 0

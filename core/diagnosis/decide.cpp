@@ -25,6 +25,10 @@ constexpr double kOscillationShare = 0.2;
 /// a line; a loop at the edge of stability under noise keeps 0.6 to 0.75 (tight_tuning and
 /// paper_5_2_excessive), an outside sinusoid 0.95 and more (outside_oscillation, paper_5_3).
 constexpr double kSustained = 0.85;
+/// A line from outside is a sinusoid once the loop has filtered it; a sustained oscillation of no
+/// clear shape may as well be a limit cycle of the loop's own valve and is believed less.
+constexpr double kSinusoidal = 0.4;
+constexpr double kUnclearShape = 0.6;
 /// Without support from the bispectrum the shapes alone have to speak more clearly.
 constexpr double kClearShapes = 0.75;
 /// NGI in multiples of its limit at which the published rule is believed in full. White and AR(1)
@@ -47,6 +51,11 @@ struct Case {
 bool has_flag(const Evidence& evidence, std::string_view flag) {
   const auto& flags = evidence.data_quality.flags;
   return std::find(flags.begin(), flags.end(), flag) != flags.end();
+}
+
+/// op was recorded and moves: without that nothing is claimed of controller and valve.
+bool op_speaks(const Evidence& evidence) {
+  return !has_flag(evidence, "op_constant") && !has_flag(evidence, "op_missing");
 }
 
 Verdict make(VerdictCode code, double confidence, std::vector<std::string> reasons) {
@@ -114,9 +123,16 @@ Verdict faulty_position(const Case& loop) {
               reasons_of(loop));
 }
 
+/// How far the published rule is believed, 0 to 1: skewed noise passes it too, but without a
+/// bifrequency that stands out.
+double belief_in(const Case& loop) {
+  const double strength = std::min(1.0, loop.nonlinearity.strength / kConvincingStrength);
+  return loop.evidence.hos->peaks.empty() ? 0.5 * strength : strength;
+}
+
 Verdict nonlinear(const Case& loop) {
-  const double belief = std::min(1.0, loop.nonlinearity.strength / kConvincingStrength);
-  if (has_flag(loop.evidence, "op_constant") || has_flag(loop.evidence, "op_missing")) {
+  const double belief = belief_in(loop);
+  if (!op_speaks(loop.evidence)) {
     return make(VerdictCode::nonlinear_unexplained, 0.4 * belief,
                 with(reasons_of(loop),
                      "op does not move: the loop itself says nothing about its "
@@ -128,12 +144,30 @@ Verdict nonlinear(const Case& loop) {
                 reasons_of(loop));
   }
   if (loop.valve.kind == Kind::follows) {
-    return make(VerdictCode::process_nonlinearity, 0.6 * belief, reasons_of(loop));
+    // A step of the load or a changed gain looks the same without a model of the loop.
+    return make(VerdictCode::process_nonlinearity, 0.4 * belief,
+                with(reasons_of(loop),
+                     "The valve follows its signal: the cause lies in the process "
+                     "or in what disturbs it."));
   }
   return make(VerdictCode::nonlinear_unexplained, 0.5 * belief, reasons_of(loop));
 }
 
+/// An oscillation of a loop whose output says nothing: one that stands still cannot make it, one
+/// that was not recorded may.
+Verdict oscillating_without_op(const Case& loop) {
+  if (has_flag(loop.evidence, "op_missing")) {
+    return make(VerdictCode::unexplained, 0.4,
+                with(reasons_of(loop),
+                     "op is not recorded: whether the controller makes the "
+                     "oscillation cannot be told."));
+  }
+  return make(VerdictCode::external_disturbance, 0.5,
+              with(reasons_of(loop), "op does not move, so the controller does not make it."));
+}
+
 Verdict linear_oscillating(const Case& loop) {
+  if (!op_speaks(loop.evidence)) return oscillating_without_op(loop);
   if (oversized(loop.evidence.valve_gain)) return oversized_valve(loop);
   if (loop.valve.kind == Kind::sticks && loop.valve.score >= kClearShapes) {
     return make(VerdictCode::valve_stiction, 0.3 + 0.3 * loop.valve.score,
@@ -143,7 +177,9 @@ Verdict linear_oscillating(const Case& loop) {
   }
   const double persistence = loop.evidence.oscillation.persistence.value_or(0.0);
   if (persistence >= kSustained) {
-    return make(VerdictCode::external_disturbance, 0.3 + 0.3 * persistence, reasons_of(loop));
+    const bool sinusoidal = loop.evidence.shape.shape_index.value_or(1.0) <= kSinusoidal;
+    return make(VerdictCode::external_disturbance,
+                (0.3 + 0.3 * persistence) * (sinusoidal ? 1.0 : kUnclearShape), reasons_of(loop));
   }
   return make(VerdictCode::tight_tuning, 0.6 - 0.3 * persistence, reasons_of(loop));
 }
@@ -163,6 +199,12 @@ Verdict linear_quiet(const Case& loop) {
   if (has_flag(evidence, "pv_quantised")) {
     return make(VerdictCode::sensor_fault, 0.5,
                 with(std::move(reasons), quantisation_text(evidence)));
+  }
+  if (!op_speaks(evidence)) {
+    return make(VerdictCode::healthy, 0.3,
+                with(std::move(reasons),
+                     "op does not move or is not recorded: nothing is known of "
+                     "controller and valve."));
   }
   const std::optional<double> harris = middle_harris(evidence);
   if (harris) {
@@ -189,6 +231,16 @@ Verdict unrefreshed(const Evidence& evidence) {
                    : "pv is renewed only every " + number(factor) + " samples on average."});
 }
 
+Verdict not_in_command() {
+  Verdict verdict = make(VerdictCode::unexplained, 0.6,
+                         {"pv stays many standard deviations away from its setpoint: the "
+                          "controller is not in command, or has no integral action."});
+  verdict.action =
+      "Check whether an override or another controller holds the valve; if that is "
+      "meant, disable the loop in the catalogue.";
+  return verdict;
+}
+
 Verdict choose(const Evidence& evidence, const hos::Settings& settings) {
   if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
   if (has_flag(evidence, "pv_frozen") || has_flag(evidence, "pv_held")) {
@@ -197,6 +249,7 @@ Verdict choose(const Evidence& evidence, const hos::Settings& settings) {
   if (evidence.data_quality.saturated_fraction.value_or(0.0) > kSaturatedFraction) {
     return saturated(evidence);
   }
+  if (has_flag(evidence, "sp_not_followed")) return not_in_command();
   const Case loop{evidence, judge_nonlinearity(*evidence.hos, settings), judge_valve(evidence)};
   const bool faulty = loop.valve.kind == Kind::sticks || loop.valve.kind == Kind::dead_band;
   if (loop.valve.measured && faulty) return faulty_position(loop);

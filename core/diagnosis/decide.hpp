@@ -9,7 +9,8 @@ namespace loopscope::core::diagnosis {
 /// The decision flow of the paper's figure 1 (its text: sections 1, 3 and 5), from evidence to
 /// verdict:
 ///
-///     usable? -> pv frozen or held? -> op at its limit? -> valve position recorded and faulty?
+///     usable? -> pv frozen or held? -> op at its limit? -> setpoint
+///       followed at all? -> valve position recorded and faulty?
 ///       -> NGI, NLI: nonlinear?  yes -> oversized? sticking? valve acquitted? else unexplained
 ///                                no  -> oscillating? sticking (odd-symmetric)? sustained from
 ///                                       outside? tight tuning;  else slow? healthy

@@ -11,10 +11,16 @@ namespace {
 constexpr double kPaperSegments = 127.0;
 
 std::string peak_text(const hos::Result& hos) {
-  if (hos.peaks.empty()) return {};
+  if (hos.peaks.empty() || hos.published.linear) return {};
   const hos::Peak& peak = hos.peaks.front();
   return ", strongest at the bifrequency (" + number(peak.f1) + ", " + number(peak.f2) +
          ") cycles per sample";
+}
+
+std::string opening(bool found, const hos::Result& hos) {
+  if (!found) return "No quadratic coupling found: ";
+  return hos.peaks.empty() ? "Skewed or coupled, without a bifrequency that stands out: "
+                           : "Quadratic coupling: ";
 }
 
 }  // namespace
@@ -31,8 +37,7 @@ NonlinearityFinding judge_nonlinearity(const hos::Result& hos, const hos::Settin
   finding.found = hos.ngi > limit && hos.nli > settings.nli_threshold;
   const std::string indices = "NGI " + number(hos.ngi) + " (limit " + number(limit) + " for " +
                               std::to_string(hos.segments) + " segments), NLI " + number(hos.nli);
-  finding.reason = finding.found ? "Quadratic coupling: " + indices + peak_text(hos) + "."
-                                 : "No quadratic coupling found: " + indices + ".";
+  finding.reason = opening(finding.found, hos) + indices + peak_text(hos) + ".";
   return finding;
 }
 

@@ -13,8 +13,8 @@ using Kind = ValvePattern::Kind;
 /// Positioners hold half a percent; twice that is more than their tolerance.
 constexpr double kFaultyWidthPercent = 1.0;
 constexpr double kGoodWidthPercent = 0.5;
-/// A valve that stands still in more than a fifth of the samples in which op moves does not follow.
-constexpr double kStuckFraction = 0.2;
+/// Stickband S = width + jump. With J / S below a fifth a sticking valve is a dead band in effect.
+constexpr double kSlipShare = 0.2;
 
 /// Limits of He, Wang, Pottmann and Qin (2007) and of Horch (1999), see the notes in README.md.
 constexpr double kSineShape = 0.4;
@@ -70,15 +70,17 @@ std::optional<Vote> ellipse_vote(const loop::Shape& shape) {
 ValvePattern judge_position(const loop::Shape& shape) {
   ValvePattern pattern;
   pattern.measured = true;
+  const double width = *shape.mv_op_width;
+  const double jump = shape.mv_slip_jump.value_or(0.0);
   const double stuck = shape.mv_stuck_fraction.value_or(0.0);
-  if (*shape.mv_op_width >= kFaultyWidthPercent) {
-    pattern.kind = stuck >= kStuckFraction ? Kind::sticks : Kind::dead_band;
-  } else if (*shape.mv_op_width <= kGoodWidthPercent) {
+  if (width + jump >= kFaultyWidthPercent) {
+    pattern.kind = jump >= kSlipShare * (width + jump) ? Kind::sticks : Kind::dead_band;
+  } else if (width <= kGoodWidthPercent) {
     pattern.kind = Kind::follows;
   }
-  pattern.reasons.push_back("The mv-op plot is " + number(*shape.mv_op_width) +
-                            " % wide; the valve stands still in " + percent(stuck) +
-                            " of the samples in which op moves.");
+  pattern.reasons.push_back("The mv-op plot is " + number(width) + " % wide, mv jumps by " +
+                            number(jump) + " % when it leaves rest; it stands still in " +
+                            percent(stuck) + " of the samples in which op moves.");
   return pattern;
 }
 

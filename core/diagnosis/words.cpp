@@ -52,7 +52,7 @@ constexpr std::array kWords{
     Words{VerdictCode::unexplained, "The loop performs poorly for a reason that was not found.",
           "Look at the trends of setpoint, process variable and controller output."},
     Words{VerdictCode::insufficient_data, "The data cannot be judged.",
-          "Mend the recording of this loop's tags."},
+          "Mend what the reason names: the recording of the tags, or the controller's mode."},
 };
 
 const Words& words_of(VerdictCode code) {

@@ -52,6 +52,7 @@ Shape measure_shape(const ShapeInput& input) {
   Shape shape;
   const ValvePlot plot = measure_valve_plot(input.op_percent, input.mv_percent);
   shape.mv_op_width = plot.width;
+  shape.mv_slip_jump = plot.slip_jump;
   shape.mv_stuck_fraction = plot.stuck_fraction;
   if (!is_measurable(input.period_samples, input.pv.size())) return shape;
   if (input.op_percent.size() != input.pv.size()) return shape;

@@ -23,6 +23,9 @@ struct Shape {
   /// Mean width in op of the mv-op hysteresis at the same mv, % of op range (needs mv): the dead
   /// band, or stickband less slip jump.
   std::optional<double> mv_op_width;
+  /// Mean jump of mv, beyond op's own move, when it leaves rest, % of op range (needs mv): the
+  /// slip jump J of a sticking valve, 0 for a dead band.
+  std::optional<double> mv_slip_jump;
   /// Share of the samples with op moving in which mv stands still (needs mv), 0 to 1.
   std::optional<double> mv_stuck_fraction;
 };

@@ -96,6 +96,22 @@ std::optional<double> branch_width(const Slices& slices) {
   return width ? width : mean_width(pooled(slices));
 }
 
+std::optional<double> slip_jump_of(std::span<const double> op, std::span<const double> mv,
+                                   const signal::Spread& mv_spread) {
+  const double tolerance = valve_tolerance(mv, mv_spread);
+  Mean excess;
+  bool rested = false;
+  for (std::size_t k = 1; k < op.size(); ++k) {
+    const double mv_move = std::abs(mv[k] - mv[k - 1]);
+    const double op_move = std::abs(op[k] - op[k - 1]);
+    const bool moves = mv_move > tolerance;
+    if (moves && rested && std::isfinite(op_move)) excess.add(mv_move - op_move);
+    rested = std::isfinite(mv_move) && !moves;
+  }
+  if (!(excess.count > 0.0)) return std::nullopt;
+  return if_finite(std::max(0.0, excess.value()));
+}
+
 std::optional<double> stuck_fraction_of(std::span<const double> op, std::span<const double> mv,
                                         const signal::Spread& mv_spread) {
   const double op_tolerance = move_tolerance(op);
@@ -123,7 +139,7 @@ ValvePlot measure_valve_plot(std::span<const double> op, std::span<const double>
       mv_spread->constant()) {
     return {};
   }
-  return {branch_width(collect_branches(op, mv, *mv_spread)),
+  return {branch_width(collect_branches(op, mv, *mv_spread)), slip_jump_of(op, mv, *mv_spread),
           stuck_fraction_of(op, mv, *mv_spread)};
 }
 

@@ -11,6 +11,9 @@ struct ValvePlot {
   /// same mv (at any mv where they share none), in units of op: the dead band, or stickband less
   /// slip jump (S - J) of a sticking valve. nullopt when mv moves in one direction only.
   std::optional<double> width;
+  /// Mean move of mv in excess of op's own move at the first sample after a rest, >= 0: the slip
+  /// jump of a sticking valve, none for a dead band. nullopt when mv never leaves a rest.
+  std::optional<double> slip_jump;
   /// Share of the samples with op moving in which mv stands still, 0 to 1.
   std::optional<double> stuck_fraction;
 };

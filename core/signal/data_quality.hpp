@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,10 +10,11 @@ namespace loopscope::core::signal {
 /// Whether a window can be judged, and what is odd about it.
 struct DataQuality {
   bool usable = false;
-  std::string reason;                         ///< why not, in plain words; empty when usable
-  std::vector<std::string> flags;             ///< e.g. "short", "sp_missing", "op_range_unknown"
-  std::optional<double> missing_fraction;     ///< of the pv samples, 0 to 1
-  std::optional<double> compression_factor;   ///< samples per renewal of pv, >= 1
+  std::string reason;                        ///< why not, in plain words; empty when usable
+  std::vector<std::string> flags;            ///< e.g. "short", "sp_missing", "op_range_unknown"
+  std::size_t repeated_times = 0;            ///< rows dropped because a later row had the same time
+  std::optional<double> missing_fraction;    ///< of the pv samples, 0 to 1
+  std::optional<double> compression_factor;  ///< samples per renewal of pv, >= 1
   std::optional<double> quantisation_factor;  ///< grid step of pv / its standard deviation
   std::optional<double> saturated_fraction;   ///< of op at a limit of its range, 0 to 1
 };

@@ -22,6 +22,10 @@ constexpr double kCoarseQuantisation = 0.4;
 /// 2004).
 constexpr double kStaleFactor = 3.0;
 
+/// A mean error of so many standard deviations is no control error: the controller is not in
+/// command (override, protection) or has no integral action and no room.
+constexpr double kFarFromSetpoint = 5.0;
+
 /// A setpoint that moves in more than half of the samples comes from another controller.
 constexpr double kMovingSetpoint = 0.5;
 
@@ -64,6 +68,10 @@ std::string unusable_reason(const PreparedLoop& loop, double missing,
   const std::optional<Spread> pv = measure_spread(loop.pv);
   if (!pv) return "pv has no usable sample";
   if (pv->constant()) return "pv is constant";
+  const double manual = manual_fraction(loop.mode);
+  if (manual > kMostlyManual) {
+    return "the controller was in manual for " + percent_text(manual) + " of the window";
+  }
   const std::size_t usable = count_recorded(loop.error);
   if (usable < settings.min_usable_samples) {
     return std::to_string(usable) + " usable samples, at least " +
@@ -73,11 +81,12 @@ std::string unusable_reason(const PreparedLoop& loop, double missing,
     return percent_text(missing) + " of the pv samples are missing, at most " +
            percent_text(settings.max_missing_fraction) + " may be";
   }
-  const double manual = manual_fraction(loop.mode);
-  if (manual > kMostlyManual) {
-    return "the controller was in manual for " + percent_text(manual) + " of the window";
-  }
   return {};
+}
+
+bool far_from_setpoint(const Samples& error) {
+  const std::optional<Spread> spread = measure_spread(error);
+  return spread && !spread->constant() && std::abs(spread->mean) > kFarFromSetpoint * spread->std;
 }
 
 std::optional<double> quantisation_factor(const Samples& pv) {
@@ -111,6 +120,8 @@ void raise_flags(const PreparedLoop& loop, DataQuality& quality) {
   Flags flags(quality.flags);
   flags.add(count_recorded(loop.sp) == 0, "sp_missing");
   flags.add(share_of_moves(loop.sp) > kMovingSetpoint, "sp_moving");
+  flags.add(far_from_setpoint(loop.error), "sp_not_followed");
+  flags.add(loop.spikes > 0, "pv_spikes");
   flags.add(pv && pv->constant(), "pv_constant");
   flags.add(quality.quantisation_factor.value_or(0.0) > kCoarseQuantisation, "pv_quantised");
   flags.add(quality.compression_factor.value_or(1.0) >= kStaleFactor, "pv_held");
@@ -127,6 +138,7 @@ void raise_flags(const PreparedLoop& loop, DataQuality& quality) {
 DataQuality judge_quality(const PreparedLoop& loop, const PrepareSettings& settings) {
   DataQuality quality;
   const double missing = 1.0 - share(loop.pv_recorded, loop.pv.size());
+  quality.repeated_times = loop.repeated_times;
   quality.missing_fraction = missing;
   quality.quantisation_factor = quantisation_factor(loop.pv);
   quality.compression_factor =

@@ -8,8 +8,9 @@ namespace loopscope::core::signal {
 /// Whether the prepared window can carry an analysis, and what is odd about it. Reads everything of
 /// `loop` but its `quality`.
 ///
-/// Flags: sp_missing, sp_moving (cascade or ratio), pv_constant, pv_quantised, pv_held, pv_frozen,
-/// op_missing, op_constant, op_range_unknown, manual_mode, repeated_times.
+/// Flags: sp_missing, sp_moving (cascade or ratio), sp_not_followed, pv_spikes, pv_constant,
+/// pv_quantised, pv_held, pv_frozen, op_missing, op_constant, op_range_unknown, manual_mode,
+/// repeated_times.
 [[nodiscard]] DataQuality judge_quality(const PreparedLoop& loop, const PrepareSettings& settings);
 
 }  // namespace loopscope::core::signal

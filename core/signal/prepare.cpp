@@ -5,6 +5,7 @@
 #include "core/signal/gaps.hpp"
 #include "core/signal/judge_quality.hpp"
 #include "core/signal/op_scale.hpp"
+#include "core/signal/spikes.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
@@ -49,6 +50,13 @@ Samples control_error(const Samples& sp, const Samples& pv) {
   return error;
 }
 
+/// With the controller in manual the error is not that of a control loop.
+void mask_manual(const std::vector<ControlMode>& mode, Samples& error) {
+  for (std::size_t k = 0; k < mode.size(); ++k) {
+    if (mode[k] == ControlMode::manual) error[k] = kMissing;
+  }
+}
+
 void scale_output(const LoopWindow& window, const PrepareSettings& settings, PreparedLoop& loop) {
   const Samples op = bridged(cut(window.op, settings), settings);
   const std::optional<OpRange> range = resolve_op_range(op, window.op_range);
@@ -69,10 +77,12 @@ PreparedLoop prepare(const LoopWindow& window, const PrepareSettings& settings) 
   loop.mode = last_of(window.mode, settings.window_samples);
   loop.pv = cut(window.pv, settings);
   loop.pv_recorded = count_recorded(loop.pv);
+  loop.spikes = discard_spikes(loop.pv);
   bridge_gaps(loop.pv, settings.max_filled_gap);
   loop.sp = cut(window.sp, settings);
   hold_gaps(loop.sp, settings.max_filled_gap);
   loop.error = control_error(loop.sp, loop.pv);
+  mask_manual(loop.mode, loop.error);
   scale_output(window, settings, loop);
   loop.quality = judge_quality(loop, settings);
   return loop;

@@ -19,14 +19,15 @@ struct PrepareSettings {
 /// A window made ready for the numerics: the error signal, op in percent, and what was found odd.
 struct PreparedLoop {
   double sample_interval_s = 1.0;
-  Samples error;       ///< sp - pv (mean(pv) - pv without sp), pv units; NaN = missing
+  Samples error;       ///< sp - pv (mean(pv) - pv without sp), pv units; NaN = missing or manual
   Samples sp;          ///< gaps of up to max_filled_gap held, else NaN; empty = not recorded
-  Samples pv;          ///< gaps of up to max_filled_gap bridged, else NaN
+  Samples pv;          ///< spikes and gaps of up to max_filled_gap bridged, else NaN
   Samples op_percent;  ///< % of range; op units when `op_range_known` is false; empty = no op
   Samples mv_percent;  ///< likewise
   std::vector<ControlMode> mode;
   std::size_t pv_recorded = 0;     ///< pv samples before any gap was bridged
   std::size_t repeated_times = 0;  ///< rows dropped because a later row had the same time
+  std::size_t spikes = 0;          ///< pv samples taken for outliers
   bool op_range_known = false;
   bool op_moves = false;  ///< op was recorded and is not constant
   DataQuality quality;

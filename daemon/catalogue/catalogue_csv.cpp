@@ -1,6 +1,8 @@
 #include "daemon/catalogue/catalogue_csv.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -16,8 +18,14 @@ using storage::CatalogueEntry;
 std::vector<const EntryField*> fields_of(const CsvTable& table) {
   std::vector<const EntryField*> fields;
   for (const std::string& column : table.header) {
-    fields.push_back(find_entry_field(column));
-    if (fields.back() != nullptr) continue;
+    const EntryField* field = find_entry_field(column);
+    if (field != nullptr && std::find(fields.begin(), fields.end(), field) != fields.end()) {
+      throw Failure(ExitCode::unusable_data,
+                    fmt::format("{}, line 1: column \"{}\" stands twice", table.name, column),
+                    "leave one of them out");
+    }
+    fields.push_back(field);
+    if (field != nullptr) continue;
     throw Failure(ExitCode::unusable_data,
                   fmt::format("{}, line 1: unknown column \"{}\"", table.name, column),
                   "`loopscope loops export -` shows the columns");
@@ -39,12 +47,24 @@ void with_place(const CsvTable& table, std::size_t line, std::string_view column
 CatalogueEntry entry_of(const CsvTable& table, const CsvTable::Row& row,
                         const std::vector<const EntryField*>& fields, CatalogueEntry entry) {
   for (std::size_t k = 0; k < fields.size(); ++k) {
-    if (trimmed(row.cells[k]).empty()) continue;
+    if (trimmed(row.cells[k]).empty() && !can_be_empty(*fields[k])) continue;
     with_place(table, row.line, fmt::format(", column {}", fields[k]->name),
                [&] { fields[k]->write(entry, row.cells[k]); });
   }
   with_place(table, row.line, "", [&] { check_entry(entry); });
   return entry;
+}
+
+/// The entry that a row starts from: the stored loop of its name, else the defaults.
+CatalogueEntry start_of(const CsvTable::Row& row, const std::vector<const EntryField*>& fields,
+                        const CatalogueEntry& defaults,
+                        const std::map<std::string, CatalogueEntry>& stored) {
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    if (fields[k]->name != "name") continue;
+    const auto known = stored.find(row.cells[k]);
+    return known == stored.end() ? defaults : known->second;
+  }
+  return defaults;
 }
 
 }  // namespace
@@ -68,12 +88,15 @@ std::string catalogue_csv(std::span<const CatalogueEntry> entries) {
   return text;
 }
 
-std::vector<CatalogueEntry> parse_catalogue(const CsvTable& table, const CatalogueEntry& defaults) {
+std::vector<CatalogueEntry> parse_catalogue(const CsvTable& table, const CatalogueEntry& defaults,
+                                            std::span<const CatalogueEntry> stored) {
+  std::map<std::string, CatalogueEntry> by_name;
+  for (const CatalogueEntry& entry : stored) by_name[entry.name] = entry;
   const std::vector<const EntryField*> fields = fields_of(table);
   std::vector<CatalogueEntry> entries;
   std::set<std::string> names;
   for (const CsvTable::Row& row : table.rows) {
-    entries.push_back(entry_of(table, row, fields, defaults));
+    entries.push_back(entry_of(table, row, fields, start_of(row, fields, defaults, by_name)));
     with_place(table, row.line, "", [&] {
       if (names.insert(entries.back().name).second) return;
       throw std::invalid_argument(fmt::format("\"{}\" stands twice", entries.back().name));

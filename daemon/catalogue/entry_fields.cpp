@@ -1,5 +1,6 @@
 #include "daemon/catalogue/entry_fields.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -31,10 +32,22 @@ double number_in(std::string_view text) {
   return *value;
 }
 
-double positive_number_in(std::string_view text) {
+struct Limits {
+  double low;
+  double high;
+  const char* unit;
+};
+
+/// A period under a second only floods the results; beyond a month nothing is monitored.
+constexpr Limits kPeriod{1.0, 2'592'000.0, "s"};
+constexpr Limits kInterval{0.001, 86'400.0, "s"};
+constexpr Limits kImportance{0.001, 1000.0, "(factor)"};
+
+double limited_number_in(std::string_view text, const Limits& limits) {
   const double value = number_in(text);
-  if (value <= 0.0) throw std::invalid_argument(fmt::format("{} is not above 0", text));
-  return value;
+  if (value >= limits.low && value <= limits.high) return value;
+  throw std::invalid_argument(
+      fmt::format("{} is out of range, {} to {} {}", text, limits.low, limits.high, limits.unit));
 }
 
 template <double CatalogueEntry::*Member>
@@ -42,9 +55,9 @@ std::string read_number(const CatalogueEntry& entry) {
   return fmt::format("{}", entry.*Member);
 }
 
-template <double CatalogueEntry::*Member>
-void write_positive(CatalogueEntry& entry, std::string_view text) {
-  entry.*Member = positive_number_in(text);
+template <double CatalogueEntry::*Member, const Limits& Range>
+void write_limited(CatalogueEntry& entry, std::string_view text) {
+  entry.*Member = limited_number_in(text, Range);
 }
 
 std::string read_interval(const CatalogueEntry& entry) {
@@ -53,7 +66,7 @@ std::string read_interval(const CatalogueEntry& entry) {
 
 void write_interval(CatalogueEntry& entry, std::string_view text) {
   entry.interval_s.reset();
-  if (!trimmed(text).empty()) entry.interval_s = positive_number_in(text);
+  if (!trimmed(text).empty()) entry.interval_s = limited_number_in(text, kInterval);
 }
 
 template <double core::signal::OpRange::*End>
@@ -103,19 +116,20 @@ constexpr std::array kFields{
                write_text<&CatalogueEntry::mv_tag>},
     EntryField{"mode_tag", "mode tag (0 manual, 1 automatic, 2 cascade)",
                read_text<&CatalogueEntry::mode_tag>, write_text<&CatalogueEntry::mode_tag>},
-    EntryField{"interval_s", "sample interval, seconds; empty = found from the rows", read_interval,
-               write_interval},
-    EntryField{"period_s", "seconds between two analyses", read_number<&CatalogueEntry::period_s>,
-               write_positive<&CatalogueEntry::period_s>},
+    EntryField{"interval_s", "sample interval, 0.001 to 86400 seconds; empty = found from the rows",
+               read_interval, write_interval},
+    EntryField{"period_s", "seconds between two analyses, 1 to 2592000",
+               read_number<&CatalogueEntry::period_s>,
+               write_limited<&CatalogueEntry::period_s, kPeriod>},
     EntryField{"op_low", "controller output at 0 %", read_op_end<&OpRange::low>,
                write_op_end<&OpRange::low>},
     EntryField{"op_high", "controller output at 100 %", read_op_end<&OpRange::high>,
                write_op_end<&OpRange::high>},
-    EntryField{"loop_type", "flow, pressure, level, temperature, ...",
+    EntryField{"loop_type", "flow, pressure, temperature, ...; level = integrating",
                read_text<&CatalogueEntry::loop_type>, write_text<&CatalogueEntry::loop_type>},
-    EntryField{"importance", "weight in the ranking, above 0",
+    EntryField{"importance", "weight in the ranking, 0.001 to 1000",
                read_number<&CatalogueEntry::importance>,
-               write_positive<&CatalogueEntry::importance>},
+               write_limited<&CatalogueEntry::importance, kImportance>},
     EntryField{"enabled", "true or false", read_enabled, write_enabled},
 };
 
@@ -132,9 +146,18 @@ const EntryField* find_entry_field(std::string_view name) {
   return nullptr;
 }
 
+bool can_be_empty(const EntryField& field) {
+  constexpr std::string_view kFilled[] = {"source", "period_s", "importance", "enabled"};
+  return std::find(std::begin(kFilled), std::end(kFilled), field.name) == std::end(kFilled);
+}
+
 void check_entry(const CatalogueEntry& entry) {
   if (entry.name.empty()) throw std::invalid_argument("the name is empty");
   if (entry.pv_tag.empty()) throw std::invalid_argument("the pv tag is empty");
+  static_cast<void>(limited_number_in(fmt::format("{}", entry.period_s), kPeriod));
+  if (entry.interval_s) {
+    static_cast<void>(limited_number_in(fmt::format("{}", *entry.interval_s), kInterval));
+  }
   if (entry.op_range && !(entry.op_range->low < entry.op_range->high)) {
     throw std::invalid_argument("op_low and op_high need both ends, low below high");
   }

@@ -24,8 +24,12 @@ struct EntryField {
 /// The field of that name; nullptr when there is none.
 [[nodiscard]] const EntryField* find_entry_field(std::string_view name);
 
-/// Rules across fields: a name, a pv tag, both ends of the op range or none. Throws
-/// std::invalid_argument.
+/// Whether an empty text says "none" for this field (a tag, a range); where it cannot, an empty
+/// cell leaves the field as it is.
+[[nodiscard]] bool can_be_empty(const EntryField& field);
+
+/// Rules for the whole entry: a name, a pv tag, period and interval in range, both ends of the op
+/// range or none. Throws std::invalid_argument.
 void check_entry(const storage::CatalogueEntry& entry);
 
 }  // namespace loopscope::daemon

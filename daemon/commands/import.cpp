@@ -1,11 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "config/read_settings.hpp"
 #include "core/signal/grid.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
 #include "daemon/failure.hpp"
@@ -94,13 +97,43 @@ void shift(LoopRows& rows, std::int64_t by_us) {
   }
 }
 
-void require_no_history(storage::HistorianReader& historian, const CatalogueEntry& entry) {
-  const auto newest = historian.newest(std::vector{entry.pv_tag}, historian.now_us());
-  if (!newest.front()) return;
-  throw Failure(ExitCode::usage,
-                fmt::format("tag \"{}\" already has rows up to {}", entry.pv_tag,
-                            format_time(*newest.front())),
-                "give --end TIME to place this recording, with --replace where it overlaps");
+/// Refuses to lay a recording over rows that are there: any row for one that seeks its own place,
+/// rows from its first sample on for one whose times are given.
+void require_no_history(storage::HistorianReader& historian, const CatalogueEntry& entry,
+                        std::int64_t from_us, std::int64_t to_us) {
+  const auto newest = historian.newest(std::vector{entry.pv_tag}, to_us).front();
+  if (!newest || *newest < from_us) return;
+  throw Failure(
+      ExitCode::usage,
+      fmt::format("tag \"{}\" already has rows up to {}", entry.pv_tag, format_time(*newest)),
+      "give --end TIME to place a recording with t_s, --replace to overwrite rows");
+}
+
+/// Gives a recording that counts seconds from its own start its place in time.
+void place(const ImportOptions& options, const config::Settings& settings,
+           const CatalogueEntry& entry, storage::HistorianReader& historian, Recording& recording) {
+  const std::int64_t now_us = historian.now_us();
+  const auto& times = recording.rows.pv.time_us;
+  if (!recording.absolute_time) {
+    if (options.end.empty()) {
+      require_no_history(historian, entry, std::numeric_limits<std::int64_t>::min(), now_us);
+    }
+    shift(recording.rows,
+          end_time(options, entry, now_us, settings.schedule.settle_s) - times.back());
+  } else if (!options.end.empty()) {
+    throw Failure(ExitCode::usage, options.file + ": --end with a file that has its own times",
+                  "leave --end out: it places files with t_s");
+  }
+  if (!options.replace) require_no_history(historian, entry, times.front(), times.back());
+}
+
+void require_sound(const CatalogueEntry& entry) {
+  try {
+    check_entry(entry);
+  } catch (const std::invalid_argument& problem) {
+    throw Failure(ExitCode::usage, fmt::format("loop \"{}\": {}", entry.name, problem.what()),
+                  "see loopscope import --help");
+  }
 }
 
 std::vector<storage::TagRows> tag_rows(const CatalogueEntry& entry, LoopRows& rows) {
@@ -122,16 +155,15 @@ void import_recording(const ImportOptions& options) {
   storage::Catalogue catalogue(owner_connection(settings));
   const CatalogueEntry entry =
       entry_for(options, settings, recording, catalogue.find(options.loop));
+  require_sound(entry);
+  // Saving nothing asks for the same rights: rows without a loop are not left behind.
+  catalogue.save({});
   const config::HistorianSettings& source = find_historian(settings, entry.source);
   const auto writer = historian_writer_connection(source);
   const storage::NarrowLayout layout = historian_layout(source);
   if (options.create_table) storage::create_historian_table(writer, layout);
   storage::HistorianReader historian(historian_connection(source), layout);
-  if (!recording.absolute_time) {
-    if (options.end.empty()) require_no_history(historian, entry);
-    shift(recording.rows, end_time(options, entry, historian.now_us(), settings.schedule.settle_s) -
-                              recording.rows.pv.time_us.back());
-  }
+  place(options, settings, entry, historian, recording);
   const std::size_t rows =
       storage::import_rows(writer, layout, tag_rows(entry, recording.rows), options.replace);
   catalogue.save(std::vector{entry});

@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/output/write_file.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "storage/results/catalogue.hpp"
 
@@ -68,11 +68,7 @@ void export_csv(const LoopsOptions& options) {
     std::cout << text;
     return;
   }
-  std::ofstream stream(options.file, std::ios::binary);
-  if (!(stream << text).flush()) {
-    throw Failure(ExitCode::usage, options.file + ": the file cannot be written",
-                  "check the folder and its permissions, or write to - (standard output)");
-  }
+  write_file(options.file, text);
 }
 
 void require_known_sources(const Opened& opened, const std::vector<CatalogueEntry>& entries) {
@@ -84,18 +80,30 @@ void require_known_sources(const Opened& opened, const std::vector<CatalogueEntr
 void load_csv(const LoopsOptions& options) {
   const CsvTable table = read_csv(options.file);
   Opened opened = open(options);
-  const auto entries = parse_catalogue(table, defaults_of(opened.settings));
+  const auto entries =
+      parse_catalogue(table, defaults_of(opened.settings), opened.catalogue.list());
   require_known_sources(opened, entries);
   const std::size_t added = opened.catalogue.save(entries);
   std::cout << fmt::format("{} loops added, {} changed\n", added, entries.size() - added);
 }
 
+std::string option_of(std::string_view field) {
+  std::string option = "--" + std::string(field);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
+
 void apply_fields(const LoopsOptions& options, CatalogueEntry& entry) {
+  std::string place;
   try {
-    for (const auto& [name, text] : options.fields) find_entry_field(name)->write(entry, text);
+    for (const auto& [name, text] : options.fields) {
+      place = option_of(name);
+      find_entry_field(name)->write(entry, text);
+    }
+    place = fmt::format("loop \"{}\"", entry.name);
     check_entry(entry);
   } catch (const std::invalid_argument& problem) {
-    throw Failure(ExitCode::usage, fmt::format("loop \"{}\": {}", entry.name, problem.what()),
+    throw Failure(ExitCode::usage, fmt::format("{}: {}", place, problem.what()),
                   "see loopscope loops add --help");
   }
 }
@@ -141,10 +149,8 @@ void switch_loops(const LoopsOptions& options, bool enabled) {
 void add_field_options(CLI::App& command, const Options& options) {
   for (const EntryField& field : entry_fields()) {
     if (field.name == "name") continue;
-    std::string flag = "--" + std::string(field.name);
-    std::replace(flag.begin(), flag.end(), '_', '-');
     command.add_option_function<std::string>(
-        flag,
+        option_of(field.name),
         [options, name = std::string(field.name)](const std::string& text) {
           options->fields[name] = text;
         },

@@ -1,4 +1,7 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <fmt/format.h>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -12,12 +15,34 @@
 namespace loopscope::daemon {
 namespace {
 
+std::string pass_text(const PassResult& pass) {
+  std::string text = count_text(pass.count);
+  const std::size_t left = pass.enabled - std::min(pass.enabled, pass.loops);
+  if (left > 0 && pass.signal == 0) {
+    text += fmt::format("; {} more are held by other workers or by leases that have not ended yet",
+                        left);
+  } else if (left > 0) {
+    text += fmt::format("; stopped by a signal, {} more are left for the next pass", left);
+  }
+  return text;
+}
+
 void once(const std::string& config_file) {
   const auto settings =
       std::make_shared<const config::Settings>(config::read_settings(config_file));
   set_up_log(settings->daemon);
-  const storage::WriteCount count = run_pass(settings);
-  std::cout << count_text(count) << '\n';
+  const PassResult pass = run_pass(settings);
+  std::cout << pass_text(pass) << std::endl;
+  if (pass.signal != 0) {
+    // Whoever waits for this program learns from its end that the pass is not whole.
+    std::signal(pass.signal, SIG_DFL);
+    std::raise(pass.signal);
+  }
+  if (!pass.first_failure) return;
+  throw Failure(pass.first_failure->exit_code(),
+                fmt::format("{} loops were set aside, the first because: {}", pass.count.failed,
+                            pass.first_failure->what()),
+                pass.first_failure->hint());
 }
 
 }  // namespace

@@ -27,13 +27,16 @@ class Pass {
         workers_left_(worker_count(settings_->daemon)),
         pool_(workers_left_) {}
 
-  storage::WriteCount run() {
+  PassResult run() {
     Worker scout(settings_, worker_name(0), SlotRule::newest_sample, faults_);
-    ProgressBar bar(scout.with_results(
-        [](storage::ResultsDatabase& database) { return database.count_enabled_loops(); }));
+    result_.enabled = scout.with_results(
+        [](storage::ResultsDatabase& database) { return database.count_enabled_loops(); });
+    ProgressBar bar(result_.enabled);
     bar_ = &bar;
-    signals_.async_wait([this](const auto& error, int) {
-      if (!error) stopping_ = true;
+    signals_.async_wait([this](const auto& error, int signal) {
+      if (error) return;
+      stopping_ = true;
+      result_.signal = signal;
     });
     for (std::size_t index = 0; index < workers_left_; ++index) {
       asio::post(pool_, [this, index] { work(index); });
@@ -44,7 +47,7 @@ class Pass {
     context_.restart();
     context_.run();
     if (error_) std::rethrow_exception(error_);
-    return sum_;
+    return result_;
   }
 
  private:
@@ -55,6 +58,9 @@ class Pass {
         const storage::WriteCount count = worker.process(claims);
         asio::post(context_, [this, count, loops = claims.size()] { account(count, loops); });
       }
+      asio::post(context_, [this, failure = worker.first_failure()] {
+        if (!result_.first_failure) result_.first_failure = failure;
+      });
     } catch (...) {
       stopping_ = true;
       asio::post(context_, [this, error = std::current_exception()] {
@@ -78,7 +84,8 @@ class Pass {
   }
 
   void account(const storage::WriteCount& count, std::size_t loops) {
-    add(sum_, count);
+    add(result_.count, count);
+    result_.loops += loops;
     bar_->advance(loops);
   }
 
@@ -91,14 +98,14 @@ class Pass {
   std::mutex cursor_mutex_;
   std::int64_t cursor_ = 0;
   std::atomic<bool> stopping_ = false;
-  storage::WriteCount sum_;
+  PassResult result_;
   std::exception_ptr error_;
   ProgressBar* bar_ = nullptr;
 };
 
 }  // namespace
 
-storage::WriteCount run_pass(const std::shared_ptr<const config::Settings>& settings) {
+PassResult run_pass(const std::shared_ptr<const config::Settings>& settings) {
   return Pass(settings).run();
 }
 

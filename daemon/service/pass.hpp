@@ -1,15 +1,28 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "config/settings.hpp"
+#include "daemon/failure.hpp"
 #include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
 
-/// One full pass over all enabled loops on all workers, with a progress bar on a terminal. SIGTERM
-/// or SIGINT finishes what is in hand and ends early. Throws the first storage::DatabaseError of
-/// the results database after every worker has stopped.
-storage::WriteCount run_pass(const std::shared_ptr<const config::Settings>& settings);
+/// What a pass did.
+struct PassResult {
+  storage::WriteCount count;
+  std::size_t loops = 0;                 ///< brought to their end by this pass
+  std::size_t enabled = 0;               ///< in the catalogue when it began
+  int signal = 0;                        ///< SIGTERM or SIGINT that ended it early; 0 = none
+  std::optional<Failure> first_failure;  ///< why loops were set aside; nullopt = none was
+};
+
+/// One full pass over all enabled loops on all workers, with a progress bar on a terminal. Loops
+/// that another worker holds are left to it. SIGTERM or SIGINT finishes what is in hand and ends
+/// early. Throws the first storage::DatabaseError of the results database after every worker has
+/// stopped.
+[[nodiscard]] PassResult run_pass(const std::shared_ptr<const config::Settings>& settings);
 
 }  // namespace loopscope::daemon

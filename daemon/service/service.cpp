@@ -119,7 +119,7 @@ class Service {
       }
       faults_.recovered("results database");
     } catch (const storage::DatabaseError& error) {
-      faults_.fault("results database", std::string(error.what()) + " (" + error.hint() + ")");
+      faults_.fault("results database", std::string(error.what()) + " HINT: " + error.hint());
     } catch (const std::exception& error) {
       faults_.fault("worker", error.what());
     }

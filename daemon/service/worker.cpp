@@ -15,6 +15,10 @@ namespace {
 using storage::ClaimedLoop;
 using Claims = std::vector<const ClaimedLoop*>;
 
+/// The loops of a historian that is away are not at fault: their pause does not grow, so that they
+/// go on soon after it is back.
+constexpr double kSourcePause_s = 30.0;
+
 std::map<std::string, Claims> by_source(const std::vector<ClaimedLoop>& claims) {
   std::map<std::string, Claims> groups;
   for (const ClaimedLoop& claim : claims) groups[claim.loop.source].push_back(&claim);
@@ -83,12 +87,24 @@ storage::WriteCount Worker::process(const std::vector<ClaimedLoop>& claims) {
   });
 }
 
-void Worker::fetch(const std::string& source, const Claims& claims, Batch& batch) {
-  const auto start = std::chrono::steady_clock::now();
+std::vector<LoopWindowAtSlot> Worker::read(const std::string& source, const Claims& claims) {
   const WindowSettings window_settings{settings_->analysis.prepare.window_samples,
                                        settings_->schedule.settle_s, slot_rule_};
+  const bool fresh = historians_.find(source) == historians_.end();
   try {
-    auto windows = read_windows(historian(source), claims, window_settings);
+    return read_windows(historian(source), claims, window_settings);
+  } catch (const storage::DatabaseError& error) {
+    historians_.erase(source);
+    // A connection that died while it was idle says nothing about the server: one new one is tried.
+    if (fresh || error.remedy() != storage::Remedy::reconnect) throw;
+  }
+  return read_windows(historian(source), claims, window_settings);
+}
+
+void Worker::fetch(const std::string& source, const Claims& claims, Batch& batch) {
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    auto windows = read(source, claims);
     const double fetch_ms = milliseconds_since(start) / static_cast<double>(claims.size());
     for (std::size_t k = 0; k < claims.size(); ++k) {
       batch.fetched.push_back({claims[k], std::move(windows[k]), fetch_ms});
@@ -96,18 +112,18 @@ void Worker::fetch(const std::string& source, const Claims& claims, Batch& batch
     faults_.recovered("historian " + source);
   } catch (const storage::DatabaseError& error) {
     historians_.erase(source);
-    set_aside(source, error.what(), error.hint(), claims, batch);
+    set_aside(source, {ExitCode::database, error.what(), error.hint()}, claims, batch);
   } catch (const Failure& failure) {
-    set_aside(source, failure.what(), failure.hint(), claims, batch);
+    set_aside(source, failure, claims, batch);
   }
 }
 
-void Worker::set_aside(const std::string& source, const std::string& error, const std::string& hint,
-                       const Claims& claims, Batch& batch) {
-  faults_.fault("historian " + source, error + " (" + hint + ")");
+void Worker::set_aside(const std::string& source, const Failure& failure, const Claims& claims,
+                       Batch& batch) {
+  faults_.fault("historian " + source, std::string(failure.what()) + " HINT: " + failure.hint());
+  if (!first_failure_) first_failure_ = failure;
   for (const ClaimedLoop* claim : claims) {
-    batch.failed.push_back(
-        {claim->loop.loop_id, claim->fence, error, retry_pause_s(claim->attempts)});
+    batch.failed.push_back({claim->loop.loop_id, claim->fence, failure.what(), kSourcePause_s});
   }
 }
 
@@ -138,6 +154,10 @@ void Worker::analyse_loop(const Fetched& fetched, const std::string& stored_dige
     batch.completed.push_back(std::move(completed));
   } catch (const std::exception& error) {
     spdlog::error("loop \"{}\" could not be analysed: {}", loop.name, error.what());
+    if (!first_failure_) {
+      first_failure_ = Failure(ExitCode::fault, "loop \"" + loop.name + "\": " + error.what(),
+                               "this is a fault in the program: please report it");
+    }
     batch.failed.push_back(
         {loop.loop_id, fetched.claim->fence, error.what(), retry_pause_s(fetched.claim->attempts)});
   }

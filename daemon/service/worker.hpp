@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/settings.hpp"
+#include "daemon/failure.hpp"
 #include "daemon/service/fault_log.hpp"
 #include "daemon/service/slot.hpp"
 #include "daemon/service/window_reader.hpp"
@@ -36,6 +37,8 @@ class Worker {
   [[nodiscard]] const std::shared_ptr<const config::Settings>& settings() const {
     return settings_;
   }
+  /// Why loops were set aside, the first time that any was; nullopt = none was.
+  [[nodiscard]] const std::optional<Failure>& first_failure() const { return first_failure_; }
   /// Calls `use(storage::ResultsDatabase&)`, connecting when there is no connection; a dead one is
   /// forgotten before its error goes on.
   template <typename Use>
@@ -65,7 +68,9 @@ class Worker {
   storage::HistorianReader& historian(const std::string& source);
   void fetch(const std::string& source, const std::vector<const storage::ClaimedLoop*>& claims,
              Batch& batch);
-  void set_aside(const std::string& source, const std::string& error, const std::string& hint,
+  std::vector<LoopWindowAtSlot> read(const std::string& source,
+                                     const std::vector<const storage::ClaimedLoop*>& claims);
+  void set_aside(const std::string& source, const Failure& failure,
                  const std::vector<const storage::ClaimedLoop*>& claims, Batch& batch);
   void analyse(Batch& batch);
   void analyse_loop(const Fetched& fetched, const std::string& stored_digest, Batch& batch);
@@ -75,6 +80,7 @@ class Worker {
   std::string owner_;
   SlotRule slot_rule_;
   FaultLog& faults_;
+  std::optional<Failure> first_failure_;
   std::optional<storage::ResultsDatabase> results_;
   std::map<std::string, storage::HistorianReader> historians_;
 };

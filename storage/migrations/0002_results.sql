@@ -70,6 +70,7 @@ CREATE TABLE loopscope.analysis (
   ellipse_stiction   double precision,
   ellipse_r2         double precision,
   mv_op_width        double precision,
+  mv_slip_jump       double precision,
   mv_stuck_fraction  double precision,
 
   model_error_kind             text,

@@ -60,6 +60,7 @@ COMMENT ON COLUMN loopscope.analysis.shape_index IS 'Triangular (1) or sinusoida
 COMMENT ON COLUMN loopscope.analysis.ellipse_stiction IS 'Apparent stiction from the pv-op ellipse, % of op span';
 COMMENT ON COLUMN loopscope.analysis.ellipse_r2 IS 'Quality of the pv-op ellipse, below 0.5 = inconclusive';
 COMMENT ON COLUMN loopscope.analysis.mv_op_width IS 'Width of the mv-op hysteresis, % of op range';
+COMMENT ON COLUMN loopscope.analysis.mv_slip_jump IS 'Mean jump of mv beyond op''s own move when it leaves rest, % of op range: the slip jump of a sticking valve';
 COMMENT ON COLUMN loopscope.analysis.mv_stuck_fraction IS 'Share of samples in which op moves and mv stands still, 0 to 1';
 COMMENT ON COLUMN loopscope.analysis.model_error_kind IS 'Kind of all model errors of this row: one_step, simulation or another documented one; null = no model';
 COMMENT ON COLUMN loopscope.analysis.model_noise_floor IS 'What a perfect model would leave, pv units squared';

@@ -166,6 +166,7 @@ const std::array kColumns{
     Column{"ellipse_stiction", "float8", shape<&Shape::ellipse_stiction>},
     Column{"ellipse_r2", "float8", shape<&Shape::ellipse_r2>},
     Column{"mv_op_width", "float8", shape<&Shape::mv_op_width>},
+    Column{"mv_slip_jump", "float8", shape<&Shape::mv_slip_jump>},
     Column{"mv_stuck_fraction", "float8", shape<&Shape::mv_stuck_fraction>},
 };
 

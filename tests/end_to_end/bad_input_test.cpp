@@ -65,7 +65,7 @@ TEST_F(BadInput, TheHistoriansTableIsMissing) {
   plant_.import_loop("FIC101");
   plant_.sql("drop table history");
   const ProgramResult pass = plant_.loopscope("once");
-  EXPECT_THAT(pass.err, HasSubstr("history"));
+  expect_error(pass, 4, "history");
   EXPECT_THAT(pass.out, HasSubstr("1 set aside"));
   EXPECT_EQ(plant_.loopscope("check-config").exit_code, 4);
   expect_nothing_stored();
@@ -92,8 +92,28 @@ TEST_F(BadInput, ImportRefusesWhatItCannotPlace) {
   expect_error(plant_.loopscope("import", {"--loop", "X", write("bad.csv", "t_s,pv\n0,1\n1,x\n")}),
                5, "line 3");
   expect_error(plant_.loopscope("import", {"--loop", "X", "--source", "moon", file}), 3, "moon");
+  expect_error(plant_.loopscope("import", {"--loop", "", file}), 2, "name is empty");
+  expect_error(plant_.loopscope("import", {"--loop", "X", "--period-s", "3e13", file}), 2, "range");
   EXPECT_EQ(plant_.sql(count), before);
   EXPECT_EQ(plant_.sql("select count(*) from loopscope.loop"), "1");
+}
+
+TEST_F(BadInput, RecordingsWithTheirOwnTimesAreNotLaidOverThemselves) {
+  const std::string file =
+      write("iso.csv", "time,sp,pv,op\n2024-03-01T00:00:00Z,1,2,3\n2024-03-01T00:00:10Z,1,2,3\n");
+  EXPECT_EQ(plant_.loopscope("import", {"--loop", "X", "--create-table", file}).exit_code, 0);
+  expect_error(plant_.loopscope("import", {"--loop", "X", file}), 2, "already has rows");
+  expect_error(plant_.loopscope("import", {"--loop", "Y", "--end", "2026-01-01", file}), 2,
+               "--end");
+  EXPECT_EQ(plant_.loopscope("import", {"--loop", "X", "--replace", file}).exit_code, 0);
+  EXPECT_EQ(plant_.sql("select count(*) from history"), "6");
+}
+
+TEST_F(BadInput, AFullDiskBehindStandardOutputIsNoSuccess) {
+  const ProgramResult result = run_program(
+      {"/bin/sh", "-c", std::string(LOOPSCOPE_PROGRAM) + " simulate --list > /dev/full"});
+  EXPECT_NE(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("standard output"));
 }
 
 TEST_F(BadInput, LoopsAreLoadedAllOrNone) {

@@ -96,7 +96,7 @@ TEST(Monitor, OneLoopOfAnUnknownSourceStopsNothingElse) {
   ASSERT_EQ(plant.loopscope("loops", {"add", "stray", "--pv-tag", "x"}).exit_code, 0);
   plant.sql("update loopscope.loop set source = 'elsewhere' where name = 'stray'");
   const ProgramResult pass = plant.loopscope("once");
-  EXPECT_EQ(pass.exit_code, 0) << pass.err;
+  EXPECT_EQ(pass.exit_code, 3) << pass.err;
   EXPECT_THAT(pass.out, HasSubstr("1 new"));
   EXPECT_THAT(pass.out, HasSubstr("1 set aside"));
   EXPECT_THAT(pass.err, HasSubstr("no historian named \"elsewhere\""));
@@ -115,6 +115,35 @@ TEST(Monitor, TwoProcessesShareACatalogueWithoutDoingASlotTwice) {
   EXPECT_EQ(second.wait(60), 0) << text_of(plant.folder() / "second.log");
   EXPECT_EQ(plant.sql("select count(*), count(distinct loop_id) from loopscope.analysis"), "40|40");
   EXPECT_EQ(plant.sql("select count(*), max(input_revision) from loopscope.verdict"), "40|1");
+}
+
+TEST(Monitor, LoopsThatAnotherWorkerHoldsAreCounted) {
+  const Plant plant;
+  plant.import_loop("FIC101");
+  plant.import_loop("FIC102", 1000, 2);
+  plant.sql(
+      "update loopscope.schedule set owner = 'elsewhere', visible_at = now() + interval '1 h' "
+      "where loop_id = (select min(loop_id) from loopscope.loop)");
+  const ProgramResult pass = plant.loopscope("once");
+  EXPECT_EQ(pass.exit_code, 0) << pass.err;
+  EXPECT_THAT(pass.out, HasSubstr("1 loops: 1 new"));
+  EXPECT_THAT(pass.out, HasSubstr("1 more are held by other workers"));
+}
+
+TEST(Monitor, AConnectionThatDiedIdleCostsNothing) {
+  const Plant plant;
+  plant.import_loop("FIC101");
+  plant.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.2, "settle_s": 0})"));
+  BackgroundProgram daemon(plant.command_line("run"), plant.folder() / "daemon.log");
+  ASSERT_TRUE(becomes(plant, "select count(*) from loopscope.analysis", "1"));
+  plant.sql(
+      "select pg_terminate_backend(pid) from pg_stat_activity where pid <> pg_backend_pid() "
+      "and datname = current_database()");
+  plant.import_loop("FIC102", 1000, 2);
+  EXPECT_TRUE(becomes(plant, "select count(*) from loopscope.analysis", "2"));
+  EXPECT_EQ(plant.sql("select max(attempts) from loopscope.schedule"), "0");
+  daemon.send(SIGTERM);
+  EXPECT_EQ(daemon.wait(20), 0);
 }
 
 TEST(Monitor, TheDaemonWorksUntilItIsTold) {

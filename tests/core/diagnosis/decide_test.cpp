@@ -104,6 +104,16 @@ TEST(Decide, SustainedSinusoidIsADisturbanceEvenWhenHorchIsOdd) {
   EXPECT_EQ(code_of(evidence), VerdictCode::external_disturbance);
 }
 
+TEST(Decide, ASustainedOscillationOfNoClearShapeIsBelievedLess) {
+  Evidence evidence = quiet_evidence();
+  oscillate(evidence, 0.95);
+  evidence.shape.shape_index = 0.2;
+  const double sinusoid = decide(evidence, {}).confidence;
+  evidence.shape.shape_index = 0.5;
+  EXPECT_EQ(code_of(evidence), VerdictCode::external_disturbance);
+  EXPECT_LT(decide(evidence, {}).confidence, 0.7 * sinusoid);
+}
+
 TEST(Decide, SymmetricLimitCycleIsStictionBecauseOfItsShape) {
   Evidence evidence = quiet_evidence();
   oscillate(evidence, 0.95);
@@ -155,10 +165,11 @@ TEST(Decide, AConstantOutputAccusesNoValve) {
 TEST(Decide, RecordedPositionDecidesDirectly) {
   Evidence evidence = quiet_evidence();
   evidence.shape.mv_op_width = 3.0;
-  evidence.shape.mv_stuck_fraction = 0.7;
+  evidence.shape.mv_slip_jump = 2.0;
+  evidence.shape.mv_stuck_fraction = 0.9;
   EXPECT_EQ(code_of(evidence), VerdictCode::valve_stiction);
   EXPECT_GE(decide(evidence, {}).confidence, 0.9);
-  evidence.shape.mv_stuck_fraction = 0.05;
+  evidence.shape.mv_slip_jump = 0.1;  // a wide dead band stands still as often
   EXPECT_EQ(code_of(evidence), VerdictCode::valve_deadband);
 }
 
@@ -178,6 +189,34 @@ TEST(Decide, CorrelationHasNoVoteOnIntegratingLoops) {
   EXPECT_EQ(code_of(evidence), VerdictCode::valve_stiction);
   evidence.integrating = true;
   EXPECT_EQ(code_of(evidence), VerdictCode::nonlinear_unexplained);
+}
+
+TEST(Decide, WithoutAnOutputNothingIsClaimedOfControllerAndValve) {
+  Evidence evidence = quiet_evidence();
+  oscillate(evidence, 0.5);
+  evidence.valve_gain = {0.0, 0.2};
+  evidence.data_quality.flags = {"op_constant"};
+  EXPECT_EQ(code_of(evidence), VerdictCode::external_disturbance);
+  evidence.data_quality.flags = {"op_missing"};
+  EXPECT_EQ(code_of(evidence), VerdictCode::unexplained);
+  evidence = quiet_evidence();
+  evidence.performance.harris_low = evidence.performance.harris_high = 0.1;
+  evidence.data_quality.flags = {"op_missing"};
+  EXPECT_EQ(code_of(evidence), VerdictCode::healthy);
+}
+
+TEST(Decide, AControllerThatIsNotInCommandIsNotHealthy) {
+  Evidence evidence = quiet_evidence();
+  evidence.data_quality.flags = {"sp_not_followed"};
+  EXPECT_EQ(code_of(evidence), VerdictCode::unexplained);
+}
+
+TEST(Decide, CouplingWithoutAPeakIsBelievedLess) {
+  Evidence evidence = nonlinear_evidence();
+  const double with_peak = decide(evidence, {}).confidence;
+  evidence.hos->peaks.clear();
+  EXPECT_LT(decide(evidence, {}).confidence, 0.6 * with_peak);
+  EXPECT_THAT(decide(evidence, {}).reasons, Contains(HasSubstr("Skewed or coupled")));
 }
 
 TEST(Decide, CorrelationAloneAccusesNobody) {

@@ -154,6 +154,28 @@ TEST(Prepare, ACoarseGridIsFlaggedWithItsFactor) {
   EXPECT_GT(*loop.quality.quantisation_factor, 1.0);
 }
 
+TEST(Prepare, ASpikeIsBridgedAndFlagged) {
+  LoopWindow window = healthy_window();
+  window.pv[500] += 40.0;
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_THAT(loop.quality.flags, Contains("pv_spikes"));
+  EXPECT_NEAR(loop.pv[500], 0.5 * (window.pv[499] + window.pv[501]), 1e-9);
+}
+
+TEST(Prepare, AProcessVariableFarFromItsSetpointIsFlagged) {
+  LoopWindow window = healthy_window();
+  window.sp.assign(window.size(), 20.0);
+  EXPECT_THAT(prepare(window, {}).quality.flags, Contains("sp_not_followed"));
+}
+
+TEST(Prepare, SamplesInManualAreNoControlError) {
+  LoopWindow window = healthy_window();
+  window.mode.assign(window.size(), ControlMode::automatic);
+  window.mode[300] = ControlMode::manual;
+  EXPECT_TRUE(std::isnan(prepare(window, {}).error[300]));
+  EXPECT_FALSE(std::isnan(prepare(window, {}).error[301]));
+}
+
 TEST(Prepare, ASetpointThatAlwaysMovesIsFlagged) {
   LoopWindow window = healthy_window();
   for (std::size_t k = 0; k < window.size(); ++k) window.sp[k] += 0.01 * static_cast<double>(k % 7);

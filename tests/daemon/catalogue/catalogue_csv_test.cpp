@@ -12,7 +12,7 @@ using storage::CatalogueEntry;
 using testing::HasSubstr;
 
 std::vector<CatalogueEntry> load(std::string_view text) {
-  return parse_catalogue(parse_csv(text, "loops.csv"), {});
+  return parse_catalogue(parse_csv(text, "loops.csv"), {}, {});
 }
 
 std::string failure_of(std::string_view text) {
@@ -52,12 +52,33 @@ TEST(CatalogueCsv, NameAndProcessVariableAreEnough) {
   EXPECT_TRUE(loaded[1].enabled);
 }
 
+TEST(CatalogueCsv, AKnownLoopKeepsWhatTheTableDoesNotSay) {
+  CatalogueEntry known;
+  known.name = "A";
+  known.pv_tag = "A.PV";
+  known.sp_tag = "A.SP";
+  known.op_tag = "A.OP";
+  known.interval_s = 5.0;
+  known.enabled = false;
+  const CsvTable table = parse_csv("name,importance,op_tag,enabled\nA,7,,\n", "loops.csv");
+  const auto loaded = parse_catalogue(table, {}, std::vector{known});
+  ASSERT_EQ(loaded.size(), 1U);
+  EXPECT_EQ(loaded[0].importance, 7.0);
+  EXPECT_EQ(loaded[0].sp_tag, "A.SP");
+  EXPECT_EQ(loaded[0].interval_s, 5.0);
+  EXPECT_EQ(loaded[0].op_tag, "") << "an empty cell says: not recorded";
+  EXPECT_FALSE(loaded[0].enabled) << "an empty cell cannot say that";
+}
+
 TEST(CatalogueCsv, ProblemsNameLineAndColumn) {
   EXPECT_THAT(failure_of("name,pv_tag,colour\n"), HasSubstr("unknown column \"colour\""));
   EXPECT_THAT(failure_of("name,pv_tag,period_s\nA,B,-5\n"),
-              HasSubstr("line 2, column period_s: -5 is not above 0"));
+              HasSubstr("line 2, column period_s: -5 is out of range, 1 to 2592000 s"));
   EXPECT_THAT(failure_of("name,pv_tag,enabled\nA,B,perhaps\n"),
               HasSubstr("neither true nor false"));
+  EXPECT_THAT(failure_of("name,pv_tag,name\nA,B,C\n"), HasSubstr("stands twice"));
+  EXPECT_THAT(failure_of("name,pv_tag,period_s\nA,B,1e300\n"), HasSubstr("out of range"));
+  EXPECT_THAT(failure_of("name,pv_tag,interval_s\nA,B,1e-9\n"), HasSubstr("out of range"));
   EXPECT_THAT(failure_of("name,pv_tag\nA,\n"), HasSubstr("line 2: the pv tag is empty"));
   EXPECT_THAT(failure_of("name,pv_tag\n,B\n"), HasSubstr("the name is empty"));
   EXPECT_THAT(failure_of("name,pv_tag\nA,B\nA,C\n"), HasSubstr("line 3: \"A\" stands twice"));

@@ -81,6 +81,7 @@ void number_time_domain(core::Evidence& evidence, Numberer& number) {
   number("ellipse_stiction", evidence.shape.ellipse_stiction);
   number("ellipse_r2", evidence.shape.ellipse_r2);
   number("mv_op_width", evidence.shape.mv_op_width);
+  number("mv_slip_jump", evidence.shape.mv_slip_jump);
   number("mv_stuck_fraction", evidence.shape.mv_stuck_fraction);
 }
 
