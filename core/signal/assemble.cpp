@@ -32,14 +32,14 @@ Grid window_grid(const RawSeries& pv, double sample_interval_s, std::int64_t end
   const std::int64_t newest = *std::prev(after);
   const double interval_us = sample_interval_s * kMicrosecondsPerSecond;
   const auto slots_between = [&](std::int64_t from, std::int64_t to, double round) {
-    return std::floor(static_cast<double>(to - from) / interval_us + round);
+    return std::floor(elapsed_us(from, to) / interval_us + round);
   };
   const double missing_at_end = slots_between(newest, end_us, 0.0);
   const double recorded = slots_between(pv.time_us.front(), newest, 0.5);
   const double available = missing_at_end + recorded + 1.0;
   grid.size = static_cast<std::size_t>(std::min(available, static_cast<double>(max_samples)));
   const double to_start = missing_at_end - (static_cast<double>(grid.size) - 1.0);
-  grid.start_us = newest + std::llround(to_start * interval_us);
+  grid.start_us = moved_us(newest, to_start * interval_us);
   return grid;
 }
 

@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace loopscope::core::signal {
 namespace {
 
 constexpr double kMicrosecondsPerSecond = 1e6;
 
+/// a - b for a >= b: the difference always fits into the unsigned type.
+std::uint64_t distance(std::int64_t a, std::int64_t b) {
+  return static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b);
+}
+
 /// Slot whose time is nearest to `time_us`; may lie outside the grid.
 double nearest_slot(const Grid& grid, std::int64_t time_us) {
-  const auto offset_us = static_cast<double>(time_us - grid.start_us);
+  const double offset_us = elapsed_us(grid.start_us, time_us);
   return std::floor(offset_us / (grid.sample_interval_s * kMicrosecondsPerSecond) + 0.5);
 }
 
@@ -40,9 +46,30 @@ void place_steps(const RawSeries& rows, const Grid& grid, Samples& slots) {
 
 }  // namespace
 
+double elapsed_us(std::int64_t from_us, std::int64_t to_us) {
+  return to_us >= from_us ? static_cast<double>(distance(to_us, from_us))
+                          : -static_cast<double>(distance(from_us, to_us));
+}
+
+std::int64_t moved_us(std::int64_t time_us, double offset_us) {
+  constexpr auto kEarliest = std::numeric_limits<std::int64_t>::min();
+  constexpr auto kLatest = std::numeric_limits<std::int64_t>::max();
+  const double size_us = std::round(std::abs(offset_us));
+  // Where rounding raises a room, the next smaller double already fits into it.
+  if (offset_us < 0.0) {
+    const std::uint64_t room = distance(time_us, kEarliest);
+    if (size_us >= static_cast<double>(room)) return kEarliest;
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(time_us) -
+                                     static_cast<std::uint64_t>(size_us));
+  }
+  const std::uint64_t room = distance(kLatest, time_us);
+  if (size_us >= static_cast<double>(room)) return kLatest;
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(time_us) +
+                                   static_cast<std::uint64_t>(size_us));
+}
+
 std::int64_t Grid::time_us(std::size_t k) const {
-  return start_us +
-         std::llround(static_cast<double>(k) * sample_interval_s * kMicrosecondsPerSecond);
+  return moved_us(start_us, static_cast<double>(k) * sample_interval_s * kMicrosecondsPerSecond);
 }
 
 Samples align(const RawSeries& rows, const Grid& grid, Hold hold) {
@@ -67,15 +94,15 @@ std::size_t count_repeated_times(const RawSeries& rows) {
 }
 
 double usual_interval_s(const RawSeries& rows) {
-  std::vector<std::int64_t> spacings;
+  std::vector<double> spacings_us;
   for (std::size_t row = 1; row < rows.time_us.size(); ++row) {
-    const std::int64_t spacing = rows.time_us[row] - rows.time_us[row - 1];
-    if (spacing > 0) spacings.push_back(spacing);
+    const double spacing_us = elapsed_us(rows.time_us[row - 1], rows.time_us[row]);
+    if (spacing_us > 0.0) spacings_us.push_back(spacing_us);
   }
-  if (spacings.empty()) return 0.0;
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return static_cast<double>(*middle) / kMicrosecondsPerSecond;
+  if (spacings_us.empty()) return 0.0;
+  const auto middle = spacings_us.begin() + static_cast<std::ptrdiff_t>(spacings_us.size() / 2);
+  std::nth_element(spacings_us.begin(), middle, spacings_us.end());
+  return *middle / kMicrosecondsPerSecond;
 }
 
 }  // namespace loopscope::core::signal

@@ -8,6 +8,13 @@
 
 namespace loopscope::core::signal {
 
+/// to_us - from_us without overflow: two times may lie further apart than their type can say.
+[[nodiscard]] double elapsed_us(std::int64_t from_us, std::int64_t to_us);
+
+/// time_us moved by `offset_us` (at most 2^64 either way), rounded to whole microseconds; the
+/// earliest or latest time that the type can say where the sum lies beyond.
+[[nodiscard]] std::int64_t moved_us(std::int64_t time_us, double offset_us);
+
 /// A uniform grid of sample times.
 struct Grid {
   std::int64_t start_us = 0;       ///< first slot, microseconds UTC since 1970

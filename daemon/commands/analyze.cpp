@@ -51,7 +51,7 @@ void analyze(const AnalyzeOptions& options) {
   const core::Diagnosis diagnosis =
       core::diagnose(window, settings, {.integrating = is_integrating_type(options.type)});
   if (options.json) {
-    std::cout << analysis_json(facts_of(recording, window), diagnosis).dump(2) << '\n';
+    std::cout << json_text(analysis_json(facts_of(recording, window), diagnosis)) << '\n';
   } else {
     const auto title = fmt::format("{}: {} samples every {:.6g} s", options.file, window.size(),
                                    window.sample_interval_s);
@@ -69,12 +69,13 @@ void add_analyze(CLI::App& program) {
       .add_option("FILE", options->file, "CSV: t_s or time, sp, pv, op, optional mv, mode, quality")
       ->required();
   command.add_flag("--json", options->json, "One JSON object instead of text");
-  command.add_flag("--no-model", options->no_model, "Statistics and shapes only, no loop model");
+  command.add_flag("--no-model", options->no_model,
+                   "Statistics and shapes only (no model is fitted yet)");
   command.add_option("--window", options->window, "Analyse the last N samples (default 4096)")
       ->check(CLI::Range(16, 10'000'000));
   command.add_option("--op-range", options->op_range, "Controller output at 0 and 100 %: LOW,HIGH");
   command.add_option("--type", options->type,
-                     "Kind of loop: flow, pressure, level, temperature, ...");
+                     "Kind of loop: flow, pressure, temperature, ...; level = integrating");
   command.add_option("--config", options->config, "Settings file for the analysis part");
   command.callback([options] { analyze(*options); });
 }

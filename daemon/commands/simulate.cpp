@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,7 +11,9 @@
 #include "core/simulate/scenario.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/output/write_file.hpp"
 #include "daemon/simulate/effect_text.hpp"
+#include "daemon/simulate/number_text.hpp"
 #include "daemon/simulate/record_csv.hpp"
 
 namespace loopscope::daemon {
@@ -22,7 +25,7 @@ struct SimulateOptions {
   std::uint64_t seed = 1;
   std::string out;
   std::size_t samples = 4096;
-  double interval_s = 0.0;  ///< 0 = the scenario's own
+  std::optional<double> interval_s;  ///< nullopt = the scenario's own
   std::vector<std::string> effects;
   bool no_mv = false;
   bool list = false;
@@ -43,7 +46,7 @@ std::string listing() {
 core::simulate::LoopRecord record_of(const SimulateOptions& options) {
   core::simulate::ScenarioOptions scenario;
   scenario.samples = options.samples;
-  if (options.interval_s > 0.0) scenario.sample_interval_s = options.interval_s;
+  scenario.sample_interval_s = options.interval_s;
   for (const std::string& text : options.effects) {
     scenario.added_effects.push_back(parse_effect(text));
   }
@@ -69,7 +72,7 @@ void simulate(const SimulateOptions& options) {
   if (options.out.empty()) {
     std::cout << csv;
   } else {
-    write_whole_file(options.out, csv);
+    write_file(options.out, csv);
   }
 }
 
@@ -80,12 +83,16 @@ void add_simulate(CLI::App& program) {
       "simulate", "The paper's signals and loops, and plant loops with any list of effects");
   const auto options = std::make_shared<SimulateOptions>();
   command.add_option("SCENARIO", options->scenario, "One of --list");
-  command.add_option("--seed", options->seed, "The same seed gives the same record (default 1)");
+  command.add_option_function<std::string>(
+      "--seed", [options](const std::string& text) { options->seed = parse_seed(text); },
+      "The same seed gives the same record (default 1)");
   command.add_option("--out", options->out, "File to write; standard output without it");
   command.add_option("--samples", options->samples, "Samples to record (default 4096)")
       ->check(CLI::Range(1, 10'000'000));
-  command.add_option("--interval-s", options->interval_s, "Seconds between samples")
-      ->check(CLI::PositiveNumber);
+  command.add_option_function<std::string>(
+      "--interval-s",
+      [options](const std::string& text) { options->interval_s = parse_interval_s(text); },
+      "Seconds between samples, 1e-6 to 1e6 (default: the scenario's own)");
   command.add_option("--effect", options->effects,
                      "Adds an effect, e.g. valve_stiction:S=3,J=1 (repeatable, loops only)");
   command.add_flag("--no-mv", options->no_mv, "Leave the valve position out");

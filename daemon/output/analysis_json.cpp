@@ -23,6 +23,7 @@ Json quality_json(const core::signal::DataQuality& quality) {
   return {{"usable", quality.usable},
           {"reason", quality.usable ? Json(nullptr) : Json(quality.reason)},
           {"flags", quality.flags},
+          {"repeated_times", quality.repeated_times},
           {"missing_fraction", or_null(quality.missing_fraction)},
           {"compression_factor", or_null(quality.compression_factor)},
           {"quantisation_factor", or_null(quality.quantisation_factor)},
@@ -92,6 +93,7 @@ Json shape_json(const core::Evidence& evidence) {
           {"ellipse_stiction", or_null(shape.ellipse_stiction)},
           {"ellipse_r2", or_null(shape.ellipse_r2)},
           {"mv_op_width", or_null(shape.mv_op_width)},
+          {"mv_slip_jump", or_null(shape.mv_slip_jump)},
           {"mv_stuck_fraction", or_null(shape.mv_stuck_fraction)},
           {"op_span_percent", or_null(evidence.valve_gain.op_span_percent)},
           {"pv_relative_span", or_null(evidence.valve_gain.pv_relative_span)}};
@@ -131,6 +133,11 @@ Json analysis_json(const InputFacts& input, const core::Diagnosis& diagnosis) {
           {"shape", shape_json(evidence)},
           {"model", model_json()},
           {"verdict", verdict_json(diagnosis.verdict)}};
+}
+
+std::string json_text(const nlohmann::ordered_json& object) {
+  constexpr int kIndent = 2;
+  return object.dump(kIndent, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace loopscope::daemon

@@ -20,4 +20,8 @@ struct InputFacts {
 [[nodiscard]] nlohmann::ordered_json analysis_json(const InputFacts& input,
                                                    const core::Diagnosis& diagnosis);
 
+/// The object as indented text in valid UTF-8, whatever bytes a file name holds: those that are no
+/// UTF-8 become U+FFFD.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& object);
+
 }  // namespace loopscope::daemon

@@ -18,8 +18,8 @@ struct Recording {
   core::signal::LoopRows rows;  ///< empty cells, NaN, infinity and bad quality are NaN
 };
 
-/// Throws Failure (unusable_data) naming line and column: no time or pv column, text in a number
-/// column, times that run backwards.
+/// Throws Failure (unusable_data) naming line and column: what find_columns() and read_times()
+/// refuse, and text in a number column.
 [[nodiscard]] Recording parse_recording(const CsvTable& table);
 
 /// parse_recording(read_csv(file)).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "config/nearest_name.hpp"
@@ -49,12 +50,22 @@ EffectArgument parse_argument(const EffectDescription& effect, const std::string
   return argument;
 }
 
+void require_new(const EffectDescription& effect, const std::vector<EffectArgument>& known,
+                 const EffectArgument& argument) {
+  if (std::ranges::find(known, argument.name, &EffectArgument::name) == known.end()) return;
+  throw Failure(ExitCode::usage,
+                fmt::format("effect {}: parameter \"{}\" stands twice", effect.name, argument.name),
+                "give it once; a second effect of the kind takes a second --effect");
+}
+
 std::vector<EffectArgument> parse_arguments(const EffectDescription& effect,
                                             const std::string& text) {
   std::vector<EffectArgument> arguments;
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find(',', start), text.size());
-    arguments.push_back(parse_argument(effect, text.substr(start, end - start)));
+    EffectArgument argument = parse_argument(effect, text.substr(start, end - start));
+    require_new(effect, arguments, argument);
+    arguments.push_back(std::move(argument));
     start = end + 1;
   }
   return arguments;

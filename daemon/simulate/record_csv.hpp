@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "core/simulate/loop.hpp"
@@ -10,9 +9,5 @@ namespace loopscope::daemon {
 /// The record as a recording that `analyze` reads: t_s,sp,pv and, where the record has them, op
 /// and (when `with_mv`) mv. Numbers are the shortest that read back bit for bit.
 [[nodiscard]] std::string record_csv(const core::simulate::LoopRecord& record, bool with_mv);
-
-/// Writes the whole file or none of it: under another name beside it first, then renamed. Throws
-/// Failure (usage), naming the file, when that cannot be done.
-void write_whole_file(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace loopscope::daemon

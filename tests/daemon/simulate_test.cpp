@@ -1,13 +1,13 @@
-#include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iterator>
+#include <limits>
 
 #include "core/simulate/scenario.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/recording/recording.hpp"
 #include "daemon/simulate/effect_text.hpp"
+#include "daemon/simulate/number_text.hpp"
 #include "daemon/simulate/record_csv.hpp"
 #include "tests/support/source_dir.hpp"
 
@@ -29,10 +29,6 @@ std::string hint_of(const std::string& effect) {
   return "accepted";
 }
 
-std::size_t files_in(const std::filesystem::path& folder) {
-  return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
-}
-
 TEST(EffectText, ReadsNameAndParameters) {
   const auto effect = parse_effect("valve_stiction:S=3,J=1,law=kano");
   EXPECT_EQ(std::get<ValveStiction>(effect).law, core::simulate::StictionLaw::kano);
@@ -46,6 +42,7 @@ TEST(EffectText, NamesTheNearestKnownName) {
   EXPECT_THAT(hint_of("valve_deadband:width"), testing::HasSubstr("width=2"));
   EXPECT_THAT(hint_of("valve_deadband:width=wide"), testing::HasSubstr("width=2"));
   EXPECT_THAT(hint_of("valve_deadband:width=3,"), testing::HasSubstr("width=2"));
+  EXPECT_THAT(hint_of("valve_stiction:S=1,S=2"), testing::HasSubstr("give it once"));
   EXPECT_THROW(require_scenario("paper_5_9"), Failure);
   EXPECT_NO_THROW(require_scenario("paper_5_4"));
 }
@@ -54,7 +51,7 @@ TEST(RecordCsv, ReadsBackBitForBit) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "loop.csv";
   const LoopRecord record = simulate_scenario("paper_5_4", {}, 1);
-  write_whole_file(file, record_csv(record, true));
+  std::ofstream(file) << record_csv(record, true);
   const auto window = last_window(read_recording(file), 4096, {});
   EXPECT_EQ(window.sample_interval_s, 1.0);
   EXPECT_EQ(window.sp, record.sp);
@@ -72,29 +69,33 @@ TEST(RecordCsv, LeavesOutWhatThereIsNot) {
   EXPECT_THAT(loop, testing::StartsWith("t_s,sp,pv,op\n0,50,"));
 }
 
-TEST(WriteWholeFile, ReplacesAFileAndLeavesNothingBeside) {
-  const TemporaryFolder folder;
-  const auto file = folder.path() / "out.csv";
-  write_whole_file(file, "first");
-  write_whole_file(file, "second");
-  std::ifstream stream(file);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "second");
-  EXPECT_EQ(files_in(folder.path()), 1U);
-}
-
-TEST(WriteWholeFile, SaysWhichFileCannotBeWritten) {
-  const TemporaryFolder folder;
+std::string refused_seed(const std::string& text) {
   try {
-    write_whole_file(folder.path() / "missing" / "out.csv", "text");
-    FAIL() << "written into a folder that does not exist";
+    (void)parse_seed(text);
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.exit_code(), ExitCode::usage);
-    EXPECT_THAT(failure.what(), testing::HasSubstr("out.csv"));
+    EXPECT_THAT(failure.hint(), testing::HasSubstr("0 to 18446744073709551615"));
+    return failure.what();
   }
-  // A folder cannot be replaced by a file: the partial file must go again.
-  std::filesystem::create_directory(folder.path() / "taken");
-  EXPECT_THROW(write_whole_file(folder.path() / "taken", "text"), Failure);
-  EXPECT_EQ(files_in(folder.path()), 1U);
+  return "accepted";
+}
+
+TEST(NumberText, ASeedIsAWholeNumberThatFits) {
+  EXPECT_EQ(parse_seed("0"), 0U);
+  EXPECT_EQ(parse_seed("18446744073709551615"), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(parse_seed("010"), 10U);
+  for (const char* text : {"-1", "18446744073709551616", "1e3", "1.0", "0x1", "+1", " 1", ""}) {
+    EXPECT_THAT(refused_seed(text), testing::HasSubstr(std::string("\"") + text + "\"")) << text;
+  }
+}
+
+TEST(NumberText, AnIntervalIsBetweenAMicrosecondAndAMillionSeconds) {
+  EXPECT_EQ(parse_interval_s("1e-6"), 1e-6);
+  EXPECT_EQ(parse_interval_s("1e6"), 1e6);
+  for (const char* text :
+       {"nan", "inf", "1e308", "1e999", "0", "-1", "9e-7", "1000001", "ten", "1,5", ""}) {
+    EXPECT_THROW((void)parse_interval_s(text), Failure) << text;
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "tests/end_to_end/plant.hpp"
 #include "tests/support/run_program.hpp"
@@ -70,6 +71,9 @@ TEST_F(Analyze, FilesThatCannotBeParsedAreErrorsWithoutOutput) {
   expect_refused("header.csv", "a,b,c\n1,2,3\n", "header");
   expect_refused("text.csv", "t_s,sp,pv,op\n0,1,2,3\n1,1,abc,3\n", "line 3, column \"pv\"");
   expect_refused("backwards.csv", "t_s,sp,pv,op\n5,1,2,3\n4,1,2,3\n", "runs backwards");
+  expect_refused("extreme.csv", "t_s,sp,pv,op\n-9e12,1,2,3\n0,1,2,3\n9e12,1,2,3\n", "line 3");
+  expect_refused("twice.csv", "t_s,sp,pv,op,pv\n0,1,2,3,4\n", "\"pv\" stands twice");
+  expect_refused("nul.csv", std::string("t_s,sp,pv,op\n0,1,2\0x,3\n", 23), "\"2\\x00x\" is not");
   expect_refused("ragged.csv", "t_s,sp,pv,op\n5,1,2\n", "line 2: 3 cells");
 }
 
@@ -87,6 +91,30 @@ TEST_F(Analyze, OddValuesAreMissingNotErrors) {
   const Json json = expect_verdict("odd.csv", text, "healthy");
   EXPECT_NEAR(json["data_quality"]["missing_fraction"].get<double>(), 3.0 / 1004.0, 1e-9);
   EXPECT_THAT(json["data_quality"]["flags"].dump(), HasSubstr("repeated_times"));
+  EXPECT_EQ(json["data_quality"]["repeated_times"], 1);
+}
+
+TEST_F(Analyze, AFileNameThatIsNoUtf8) {
+  const Json json = expect_verdict("bad\xff.csv", rows(1000), "healthy");
+  EXPECT_THAT(json["input"]["file"].get<std::string>(), HasSubstr("bad\xEF\xBF\xBD.csv"));
+}
+
+TEST_F(Analyze, SimulateRefusesNumbersThatItCannotUse) {
+  const auto simulate = [](const std::string& option, const std::string& value) {
+    return run_program({LOOPSCOPE_PROGRAM, "simulate", "paper_5_1", option, value});
+  };
+  for (const auto& [option, value] : {std::pair{"--seed", "-1"},
+                                      {"--seed", "18446744073709551616"},
+                                      {"--interval-s", "nan"},
+                                      {"--interval-s", "1e308"},
+                                      {"--interval-s", "-5"},
+                                      {"--effect", "valve_stiction:S=1,S=2"}}) {
+    const ProgramResult result = simulate(option, value);
+    EXPECT_EQ(result.exit_code, 2) << option << ' ' << value;
+    EXPECT_EQ(result.out, "") << option << ' ' << value;
+    EXPECT_THAT(result.err, HasSubstr("HINT: give")) << option << ' ' << value;
+  }
+  EXPECT_EQ(simulate("--seed", "18446744073709551615").exit_code, 0);
 }
 
 TEST_F(Analyze, AConstantOutputStillHasItsStatistics) {

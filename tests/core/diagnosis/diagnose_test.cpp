@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
+#include <ostream>
 #include <random>
 #include <string>
 
@@ -59,6 +60,10 @@ struct Expected {
   const char* code;
   int at_least;  ///< of 100 seeds
 };
+
+void PrintTo(const Expected& expected, std::ostream* stream) {
+  *stream << expected.scenario;
+}
 
 class Scenarios : public testing::TestWithParam<Expected> {};
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <ostream>
 #include <string_view>
 
 #include "core/hos/principal_domain.hpp"
@@ -24,6 +25,11 @@ struct ReferenceFigures {
   double nli;
   std::array<double, 9> bic2;  ///< at kReferenceBins
 };
+
+/// Tests are listed by the signal's name, not by the bytes of the figures.
+inline void PrintTo(const ReferenceFigures& figures, std::ostream* stream) {
+  *stream << figures.signal;
+}
 
 inline constexpr std::array<Bifrequency, 9> kReferenceBins = {
     {{1, 1}, {13, 13}, {15, 15}, {26, 14}, {20, 20}, {38, 15}, {40, 24}, {63, 1}, {32, 32}}};

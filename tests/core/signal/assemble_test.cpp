@@ -45,6 +45,20 @@ TEST(WindowGrid, RowsAfterTheSlotDoNotCount) {
   EXPECT_EQ(window_grid({}, 10.0, 0, 10).size, 0U);
 }
 
+TEST(WindowGrid, TimesFurtherApartThanTheirTypeCanSay) {
+  const std::int64_t far_s = 9'000'000'000'000;
+  const RawSeries pv{{-far_s * kSecond, far_s * kSecond}, {1.0, 2.0}};
+  const Grid seconds = window_grid(pv, 1.0, far_s * kSecond, 100);
+  EXPECT_EQ(seconds.size, 100U);
+  EXPECT_EQ(seconds.start_us, (far_s - 99) * kSecond);
+  const double whole_s = usual_interval_s(pv);
+  EXPECT_EQ(whole_s, 1.8e13);
+  const Grid whole = window_grid(pv, whole_s, far_s * kSecond, 100);
+  EXPECT_EQ(whole.size, 2U);
+  EXPECT_EQ(whole.start_us, -far_s * kSecond);
+  EXPECT_EQ(align(pv, whole, Hold::sample), pv.value);
+}
+
 TEST(Assemble, EachTagIsAlignedAfterItsKind) {
   LoopRows rows;
   rows.pv = ramp(0, 10, 4);

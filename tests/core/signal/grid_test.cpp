@@ -2,11 +2,14 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace loopscope::core::signal {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kEarliest = std::numeric_limits<std::int64_t>::min();
+constexpr std::int64_t kLatest = std::numeric_limits<std::int64_t>::max();
 
 RawSeries rows_at(std::initializer_list<double> seconds) {
   RawSeries rows;
@@ -83,6 +86,30 @@ TEST(Grid, UsualIntervalIgnoresGapsAndRepeats) {
 
 TEST(Grid, RepeatedTimesAreCounted) {
   EXPECT_EQ(count_repeated_times(rows_at({0, 10, 10, 10, 20})), 2U);
+}
+
+TEST(Grid, DifferencesOfTimesDoNotOverflow) {
+  EXPECT_EQ(elapsed_us(3, 10), 7.0);
+  EXPECT_EQ(elapsed_us(10, 3), -7.0);
+  EXPECT_EQ(elapsed_us(kEarliest, kLatest), std::ldexp(1.0, 64));
+  EXPECT_EQ(elapsed_us(kLatest, kEarliest), -std::ldexp(1.0, 64));
+}
+
+TEST(Grid, MovedTimesStopAtTheEndsOfTheirType) {
+  EXPECT_EQ(moved_us(10, -7.4), 3);
+  EXPECT_EQ(moved_us(kLatest - 5, 4.0), kLatest - 1);
+  EXPECT_EQ(moved_us(kLatest - 5, 6.0), kLatest);
+  EXPECT_EQ(moved_us(kEarliest + 5, -6.0), kEarliest);
+  EXPECT_EQ(moved_us(kLatest, -std::ldexp(1.0, 63)), -1);
+  EXPECT_EQ(moved_us(kLatest, -std::ldexp(1.0, 64)), kEarliest);
+}
+
+TEST(Grid, RowsAtBothEndsOfTimeAreAligned) {
+  const RawSeries rows{{kEarliest, 0, kLatest}, {1.0, 2.0, 3.0}};
+  const Grid grid{0, 1.0, 2};
+  EXPECT_EQ(align(rows, grid, Hold::sample)[0], 2.0);
+  EXPECT_EQ(align(rows, grid, Hold::step), (Samples{2.0, 2.0}));
+  EXPECT_GT(usual_interval_s({{kEarliest, kLatest}, {1.0, 2.0}}), 1.8e13);
 }
 
 TEST(Grid, TimesOfSlots) {

@@ -16,6 +16,7 @@ constexpr const char* kPromised[] = {"/input/file",
                                      "/input/end",
                                      "/data_quality/usable",
                                      "/data_quality/flags",
+                                     "/data_quality/repeated_times",
                                      "/data_quality/missing_fraction",
                                      "/data_quality/compression_factor",
                                      "/data_quality/quantisation_factor",
@@ -95,6 +96,18 @@ TEST(AnalysisJson, HasEveryPromisedKeyWhenNotJudged) {
   expect_promised_keys(json);
   EXPECT_TRUE(json["hos"]["ngi"].is_null());
   EXPECT_EQ(json["verdict"]["code"], "insufficient_data");
+}
+
+TEST(AnalysisJson, RepeatedTimesAreCounted) {
+  core::signal::LoopWindow window = noisy_sine(1000);
+  window.repeated_times = 3;
+  const auto json = analysis_json({"f.csv", 1000, 1.0, 0.0, 999.0}, core::diagnose(window, {}));
+  EXPECT_EQ(json["data_quality"]["repeated_times"], 3);
+}
+
+TEST(AnalysisJson, AFileNameThatIsNoUtf8StillGivesJson) {
+  const Json json = Json::parse(json_text({{"file", "bad\xff.csv"}}));
+  EXPECT_EQ(json["file"], "bad\xEF\xBF\xBD.csv");
 }
 
 }  // namespace

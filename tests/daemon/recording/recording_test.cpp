@@ -65,17 +65,16 @@ TEST(Recording, ModeWords) {
   EXPECT_EQ(recording.rows.mode.value, (std::vector<double>{1, 0, 2, 3}));
 }
 
-TEST(Recording, UnparsableFiles) {
-  EXPECT_THAT(failure_of("a,b\n1,2\n"), HasSubstr("neither \"t_s\" nor \"time\""));
-  EXPECT_THAT(failure_of("t_s,sp\n1,2\n"), HasSubstr("no \"pv\" column"));
+TEST(Recording, TextInANumberColumnIsRefused) {
   EXPECT_THAT(failure_of("t_s,pv\n0,1\n1,abc\n"),
               HasSubstr("line 3, column \"pv\": \"abc\" is not a number"));
-  EXPECT_THAT(failure_of("t_s,pv\n0,1\n5,1\n4,1\n"), HasSubstr("line 4, column \"t_s\": the time"));
-  EXPECT_THAT(failure_of("t_s,pv\n,1\n"), HasSubstr("is not a time"));
-  EXPECT_THAT(failure_of("t_s,pv\n1e300,1\n"), HasSubstr("is not a time"));
-  EXPECT_THAT(failure_of("time,pv\nyesterday,1\n"), HasSubstr("is not a time"));
   EXPECT_THAT(failure_of("t_s,pv\n0,1.5.2\n"), HasSubstr("is not a number"));
   EXPECT_THAT(failure_of("t_s,pv\n0,\"1,5\"\n"), HasSubstr("is not a number"));
+}
+
+TEST(Recording, ANulByteDoesNotCutTheMessage) {
+  EXPECT_THAT(failure_of(std::string_view("t_s,pv\n0,1\0x2\n", 14)),
+              HasSubstr("\"1\\x00x2\" is not a number"));
 }
 
 TEST(Recording, ARepeatedTimeKeepsTheLastRowAndIsCounted) {
@@ -102,7 +101,7 @@ TEST(Recording, NoRowsGiveAnEmptyWindow) {
 
 TEST(Recording, AJumpOfCenturiesDoesNotExhaustMemory) {
   const auto window =
-      last_window(recording_of("t_s,pv\n0,1\n1,2\n8e12,3\n8000000000001,4\n"), 4096, std::nullopt);
+      last_window(recording_of("t_s,pv\n0,1\n1,2\n2e10,3\n20000000001,4\n"), 4096, std::nullopt);
   EXPECT_EQ(window.size(), 4096U);
 }
 
