@@ -1,0 +1,77 @@
+#include "core/diagnosis/case.hpp"
+
+#include <algorithm>
+
+#include "core/diagnosis/words.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+/// Paper, section 6.2.1: op between 49.4 and 50 % while pv swings.
+constexpr double kTinyOpSpanPercent = 2.0;
+constexpr double kLargePvShare = 0.05;
+/// An oscillation that carries less than this share of the error's variance is not what makes the
+/// loop perform poorly: those found by chance carry 0.03 to 0.14 (paper_5_1, healthy_flow), real
+/// ones 0.24 and more (paper_5_3, where the load wanders; tight_tuning has 0.88).
+constexpr double kOscillationShare = 0.2;
+
+std::string oscillation_text(const loop::Oscillation& oscillation) {
+  return "Oscillation of period " + duration(oscillation.period_s.value_or(0.0)) + ", regularity " +
+         number(oscillation.regularity.value_or(0.0)) + ", persistence " +
+         number(oscillation.persistence.value_or(0.0)) + ".";
+}
+
+std::string oversized_text(const loop::ValveGain& gain) {
+  return "op spans " + number(*gain.op_span_percent) + " %, pv " + percent(*gain.pv_relative_span) +
+         " of its level.";
+}
+
+}  // namespace
+
+bool has_flag(const Evidence& evidence, std::string_view flag) {
+  const auto& flags = evidence.data_quality.flags;
+  return std::find(flags.begin(), flags.end(), flag) != flags.end();
+}
+
+bool op_speaks(const Evidence& evidence) {
+  return !has_flag(evidence, "op_constant") && !has_flag(evidence, "op_missing");
+}
+
+bool oscillates(const Evidence& evidence) {
+  const double amplitude = evidence.oscillation.amplitude.value_or(0.0);
+  const double error_std = evidence.performance.error_std.value_or(0.0);
+  return evidence.oscillation.present &&
+         0.5 * amplitude * amplitude >= kOscillationShare * error_std * error_std;
+}
+
+bool oversized(const Evidence& evidence) {
+  const loop::ValveGain& gain = evidence.valve_gain;
+  return gain.op_span_percent.value_or(100.0) < kTinyOpSpanPercent &&
+         gain.pv_relative_span.value_or(0.0) > kLargePvShare;
+}
+
+std::vector<std::string> reasons_of(const Case& loop) {
+  std::vector<std::string> reasons{loop.nonlinearity.reason};
+  if (oscillates(loop.evidence)) {
+    reasons.push_back(oscillation_text(loop.evidence.oscillation));
+  }
+  reasons.insert(reasons.end(), loop.valve.reasons.begin(), loop.valve.reasons.end());
+  return reasons;
+}
+
+std::vector<std::string> with(std::vector<std::string> reasons, std::string reason) {
+  reasons.push_back(std::move(reason));
+  return reasons;
+}
+
+Verdict make(VerdictCode code, double confidence, std::vector<std::string> reasons) {
+  return {code, std::clamp(confidence, 0.0, 1.0), summary_of(code), std::move(reasons),
+          action_for(code)};
+}
+
+Verdict oversized_valve(const Case& loop) {
+  return make(VerdictCode::valve_oversized, 0.5,
+              with(reasons_of(loop), oversized_text(loop.evidence.valve_gain)));
+}
+
+}  // namespace loopscope::core::diagnosis
