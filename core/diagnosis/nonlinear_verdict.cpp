@@ -11,7 +11,7 @@ using Kind = ValvePattern::Kind;
 
 /// NGI in multiples of its limit at which the published rule is believed in full. White and AR(1)
 /// noise pass the limit itself in 3 to 8 % of the records, 2.4 times the limit in at most 0.3 % (a
-/// random walk in 2.6 %), four times it never in 4000 (0.4 %).
+/// random walk in 2.6 %), four times it never (0.4 %): tests/core/diagnosis/nonlinearity_test.
 constexpr double kConvincingStrength = 4.0;
 
 /// How far the published rule is believed, 0 to 1: skewed noise passes it too, but without a
