@@ -1,11 +1,13 @@
 #include "core/hos/analyse.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "core/hos/bicoherence.hpp"
 #include "core/hos/indices.hpp"
 #include "core/hos/moments.hpp"
 #include "core/hos/peaks.hpp"
+#include "core/hos/significance.hpp"
 
 namespace loopscope::core::hos {
 
@@ -28,16 +30,26 @@ PublishedDecision published_decision(double ngi, double nli, const Settings& set
   return {gaussian, gaussian || nli <= settings.nli_threshold};
 }
 
-std::optional<Result> analyse(std::span<const double> signal, const Settings& settings) {
-  Bicoherence bicoherence(settings);
-  const std::span<const double> bic2 = bicoherence.estimate(signal);
-  if (bic2.empty()) {
-    return std::nullopt;
-  }
-  const Indices found = indices(bic2, bicoherence.segments(), settings.alpha);
-  const Moments shape = moments(signal);
-  Result result;
-  result.segments = bicoherence.segments();
+namespace {
+
+/// Each kind that is significant by itself; where only both together are, the stronger one.
+Coupling coupling_of(const Significance& found, double alpha) {
+  if (found.nonlinear_p > alpha) return Coupling::none_found;
+  const double cubic_p = found.cubic_p.value_or(1.0);
+  if (found.quadratic_p <= alpha && cubic_p <= alpha) return Coupling::both;
+  return found.quadratic_p <= cubic_p ? Coupling::quadratic : Coupling::cubic;
+}
+
+Bifrequency bins_of(const Peak& peak, const Settings& settings) {
+  const auto bins = static_cast<double>(settings.dft_length);
+  return {static_cast<std::size_t>(std::lround(peak.f1 * bins)),
+          static_cast<std::size_t>(std::lround(peak.f2 * bins))};
+}
+
+void add_indices(std::span<const double> bic2, std::size_t segments, const Settings& settings,
+                 Result& result) {
+  const Indices found = indices(bic2, segments, settings.alpha);
+  result.segments = segments;
   result.bifrequencies = bic2.size();
   result.mean_bic2 = found.mean_bic2;
   result.std_bic2 = found.std_bic2;
@@ -46,13 +58,33 @@ std::optional<Result> analyse(std::span<const double> signal, const Settings& se
   result.ngi = found.ngi;
   result.nli = found.nli;
   result.published = published_decision(found.ngi, found.nli, settings);
+}
+
+}  // namespace
+
+std::optional<Result> analyse(std::span<const double> signal, const Settings& settings,
+                              std::uint64_t seed) {
+  Bicoherence bicoherence(settings);
+  const std::span<const double> bic2 = bicoherence.estimate(signal);
+  if (bic2.empty()) {
+    return std::nullopt;
+  }
+  Result result;
+  add_indices(bic2, bicoherence.segments(), settings, result);
+  const Moments shape = moments(signal);
   result.skewness = shape.skewness;
   result.excess_kurtosis = shape.excess_kurtosis;
+  const SignificanceTest test(settings);
   result.peaks = find_peaks(bic2, bicoherence.segments(), settings);
-  // Skewed noise through a linear filter passes both published thresholds; without a peak that
-  // stands out there is nothing to call coupling.
-  const bool coupled = !result.published.linear && !result.peaks.empty();
-  result.coupling = coupled ? Coupling::quadratic : Coupling::none_found;
+  for (Peak& peak : result.peaks) {
+    peak.p = test.quadratic().peak_p(bicoherence, bins_of(peak, settings));
+  }
+  const Significance found = test.measure(signal, bicoherence, bic2, seed);
+  result.ngi_p = found.ngi_p;
+  result.nli_p = found.nli_p;
+  result.cubic_p = found.cubic_p;
+  result.nonlinear_p = found.nonlinear_p;
+  result.coupling = coupling_of(found, settings.alpha);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -12,10 +13,12 @@ namespace loopscope::core::hos {
 
 /// A peak of the squared bicoherence.
 struct Peak {
-  double f1 = 0.0;          ///< cycles per sample, 0 to 0.5, f1 >= f2
-  double f2 = 0.0;          ///< cycles per sample
-  double bic2 = 0.0;        ///< squared bicoherence, 0 to 1
-  std::optional<double> p;  ///< corrected for the whole triangle; nullopt = not computed
+  double f1 = 0.0;    ///< cycles per sample, 0 to 0.5, f1 >= f2
+  double f2 = 0.0;    ///< cycles per sample
+  double bic2 = 0.0;  ///< squared bicoherence, 0 to 1
+  /// Against Gaussian noise, corrected for the whole triangle; nullopt = the three frequencies
+  /// share main lobes, where a single line looks coupled to itself
+  std::optional<double> p;
 };
 
 /// What the error signal couples; `none_found` never means "linear".
@@ -44,11 +47,11 @@ struct Result {
   double ngi = 0.0;                 ///< non-Gaussianity index, eq. 12
   double nli = 0.0;                 ///< nonlinearity index, eq. 14
   PublishedDecision published;
-  double skewness = 0.0;                                     ///< of the whole record
-  double excess_kurtosis = 0.0;                              ///< of the whole record
-  std::optional<double> ngi_p, nli_p, cubic_p, nonlinear_p;  ///< nullopt = not computed
-  /// `quadratic` when the published rule says nonlinear and a peak stands out; cubic coupling is
-  /// not looked for.
+  double skewness = 0.0;         ///< of the whole record
+  double excess_kurtosis = 0.0;  ///< of the whole record
+  std::optional<double> ngi_p, nli_p, cubic_p,
+      nonlinear_p;  ///< see Significance; nullopt = unknown
+  /// Which coupling the p-values find at settings.alpha, given that nonlinear_p finds any.
   Coupling coupling = Coupling::none_found;
   std::vector<Peak> peaks;  ///< strongest first
 };
@@ -58,9 +61,10 @@ struct Result {
 /// NaN or infinity marks a missing sample: every segment that touches one is dropped and the null
 /// of the segments that are left applies. Returns nullopt when fewer than two segments are left or
 /// the signal has no variance above rounding noise. Finite samples never give a NaN in the result.
-/// May be called from many threads at once.
+/// `seed` drives the simulations of the second pass (significance.hpp): the same seed gives the
+/// same result. May be called from many threads at once.
 /// Throws std::invalid_argument for settings out of range.
 [[nodiscard]] std::optional<Result> analyse(std::span<const double> signal,
-                                            const Settings& settings);
+                                            const Settings& settings, std::uint64_t seed = 0);
 
 }  // namespace loopscope::core::hos

@@ -32,6 +32,8 @@ class Bicoherence {
 
   /// K of the last estimate.
   [[nodiscard]] std::size_t segments() const { return spectra_.segments(); }
+  /// The spectra behind the last estimate.
+  [[nodiscard]] const Spectra& spectra() const { return spectra_; }
   [[nodiscard]] const PrincipalDomain& domain() const { return domain_; }
 
  private:

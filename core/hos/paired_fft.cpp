@@ -2,11 +2,10 @@
 
 #include <cassert>
 #include <fftw3.h>
-#include <map>
-#include <mutex>
 #include <new>
 
 #include "core/hos/aligned.hpp"
+#include "core/hos/plan_cache.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -23,14 +22,7 @@ struct PairedFft::Plan {
 };
 
 const PairedFft& PairedFft::of_length(std::size_t length) {
-  static std::mutex planner;
-  static std::map<std::size_t, std::unique_ptr<const PairedFft>> plans;
-  const std::lock_guard lock(planner);
-  auto& plan = plans[length];
-  if (!plan) {
-    plan.reset(new PairedFft(length));
-  }
-  return *plan;
+  return cached_plan<PairedFft>(length);
 }
 
 PairedFft::PairedFft(std::size_t length) : length_(length), plan_(std::make_unique<Plan>()) {

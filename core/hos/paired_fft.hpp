@@ -15,10 +15,9 @@ namespace loopscope::core::hos {
 /// with Z(k) = sum z(n) exp(-2 pi i k n / M). That takes a third of the time of FFTW's own real
 /// transforms at the lengths in use here. A batch fills one cache line of every frequency row.
 ///
-/// execute() may run in many threads at once. FFTW's planner may not: it is the one thing in core
-/// that all threads share, so planning is done under a lock, once per length, and plans are kept
-/// for the life of the program (a few kilobytes for each length in the settings). They are made
-/// with FFTW_ESTIMATE, so that two runs on one processor give the same digits.
+/// execute() may run in many threads at once. Plans are kept per length and shared
+/// (plan_cache.hpp); they are made with FFTW_ESTIMATE, so that two runs on one processor give the
+/// same digits.
 class PairedFft {
  public:
   static constexpr std::size_t kBatch = 8;  ///< sequences
@@ -26,6 +25,7 @@ class PairedFft {
   /// The plan for `length` (even), made at its first use.
   [[nodiscard]] static const PairedFft& of_length(std::size_t length);
 
+  explicit PairedFft(std::size_t length);
   PairedFft(const PairedFft&) = delete;
   PairedFft& operator=(const PairedFft&) = delete;
   ~PairedFft();
@@ -57,8 +57,6 @@ class PairedFft {
   }
 
  private:
-  explicit PairedFft(std::size_t length);
-
   struct Plan;
   std::size_t length_;
   std::unique_ptr<Plan> plan_;

@@ -34,6 +34,9 @@ void Spectra::compute(std::span<const double> signal) {
   const double largest = largest_magnitude(signal);
   scale_ = power_of_two_below(largest);
   segments_ = starts.size();
+  positions_.resize(segments_);
+  std::transform(starts.begin(), starts.end(), positions_.begin(),
+                 [hop = segment_hop(settings_)](std::size_t start) { return start / hop; });
   resize_rows((segments_ + kLanes - 1) / kLanes * kLanes);
   for (std::size_t first = 0; first < segments_; first += kLanes) {
     for (std::size_t i = 0; i < kLanes; ++i) {

@@ -31,6 +31,8 @@ class Spectra {
 
   /// K: segments without a missing sample.
   [[nodiscard]] std::size_t segments() const { return segments_; }
+  /// Where each of them lies on the grid of segments, in hops from the start.
+  [[nodiscard]] const std::vector<std::size_t>& positions() const { return positions_; }
   /// Length of a row: K rounded up to whole cache lines.
   [[nodiscard]] std::size_t row_length() const { return row_length_; }
   /// Frequency bins 0 .. frequencies() - 1, that is dft_length / 2 + 1 of them.
@@ -70,6 +72,7 @@ class Spectra {
   AlignedVector output_;
   AlignedVector rows_;
   std::vector<double> total_power_;
+  std::vector<std::size_t> positions_;
   std::size_t segments_ = 0;
   std::size_t row_length_ = 0;
   double scale_ = 1.0;

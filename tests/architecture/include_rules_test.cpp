@@ -111,7 +111,7 @@ TEST(IncludeRules, CoreHasNoHiddenRandomness) {
 }
 
 TEST(IncludeRules, MutexIsForTheFftwPlannerAlone) {
-  EXPECT_EQ(verdict("core/hos/paired_fft.cpp", "<mutex>"), "");
+  EXPECT_EQ(verdict("core/hos/plan_cache.hpp", "<mutex>"), "");
   EXPECT_THAT(verdict("core/hos/spectra.cpp", "<mutex>"), HasSubstr("may not use"));
 }
 

@@ -68,7 +68,7 @@ constexpr std::array<std::string_view, 49> kPureHeaders = {
 };
 
 constexpr std::array kExceptions = {
-    Exception{"core/hos/paired_fft.cpp", "mutex",
+    Exception{"core/hos/plan_cache.hpp", "mutex",
               "FFTW's planner is the one thing in core/ that all threads of a program share"},
     Exception{"core/hos/triple_tile_avx2.cpp", "immintrin.h", "vector instructions"},
     Exception{"core/hos/triple_tile_avx512.cpp", "immintrin.h", "vector instructions"},

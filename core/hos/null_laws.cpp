@@ -1,0 +1,45 @@
+#include "core/hos/null_laws.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/gamma.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+#include <cmath>
+
+namespace loopscope::core::hos {
+namespace {
+
+/// Skewness of the mean in units of its relative standard deviation, measured; a sum of squared
+/// normal deviates, which a gamma distribution describes, would have 2.
+constexpr double kRelativeSkewness = 2.9;
+
+}  // namespace
+
+double mean_law_upper(double value, double mean, double std) {
+  const double skewness = kRelativeSkewness * std / mean;
+  const double shape = 4.0 / (skewness * skewness);
+  const double scale = std * skewness / 2.0;
+  const double position = value - (mean - shape * scale);
+  if (!(position > 0.0)) return 1.0;
+  return boost::math::cdf(
+      boost::math::complement(boost::math::gamma_distribution<>(shape, scale), position));
+}
+
+double cell_law_upper(double evidence, double level) {
+  // Beyond this the noncentral series only loses digits; the bound exp(-(b - a)^2 / 2) of the Rice
+  // distribution is as good there.
+  constexpr double kFar = 300.0;
+  if (level <= 0.0) return std::exp(-evidence);
+  if (evidence > kFar) {
+    const double distance = std::sqrt(evidence) - std::sqrt(level);
+    return distance > 0.0 ? std::exp(-distance * distance) : 1.0;
+  }
+  const boost::math::non_central_chi_squared_distribution<> law(2.0, 2.0 * level);
+  return boost::math::cdf(boost::math::complement(law, 2.0 * evidence));
+}
+
+double smallest_of(double p, double cells) {
+  constexpr double kLargest = 1.0 - 1e-12;
+  return -std::expm1(cells * std::log1p(-std::min(p, kLargest)));
+}
+
+}  // namespace loopscope::core::hos

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace loopscope::core::hos {
+
+/// DFT of one real record, X(k) = sum x(n) exp(-2 pi i k n / length), k = 0 .. length / 2.
+/// Plans are kept per length and shared by all threads (plan_cache.hpp).
+class RecordFft {
+ public:
+  /// The plan for `length` (even), made at its first use.
+  [[nodiscard]] static const RecordFft& of_length(std::size_t length);
+
+  explicit RecordFft(std::size_t length);
+  RecordFft(const RecordFft&) = delete;
+  RecordFft& operator=(const RecordFft&) = delete;
+  ~RecordFft();
+
+  /// `record` is padded with zeros to the length.
+  [[nodiscard]] std::vector<std::complex<double>> transform(std::vector<double> record) const;
+
+ private:
+  struct Plan;
+  std::size_t length_;
+  std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace loopscope::core::hos

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/hos/linear_model.hpp"
+#include "core/hos/quadratic_test.hpp"
+
+namespace loopscope::core::hos {
+
+/// The statistics of records drawn from a linear model, and the tails fitted on them.
+class Replicates {
+ public:
+  /// Draws the records: as long as `signal` and missing where it is. `cubic_period` in samples,
+  /// nullopt for none.
+  Replicates(const LinearModel& model, std::span<const double> signal, const Settings& settings,
+             const QuadraticTest& test, std::optional<double> cubic_period, std::uint64_t seed);
+
+  /// Probability of this mean squared bicoherence: Pearson III with the moments of the replicates,
+  /// at least as skewed as for Gaussian noise.
+  [[nodiscard]] double mean_p(double mean) const;
+  /// First-pass p-values against Gaussian noise, made right for this noise: -ln p is exponential
+  /// with mean 1 under Gaussian noise and with the replicates' mean, if that is larger, here.
+  [[nodiscard]] double largest_p(double first_pass_p) const;
+  [[nodiscard]] double cubic_p(double first_pass_p) const;
+
+ private:
+  std::vector<double> mean_;
+  std::vector<double> largest_;  // -ln p of the first pass
+  std::vector<double> cubic_;    // the same
+};
+
+}  // namespace loopscope::core::hos

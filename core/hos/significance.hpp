@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/hos/bicoherence.hpp"
+#include "core/hos/cubic_test.hpp"
+#include "core/hos/quadratic_test.hpp"
+
+namespace loopscope::core::hos {
+
+/// p-values of one record.
+struct Significance {
+  double ngi_p = 1.0;             ///< linear and Gaussian? mean squared bicoherence
+  double nli_p = 1.0;             ///< linear, Gaussian or not? largest cell over the common level
+  std::optional<double> cubic_p;  ///< linear? f + f + f -> 3f; nullopt = no period fits the record
+  double quadratic_p = 1.0;       ///< linear? the first two combined, noise as it is
+  double nonlinear_p = 1.0;       ///< linear? all three combined: the one that decides
+  std::optional<double> period_samples;  ///< at which cubic_p was taken
+  bool second_pass = false;              ///< the loop's own noise was looked at by simulation
+};
+
+/// Two passes. The first is closed forms against Gaussian noise of whatever spectrum
+/// (quadratic_test.hpp, cubic_test.hpp) and decides alone where nothing is near significance, or
+/// where the residuals of the record's linear model are Gaussian in their core. Else the noise may
+/// be skewed or heavy-tailed, which a linear loop passes on: the second pass draws records of the
+/// linear model with that noise, and each statistic's tail is fitted on them. A p-value is never
+/// smaller than the first pass says.
+class SignificanceTest {
+ public:
+  /// Throws std::invalid_argument for settings out of range.
+  explicit SignificanceTest(const Settings& settings);
+
+  /// `bic2` is what `bicoherence` last returned, for `signal`; not empty. The same seed gives the
+  /// same figures on one processor path.
+  [[nodiscard]] Significance measure(std::span<const double> signal, const Bicoherence& bicoherence,
+                                     std::span<const double> bic2, std::uint64_t seed) const;
+
+  [[nodiscard]] const QuadraticTest& quadratic() const { return quadratic_; }
+
+ private:
+  struct Statistics {
+    QuadraticStatistics quadratic;
+    std::size_t segments = 0;
+    std::optional<CubicStatistics> cubic;
+  };
+  void second_pass(std::span<const double> signal, const Statistics& found, std::uint64_t seed,
+                   Significance& result) const;
+
+  Settings settings_;
+  QuadraticTest quadratic_;
+};
+
+}  // namespace loopscope::core::hos

@@ -1,0 +1,20 @@
+#include "core/hos/testable_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/hos/window.hpp"
+
+namespace loopscope::core::hos {
+
+TestableCells::TestableCells(const Settings& settings)
+    : lobe_(static_cast<std::size_t>(std::ceil(main_lobe_half_width(settings.window) *
+                                               static_cast<double>(settings.dft_length) /
+                                               static_cast<double>(settings.segment_length)))),
+      half_(settings.dft_length / 2) {
+  for (std::size_t k2 = lobe_; 2 * k2 <= half_; ++k2) {
+    for (std::size_t k1 = std::max(k2, 2 * lobe_ + 1); contains({k1, k2}); ++k1) ++count_;
+  }
+}
+
+}  // namespace loopscope::core::hos
