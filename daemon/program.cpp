@@ -50,6 +50,7 @@ void add_commands(CLI::App& program) {
   add_once(program);
   add_analyze(program);
   add_reproduce(program);
+  add_calibrate(program);
   add_simulate(program);
   add_import(program);
   add_loops(program);

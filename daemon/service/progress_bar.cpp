@@ -12,13 +12,15 @@ constexpr std::size_t kBarWidth = 40;
 
 }  // namespace
 
-std::string progress_text(std::size_t done, std::size_t total, std::size_t width) {
+std::string progress_text(std::size_t done, std::size_t total, std::size_t width,
+                          std::string_view unit) {
   const std::size_t filled = total == 0 ? width : std::min(done, total) * width / total;
-  return fmt::format("[{}{}] {}/{} loops", std::string(filled, '#'),
-                     std::string(width - filled, '.'), done, total);
+  return fmt::format("[{}{}] {}/{} {}", std::string(filled, '#'), std::string(width - filled, '.'),
+                     done, total, unit);
 }
 
-ProgressBar::ProgressBar(std::size_t total) : terminal_(isatty(STDERR_FILENO) == 1), total_(total) {
+ProgressBar::ProgressBar(std::size_t total, std::string_view unit)
+    : terminal_(isatty(STDERR_FILENO) == 1), total_(total), unit_(unit) {
   advance(0);
 }
 
@@ -28,7 +30,7 @@ ProgressBar::~ProgressBar() {
 
 void ProgressBar::advance(std::size_t steps) {
   done_ += steps;
-  if (terminal_) std::cerr << '\r' << progress_text(done_, total_, kBarWidth) << std::flush;
+  if (terminal_) std::cerr << '\r' << progress_text(done_, total_, kBarWidth, unit_) << std::flush;
 }
 
 }  // namespace loopscope::daemon

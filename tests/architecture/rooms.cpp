@@ -13,7 +13,7 @@ const std::vector<std::string_view> kCore = {"core/signal", "core/hos",   "core/
 
 const std::array kRooms = {
     Room{"core/signal", {}, {}, true},
-    Room{"core/hos", {}, {"FFTW", "Eigen"}, true},
+    Room{"core/hos", {}, {"FFTW", "Eigen", "Boost.Math"}, true},
     Room{"core/loop", {"core/signal", "core/hos"}, {"Eigen"}, true},
     Room{"core/model", {"core/signal", "core/hos"}, {"Eigen", "NLopt"}, true},
     Room{"core/plant", {"core/signal", "core/hos", "core/loop", "core/model"}, {}, true},
@@ -26,7 +26,7 @@ const std::array kRooms = {
     Room{"storage", kCore, {"libpqxx", "libpq"}, false, true},
     Room{"daemon",
          {"core", "config", "storage"},
-         {"Asio", "spdlog", "fmt", "CLI11", "nlohmann-json", "date"},
+         {"Asio", "spdlog", "fmt", "CLI11", "nlohmann-json", "date", "Boost.Math"},
          false,
          true},
 };
@@ -41,6 +41,7 @@ constexpr std::array kLibraries = {
     Library{"Eigen", "Eigen/"},
     Library{"Eigen", "unsupported/Eigen/"},
     Library{"NLopt", "nlopt."},
+    Library{"Boost.Math", "boost/math/"},
     Library{"nlohmann-json", "nlohmann/"},
     Library{"libpqxx", "pqxx/"},
     Library{"libpq", "libpq-fe.h"},

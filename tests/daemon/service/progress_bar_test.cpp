@@ -9,6 +9,7 @@ TEST(ProgressBar, FillsWithTheShareThatIsDone) {
   EXPECT_EQ(progress_text(0, 4, 8), "[........] 0/4 loops");
   EXPECT_EQ(progress_text(3, 4, 8), "[######..] 3/4 loops");
   EXPECT_EQ(progress_text(4, 4, 8), "[########] 4/4 loops");
+  EXPECT_EQ(progress_text(1, 2, 2, "records"), "[#.] 1/2 records");
 }
 
 TEST(ProgressBar, NothingToDoAndMoreThanExpected) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "daemon/calibrate/calibration.hpp"
+
+namespace loopscope::daemon {
+
+/// For scripts: {"records", "levels", "tests": [..], "families": [..], "cost", "plants": [..]};
+/// keys in the README of daemon/. All but "cost" repeats from run to run.
+[[nodiscard]] nlohmann::ordered_json calibration_json(const Calibration& calibration);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/hos/settings.hpp"
+
+namespace loopscope::core::hos::tests {
+
+/// A signal per seed.
+using Draw = std::function<std::vector<double>(std::uint64_t seed)>;
+
+/// Records that a size or power is measured on; the environment's LOOPSCOPE_RECORDS replaces
+/// `records`.
+[[nodiscard]] int records_or(int records);
+
+/// Four standard errors of a share of `records` records whose expectation is `rate`.
+[[nodiscard]] double four_errors(double rate, int records);
+
+/// Shares of records that Hinich's and Fackrell's tests reject at a level.
+struct Rejections {
+  double gaussianity = 0.0;
+  double linearity = 0.0;
+  double fackrell_count = 0.0;
+  double fackrell_some = 0.0;
+};
+[[nodiscard]] Rejections rejections(const Draw& draw, const Settings& settings, double level,
+                                    int records);
+
+}  // namespace loopscope::core::hos::tests

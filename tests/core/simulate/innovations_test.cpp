@@ -1,0 +1,47 @@
+#include "core/simulate/innovations.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace loopscope::core::simulate {
+namespace {
+
+constexpr std::size_t kSamples = 400'000;
+
+double moment(const std::vector<double>& values, int order) {
+  double sum = 0.0;
+  for (const double value : values) {
+    sum += std::pow(value, order);
+  }
+  return sum / static_cast<double>(values.size());
+}
+
+// Tolerances are four to five standard errors of a sample moment.
+TEST(Innovations, HaveMeanZeroAndVarianceOne) {
+  for (const auto law :
+       {Innovation::gaussian, Innovation::exponential, Innovation::uniform, Innovation::laplace}) {
+    const auto values = innovations(law, kSamples, 1);
+    EXPECT_NEAR(moment(values, 1), 0.0, 0.007) << name(law);
+    EXPECT_NEAR(moment(values, 2), 1.0, 0.02) << name(law);
+  }
+}
+
+TEST(Innovations, HaveTheShapeOfTheirLaw) {
+  EXPECT_NEAR(moment(innovations(Innovation::exponential, kSamples, 2), 3), 2.0, 0.12);
+  EXPECT_NEAR(moment(innovations(Innovation::uniform, kSamples, 2), 3), 0.0, 0.02);
+  EXPECT_NEAR(moment(innovations(Innovation::uniform, kSamples, 2), 4), 1.8, 0.02);
+  EXPECT_NEAR(moment(innovations(Innovation::laplace, kSamples, 2), 3), 0.0, 0.08);
+  EXPECT_NEAR(moment(innovations(Innovation::laplace, kSamples, 2), 4), 6.0, 0.4);
+  EXPECT_NEAR(moment(innovations(Innovation::gaussian, kSamples, 2), 4), 3.0, 0.08);
+}
+
+TEST(Innovations, SameSeedSameNumbers) {
+  for (const auto law :
+       {Innovation::gaussian, Innovation::exponential, Innovation::uniform, Innovation::laplace}) {
+    EXPECT_EQ(innovations(law, 100, 3), innovations(law, 100, 3));
+    EXPECT_NE(innovations(law, 100, 3), innovations(law, 100, 4));
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::core::simulate
