@@ -125,6 +125,9 @@ constexpr std::array kTable = {
             range(0, 0.9), "with more missing a window is not judged"},
     Setting{"/analysis/max_filled_gap", in_prepare<&PrepareSettings::max_filled_gap>,
             range(0, 100, "samples"), "longest gap that a line may bridge"},
+    Setting{"/analysis/slow_span_windows", in_prepare<&PrepareSettings::slow_span_windows>,
+            range(1, 16, "windows"),
+            "that are read at most for a slow oscillation; 1 = never more than the window"},
 
     Setting{"/analysis/hos/segment_length", in_hos<&Hos::segment_length>,
             even_range(16, 4096, "samples"), "segment of the averaged estimates"},

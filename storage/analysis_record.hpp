@@ -16,12 +16,13 @@ struct AnalysisRecord {
   std::int64_t window_end_us = 0;    ///< last sample of the window
   std::size_t samples = 0;           ///< grid slots in the window
   double sample_interval_s = 0.0;    ///< 0 = unknown (no rows)
-  std::string input_digest;          ///< 16 hexadecimal digits over the aligned window and settings
+  std::string input_digest;          ///< 16 hexadecimal digits over all samples read, and settings
   std::string program_version;
   std::string settings_json;  ///< the analysis settings in force, as a JSON object
   double fetch_ms = 0.0;      ///< share of the batch's reading time
   double analyse_ms = 0.0;    ///< core::diagnose
   core::Diagnosis diagnosis;
+  std::string hos_slow_json;  ///< the slow look as a JSON object; empty = there is none
 };
 
 }  // namespace loopscope::storage

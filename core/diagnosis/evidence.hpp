@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "core/hos/analyse.hpp"
+#include "core/hos/slow_look.hpp"
 #include "core/loop/oscillation.hpp"
 #include "core/loop/performance.hpp"
 #include "core/loop/shape.hpp"
@@ -20,6 +22,12 @@ struct Evidence {
   loop::Shape shape;
   loop::ValveGain valve_gain;
   bool integrating = false;  ///< level loop: the vessel integrates (from the catalogue)
+  /// The same statistics on data resampled to fit a slow oscillation; nullopt when none is needed
+  /// or too little is recorded.
+  std::optional<hos::SlowLook> hos_slow;
+  /// Samples up to the window's end that the slow look wants; 0 = the window is long enough, or no
+  /// slow look is needed.
+  std::size_t slow_span_samples = 0;
 };
 
 }  // namespace loopscope::core

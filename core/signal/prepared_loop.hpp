@@ -14,6 +14,7 @@ struct PrepareSettings {
   std::size_t min_usable_samples = 512;  ///< 15 segments of 64 at 50 % overlap
   double max_missing_fraction = 0.4;     ///< more than this and the window is not judged
   std::size_t max_filled_gap = 2;        ///< missing samples in a row that a line may bridge
+  std::size_t slow_span_windows = 4;     ///< the slow look may ask for so many windows, >= 1
 };
 
 /// A window made ready for the numerics: the error signal, op in percent, and what was found odd.

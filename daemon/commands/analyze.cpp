@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
@@ -41,15 +42,33 @@ InputFacts facts_of(const Recording& recording, const core::signal::LoopWindow& 
   return facts;
 }
 
+/// A recording's window, and its diagnosis with what the file holds before the window.
+struct Analysis {
+  core::signal::LoopWindow window;
+  core::Diagnosis diagnosis;
+};
+
+Analysis analyse(const Recording& recording, const core::AnalysisSettings& settings,
+                 const std::optional<core::signal::OpRange>& op_range,
+                 const core::LoopFacts& facts) {
+  Analysis analysis;
+  analysis.window = last_window(recording, settings.prepare.window_samples, op_range);
+  const core::FirstLook first = core::first_look(analysis.window, settings);
+  std::optional<core::signal::LoopWindow> longer;
+  if (first.slow_span_samples > 0) {
+    longer = last_window(recording, first.slow_span_samples, op_range);
+  }
+  analysis.diagnosis = core::diagnose(first, settings, facts, longer ? &*longer : nullptr);
+  return analysis;
+}
+
 void analyze(const AnalyzeOptions& options) {
   core::AnalysisSettings settings;
   if (!options.config.empty()) settings = config::read_settings(options.config).analysis;
   if (options.window > 0) settings.prepare.window_samples = options.window;
   const Recording recording = read_recording(options.file);
-  const core::signal::LoopWindow window =
-      last_window(recording, settings.prepare.window_samples, parse_op_range(options.op_range));
-  const core::Diagnosis diagnosis =
-      core::diagnose(window, settings, {.integrating = is_integrating_type(options.type)});
+  const auto [window, diagnosis] = analyse(recording, settings, parse_op_range(options.op_range),
+                                           {.integrating = is_integrating_type(options.type)});
   if (options.json) {
     std::cout << json_text(analysis_json(facts_of(recording, window), diagnosis)) << '\n';
   } else {

@@ -122,12 +122,19 @@ Json verdict_json(const core::diagnosis::Verdict& verdict) {
 
 }  // namespace
 
+Json slow_look_json(const core::hos::SlowLook& look) {
+  Json object = hos_json(look.result);
+  object["decimation"] = look.decimation;
+  object["samples"] = look.samples;
+  return object;
+}
+
 Json analysis_json(const InputFacts& input, const core::Diagnosis& diagnosis) {
   const core::Evidence& evidence = diagnosis.evidence;
   return {{"input", input_json(input)},
           {"data_quality", quality_json(evidence.data_quality)},
           {"hos", evidence.hos ? hos_json(*evidence.hos) : empty_hos_json()},
-          {"hos_slow", nullptr},
+          {"hos_slow", evidence.hos_slow ? slow_look_json(*evidence.hos_slow) : Json(nullptr)},
           {"oscillation", oscillation_json(evidence.oscillation)},
           {"performance", performance_json(evidence.performance)},
           {"shape", shape_json(evidence)},

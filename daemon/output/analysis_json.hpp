@@ -20,6 +20,10 @@ struct InputFacts {
 [[nodiscard]] nlohmann::ordered_json analysis_json(const InputFacts& input,
                                                    const core::Diagnosis& diagnosis);
 
+/// The object `hos_slow`: that of `hos` with the decimation and the span (raw samples), its peaks
+/// in cycles per kept sample.
+[[nodiscard]] nlohmann::ordered_json slow_look_json(const core::hos::SlowLook& look);
+
 /// The object as indented text in valid UTF-8, whatever bytes a file name holds: those that are no
 /// UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& object);

@@ -43,6 +43,16 @@ std::string peaks_text(const core::hos::Result& hos, double sample_interval_s) {
   return text;
 }
 
+/// Without the published rule: it does not know that these segments overlap by three quarters.
+std::string slow_look_text(const core::hos::SlowLook& look, double sample_interval_s) {
+  std::string text = line(
+      "slow look", fmt::format("NGI {:.4f}, NLI {:.4f}, p {} over {} segments of every {}th of "
+                               "{} samples",
+                               look.result.ngi, look.result.nli, figure(look.result.nonlinear_p),
+                               look.result.segments, look.decimation, look.samples));
+  return text + peaks_text(look.result, static_cast<double>(look.decimation) * sample_interval_s);
+}
+
 std::string oscillation_text(const core::loop::Oscillation& oscillation) {
   return fmt::format("{}; period {} s, regularity {}, persistence {}, amplitude {}",
                      oscillation.present ? "present" : "none found", figure(oscillation.period_s),
@@ -75,6 +85,7 @@ std::string analysis_text(const std::string& title, double sample_interval_s,
     text += line("statistics", hos_text(*evidence.hos));
     text += peaks_text(*evidence.hos, sample_interval_s);
   }
+  if (evidence.hos_slow) text += slow_look_text(*evidence.hos_slow, sample_interval_s);
   text += line("oscillation", oscillation_text(evidence.oscillation));
   text += line("performance", performance_text(evidence.performance));
   text += line("shape", shape_text(evidence.shape));

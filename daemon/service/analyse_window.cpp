@@ -6,36 +6,59 @@
 #include "core/signal/grid.hpp"
 #include "core/signal/window_digest.hpp"
 #include "daemon/commands/option_values.hpp"
+#include "daemon/output/analysis_json.hpp"
 
 namespace loopscope::daemon {
 
-std::string digest_of(const storage::CatalogueEntry& loop, const LoopWindowAtSlot& at_slot,
-                      const std::string& settings_json) {
-  return core::signal::window_digest(at_slot.window, settings_json + loop.loop_type);
+namespace {
+
+using core::signal::LoopWindow;
+
+core::Diagnosis diagnose(const LoopInput& input, const core::AnalysisSettings& settings,
+                         const core::LoopFacts& facts) {
+  const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
+  return input.first ? core::diagnose(*input.first, settings, facts, longer)
+                     : core::diagnose(input.at_slot.window, settings, facts, longer);
 }
 
-storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop,
-                                       const LoopWindowAtSlot& at_slot,
-                                       const core::AnalysisSettings& settings,
-                                       const std::string& settings_json) {
-  using Milliseconds = std::chrono::duration<double, std::milli>;
-  const core::signal::LoopWindow& window = at_slot.window;
+void describe_window(const LoopWindowAtSlot& at_slot, storage::AnalysisRecord& record) {
+  const LoopWindow& window = at_slot.window;
   const core::signal::Grid grid{window.start_us, window.sample_interval_s, window.size()};
-  storage::AnalysisRecord record;
   record.slot_end_us = at_slot.slot_end_us;
   record.window_start_us = window.size() > 0 ? grid.start_us : at_slot.slot_end_us;
   record.window_end_us = window.size() > 0 ? grid.time_us(window.size() - 1) : at_slot.slot_end_us;
   record.samples = window.size();
   record.sample_interval_s = window.size() > 1 ? window.sample_interval_s : 0.0;
-  record.input_digest = digest_of(loop, at_slot, settings_json);
+}
+
+}  // namespace
+
+std::string digest_of(const storage::CatalogueEntry& loop, const LoopInput& input,
+                      const std::string& settings_json) {
+  std::string digest =
+      core::signal::window_digest(input.at_slot.window, settings_json + loop.loop_type);
+  return input.long_window ? core::signal::window_digest(*input.long_window, digest) : digest;
+}
+
+storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, const LoopInput& input,
+                                       const core::AnalysisSettings& settings,
+                                       const std::string& settings_json) {
+  using Milliseconds = std::chrono::duration<double, std::milli>;
+  storage::AnalysisRecord record;
+  describe_window(input.at_slot, record);
+  record.input_digest = digest_of(loop, input, settings_json);
   // Verdicts are reproducible to the last digit on one processor path only.
   record.program_version =
       std::string(LOOPSCOPE_VERSION " ") + std::string(core::hos::processor_path());
   record.settings_json = settings_json;
   const auto start = std::chrono::steady_clock::now();
   record.diagnosis =
-      core::diagnose(window, settings, {.integrating = is_integrating_type(loop.loop_type)});
-  record.analyse_ms = Milliseconds(std::chrono::steady_clock::now() - start).count();
+      diagnose(input, settings, {.integrating = is_integrating_type(loop.loop_type)});
+  record.analyse_ms =
+      input.first_look_ms + Milliseconds(std::chrono::steady_clock::now() - start).count();
+  if (const auto& slow = record.diagnosis.evidence.hos_slow) {
+    record.hos_slow_json = slow_look_json(*slow).dump();
+  }
   return record;
 }
 

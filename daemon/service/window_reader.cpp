@@ -29,6 +29,7 @@ struct Plan {
   std::int64_t slot_end_us = 0;
   bool has_rows = false;
   double interval_s = 0.0;  ///< 0 = unknown
+  std::size_t max_samples = 0;
 };
 
 std::int64_t microseconds(double seconds) {
@@ -61,7 +62,7 @@ std::vector<Plan> make_plans(storage::HistorianReader& historian,
   for (std::size_t k = 0; k < claims.size(); ++k) {
     const ClaimedLoop& claim = *claims[k];
     plans.push_back({&claim.loop, slot_end(claim, newest[k], settings), newest[k].has_value(),
-                     claim.loop.interval_s.value_or(0.0)});
+                     claim.loop.interval_s.value_or(0.0), settings.max_samples});
   }
   return plans;
 }
@@ -96,10 +97,10 @@ constexpr TagSlot kTagSlots[] = {
     {&CatalogueEntry::mode_tag, &LoopRows::mode, true},
 };
 
-std::vector<TagRequest> requests_of(const Plan& plan, std::size_t max_samples) {
+std::vector<TagRequest> requests_of(const Plan& plan) {
   std::vector<TagRequest> requests;
-  const auto slots = static_cast<std::int64_t>(max_samples);
-  const auto span_us = microseconds(plan.interval_s * static_cast<double>(max_samples));
+  const auto slots = static_cast<std::int64_t>(plan.max_samples);
+  const auto span_us = microseconds(plan.interval_s * static_cast<double>(plan.max_samples));
   for (const TagSlot& slot : kTagSlots) {
     const std::string& tag = plan.loop->*slot.tag;
     if (tag.empty()) continue;
@@ -121,11 +122,30 @@ bool readable(const Plan& plan) {
   return plan.has_rows && plan.interval_s > 0.0;
 }
 
-core::signal::LoopWindow make_window(const Plan& plan, const LoopRows& rows,
-                                     std::size_t max_samples) {
-  return core::signal::assemble(
-      rows, core::signal::window_grid(rows.pv, plan.interval_s, plan.slot_end_us, max_samples),
-      plan.loop->op_range);
+core::signal::LoopWindow make_window(const Plan& plan, const LoopRows& rows) {
+  const core::signal::Grid grid =
+      core::signal::window_grid(rows.pv, plan.interval_s, plan.slot_end_us, plan.max_samples);
+  return core::signal::assemble(rows, grid, plan.loop->op_range);
+}
+
+/// The windows of all plans in one batch of requests; an empty one for a plan without rows.
+std::vector<core::signal::LoopWindow> read_plans(storage::HistorianReader& historian,
+                                                 const std::vector<Plan>& plans) {
+  std::vector<TagRequest> requests;
+  for (const Plan& plan : plans) {
+    if (!readable(plan)) continue;
+    const auto more = requests_of(plan);
+    requests.insert(requests.end(), more.begin(), more.end());
+  }
+  std::vector<RawSeries> series =
+      requests.empty() ? std::vector<RawSeries>{} : historian.read(requests);
+  std::vector<core::signal::LoopWindow> windows(plans.size());
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    if (!readable(plans[k])) continue;
+    windows[k] = make_window(plans[k], take_rows(*plans[k].loop, series, next));
+  }
+  return windows;
 }
 
 }  // namespace
@@ -135,25 +155,23 @@ std::vector<LoopWindowAtSlot> read_windows(storage::HistorianReader& historian,
                                            const WindowSettings& settings) {
   std::vector<Plan> plans = make_plans(historian, claims, settings);
   find_unknown_intervals(historian, plans);
-  std::vector<TagRequest> requests;
-  for (const Plan& plan : plans) {
-    if (!readable(plan)) continue;
-    const auto more = requests_of(plan, settings.max_samples);
-    requests.insert(requests.end(), more.begin(), more.end());
+  std::vector<core::signal::LoopWindow> windows = read_plans(historian, plans);
+  std::vector<LoopWindowAtSlot> at_slots;
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    at_slots.push_back({plans[k].slot_end_us, std::move(windows[k])});
   }
-  std::vector<RawSeries> series =
-      requests.empty() ? std::vector<RawSeries>{} : historian.read(requests);
-  std::vector<LoopWindowAtSlot> windows;
-  std::size_t next = 0;
-  for (const Plan& plan : plans) {
-    LoopWindowAtSlot at_slot{plan.slot_end_us, {}};
-    if (readable(plan)) {
-      const LoopRows rows = take_rows(*plan.loop, series, next);
-      at_slot.window = make_window(plan, rows, settings.max_samples);
-    }
-    windows.push_back(std::move(at_slot));
+  return at_slots;
+}
+
+std::vector<core::signal::LoopWindow> read_spans(storage::HistorianReader& historian,
+                                                 std::span<const SpanRequest> requests) {
+  std::vector<Plan> plans;
+  for (const SpanRequest& request : requests) {
+    const LoopWindowAtSlot& at_slot = *request.at_slot;
+    plans.push_back({request.loop, at_slot.slot_end_us, true, at_slot.window.sample_interval_s,
+                     request.samples});
   }
-  return windows;
+  return read_plans(historian, plans);
 }
 
 }  // namespace loopscope::daemon

@@ -31,4 +31,16 @@ struct LoopWindowAtSlot {
     storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
     const WindowSettings& settings);
 
+/// A loop whose slow look wants a longer span than its window.
+struct SpanRequest {
+  const storage::CatalogueEntry* loop = nullptr;
+  const LoopWindowAtSlot* at_slot = nullptr;  ///< not empty; gives end and interval
+  std::size_t samples = 0;                    ///< of the longer span
+};
+
+/// Reads the longer spans of loops of ONE historian, in the order of `requests`, all together.
+/// Throws storage::DatabaseError.
+[[nodiscard]] std::vector<core::signal::LoopWindow> read_spans(
+    storage::HistorianReader& historian, std::span<const SpanRequest> requests);
+
 }  // namespace loopscope::daemon

@@ -87,27 +87,30 @@ storage::WriteCount Worker::process(const std::vector<ClaimedLoop>& claims) {
   });
 }
 
-std::vector<LoopWindowAtSlot> Worker::read(const std::string& source, const Claims& claims) {
-  const WindowSettings window_settings{settings_->analysis.prepare.window_samples,
+std::vector<LoopInput> Worker::read(const std::string& source, const Claims& claims) {
+  const core::AnalysisSettings& analysis = settings_->analysis;
+  const WindowSettings window_settings{analysis.prepare.window_samples,
                                        settings_->schedule.settle_s, slot_rule_};
   const bool fresh = historians_.find(source) == historians_.end();
   try {
-    return read_windows(historian(source), claims, window_settings);
+    return read_inputs(historian(source), claims, window_settings, analysis);
   } catch (const storage::DatabaseError& error) {
     historians_.erase(source);
     // A connection that died while it was idle says nothing about the server: one new one is tried.
     if (fresh || error.remedy() != storage::Remedy::reconnect) throw;
   }
-  return read_windows(historian(source), claims, window_settings);
+  return read_inputs(historian(source), claims, window_settings, analysis);
 }
 
 void Worker::fetch(const std::string& source, const Claims& claims, Batch& batch) {
   const auto start = std::chrono::steady_clock::now();
   try {
-    auto windows = read(source, claims);
-    const double fetch_ms = milliseconds_since(start) / static_cast<double>(claims.size());
+    auto inputs = read(source, claims);
+    double reading_ms = milliseconds_since(start);
+    for (const LoopInput& input : inputs) reading_ms -= input.first_look_ms;
+    const double fetch_ms = reading_ms / static_cast<double>(claims.size());
     for (std::size_t k = 0; k < claims.size(); ++k) {
-      batch.fetched.push_back({claims[k], std::move(windows[k]), fetch_ms});
+      batch.fetched.push_back({claims[k], std::move(inputs[k]), fetch_ms});
     }
     faults_.recovered("historian " + source);
   } catch (const storage::DatabaseError& error) {
@@ -130,7 +133,7 @@ void Worker::set_aside(const std::string& source, const Failure& failure, const 
 void Worker::analyse(Batch& batch) {
   std::vector<std::pair<std::int64_t, std::int64_t>> keys;
   for (const Fetched& fetched : batch.fetched) {
-    keys.emplace_back(fetched.claim->loop.loop_id, fetched.at_slot.slot_end_us);
+    keys.emplace_back(fetched.claim->loop.loop_id, fetched.input.at_slot.slot_end_us);
   }
   const auto stored = with_results([&](storage::ResultsDatabase& database) {
     return database.stored_digests(keys, core::kAlgorithmRevision);
@@ -142,13 +145,13 @@ void Worker::analyse(Batch& batch) {
 
 void Worker::analyse_loop(const Fetched& fetched, const std::string& stored_digest, Batch& batch) {
   const storage::CatalogueEntry& loop = fetched.claim->loop;
-  const std::int64_t slot_end_us = fetched.at_slot.slot_end_us;
+  const std::int64_t slot_end_us = fetched.input.at_slot.slot_end_us;
   storage::CompletedLoop completed{
       loop.loop_id, fetched.claim->fence, slot_end_us,
       next_due(slot_end_us, loop.period_s, settings_->schedule.settle_s), std::nullopt};
   try {
-    if (digest_of(loop, fetched.at_slot, settings_json_) != stored_digest) {
-      completed.record = analyse_window(loop, fetched.at_slot, settings_->analysis, settings_json_);
+    if (digest_of(loop, fetched.input, settings_json_) != stored_digest) {
+      completed.record = analyse_window(loop, fetched.input, settings_->analysis, settings_json_);
       completed.record->fetch_ms = fetched.fetch_ms;
     }
     batch.completed.push_back(std::move(completed));

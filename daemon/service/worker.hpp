@@ -10,8 +10,8 @@
 #include "config/settings.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/service/fault_log.hpp"
+#include "daemon/service/loop_input.hpp"
 #include "daemon/service/slot.hpp"
-#include "daemon/service/window_reader.hpp"
 #include "storage/historian/historian_reader.hpp"
 #include "storage/results/results_database.hpp"
 
@@ -52,10 +52,10 @@ class Worker {
   }
 
  private:
-  /// A claimed loop whose window was read.
+  /// A claimed loop whose input was read.
   struct Fetched {
     const storage::ClaimedLoop* claim;
-    LoopWindowAtSlot at_slot;
+    LoopInput input;
     double fetch_ms;
   };
   struct Batch {
@@ -68,8 +68,8 @@ class Worker {
   storage::HistorianReader& historian(const std::string& source);
   void fetch(const std::string& source, const std::vector<const storage::ClaimedLoop*>& claims,
              Batch& batch);
-  std::vector<LoopWindowAtSlot> read(const std::string& source,
-                                     const std::vector<const storage::ClaimedLoop*>& claims);
+  std::vector<LoopInput> read(const std::string& source,
+                              const std::vector<const storage::ClaimedLoop*>& claims);
   void set_aside(const std::string& source, const Failure& failure,
                  const std::vector<const storage::ClaimedLoop*>& claims, Batch& batch);
   void analyse(Batch& batch);

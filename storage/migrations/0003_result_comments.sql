@@ -10,7 +10,7 @@ COMMENT ON COLUMN loopscope.analysis.fence IS 'Fence of the claim that wrote the
 COMMENT ON COLUMN loopscope.analysis.analysed_at IS 'When the row was written';
 COMMENT ON COLUMN loopscope.analysis.program_version IS 'Version of the program that wrote the row';
 COMMENT ON COLUMN loopscope.analysis.settings IS 'Analysis settings in force, every key';
-COMMENT ON COLUMN loopscope.analysis.input_digest IS 'Digest of the aligned window and the settings, 16 hexadecimal digits: equal digests, equal results';
+COMMENT ON COLUMN loopscope.analysis.input_digest IS 'Digest of every sample that was read and of the settings, 16 hexadecimal digits: equal digests, equal results';
 COMMENT ON COLUMN loopscope.analysis.fetch_ms IS 'Time for reading the rows, milliseconds, the loop''s share of its batch';
 COMMENT ON COLUMN loopscope.analysis.analyse_ms IS 'Time for the analysis, milliseconds';
 COMMENT ON COLUMN loopscope.analysis.window_start IS 'First sample of the window';
@@ -41,7 +41,7 @@ COMMENT ON COLUMN loopscope.analysis.nli_p IS 'Calibrated p-value of the lineari
 COMMENT ON COLUMN loopscope.analysis.cubic_p IS 'Calibrated p-value of the test for symmetric nonlinearity; null = not computed';
 COMMENT ON COLUMN loopscope.analysis.nonlinear_p IS 'The three p-values combined: the one that decides; null = not computed';
 COMMENT ON COLUMN loopscope.analysis.coupling IS 'What the error signal couples: none_found, quadratic, cubic or both';
-COMMENT ON COLUMN loopscope.analysis.hos_slow IS 'The same statistics on data resampled to fit a long period; null = not needed';
+COMMENT ON COLUMN loopscope.analysis.hos_slow IS 'The same statistics on data resampled to fit a long period, with decimation and samples (raw samples read for it); null = not needed, or too little recorded';
 COMMENT ON COLUMN loopscope.analysis.oscillating IS 'Whether a regular oscillation is present';
 COMMENT ON COLUMN loopscope.analysis.oscillation_period_s IS 'Its period, seconds';
 COMMENT ON COLUMN loopscope.analysis.oscillation_regularity IS 'Regularity of its zero crossings, above 1 = regular';

@@ -77,7 +77,7 @@ constexpr auto performance = add_figure<&Evidence::performance, member>;
 template <auto member>
 constexpr auto shape = add_figure<&Evidence::shape, member>;
 
-// The loop model's columns and hos_slow are not written yet by any analysis and stay NULL.
+// The loop model's columns are not written yet by any analysis and stay NULL.
 const std::array kColumns{
     Column{"loop_id", "bigint",
            [](ArrayLiteral& a, const CompletedLoop& l) { a.add_integer(l.loop_id); }},
@@ -145,6 +145,11 @@ const std::array kColumns{
     Column{"cubic_p", "float8", add_hos<&Result::cubic_p>},
     Column{"nonlinear_p", "float8", add_hos<&Result::nonlinear_p>},
     Column{"coupling", "text", add_coupling},
+    Column{"hos_slow", "text",
+           [](ArrayLiteral& a, const CompletedLoop& l) {
+             add_optional_text(a, record(l).hos_slow_json);
+           },
+           "::jsonb"},
     Column{"oscillating", "boolean",
            [](ArrayLiteral& a, const CompletedLoop& l) {
              a.add_boolean(evidence(l).oscillation.present);

@@ -84,6 +84,21 @@ std::vector<double> sinusoid_in_noise(std::uint64_t seed, double period) {
   return x;
 }
 
+std::vector<double> jittered_wave(std::uint64_t seed, double period, std::size_t length,
+                                  double (*shape)(double turn)) {
+  constexpr double kJitter = 0.1 / kTurn;  // turns per root cycle
+  const double noise = std::sqrt(0.1);
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  double turn = std::uniform_real_distribution<double>()(generator);
+  std::vector<double> x(length);
+  for (double& sample : x) {
+    turn += 1.0 / period + kJitter / std::sqrt(period) * normal(generator);
+    sample = shape(turn - std::floor(turn)) + noise * normal(generator);
+  }
+  return x;
+}
+
 std::vector<double> affine(std::span<const double> x, double gain, double offset) {
   std::vector<double> y(x.begin(), x.end());
   for (double& sample : y) {

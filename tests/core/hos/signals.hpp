@@ -32,6 +32,11 @@ inline constexpr std::size_t kRecord = 4096;
 /// cosine(2 pi k / period) in Gaussian noise of standard deviation 1.
 [[nodiscard]] std::vector<double> sinusoid_in_noise(std::uint64_t seed, double period);
 
+/// A wave of variance 1 at 10 dB over white Gaussian noise: `shape` of the phase in turns, which
+/// starts at random and wanders by 0.1 radians (standard deviation) a cycle.
+[[nodiscard]] std::vector<double> jittered_wave(std::uint64_t seed, double period,
+                                                std::size_t length, double (*shape)(double turn));
+
 /// y(k) = gain x(k) + offset.
 [[nodiscard]] std::vector<double> affine(std::span<const double> x, double gain, double offset);
 

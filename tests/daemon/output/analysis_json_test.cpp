@@ -88,6 +88,7 @@ TEST(AnalysisJson, HasEveryPromisedKeyWhenJudged) {
       analysis_json({"f.csv", 1000, 1.0, 0.0, 999.0}, core::diagnose(noisy_sine(1000), {}));
   expect_promised_keys(json);
   EXPECT_TRUE(json["hos"]["ngi"].is_number());
+  EXPECT_TRUE(json["hos_slow"].is_null());
   EXPECT_EQ(json["verdict"]["reasons"].type(), Json::value_t::array);
 }
 
@@ -96,6 +97,21 @@ TEST(AnalysisJson, HasEveryPromisedKeyWhenNotJudged) {
   expect_promised_keys(json);
   EXPECT_TRUE(json["hos"]["ngi"].is_null());
   EXPECT_EQ(json["verdict"]["code"], "insufficient_data");
+}
+
+TEST(AnalysisJson, TheSlowLookHasTheSameKeysAndItsOwn) {
+  core::signal::LoopWindow window = noisy_sine(4096);
+  for (std::size_t k = 0; k < window.size(); ++k) {
+    window.pv[k] += 5.0 * std::sin(static_cast<double>(k) / 30.0);
+  }
+  const auto json = analysis_json({"f.csv", 4096, 1.0, 0.0, 4095.0}, core::diagnose(window, {}));
+  Json slow = json["hos_slow"];
+  EXPECT_EQ(slow["decimation"], 16);
+  EXPECT_EQ(slow["samples"], 4096);
+  slow.erase("decimation");
+  slow.erase("samples");
+  ASSERT_EQ(slow.size(), json["hos"].size());
+  for (const auto& [key, value] : json["hos"].items()) EXPECT_TRUE(slow.contains(key)) << key;
 }
 
 TEST(AnalysisJson, RepeatedTimesAreCounted) {

@@ -125,6 +125,20 @@ TEST_F(AnalysisColumnsTest, WordsSwitchesAndTimesToo) {
   EXPECT_EQ(stored("oscillating"), "t");
 }
 
+TEST_F(AnalysisColumnsTest, TheSlowLookIsAnObjectOrNull) {
+  loop.record->hos_slow_json = R"({"ngi": 0.30000000000000004, "decimation": 17})";
+  connect().finish(std::vector{loop}, {});
+  EXPECT_EQ(stored("hos_slow->>'decimation'"), "17");
+  EXPECT_EQ(stored("(hos_slow->'ngi')::float8"), "0.30000000000000004");
+  loop.record->hos_slow_json.clear();
+  loop.record->input_digest = "d2";
+  database->execute("UPDATE loopscope.schedule SET visible_at = now()");
+  ResultsDatabase results = connect();
+  loop.fence = claim_all(results).at(0).fence;
+  results.finish(std::vector{loop}, {});
+  EXPECT_EQ(stored("hos_slow"), "NULL");
+}
+
 TEST_F(AnalysisColumnsTest, DoublesSurviveToTheLastDigit) {
   loop.record->diagnosis.evidence.hos->ngi = 0.1 + 0.2;
   connect().finish(std::vector{loop}, {});

@@ -24,7 +24,7 @@ TEST_F(FinishTest, StoresAnalysisPeaksAndVerdict) {
   using Rows = std::vector<std::vector<std::string>>;
   EXPECT_EQ(database->rows("SELECT slot_end, algorithm_revision, input_revision, fence"
                            " FROM loopscope.analysis"),
-            (Rows{{"2026-01-01 01:00:00+00", "1", "1", "1"}}));
+            (Rows{{"2026-01-01 01:00:00+00", std::to_string(core::kAlgorithmRevision), "1", "1"}}));
   EXPECT_EQ(
       database->rows("SELECT rank, f1, f2, bic2, p FROM loopscope.bicoherence_peak ORDER BY 1"),
       (Rows{{"1", "0.125", "0.0625", "0.5", "0.001"}, {"2", "0.25", "0.125", "0.25", "NULL"}}));

@@ -1,0 +1,76 @@
+#include "daemon/service/analyse_window.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace loopscope::daemon {
+namespace {
+
+/// A slow wave with a coupled second harmonic; sample `size - 1` is the same for every size.
+core::signal::LoopWindow slow_window(std::size_t size) {
+  core::signal::LoopWindow window;
+  for (std::size_t k = 20'000 - size; k < 20'000; ++k) {
+    const double phase = 2.0 * std::numbers::pi * static_cast<double>(k) / 204.0;
+    const double noise = std::sin(std::fmod(static_cast<double>(k * k), 19.0));
+    window.pv.push_back(std::cos(phase) + 0.3 * std::cos(2.0 * phase) + 0.1 * noise);
+  }
+  window.sp.assign(size, 0.0);
+  return window;
+}
+
+LoopInput input_of(std::size_t longer) {
+  LoopInput input;
+  input.at_slot.window = slow_window(4096);
+  input.first = core::first_look(input.at_slot.window, {});
+  if (longer > 0) input.long_window = slow_window(longer);
+  return input;
+}
+
+TEST(AnalyseWindow, TheDigestCoversTheLongerSpan) {
+  const LoopInput alone = input_of(0);
+  LoopInput with = input_of(8976);
+  const std::string digest = digest_of({}, with, "{}");
+  EXPECT_EQ(digest.size(), 16U);
+  EXPECT_EQ(digest, digest_of({}, input_of(8976), "{}"));
+  EXPECT_NE(digest, digest_of({}, alone, "{}"));
+  EXPECT_NE(digest, digest_of({}, input_of(8000), "{}"));
+  EXPECT_NE(digest, digest_of({}, with, R"({"other": 1})"));
+  with.long_window->pv[17] += 1.0;
+  EXPECT_NE(digest, digest_of({}, with, "{}"));
+}
+
+/// Older rows may arrive later: that a longer span was asked for has to show although the historian
+/// had nothing to add.
+TEST(AnalyseWindow, ALongerSpanWithoutMoreRowsHasItsOwnDigest) {
+  EXPECT_NE(digest_of({}, input_of(0), "{}"), digest_of({}, input_of(4096), "{}"));
+}
+
+TEST(AnalyseWindow, TheRecordHoldsTheSlowLookAndTheWindow) {
+  const LoopInput input = input_of(8976);
+  const storage::AnalysisRecord record = analyse_window({}, input, {}, "{}");
+  EXPECT_EQ(record.samples, 4096U);
+  EXPECT_EQ(record.input_digest, digest_of({}, input, "{}"));
+  const auto slow = nlohmann::json::parse(record.hos_slow_json);
+  EXPECT_EQ(slow["samples"], 8976);
+  EXPECT_EQ(slow["decimation"], 17);
+  EXPECT_EQ(slow["ngi"].get<double>(), record.diagnosis.evidence.hos_slow->result.ngi);
+}
+
+TEST(AnalyseWindow, WithoutASlowLookNothingIsStoredOfOne) {
+  LoopInput input;
+  input.at_slot.window.pv.assign(100, 1.0);
+  EXPECT_EQ(analyse_window({}, input, {}, "{}").hos_slow_json, "");
+}
+
+/// What a first look throws, the analysis of that loop throws.
+TEST(AnalyseWindow, AFirstLookThatFailedFailsTheAnalysis) {
+  LoopInput input;
+  input.at_slot.window = slow_window(1000);
+  input.at_slot.window.sp.pop_back();
+  EXPECT_THROW((void)analyse_window({}, input, {}, "{}"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace loopscope::daemon
