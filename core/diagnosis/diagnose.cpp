@@ -1,8 +1,12 @@
 #include "core/diagnosis/diagnose.hpp"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "core/diagnosis/decide.hpp"
+#include "core/hos/segments.hpp"
+#include "core/signal/setpoint_steps.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core {
@@ -20,9 +24,25 @@ std::string unusable_segments(std::size_t segments, const signal::PreparedLoop& 
          std::to_string(kMinSegments) + " are needed";
 }
 
+void add_once(std::vector<std::string>& flags, const char* flag) {
+  if (std::ranges::find(flags, flag) == flags.end()) flags.emplace_back(flag);
+}
+
+/// The error without the transients of setpoint steps, where enough segments are left without them;
+/// else the whole error, and the flag of a setpoint that moves too often.
+signal::Samples steady_error(const signal::PreparedLoop& loop, const AnalysisSettings& settings,
+                             signal::DataQuality& quality) {
+  const signal::ErrorBetweenSteps between = signal::error_between_steps(loop);
+  if (between.steps == 0) return loop.error;
+  const bool enough = hos::segment_starts(between.error, settings.hos).size() >= kMinSegments;
+  const bool masked = enough && between.masked_fraction > 0.0;
+  add_once(quality.flags, masked ? "sp_steps_masked" : "sp_moving");
+  return masked ? between.error : loop.error;
+}
+
 void measure_statistics(const signal::PreparedLoop& loop, const AnalysisSettings& settings,
                         Evidence& evidence) {
-  evidence.hos = hos::analyse(loop.error, settings.hos);
+  evidence.hos = hos::analyse(steady_error(loop, settings, evidence.data_quality), settings.hos);
   signal::DataQuality& quality = evidence.data_quality;
   const std::size_t segments = evidence.hos ? evidence.hos->segments : 0;
   if (segments < kMinSegments) {
