@@ -6,14 +6,13 @@
 #include <string>
 
 #include "core/diagnosis/decide.hpp"
+#include "core/diagnosis/steady_error.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core {
 namespace {
 
-/// Fewer segments than 512 samples give (15) average too little to judge.
-constexpr std::size_t kMinSegments = 15;
-/// Findings on fewer carry the flag `short`.
+/// Findings on fewer segments carry the flag `short`.
 constexpr std::size_t kShortSegments = 32;
 
 std::string unusable_segments(std::size_t segments, const signal::PreparedLoop& loop) {
@@ -23,41 +22,32 @@ std::string unusable_segments(std::size_t segments, const signal::PreparedLoop& 
          std::to_string(kMinSegments) + " are needed";
 }
 
+void add_flag(signal::DataQuality& quality, const char* flag) {
+  if (std::ranges::find(quality.flags, flag) == quality.flags.end()) {
+    quality.flags.emplace_back(flag);
+  }
+}
+
 void measure_statistics(const signal::PreparedLoop& loop, const AnalysisSettings& settings,
-                        Evidence& evidence) {
-  evidence.hos = hos::analyse(loop.error, settings.hos);
+                        std::uint64_t seed, Evidence& evidence) {
   signal::DataQuality& quality = evidence.data_quality;
+  const SteadyError steady = steady_error(loop, settings.hos);
+  if (steady.flag != nullptr) add_flag(quality, steady.flag);
+  evidence.hos = hos::analyse(steady.error, settings.hos, seed);
   const std::size_t segments = evidence.hos ? evidence.hos->segments : 0;
   if (segments < kMinSegments) {
     evidence.hos.reset();
     quality.usable = false;
     quality.reason = unusable_segments(segments, loop);
   } else if (segments < kShortSegments) {
-    quality.flags.emplace_back("short");
+    add_flag(quality, "short");
   }
-}
-
-/// Period of the oscillation in samples; nullopt when none is present.
-std::optional<double> period_samples(const loop::Oscillation& oscillation, double interval_s) {
-  if (!oscillation.present || !oscillation.period_s) return std::nullopt;
-  return *oscillation.period_s / interval_s;
-}
-
-/// The span that the slow look wants, as far as the settings allow, if it is longer than a window.
-std::size_t wanted_span(const FirstLook& first, const AnalysisSettings& settings) {
-  const signal::PrepareSettings& prepare = settings.prepare;
-  const auto period = period_samples(first.oscillation, first.loop.sample_interval_s);
-  const std::size_t most = prepare.slow_span_windows * prepare.window_samples;
-  const std::size_t wanted =
-      period ? std::min(hos::slow_span(*period, settings.hos), most) : std::size_t{0};
-  return wanted > prepare.window_samples ? wanted : 0;
 }
 
 void measure_shapes(const FirstLook& first, Evidence& evidence) {
   const signal::PreparedLoop& loop = first.loop;
   evidence.shape = loop::measure_shape({loop.error, loop.pv, loop.op_percent, loop.mv_percent,
-                                        period_samples(first.oscillation, loop.sample_interval_s),
-                                        evidence.integrating});
+                                        first.period_samples(), evidence.integrating});
   evidence.valve_gain = loop::measure_valve_gain(loop.pv, loop.op_percent);
 }
 
@@ -68,30 +58,20 @@ signal::Samples long_error(const signal::LoopWindow& window, double interval_s,
   }
   signal::PrepareSettings prepare = settings.prepare;
   prepare.window_samples = window.size();
-  return signal::prepare(window, prepare).error;
+  return steady_error(signal::prepare(window, prepare), settings.hos).error;
 }
 
-void look_slowly(const FirstLook& first, const AnalysisSettings& settings,
+void look_slowly(const FirstLook& first, const AnalysisSettings& settings, std::uint64_t seed,
                  const signal::LoopWindow* long_window, Evidence& evidence) {
-  const double interval_s = first.loop.sample_interval_s;
-  const auto period = period_samples(first.oscillation, interval_s);
+  const std::optional<double> period = first.period_samples();
   if (!period || !hos::needs_slow_look(*period, settings.hos)) return;
-  evidence.hos_slow = hos::look_slowly(
-      long_window ? long_error(*long_window, interval_s, settings) : first.loop.error, *period,
-      settings.hos);
+  const signal::Samples error =
+      long_window ? long_error(*long_window, first.loop.sample_interval_s, settings)
+                  : steady_error(first.loop, settings.hos).error;
+  evidence.hos_slow = hos::look_slowly(error, *period, settings.hos, seed);
 }
 
 }  // namespace
-
-FirstLook first_look(const signal::LoopWindow& window, const AnalysisSettings& settings) {
-  FirstLook first;
-  first.loop = signal::prepare(window, settings.prepare);
-  if (!first.loop.quality.usable) return first;
-  first.oscillation =
-      loop::find_oscillation(first.loop.error, window.sample_interval_s, settings.oscillation);
-  first.slow_span_samples = wanted_span(first, settings);
-  return first;
-}
 
 Diagnosis diagnose(const signal::LoopWindow& window, const AnalysisSettings& settings,
                    const LoopFacts& facts, const signal::LoopWindow* long_window) {
@@ -111,9 +91,9 @@ Diagnosis diagnose(const FirstLook& first, const AnalysisSettings& settings, con
       loop::measure_performance(loop.error, loop.op_percent, loop.mode, loop.sample_interval_s,
                                 loop.op_range_known, settings.performance);
   if (evidence.data_quality.usable) {
-    measure_statistics(loop, settings, evidence);
+    measure_statistics(loop, settings, facts.seed, evidence);
     measure_shapes(first, evidence);
-    if (evidence.hos) look_slowly(first, settings, long_window, evidence);
+    if (evidence.hos) look_slowly(first, settings, facts.seed, long_window, evidence);
   }
   diagnosis.verdict = diagnosis::decide(evidence, settings.hos);
   return diagnosis;

@@ -1,27 +1,21 @@
 #pragma once
 
+#include <cstdint>
+
+#include "core/diagnosis/analysis_settings.hpp"
 #include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/first_look.hpp"
 #include "core/diagnosis/verdict.hpp"
-#include "core/hos/settings.hpp"
-#include "core/loop/oscillation.hpp"
-#include "core/loop/performance.hpp"
 #include "core/signal/loop_window.hpp"
-#include "core/signal/prepare.hpp"
-#include "core/signal/prepared_loop.hpp"
 
 namespace loopscope::core {
-
-/// Settings of the whole analysis; each room documents its own.
-struct AnalysisSettings {
-  signal::PrepareSettings prepare;
-  hos::Settings hos;
-  loop::OscillationSettings oscillation;
-  loop::PerformanceSettings performance;
-};
 
 /// What is known of a loop beside its samples.
 struct LoopFacts {
   bool integrating = false;  ///< level loop: the vessel integrates
+  /// Of the simulations behind p-values (core/hos/significance.hpp); made from the loop and the
+  /// window, so that a replay is identical.
+  std::uint64_t seed = 0;
 };
 
 /// Evidence and what follows from it.
@@ -33,17 +27,6 @@ struct Diagnosis {
 /// Raised whenever the same window and settings may give another diagnosis than before: part of
 /// the key of every stored analysis.
 inline constexpr int kAlgorithmRevision = 2;
-
-/// A window made ready, and what has to be known of it before more of the history is asked for.
-struct FirstLook {
-  signal::PreparedLoop loop;
-  loop::Oscillation oscillation;      ///< of the error; empty when the data are not usable
-  std::size_t slow_span_samples = 0;  ///< as in Evidence
-};
-
-/// The part of diagnose() that comes before all other figures. Throws as diagnose() does.
-[[nodiscard]] FirstLook first_look(const signal::LoopWindow& window,
-                                   const AnalysisSettings& settings);
 
 /// The table of contents of core/: window in, evidence and verdict out. A window that cannot be
 /// judged ends as `insufficient_data`, never as an exception; settings out of range and series of

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -32,8 +33,9 @@ struct SlowLook {
 ///
 /// `error` may hold NaN for missing samples. Returns nullopt when no slow look is needed, when gaps
 /// and length leave fewer than 15 segments (about 14 cycles), and when analyse() has no result.
-/// Throws std::invalid_argument for settings out of range.
+/// `seed` as for analyse(). Throws std::invalid_argument for settings out of range.
 [[nodiscard]] std::optional<SlowLook> look_slowly(std::span<const double> error,
-                                                  double period_samples, const Settings& settings);
+                                                  double period_samples, const Settings& settings,
+                                                  std::uint64_t seed = 0);
 
 }  // namespace loopscope::core::hos

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
+
+#include "core/signal/median.hpp"
 
 namespace loopscope::core::signal {
 namespace {
@@ -99,10 +103,7 @@ double usual_interval_s(const RawSeries& rows) {
     const double spacing_us = elapsed_us(rows.time_us[row - 1], rows.time_us[row]);
     if (spacing_us > 0.0) spacings_us.push_back(spacing_us);
   }
-  if (spacings_us.empty()) return 0.0;
-  const auto middle = spacings_us.begin() + static_cast<std::ptrdiff_t>(spacings_us.size() / 2);
-  std::nth_element(spacings_us.begin(), middle, spacings_us.end());
-  return *middle / kMicrosecondsPerSecond;
+  return spacings_us.empty() ? 0.0 : median(std::move(spacings_us)) / kMicrosecondsPerSecond;
 }
 
 }  // namespace loopscope::core::signal

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
+
+#include "core/signal/median.hpp"
 
 namespace loopscope::core::signal {
 namespace {
 
 constexpr std::size_t kReach = 2;
-/// Turns the median absolute deviation of Gaussian values into their standard deviation.
-constexpr double kMadToSigma = 1.4826;
 constexpr double kFarOff = 10.0;
 constexpr double kMostSpikes = 0.01;
 
@@ -29,10 +30,7 @@ double usual_distance(std::vector<double> distances) {
   // The sample in the middle is the median itself in a fifth of the cases or more: zeros would pull
   // the scale down and are left out.
   std::erase(distances, 0.0);
-  if (distances.empty()) return 0.0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return kMadToSigma * *middle;
+  return distances.empty() ? 0.0 : kMadToSigma * median(std::move(distances));
 }
 
 }  // namespace

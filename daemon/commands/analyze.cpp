@@ -49,8 +49,7 @@ struct Analysis {
 };
 
 Analysis analyse(const Recording& recording, const core::AnalysisSettings& settings,
-                 const std::optional<core::signal::OpRange>& op_range,
-                 const core::LoopFacts& facts) {
+                 const std::optional<core::signal::OpRange>& op_range, core::LoopFacts facts) {
   Analysis analysis;
   analysis.window = last_window(recording, settings.prepare.window_samples, op_range);
   const core::FirstLook first = core::first_look(analysis.window, settings);
@@ -58,6 +57,8 @@ Analysis analyse(const Recording& recording, const core::AnalysisSettings& setti
   if (first.slow_span_samples > 0) {
     longer = last_window(recording, first.slow_span_samples, op_range);
   }
+  // The name of the file is left out: a copy of a recording has the recording's diagnosis.
+  facts.seed = core::seed_of("", analysis.window.start_us);
   analysis.diagnosis = core::diagnose(first, settings, facts, longer ? &*longer : nullptr);
   return analysis;
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "core/diagnosis/seed.hpp"
 #include "core/hos/triple_sums.hpp"
 #include "core/signal/grid.hpp"
 #include "core/signal/window_digest.hpp"
@@ -52,8 +53,9 @@ storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, cons
       std::string(LOOPSCOPE_VERSION " ") + std::string(core::hos::processor_path());
   record.settings_json = settings_json;
   const auto start = std::chrono::steady_clock::now();
-  record.diagnosis =
-      diagnose(input, settings, {.integrating = is_integrating_type(loop.loop_type)});
+  record.diagnosis = diagnose(input, settings,
+                              {.integrating = is_integrating_type(loop.loop_type),
+                               .seed = core::seed_of(loop.name, input.at_slot.slot_end_us)});
   record.analyse_ms =
       input.first_look_ms + Milliseconds(std::chrono::steady_clock::now() - start).count();
   if (const auto& slow = record.diagnosis.evidence.hos_slow) {

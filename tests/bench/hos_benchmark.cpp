@@ -72,4 +72,3 @@ BENCHMARK(indirect_bispectrum)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace loopscope::core::hos
-

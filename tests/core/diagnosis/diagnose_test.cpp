@@ -1,8 +1,10 @@
 #include "core/diagnosis/diagnose.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>
@@ -147,6 +149,31 @@ TEST(Diagnose, GapsThatLeaveTooFewSegmentsAreNotJudged) {
   const Diagnosis diagnosis = diagnose(window, {});
   EXPECT_EQ(diagnosis.verdict.code, VerdictCode::insufficient_data);
   EXPECT_NE(diagnosis.evidence.data_quality.reason.find("segments"), std::string::npos);
+}
+
+/// A flow loop whose setpoint goes up and down; pv follows with a time constant of four samples.
+signal::LoopWindow stepped_flow(double size, std::size_t every) {
+  signal::LoopWindow window = window_of(simulate::simulate_scenario("healthy_flow", {}, 5));
+  for (std::size_t k = every; k < window.size(); ++k) {
+    const bool up = (k / every) % 2 == 1;
+    const double lag = size * std::exp(-static_cast<double>(k % every) / 4.0);
+    window.sp[k] += up ? size : 0.0;
+    window.pv[k] += up ? size - lag : lag;
+  }
+  return window;
+}
+
+TEST(Diagnose, SetpointStepsAreKeptOutOfTheStatistics) {
+  const Diagnosis diagnosis = diagnose(stepped_flow(10.0, 700), {});
+  EXPECT_THAT(diagnosis.evidence.data_quality.flags, testing::Contains("sp_steps_masked"));
+  EXPECT_LT(diagnosis.evidence.hos->segments, 127U);
+  EXPECT_TRUE(diagnosis.evidence.hos->published.gaussian);
+}
+
+TEST(Diagnose, ASetpointSteppedTooOftenIsSaidToMove) {
+  const Diagnosis diagnosis = diagnose(stepped_flow(10.0, 70), {});
+  EXPECT_THAT(diagnosis.evidence.data_quality.flags, testing::Contains("sp_moving"));
+  EXPECT_EQ(diagnosis.evidence.hos->segments, 127U);
 }
 
 /// Whatever the window holds, the diagnosis is a value: no exception, no NaN confidence.

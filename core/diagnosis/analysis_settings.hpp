@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/hos/settings.hpp"
+#include "core/loop/oscillation.hpp"
+#include "core/loop/performance.hpp"
+#include "core/signal/prepare.hpp"
+
+namespace loopscope::core {
+
+/// Settings of the whole analysis; each room documents its own.
+struct AnalysisSettings {
+  signal::PrepareSettings prepare;
+  hos::Settings hos;
+  loop::OscillationSettings oscillation;
+  loop::PerformanceSettings performance;
+};
+
+}  // namespace loopscope::core

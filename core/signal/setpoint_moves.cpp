@@ -1,0 +1,44 @@
+#include "core/signal/setpoint_moves.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace loopscope::core::signal {
+namespace {
+
+void add_move(std::vector<SetpointMove>& moves, std::size_t from, std::size_t to, double size) {
+  const bool goes_on = !moves.empty() && moves.back().last == from && moves.back().size * size > 0;
+  if (goes_on) {
+    moves.back().last = to;
+    moves.back().size += size;
+  } else {
+    moves.push_back({to, to, size});
+  }
+}
+
+bool in_manual(const PreparedLoop& loop, std::size_t k) {
+  return !loop.mode.empty() && loop.mode[k] == ControlMode::manual;
+}
+
+}  // namespace
+
+std::vector<SetpointMove> find_setpoint_moves(const PreparedLoop& loop) {
+  std::vector<SetpointMove> moves;
+  std::optional<std::size_t> before;
+  bool from_manual = false;
+  for (std::size_t k = 0; k < loop.sp.size(); ++k) {
+    if (in_manual(loop, k)) {
+      before.reset();
+      from_manual = true;
+    } else if (std::isfinite(loop.sp[k])) {
+      const double size = before ? loop.sp[k] - loop.sp[*before] : 0.0;
+      if (size != 0.0) add_move(moves, *before, k, size);
+      if (from_manual) moves.push_back({k, k, kUnknownSize});
+      before = k;
+      from_manual = false;
+    }
+  }
+  return moves;
+}
+
+}  // namespace loopscope::core::signal
