@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "config/read_settings.hpp"
+#include "core/diagnosis/seed.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
 #include "daemon/failure.hpp"
