@@ -7,7 +7,9 @@
 #include "core/hos/indices.hpp"
 #include "core/hos/moments.hpp"
 #include "core/hos/peaks.hpp"
+#include "core/hos/quadratic_test.hpp"
 #include "core/hos/significance.hpp"
+#include "core/hos/tested_spectra.hpp"
 
 namespace loopscope::core::hos {
 
@@ -46,6 +48,14 @@ Bifrequency bins_of(const Peak& peak, const Settings& settings) {
           static_cast<std::size_t>(std::lround(peak.f2 * bins))};
 }
 
+void add_peak_p(const TestedSpectra& tested, std::vector<Peak>& peaks) {
+  if (tested.bic2().empty()) return;
+  const QuadraticTest test(tested.settings());
+  for (Peak& peak : peaks) {
+    peak.p = test.peak_p(tested.bicoherence(), bins_of(peak, tested.settings()));
+  }
+}
+
 void add_indices(std::span<const double> bic2, std::size_t segments, const Settings& settings,
                  Result& result) {
   const Indices found = indices(bic2, segments, settings.alpha);
@@ -74,12 +84,10 @@ std::optional<Result> analyse(std::span<const double> signal, const Settings& se
   const Moments shape = moments(signal);
   result.skewness = shape.skewness;
   result.excess_kurtosis = shape.excess_kurtosis;
-  const SignificanceTest test(settings);
   result.peaks = find_peaks(bic2, bicoherence.segments(), settings);
-  for (Peak& peak : result.peaks) {
-    peak.p = test.quadratic().peak_p(bicoherence, bins_of(peak, settings));
-  }
-  const Significance found = test.measure(signal, bicoherence, bic2, seed);
+  const TestedSpectra tested(signal, bicoherence, bic2, settings);
+  add_peak_p(tested, result.peaks);
+  const Significance found = measure_significance(tested, seed);
   result.ngi_p = found.ngi_p;
   result.nli_p = found.nli_p;
   result.cubic_p = found.cubic_p;

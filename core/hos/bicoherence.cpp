@@ -12,6 +12,15 @@ std::span<const double> Bicoherence::estimate(std::span<const double> signal) {
   if (spectra_.segments() < 2) {
     return {};
   }
+  return average();
+}
+
+std::span<const double> Bicoherence::scale_segments(std::span<const double> factors) {
+  spectra_.scale_segments(factors);
+  return average();
+}
+
+std::span<const double> Bicoherence::average() {
   sum_triples(spectra_, sums_);
   return normalise() ? std::span<const double>(bic2_) : std::span<const double>();
 }

@@ -30,6 +30,10 @@ class Bicoherence {
   /// of one segment is 1 whatever the signal) or all denominators are zero, as for a constant.
   std::span<const double> estimate(std::span<const double> signal);
 
+  /// The last estimate with the spectrum of every segment multiplied by its factor (> 0); valid
+  /// until the next call.
+  std::span<const double> scale_segments(std::span<const double> factors);
+
   /// K of the last estimate.
   [[nodiscard]] std::size_t segments() const { return spectra_.segments(); }
   /// The spectra behind the last estimate.
@@ -37,6 +41,7 @@ class Bicoherence {
   [[nodiscard]] const PrincipalDomain& domain() const { return domain_; }
 
  private:
+  std::span<const double> average();
   /// Says whether any denominator was above zero.
   bool normalise();
 

@@ -3,6 +3,8 @@
 #include <optional>
 #include <span>
 
+#include "core/hos/segment_levels.hpp"
+
 namespace loopscope::core::hos {
 
 /// Cubic phase coupling f + f + f -> 3f at the signal's dominant period: a point on the diagonal of
@@ -14,11 +16,9 @@ struct CubicStatistics {
 };
 
 /// Coherence of the cube of the fundamental's amplitude with the third harmonic's, over segments of
-/// two periods. `period` in samples. nullopt with fewer than four complete segments.
-[[nodiscard]] std::optional<CubicStatistics> cubic_statistics(std::span<const double> signal,
-                                                              double period);
-
-/// At the dominant period of the signal.
-[[nodiscard]] std::optional<CubicStatistics> cubic_statistics(std::span<const double> signal);
+/// 1.75 periods. `period` in samples; `levels`, if any, of the signal: each segment is divided by
+/// the level at its centre. nullopt with fewer than four complete segments.
+[[nodiscard]] std::optional<CubicStatistics> cubic_statistics(
+    std::span<const double> signal, double period, const SegmentLevels* levels = nullptr);
 
 }  // namespace loopscope::core::hos

@@ -5,7 +5,6 @@
 #include <limits>
 #include <random>
 
-#include "core/hos/bicoherence.hpp"
 #include "core/hos/cubic_test.hpp"
 #include "core/hos/null_laws.hpp"
 
@@ -47,16 +46,15 @@ double evidence_of(double p) {
 
 }  // namespace
 
-Replicates::Replicates(const LinearModel& model, std::span<const double> signal,
-                       const Settings& settings, const QuadraticTest& test,
-                       std::optional<double> cubic_period, std::uint64_t seed) {
+Replicates::Replicates(const LinearModel& model, const TestedSpectra& tested,
+                       const QuadraticTest& test, std::optional<double> cubic_period,
+                       std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  Bicoherence bicoherence(settings);
   for (std::size_t i = 0; i < kRecords; ++i) {
-    const std::vector<double> record = model.draw(signal, random);
-    const std::span<const double> bic2 = bicoherence.estimate(record);
-    if (!bic2.empty()) {
-      const QuadraticStatistics drawn = test.measure(bicoherence, bic2);
+    const std::vector<double> record = model.draw(tested.signal(), random);
+    const TestedSpectra spectra(record, tested.precautions(), tested.settings());
+    if (!spectra.bic2().empty()) {
+      const QuadraticStatistics drawn = test.measure(spectra.bicoherence(), spectra.bic2());
       mean_.push_back(drawn.mean);
       largest_.push_back(evidence_of(test.largest_p(drawn)));
     }

@@ -2,21 +2,22 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/hos/linear_model.hpp"
 #include "core/hos/quadratic_test.hpp"
+#include "core/hos/tested_spectra.hpp"
 
 namespace loopscope::core::hos {
 
 /// The statistics of records drawn from a linear model, and the tails fitted on them.
 class Replicates {
  public:
-  /// Draws the records: as long as `signal` and missing where it is. `cubic_period` in samples,
+  /// Draws the records: as long as the record of `tested`, missing where it is, with its
+  /// precautions. `cubic_period` in samples,
   /// nullopt for none.
-  Replicates(const LinearModel& model, std::span<const double> signal, const Settings& settings,
-             const QuadraticTest& test, std::optional<double> cubic_period, std::uint64_t seed);
+  Replicates(const LinearModel& model, const TestedSpectra& tested, const QuadraticTest& test,
+             std::optional<double> cubic_period, std::uint64_t seed);
 
   /// Probability of this mean squared bicoherence: Pearson III with the moments of the replicates,
   /// at least as skewed as for Gaussian noise.

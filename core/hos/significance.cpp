@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "core/hos/combine_p.hpp"
+#include "core/hos/cubic_test.hpp"
 #include "core/hos/linear_model.hpp"
+#include "core/hos/period.hpp"
+#include "core/hos/quadratic_test.hpp"
 #include "core/hos/replicates.hpp"
 
 namespace loopscope::core::hos {
@@ -28,36 +31,40 @@ double settle(double gaussian_p, double noise_p, ResidualNoise::Core core) {
   return std::max(gaussian_p, p);
 }
 
-}  // namespace
+std::optional<CubicStatistics> cubic_of(const TestedSpectra& tested) {
+  const std::optional<double> period = dominant_period(tested.signal());
+  if (!period) return std::nullopt;
+  return cubic_statistics(tested.signal(), *period, tested.levels() ? &*tested.levels() : nullptr);
+}
 
-SignificanceTest::SignificanceTest(const Settings& settings)
-    : settings_(settings), quadratic_(settings) {}
+/// What the first pass found, for the second.
+struct Found {
+  QuadraticStatistics quadratic;
+  double smallest_p = 1.0;
+};
 
-Significance SignificanceTest::measure(std::span<const double> signal,
-                                       const Bicoherence& bicoherence, std::span<const double> bic2,
-                                       std::uint64_t seed) const {
-  const Statistics found{quadratic_.measure(bicoherence, bic2), bicoherence.segments(),
-                         cubic_statistics(signal)};
-  Significance result;
-  result.ngi_p = quadratic_.mean_p(found.quadratic, found.segments);
-  result.nli_p = quadratic_.largest_p(found.quadratic);
-  if (found.cubic) {
-    result.cubic_p = std::exp(-found.cubic->evidence);
-    result.period_samples = found.cubic->period_samples;
+Found first_pass(const TestedSpectra& tested, const QuadraticTest& test, Significance& result) {
+  Found found;
+  if (!tested.bic2().empty()) {
+    found.quadratic = test.measure(tested.bicoherence(), tested.bic2());
+    result.ngi_p = test.mean_p(found.quadratic, tested.bicoherence().segments());
+    result.nli_p = test.largest_p(found.quadratic);
+  }
+  if (const std::optional<CubicStatistics> cubic = cubic_of(tested)) {
+    result.cubic_p = std::exp(-cubic->evidence);
+    result.period_samples = cubic->period_samples;
   }
   result.quadratic_p = combine(result.ngi_p, result.nli_p, std::nullopt);
   result.nonlinear_p = combine(result.ngi_p, result.nli_p, result.cubic_p);
-  if (std::min({result.ngi_p, result.nli_p, result.cubic_p.value_or(1.0)}) < kUnclear) {
-    second_pass(signal, found, seed, result);
-  }
-  return result;
+  found.smallest_p = std::min({result.ngi_p, result.nli_p, result.cubic_p.value_or(1.0)});
+  return found;
 }
 
-void SignificanceTest::second_pass(std::span<const double> signal, const Statistics& found,
-                                   std::uint64_t seed, Significance& result) const {
-  const std::optional<LinearModel> model = LinearModel::fit(signal);
+void second_pass(const TestedSpectra& tested, const QuadraticTest& test, const Found& found,
+                 std::uint64_t seed, Significance& result) {
+  const std::optional<LinearModel> model = LinearModel::fit(tested.signal());
   if (!model || model->noise().core() == ResidualNoise::Core::gaussian) return;
-  const Replicates drawn(*model, signal, settings_, quadratic_, result.period_samples, seed);
+  const Replicates drawn(*model, tested, test, result.period_samples, seed);
   const ResidualNoise::Core core = model->noise().core();
   const double mean_p = drawn.mean_p(found.quadratic.mean);
   const double largest_p = drawn.largest_p(result.nli_p);
@@ -69,6 +76,16 @@ void SignificanceTest::second_pass(std::span<const double> signal, const Statist
   result.nonlinear_p = settle(result.nonlinear_p, combine(mean_p, largest_p, cubic_p), core);
   result.nli_p = settle(result.nli_p, largest_p, core);
   if (cubic_p) result.cubic_p = settle(*result.cubic_p, *cubic_p, core);
+}
+
+}  // namespace
+
+Significance measure_significance(const TestedSpectra& tested, std::uint64_t seed) {
+  const QuadraticTest test(tested.settings());
+  Significance result;
+  const Found found = first_pass(tested, test, result);
+  if (found.smallest_p < kUnclear) second_pass(tested, test, found, seed, result);
+  return result;
 }
 
 }  // namespace loopscope::core::hos

@@ -2,11 +2,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 
-#include "core/hos/bicoherence.hpp"
-#include "core/hos/cubic_test.hpp"
-#include "core/hos/quadratic_test.hpp"
+#include "core/hos/tested_spectra.hpp"
 
 namespace loopscope::core::hos {
 
@@ -27,29 +24,8 @@ struct Significance {
 /// be skewed or heavy-tailed, which a linear loop passes on: the second pass draws records of the
 /// linear model with that noise, and each statistic's tail is fitted on them. A p-value is never
 /// smaller than the first pass says.
-class SignificanceTest {
- public:
-  /// Throws std::invalid_argument for settings out of range.
-  explicit SignificanceTest(const Settings& settings);
-
-  /// `bic2` is what `bicoherence` last returned, for `signal`; not empty. The same seed gives the
-  /// same figures on one processor path.
-  [[nodiscard]] Significance measure(std::span<const double> signal, const Bicoherence& bicoherence,
-                                     std::span<const double> bic2, std::uint64_t seed) const;
-
-  [[nodiscard]] const QuadraticTest& quadratic() const { return quadratic_; }
-
- private:
-  struct Statistics {
-    QuadraticStatistics quadratic;
-    std::size_t segments = 0;
-    std::optional<CubicStatistics> cubic;
-  };
-  void second_pass(std::span<const double> signal, const Statistics& found, std::uint64_t seed,
-                   Significance& result) const;
-
-  Settings settings_;
-  QuadraticTest quadratic_;
-};
+///
+/// The same seed gives the same figures on one processor path.
+[[nodiscard]] Significance measure_significance(const TestedSpectra& tested, std::uint64_t seed);
 
 }  // namespace loopscope::core::hos

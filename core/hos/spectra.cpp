@@ -52,6 +52,22 @@ void Spectra::compute(std::span<const double> signal) {
   sum_power(largest / scale_);
 }
 
+void Spectra::scale_segments(std::span<const double> factors) {
+  for (std::size_t k = 0; k < frequencies(); ++k) {
+    double* const re = rows_.data() + k * kRows * row_length_;
+    double* const im = re + row_length_;
+    double* const power = im + row_length_;
+    for (std::size_t s = 0; s < segments_; ++s) {
+      re[s] *= factors[s];
+      im[s] *= factors[s];
+      power[s] *= factors[s] * factors[s];
+    }
+    // A bin that was rounding noise stays empty.
+    total_power_[k] =
+        total_power_[k] > 0.0 ? std::accumulate(power, power + row_length_, 0.0) : 0.0;
+  }
+}
+
 void Spectra::resize_rows(std::size_t row_length) {
   // Rows of the same length are overwritten whole, but for the zero frequencies that stay as they
   // are.

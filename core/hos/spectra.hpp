@@ -29,6 +29,9 @@ class Spectra {
   /// Replaces the spectra by those of `signal`; NaN and infinity are missing samples.
   void compute(std::span<const double> signal);
 
+  /// Multiplies the spectrum of segment s by factors[s] (> 0, near 1), s = 0 .. segments() - 1.
+  void scale_segments(std::span<const double> factors);
+
   /// K: segments without a missing sample.
   [[nodiscard]] std::size_t segments() const { return segments_; }
   /// Where each of them lies on the grid of segments, in hops from the start.
