@@ -61,7 +61,7 @@ Verdict choose(const Evidence& evidence, const hos::Settings& settings) {
     return saturated(evidence);
   }
   if (has_flag(evidence, "sp_not_followed")) return not_in_command();
-  const Case loop{evidence, judge_nonlinearity(*evidence.hos, settings), judge_valve(evidence)};
+  const Case loop{evidence, judge_nonlinearity(evidence, settings), judge_valve(evidence)};
   const bool faulty = loop.valve.kind == Kind::sticks || loop.valve.kind == Kind::dead_band;
   if (loop.valve.measured && faulty) return faulty_position(loop);
   return loop.nonlinearity.found ? nonlinear_verdict(loop) : uncoupled_verdict(loop);

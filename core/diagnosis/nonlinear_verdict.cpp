@@ -1,7 +1,5 @@
 #include "core/diagnosis/nonlinear_verdict.hpp"
 
-#include <algorithm>
-
 #include "core/diagnosis/words.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -9,22 +7,10 @@ namespace {
 
 using Kind = ValvePattern::Kind;
 
-/// NGI in multiples of its limit at which the published rule is believed in full. White and AR(1)
-/// noise pass the limit itself in 3 to 8 % of the records, 2.4 times the limit in at most 0.3 % (a
-/// random walk in 2.6 %), four times it never (0.4 %): tests/core/diagnosis/nonlinearity_test.
-constexpr double kConvincingStrength = 4.0;
-
-/// How far the published rule is believed, 0 to 1: skewed noise passes it too, but without a
-/// bifrequency that stands out.
-double belief_in(const Case& loop) {
-  const double strength = std::min(1.0, loop.nonlinearity.strength / kConvincingStrength);
-  return loop.evidence.hos->peaks.empty() ? 0.5 * strength : strength;
-}
-
 }  // namespace
 
 Verdict nonlinear_verdict(const Case& loop) {
-  const double belief = belief_in(loop);
+  const double belief = loop.nonlinearity.belief;
   if (!op_speaks(loop.evidence)) {
     return make(VerdictCode::nonlinear_unexplained, 0.4 * belief,
                 with(reasons_of(loop),

@@ -1,43 +1,76 @@
 #include "core/diagnosis/nonlinearity.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/diagnosis/words.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
 
-/// Segments of the paper's records: (4096 - 64) / 32 + 1.
-constexpr double kPaperSegments = 127.0;
+/// Nobody sends a fitter for p = 0.04; one loop in ten thousand linear ones shows this.
+constexpr double kConvincing = 1e-4;
 
-std::string peak_text(const hos::Result& hos) {
-  if (hos.peaks.empty() || hos.published.linear) return {};
-  const hos::Peak& peak = hos.peaks.front();
-  return ", strongest at the bifrequency (" + number(peak.f1) + ", " + number(peak.f2) +
+std::string coupling_text(hos::Coupling coupling) {
+  switch (coupling) {
+    case hos::Coupling::quadratic:
+      return "Quadratic coupling";
+    case hos::Coupling::cubic:
+      return "Cubic coupling (odd-symmetric, as of a square or triangular wave)";
+    case hos::Coupling::both:
+      return "Quadratic and cubic coupling";
+    case hos::Coupling::none_found:
+      break;
+  }
+  return "No quadratic or cubic coupling found";
+}
+
+std::string p_text(const hos::Result& hos) {
+  std::string text = "p = " + number(hos.nonlinear_p.value_or(1.0)) + " (NGI " +
+                     number(hos.ngi_p.value_or(1.0)) + ", NLI " + number(hos.nli_p.value_or(1.0));
+  if (hos.cubic_p) text += ", cubic " + number(*hos.cubic_p);
+  return text + ")";
+}
+
+std::string published_text(const hos::Result& hos) {
+  return "; published figures: NGI " + number(hos.ngi) + ", NLI " + number(hos.nli) + " on " +
+         std::to_string(hos.segments) + " segments";
+}
+
+/// The strongest peak that is significant by itself.
+std::string peak_text(const hos::Result& hos, double alpha) {
+  const auto peak = std::ranges::find_if(
+      hos.peaks, [alpha](const hos::Peak& found) { return found.p.value_or(1.0) <= alpha; });
+  if (hos.coupling == hos::Coupling::none_found || peak == hos.peaks.end()) return {};
+  return ", strongest at the bifrequency (" + number(peak->f1) + ", " + number(peak->f2) +
          ") cycles per sample";
 }
 
-std::string opening(bool found, const hos::Result& hos) {
-  if (!found) return "No quadratic coupling found: ";
-  return hos.peaks.empty() ? "Skewed or coupled, without a bifrequency that stands out: "
-                           : "Quadratic coupling: ";
+std::string slow_text(const hos::SlowLook& slow) {
+  return " On every " + std::to_string(slow.decimation) +
+         "th sample, to fit the slow oscillation: " + coupling_text(slow.result.coupling) + ", " +
+         p_text(slow.result) + ".";
 }
 
 }  // namespace
 
-double ngi_limit(std::size_t segments, const hos::Settings& settings) {
-  const double shortage = kPaperSegments / static_cast<double>(std::max<std::size_t>(segments, 1));
-  return settings.ngi_threshold * std::max(1.0, shortage);
+double nonlinear_p(const Evidence& evidence) {
+  const double first = evidence.hos ? evidence.hos->nonlinear_p.value_or(1.0) : 1.0;
+  if (!evidence.hos_slow || !evidence.hos_slow->result.nonlinear_p) return first;
+  const double smaller = std::min(first, *evidence.hos_slow->result.nonlinear_p);
+  return smaller * (2.0 - smaller);  // Sidak: 1 - (1 - p)^2
 }
 
-NonlinearityFinding judge_nonlinearity(const hos::Result& hos, const hos::Settings& settings) {
-  const double limit = ngi_limit(hos.segments, settings);
+NonlinearityFinding judge_nonlinearity(const Evidence& evidence, const hos::Settings& settings) {
+  const hos::Result& hos = *evidence.hos;
   NonlinearityFinding finding;
-  finding.strength = hos.ngi / limit;
-  finding.found = hos.ngi > limit && hos.nli > settings.nli_threshold;
-  const std::string indices = "NGI " + number(hos.ngi) + " (limit " + number(limit) + " for " +
-                              std::to_string(hos.segments) + " segments), NLI " + number(hos.nli);
-  finding.reason = opening(finding.found, hos) + indices + peak_text(hos) + ".";
+  finding.p = nonlinear_p(evidence);
+  finding.found = finding.p <= settings.alpha;
+  finding.belief = std::clamp(
+      std::log(settings.alpha / finding.p) / std::log(settings.alpha / kConvincing), 0.0, 1.0);
+  finding.reason = coupling_text(hos.coupling) + ": " + p_text(hos) +
+                   peak_text(hos, settings.alpha) + published_text(hos) + ".";
+  if (evidence.hos_slow) finding.reason += slow_text(*evidence.hos_slow);
   return finding;
 }
 

@@ -1,27 +1,27 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 
-#include "core/hos/analyse.hpp"
+#include "core/diagnosis/evidence.hpp"
 #include "core/hos/settings.hpp"
 
 namespace loopscope::core::diagnosis {
 
-/// What the bispectrum says, for the decision.
+/// What the calibrated tests say, for the decision; both looks taken together.
 struct NonlinearityFinding {
-  bool found = false;
-  double strength = 0.0;  ///< NGI in multiples of its limit; above 1 when found
-  std::string reason;     ///< names NGI, NLI and the limit
+  bool found = false;   ///< p <= alpha of the settings
+  double p = 1.0;       ///< that a linear loop under its own noise looks like this or more so
+  double belief = 0.0;  ///< 0 at p = alpha, 1 from p = 1e-4 down
+  std::string reason;   ///< names the coupling, the p-values and the published figures
 };
 
-/// NGI above which a record of K segments counts as non-Gaussian. The authors' beta belongs to
-/// their K = 127; K times the mean squared bicoherence has the same distribution for every K, so
-/// that the limit grows as 127 / K for shorter records. It never falls below beta.
-[[nodiscard]] double ngi_limit(std::size_t segments, const hos::Settings& settings);
+/// p of one look, or of the stronger of two, corrected for having looked twice. 1 when the
+/// statistics have no p-value.
+[[nodiscard]] double nonlinear_p(const Evidence& evidence);
 
-/// NGI first, then NLI (paper, figure 1 and section 3).
-[[nodiscard]] NonlinearityFinding judge_nonlinearity(const hos::Result& hos,
+/// `evidence.hos` is filled. "Linear" is never said: a linear loop and one whose coupling the tests
+/// cannot see look the same.
+[[nodiscard]] NonlinearityFinding judge_nonlinearity(const Evidence& evidence,
                                                      const hos::Settings& settings);
 
 }  // namespace loopscope::core::diagnosis

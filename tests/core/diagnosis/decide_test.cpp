@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/diagnosis/nonlinearity.hpp"
-
 namespace loopscope::core::diagnosis {
 namespace {
 
@@ -20,6 +18,7 @@ Evidence quiet_evidence() {
   evidence.hos->segments = 127;
   evidence.hos->ngi = -0.0005;
   evidence.hos->nli = 0.03;
+  evidence.hos->nonlinear_p = 0.6;
   evidence.performance.harris_low = 0.4;
   evidence.performance.harris_high = 0.8;
   evidence.performance.error_std = 0.8;
@@ -31,6 +30,8 @@ Evidence nonlinear_evidence() {
   Evidence evidence = quiet_evidence();
   evidence.hos->ngi = 0.02;
   evidence.hos->nli = 0.3;
+  evidence.hos->nonlinear_p = 1e-6;
+  evidence.hos->coupling = hos::Coupling::quadratic;
   evidence.hos->peaks = {{0.1, 0.1, 0.8, {}}};
   return evidence;
 }
@@ -141,7 +142,7 @@ TEST(Decide, NonlinearWithoutAPatternStaysUnexplained) {
 TEST(Decide, MarginalCouplingHasLittleConfidence) {
   Evidence evidence = nonlinear_evidence();
   const double clear = decide(evidence, {}).confidence;
-  evidence.hos->ngi = 0.0015;
+  evidence.hos->nonlinear_p = 0.03;
   const Verdict marginal = decide(evidence, {});
   EXPECT_EQ(marginal.code, VerdictCode::nonlinear_unexplained);
   EXPECT_LT(marginal.confidence, 0.3);  // below what is flagged by default
@@ -269,12 +270,6 @@ TEST(Decide, NothingIsEverCalledLinear) {
       EXPECT_THAT(reason, testing::Not(HasSubstr(" linear")));
     }
   }
-}
-
-TEST(NgiLimit, GrowsWithShorterRecordsAndNeverFallsBelowThePaper) {
-  EXPECT_DOUBLE_EQ(ngi_limit(127, {}), 0.001);
-  EXPECT_NEAR(ngi_limit(22, {}), 0.001 * 127.0 / 22.0, 1e-12);
-  EXPECT_DOUBLE_EQ(ngi_limit(500, {}), 0.001);
 }
 
 }  // namespace

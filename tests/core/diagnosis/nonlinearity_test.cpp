@@ -1,6 +1,6 @@
 #include "core/diagnosis/nonlinearity.hpp"
 
-#include <cstdio>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <random>
 #include <vector>
@@ -8,52 +8,100 @@
 namespace loopscope::core::diagnosis {
 namespace {
 
-/// NGI in multiples of its limit for Gaussian AR(1) records.
-std::vector<double> strengths(double pole, std::size_t samples) {
-  constexpr int kRecords = 1000;
+using testing::HasSubstr;
+using testing::Not;
+
+Evidence with_p(double p, hos::Coupling coupling = hos::Coupling::none_found) {
+  Evidence evidence;
+  evidence.hos = hos::Result{};
+  evidence.hos->segments = 127;
+  evidence.hos->nonlinear_p = p;
+  evidence.hos->coupling = coupling;
+  return evidence;
+}
+
+TEST(Nonlinearity, IsFoundAtTheLevelOfTheSettings) {
+  EXPECT_TRUE(judge_nonlinearity(with_p(0.05), {}).found);
+  EXPECT_FALSE(judge_nonlinearity(with_p(0.051), {}).found);
+  hos::Settings strict;
+  strict.alpha = 0.001;
+  EXPECT_FALSE(judge_nonlinearity(with_p(0.01), strict).found);
+}
+
+TEST(Nonlinearity, IsBelievedTheMoreTheSmallerThePValue) {
+  EXPECT_DOUBLE_EQ(judge_nonlinearity(with_p(0.05), {}).belief, 0.0);
+  EXPECT_NEAR(judge_nonlinearity(with_p(1e-4), {}).belief, 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(judge_nonlinearity(with_p(1e-12), {}).belief, 1.0);
+  EXPECT_GT(judge_nonlinearity(with_p(1e-3), {}).belief,
+            judge_nonlinearity(with_p(1e-2), {}).belief);
+}
+
+TEST(Nonlinearity, TwoLooksCountAsTwo) {
+  Evidence evidence = with_p(0.04);
+  EXPECT_DOUBLE_EQ(nonlinear_p(evidence), 0.04);
+  evidence.hos_slow = hos::SlowLook{};
+  EXPECT_DOUBLE_EQ(nonlinear_p(evidence), 0.04) << "a look without a p-value does not count";
+  evidence.hos_slow->result.nonlinear_p = 0.5;
+  EXPECT_NEAR(nonlinear_p(evidence), 1.0 - 0.96 * 0.96, 1e-12);
+  evidence.hos_slow->result.nonlinear_p = 1e-8;
+  EXPECT_NEAR(nonlinear_p(evidence), 2e-8, 1e-12);
+}
+
+TEST(Nonlinearity, NoLookIsNoFinding) {
+  EXPECT_EQ(nonlinear_p(Evidence{}), 1.0);
+  Evidence evidence = with_p(0.5);
+  evidence.hos->nonlinear_p.reset();
+  EXPECT_FALSE(judge_nonlinearity(evidence, {}).found);
+}
+
+TEST(Nonlinearity, WordsNameTheCouplingAndNeverSayLinear) {
+  using hos::Coupling;
+  EXPECT_THAT(judge_nonlinearity(with_p(0.7), {}).reason,
+              HasSubstr("No quadratic or cubic coupling found: p = 0.7"));
+  EXPECT_THAT(judge_nonlinearity(with_p(1e-5, Coupling::cubic), {}).reason,
+              HasSubstr("Cubic coupling"));
+  EXPECT_THAT(judge_nonlinearity(with_p(1e-5, Coupling::both), {}).reason,
+              HasSubstr("Quadratic and cubic coupling"));
+  for (const Coupling coupling :
+       {Coupling::none_found, Coupling::quadratic, Coupling::cubic, Coupling::both}) {
+    EXPECT_THAT(judge_nonlinearity(with_p(0.5, coupling), {}).reason, Not(HasSubstr("linear")));
+  }
+}
+
+TEST(Nonlinearity, APeakIsNamedOnlyWhereItIsSignificant) {
+  Evidence evidence = with_p(1e-6, hos::Coupling::quadratic);
+  evidence.hos->peaks = {{0.05, 0.02, 0.9, {}}, {0.30, 0.12, 0.5, 1e-5}};
+  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, HasSubstr("bifrequency (0.3, 0.12)"));
+  evidence.hos->peaks[1].p = 0.2;
+  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, Not(HasSubstr("bifrequency")));
+}
+
+TEST(Nonlinearity, TheSecondLookSaysHowItWasTaken) {
+  Evidence evidence = with_p(0.7);
+  evidence.hos_slow = hos::SlowLook{17, 8976, {}};
+  evidence.hos_slow->result.nonlinear_p = 0.001;
+  evidence.hos_slow->result.coupling = hos::Coupling::cubic;
+  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, HasSubstr("every 17th sample"));
+}
+
+/// 400 records give a share of 5 % to within 2.2 % (two standard deviations).
+TEST(Nonlinearity, NoiseIsFoundNonlinearAtTheNominalRate) {
+  constexpr int kRecords = 400;
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
-  std::vector<double> found;
-  for (int record = 0; record < kRecords; ++record) {
-    std::vector<double> signal(samples);
-    double state = 0.0;
-    for (double& value : signal) value = state = pole * state + normal(random);
-    found.push_back(judge_nonlinearity(*hos::analyse(signal, {}), {}).strength);
-  }
-  return found;
-}
-
-double share_above(const std::vector<double>& values, double limit) {
-  int above = 0;
-  for (const double value : values) above += value > limit ? 1 : 0;
-  return static_cast<double>(above) / static_cast<double>(values.size());
-}
-
-/// The figures behind ngi_limit() and the confidence of the nonlinear branch. 1000 records give a
-/// share of 5 % to within 1.4 % (two standard deviations), one of 0.3 % to within 0.35 %.
-TEST(NgiLimit, IsPassedByNoiseAsOftenAsDocumented) {
-  for (const double pole : {0.0, 0.9, 0.99}) {
-    for (const std::size_t samples : {std::size_t{4096}, std::size_t{751}}) {
-      const std::vector<double> found = strengths(pole, samples);
-      std::printf("| AR(1) %.2f | %4zu | %.1f %% | %.1f %% | %.1f %% |\n", pole, samples,
-                  100.0 * share_above(found, 1.0), 100.0 * share_above(found, 2.4),
-                  100.0 * share_above(found, 4.0));
-      EXPECT_LE(share_above(found, 1.0), 0.08 + 0.017);
-      EXPECT_LE(share_above(found, 2.4), 0.003 + 0.0035);
-      EXPECT_EQ(share_above(found, 4.0), 0.0);
+  for (const double pole : {0.0, 0.9, 1.0}) {
+    int found = 0;
+    for (int record = 0; record < kRecords; ++record) {
+      std::vector<double> signal(4096);
+      double state = 0.0;
+      for (double& value : signal) value = state = pole * state + normal(random);
+      Evidence evidence;
+      evidence.hos = hos::analyse(signal, {});
+      found += judge_nonlinearity(evidence, {}).found ? 1 : 0;
     }
+    EXPECT_LE(found, 0.072 * kRecords) << "pole " << pole;
+    EXPECT_GE(found, 0.018 * kRecords) << "pole " << pole;
   }
-}
-
-/// A random walk leaks into every frequency and passes more often: what the calibrated tests mend.
-TEST(NgiLimit, IsPassedMoreOftenByARandomWalk) {
-  const std::vector<double> found = strengths(1.0, 4096);
-  std::printf("| random walk | 4096 | %.1f %% | %.1f %% | %.1f %% |\n",
-              100.0 * share_above(found, 1.0), 100.0 * share_above(found, 2.4),
-              100.0 * share_above(found, 4.0));
-  EXPECT_NEAR(share_above(found, 1.0), 0.155, 0.024);
-  EXPECT_NEAR(share_above(found, 2.4), 0.026, 0.011);
-  EXPECT_NEAR(share_above(found, 4.0), 0.004, 0.005);
 }
 
 }  // namespace
