@@ -59,13 +59,10 @@ HarmonicFilters::HarmonicFilters(double period) {
   hop_ = length / kHopsPerSegment;
   const Eigen::MatrixXd columns = basis(length, period);
   const Eigen::MatrixXd weighted = hann_weights(length).asDiagonal() * columns;
-  constexpr Eigen::Index kFirst = kParabola;
-  constexpr Eigen::Index kThird = kParabola + 2 * (kHarmonics - 1);
-  Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(columns.cols(), 4);
-  wanted(kFirst, 0) = 1.0;
-  wanted(kFirst + 1, 1) = -1.0;
-  wanted(kThird, 2) = 1.0;
-  wanted(kThird + 1, 3) = -1.0;
+  Eigen::MatrixXd wanted = Eigen::MatrixXd::Zero(columns.cols(), 2 * kHarmonics);
+  for (Eigen::Index i = 0; i < 2 * kHarmonics; ++i) {
+    wanted(kParabola + i, i) = i % 2 == 0 ? 1.0 : -1.0;
+  }
   const Eigen::MatrixXd normal = columns.transpose() * weighted;
   taps_ = weighted * normal.ldlt().solve(wanted);
 }
@@ -80,18 +77,22 @@ HarmonicFilters::Amplitudes HarmonicFilters::apply(std::span<const double> signa
     }
     if (start < after_gap) continue;
     const Eigen::Map<const Eigen::VectorXd> segment(signal.data() + start, taps_.rows());
-    const Eigen::Vector4d amplitudes = taps_.transpose() * segment;
-    result.fundamental.emplace_back(amplitudes(0), amplitudes(1));
-    result.third.emplace_back(amplitudes(2), amplitudes(3));
+    const Eigen::Matrix<double, 6, 1> amplitudes = taps_.transpose() * segment;
+    for (std::size_t h = 0; h < result.harmonics.size(); ++h) {
+      const auto column = static_cast<Eigen::Index>(2 * h);
+      result.harmonics[h].emplace_back(amplitudes(column), amplitudes(column + 1));
+    }
     result.positions.push_back(start / hop_);
   }
   return result;
 }
 
-std::vector<Complex> HarmonicFilters::noise_correlation() const {
+std::vector<Complex> HarmonicFilters::noise_correlation(std::size_t harmonic) const {
   std::vector<Complex> correlation;
-  const auto tap = [this](std::size_t n) {
-    return Complex(taps_(static_cast<Eigen::Index>(n), 2), taps_(static_cast<Eigen::Index>(n), 3));
+  const auto column = static_cast<Eigen::Index>(2 * (harmonic - 1));
+  const auto tap = [this, column](std::size_t n) {
+    const auto row = static_cast<Eigen::Index>(n);
+    return Complex(taps_(row, column), taps_(row, column + 1));
   };
   for (std::size_t shift = 0; shift < length(); shift += hop_) {
     Complex sum;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <span>
@@ -8,7 +9,7 @@
 
 namespace loopscope::core::hos {
 
-/// Amplitudes of the fundamental and the third harmonic in every segment, by least squares.
+/// Amplitudes of an oscillation's first three harmonics in every segment, by least squares.
 ///
 /// In each segment of 1.75 periods the signal is fitted, with Hann weights, by a parabola and the
 /// harmonics f, 2f and 3f: what drifts and what wobbles slower than the segment ends in the
@@ -21,8 +22,7 @@ class HarmonicFilters {
 
   /// One entry per segment without a missing sample (NaN or infinity).
   struct Amplitudes {
-    std::vector<std::complex<double>> fundamental;
-    std::vector<std::complex<double>> third;
+    std::array<std::vector<std::complex<double>>, 3> harmonics;  ///< f, 2f, 3f
     std::vector<std::size_t> positions;  ///< of the segments, in hops from the start
   };
   [[nodiscard]] Amplitudes apply(std::span<const double> signal) const;
@@ -32,15 +32,15 @@ class HarmonicFilters {
     return position * hop_ + length() / 2;
   }
 
-  /// E[a_s a*_{s+d}] / E|a_s|^2 of the third harmonic's amplitude in white noise, d in hops.
-  [[nodiscard]] std::vector<std::complex<double>> noise_correlation() const;
+  /// E[a_s a*_{s+d}] / E|a_s|^2 of a harmonic's amplitude (1, 2 or 3) in white noise, d in hops.
+  [[nodiscard]] std::vector<std::complex<double>> noise_correlation(std::size_t harmonic) const;
 
  private:
   [[nodiscard]] std::size_t length() const { return static_cast<std::size_t>(taps_.rows()); }
 
   std::size_t hop_ = 1;
-  /// Columns: cosine and minus sine amplitude of the fundamental, the same of the third harmonic.
-  Eigen::Matrix<double, Eigen::Dynamic, 4> taps_;
+  /// Columns: cosine and minus sine amplitude of each harmonic.
+  Eigen::Matrix<double, Eigen::Dynamic, 6> taps_;
 };
 
 }  // namespace loopscope::core::hos

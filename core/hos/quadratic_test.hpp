@@ -12,7 +12,7 @@ namespace loopscope::core::hos {
 
 /// What the squared bicoherence of one record says, in figures whose null is known.
 struct QuadraticStatistics {
-  double mean = 0.0;     ///< mean of K bic2 over the testable cells; about 1 for Gaussian signals
+  double mean = 1.0;     ///< mean of K bic2 over the testable cells; about 1 for Gaussian signals
   double largest = 0.0;  ///< largest -ln p of a single cell
 };
 

@@ -5,7 +5,8 @@
 #include <limits>
 #include <random>
 
-#include "core/hos/cubic_test.hpp"
+#include "core/hos/harmonic_test.hpp"
+#include "core/hos/nli_p.hpp"
 #include "core/hos/null_laws.hpp"
 
 namespace loopscope::core::hos {
@@ -47,19 +48,20 @@ double evidence_of(double p) {
 }  // namespace
 
 Replicates::Replicates(const LinearModel& model, const TestedSpectra& tested,
-                       const QuadraticTest& test, std::optional<double> cubic_period,
+                       const QuadraticTest& test, std::optional<double> period,
                        std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (std::size_t i = 0; i < kRecords; ++i) {
     const std::vector<double> record = model.draw(tested.signal(), random);
     const TestedSpectra spectra(record, tested.precautions(), tested.settings());
+    const auto harmonics = period ? harmonic_statistics(record, *period) : std::nullopt;
+    QuadraticStatistics quadratic;
     if (!spectra.bic2().empty()) {
-      const QuadraticStatistics drawn = test.measure(spectra.bicoherence(), spectra.bic2());
-      mean_.push_back(drawn.mean);
-      largest_.push_back(evidence_of(test.largest_p(drawn)));
+      quadratic = test.measure(spectra.bicoherence(), spectra.bic2());
+      mean_.push_back(quadratic.mean);
     }
-    const auto cubic = cubic_period ? cubic_statistics(record, *cubic_period) : std::nullopt;
-    if (cubic) cubic_.push_back(cubic->evidence);
+    nli_.push_back(evidence_of(hos::nli_p(test, quadratic, harmonics)));
+    if (harmonics) cubic_.push_back(harmonics->cubic_evidence);
   }
 }
 
@@ -69,8 +71,8 @@ double Replicates::mean_p(double mean) const {
   return mean_law_upper(mean, spread.mean, spread.std);
 }
 
-double Replicates::largest_p(double first_pass_p) const {
-  return stretched_p(first_pass_p, largest_);
+double Replicates::nli_p(double first_pass_p) const {
+  return stretched_p(first_pass_p, nli_);
 }
 
 double Replicates::cubic_p(double first_pass_p) const {

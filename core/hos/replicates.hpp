@@ -14,23 +14,23 @@ namespace loopscope::core::hos {
 class Replicates {
  public:
   /// Draws the records: as long as the record of `tested`, missing where it is, with its
-  /// precautions. `cubic_period` in samples,
+  /// precautions. `period` of the harmonics in samples,
   /// nullopt for none.
   Replicates(const LinearModel& model, const TestedSpectra& tested, const QuadraticTest& test,
-             std::optional<double> cubic_period, std::uint64_t seed);
+             std::optional<double> period, std::uint64_t seed);
 
   /// Probability of this mean squared bicoherence: Pearson III with the moments of the replicates,
   /// at least as skewed as for Gaussian noise.
   [[nodiscard]] double mean_p(double mean) const;
   /// First-pass p-values against Gaussian noise, made right for this noise: -ln p is exponential
   /// with mean 1 under Gaussian noise and with the replicates' mean, if that is larger, here.
-  [[nodiscard]] double largest_p(double first_pass_p) const;
+  [[nodiscard]] double nli_p(double first_pass_p) const;
   [[nodiscard]] double cubic_p(double first_pass_p) const;
 
  private:
   std::vector<double> mean_;
-  std::vector<double> largest_;  // -ln p of the first pass
-  std::vector<double> cubic_;    // the same
+  std::vector<double> nli_;    // -ln p of the first pass
+  std::vector<double> cubic_;  // the same
 };
 
 }  // namespace loopscope::core::hos

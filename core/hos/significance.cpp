@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "core/hos/combine_p.hpp"
-#include "core/hos/cubic_test.hpp"
+#include "core/hos/harmonic_test.hpp"
 #include "core/hos/linear_model.hpp"
+#include "core/hos/nli_p.hpp"
 #include "core/hos/period.hpp"
 #include "core/hos/quadratic_test.hpp"
 #include "core/hos/replicates.hpp"
@@ -18,8 +19,8 @@ namespace {
 /// First-pass p-values above this decide nothing, whatever the noise.
 constexpr double kUnclear = 0.05;
 
-double combine(double mean_p, double largest_p, std::optional<double> cubic_p) {
-  const std::array all{mean_p, largest_p, cubic_p.value_or(1.0)};
+double combine(double mean_p, double nli, std::optional<double> cubic_p) {
+  const std::array all{mean_p, nli, cubic_p.value_or(1.0)};
   return combine_p(std::span(all).first(cubic_p ? 3 : 2));
 }
 
@@ -31,10 +32,11 @@ double settle(double gaussian_p, double noise_p, ResidualNoise::Core core) {
   return std::max(gaussian_p, p);
 }
 
-std::optional<CubicStatistics> cubic_of(const TestedSpectra& tested) {
+std::optional<HarmonicStatistics> harmonics_of(const TestedSpectra& tested) {
   const std::optional<double> period = dominant_period(tested.signal());
   if (!period) return std::nullopt;
-  return cubic_statistics(tested.signal(), *period, tested.levels() ? &*tested.levels() : nullptr);
+  return harmonic_statistics(tested.signal(), *period,
+                             tested.levels() ? &*tested.levels() : nullptr);
 }
 
 /// What the first pass found, for the second.
@@ -45,14 +47,15 @@ struct Found {
 
 Found first_pass(const TestedSpectra& tested, const QuadraticTest& test, Significance& result) {
   Found found;
+  const std::optional<HarmonicStatistics> harmonics = harmonics_of(tested);
   if (!tested.bic2().empty()) {
     found.quadratic = test.measure(tested.bicoherence(), tested.bic2());
     result.ngi_p = test.mean_p(found.quadratic, tested.bicoherence().segments());
-    result.nli_p = test.largest_p(found.quadratic);
   }
-  if (const std::optional<CubicStatistics> cubic = cubic_of(tested)) {
-    result.cubic_p = std::exp(-cubic->evidence);
-    result.period_samples = cubic->period_samples;
+  result.nli_p = nli_p(test, found.quadratic, harmonics);
+  if (harmonics) {
+    result.cubic_p = std::exp(-harmonics->cubic_evidence);
+    result.period_samples = harmonics->period_samples;
   }
   result.quadratic_p = combine(result.ngi_p, result.nli_p, std::nullopt);
   result.nonlinear_p = combine(result.ngi_p, result.nli_p, result.cubic_p);
@@ -67,14 +70,14 @@ void second_pass(const TestedSpectra& tested, const QuadraticTest& test, const F
   const Replicates drawn(*model, tested, test, result.period_samples, seed);
   const ResidualNoise::Core core = model->noise().core();
   const double mean_p = drawn.mean_p(found.quadratic.mean);
-  const double largest_p = drawn.largest_p(result.nli_p);
+  const double nli = drawn.nli_p(result.nli_p);
   std::optional<double> cubic_p;
   if (result.cubic_p) cubic_p = drawn.cubic_p(*result.cubic_p);
 
   result.second_pass = true;
-  result.quadratic_p = settle(result.quadratic_p, combine(mean_p, largest_p, std::nullopt), core);
-  result.nonlinear_p = settle(result.nonlinear_p, combine(mean_p, largest_p, cubic_p), core);
-  result.nli_p = settle(result.nli_p, largest_p, core);
+  result.quadratic_p = settle(result.quadratic_p, combine(mean_p, nli, std::nullopt), core);
+  result.nonlinear_p = settle(result.nonlinear_p, combine(mean_p, nli, cubic_p), core);
+  result.nli_p = settle(result.nli_p, nli, core);
   if (cubic_p) result.cubic_p = settle(*result.cubic_p, *cubic_p, core);
 }
 

@@ -1,4 +1,4 @@
-#include "core/hos/cubic_test.hpp"
+#include "core/hos/harmonic_test.hpp"
 
 #include <algorithm>
 #include <complex>
@@ -11,6 +11,8 @@
 namespace loopscope::core::hos {
 namespace {
 
+using Complex = std::complex<double>;
+
 /// Segments below which the coherence has no freedom left.
 constexpr std::size_t kFewestSegments = 4;
 
@@ -18,15 +20,25 @@ void divide_by(const SegmentLevels& levels, const HarmonicFilters& filters,
                HarmonicFilters::Amplitudes& amplitudes) {
   for (std::size_t s = 0; s < amplitudes.positions.size(); ++s) {
     const double factor = levels.factor_at(filters.centre(amplitudes.positions[s]));
-    amplitudes.fundamental[s] *= factor;
-    amplitudes.third[s] *= factor;
+    for (std::vector<Complex>& harmonic : amplitudes.harmonics) harmonic[s] *= factor;
   }
+}
+
+/// Of the fundamental to the power `order` in the harmonic `order`.
+double evidence_of(const HarmonicFilters& filters, const HarmonicFilters::Amplitudes& amplitudes,
+                   std::size_t order) {
+  std::vector<Complex> powers = amplitudes.harmonics[0];
+  for (std::size_t s = 0; s < powers.size(); ++s) {
+    for (std::size_t i = 1; i < order; ++i) powers[s] *= amplitudes.harmonics[0][s];
+  }
+  return coherence_evidence({powers, amplitudes.harmonics[order - 1], amplitudes.positions,
+                             filters.noise_correlation(order)});
 }
 
 }  // namespace
 
-std::optional<CubicStatistics> cubic_statistics(std::span<const double> signal, double period,
-                                                const SegmentLevels* levels) {
+std::optional<HarmonicStatistics> harmonic_statistics(std::span<const double> signal, double period,
+                                                      const SegmentLevels* levels) {
   // Cubes of samples near the limits of double would overflow; a power of two is exact.
   const double scale = 1.0 / power_of_two_below(largest_magnitude(signal));
   std::vector<double> scaled(signal.size());
@@ -36,10 +48,8 @@ std::optional<CubicStatistics> cubic_statistics(std::span<const double> signal, 
   HarmonicFilters::Amplitudes amplitudes = filters.apply(scaled);
   if (amplitudes.positions.size() < kFewestSegments) return std::nullopt;
   if (levels != nullptr) divide_by(*levels, filters, amplitudes);
-  std::vector<std::complex<double>> cubes = amplitudes.fundamental;
-  for (std::complex<double>& value : cubes) value = value * value * value;
-  return CubicStatistics{period, coherence_evidence({cubes, amplitudes.third, amplitudes.positions,
-                                                     filters.noise_correlation()})};
+  return HarmonicStatistics{period, evidence_of(filters, amplitudes, 2),
+                            evidence_of(filters, amplitudes, 3)};
 }
 
 }  // namespace loopscope::core::hos

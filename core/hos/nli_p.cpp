@@ -1,0 +1,17 @@
+#include "core/hos/nli_p.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "core/hos/combine_p.hpp"
+
+namespace loopscope::core::hos {
+
+double nli_p(const QuadraticTest& test, const QuadraticStatistics& found,
+             const std::optional<HarmonicStatistics>& harmonics) {
+  const double cells = test.largest_p(found);
+  if (!harmonics) return cells;
+  return combine_p(std::array{cells, std::exp(-harmonics->quadratic_evidence)});
+}
+
+}  // namespace loopscope::core::hos
