@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/simulate/coloured_noise.hpp"
+#include "core/simulate/disturbances.hpp"
 #include "core/simulate/limit_cycle.hpp"
 #include "core/simulate/missing_samples.hpp"
 #include "core/simulate/paper_loops.hpp"
@@ -62,7 +63,8 @@ Families noises() {
 
 Families sinusoids() {
   Families list;
-  for (const double period : {20.0, 300.0}) {
+  // 16 and 32 divide the hop of the paper's segments, so that the line keeps its phase in all.
+  for (const double period : {16.0, 20.0, 32.0, 300.0}) {
     for (const double snr_db : {0.0, 20.0}) {
       list.push_back({"sinusoid_" + text(period) + "_at_" + text(snr_db) + "_db",
                       "strict sinusoid of period " + text(period) + " in white noise, SNR " +
@@ -130,6 +132,33 @@ Families linear_non_gaussian() {
   return list;
 }
 
+/// AR(1) 0.9 noise made louder by `factor` from one share of the record to another.
+Draw louder(double from, double to, double factor) {
+  return [=](std::size_t samples, std::uint64_t seed) {
+    return with_level(coloured_noise(real_pole(0.9), Innovation::gaussian, samples, seed), from, to,
+                      factor);
+  };
+}
+
+Families disturbed() {
+  constexpr FamilyKind kKind = FamilyKind::linear_disturbed;
+  const Draw upset = [](std::size_t samples, std::uint64_t seed) {
+    return with_step(coloured_noise(real_pole(0.9), Innovation::gaussian, samples, seed), 0.5,
+                     12.0);
+  };
+  const Draw integrated = [](std::size_t samples, std::uint64_t seed) {
+    return running_sum(coloured_noise(real_pole(1.0), Innovation::gaussian, samples, seed));
+  };
+  return {
+      {"ar1_0.9_half_twice", "AR(1) 0.9, second half twice as loud", kKind, 4096,
+       louder(0.5, 1.0, 2.0)},
+      {"ar1_0.9_tenth_thrice", "AR(1) 0.9, a tenth three times as loud", kKind, 4096,
+       louder(0.5, 0.6, 3.0)},
+      {"ar1_0.9_one_step", "AR(1) 0.9, one step of five standard deviations", kKind, 4096, upset},
+      {"integrated_walk", "sum of a random walk", kKind, 4096, integrated},
+  };
+}
+
 Families nonlinear_examples() {
   constexpr FamilyKind kKind = FamilyKind::nonlinear;
   return {
@@ -167,6 +196,8 @@ std::string_view name(FamilyKind kind) {
       return "linear_gaussian";
     case FamilyKind::linear_non_gaussian:
       return "linear_non_gaussian";
+    case FamilyKind::linear_disturbed:
+      return "linear_disturbed";
     case FamilyKind::nonlinear:
       return "nonlinear";
   }
@@ -176,8 +207,9 @@ std::string_view name(FamilyKind kind) {
 const std::vector<CalibrationFamily>& calibration_families() {
   static const Families families = [] {
     Families list;
-    for (const auto& part : {noises(), sinusoids(), linear_examples(), damaged(),
-                             linear_non_gaussian(), nonlinear_examples(), limit_cycles()}) {
+    for (const auto& part :
+         {noises(), sinusoids(), linear_examples(), damaged(), linear_non_gaussian(), disturbed(),
+          nonlinear_examples(), limit_cycles()}) {
       list.insert(list.end(), part.begin(), part.end());
     }
     return list;

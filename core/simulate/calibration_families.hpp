@@ -13,6 +13,7 @@ namespace loopscope::core::simulate {
 enum class FamilyKind {
   linear_gaussian,      ///< nothing: every rejection is false
   linear_non_gaussian,  ///< a test of Gaussianity may reject, one of linearity may not
+  linear_disturbed,     ///< Gaussian, but not stationary; nothing to find in it all the same
   nonlinear,            ///< every test may reject
 };
 [[nodiscard]] std::string_view name(FamilyKind kind);

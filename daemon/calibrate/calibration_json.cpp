@@ -51,7 +51,7 @@ Json families_json(const Calibration& calibration) {
 }
 
 Json cost_json(const Calibration& calibration) {
-  const Cost cost = mean_cost(calibration.families, calibration.records);
+  const Cost cost = healthy_cost(calibration.families, calibration.records);
   Json ratios = Json::object();
   for (const FamilyTally& tally : calibration.families) {
     ratios[tally.family.name] = mean_cost({&tally, 1}, calibration.records).ratio();

@@ -19,7 +19,9 @@ constexpr int kCellWidth = 16;
 std::string cell(const TestTally& tally, std::size_t level, FamilyKind kind) {
   if (tally.computed == 0) return "- ";
   const BinomialShare share = binomial_share(tally.rejected[level], tally.computed);
-  const bool too_often = kind == FamilyKind::linear_gaussian && share.low > kLevels[level];
+  const bool nothing_to_find =
+      kind == FamilyKind::linear_gaussian || kind == FamilyKind::linear_disturbed;
+  const bool too_often = nothing_to_find && share.low > kLevels[level];
   return fmt::format("{:.1f} ({:.0f}-{:.0f}){}", kPercent * share.share, kPercent * share.low,
                      kPercent * share.high, too_often ? "*" : " ");
 }
@@ -46,6 +48,8 @@ std::string kind_line(FamilyKind kind) {
       return "-- linear, Gaussian: every rejection is false\n";
     case FamilyKind::linear_non_gaussian:
       return "-- linear, not Gaussian: only a test of Gaussianity may reject\n";
+    case FamilyKind::linear_disturbed:
+      return "-- linear, Gaussian, not stationary: every rejection is false\n";
     case FamilyKind::nonlinear:
       break;
   }
@@ -76,9 +80,10 @@ std::string legend() {
 }
 
 std::string cost_line(const Calibration& calibration) {
-  const Cost cost = mean_cost(calibration.families, calibration.records);
+  const Cost cost = healthy_cost(calibration.families, calibration.records);
   return fmt::format(
-      "CPU time of a record: squared bicoherence {:.0f} us, whole analysis {:.0f} us: {:.1f} "
+      "CPU time of a linear Gaussian record: squared bicoherence {:.0f} us, whole analysis {:.0f} "
+      "us: {:.1f} "
       "times\n",
       cost.estimate_us, cost.analyse_us, cost.ratio());
 }

@@ -17,4 +17,7 @@ struct Cost {
 /// Over the families of `tallies` (not empty) with `records` records each.
 [[nodiscard]] Cost mean_cost(std::span<const FamilyTally> tallies, std::size_t records);
 
+/// Over the linear Gaussian families, which stand for healthy loops; over all where there is none.
+[[nodiscard]] Cost healthy_cost(std::span<const FamilyTally> tallies, std::size_t records);
+
 }  // namespace loopscope::daemon
