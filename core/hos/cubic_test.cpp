@@ -1,6 +1,5 @@
 #include "core/hos/cubic_test.hpp"
 
-#include <algorithm>
 #include <complex>
 #include <vector>
 
@@ -18,13 +17,9 @@ constexpr std::size_t kFewestSegments = 4;
 }  // namespace
 
 std::optional<CubicStatistics> cubic_statistics(std::span<const double> signal, double period) {
-  // Cubes of samples near the limits of double would overflow; a power of two is exact.
-  const double scale = 1.0 / power_of_two_below(largest_magnitude(signal));
-  std::vector<double> scaled(signal.size());
-  std::transform(signal.begin(), signal.end(), scaled.begin(),
-                 [scale](double value) { return value * scale; });
   const HarmonicFilters filters(period);
-  const HarmonicFilters::Amplitudes amplitudes = filters.apply(scaled);
+  // Cubes of samples near the limits of double would overflow.
+  const HarmonicFilters::Amplitudes amplitudes = filters.apply(scaled_to_unit(signal));
   if (amplitudes.positions.size() < kFewestSegments) return std::nullopt;
   std::vector<std::complex<double>> cubes = amplitudes.fundamental;
   for (std::complex<double>& value : cubes) value = value * value * value;

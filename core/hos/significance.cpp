@@ -7,6 +7,8 @@
 
 #include "core/hos/combine_p.hpp"
 #include "core/hos/linear_model.hpp"
+#include "core/hos/magnitude.hpp"
+#include "core/hos/null_laws.hpp"
 #include "core/hos/replicates.hpp"
 
 namespace loopscope::core::hos {
@@ -24,7 +26,7 @@ double combine(double mean_p, double largest_p, std::optional<double> cubic_p) {
 /// logarithmic scale, where its core does not tell.
 double settle(double gaussian_p, double noise_p, ResidualNoise::Core core) {
   const double p =
-      core == ResidualNoise::Core::undecided ? std::sqrt(gaussian_p * noise_p) : noise_p;
+      core == ResidualNoise::Core::undecided ? std::sqrt(gaussian_p) * std::sqrt(noise_p) : noise_p;
   return std::max(gaussian_p, p);
 }
 
@@ -42,7 +44,7 @@ Significance SignificanceTest::measure(std::span<const double> signal,
   result.ngi_p = quadratic_.mean_p(found.quadratic, found.segments);
   result.nli_p = quadratic_.largest_p(found.quadratic);
   if (found.cubic) {
-    result.cubic_p = std::exp(-found.cubic->evidence);
+    result.cubic_p = p_of_evidence(found.cubic->evidence);
     result.period_samples = found.cubic->period_samples;
   }
   result.quadratic_p = combine(result.ngi_p, result.nli_p, std::nullopt);
@@ -55,7 +57,8 @@ Significance SignificanceTest::measure(std::span<const double> signal,
 
 void SignificanceTest::second_pass(std::span<const double> signal, const Statistics& found,
                                    std::uint64_t seed, Significance& result) const {
-  const std::optional<LinearModel> model = LinearModel::fit(signal);
+  // The model's squares would overflow or vanish for samples of 1e300 or 1e-300.
+  const std::optional<LinearModel> model = LinearModel::fit(scaled_to_unit(signal));
   if (!model || model->noise().core() == ResidualNoise::Core::gaussian) return;
   const Replicates drawn(*model, signal, settings_, quadratic_, result.period_samples, seed);
   const ResidualNoise::Core core = model->noise().core();
