@@ -11,7 +11,7 @@ namespace loopscope::core::hos {
 /// Exact for independent tests and close to it for dependent ones where p is small. One tiny p
 /// among n gives n times that p, as Bonferroni's rule does; several middling ones add up, which
 /// Bonferroni's rule ignores. p-values above 0.9 count as 0.9, so that one test that fits too well
-/// does not hide another. 0 < p_i <= 1; at least one.
+/// does not hide another; that makes 5.2 % of 5 % and 1.0 % of 1 %. 0 < p_i <= 1; at least one.
 [[nodiscard]] double combine_p(std::span<const double> p);
 
 }  // namespace loopscope::core::hos

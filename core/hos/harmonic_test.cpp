@@ -39,11 +39,8 @@ double evidence_of(const HarmonicFilters& filters, const HarmonicFilters::Amplit
 
 std::optional<HarmonicStatistics> harmonic_statistics(std::span<const double> signal, double period,
                                                       const SegmentLevels* levels) {
-  // Cubes of samples near the limits of double would overflow; a power of two is exact.
-  const double scale = 1.0 / power_of_two_below(largest_magnitude(signal));
-  std::vector<double> scaled(signal.size());
-  std::transform(signal.begin(), signal.end(), scaled.begin(),
-                 [scale](double value) { return value * scale; });
+  // Cubes of samples near the limits of double would overflow.
+  const std::vector<double> scaled = scaled_to_unit(signal);
   const HarmonicFilters filters(period);
   HarmonicFilters::Amplitudes amplitudes = filters.apply(scaled);
   if (amplitudes.positions.size() < kFewestSegments) return std::nullopt;

@@ -40,17 +40,18 @@ struct Pieces {
 Pieces split(std::span<const double> signal) {
   Pieces pieces;
   bool open = false;
+  const double first = first_finite(signal);
   double sum = 0.0;
   for (const double value : signal) {
     if (std::isfinite(value)) {
       if (!open) pieces.all.emplace_back();
       pieces.all.back().forward.push_back(value);
-      sum += value;
+      sum += value - first;
       ++pieces.samples;
     }
     open = std::isfinite(value);
   }
-  pieces.mean = sum / static_cast<double>(std::max<std::size_t>(pieces.samples, 1));
+  pieces.mean = first + sum / static_cast<double>(std::max<std::size_t>(pieces.samples, 1));
   for (Piece& piece : pieces.all) {
     for (double& value : piece.forward) {
       value -= pieces.mean;

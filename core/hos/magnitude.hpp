@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 namespace loopscope::core::hos {
 
@@ -11,9 +12,16 @@ inline constexpr double kRoundingUnits = 16.0;
 /// Largest magnitude among the finite samples; 0 when there is none.
 [[nodiscard]] double largest_magnitude(std::span<const double> signal);
 
+/// First sample that is not missing, 0 when all are: a constant less it leaves exact zeros,
+/// whatever its length.
+[[nodiscard]] double first_finite(std::span<const double> signal);
+
 /// The power of two that `magnitude` lies above, by less than a factor of two (1 for zero).
 /// Dividing by it is exact, and squares and cubes of what is left do not overflow. Held within
 /// 2^-1000 to 2^1000, so that it and its reciprocal are normal numbers.
 [[nodiscard]] double power_of_two_below(double magnitude);
+
+/// `signal` over the power of two below its largest magnitude; what is missing stays missing.
+[[nodiscard]] std::vector<double> scaled_to_unit(std::span<const double> signal);
 
 }  // namespace loopscope::core::hos

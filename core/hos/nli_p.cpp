@@ -1,9 +1,9 @@
 #include "core/hos/nli_p.hpp"
 
 #include <array>
-#include <cmath>
 
 #include "core/hos/combine_p.hpp"
+#include "core/hos/null_laws.hpp"
 
 namespace loopscope::core::hos {
 
@@ -11,7 +11,7 @@ double nli_p(const QuadraticTest& test, const QuadraticStatistics& found,
              const std::optional<HarmonicStatistics>& harmonics) {
   const double cells = test.largest_p(found);
   if (!harmonics) return cells;
-  return combine_p(std::array{cells, std::exp(-harmonics->quadratic_evidence)});
+  return combine_p(std::array{cells, p_of_evidence(harmonics->quadratic_evidence)});
 }
 
 }  // namespace loopscope::core::hos

@@ -2,6 +2,11 @@
 
 namespace loopscope::core::hos {
 
+/// exp(-evidence), the p of a statistic that is exponential with mean 1 under its null. Like every
+/// tail here at least the smallest normal number, 2.2e-308: a p of 0 would call chance impossible
+/// and has no logarithm.
+[[nodiscard]] double p_of_evidence(double evidence);
+
 /// Upper tail of the law of the mean of K bic2 over the triangle: Pearson III with this mean and
 /// standard deviation and the skewness that the mean was measured to have.
 [[nodiscard]] double mean_law_upper(double value, double mean, double std);

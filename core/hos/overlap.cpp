@@ -55,6 +55,7 @@ double triple_correlation(const std::vector<std::vector<Complex>>& lags, std::pt
 }  // namespace
 
 Overlap::Overlap(const Settings& settings) {
+  validate(settings);
   const std::vector<double> window = make_window(settings.window, settings.segment_length);
   const std::size_t hop = segment_hop(settings);
   // Two main lobes apart nothing is left of the correlation.

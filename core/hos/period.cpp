@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/hos/magnitude.hpp"
 #include "core/hos/record_fft.hpp"
 
 namespace loopscope::core::hos {
@@ -68,6 +69,7 @@ class Periodogram {
 std::vector<double> tapered(std::span<const double> signal) {
   const auto count = static_cast<double>(signal.size());
   const double middle = (count - 1.0) / 2.0;
+  const double first = first_finite(signal);
   double present = 0.0;
   double sum = 0.0;
   double moment = 0.0;
@@ -77,10 +79,10 @@ std::vector<double> tapered(std::span<const double> signal) {
     if (!std::isfinite(signal[n])) continue;
     const double x = static_cast<double>(n) - middle;
     present += 1.0;
-    sum += signal[n];
+    sum += signal[n] - first;
     position += x;
     square += x * x;
-    moment += x * signal[n];
+    moment += x * (signal[n] - first);
   }
   const double determinant = present * square - position * position;
   const double slope = determinant > 0.0 ? (present * moment - position * sum) / determinant : 0.0;
@@ -93,7 +95,7 @@ std::vector<double> tapered(std::span<const double> signal) {
   for (std::size_t n = 0; n < signal.size(); ++n, turn *= step) {
     if (!std::isfinite(signal[n])) continue;
     const double x = static_cast<double>(n) - middle;
-    result[n] = (signal[n] - mean - slope * x) * (0.5 - 0.5 * turn.real());
+    result[n] = (signal[n] - first - mean - slope * x) * (0.5 - 0.5 * turn.real());
   }
   return result;
 }
@@ -143,7 +145,8 @@ std::optional<double> dominant_period(std::span<const double> signal) {
   const auto count = static_cast<double>(signal.size());
   if (count < kFewestCycles * kShortestPeriod) return std::nullopt;
   const std::size_t length = std::bit_ceil(signal.size());
-  const Periodogram periodogram(RecordFft::of_length(length).transform(tapered(signal)), length);
+  const Periodogram periodogram(
+      RecordFft::of_length(length).transform(tapered(scaled_to_unit(signal))), length);
   BandScore best;
   for (double f = kFewestCycles / count; f <= 1.0 / kShortestPeriod; f *= kStep) {
     const BandScore next = score_band(periodogram, f, count / static_cast<double>(length));

@@ -94,7 +94,7 @@ double QuadraticTest::largest_p(const QuadraticStatistics& found) const {
 
 std::optional<double> QuadraticTest::peak_p(const Bicoherence& bicoherence, Bifrequency at) const {
   if (!cells_.contains(at)) return std::nullopt;
-  return smallest_of(std::exp(-evidence(bicoherence, at)), independent_cells());
+  return smallest_of(p_of_evidence(evidence(bicoherence, at)), independent_cells());
 }
 
 }  // namespace loopscope::core::hos

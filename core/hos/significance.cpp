@@ -8,7 +8,9 @@
 #include "core/hos/combine_p.hpp"
 #include "core/hos/harmonic_test.hpp"
 #include "core/hos/linear_model.hpp"
+#include "core/hos/magnitude.hpp"
 #include "core/hos/nli_p.hpp"
+#include "core/hos/null_laws.hpp"
 #include "core/hos/period.hpp"
 #include "core/hos/quadratic_test.hpp"
 #include "core/hos/replicates.hpp"
@@ -28,7 +30,7 @@ double combine(double mean_p, double nli, std::optional<double> cubic_p) {
 /// logarithmic scale, where its core does not tell.
 double settle(double gaussian_p, double noise_p, ResidualNoise::Core core) {
   const double p =
-      core == ResidualNoise::Core::undecided ? std::sqrt(gaussian_p * noise_p) : noise_p;
+      core == ResidualNoise::Core::undecided ? std::sqrt(gaussian_p) * std::sqrt(noise_p) : noise_p;
   return std::max(gaussian_p, p);
 }
 
@@ -54,7 +56,7 @@ Found first_pass(const TestedSpectra& tested, const QuadraticTest& test, Signifi
   }
   result.nli_p = nli_p(test, found.quadratic, harmonics);
   if (harmonics) {
-    result.cubic_p = std::exp(-harmonics->cubic_evidence);
+    result.cubic_p = p_of_evidence(harmonics->cubic_evidence);
     result.period_samples = harmonics->period_samples;
   }
   result.quadratic_p = combine(result.ngi_p, result.nli_p, std::nullopt);
@@ -65,7 +67,8 @@ Found first_pass(const TestedSpectra& tested, const QuadraticTest& test, Signifi
 
 void second_pass(const TestedSpectra& tested, const QuadraticTest& test, const Found& found,
                  std::uint64_t seed, Significance& result) {
-  const std::optional<LinearModel> model = LinearModel::fit(tested.signal());
+  // The model's squares would overflow or vanish for samples of 1e300 or 1e-300.
+  const std::optional<LinearModel> model = LinearModel::fit(scaled_to_unit(tested.signal()));
   if (!model || model->noise().core() == ResidualNoise::Core::gaussian) return;
   const Replicates drawn(*model, tested, test, result.period_samples, seed);
   const ResidualNoise::Core core = model->noise().core();

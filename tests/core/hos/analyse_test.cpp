@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/simulate/limit_cycle.hpp"
 #include "tests/core/hos/signals.hpp"
 
 namespace loopscope::core::hos {
@@ -127,6 +128,34 @@ TEST(HosAnalyse, ManyThreadsGetTheSameDigits) {
   for (const double mean : means) {
     EXPECT_EQ(mean, analyse(signal, settings)->mean_bic2);
   }
+}
+
+TEST(HosAnalyse, TheSeedDrivesTheSecondPassAlone) {
+  const auto skewed = tests::exponential_noise(66);
+  const auto one = analyse(skewed, Settings{}, 1).value();
+  EXPECT_EQ(one.nonlinear_p, analyse(skewed, Settings{}, 1)->nonlinear_p);
+  EXPECT_NE(one.nonlinear_p, analyse(skewed, Settings{}, 2)->nonlinear_p);
+  EXPECT_EQ(one.ngi_p, analyse(skewed, Settings{}, 2)->ngi_p);
+  EXPECT_EQ(one.mean_bic2, analyse(skewed, Settings{}, 2)->mean_bic2);
+}
+
+TEST(HosAnalyse, TheCouplingIsTheKindThatIsSignificant) {
+  // Two sinusoids and their square have no third harmonic, a triangle has odd harmonics only, a
+  // sawtooth has all.
+  const auto wave = [](simulate::WaveShape shape, double period) {
+    return simulate::limit_cycle({.shape = shape, .period_samples = period}, 4096, 67);
+  };
+  EXPECT_EQ(analyse(wave(simulate::WaveShape::triangle, 30.0), Settings{})->coupling,
+            Coupling::cubic);
+  EXPECT_EQ(analyse(wave(simulate::WaveShape::sawtooth, 16.0), Settings{})->coupling,
+            Coupling::both);
+  EXPECT_EQ(analyse(tests::two_sinusoids(67, 0.05), Settings{})->coupling, Coupling::quadratic);
+  int found_in_noise = 0;  // in one record of twenty on average
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const auto noise = analyse(tests::white_noise(seed), Settings{});
+    found_in_noise += noise->coupling == Coupling::none_found ? 0 : 1;
+  }
+  EXPECT_LE(found_in_noise, 8);
 }
 
 TEST(HosAnalyse, CouplingsHaveTheNamesOfTheContract) {

@@ -1,0 +1,35 @@
+#include "core/hos/magnitude.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <vector>
+
+namespace loopscope::core::hos {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(HosMagnitude, MissingSamplesHaveNone) {
+  EXPECT_EQ(largest_magnitude(std::vector{kNan, -3.0, kInfinity, 2.0}), 3.0);
+  EXPECT_EQ(largest_magnitude(std::vector{kNan, -kInfinity}), 0.0);
+  EXPECT_EQ(first_finite(std::vector{kNan, kInfinity, -3.0, 2.0}), -3.0);
+  EXPECT_EQ(first_finite(std::vector{kNan}), 0.0);
+  EXPECT_EQ(first_finite({}), 0.0);
+}
+
+TEST(HosMagnitude, ScalingToUnitIsExactAndKeepsWhatIsMissing) {
+  for (const double gain : {1.0, 0x1p900, 0x1p-900}) {
+    const auto scaled = scaled_to_unit(std::vector{3.0 * gain, kNan, -5.0 * gain, kInfinity});
+    EXPECT_EQ(scaled[0], 0.75);
+    EXPECT_TRUE(std::isnan(scaled[1]));
+    EXPECT_EQ(scaled[2], -1.25);
+    EXPECT_FALSE(std::isfinite(scaled[3]));
+  }
+  EXPECT_EQ(scaled_to_unit(std::vector{0.0, -0.0})[1], 0.0);
+  EXPECT_TRUE(scaled_to_unit({}).empty());
+}
+
+}  // namespace
+}  // namespace loopscope::core::hos

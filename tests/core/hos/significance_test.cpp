@@ -1,0 +1,127 @@
+#include "core/hos/significance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <vector>
+
+#include "core/hos/combine_p.hpp"
+#include "core/hos/linear_model.hpp"
+#include "core/simulate/coloured_noise.hpp"
+#include "core/simulate/limit_cycle.hpp"
+#include "tests/core/hos/signals.hpp"
+
+namespace loopscope::core::hos {
+namespace {
+
+using simulate::Innovation;
+
+Significance measure(const std::vector<double>& signal, std::uint64_t seed = 1) {
+  Bicoherence bicoherence(Settings{});
+  const auto bic2 = bicoherence.estimate(signal);
+  return SignificanceTest(Settings{}).measure(signal, bicoherence, bic2, seed);
+}
+
+std::vector<double> noise(Innovation law, std::uint64_t seed) {
+  return simulate::coloured_noise(simulate::real_pole(0.9), law, 4096, seed);
+}
+
+/// What the first pass says, from its parts.
+Significance first_pass(const std::vector<double>& signal) {
+  Bicoherence bicoherence(Settings{});
+  const QuadraticTest test{Settings{}};
+  const auto found = test.measure(bicoherence, bicoherence.estimate(signal));
+  Significance result;
+  result.ngi_p = test.mean_p(found, bicoherence.segments());
+  result.nli_p = test.largest_p(found);
+  result.cubic_p = std::exp(-cubic_statistics(signal)->evidence);
+  result.quadratic_p = combine_p(std::array{result.ngi_p, result.nli_p});
+  result.nonlinear_p = combine_p(std::array{result.ngi_p, result.nli_p, *result.cubic_p});
+  return result;
+}
+
+TEST(HosSignificance, TheSecondPassRunsWhereItCanChangeSomething) {
+  int clear = 0;
+  int passes = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const auto signal = noise(Innovation::gaussian, seed);
+    const Significance found = measure(signal);
+    const Significance first = first_pass(signal);
+    const bool near = std::min({first.ngi_p, first.nli_p, *first.cubic_p}) < 0.05;
+    const bool normal = LinearModel::fit(signal)->noise().core() == ResidualNoise::Core::gaussian;
+    EXPECT_EQ(found.second_pass, near && !normal) << seed;
+    clear += near ? 0 : 1;
+    if (!found.second_pass) {
+      EXPECT_EQ(found.nonlinear_p, first.nonlinear_p);
+    }
+  }
+  EXPECT_GE(clear, 45);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    passes += measure(noise(Innovation::exponential, seed)).second_pass ? 1 : 0;
+  }
+  EXPECT_EQ(passes, 10);
+}
+
+TEST(HosSignificance, NoPIsBelowTheFirstPass) {
+  for (const Innovation law : {Innovation::exponential, Innovation::uniform, Innovation::laplace}) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      const auto signal = noise(law, seed);
+      const Significance found = measure(signal);
+      const Significance first = first_pass(signal);
+      EXPECT_EQ(found.ngi_p, first.ngi_p);
+      EXPECT_GE(found.nli_p, first.nli_p);
+      EXPECT_GE(found.cubic_p.value(), first.cubic_p.value());
+      EXPECT_GE(found.quadratic_p, first.quadratic_p);
+      EXPECT_GE(found.nonlinear_p, first.nonlinear_p);
+    }
+  }
+}
+
+TEST(HosSignificance, SeedsMatterInTheSecondPassOnly) {
+  const auto skewed = noise(Innovation::exponential, 1);
+  EXPECT_EQ(measure(skewed, 5).nonlinear_p, measure(skewed, 5).nonlinear_p);
+  EXPECT_NE(measure(skewed, 5).nonlinear_p, measure(skewed, 6).nonlinear_p);
+  EXPECT_EQ(measure(skewed, 5).ngi_p, measure(skewed, 6).ngi_p);
+  const auto normal = noise(Innovation::gaussian, 1);
+  ASSERT_FALSE(measure(normal).second_pass);
+  EXPECT_EQ(measure(normal, 5).nonlinear_p, measure(normal, 6).nonlinear_p);
+}
+
+TEST(HosSignificance, DoesNotDependOnScale) {
+  const auto skewed = noise(Innovation::exponential, 2);
+  const Significance before = measure(skewed);
+  ASSERT_TRUE(before.second_pass);
+  for (const double gain : {0x1p990, 0x1p-990, 0x1p20}) {
+    const Significance found = measure(tests::affine(skewed, gain, 0.0));
+    EXPECT_TRUE(found.second_pass) << gain;
+    EXPECT_EQ(found.nonlinear_p, before.nonlinear_p) << gain;
+    EXPECT_EQ(found.nli_p, before.nli_p) << gain;
+  }
+}
+
+TEST(HosSignificance, FindsTheSquareWaveByItsThirdHarmonic) {
+  const auto wave = simulate::limit_cycle({.period_samples = 30.0}, 4096, 1);
+  const Significance found = measure(wave);
+  EXPECT_NEAR(found.period_samples.value(), 30.0, 1.0);
+  EXPECT_LT(found.cubic_p.value(), 1e-4);
+  EXPECT_LT(found.nonlinear_p, 1e-3);
+}
+
+TEST(HosSignificance, WithoutSegmentsForTheCubicTestTheOthersDecide) {
+  // Segments of 800 samples do not fit between gaps every 600, segments of 64 do.
+  auto torn = simulate::limit_cycle({.period_samples = 400.0}, 4096, 1);
+  for (std::size_t n = 0; n < torn.size(); n += 600) torn[n] = std::nan("");
+  const Significance found = measure(torn);
+  EXPECT_FALSE(found.cubic_p.has_value());
+  EXPECT_FALSE(found.period_samples.has_value());
+  EXPECT_EQ(found.nonlinear_p, found.quadratic_p);
+}
+
+TEST(HosSignificance, SettingsOutOfRangeThrow) {
+  EXPECT_THROW(SignificanceTest({.dft_length = 7}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace loopscope::core::hos

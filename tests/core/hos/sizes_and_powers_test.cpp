@@ -1,0 +1,90 @@
+// How often each p-value of `analyse` lies below its level, on every family of signals:
+// documentation that runs. LOOPSCOPE_RECORDS=2000 gives figures for a table; columns are ngi_p,
+// nli_p, cubic_p and nonlinear_p at 5 % and then at 1 %, in per cent.
+
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <string>
+#include <utility>
+
+#include "tests/core/hos/family_rates.hpp"
+#include "tests/core/hos/rejections.hpp"
+
+namespace loopscope::core::hos {
+namespace {
+
+using simulate::FamilyKind;
+
+/// `most` and the four standard errors of a rate that is just that.
+double at_most(double most, int records) {
+  return most + tests::four_errors(most, records);
+}
+
+/// A size between 2 % and 7 % at 5 %, up to 2 % at 1 %; a single test may be more careful.
+void expect_sizes(const std::string& name, const tests::FamilyPValues& p, int records) {
+  const tests::FamilyRates five = p.at(0.05);
+  const tests::FamilyRates one = p.at(0.01);
+  EXPECT_GE(five.nonlinear, 0.02 - tests::four_errors(0.02, records)) << name;
+  for (const double size : {five.ngi, five.nli, five.cubic, five.nonlinear}) {
+    EXPECT_LE(size, at_most(0.07, records)) << name;
+  }
+  for (const double size : {one.ngi, one.nli, one.cubic, one.nonlinear}) {
+    EXPECT_LE(size, at_most(0.02, records)) << name;
+  }
+}
+
+TEST(HosSizes, OnLinearGaussianFamilies) {
+  const int records = tests::records_or(300);
+  for (const auto& family : simulate::calibration_families()) {
+    if (family.kind != FamilyKind::linear_gaussian) continue;
+    const tests::FamilyPValues p = tests::p_values(family, records);
+    tests::print_row(family.name, p);
+    expect_sizes(family.name, p, records);
+  }
+}
+
+/// Skewness is no nonlinearity. The combination holds 5 % on symmetric noise; on exponential noise
+/// it does not yet: 8.2 to 10.8 % of 500 records. The bound there keeps it from getting worse.
+TEST(HosSizes, OfLinearityOnLinearNonGaussianFamilies) {
+  const int records = tests::records_or(60);
+  for (const auto& family : simulate::calibration_families()) {
+    if (family.kind != FamilyKind::linear_non_gaussian) continue;
+    const tests::FamilyPValues p = tests::p_values(family, records);
+    tests::print_row(family.name, p);
+    const bool skewed = family.name.ends_with("_exponential");
+    EXPECT_LE(p.at(0.05).nli, at_most(0.07, records)) << family.name;
+    EXPECT_LE(p.at(0.01).nli, at_most(0.02, records)) << family.name;
+    EXPECT_LE(p.at(0.05).nonlinear, at_most(skewed ? 0.11 : 0.07, records)) << family.name;
+    if (skewed) {
+      EXPECT_GE(p.at(0.05).ngi, 0.99) << family.name;
+    }
+  }
+}
+
+TEST(HosPowers, OfNonlinearPOnThePapersExamples) {
+  const int records = tests::records_or(60);
+  for (const auto& [name, least] :
+       {std::pair{"paper_4_1_nonlinear", 1.0}, std::pair{"paper_4_2_nonlinear", 1.0},
+        std::pair{"paper_5_4", 0.95}, std::pair{"paper_5_4_kano", 0.95}}) {
+    const tests::FamilyPValues p = tests::p_values(tests::family(name), records);
+    tests::print_row(name, p);
+    EXPECT_GE(p.at(0.05).nonlinear, least - tests::four_errors(least, records)) << name;
+  }
+}
+
+TEST(HosPowers, OfNonlinearPOnLimitCycles) {
+  const int records = tests::records_or(20);
+  for (const char* const shape : {"square", "triangle", "sawtooth", "asymmetric_square"}) {
+    for (const auto& [period, least] :
+         {std::pair{"16", 0.95}, std::pair{"30", 0.95}, std::pair{"64", 0.95},
+          std::pair{"130", 0.95}, std::pair{"400", 0.90}}) {
+      const std::string name = std::string(shape) + "_" + period;
+      const tests::FamilyPValues p = tests::p_values(tests::family(name), records);
+      tests::print_row(name, p);
+      EXPECT_GE(p.at(0.05).nonlinear, least - tests::four_errors(least, records)) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::core::hos
