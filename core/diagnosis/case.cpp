@@ -64,14 +64,30 @@ std::vector<std::string> with(std::vector<std::string> reasons, std::string reas
   return reasons;
 }
 
-Verdict make(VerdictCode code, double confidence, std::vector<std::string> reasons) {
-  return {code, std::clamp(confidence, 0.0, 1.0), summary_of(code), std::move(reasons),
-          action_for(code)};
+Verdict make(VerdictCode code, double confidence, std::vector<std::string> reasons,
+             std::optional<double> p) {
+  return {code,
+          std::clamp(confidence, 0.0, 1.0),
+          summary_of(code),
+          std::move(reasons),
+          action_for(code),
+          p};
 }
 
-Verdict oversized_valve(const Case& loop) {
+std::optional<double> oscillation_p(const Evidence& evidence) {
+  return oscillates(evidence) ? evidence.oscillation.p : std::nullopt;
+}
+
+std::optional<double> coupling_or_oscillation_p(const Evidence& evidence) {
+  const std::optional<double> coupling = evidence.hos->nonlinear_p;
+  const std::optional<double> oscillation = oscillation_p(evidence);
+  if (coupling && oscillation) return std::min(*coupling, *oscillation);
+  return coupling ? coupling : oscillation;
+}
+
+Verdict oversized_valve(const Case& loop, std::optional<double> p) {
   return make(VerdictCode::valve_oversized, 0.5,
-              with(reasons_of(loop), oversized_text(loop.evidence.valve_gain)));
+              with(reasons_of(loop), oversized_text(loop.evidence.valve_gain)), p);
 }
 
 }  // namespace loopscope::core::diagnosis
