@@ -45,6 +45,7 @@ constexpr std::string_view kTimeKinds[] = {"timestamptz",   "timestamp_utc", "ep
                                            "epoch_s_float", "epoch_ms",      "epoch_us"};
 constexpr std::string_view kQualityRules[] = {"none", "opcda", "zero"};
 constexpr std::string_view kLogLevels[] = {"debug", "info", "warning", "error"};
+constexpr std::string_view kDependences[] = {"positive", "arbitrary"};
 constexpr std::string_view kLogFormats[] = {"text", "json"};
 
 /// The names are those of core/hos, not written down a second time.
@@ -114,6 +115,10 @@ constexpr std::array kTable = {
 
     Setting{"/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
             range(0.0001, 0.5), "share of the flags that may be false"},
+    Setting{"/flags/false_discovery_dependence",
+            in_flags<&FlagSettings::false_discovery_dependence>, one_of(kDependences),
+            "of the tests of different loops; `arbitrary` is safe whatever they share, and costs "
+            "power"},
     Setting{"/flags/min_confidence", in_flags<&FlagSettings::min_confidence>, range(0, 1),
             "verdicts below are not flagged"},
 

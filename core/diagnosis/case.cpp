@@ -64,14 +64,27 @@ std::vector<std::string> with(std::vector<std::string> reasons, std::string reas
   return reasons;
 }
 
-Verdict make(VerdictCode code, double confidence, std::vector<std::string> reasons) {
-  return {code, std::clamp(confidence, 0.0, 1.0), summary_of(code), std::move(reasons),
-          action_for(code)};
+Verdict make(VerdictCode code, double confidence, std::vector<std::string> reasons,
+             std::optional<double> p) {
+  return {code,
+          std::clamp(confidence, 0.0, 1.0),
+          summary_of(code),
+          std::move(reasons),
+          action_for(code),
+          p};
 }
 
-Verdict oversized_valve(const Case& loop) {
+std::optional<double> oscillation_p(const Evidence& evidence) {
+  return oscillates(evidence) ? evidence.oscillation.p : std::nullopt;
+}
+
+double coupling_or_oscillation_p(const Case& loop) {
+  return std::min(loop.nonlinearity.p, oscillation_p(loop.evidence).value_or(1.0));
+}
+
+Verdict oversized_valve(const Case& loop, std::optional<double> p) {
   return make(VerdictCode::valve_oversized, 0.5,
-              with(reasons_of(loop), oversized_text(loop.evidence.valve_gain)));
+              with(reasons_of(loop), oversized_text(loop.evidence.valve_gain)), p);
 }
 
 }  // namespace loopscope::core::diagnosis

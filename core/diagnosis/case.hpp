@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,10 +37,17 @@ struct Case {
 /// `reasons` with one more.
 [[nodiscard]] std::vector<std::string> with(std::vector<std::string> reasons, std::string reason);
 
-/// A verdict in the words of its code, the confidence held to 0 to 1.
-[[nodiscard]] Verdict make(VerdictCode code, double confidence, std::vector<std::string> reasons);
+/// A verdict in the words of its code, the confidence held to 0 to 1; `p` as in Verdict.
+[[nodiscard]] Verdict make(VerdictCode code, double confidence, std::vector<std::string> reasons,
+                           std::optional<double> p = std::nullopt);
 
-/// The verdict on an oversized valve, which both branches may reach.
-[[nodiscard]] Verdict oversized_valve(const Case& loop);
+/// p of the oscillation, where it is one that counts.
+[[nodiscard]] std::optional<double> oscillation_p(const Evidence& evidence);
+
+/// p of a verdict that either the coupling or the oscillation would carry alone: the smaller one.
+[[nodiscard]] double coupling_or_oscillation_p(const Case& loop);
+
+/// The verdict on an oversized valve, which both branches may reach; `p` is the branch's.
+[[nodiscard]] Verdict oversized_valve(const Case& loop, std::optional<double> p);
 
 }  // namespace loopscope::core::diagnosis

@@ -27,32 +27,37 @@ constexpr double kSluggishHarris = 0.45;
 /// An oscillation of a loop whose output says nothing: one that stands still cannot make it, one
 /// that was not recorded may.
 Verdict oscillating_without_op(const Case& loop) {
+  const std::optional<double> p = oscillation_p(loop.evidence);
   if (has_flag(loop.evidence, "op_missing")) {
     return make(VerdictCode::unexplained, 0.4,
                 with(reasons_of(loop),
                      "op is not recorded: whether the controller makes the "
-                     "oscillation cannot be told."));
+                     "oscillation cannot be told."),
+                p);
   }
   return make(VerdictCode::external_disturbance, 0.5,
-              with(reasons_of(loop), "op does not move, so the controller does not make it."));
+              with(reasons_of(loop), "op does not move, so the controller does not make it."), p);
 }
 
 Verdict oscillating(const Case& loop) {
   if (!op_speaks(loop.evidence)) return oscillating_without_op(loop);
-  if (oversized(loop.evidence)) return oversized_valve(loop);
+  const std::optional<double> p = oscillation_p(loop.evidence);
+  if (oversized(loop.evidence)) return oversized_valve(loop, p);
   if (loop.valve.kind == Kind::sticks && loop.valve.score >= kClearShapes) {
     return make(VerdictCode::valve_stiction, 0.3 + 0.3 * loop.valve.score,
                 with(reasons_of(loop),
                      "A symmetric limit cycle carries odd harmonics only, to "
-                     "which the bispectrum is blind: the shapes decide."));
+                     "which the bispectrum is blind: the shapes decide."),
+                p);
   }
   const double persistence = loop.evidence.oscillation.persistence.value_or(0.0);
   if (persistence >= kSustained) {
     const bool sinusoidal = loop.evidence.shape.shape_index.value_or(1.0) <= kSinusoidal;
     return make(VerdictCode::external_disturbance,
-                (0.3 + 0.3 * persistence) * (sinusoidal ? 1.0 : kUnclearShape), reasons_of(loop));
+                (0.3 + 0.3 * persistence) * (sinusoidal ? 1.0 : kUnclearShape), reasons_of(loop),
+                p);
   }
-  return make(VerdictCode::tight_tuning, 0.6 - 0.3 * persistence, reasons_of(loop));
+  return make(VerdictCode::tight_tuning, 0.6 - 0.3 * persistence, reasons_of(loop), p);
 }
 
 std::string quantisation_text(const Evidence& evidence) {
@@ -89,8 +94,8 @@ Verdict quiet(const Case& loop) {
                       " over the plausible delays (1 is the best).");
   }
   if (harris && *harris < kSluggishHarris) {
-    return make(VerdictCode::sluggish_tuning, 0.3 + (kSluggishHarris - *harris),
-                std::move(reasons));
+    return make(VerdictCode::sluggish_tuning, 0.3 + (kSluggishHarris - *harris), std::move(reasons),
+                evidence.performance.harris_p);
   }
   return make(VerdictCode::healthy, 0.6, std::move(reasons));
 }

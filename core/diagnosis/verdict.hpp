@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +39,10 @@ struct Verdict {
   std::string summary;               ///< one sentence
   std::vector<std::string> reasons;  ///< each names its numbers
   std::string action;                ///< what to do next
+  /// Probability of evidence as strong as what the verdict rests on, were the loop without that
+  /// fault. nullopt when it rests on a fact (a saturated output, a held sensor, a measured valve
+  /// position), when its test was not computed, and for `healthy` and `insufficient_data`.
+  std::optional<double> p = std::nullopt;
 };
 
 }  // namespace loopscope::core::diagnosis

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/loop/ar_model.hpp"
+#include "core/loop/harris_p.hpp"
 
 namespace loopscope::core::loop {
 
@@ -18,8 +19,11 @@ std::optional<HarrisRange> measure_harris(std::span<const double> error, std::si
     const double gain = std::inner_product(psi.begin(), last, psi.begin(), 0.0);
     return std::clamp(model->innovation_share * gain, 0.0, 1.0);
   };
-  const HarrisRange range{index(min_delay), index(max_delay)};
+  HarrisRange range{index(min_delay), index(max_delay)};
   if (!std::isfinite(range.low) || !std::isfinite(range.high)) return std::nullopt;
+  const auto recorded = static_cast<double>(
+      std::count_if(error.begin(), error.end(), [](double v) { return std::isfinite(v); }));
+  range.p = harris_p(std::sqrt(range.low * range.high), *model, max_delay, recorded);
   return range;
 }
 

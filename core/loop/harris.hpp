@@ -10,6 +10,8 @@ namespace loopscope::core::loop {
 struct HarrisRange {
   double low = 0.0;
   double high = 0.0;
+  /// Probability that a well tuned loop shows an index this small by chance (harris_p.hpp).
+  double p = 1.0;
 };
 
 /// Harris (1989), read from an AR model of the error (Desborough and Harris 1992): no controller

@@ -7,6 +7,7 @@
 
 #include "core/loop/correlation.hpp"
 #include "core/loop/if_finite.hpp"
+#include "core/loop/oscillation_p.hpp"
 #include "core/loop/record_spectrum.hpp"
 #include "core/loop/spectral_peak.hpp"
 #include "core/loop/zero_crossings.hpp"
@@ -72,10 +73,13 @@ std::optional<double> peak_after(const std::vector<double>& acf, double period, 
 
 /// Noise of the pass band (bandwidth 1.5 / period) has an autocorrelation with standard deviation
 /// 1 / sqrt(2 * 1.5 * cycles) away from lag 0 (Bartlett).
-bool comes_back(double peak, double cycles) {
+double band_noise(double cycles) {
   const double bandwidth_periods = kBandFactor - 1.0 / kBandFactor;
-  const double noise = 1.0 / std::sqrt(2.0 * bandwidth_periods * cycles);
-  return peak > std::max(kQuarterDecay, kPeakSignificance * noise);
+  return 1.0 / std::sqrt(2.0 * bandwidth_periods * cycles);
+}
+
+bool comes_back(double peak, double cycles) {
+  return peak > std::max(kQuarterDecay, kPeakSignificance * band_noise(cycles));
 }
 
 /// Where the lags hold fewer than four periods, the decay per period that they show is carried on.
@@ -115,12 +119,22 @@ std::optional<BandEvidence> gather_evidence(std::span<const double> signal,
                       signal::measure_spread(component)->std, std::move(acf), *intervals};
 }
 
+double first_return(const BandEvidence& evidence) {
+  return peak_after(evidence.acf, 2.0 * evidence.intervals.mean, 1.0).value_or(0.0);
+}
+
 bool is_present(const BandEvidence& evidence, double cycles, const OscillationSettings& settings) {
   const double half_period = evidence.intervals.mean;
   return evidence.prominence >= kClearProminence &&
          regularity_of(evidence.intervals) > settings.min_regularity &&
          half_period >= settings.min_half_period_samples && cycles >= settings.min_cycles &&
-         comes_back(peak_after(evidence.acf, 2.0 * half_period, 1.0).value_or(0.0), cycles);
+         comes_back(first_return(evidence), cycles);
+}
+
+/// How far the record comes back beyond the decay of a well-tuned loop, in standard deviations of
+/// band noise. A product of the autocorrelation needs both its samples, so that gaps count twice.
+double return_deviate(const BandEvidence& evidence, double cycles, double recorded_share) {
+  return (first_return(evidence) - kQuarterDecay) / band_noise(cycles * recorded_share);
 }
 
 }  // namespace
@@ -134,15 +148,21 @@ Oscillation find_oscillation(std::span<const double> signal, double sample_inter
 
   const Band range{settings.min_cycles / recorded, 0.5 / settings.min_half_period_samples};
   const std::optional<BandEvidence> evidence = gather_evidence(signal, *spread, range);
-  if (!evidence) return {};
+  Oscillation result;
+  result.p = 1.0;
+  if (!evidence) return result;
 
   const double period = 2.0 * evidence->intervals.mean;
-  Oscillation result;
   result.period_s = if_finite(period * sample_interval_s);
   result.regularity = if_finite(regularity_of(evidence->intervals));
   result.amplitude = if_finite(evidence->component_std * std::sqrt(2.0 * evidence->share));
   result.persistence = persistence_of(evidence->acf, period);
   result.present = is_present(*evidence, recorded / period, settings);
+  if (result.present) {
+    const double share = recorded / static_cast<double>(signal.size());
+    result.p = oscillation_p(oscillation_strength(
+        evidence->prominence, return_deviate(*evidence, recorded / period, share)));
+  }
   return result;
 }
 

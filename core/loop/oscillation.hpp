@@ -21,6 +21,10 @@ struct Oscillation {
   /// eight cycles in the window it is carried on from the peaks that the lags hold; nullopt below
   /// four.
   std::optional<double> persistence;
+  /// Probability that a record without an oscillation (smooth spectrum: noise, drift, a well damped
+  /// loop) is called oscillating on evidence as strong as this (oscillation_p.hpp). 1 when none is
+  /// present, so that every measured record has one; nullopt when nothing was measured.
+  std::optional<double> p = std::nullopt;
 };
 
 /// Settings of the search.
@@ -31,7 +35,8 @@ struct OscillationSettings {
 };
 
 /// `signal` may hold NaN for missing samples; its mean and drift are removed. All figures are
-/// nullopt where the signal has fewer than 32 samples, no variance or too few zero crossings.
+/// nullopt where the signal has fewer than 32 samples, no variance or too few zero crossings (p is
+/// 1 in the last case).
 [[nodiscard]] Oscillation find_oscillation(std::span<const double> signal, double sample_interval_s,
                                            const OscillationSettings& settings = {});
 

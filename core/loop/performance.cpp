@@ -47,6 +47,7 @@ Performance measure_performance(std::span<const double> error, std::span<const d
                                          settings.max_delay_samples, settings.ar_order)) {
     result.harris_low = harris->low;
     result.harris_high = harris->high;
+    result.harris_p = harris->p;
   }
   if (const ValveWork work = measure_valve_work(op_percent); work.pairs > 0) {
     const double hours = static_cast<double>(work.pairs) * sample_interval_s / kSecondsPerHour;

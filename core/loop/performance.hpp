@@ -13,6 +13,8 @@ struct Performance {
   /// Harris index: minimum-variance over actual variance of the error, 0 (poor) to 1 (as good as
   /// any linear controller), as a range over the plausible delays.
   std::optional<double> harris_low, harris_high;
+  /// Probability that a well tuned loop shows a middle index this small by chance (harris_p.hpp).
+  std::optional<double> harris_p;
   std::optional<double> error_std;           ///< pv units
   std::optional<double> valve_travel_per_h;  ///< sum |op(k) - op(k-1)|, % of op range per hour
   /// Changes of op's direction per hour; moves below 1e-6 of the largest |op| are rounding. Both

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/loop/variance_ratio.hpp"
+
 namespace loopscope::core::loop {
 namespace {
 
@@ -65,14 +67,6 @@ BandPower background(const PowerSums& sums, double frequency) {
   return {mean, 4.0 * below.freedom * above.freedom / (below.freedom + above.freedom), 0.0};
 }
 
-/// Paulson's normal approximation to the F distribution (Paulson 1942).
-double normal_deviate(double ratio, double freedom_1, double freedom_2) {
-  const double a = 2.0 / (9.0 * freedom_1);
-  const double b = 2.0 / (9.0 * freedom_2);
-  const double root = std::cbrt(ratio);
-  return ((1.0 - b) * root - (1.0 - a)) / std::sqrt(b * root * root + a);
-}
-
 struct Candidate {
   SpectralPeak peak;
   double excess = 0.0;  // power above the background
@@ -94,7 +88,7 @@ std::optional<SpectralPeak> find_spectral_peak(const RecordSpectrum& spectrum, B
     const BandPower peak = sums.mean(f / kPeakFactor, f * kPeakFactor);
     const BandPower around = background(sums, f);
     const double ratio = (peak.mean + sums.floor()) / around.mean;
-    const Candidate candidate{{f, normal_deviate(ratio, peak.freedom, around.freedom)},
+    const Candidate candidate{{f, variance_ratio_deviate(ratio, peak.freedom, around.freedom)},
                               (peak.mean - around.mean) * peak.bins};
     if (!best || is_better(candidate, *best)) best = candidate;
   }

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <mutex>
 
-#include "daemon/calibrate/false_discovery.hpp"
+#include "core/plant/false_discovery.hpp"
 #include "daemon/calibrate/in_threads.hpp"
 #include "daemon/calibrate/record_seed.hpp"
 
@@ -57,7 +57,7 @@ class JudgedPlant {
     p_.assign(pool.healthy.begin(), pool.healthy.end() - static_cast<std::ptrdiff_t>(faulty));
     p_.insert(p_.end(), pool.faulty.begin(),
               pool.faulty.begin() + static_cast<std::ptrdiff_t>(faulty));
-    flagged_ = control_false_discovery(p_, rate).flagged;
+    flagged_ = core::plant::control_false_discovery(p_, rate).flagged;
   }
 
   [[nodiscard]] double flags() const { return count(0, p_.size()); }

@@ -72,12 +72,14 @@ Json oscillation_json(const core::loop::Oscillation& oscillation) {
           {"period_s", or_null(oscillation.period_s)},
           {"regularity", or_null(oscillation.regularity)},
           {"amplitude", or_null(oscillation.amplitude)},
-          {"persistence", or_null(oscillation.persistence)}};
+          {"persistence", or_null(oscillation.persistence)},
+          {"p", or_null(oscillation.p)}};
 }
 
 Json performance_json(const core::loop::Performance& performance) {
   return {{"harris_low", or_null(performance.harris_low)},
           {"harris_high", or_null(performance.harris_high)},
+          {"harris_p", or_null(performance.harris_p)},
           {"error_std", or_null(performance.error_std)},
           {"valve_travel_per_h", or_null(performance.valve_travel_per_h)},
           {"reversals_per_h", or_null(performance.reversals_per_h)},
@@ -115,6 +117,7 @@ Json model_json() {
 Json verdict_json(const core::diagnosis::Verdict& verdict) {
   return {{"code", core::diagnosis::name(verdict.code)},
           {"confidence", verdict.confidence},
+          {"p", or_null(verdict.p)},
           {"summary", verdict.summary},
           {"reasons", verdict.reasons},
           {"action", verdict.action}};

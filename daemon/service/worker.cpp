@@ -52,6 +52,8 @@ storage::ResultsDatabase& Worker::results() {
   results_.emplace(results_connection(*settings_));
   // The views flag loops by these; they follow the settings of the worker that connected last.
   results_->set_parameter("false_discovery_rate", settings_->flags.false_discovery_rate);
+  results_->set_parameter("false_discovery_dependence",
+                          settings_->flags.false_discovery_dependence == "arbitrary" ? 1.0 : 0.0);
   results_->set_parameter("min_confidence", settings_->flags.min_confidence);
   return *results_;
 }

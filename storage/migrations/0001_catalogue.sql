@@ -21,14 +21,15 @@ CREATE TABLE loopscope.parameter (
   unit        text NOT NULL,
   description text NOT NULL
 );
-COMMENT ON TABLE loopscope.parameter IS 'Numbers that the views compute with; the first two follow the settings file, the weights are the site''s to change';
+COMMENT ON TABLE loopscope.parameter IS 'Numbers that the views compute with; those without weight_ follow the settings file, the weights are the site''s to change';
 COMMENT ON COLUMN loopscope.parameter.name IS 'Name of the parameter';
 COMMENT ON COLUMN loopscope.parameter.value IS 'Its value in `unit`';
 COMMENT ON COLUMN loopscope.parameter.unit IS 'Unit of the value, with its range';
 COMMENT ON COLUMN loopscope.parameter.description IS 'What the parameter does';
 
 INSERT INTO loopscope.parameter (name, value, unit, description) VALUES
-  ('false_discovery_rate', 0.05, 'share, 0 to 1', 'Expected share of false ones among the loops that are flagged for a nonlinearity'),
+  ('false_discovery_rate', 0.05, 'share, 0 to 1', 'Expected share of false ones among the loops that are flagged on a test'),
+  ('false_discovery_dependence', 0, '0 or 1', '0 = the tests of different loops are independent or rise together (Benjamini, Hochberg); 1 = they hang together in any way (Benjamini, Yekutieli)'),
   ('min_confidence', 0.3, 'share, 0 to 1', 'Verdicts with a lower confidence are not flagged'),
   ('weight_valve_stiction', 1.0, 'factor, > 0', 'Rank of the fault: a repair at one valve ends it'),
   ('weight_valve_deadband', 0.8, 'factor, > 0', 'Rank of the fault: a repair at one valve ends it'),

@@ -55,9 +55,11 @@ CREATE TABLE loopscope.analysis (
   oscillation_regularity  double precision,
   oscillation_amplitude   double precision,
   oscillation_persistence double precision,
+  oscillation_p           double precision,
 
   harris_low         double precision,
   harris_high        double precision,
+  harris_p           double precision,
   error_std          double precision,
   valve_travel_per_h double precision,
   reversals_per_h    double precision,
@@ -129,6 +131,7 @@ CREATE TABLE loopscope.verdict (
   reasons            text[] NOT NULL,
   action             text NOT NULL,
   decided_at         timestamptz NOT NULL DEFAULT now(),
+  p                  double precision CHECK (p BETWEEN 0 AND 1),
   PRIMARY KEY (loop_id, slot_end, algorithm_revision, input_revision)
 ) PARTITION BY RANGE (slot_end);
 CREATE INDEX verdict_by_slot ON loopscope.verdict USING brin (slot_end);

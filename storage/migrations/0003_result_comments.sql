@@ -47,8 +47,10 @@ COMMENT ON COLUMN loopscope.analysis.oscillation_period_s IS 'Its period, second
 COMMENT ON COLUMN loopscope.analysis.oscillation_regularity IS 'Regularity of its zero crossings, above 1 = regular';
 COMMENT ON COLUMN loopscope.analysis.oscillation_amplitude IS 'Its amplitude, pv units';
 COMMENT ON COLUMN loopscope.analysis.oscillation_persistence IS 'Fourth over first peak of the autocorrelation, near 1 = sustained';
+COMMENT ON COLUMN loopscope.analysis.oscillation_p IS 'Probability that a record without an oscillation is called oscillating on evidence as strong; 1 = none present, null = not computed';
 COMMENT ON COLUMN loopscope.analysis.harris_low IS 'Harris index at the least favourable plausible delay, 1 = as good as any linear controller';
 COMMENT ON COLUMN loopscope.analysis.harris_high IS 'Harris index at the most favourable plausible delay';
+COMMENT ON COLUMN loopscope.analysis.harris_p IS 'Probability that a well tuned loop (middle index 0.6) shows a Harris index this small; null = not computed';
 COMMENT ON COLUMN loopscope.analysis.error_std IS 'Standard deviation of the error, pv units';
 COMMENT ON COLUMN loopscope.analysis.valve_travel_per_h IS 'Sum of op movements, % of range per hour';
 COMMENT ON COLUMN loopscope.analysis.reversals_per_h IS 'Changes of op''s direction per hour';
@@ -100,6 +102,7 @@ COMMENT ON COLUMN loopscope.verdict.input_revision IS 'Input revision that the v
 COMMENT ON COLUMN loopscope.verdict.analysis_id IS 'Number of the analysis';
 COMMENT ON COLUMN loopscope.verdict.code IS 'The verdict; verdict_kind explains every code';
 COMMENT ON COLUMN loopscope.verdict.confidence IS 'Confidence in the verdict, 0 to 1';
+COMMENT ON COLUMN loopscope.verdict.p IS 'Probability of evidence as strong as what the verdict rests on, were the loop without that fault; null = it rests on a fact, or nothing was tested';
 COMMENT ON COLUMN loopscope.verdict.summary IS 'The verdict in one sentence';
 COMMENT ON COLUMN loopscope.verdict.reasons IS 'Why, each reason with its numbers';
 COMMENT ON COLUMN loopscope.verdict.action IS 'What to do next';

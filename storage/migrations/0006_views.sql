@@ -1,28 +1,27 @@
 -- What people read. Each view says in its comment what one row is.
 
-CREATE VIEW loopscope.verdict_kind (code, is_fault, rests_on_nonlinearity, weight, meaning) AS
-  SELECT kind.code, kind.is_fault, kind.rests_on_nonlinearity, parameter.value, kind.meaning
+CREATE VIEW loopscope.verdict_kind (code, is_fault, weight, meaning) AS
+  SELECT kind.code, kind.is_fault, parameter.value, kind.meaning
   FROM (VALUES
-    ('healthy', false, false, 'Nothing is left to explain'),
-    ('valve_stiction', true, true, 'The valve sticks and jumps'),
-    ('valve_deadband', true, true, 'The valve has play (backlash)'),
-    ('valve_saturation', true, true, 'The valve runs into a limit'),
-    ('valve_characteristic', true, true, 'The valve''s characteristic is bent: wear, corroded seat, wrong trim'),
-    ('valve_oversized', true, true, 'Tiny movements of the valve move the process a lot'),
-    ('process_nonlinearity', true, true, 'The process itself is nonlinear'),
-    ('external_disturbance', true, false, 'Something outside the loop disturbs it'),
-    ('process_change', true, false, 'The process gain changed'),
-    ('sensor_fault', true, false, 'The measurement is coarse or held'),
-    ('tight_tuning', true, false, 'The controller is tuned too tightly'),
-    ('sluggish_tuning', true, false, 'The controller is tuned too slowly'),
-    ('nonlinear_unexplained', true, true, 'Nonlinear, but no known effect explains it'),
-    ('unexplained', true, false, 'Structured, but no known effect explains it'),
-    ('insufficient_data', false, false, 'The data cannot be judged')
-  ) AS kind (code, is_fault, rests_on_nonlinearity, meaning)
+    ('healthy', false, 'Nothing is left to explain'),
+    ('valve_stiction', true, 'The valve sticks and jumps'),
+    ('valve_deadband', true, 'The valve has play (backlash)'),
+    ('valve_saturation', true, 'The valve runs into a limit'),
+    ('valve_characteristic', true, 'The valve''s characteristic is bent: wear, corroded seat, wrong trim'),
+    ('valve_oversized', true, 'Tiny movements of the valve move the process a lot'),
+    ('process_nonlinearity', true, 'The process itself is nonlinear'),
+    ('external_disturbance', true, 'Something outside the loop disturbs it'),
+    ('process_change', true, 'The process gain changed'),
+    ('sensor_fault', true, 'The measurement is coarse or held'),
+    ('tight_tuning', true, 'The controller is tuned too tightly'),
+    ('sluggish_tuning', true, 'The controller is tuned too slowly'),
+    ('nonlinear_unexplained', true, 'Nonlinear, but no known effect explains it'),
+    ('unexplained', true, 'Structured, but no known effect explains it'),
+    ('insufficient_data', false, 'The data cannot be judged')
+  ) AS kind (code, is_fault, meaning)
   LEFT JOIN loopscope.parameter ON parameter.name = 'weight_' || kind.code;
 COMMENT ON VIEW loopscope.verdict_kind IS 'Every verdict: what it means and how it counts';
 COMMENT ON COLUMN loopscope.verdict_kind.is_fault IS 'Whether somebody should act on it';
-COMMENT ON COLUMN loopscope.verdict_kind.rests_on_nonlinearity IS 'Whether false-discovery control over nonlinear_p applies to it';
 COMMENT ON COLUMN loopscope.verdict_kind.weight IS 'How it counts in the ranking (parameter weight_...); null = no fault';
 COMMENT ON COLUMN loopscope.verdict_kind.meaning IS 'What it means, in words';
 
@@ -30,11 +29,12 @@ COMMENT ON COLUMN loopscope.verdict_kind.meaning IS 'What it means, in words';
 CREATE VIEW loopscope.latest_verdict AS
   SELECT loop.loop_id, loop.name AS loop_name, loop.source, loop.loop_type, loop.importance, loop.enabled,
          verdict.slot_end, verdict.algorithm_revision, verdict.input_revision, verdict.analysis_id,
-         verdict.code, verdict.confidence, verdict.summary, verdict.reasons, verdict.action, verdict.decided_at,
+         verdict.code, verdict.confidence, verdict.p,
+         verdict.summary, verdict.reasons, verdict.action, verdict.decided_at,
          analysis.window_start, analysis.window_end, analysis.usable, analysis.flags,
          analysis.ngi, analysis.nli, analysis.nonlinear_p, analysis.coupling,
-         analysis.oscillating, analysis.oscillation_period_s,
-         analysis.harris_low, analysis.harris_high, analysis.error_std
+         analysis.oscillating, analysis.oscillation_period_s, analysis.oscillation_p,
+         analysis.harris_low, analysis.harris_high, analysis.harris_p, analysis.error_std
   FROM loopscope.loop
   JOIN loopscope.schedule USING (loop_id)
   CROSS JOIN LATERAL (
@@ -50,61 +50,72 @@ CREATE VIEW loopscope.latest_verdict AS
 COMMENT ON VIEW loopscope.latest_verdict IS 'One row per analysed loop: its newest verdict with the main figures behind it';
 COMMENT ON COLUMN loopscope.latest_verdict.loop_name IS 'Name of the loop';
 
--- Benjamini and Hochberg (1995): with m tested loops and rate q, the threshold is the largest
--- p-value with p(i) <= q i / m. It applies to verdicts that rest on a nonlinearity; a loop without
--- a p-value is left to its confidence.
+-- The false-discovery control, argued in core/plant/README.md and written a second time in
+-- core/plant/false_discovery. The family is every test of every enabled loop; of a loop at most
+-- the one that its verdict rests on can be flagged, and only where the verdict would be shown: all
+-- others count with p = 1. What hides a verdict (confidence, annotation) therefore hides it before
+-- the control and leaves the family as large as it was.
 CREATE VIEW loopscope.flagged_loop AS
   WITH setting AS (
     SELECT max(value) FILTER (WHERE name = 'false_discovery_rate') AS false_discovery_rate,
+           max(value) FILTER (WHERE name = 'false_discovery_dependence') AS false_discovery_dependence,
            max(value) FILTER (WHERE name = 'min_confidence') AS min_confidence
     FROM loopscope.parameter
+  ), held AS (
+    SELECT loop_id, array_agg(code) AS codes, bool_or(code IS NULL) AS whatever_the_code
+    FROM loopscope.annotation
+    WHERE withdrawn_at IS NULL AND (until IS NULL OR until > now())
+    GROUP BY loop_id
   ), latest AS MATERIALIZED (
-    SELECT * FROM loopscope.latest_verdict WHERE enabled
-  ), tested AS (
-    SELECT nonlinear_p, row_number() OVER (ORDER BY nonlinear_p) AS i, count(*) OVER () AS m
-    FROM latest WHERE nonlinear_p IS NOT NULL
+    SELECT latest_verdict.*, kind.weight AS kind_weight,
+           -- A verdict that rests on a test belongs to the family even if its analysis shows none.
+           greatest(CASE WHEN usable THEN num_nonnulls(nonlinear_p, oscillation_p, harris_p) ELSE 0 END,
+                    num_nonnulls(p)) AS tests,
+           kind.is_fault AND confidence >= setting.min_confidence
+             AND NOT coalesce(held.whatever_the_code OR latest_verdict.code = ANY (held.codes), false) AS shown
+    FROM loopscope.latest_verdict
+    JOIN loopscope.verdict_kind AS kind USING (code)
+    LEFT JOIN held USING (loop_id)
+    CROSS JOIN setting
+    WHERE enabled
+  ), family AS (
+    SELECT sum(tests) AS m FROM latest
+  ), scale AS MATERIALIZED (  -- once, not for every loop
+    SELECT m * CASE WHEN false_discovery_dependence > 0
+                    THEN (SELECT sum(1 / i::double precision) FROM generate_series(1, m) AS i) ELSE 1 END AS scaled_m
+    FROM family CROSS JOIN setting
+  ), ranked AS (
+    SELECT p, row_number() OVER (ORDER BY p) AS i FROM latest WHERE shown AND p IS NOT NULL
   ), control AS (
-    SELECT max(tested.nonlinear_p) AS threshold
-    FROM tested, setting
-    WHERE tested.nonlinear_p <= setting.false_discovery_rate * tested.i / tested.m
+    SELECT max(ranked.p) AS threshold
+    FROM ranked CROSS JOIN scale CROSS JOIN setting
+    WHERE ranked.p <= setting.false_discovery_rate * ranked.i / scale.scaled_m
   ), candidate AS (
-    SELECT latest.*, kind.weight AS kind_weight,
+    SELECT latest.*,
            -- What a perfect linear controller could win; the middle where the index is unknown.
            CASE WHEN harris_low IS NULL OR harris_high IS NULL THEN 0.5
                 ELSE least(greatest(1 - (harris_low + harris_high) / 2, 0), 1) END AS severity,
            control.threshold AS false_discovery_threshold
-    FROM latest
-    JOIN loopscope.verdict_kind AS kind USING (code)
-    CROSS JOIN setting
-    CROSS JOIN control
-    WHERE kind.is_fault
-      AND latest.confidence >= setting.min_confidence
-      AND (NOT kind.rests_on_nonlinearity OR latest.nonlinear_p IS NULL
-           OR coalesce(latest.nonlinear_p <= control.threshold, false))
-      AND NOT EXISTS (
-        SELECT FROM loopscope.annotation
-        WHERE annotation.loop_id = latest.loop_id
-          AND annotation.withdrawn_at IS NULL
-          AND (annotation.until IS NULL OR annotation.until > now())
-          AND (annotation.code IS NULL OR annotation.code = latest.code))
+    FROM latest CROSS JOIN control
+    WHERE shown AND (p IS NULL OR p <= control.threshold)
   )
   SELECT row_number() OVER (ORDER BY severity * importance * kind_weight * confidence DESC, loop_id) AS rank,
          loop_id, loop_name, source, loop_type, code,
          severity * importance * kind_weight * confidence AS score,
          severity, importance, kind_weight, confidence,
-         nonlinear_p, false_discovery_threshold,
+         p, false_discovery_threshold, nonlinear_p,
          slot_end, algorithm_revision, input_revision, analysis_id,
          summary, reasons, action,
          ngi, nli, oscillation_period_s, harris_low, harris_high
   FROM candidate
   ORDER BY rank;
-COMMENT ON VIEW loopscope.flagged_loop IS 'Loops that somebody should act on, worst first: faults of enabled loops that pass the false-discovery control and are not annotated away';
+COMMENT ON VIEW loopscope.flagged_loop IS 'Loops that somebody should act on, worst first: faults of enabled loops that are facts or pass the false-discovery control, and are not annotated away';
 COMMENT ON COLUMN loopscope.flagged_loop.rank IS '1 = act here first';
 COMMENT ON COLUMN loopscope.flagged_loop.loop_name IS 'Name of the loop';
 COMMENT ON COLUMN loopscope.flagged_loop.score IS 'severity x importance x kind_weight x confidence';
 COMMENT ON COLUMN loopscope.flagged_loop.severity IS '1 minus the middle of the Harris index, 0 to 1; 0.5 where that is unknown';
 COMMENT ON COLUMN loopscope.flagged_loop.kind_weight IS 'Weight of the kind of fault (parameter weight_...)';
-COMMENT ON COLUMN loopscope.flagged_loop.false_discovery_threshold IS 'Largest nonlinear_p that is flagged today; null = none is';
+COMMENT ON COLUMN loopscope.flagged_loop.false_discovery_threshold IS 'Largest p that is flagged today; null = none is, only facts';
 
 CREATE VIEW loopscope.loop_history AS
   SELECT loop.loop_id, loop.name AS loop_name,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -49,15 +50,22 @@ double confidence_of(const core::diagnosis::Verdict& verdict) {
   return verdict.confidence >= 0.0 ? std::min(verdict.confidence, 1.0) : 0.0;
 }
 
+/// NULL says "no test"; a p-value that is no number says that nothing was shown.
+std::optional<double> p_of(const core::diagnosis::Verdict& verdict) {
+  if (!verdict.p) return std::nullopt;
+  return *verdict.p >= 0.0 ? std::min(*verdict.p, 1.0) : 1.0;
+}
+
 void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
   KeyArrays key;
-  ArrayLiteral analysis_id, code, confidence, summary, reasons, action;
+  ArrayLiteral analysis_id, code, confidence, p, summary, reasons, action;
   for (const WrittenAnalysis& written : analyses) {
     const core::diagnosis::Verdict& verdict = written.loop->record->diagnosis.verdict;
     key.add(written);
     analysis_id.add_integer(written.analysis_id);
     code.add_text(core::diagnosis::name(verdict.code));
     confidence.add_number(confidence_of(verdict));
+    p.add_number(p_of(verdict));
     summary.add_text(verdict.summary);
     reasons.add_text_list(verdict.reasons);
     action.add_text(verdict.action);
@@ -65,7 +73,7 @@ void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis
   transaction.run(statements::kInsertVerdicts,
                   {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
                    key.input_revision.text(), analysis_id.text(), code.text(), confidence.text(),
-                   summary.text(), reasons.text(), action.text()});
+                   p.text(), summary.text(), reasons.text(), action.text()});
 }
 
 void insert_peaks(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {

@@ -135,6 +135,19 @@ TEST(Decide, NonlinearWithTriangularShapesIsStiction) {
   EXPECT_EQ(code_of(evidence), VerdictCode::valve_stiction);
 }
 
+TEST(Decide, AChanceFindingDoesNotHideAnOscillation) {
+  Evidence evidence = nonlinear_evidence();
+  oscillate(evidence, 0.5);
+  evidence.oscillation.p = 1e-6;
+  evidence.hos->nonlinear_p = 0.03;
+  EXPECT_EQ(code_of(evidence), VerdictCode::tight_tuning);
+  evidence.hos->nonlinear_p = 1e-4;
+  EXPECT_EQ(code_of(evidence), VerdictCode::nonlinear_unexplained);
+  evidence.hos->nonlinear_p = 0.03;
+  evidence.oscillation.p = 0.04;
+  EXPECT_EQ(code_of(evidence), VerdictCode::nonlinear_unexplained);
+}
+
 TEST(Decide, NonlinearWithoutAPatternStaysUnexplained) {
   EXPECT_EQ(code_of(nonlinear_evidence()), VerdictCode::nonlinear_unexplained);
 }

@@ -63,6 +63,7 @@ constexpr const char* kPromised[] = {"/input/file",
                                      "/model/unexplained/statement",
                                      "/verdict/code",
                                      "/verdict/confidence",
+                                     "/verdict/p",
                                      "/verdict/summary",
                                      "/verdict/reasons",
                                      "/verdict/action"};

@@ -68,8 +68,10 @@ void number_time_domain(core::Evidence& evidence, Numberer& number) {
   number("oscillation_regularity", evidence.oscillation.regularity);
   number("oscillation_amplitude", evidence.oscillation.amplitude);
   number("oscillation_persistence", evidence.oscillation.persistence);
+  number("oscillation_p", evidence.oscillation.p);
   number("harris_low", evidence.performance.harris_low);
   number("harris_high", evidence.performance.harris_high);
+  number("harris_p", evidence.performance.harris_p);
   number("error_std", evidence.performance.error_std);
   number("valve_travel_per_h", evidence.performance.valve_travel_per_h);
   number("reversals_per_h", evidence.performance.reversals_per_h);

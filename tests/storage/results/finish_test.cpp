@@ -47,6 +47,7 @@ TEST_F(FinishTest, UnknownFiguresAreNull) {
   loop.record->diagnosis.evidence.performance.harris_low = std::numeric_limits<double>::quiet_NaN();
   loop.record->diagnosis.evidence.data_quality.reason = "pv is constant";
   loop.record->diagnosis.verdict.confidence = std::numeric_limits<double>::quiet_NaN();
+  loop.record->diagnosis.verdict.p = std::numeric_limits<double>::quiet_NaN();
   loop.record->diagnosis.verdict.summary = std::string("bad \xff and \0 bytes", 17);
   EXPECT_EQ(results.finish(std::vector{loop}, {}).inserted, 1u);
   EXPECT_EQ(value("SELECT num_nulls(ngi, segments, published_linear, coupling, harris_low)"
@@ -54,6 +55,7 @@ TEST_F(FinishTest, UnknownFiguresAreNull) {
             "5");
   EXPECT_EQ(value("SELECT unusable_reason FROM loopscope.analysis"), "pv is constant");
   EXPECT_EQ(value("SELECT confidence FROM loopscope.verdict"), "0");
+  EXPECT_EQ(value("SELECT p FROM loopscope.verdict"), "1") << "null would say: needs no test";
   EXPECT_EQ(value("SELECT summary FROM loopscope.verdict"),
             "bad \xEF\xBF\xBD and \xEF\xBF\xBD bytes");
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.bicoherence_peak"), "0");

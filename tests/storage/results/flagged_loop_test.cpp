@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <gmock/gmock.h>
-#include <map>
 
 #include "tests/storage/results/views_fixture.hpp"
 
@@ -55,56 +53,16 @@ TEST_F(FlaggedLoopTest, RanksByTheProductOfItsFactors) {
             "0.700");
 }
 
-/// The definition of Benjamini and Hochberg (1995), step by step, to compare the view with.
-std::vector<std::string> benjamini_hochberg(std::vector<std::pair<double, std::string>> tested,
-                                            double rate) {
-  std::ranges::sort(tested);
-  std::size_t rejected = 0;
-  for (std::size_t i = 1; i <= tested.size(); ++i) {
-    const double bound = rate * static_cast<double>(i) / static_cast<double>(tested.size());
-    if (tested[i - 1].first <= bound) rejected = i;
-  }
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < rejected; ++i) names.push_back(tested[i].second);
-  return names;
-}
-
-TEST_F(FlaggedLoopTest, FalseDiscoveryControlIsThatOfBenjaminiAndHochberg) {
-  // With m = 8 and q = 0.05 the bounds are 0.00625, 0.0125, 0.01875, 0.025, 0.03125, ...: the third
-  // p-value misses its own bound, but the fourth holds, so four are flagged and not two.
-  const std::vector<double> p{0.001, 0.012, 0.019, 0.024, 0.2, 0.3, 0.5, 0.9};
-  std::vector<Story> stories;
-  std::vector<std::pair<double, std::string>> tested;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const std::string name = "loop" + std::to_string(i);
-    stories.push_back({.loop = name, .nonlinear_p = p[i]});
-    tested.emplace_back(p[i], name);
-  }
-  tell(stories);
-  ASSERT_EQ(benjamini_hochberg(tested, 0.05).size(), 4u);
-  EXPECT_THAT(flagged(), testing::UnorderedElementsAreArray(benjamini_hochberg(tested, 0.05)));
-  EXPECT_EQ(value("SELECT DISTINCT false_discovery_threshold FROM loopscope.flagged_loop"),
-            "0.024");
-  for (const double rate : {0.001, 0.01, 0.2, 0.5}) {
-    connect().set_parameter("false_discovery_rate", rate);
-    EXPECT_THAT(flagged(), testing::UnorderedElementsAreArray(benjamini_hochberg(tested, rate)))
-        << rate;
-  }
-}
-
-TEST_F(FlaggedLoopTest, ControlConcernsOnlyVerdictsThatRestOnNonlinearity) {
-  tell({{.loop = "nonlinear", .nonlinear_p = 0.9},
-        {.loop = "untested"},
-        {.loop = "tuning", .code = VerdictCode::tight_tuning, .nonlinear_p = 0.9}});
-  EXPECT_THAT(flagged(), UnorderedElementsAre("untested", "tuning"));
-}
-
-TEST_F(FlaggedLoopTest, HealthyLoopsBelongToTheFamilyOfTests) {
-  // Alone, p = 0.04 passes at 0.05; beside a healthy loop that was tested too, it does not.
-  tell({{.loop = "a", .nonlinear_p = 0.04}});
-  EXPECT_THAT(flagged(), ElementsAre("a"));
-  tell({{.loop = "b", .code = VerdictCode::healthy, .nonlinear_p = 0.8}});
-  EXPECT_THAT(flagged(), IsEmpty());
+TEST_F(FlaggedLoopTest, VerdictsThatRestOnATestHaveToPassTheControl) {
+  tell({{.loop = "fact"},
+        {.loop = "certain", .p = 1e-9, .oscillation_p = 1e-9},
+        {.loop = "doubtful", .p = 0.04, .nonlinear_p = 0.04},
+        {.loop = "fine", .code = VerdictCode::healthy, .nonlinear_p = 0.8}});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("fact", "certain"));
+  connect().set_parameter("false_discovery_rate", 0.1);
+  EXPECT_THAT(flagged(), UnorderedElementsAre("fact", "certain", "doubtful"));
+  connect().set_parameter("false_discovery_dependence", 1.0);
+  EXPECT_THAT(flagged(), UnorderedElementsAre("fact", "certain"));
 }
 
 TEST_F(FlaggedLoopTest, AnnotationsHideWhileTheyHold) {

@@ -17,6 +17,8 @@ void ViewsTest::tell(const std::vector<Story>& stories) {
     core::Diagnosis& diagnosis = loop.record->diagnosis;
     diagnosis.verdict.code = story.code;
     diagnosis.verdict.confidence = story.confidence;
+    diagnosis.verdict.p = story.p;
+    diagnosis.evidence.oscillation.p = story.oscillation_p;
     diagnosis.evidence.hos->nonlinear_p = story.nonlinear_p;
     diagnosis.evidence.performance.harris_low = story.harris;
     diagnosis.evidence.performance.harris_high = story.harris;

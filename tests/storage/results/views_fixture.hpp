@@ -12,7 +12,9 @@ struct Story {
   std::string loop;
   core::diagnosis::VerdictCode code = core::diagnosis::VerdictCode::valve_stiction;
   double confidence = 1.0;
+  std::optional<double> p = std::nullopt;  ///< of the verdict
   std::optional<double> nonlinear_p = std::nullopt;
+  std::optional<double> oscillation_p = std::nullopt;
   std::optional<double> harris = std::nullopt;  ///< both ends of the index
   int slot_hours = 1;                           ///< slot end, hours after slot(0)
   double error_std = 1.0;
