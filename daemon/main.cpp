@@ -1,5 +1,7 @@
+#include "daemon/memory.hpp"
 #include "daemon/program.hpp"
 
 int main(int argc, char** argv) {
+  loopscope::daemon::keep_freed_memory();
   return loopscope::daemon::run_program(argc, argv);
 }

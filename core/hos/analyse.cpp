@@ -49,7 +49,7 @@ Bifrequency bins_of(const Peak& peak, const Settings& settings) {
 }
 
 void add_peak_p(const TestedSpectra& tested, std::vector<Peak>& peaks) {
-  if (tested.bic2().empty()) return;
+  if (tested.bic2().empty() || peaks.empty()) return;
   const QuadraticTest test(tested.settings());
   for (Peak& peak : peaks) {
     peak.p = test.peak_p(tested.bicoherence(), bins_of(peak, tested.settings()));

@@ -12,7 +12,7 @@ namespace loopscope::core::hos {
 namespace {
 
 /// Enough for two resonances and the noise around them.
-constexpr std::size_t kLargestOrder = 30;
+constexpr std::size_t kLargestOrder = 24;
 /// Samples before the record, in which the process forgets that it started at rest.
 constexpr std::size_t kSettling = 1000;
 

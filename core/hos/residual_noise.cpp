@@ -14,14 +14,17 @@ namespace {
 constexpr double kTail = 0.20;
 constexpr double kFarTail = 0.03;
 
-/// Asymmetry of the core: 0.015 is one standard deviation for 4096 normal values, and a skewness of
-/// 0.16 shows as 0.05; it raises the mean squared bicoherence by less than its standard deviation.
+/// The figures below are for the residuals of a window of 4096; chance widens them as 1 / sqrt(n).
+constexpr double kWindow = 4096.0;
+/// Asymmetry of the core: 0.015 is one standard deviation of normal values, and a skewness of 0.16
+/// shows as 0.05; it raises the mean squared bicoherence by less than its standard deviation.
 constexpr double kLargestAsymmetry = 0.05;
-/// (q97 - q50) / (q80 - q50), mean of both sides: 2.23 for normal noise with a standard deviation
+/// (q97 - q50) / (q80 - q50), mean of both sides: 2.235 for normal noise with a standard deviation
 /// of 0.05, 1.57 for uniform, 2.51 for logistic, 3.07 for Laplacian. The smaller slips of sticking
 /// valves reach into the core and widen it to 2.4 to 2.9.
-constexpr double kNarrowest = 1.95;
-constexpr double kNormal = 2.40;
+constexpr double kNormalWidth = 2.235;
+constexpr double kNarrower = 0.28;
+constexpr double kWider = 0.17;
 constexpr double kWidest = 2.87;
 
 /// The value that a share `p` of `sorted` (descending) exceeds.
@@ -39,8 +42,12 @@ ResidualNoise::Core judge_core(const std::vector<double>& sorted) {
   if (!(near_above > 0.0 && near_below > 0.0)) return Core::other;
   const double width = 0.5 * (above / near_above + below / near_below);
   const double asymmetry = std::abs(above - below) / (above + below);
-  if (asymmetry > kLargestAsymmetry || width < kNarrowest || width > kWidest) return Core::other;
-  return width > kNormal ? Core::undecided : Core::gaussian;
+  const double chance = std::sqrt(kWindow / static_cast<double>(sorted.size()));
+  if (asymmetry > chance * kLargestAsymmetry || width < kNormalWidth - chance * kNarrower ||
+      width > kWidest) {
+    return Core::other;
+  }
+  return width > kNormalWidth + chance * kWider ? Core::undecided : Core::gaussian;
 }
 
 /// Replaces the highest values of `sorted` (descending) by quantiles of the exponential tail.

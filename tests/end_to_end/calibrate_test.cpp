@@ -42,7 +42,7 @@ TEST(Calibrate, TableForPeople) {
   const ProgramResult result = calibrate({"--records", "2"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   for (const char* part : {"nominal 5 %", "nominal 1 %", "NGI > 0", "Hinich G", "nonlinear_p",
-                           "random_walk", "sawtooth_400", "CPU time of a record"}) {
+                           "random_walk", "sawtooth_400", "CPU time of a linear Gaussian record"}) {
     EXPECT_THAT(result.out, HasSubstr(part));
   }
 }

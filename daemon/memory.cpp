@@ -1,0 +1,15 @@
+#include "daemon/memory.hpp"
+
+#include <malloc.h>
+
+namespace loopscope::daemon {
+
+void keep_freed_memory() {
+  constexpr int kMebibyte = 1024 * 1024;
+  // Blocks above the first figure come from the kernel one by one; above the second at the end of
+  // the heap goes back to it.
+  mallopt(M_MMAP_THRESHOLD, 32 * kMebibyte);
+  mallopt(M_TRIM_THRESHOLD, 64 * kMebibyte);
+}
+
+}  // namespace loopscope::daemon
