@@ -54,6 +54,17 @@ double triple_correlation(const std::vector<std::vector<Complex>>& lags, std::pt
 
 }  // namespace
 
+std::vector<double> segment_correlation(const std::vector<double>& window, std::size_t hop) {
+  std::vector<double> result;
+  for (std::size_t shift = 0; shift < window.size(); shift += hop) {
+    double sum = 0.0;
+    for (std::size_t t = shift; t < window.size(); ++t) sum += window[t] * window[t - shift];
+    result.push_back(shift == 0 ? sum : sum / result.front());
+  }
+  result.front() = 1.0;
+  return result;
+}
+
 Overlap::Overlap(const Settings& settings) {
   validate(settings);
   const std::vector<double> window = make_window(settings.window, settings.segment_length);
@@ -68,10 +79,10 @@ Overlap::Overlap(const Settings& settings) {
   for (std::size_t shift = 0; shift < window.size(); shift += hop) {
     lags.push_back(lag_products(window, shift, turns, 2 * static_cast<std::size_t>(reach)));
     for (Complex& value : lags.back()) value /= shift == 0 ? 1.0 : lags.front()[0].real();
-    correlation_.push_back(lags.back()[0].real());
   }
-  for (Complex& value : lags.front()) value /= correlation_[0];
-  correlation_[0] = 1.0;
+  const double power = lags.front()[0].real();
+  for (Complex& value : lags.front()) value /= power;
+  correlation_ = segment_correlation(window, hop);
   mean_ = triple_correlation(lags, 0, 0);
   correlated_cells_ = 0.0;
   for (std::ptrdiff_t first = -reach; first <= reach; ++first) {

@@ -8,6 +8,12 @@
 
 namespace loopscope::core::hos {
 
+/// Correlation of the spectra of segments d hops apart at one bin, for noise of a smooth spectrum
+/// and but for the turn exp(-2 pi i k d hop / M): g_d(0) below, d = 0 .. the last hop at which
+/// segments share a sample; the first is 1. `hop` >= 1.
+[[nodiscard]] std::vector<double> segment_correlation(const std::vector<double>& window,
+                                                      std::size_t hop);
+
 /// What segments that share samples, and bins that share a main lobe, do to the null of the squared
 /// bicoherence; all from the taper alone.
 ///
@@ -25,7 +31,7 @@ class Overlap {
 
   /// Hops after which two segments no longer share a sample, less one.
   [[nodiscard]] std::size_t lags() const { return correlation_.size() - 1; }
-  /// g_d(0) of d = 0 .. lags(); the first is 1.
+  /// segment_correlation() of the settings: g_d(0) of d = 0 .. lags().
   [[nodiscard]] const std::vector<double>& correlation() const { return correlation_; }
   /// Mean of K bic2: G(0, 0); 1 for segments that share nothing. For the paper's, 1 + 2 g_1(0)^3 =
   /// 1.0111: neighbours correlate by 0.177 (1/6 and 1 + 2/216 in the limit of long segments).

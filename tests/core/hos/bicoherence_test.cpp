@@ -189,6 +189,30 @@ TEST(HosBicoherence, OneObjectServesManySignals) {
   expect_equal({again.begin(), again.end()}, estimate(tests::white_noise(14)), 0.0);
 }
 
+TEST(HosBicoherence, ScaledSegmentsAreThoseOfAScaledSignal) {
+  const Settings settings{.overlap = 0.0};
+  auto signal = tests::triple(15, 0.10, 0.16, true);
+  std::vector<double> factors(64);
+  for (std::size_t s = 0; s < factors.size(); ++s) {
+    factors[s] = 1.0 + 0.5 * std::sin(static_cast<double>(s));
+  }
+  Bicoherence bicoherence(settings);
+  const auto before = estimate(signal, settings);
+  (void)bicoherence.estimate(signal);
+  const auto scaled = bicoherence.scale_segments(factors);
+  for (std::size_t n = 0; n < signal.size(); ++n) signal[n] *= factors[n / 64];
+  expect_equal({scaled.begin(), scaled.end()}, estimate(signal, settings), 1e-12);
+  EXPECT_GT(std::abs(scaled[100] - before[100]), 1e-6);
+}
+
+TEST(HosBicoherence, AFactorOfOneChangesNothing) {
+  const auto signal = tests::triple(16, 0.10, 0.16, true);
+  Bicoherence bicoherence{Settings{}};
+  (void)bicoherence.estimate(signal);
+  const auto scaled = bicoherence.scale_segments(std::vector<double>(bicoherence.segments(), 1.0));
+  expect_equal({scaled.begin(), scaled.end()}, estimate(signal), 0.0);
+}
+
 TEST(HosBicoherence, SettingsOutOfRangeThrow) {
   EXPECT_THROW(Bicoherence({.segment_length = 15}), std::invalid_argument);
 }

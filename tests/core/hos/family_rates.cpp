@@ -39,7 +39,7 @@ const simulate::CalibrationFamily& family(std::string_view name) {
 
 void print_row(std::string_view name, const FamilyPValues& p) {
   std::printf("| %-34s |", std::string(name).c_str());
-  for (const double level : {0.05, 0.01}) {
+  for (const double level : {0.05, 0.01, 0.001}) {
     const FamilyRates rates = p.at(level);
     std::printf(" %5.1f | %5.1f | %5.1f | %5.1f |", 100.0 * rates.ngi, 100.0 * rates.nli,
                 100.0 * rates.cubic, 100.0 * rates.nonlinear);

@@ -25,7 +25,7 @@ struct FamilyPValues {
 /// By its name; throws std::out_of_range for one that is not there.
 [[nodiscard]] const simulate::CalibrationFamily& family(std::string_view name);
 
-/// A row of a table of rates at 5 % and 1 %, to standard output.
+/// A row of a table of rates at 5 %, 1 % and 0.1 %, to standard output.
 void print_row(std::string_view name, const FamilyPValues& p);
 
 }  // namespace loopscope::core::hos::tests

@@ -34,7 +34,7 @@ struct Rates {
 
 std::size_t record_count() {
   const char* const wanted = std::getenv("LOOPSCOPE_RECORDS");
-  return wanted != nullptr ? std::stoul(wanted) : 200;
+  return wanted != nullptr ? std::stoul(wanted) : 100;
 }
 
 const simulate::CalibrationFamily& family(std::string_view name) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/simulate/coloured_noise.hpp"
+#include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
 
 namespace loopscope::core::hos {
@@ -16,9 +17,12 @@ std::vector<double> noise(simulate::Innovation law, std::uint64_t seed) {
 }
 
 Replicates drawn_from(const std::vector<double>& record, std::uint64_t seed,
-                      std::optional<double> cubic_period = 30.0) {
-  const QuadraticTest test{Settings{}};
-  return {LinearModel::fit(record).value(), record, Settings{}, test, cubic_period, seed};
+                      std::optional<double> period = 30.0) {
+  Bicoherence bicoherence(Settings{});
+  const auto bic2 = bicoherence.estimate(record);
+  const TestedSpectra tested(record, bicoherence, bic2, Settings{});
+  const QuadraticTest test(tested.settings());
+  return {LinearModel::fit(record).value(), tested, test, period, seed};
 }
 
 double mean_of(const std::vector<double>& record) {
@@ -34,20 +38,23 @@ TEST(HosReplicates, TheSameSeedGivesTheSameFigures) {
   const Replicates other = drawn_from(record, 8);
   const double mean = mean_of(record);
   EXPECT_EQ(one.mean_p(mean), same.mean_p(mean));
-  EXPECT_EQ(one.largest_p(1e-3), same.largest_p(1e-3));
+  EXPECT_EQ(one.nli_p(1e-3), same.nli_p(1e-3));
   EXPECT_EQ(one.cubic_p(1e-3), same.cubic_p(1e-3));
   EXPECT_NE(one.mean_p(mean), other.mean_p(mean));
 }
 
 TEST(HosReplicates, OfNormalNoiseLeaveTheFirstPassAsItIs) {
+  // A mean of sixty exponential values exceeds its limit by chance: 8 of 100 records stretch the
+  // cubic p, none the other.
+  constexpr int kRecords = 30;
   int unchanged = 0;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kRecords; ++seed) {
     const Replicates drawn = drawn_from(noise(simulate::Innovation::gaussian, seed), seed);
     EXPECT_NEAR(drawn.mean_p(1.01), 0.5, 0.35);
     EXPECT_LT(drawn.mean_p(2.0), 1e-3);
-    unchanged += drawn.largest_p(1e-3) == 1e-3 && drawn.cubic_p(1e-3) == 1e-3 ? 1 : 0;
+    unchanged += drawn.nli_p(1e-3) == 1e-3 && drawn.cubic_p(1e-3) == 1e-3 ? 1 : 0;
   }
-  EXPECT_GE(unchanged, 8);
+  EXPECT_GE(unchanged, (0.92 - tests::four_errors(0.08, kRecords)) * kRecords);
 }
 
 TEST(HosReplicates, OfSkewedNoiseExpectItsBicoherence) {
@@ -64,17 +71,17 @@ TEST(HosReplicates, NeverLowerWhatTheFirstPassFound) {
     const Replicates drawn = drawn_from(noise(law, 4), 4);
     double before = 0.0;
     for (double p = 1e-300; p <= 1.0; p *= 10.0) {
-      EXPECT_GE(drawn.largest_p(p), p);
+      EXPECT_GE(drawn.nli_p(p), p);
       EXPECT_GE(drawn.cubic_p(p), p);
       EXPECT_LE(drawn.cubic_p(p), 1.0);
-      EXPECT_GE(drawn.largest_p(p), before);
-      before = drawn.largest_p(p);
+      EXPECT_GE(drawn.nli_p(p), before);
+      before = drawn.nli_p(p);
     }
     EXPECT_GE(drawn.mean_p(1.5), drawn.mean_p(2.5));
   }
 }
 
-TEST(HosReplicates, WithoutAPeriodTheCubicTestStays) {
+TEST(HosReplicates, WithoutAPeriodTheCubicPStays) {
   const Replicates drawn = drawn_from(noise(simulate::Innovation::laplace, 5), 5, std::nullopt);
   EXPECT_EQ(drawn.cubic_p(1e-3), 1e-3);
 }
@@ -82,9 +89,9 @@ TEST(HosReplicates, WithoutAPeriodTheCubicTestStays) {
 TEST(HosReplicates, WithoutASegmentSayNothing) {
   auto torn = noise(simulate::Innovation::exponential, 6);
   for (std::size_t n = 0; n < torn.size(); n += 60) torn[n] = std::nan("");
-  const Replicates drawn = drawn_from(torn, 6);
+  const Replicates drawn = drawn_from(torn, 6, std::nullopt);
   EXPECT_EQ(drawn.mean_p(5.0), 1.0);
-  EXPECT_EQ(drawn.largest_p(0.3), 0.3);
+  EXPECT_EQ(drawn.nli_p(0.3), 0.3);
 }
 
 }  // namespace

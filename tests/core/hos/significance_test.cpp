@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
-#include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "core/hos/combine_p.hpp"
+#include "core/hos/harmonic_test.hpp"
 #include "core/hos/linear_model.hpp"
+#include "core/hos/nli_p.hpp"
+#include "core/hos/null_laws.hpp"
+#include "core/hos/period.hpp"
+#include "core/hos/quadratic_test.hpp"
 #include "core/simulate/coloured_noise.hpp"
 #include "core/simulate/limit_cycle.hpp"
 #include "tests/core/hos/signals.hpp"
@@ -18,10 +24,20 @@ namespace {
 
 using simulate::Innovation;
 
+/// A record with the spectra that are tested; holds what these point to.
+struct Looked {
+  explicit Looked(std::vector<double> record)
+      : signal(std::move(record)),
+        bicoherence(Settings{}),
+        tested(signal, bicoherence, bicoherence.estimate(signal), Settings{}) {}
+
+  std::vector<double> signal;
+  Bicoherence bicoherence;
+  TestedSpectra tested;
+};
+
 Significance measure(const std::vector<double>& signal, std::uint64_t seed = 1) {
-  Bicoherence bicoherence(Settings{});
-  const auto bic2 = bicoherence.estimate(signal);
-  return SignificanceTest(Settings{}).measure(signal, bicoherence, bic2, seed);
+  return measure_significance(Looked(signal).tested, seed);
 }
 
 std::vector<double> noise(Innovation law, std::uint64_t seed) {
@@ -30,13 +46,16 @@ std::vector<double> noise(Innovation law, std::uint64_t seed) {
 
 /// What the first pass says, from its parts.
 Significance first_pass(const std::vector<double>& signal) {
-  Bicoherence bicoherence(Settings{});
-  const QuadraticTest test{Settings{}};
-  const auto found = test.measure(bicoherence, bicoherence.estimate(signal));
+  const Looked looked(signal);
+  const QuadraticTest test(looked.tested.settings());
+  const auto found = test.measure(looked.tested.bicoherence(), looked.tested.bic2());
+  const SegmentLevels* levels = looked.tested.levels() ? &*looked.tested.levels() : nullptr;
+  const auto harmonics = harmonic_statistics(
+      looked.tested.signal(), dominant_period(looked.tested.signal()).value(), levels);
   Significance result;
-  result.ngi_p = test.mean_p(found, bicoherence.segments());
-  result.nli_p = test.largest_p(found);
-  result.cubic_p = std::exp(-cubic_statistics(signal)->evidence);
+  result.ngi_p = test.mean_p(found, looked.tested.bicoherence().segments());
+  result.nli_p = nli_p(test, found, harmonics);
+  result.cubic_p = p_of_evidence(harmonics->cubic_evidence);
   result.quadratic_p = combine_p(std::array{result.ngi_p, result.nli_p});
   result.nonlinear_p = combine_p(std::array{result.ngi_p, result.nli_p, *result.cubic_p});
   return result;
@@ -117,10 +136,6 @@ TEST(HosSignificance, WithoutSegmentsForTheCubicTestTheOthersDecide) {
   EXPECT_FALSE(found.cubic_p.has_value());
   EXPECT_FALSE(found.period_samples.has_value());
   EXPECT_EQ(found.nonlinear_p, found.quadratic_p);
-}
-
-TEST(HosSignificance, SettingsOutOfRangeThrow) {
-  EXPECT_THROW(SignificanceTest({.dft_length = 7}), std::invalid_argument);
 }
 
 }  // namespace

@@ -110,5 +110,33 @@ TEST(HosSpectra, AnObjectForgetsTheSignalBefore) {
   }
 }
 
+TEST(HosSpectra, ScaledSegmentsAreThoseOfAScaledSignal) {
+  const Settings settings{.overlap = 0.0};
+  auto signal = tests::white_noise(8, 640);
+  Spectra scaled(settings);
+  scaled.compute(signal);
+  const std::vector<double> factors = {1.0, 2.0, 0.5, 1.3, 0.7, 3.0, 1.0, 0.1, 1.1, 0.9};
+  scaled.scale_segments(factors);
+  for (std::size_t n = 0; n < signal.size(); ++n) signal[n] *= factors[n / 64];
+  Spectra expected(settings);
+  expected.compute(signal);
+  const double unit = expected.scale() / scaled.scale();
+  for (std::size_t k = 0; k < expected.frequencies(); ++k) {
+    EXPECT_NEAR(scaled.total_power(k), expected.total_power(k) * unit * unit, 1e-9);
+    for (std::size_t s = 0; s < factors.size(); ++s) {
+      ASSERT_NEAR(scaled.real(k)[s], expected.real(k)[s] * unit, 1e-12);
+      ASSERT_NEAR(scaled.imaginary(k)[s], expected.imaginary(k)[s] * unit, 1e-12);
+      ASSERT_NEAR(scaled.power(k)[s], expected.power(k)[s] * unit * unit, 1e-11);
+    }
+  }
+}
+
+TEST(HosSpectra, ScalingLeavesABinOfRoundingNoiseEmpty) {
+  Spectra spectra(Settings{});
+  spectra.compute(std::vector<double>(640, 0.1));
+  spectra.scale_segments(std::vector<double>(spectra.segments(), 2.0));
+  for (std::size_t k = 0; k < spectra.frequencies(); ++k) EXPECT_EQ(spectra.total_power(k), 0.0);
+}
+
 }  // namespace
 }  // namespace loopscope::core::hos
