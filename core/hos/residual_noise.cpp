@@ -27,22 +27,42 @@ constexpr double kNarrower = 0.28;
 constexpr double kWider = 0.17;
 constexpr double kWidest = 2.87;
 
-/// The value that a share `p` of `sorted` (descending) exceeds.
-double upper_quantile(const std::vector<double>& sorted, double p) {
-  return sorted[static_cast<std::size_t>(p * static_cast<double>(sorted.size()))];
+/// Places, in descending order, of the quantiles that are read.
+struct Places {
+  std::size_t far_above, above, middle, below, far_below;
+
+  explicit Places(std::size_t count)
+      : far_above(static_cast<std::size_t>(kFarTail * static_cast<double>(count))),
+        above(static_cast<std::size_t>(kTail * static_cast<double>(count))),
+        middle(count / 2),
+        below(count - 1 - above),
+        far_below(count - 1 - far_above) {}
+};
+
+/// Puts each place's value where it would be if all were sorted; a full sort would take as long as
+/// two bicoherences, and what lies between the places may have any order.
+void place(std::vector<double>& values, const Places& places) {
+  std::size_t first = 0;
+  for (const std::size_t at :
+       {places.far_above, places.above, places.middle, places.below, places.far_below}) {
+    std::nth_element(values.begin() + static_cast<std::ptrdiff_t>(first),
+                     values.begin() + static_cast<std::ptrdiff_t>(at), values.end(),
+                     std::greater<>());
+    first = at + 1;
+  }
 }
 
-ResidualNoise::Core judge_core(const std::vector<double>& sorted) {
+ResidualNoise::Core judge_core(const std::vector<double>& values, const Places& places) {
   using Core = ResidualNoise::Core;
-  const double median = upper_quantile(sorted, 0.5);
-  const double above = upper_quantile(sorted, kFarTail) - median;
-  const double below = median - upper_quantile(sorted, 1.0 - kFarTail);
-  const double near_above = upper_quantile(sorted, kTail) - median;
-  const double near_below = median - upper_quantile(sorted, 1.0 - kTail);
+  const double median = values[places.middle];
+  const double above = values[places.far_above] - median;
+  const double below = median - values[places.far_below];
+  const double near_above = values[places.above] - median;
+  const double near_below = median - values[places.below];
   if (!(near_above > 0.0 && near_below > 0.0)) return Core::other;
   const double width = 0.5 * (above / near_above + below / near_below);
   const double asymmetry = std::abs(above - below) / (above + below);
-  const double chance = std::sqrt(kWindow / static_cast<double>(sorted.size()));
+  const double chance = std::sqrt(kWindow / static_cast<double>(values.size()));
   if (asymmetry > chance * kLargestAsymmetry || width < kNormalWidth - chance * kNarrower ||
       width > kWidest) {
     return Core::other;
@@ -50,32 +70,31 @@ ResidualNoise::Core judge_core(const std::vector<double>& sorted) {
   return width > kNormalWidth + chance * kWider ? Core::undecided : Core::gaussian;
 }
 
-/// Replaces the highest values of `sorted` (descending) by quantiles of the exponential tail.
-void continue_tail(std::vector<double>& sorted) {
-  const auto outer = static_cast<std::size_t>(kFarTail * static_cast<double>(sorted.size()));
-  const double begin = sorted[outer];
-  const double scale = (begin - upper_quantile(sorted, kTail)) / std::log(kTail / kFarTail);
-  for (std::size_t i = 0; i < outer; ++i) {
-    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(outer);
-    sorted[i] = begin - scale * std::log(share);
-  }
+/// Distance from the start of a tail of its value number `i` of `count`: a quantile of the
+/// exponential law of the stretch from `near` to `begin`.
+double tail_distance(double begin, double near, std::size_t i, std::size_t count) {
+  const double scale = (begin - near) / std::log(kTail / kFarTail);
+  return -scale * std::log((static_cast<double>(i) + 0.5) / static_cast<double>(count));
 }
 
-/// Mirrors the distribution and keeps it descending.
-void mirror(std::vector<double>& sorted) {
-  std::reverse(sorted.begin(), sorted.end());
-  std::transform(sorted.begin(), sorted.end(), sorted.begin(), std::negate<>());
+/// Replaces what lies beyond the outer places by exponential tails.
+void continue_tails(std::vector<double>& values, const Places& places) {
+  const double above = values[places.far_above];
+  const double below = values[places.far_below];
+  for (std::size_t i = 0; i < places.far_above; ++i) {
+    values[i] = above + tail_distance(above, values[places.above], i, places.far_above);
+    values[values.size() - 1 - i] =
+        below + tail_distance(below, values[places.below], i, places.far_above);
+  }
 }
 
 }  // namespace
 
 ResidualNoise::ResidualNoise(std::vector<double> residuals) : values_(std::move(residuals)) {
-  std::sort(values_.begin(), values_.end(), std::greater<>());
-  core_ = judge_core(values_);
-  continue_tail(values_);
-  mirror(values_);
-  continue_tail(values_);
-  mirror(values_);
+  const Places places(values_.size());
+  place(values_, places);
+  core_ = judge_core(values_, places);
+  continue_tails(values_, places);
   const double mean =
       std::accumulate(values_.begin(), values_.end(), 0.0) / static_cast<double>(values_.size());
   for (double& value : values_) value -= mean;

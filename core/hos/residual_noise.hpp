@@ -30,7 +30,7 @@ class ResidualNoise {
   [[nodiscard]] double draw(std::mt19937_64& random) const;
 
  private:
-  std::vector<double> values_;  // equally likely, descending
+  std::vector<double> values_;  // equally likely
   Core core_ = Core::gaussian;
 };
 

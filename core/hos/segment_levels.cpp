@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/hos/segments.hpp"
 #include "core/hos/window.hpp"
@@ -81,19 +82,29 @@ double log_spread(const std::vector<double>& values) {
   return std::sqrt(std::max(0.0, square / count - mean * mean));
 }
 
+/// What log_spread() of the levels of a record of constant variance stays below in 999 of 1000 long
+/// records: 1.7 times the expected one, which is that of a median over the independent segments
+/// among nine (1.67 of them for every segment length, measured) and a mean over independent bins
+/// (a third of the segment's length under a Hann taper).
+double largest_spread(const Settings& settings) {
+  constexpr double kMedianVariance = std::numbers::pi / 2.0;
+  constexpr double kPerLength = 1.67;
+  constexpr double kSafety = 1.7;
+  const auto length = static_cast<double>(settings.segment_length);
+  const double span = static_cast<double>((2 * kReach + 1) * segment_hop(settings));
+  const double segments = std::max(1.0, kPerLength * span / length);
+  return kSafety * std::sqrt(kMedianVariance / (segments * length / 3.0));
+}
+
 }  // namespace
 
 SegmentLevels::SegmentLevels(const Spectra& spectra) {
-  /// Standard deviation of the logarithm of the running median: 0.10 for white noise of the paper's
-  /// settings, at most kConstant in 999 of 1000 linear Gaussian records (README, "Changing
-  /// variance").
-  constexpr double kConstant = 0.17;
   constexpr double kQuietest = 1e-6;
   const std::vector<double> powers = relative_powers(spectra);
   std::vector<double> levels = running_median(powers);
   upsets_ = find_upsets(powers, levels);
   for (double& level : levels) level = std::max(level, kQuietest);
-  vary_ = log_spread(levels) > kConstant;
+  vary_ = log_spread(levels) > largest_spread(spectra.settings());
   const std::size_t hop = segment_hop(spectra.settings());
   for (std::size_t s = 0; s < levels.size(); ++s) {
     factors_.push_back(1.0 / std::sqrt(levels[s]));
@@ -104,7 +115,8 @@ SegmentLevels::SegmentLevels(const Spectra& spectra) {
 double SegmentLevels::factor_at(std::size_t sample) const {
   const auto after = std::lower_bound(centres_.begin(), centres_.end(), sample);
   if (after == centres_.end()) return factors_.back();
-  return factors_[static_cast<std::size_t>(after - centres_.begin())];
+  const bool earlier = after != centres_.begin() && sample - *(after - 1) < *after - sample;
+  return factors_[static_cast<std::size_t>(after - centres_.begin()) - (earlier ? 1 : 0)];
 }
 
 }  // namespace loopscope::core::hos

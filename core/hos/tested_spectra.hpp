@@ -34,6 +34,9 @@ class TestedSpectra {
   [[nodiscard]] std::span<const double> signal() const {
     return steady_.empty() ? signal_ : std::span<const double>(steady_);
   }
+  TestedSpectra(const TestedSpectra&) = delete;
+  TestedSpectra& operator=(const TestedSpectra&) = delete;
+
   [[nodiscard]] const Bicoherence& bicoherence() const { return own_ ? *own_ : *published_; }
   /// Empty when the differences have too little left to estimate from.
   [[nodiscard]] std::span<const double> bic2() const { return bic2_; }
