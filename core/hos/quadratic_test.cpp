@@ -16,7 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// The standard deviation of the mean over the cells, measured over the one of Overlap: its
-/// normalisation by the cells' own powers takes some of the variation away (README, "Null").
+/// normalisation by the cells' own powers takes some of the variation away (README, "The triangle").
 constexpr double kSpreadOfRatio = 0.97;
 /// Cells looked at one by one: the largest conditional evidence is among the largest bic2.
 constexpr std::size_t kExamined = 16;

@@ -19,9 +19,9 @@ class SegmentLevels {
   /// least one segment.
   explicit SegmentLevels(const Spectra& spectra);
 
-  /// The level changes by more than a record of constant variance would show in one of a thousand:
-  /// 4096 samples with the paper's settings. With 15 to 30 segments it is up to 2.3 %, with
-  /// the slow look's settings 23 to 70 %.
+  /// The level changes by more than a long record of constant variance would show in one of a
+  /// thousand; of 15 to 30 segments one or two in a hundred do, which costs nothing but the
+  /// division.
   [[nodiscard]] bool vary() const { return vary_; }
   /// Segments far louder than their neighbours, by sequence number, if there are few: a load step
   /// or another single upset, on which no finding may rest. Empty where they recur, which is the
