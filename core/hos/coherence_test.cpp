@@ -34,18 +34,24 @@ PairSums sum_pairs(const CoherencePair& pair) {
 double coherence_evidence(const CoherencePair& pair) {
   std::complex<double> numerator;
   double power = 0.0;
+  double product_power = 0.0;
   for (std::size_t s = 0; s < pair.values.size(); ++s) {
     numerator += std::conj(pair.products[s]) * pair.values[s];
     power += std::norm(pair.values[s]);
+    product_power += std::norm(pair.products[s]);
   }
   const PairSums sums = sum_pairs(pair);
   const auto count = static_cast<double>(pair.values.size());
   const double freedom = count * count / sums.squares;
   if (!(freedom > 1.0 && sums.variance > 0.0 && power > 0.0)) return 0.0;
-  const double ratio = std::norm(numerator) * count / (sums.variance * power * freedom);
-  // Rounding, and the approximation of v, may lift a perfect coherence to 1 and above.
+  const double coherence = std::norm(numerator) / (product_power * power);
+  const double ratio = coherence * count * product_power / (sums.variance * freedom);
+  // Noise of few independent segments may lie closer to w than v and J allow on average; the
+  // coherence itself, below 1 always, then holds the evidence back.
+  const double held = ratio / (1.0 + std::max(0.0, ratio - coherence));
+  // Rounding may lift a perfect coherence to 1.
   constexpr double kLargest = 1.0 - 1e-12;
-  return -(freedom - 1.0) * std::log1p(-std::min(ratio, kLargest));
+  return -(freedom - 1.0) * std::log1p(-std::min(held, kLargest));
 }
 
 }  // namespace loopscope::core::hos

@@ -21,6 +21,10 @@ namespace {
 /// First-pass p-values above this decide nothing, whatever the noise.
 constexpr double kUnclear = 0.05;
 
+/// The three tests are built on the safe side each: combined, 5 % became 2.0 to 4.9 % on the linear
+/// Gaussian families of the calibration, 3.9 % on average (5000 records each).
+constexpr double kMeasuredOverNominal = 0.8;
+
 double combine(double mean_p, double nli, std::optional<double> cubic_p) {
   const std::array all{mean_p, nli, cubic_p.value_or(1.0)};
   return combine_p(std::span(all).first(cubic_p ? 3 : 2));
@@ -60,7 +64,7 @@ Found first_pass(const TestedSpectra& tested, const QuadraticTest& test, Signifi
     result.period_samples = harmonics->period_samples;
   }
   result.quadratic_p = combine(result.ngi_p, result.nli_p, std::nullopt);
-  result.nonlinear_p = combine(result.ngi_p, result.nli_p, result.cubic_p);
+  result.nonlinear_p = kMeasuredOverNominal * combine(result.ngi_p, result.nli_p, result.cubic_p);
   found.smallest_p = std::min({result.ngi_p, result.nli_p, result.cubic_p.value_or(1.0)});
   return found;
 }

@@ -84,7 +84,7 @@ TEST(Nonlinearity, TheSecondLookSaysHowItWasTaken) {
   EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, HasSubstr("every 17th sample"));
 }
 
-/// 400 records give a share of 5 % to within 2.2 % (two standard deviations).
+/// 400 records give a share of 5 % to within 3.8 % (three and a half standard deviations).
 TEST(Nonlinearity, NoiseIsFoundNonlinearAtTheNominalRate) {
   constexpr int kRecords = 400;
   std::mt19937_64 random(11);
@@ -99,8 +99,8 @@ TEST(Nonlinearity, NoiseIsFoundNonlinearAtTheNominalRate) {
       evidence.hos = hos::analyse(signal, {});
       found += judge_nonlinearity(evidence, {}).found ? 1 : 0;
     }
-    EXPECT_LE(found, 0.072 * kRecords) << "pole " << pole;
-    EXPECT_GE(found, 0.018 * kRecords) << "pole " << pole;
+    EXPECT_LE(found, 0.088 * kRecords) << "pole " << pole;
+    EXPECT_GE(found, 0.012 * kRecords) << "pole " << pole;
   }
 }
 
