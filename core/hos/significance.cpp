@@ -21,9 +21,10 @@ namespace {
 /// First-pass p-values above this decide nothing, whatever the noise.
 constexpr double kUnclear = 0.05;
 
-/// The three tests are built on the safe side each: combined, 5 % became 2.0 to 4.9 % on the linear
-/// Gaussian families of the calibration, 3.9 % on average (5000 records each).
-constexpr double kMeasuredOverNominal = 0.8;
+/// The three tests are built on the safe side each: combined without this, 5 % are 2.4 to 4.9 % on
+/// the linear Gaussian families of the calibration; with it, 2.7 to 5.5 % on the outermost of them
+/// (20 000 records each).
+constexpr double kMeasuredOverNominal = 0.87;
 
 double combine(double mean_p, double nli, std::optional<double> cubic_p) {
   const std::array all{mean_p, nli, cubic_p.value_or(1.0)};

@@ -84,9 +84,9 @@ TEST(Nonlinearity, TheSecondLookSaysHowItWasTaken) {
   EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, HasSubstr("every 17th sample"));
 }
 
-/// 400 records give a share of 5 % to within 3.8 % (three and a half standard deviations).
+/// The bounds are 2 and 7 %: 2000 records give 5 % to within 1 % (two errors).
 TEST(Nonlinearity, NoiseIsFoundNonlinearAtTheNominalRate) {
-  constexpr int kRecords = 400;
+  constexpr int kRecords = 2000;
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
   for (const double pole : {0.0, 0.9, 1.0}) {
@@ -99,8 +99,8 @@ TEST(Nonlinearity, NoiseIsFoundNonlinearAtTheNominalRate) {
       evidence.hos = hos::analyse(signal, {});
       found += judge_nonlinearity(evidence, {}).found ? 1 : 0;
     }
-    EXPECT_LE(found, 0.088 * kRecords) << "pole " << pole;
-    EXPECT_GE(found, 0.012 * kRecords) << "pole " << pole;
+    EXPECT_LE(found, 0.07 * kRecords) << "pole " << pole;
+    EXPECT_GE(found, 0.02 * kRecords) << "pole " << pole;
   }
 }
 
