@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace loopscope::core::model {
+
+/// The closed list of effects that a loop model can take in; name() gives the word that users,
+/// scripts and the results schema see.
+enum class EffectKind {
+  valve_stiction,
+  valve_deadband,
+  valve_saturation,
+  valve_characteristic,
+  process_nonlinearity,
+  external_oscillation,
+  load_step,
+  gain_change,
+  sensor_quantisation,
+  sensor_hold,
+};
+
+[[nodiscard]] std::string_view name(EffectKind kind);
+
+/// Every kind, in the order above.
+[[nodiscard]] std::span<const EffectKind> all_effect_kinds();
+
+}  // namespace loopscope::core::model
