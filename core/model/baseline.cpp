@@ -1,0 +1,181 @@
+#include "core/model/baseline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace loopscope::core::model {
+namespace {
+
+/// Time constants of 0, 1.4, 3, 6, 14, 33, 100 samples, and an integrator.
+constexpr std::array kPoles = {0.0, 0.5, 0.72, 0.85, 0.93, 0.97, 0.99, 1.0};
+/// Two lags: one of them a half to all of the other.
+constexpr std::array kPolePairs = {std::pair{0.8, 0.7},   std::pair{0.9, 0.85}, std::pair{0.95, 0.92},
+                                   std::pair{0.975, 0.96}, std::pair{0.985, 0.9}, std::pair{1.0, 0.85}};
+
+struct Start {
+  ProcessShape shape;
+  double error = std::numeric_limits<double>::infinity();
+};
+
+double dot(const std::vector<double>& a, std::size_t shift_a, const std::vector<double>& b,
+           std::size_t shift_b, const std::vector<Range>& rows) {
+  double sum = 0.0;
+  for (const Range& range : rows) {
+    const std::size_t first = std::max({range.first, shift_a, shift_b});
+    for (std::size_t k = first; k < range.end; ++k) sum += a[k - shift_a] * b[k - shift_b];
+  }
+  return sum;
+}
+
+std::vector<double> whitened(const NoiseModel& noise, const std::vector<double>& signal) {
+  std::vector<double> table(signal.size() * 4, 0.0);
+  for (std::size_t k = 0; k < signal.size(); ++k) table[4 * k] = signal[k];
+  whiten(noise, table, 4);
+  std::vector<double> result(signal.size());
+  for (std::size_t k = 0; k < signal.size(); ++k) result[k] = table[4 * k];
+  return result;
+}
+
+/// Error of pv on s(k-d) for every delay d: dead time is a shift of the whitened column.
+void try_delays(const LoopData& data, const std::vector<double>& pv, const std::vector<double>& s,
+                ProcessShape shape, std::size_t longest, std::vector<Start>& starts) {
+  const auto& rows = data.rows.fit;
+  const double total = dot(pv, 0, pv, 0, rows);
+  for (std::size_t d = 1; d <= longest; ++d) {
+    const double square = dot(s, d, s, d, rows);
+    const double right = dot(pv, 0, s, d, rows);
+    const double explained = square > 0.0 ? right * right / square : 0.0;
+    shape.delay_samples = d;
+    starts.push_back({shape, total - explained});
+  }
+}
+
+std::vector<Start> ranked_starts(const LoopData& data, const Structure& structure, std::size_t longest,
+                                 std::span<const double> poles) {
+  std::vector<double> flow = data.op;
+  for (const EffectPtr& effect : structure.effects) effect->shape_flow(flow);
+  const std::vector<double> pv = whitened(structure.noise, data.pv);
+  std::vector<Start> starts;
+  for (const double pole : poles) {
+    ProcessShape shape;
+    shape.integrating = pole == 1.0;
+    shape.pole = pole;
+    shape.delay_samples = 0;
+    std::vector<double> s(flow.size());
+    respond(shape, flow, s);
+    try_delays(data, pv, whitened(structure.noise, s), shape, longest, starts);
+  }
+  std::ranges::sort(starts, {}, &Start::error);
+  return starts;
+}
+
+/// The best (delay, pole pair) of second order, polished.
+Fit second_order_fit(const LoopData& data, const Structure& start, std::size_t longest) {
+  std::vector<double> flow = data.op;
+  for (const EffectPtr& effect : start.effects) effect->shape_flow(flow);
+  const std::vector<double> pv = whitened(start.noise, data.pv);
+  std::vector<Start> starts;
+  for (const auto& [slow, fast] : kPolePairs) {
+    ProcessShape shape;
+    shape.integrating = slow == 1.0;
+    shape.pole = slow;
+    shape.second_pole = fast;
+    shape.delay_samples = 0;
+    std::vector<double> s(flow.size());
+    respond(shape, flow, s);
+    try_delays(data, pv, whitened(start.noise, s), shape, longest, starts);
+  }
+  Structure structure = start;
+  structure.process = std::ranges::min_element(starts, {}, &Start::error)->shape;
+  structure.second_order = true;
+  return polish(data, structure, 6);
+}
+
+/// The best starts that differ: neighbours in delay at the same pole lead to the same fit.
+std::vector<ProcessShape> distinct(const std::vector<Start>& starts, int count) {
+  std::vector<ProcessShape> chosen;
+  for (const Start& start : starts) {
+    const bool near = std::ranges::any_of(chosen, [&](const ProcessShape& shape) {
+      return shape.integrating == start.shape.integrating &&
+             std::abs(static_cast<long>(shape.delay_samples) - static_cast<long>(start.shape.delay_samples)) <= 1;
+    });
+    if (!near) chosen.push_back(start.shape);
+    if (static_cast<int>(chosen.size()) == count) break;
+  }
+  return chosen;
+}
+
+Fit better(Fit a, Fit b, double penalty_b, std::size_t rows) {
+  const double gained = static_cast<double>(rows) * std::log(a.fit_error / b.fit_error);
+  return gained > penalty_b ? std::move(b) : std::move(a);
+}
+
+Fit try_delay_neighbours(const LoopData& data, Fit fit) {
+  for (const int move : {-1, 1}) {
+    Structure structure = fit.structure;
+    if (move < 0 && structure.process.delay_samples == 1) continue;
+    structure.process.delay_samples = static_cast<std::size_t>(static_cast<long>(structure.process.delay_samples) + move);
+    fit = better(std::move(fit), polish(data, structure, 3), 0.5, data.rows.fit_count());
+  }
+  return fit;
+}
+
+/// BIC: a second lag costs one parameter, a second pair of noise roots two.
+Fit try_orders(const LoopData& data, Fit fit) {
+  const double count = static_cast<double>(data.rows.fit_count());
+  Structure richer = fit.structure;
+  if (!richer.two_taps) {
+    richer.two_taps = true;
+    fit = better(std::move(fit), polish(data, richer, 5), std::log(count), data.rows.fit_count());
+    if (fit.structure.two_taps) fit = try_delay_neighbours(data, std::move(fit));
+    richer = fit.structure;
+  }
+  if (richer.noise_pairs < 2) {
+    richer.noise_pairs = 2;
+    richer.noise.poles[1] = 0.5;
+    richer.noise.zeros[1] = 0.3;
+    fit = better(std::move(fit), polish(data, richer, 5), 2.0 * std::log(count), data.rows.fit_count());
+  }
+  richer = fit.structure;
+  if (!richer.second_order) {
+    richer.two_taps = false;
+    const std::size_t longest = std::min<std::size_t>(12, data.size() / 16);
+    const double penalty = (fit.structure.two_taps ? 0.0 : 1.0) * std::log(count);
+    Fit second = second_order_fit(data, richer, longest);
+    const bool won = static_cast<double>(data.rows.fit_count()) * std::log(fit.fit_error / second.fit_error) > penalty;
+    if (won) fit = try_delay_neighbours(data, std::move(second));
+  }
+  return fit;
+}
+
+}  // namespace
+
+Fit settle(const LoopData& data, const Fit& fit) {
+  return try_delay_neighbours(data, polish(data, fit.structure, 5));
+}
+
+ProcessGlance glance(const LoopData& data, const Structure& structure) {
+  constexpr std::array kFew = {0.4, 0.8, 0.95, 1.0};
+  const std::vector<double> pv = whitened(structure.noise, data.pv);
+  const std::size_t longest = std::min<std::size_t>(15, data.size() / 16);
+  const Start best = ranked_starts(data, structure, longest, kFew).front();
+  const double without = dot(pv, 0, pv, 0, data.rows.fit);
+  return {best.shape, static_cast<double>(data.rows.fit_count()) * std::log(without / best.error)};
+}
+
+Fit search_process(const LoopData& data, const Structure& start, const ProcessSearch& search) {
+  std::optional<Fit> best;
+  const std::size_t longest = std::min(search.longest_delay, data.size() / 16);
+  for (const ProcessShape& shape : distinct(ranked_starts(data, start, longest, kPoles), search.starts)) {
+    Structure structure = start;
+    structure.process = shape;
+    structure.process.pole = std::min(structure.process.pole, structure.process.integrating ? 1.0 : 0.99);
+    Fit fit = polish(data, structure);
+    if (!best || fit.fit_error < best->fit_error) best = std::move(fit);
+  }
+  return try_orders(data, try_delay_neighbours(data, std::move(*best)));
+}
+
+}  // namespace loopscope::core::model

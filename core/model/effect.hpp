@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/model/effect_kind.hpp"
+#include "core/model/explanation.hpp"
+#include "core/model/loop_data.hpp"
+#include "core/model/process_shape.hpp"
+
+namespace loopscope::core::model {
+
+/// What the columns of an effect are made from. Equal lengths.
+struct Signals {
+  std::span<const double> flow;      ///< % from the mean of op: op after the effects of the valve
+  std::span<const double> response;  ///< the linear process's answer to it, of gain 1
+  const ProcessShape& process;
+};
+
+class Effect;
+using EffectPtr = std::shared_ptr<const Effect>;
+using Column = std::vector<double>;
+
+/// One effect that a loop model may lack. It adds to the model by bending the way from op to flow,
+/// by columns that the least-squares fit weighs, or both.
+class Effect {
+ public:
+  virtual ~Effect() = default;
+  [[nodiscard]] virtual EffectKind kind() const = 0;
+
+  /// The way from op to flow, in place; both in % from the mean of op.
+  virtual void shape_flow(std::span<double> /*flow*/) const {}
+
+  /// How many columns add_columns() adds.
+  [[nodiscard]] virtual std::size_t column_count() const { return 0; }
+  virtual void add_columns(const Signals& /*signals*/, std::vector<Column>& /*columns*/) const {}
+
+  /// The same effect with its nonlinear parameters moved a little, `scale` from 1 (coarse) down.
+  [[nodiscard]] virtual std::vector<EffectPtr> neighbours(double /*scale*/) const { return {}; }
+
+  /// In contract.md's words; `coefficients` are those of its columns, `gain` the process's.
+  [[nodiscard]] virtual std::vector<Parameter> parameters(const LoopData& data,
+                                                          std::span<const double> coefficients,
+                                                          double gain) const = 0;
+  [[nodiscard]] virtual std::string_view law() const { return {}; }
+};
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,58 @@
+#include "core/model/effects/curvature.hpp"
+
+#include <algorithm>
+
+namespace loopscope::core::model {
+namespace {
+
+/// Distances are taken in tens of percent, so that powers stay near one.
+constexpr double kUnit = 10.0;
+/// The laws of contract.md are parabolas over half a span of 100.
+constexpr double kHalfSpan = 50.0;
+
+Column power(std::span<const double> values, int exponent, double unit) {
+  Column result(values.size());
+  std::transform(values.begin(), values.end(), result.begin(), [&](double value) {
+    const double share = value / unit;
+    return exponent == 2 ? share * share : share * share * share;
+  });
+  return result;
+}
+
+}  // namespace
+
+void ValveCharacteristic::add_columns(const Signals& signals, std::vector<Column>& columns) const {
+  columns.push_back(answer(signals.process, power(signals.flow, 2, kUnit)));
+  columns.push_back(answer(signals.process, power(signals.flow, 3, kUnit)));
+}
+
+std::vector<Parameter> ValveCharacteristic::parameters(const LoopData& data,
+                                                       std::span<const double> coefficients,
+                                                       double gain) const {
+  const double square = coefficients[0] / (kUnit * kUnit);
+  const double cube = coefficients[1] / (kUnit * kUnit * kUnit);
+  const double middle = kHalfSpan - data.op_mean;
+  const double slope = gain + 2.0 * square * middle + 3.0 * cube * middle * middle;
+  const double bend = 2.0 * square + 6.0 * cube * middle;
+  return {{"curvature", "", slope == 0.0 ? 0.0 : bend * kHalfSpan / (2.0 * slope), {}, {}}};
+}
+
+void ProcessNonlinearity::add_columns(const Signals& signals, std::vector<Column>& columns) const {
+  Column square = power(signals.response, 2, kUnit);
+  Column lagged = square;
+  respond(signals.process, square, lagged);
+  columns.push_back(std::move(square));
+  columns.push_back(std::move(lagged));
+  columns.push_back(power(signals.response, 3, kUnit));
+}
+
+std::vector<Parameter> ProcessNonlinearity::parameters(const LoopData& data,
+                                                       std::span<const double> coefficients,
+                                                       double gain) const {
+  // Static curve in pv: y = g r + s r^2 with r the answer of gain 1, so c / 50 = s / g^2.
+  const double square = (coefficients[0] + coefficients[1]) / (kUnit * kUnit) * data.pv_scale;
+  const double real_gain = gain * data.pv_scale;
+  return {{"curvature", "", real_gain == 0.0 ? 0.0 : kHalfSpan * square / (real_gain * real_gain), {}, {}}};
+}
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/model/effect.hpp"
+
+namespace loopscope::core::model {
+
+/// A flow that is not proportional to travel (wear, corroded seat, wrong trim): the process
+/// answers to the square and the cube of the travel as well.
+class ValveCharacteristic final : public Effect {
+ public:
+  [[nodiscard]] EffectKind kind() const override { return EffectKind::valve_characteristic; }
+  [[nodiscard]] std::size_t column_count() const override { return 2; }
+  void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
+  /// curvature c of flow = mv + c (mv - 50)^2 / 50, all in %.
+  [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
+                                                  std::span<const double> coefficients,
+                                                  double gain) const override;
+};
+
+/// A process whose answer is curved, at once (y^2) and through its own dynamics (a vessel whose
+/// outflow grows with the root of its level: the process answers to y^2).
+class ProcessNonlinearity final : public Effect {
+ public:
+  [[nodiscard]] EffectKind kind() const override { return EffectKind::process_nonlinearity; }
+  [[nodiscard]] std::size_t column_count() const override { return 3; }
+  void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
+  /// curvature c of y + c y^2 / 50, y in pv units from the mean.
+  [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
+                                                  std::span<const double> coefficients,
+                                                  double gain) const override;
+};
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,44 @@
+#include "core/model/effects/gain_change.hpp"
+
+#include <algorithm>
+
+namespace loopscope::core::model {
+
+void GainChange::add_columns(const Signals& signals, std::vector<Column>& columns) const {
+  Column column(signals.response.begin(), signals.response.end());
+  const auto length = static_cast<double>(std::max<std::size_t>(1, until_ - at_));
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    const double since = static_cast<double>(k) - static_cast<double>(at_);
+    column[k] *= until_ == at_ ? (since >= 0.0 ? 1.0 : 0.0) : std::clamp(since / length, 0.0, 1.0);
+  }
+  columns.push_back(std::move(column));
+}
+
+std::vector<EffectPtr> GainChange::neighbours(double scale) const {
+  constexpr double kMove = 64.0;  // samples
+  const auto move = static_cast<std::size_t>(std::max(1.0, kMove * scale));
+  std::vector<EffectPtr> result;
+  const bool sudden = at_ == until_;
+  if (at_ > move) result.push_back(std::make_shared<GainChange>(at_ - move, sudden ? at_ - move : until_));
+  result.push_back(std::make_shared<GainChange>(at_ + move, sudden ? at_ + move : std::max(until_, at_ + move + 1)));
+  if (!sudden) {
+    result.push_back(std::make_shared<GainChange>(at_, until_ + move));
+    if (until_ > at_ + move + 1) result.push_back(std::make_shared<GainChange>(at_, until_ - move));
+  }
+  return result;
+}
+
+std::vector<Parameter> GainChange::parameters(const LoopData& data,
+                                              std::span<const double> coefficients,
+                                              double gain) const {
+  const double ratio = gain == 0.0 ? 1.0 : 1.0 + coefficients[0] / gain;
+  const double at_s = static_cast<double>(at_) * data.sample_interval_s;
+  std::vector<Parameter> result{{"at", "s", at_s, {}, {}}, {"ratio", "", ratio, {}, {}}};
+  if (until_ > at_) {
+    const double hours = static_cast<double>(until_ - at_) * data.sample_interval_s / 3600.0;
+    result.push_back({"rate", "1/h", (ratio - 1.0) / hours, {}, {}});
+  }
+  return result;
+}
+
+}  // namespace loopscope::core::model

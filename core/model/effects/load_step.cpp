@@ -1,0 +1,48 @@
+#include "core/model/effects/load_step.hpp"
+
+#include <algorithm>
+
+namespace loopscope::core::model {
+namespace {
+
+/// A vessel has no lag: a step of its load reaches pv as a ramp; five samples stand for the rest.
+constexpr double kVesselLag = 0.8;
+/// A process that answers within a sample still has a load that takes a few.
+constexpr double kShortestLag = 0.6;
+
+}  // namespace
+
+void LoadStep::add_columns(const Signals& signals, std::vector<Column>& columns) const {
+  Column step(signals.flow.size(), 0.0);
+  std::fill(step.begin() + static_cast<std::ptrdiff_t>(std::min(at_, step.size())), step.end(), 1.0);
+  Column lagged = step;
+  if (signals.process.integrating) {
+    ProcessShape vessel;
+    vessel.integrating = true;
+    vessel.delay_samples = 0;
+    respond(vessel, step, lagged);
+    for (double& value : lagged) value /= 100.0;
+  } else {
+    lag(std::max(signals.process.pole, kShortestLag), lagged);
+  }
+  static_cast<void>(kVesselLag);
+  columns.push_back(std::move(step));
+  columns.push_back(std::move(lagged));
+}
+
+std::vector<EffectPtr> LoadStep::neighbours(double scale) const {
+  constexpr double kMove = 4.0;  // samples
+  const auto move = static_cast<std::size_t>(std::max(1.0, kMove * scale));
+  std::vector<EffectPtr> result{std::make_shared<LoadStep>(at_ + move)};
+  if (at_ > move) result.push_back(std::make_shared<LoadStep>(at_ - move));
+  return result;
+}
+
+std::vector<Parameter> LoadStep::parameters(const LoopData& data,
+                                            std::span<const double> coefficients, double) const {
+  const double at_s = static_cast<double>(at_) * data.sample_interval_s;
+  const double size = (coefficients[0] + coefficients[1]) * data.pv_scale;
+  return {{"at", "s", at_s, {}, {}}, {"size", "pv", size, {}, {}}};
+}
+
+}  // namespace loopscope::core::model

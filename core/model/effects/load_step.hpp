@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/model/effect.hpp"
+
+namespace loopscope::core::model {
+
+/// A load that moves once and stays, at once or through the slower lag of the process.
+class LoadStep final : public Effect {
+ public:
+  explicit LoadStep(std::size_t at) : at_(at) {}
+
+  [[nodiscard]] std::size_t at() const { return at_; }
+  [[nodiscard]] EffectKind kind() const override { return EffectKind::load_step; }
+  [[nodiscard]] std::size_t column_count() const override { return 2; }
+  void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
+  [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
+  [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
+                                                  std::span<const double> coefficients,
+                                                  double gain) const override;
+
+ private:
+  std::size_t at_;
+};
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/model/effect.hpp"
+
+namespace loopscope::core::model {
+
+/// A stem that cannot travel the whole way: flow held between two limits.
+class Saturation final : public Effect {
+ public:
+  /// Limits in % from the mean of op; infinite = none on that side.
+  Saturation(double low, double high) : low_(low), high_(high) {}
+
+  [[nodiscard]] EffectKind kind() const override { return EffectKind::valve_saturation; }
+  void shape_flow(std::span<double> flow) const override;
+  [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
+  [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data, std::span<const double>,
+                                                  double) const override;
+
+ private:
+  double low_, high_;
+};
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,52 @@
+#include "core/model/effects/valve.hpp"
+
+#include <algorithm>
+
+namespace loopscope::core::model {
+
+EffectKind ValveEffect::kind() const {
+  const bool play = valve_.slip_jump_percent < kPlay * valve_.stickband_percent;
+  return play ? EffectKind::valve_deadband : EffectKind::valve_stiction;
+}
+
+void ValveEffect::shape_flow(std::span<double> flow) const {
+  const std::vector<double> op(flow.begin(), flow.end());
+  run_valve(valve_, restarts_, op, flow);
+}
+
+EffectPtr ValveEffect::with_jump(double share) const {
+  Valve valve = valve_;
+  valve.slip_jump_percent = share * valve.stickband_percent;
+  return std::make_shared<ValveEffect>(valve, restarts_);
+}
+
+std::vector<EffectPtr> ValveEffect::neighbours(double scale) const {
+  std::vector<EffectPtr> result;
+  const auto add = [&](double band, double jump) {
+    Valve valve = valve_;
+    valve.stickband_percent = band;
+    valve.slip_jump_percent = std::clamp(jump, 0.0, band);
+    result.push_back(std::make_shared<ValveEffect>(valve, restarts_));
+  };
+  const double band = valve_.stickband_percent;
+  const double jump = valve_.slip_jump_percent;
+  for (const double move : {-0.02 * scale, 0.02 * scale}) add(band * (1.0 + move), jump);
+  for (const double move : {-0.3 * scale, 0.3 * scale}) {
+    add(band, jump + move * band);
+    // Where the valve moves with op it lags by (S - J) / 2: along this line that stays as it is.
+    add(band * (1.0 + move / 15.0), jump + band * move / 15.0);
+  }
+  return result;
+}
+
+std::vector<Parameter> ValveEffect::parameters(const LoopData&, std::span<const double>,
+                                               double) const {
+  if (kind() == EffectKind::valve_deadband) return {{"width", "%", valve_.stickband_percent, {}, {}}};
+  return {{"S", "%", valve_.stickband_percent, {}, {}}, {"J", "%", valve_.slip_jump_percent, {}, {}}};
+}
+
+std::string_view ValveEffect::law() const {
+  return kind() == EffectKind::valve_stiction ? name(valve_.law) : std::string_view();
+}
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/model/effect.hpp"
+#include "core/model/valve_law.hpp"
+
+namespace loopscope::core::model {
+
+/// A valve that sticks and jumps, or only has play: op -> valve_law -> flow.
+class ValveEffect final : public Effect {
+ public:
+  /// A valve whose slip jump is a smaller share of its band than this has play, and does not stick:
+  /// the laws hardly tell the two apart below it.
+  static constexpr double kPlay = 0.2;
+
+  /// `restarts`: where pv puts the valve right (valve_search.hpp), positions in % from the mean of op.
+  explicit ValveEffect(const Valve& valve, std::vector<ValveRestart> restarts = {})
+      : valve_(valve), restarts_(std::move(restarts)) {}
+
+  [[nodiscard]] const Valve& valve() const { return valve_; }
+  /// The same valve with a slip jump of that share of its band.
+  [[nodiscard]] EffectPtr with_jump(double share) const;
+  [[nodiscard]] EffectKind kind() const override;
+  void shape_flow(std::span<double> flow) const override;
+  [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
+  [[nodiscard]] std::vector<Parameter> parameters(const LoopData&, std::span<const double>,
+                                                  double) const override;
+  [[nodiscard]] std::string_view law() const override;
+
+ private:
+  Valve valve_;
+  std::vector<ValveRestart> restarts_;
+};
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "core/model/effect.hpp"
+#include "core/model/loop_data.hpp"
+#include "core/model/noise_model.hpp"
+#include "core/model/process_shape.hpp"
+
+namespace loopscope::core::model {
+
+/// A loop model but for the coefficients that least squares gives.
+struct Structure {
+  ProcessShape process;
+  NoiseModel noise;
+  std::size_t noise_pairs = 1;     ///< 1 or 2 pairs of pole and zero are fitted
+  bool second_order = false;       ///< the second lag is fitted too
+  bool two_taps = false;           ///< the numerator has its second coefficient
+  std::vector<EffectPtr> effects;
+};
+
+/// A structure fitted to the fit rows of a record.
+struct Fit {
+  Structure structure;
+  /// Numerator (1 or 2), then the effects' columns in their order, then offset (and ramp, integrating).
+  std::vector<double> coefficients;
+  double fit_error = 0.0;    ///< mean square of the one-step errors on the fit rows, scaled
+  double score_error = 0.0;  ///< the same on the rows held out
+  std::vector<double> innovations;  ///< one-step errors of every sample, scaled pv units
+
+  [[nodiscard]] std::size_t taps() const { return structure.two_taps ? 2 : 1; }
+  [[nodiscard]] double gain() const {
+    return coefficients[0] + (structure.two_taps ? coefficients[1] : 0.0);
+  }
+};
+
+/// Least squares over the coefficients, everything in the structure as it is.
+[[nodiscard]] Fit evaluate(const LoopData& data, const Structure& structure);
+
+/// Poles, noise and coefficients by Gauss-Newton from where the structure stands; delay and
+/// effects as they are. At most `iterations` steps; never worse than evaluate().
+[[nodiscard]] Fit polish(const LoopData& data, const Structure& structure, int iterations = 8);
+
+/// The output of a fitted model run on op alone, scaled pv units: all columns at their coefficients,
+/// nothing of the noise.
+[[nodiscard]] std::vector<double> deterministic_output(const LoopData& data, const Fit& fit);
+
+}  // namespace loopscope::core::model

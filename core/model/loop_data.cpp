@@ -1,0 +1,154 @@
+#include "core/model/loop_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace loopscope::core::model {
+namespace {
+
+/// Short blocks of uneven length: setpoint moves, cycles and shifts that come at regular times then
+/// fall to both kinds alike. Shorter ones than 24 samples would be mostly guard.
+constexpr std::size_t kShortestBlock = 24;
+constexpr std::size_t kBlockSpread = 48;
+/// Fractional parts of multiples of the golden ratio fill an interval evenly without a pattern.
+constexpr double kGolden = 0.6180339887498949;
+/// The memory of a one-step error: a few samples.
+constexpr std::size_t kGuard = 4;
+/// Filters start from rest; what they remember of the unknown past is gone by then.
+constexpr std::size_t kWarmUp = 40;
+/// After a gap the prediction leans on bridged samples for about so long.
+constexpr std::size_t kAfterGap = 12;
+
+double mean_of(std::span<const double> values) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += value;
+    ++count;
+  }
+  return count == 0 ? 0.0 : sum / static_cast<double>(count);
+}
+
+/// Straight lines across gaps, the nearest value at the ends; less `mean`, times `factor`.
+std::vector<double> bridged(std::span<const double> values, double mean, double factor) {
+  std::vector<double> result(values.size(), 0.0);
+  std::size_t last = values.size();
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (std::isnan(values[k])) continue;
+    result[k] = (values[k] - mean) * factor;
+    const std::size_t from = last == values.size() ? 0 : last + 1;
+    for (std::size_t j = from; j < k; ++j) {
+      const double share = last == values.size() ? 1.0
+                                                 : static_cast<double>(j - last) /
+                                                       static_cast<double>(k - last);
+      const double left = last == values.size() ? result[k] : result[last];
+      result[j] = left + share * (result[k] - left);
+    }
+    last = k;
+  }
+  if (last < values.size()) std::fill(result.begin() + static_cast<long>(last) + 1, result.end(), result[last]);
+  return result;
+}
+
+std::vector<bool> countable(std::span<const double> pv, std::span<const double> op) {
+  std::vector<bool> usable(pv.size(), true);
+  for (std::size_t k = 0; k < std::min(kWarmUp, pv.size()); ++k) usable[k] = false;
+  for (std::size_t k = 0; k < pv.size(); ++k) {
+    if (!std::isnan(pv[k]) && !std::isnan(op[k])) continue;
+    for (std::size_t j = k; j < std::min(pv.size(), k + kAfterGap); ++j) usable[j] = false;
+  }
+  return usable;
+}
+
+void add_runs(const std::vector<bool>& usable, Range block, std::vector<Range>& ranges) {
+  std::size_t first = block.first;
+  for (std::size_t k = block.first; k <= block.end; ++k) {
+    if (k < block.end && usable[k]) continue;
+    if (k > first) ranges.push_back({first, k});
+    first = k + 1;
+  }
+}
+
+Rows lay_out(const std::vector<bool>& usable) {
+  Rows rows;
+  std::size_t first = 0;
+  for (std::size_t block = 0; first < usable.size(); ++block) {
+    const double spread = std::fmod(kGolden * static_cast<double>(block), 1.0);
+    const std::size_t length = kShortestBlock + static_cast<std::size_t>(spread * static_cast<double>(kBlockSpread));
+    const Range range{first + kGuard, std::min(usable.size(), first + length)};
+    first += length;
+    if (range.first < range.end) add_runs(usable, range, block % 2 == 0 ? rows.fit : rows.score);
+  }
+  return rows;
+}
+
+std::size_t count(const std::vector<Range>& ranges) {
+  return std::accumulate(ranges.begin(), ranges.end(), std::size_t{0},
+                         [](std::size_t sum, const Range& range) { return sum + range.size(); });
+}
+
+double standard_deviation(std::span<const double> values, double mean) {
+  double sum = 0.0;
+  std::size_t n = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += (value - mean) * (value - mean);
+    ++n;
+  }
+  return n == 0 || sum <= 0.0 ? 1.0 : std::sqrt(sum / static_cast<double>(n));
+}
+
+/// `ranges` (ascending, apart) and `added` in one.
+std::vector<Range> united(const std::vector<Range>& ranges, Range added) {
+  std::vector<Range> result;
+  for (const Range& range : ranges) {
+    const bool apart = range.end < added.first || range.first > added.end;
+    if (apart) {
+      result.push_back(range);
+    } else {
+      added = {std::min(added.first, range.first), std::max(added.end, range.end)};
+    }
+  }
+  result.push_back(added);
+  std::ranges::sort(result, {}, &Range::first);
+  return result;
+}
+
+}  // namespace
+
+std::size_t Rows::fit_count() const {
+  return count(fit);
+}
+
+std::size_t Rows::score_count() const {
+  return count(score);
+}
+
+LoopData mirrored(LoopData data) {
+  std::swap(data.rows.fit, data.rows.score);
+  return data;
+}
+
+Rows seen_by_both(const Rows& rows, std::size_t at, std::size_t length) {
+  if (rows.fit.empty() || rows.score.empty()) return rows;
+  const std::size_t last = std::max(rows.fit.back().end, rows.score.back().end);
+  const Range window{std::min(at, last - 1), std::min(at + length, last)};
+  return {united(rows.fit, window), united(rows.score, window)};
+}
+
+LoopData make_loop_data(std::span<const double> pv, std::span<const double> op,
+                        double sample_interval_s) {
+  LoopData data;
+  data.sample_interval_s = sample_interval_s;
+  data.pv_mean = mean_of(pv);
+  data.pv_scale = standard_deviation(pv, data.pv_mean);
+  data.op_mean = mean_of(op);
+  data.pv = bridged(pv, data.pv_mean, 1.0 / data.pv_scale);
+  data.op = bridged(op, data.op_mean, 1.0);
+  data.rows = lay_out(countable(pv, op));
+  return data;
+}
+
+}  // namespace loopscope::core::model

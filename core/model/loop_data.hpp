@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace loopscope::core::model {
+
+/// Samples from `first` up to, not including, `end`.
+struct Range {
+  std::size_t first = 0;
+  std::size_t end = 0;
+  [[nodiscard]] std::size_t size() const { return end - first; }
+};
+
+/// The samples whose errors a fit may see, and those that it is scored on: alternating blocks, so
+/// that an effect that sits in one place is seen by both, with a guard gap before each block. A row
+/// that touches a missing sample belongs to neither.
+struct Rows {
+  std::vector<Range> fit;
+  std::vector<Range> score;
+  [[nodiscard]] std::size_t fit_count() const;
+  [[nodiscard]] std::size_t score_count() const;
+};
+
+/// What a loop model is fitted to. Equal lengths, no NaN: gaps are bridged and left out of `rows`.
+struct LoopData {
+  double sample_interval_s = 1.0;
+  std::vector<double> pv;  ///< distance from its mean, in units of `pv_scale`
+  std::vector<double> op;  ///< % of its range, distance from `op_mean`
+  double pv_mean = 0.0;    ///< pv units
+  double pv_scale = 1.0;   ///< pv units; standard deviation of pv, > 0
+  double op_mean = 0.0;    ///< %
+  Rows rows;
+  [[nodiscard]] std::size_t size() const { return pv.size(); }
+};
+
+/// Bridges gaps (NaN) and lays out the rows. Series of equal length; pv not constant.
+[[nodiscard]] LoopData make_loop_data(std::span<const double> pv, std::span<const double> op,
+                                      double sample_interval_s);
+
+/// The fit sees what it was scored on, and the other way round.
+[[nodiscard]] LoopData mirrored(LoopData data);
+
+/// The same rows, with the `length` samples from `at` on in both kinds. A sudden step lives in a single
+/// one-step error: whoever fits it has to see that sample, and so has whoever scores it. The score
+/// flatters such an effect by one part in the number of rows for each of its coefficients.
+[[nodiscard]] Rows seen_by_both(const Rows& rows, std::size_t at, std::size_t length);
+
+}  // namespace loopscope::core::model

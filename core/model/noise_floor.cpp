@@ -1,0 +1,52 @@
+#include "core/model/noise_floor.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+namespace loopscope::core::model {
+namespace {
+
+/// Lags of the innovations and of op's moves: beyond the memory of what real roots leave over.
+constexpr std::size_t kOwnLags = 8;
+constexpr std::size_t kMoveLags = 8;
+constexpr std::size_t kTerms = kOwnLags + kMoveLags;
+
+using Vector = Eigen::Matrix<double, kTerms, 1>;
+using Matrix = Eigen::Matrix<double, kTerms, kTerms>;
+
+Vector past(const LoopData& data, const std::vector<double>& r, std::size_t k) {
+  Vector terms;
+  for (std::size_t lag = 1; lag <= kOwnLags; ++lag) terms[static_cast<long>(lag - 1)] = r[k - lag];
+  for (std::size_t lag = 1; lag <= kMoveLags; ++lag) {
+    terms[static_cast<long>(kOwnLags + lag - 1)] = data.op[k - lag] - data.op[k - lag - 1];
+  }
+  return terms;
+}
+
+}  // namespace
+
+double noise_floor(const LoopData& data, const Fit& fit) {
+  Matrix normal = Matrix::Zero();
+  Vector right = Vector::Zero();
+  for (const Range& range : data.rows.fit) {
+    for (std::size_t k = std::max(range.first, kOwnLags + 1); k < range.end; ++k) {
+      const Vector terms = past(data, fit.innovations, k);
+      normal.selfadjointView<Eigen::Lower>().rankUpdate(terms);
+      right += terms * fit.innovations[k];
+    }
+  }
+  normal.diagonal() *= 1.0 + 1e-9;
+  normal.diagonal().array() += 1e-300;
+  const Vector weights = Matrix(normal.selfadjointView<Eigen::Lower>()).ldlt().solve(right);
+  double sum = 0.0;
+  for (const Range& range : data.rows.score) {
+    for (std::size_t k = std::max(range.first, kOwnLags + 1); k < range.end; ++k) {
+      const double rest = fit.innovations[k] - weights.dot(past(data, fit.innovations, k));
+      sum += rest * rest;
+    }
+  }
+  const double error = sum / static_cast<double>(std::max<std::size_t>(1, data.rows.score_count()));
+  return std::min(error, fit.score_error);
+}
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,118 @@
+#include "core/model/nominate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/hos/record_fft.hpp"
+#include "core/model/effects/curvature.hpp"
+#include "core/model/effects/external_oscillation.hpp"
+#include "core/model/effects/gain_change.hpp"
+#include "core/model/effects/load_step.hpp"
+#include "core/model/effects/saturation.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+double quantile(std::vector<double> values, double share) {
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+/// The answer of the whitening filter to a step, over its first samples.
+std::vector<double> step_pattern(const NoiseModel& noise, std::size_t length) {
+  std::vector<double> table(4 * (length + 1), 0.0);
+  for (std::size_t k = 1; k <= length; ++k) table[4 * k] = 1.0;
+  whiten(noise, table, 4);
+  std::vector<double> pattern(length);
+  for (std::size_t k = 0; k < length; ++k) pattern[k] = table[4 * (k + 1)];
+  return pattern;
+}
+
+std::vector<std::complex<double>> spectrum_of(const std::vector<double>& signal) {
+  std::size_t length = 1;
+  while (length < 2 * signal.size()) length *= 2;  // twice: lines between the frequencies show too
+  return hos::RecordFft::of_length(length).transform(signal);
+}
+
+void add_peaks(const std::vector<double>& signal, std::size_t count, std::vector<double>& periods) {
+  const auto spectrum = spectrum_of(signal);
+  const auto length = static_cast<double>(2 * (spectrum.size() - 1));
+  std::vector<double> power(spectrum.size());
+  std::transform(spectrum.begin(), spectrum.end(), power.begin(), [](const auto& x) { return std::norm(x); });
+  // At least four cycles in the record, at least three samples a cycle.
+  const auto first = static_cast<std::size_t>(4.0 * length / static_cast<double>(signal.size()));
+  for (std::size_t found = 0; found < count; ++found) {
+    const auto peak = std::max_element(power.begin() + static_cast<long>(first), power.begin() + static_cast<long>(length / 3.0));
+    const auto at = static_cast<std::size_t>(peak - power.begin());
+    if (*peak <= 0.0 || at + 1 >= power.size()) return;
+    // The vertex of the parabola through the peak.
+    const double left = power[at - 1], middle = power[at], right = power[at + 1];
+    const double bend = left - 2.0 * middle + right;
+    const double shift = bend == 0.0 ? 0.0 : std::clamp(0.5 * (left - right) / bend, -0.5, 0.5);
+    periods.push_back(length / (static_cast<double>(at) + shift));
+    for (std::size_t k = at > 6 ? at - 6 : 0; k < std::min(power.size(), at + 7); ++k) power[k] = 0.0;
+  }
+}
+
+}  // namespace
+
+std::vector<EffectPtr> nominate_static(const LoopData& data, const Fit&) {
+  std::vector<EffectPtr> result;
+  for (const double share : {0.03, 0.08, 0.15, 0.25, 0.4, 0.55}) {
+    result.push_back(std::make_shared<Saturation>(quantile(data.op, share), kNone));
+    result.push_back(std::make_shared<Saturation>(-kNone, quantile(data.op, 1.0 - share)));
+  }
+  result.push_back(std::make_shared<ValveCharacteristic>());
+  result.push_back(std::make_shared<ProcessNonlinearity>());
+  return result;
+}
+
+std::vector<EffectPtr> nominate_gain_changes(const LoopData& data) {
+  constexpr std::size_t kPlaces = 16;
+  std::vector<EffectPtr> result;
+  const std::size_t n = data.size();
+  for (std::size_t i = 2; i + 1 < kPlaces; ++i) {
+    result.push_back(std::make_shared<GainChange>(i * n / kPlaces, i * n / kPlaces));
+  }
+  result.push_back(std::make_shared<GainChange>(0, n));
+  result.push_back(std::make_shared<GainChange>(n / 4, 3 * n / 4));
+  return result;
+}
+
+std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit) {
+  constexpr std::size_t kLength = 48;
+  constexpr std::size_t kCandidates = 3;
+  const std::vector<double> pattern = step_pattern(fit.structure.noise, kLength);
+  const auto& r = fit.innovations;
+  std::vector<double> match(data.size(), 0.0);
+  for (std::size_t k = 40; k + kLength < data.size(); ++k) {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < kLength; ++j) sum += pattern[j] * r[k + j];
+    match[k] = std::abs(sum);
+  }
+  std::vector<EffectPtr> result;
+  for (std::size_t i = 0; i < kCandidates; ++i) {
+    const auto best = std::max_element(match.begin(), match.end());
+    const auto at = best - match.begin();
+    if (*best <= 0.0) break;
+    result.push_back(std::make_shared<LoadStep>(static_cast<std::size_t>(at)));
+    const auto from = std::max<long>(0, at - 20);
+    std::fill(match.begin() + from, match.begin() + std::min<long>(at + 20, static_cast<long>(match.size())), 0.0);
+  }
+  return result;
+}
+
+std::vector<EffectPtr> nominate_oscillations(const LoopData& data, const Fit& fit) {
+  std::vector<double> periods;
+  add_peaks(fit.innovations, 2, periods);
+  add_peaks(data.pv, 2, periods);
+  std::vector<EffectPtr> result;
+  for (const double period : periods) result.push_back(std::make_shared<ExternalOscillation>(period));
+  return result;
+}
+
+}  // namespace loopscope::core::model

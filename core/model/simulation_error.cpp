@@ -1,0 +1,46 @@
+#include "core/model/simulation_error.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr int kDriftTerms = 4;
+using Vector = Eigen::Matrix<double, kDriftTerms, 1>;
+using Matrix = Eigen::Matrix<double, kDriftTerms, kDriftTerms>;
+
+Vector drift_at(std::size_t k, std::size_t n) {
+  const double t = 2.0 * static_cast<double>(k) / static_cast<double>(n) - 1.0;
+  return {1.0, t, t * t, t * t * t};
+}
+
+Vector drift_of(const std::vector<double>& left, const std::vector<Range>& rows) {
+  Matrix normal = Matrix::Zero();
+  Vector right = Vector::Zero();
+  for (const Range& range : rows) {
+    for (std::size_t k = range.first; k < range.end; ++k) {
+      const Vector terms = drift_at(k, left.size());
+      normal += terms * terms.transpose();
+      right += terms * left[k];
+    }
+  }
+  return normal.ldlt().solve(right);
+}
+
+}  // namespace
+
+double simulation_error(const LoopData& data, const Fit& fit) {
+  std::vector<double> left = deterministic_output(data, fit);
+  for (std::size_t k = 0; k < left.size(); ++k) left[k] = data.pv[k] - left[k];
+  const Vector drift = drift_of(left, data.rows.fit);
+  double sum = 0.0;
+  for (const Range& range : data.rows.score) {
+    for (std::size_t k = range.first; k < range.end; ++k) {
+      const double rest = left[k] - drift.dot(drift_at(k, left.size()));
+      sum += rest * rest;
+    }
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(1, data.rows.score_count()));
+}
+
+}  // namespace loopscope::core::model

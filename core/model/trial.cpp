@@ -1,0 +1,146 @@
+#include "core/model/trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/model/baseline.hpp"
+#include "core/model/effects/valve.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr std::size_t kParts = 8;
+
+double sum_of_squares(const std::vector<double>& values, const Range& range) {
+  double sum = 0.0;
+  for (std::size_t k = range.first; k < range.end; ++k) sum += values[k] * values[k];
+  return sum;
+}
+
+/// Upper tail of the normal law.
+double upper_tail(double z) {
+  return 0.5 * std::erfc(z / std::sqrt(2.0));
+}
+
+struct Sums {
+  double before = 0.0, after = 0.0, square = 0.0;
+  std::size_t rows = 0;
+  std::array<double, kParts> part_before{}, part_after{};
+};
+
+/// Consecutive ranges are pooled to batches of about this many rows, whose sums are independent.
+constexpr std::size_t kBatch = 24;
+
+void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& before, const Fit& after, Sums& sums) {
+  double batch = 0.0;
+  std::size_t in_batch = 0;
+  for (const Range& range : rows) {
+    const double a = sum_of_squares(before.innovations, range);
+    const double b = sum_of_squares(after.innovations, range);
+    const std::size_t part = std::min(kParts - 1, range.first * kParts / data.size());
+    sums.before += a;
+    sums.after += b;
+    sums.part_before[part] += a;
+    sums.part_after[part] += b;
+    sums.rows += range.size();
+    batch += a - b;
+    in_batch += range.size();
+    if (in_batch < kBatch) continue;
+    sums.square += batch * batch;
+    batch = 0.0;
+    in_batch = 0;
+  }
+  sums.square += batch * batch;
+}
+
+}  // namespace
+
+TwinFit twin(const LoopData& data, Fit fit) {
+  const LoopData other = mirrored(data);
+  Fit mirror = polish(other, fit.structure, 4);
+  if (!fit.structure.effects.empty()) {
+    mirror = refine_last(other, std::move(mirror), 0.25);
+  }
+  return {std::move(fit), std::move(mirror)};
+}
+
+Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& after, bool once) {
+  Sums sums;
+  add_up(data, data.rows.score, before.fit, after.fit, sums);
+  if (!once) add_up(data, data.rows.fit, before.mirror, after.mirror, sums);
+  Comparison result;
+  if (sums.rows == 0 || sums.after <= 0.0) return result;
+  const auto n = static_cast<double>(sums.rows);
+  result.before = sums.before / n;
+  result.after = sums.after / n;
+  result.evidence = n * std::log(result.before / result.after);
+  const double spread = std::sqrt(sums.square);
+  result.consistency_p = spread > 0.0 ? upper_tail((sums.before - sums.after) / spread) : 1.0;
+  result.p = std::min(1.0, std::exp(-0.5 * result.evidence));
+  for (std::size_t part = 0; part < kParts; ++part) {
+    result.steadiness += sums.part_after[part] < sums.part_before[part] ? 1.0 / kParts : 0.0;
+  }
+  return result;
+}
+
+double fit_gain(const LoopData& data, const Fit& before, const Fit& after) {
+  return static_cast<double>(data.rows.fit_count()) * std::log(before.fit_error / after.fit_error);
+}
+
+Fit refine_last(const LoopData& data, Fit fit, double coarsest) {
+  constexpr int kRounds = 3;
+  for (double scale = coarsest; scale > 0.05; scale *= 0.5) {
+    bool improved = true;
+    for (int round = 0; round < kRounds && improved; ++round) {
+      improved = false;
+      for (const EffectPtr& effect : fit.structure.effects.back()->neighbours(scale)) {
+        Structure structure = fit.structure;
+        structure.effects.back() = effect;
+        Fit tried = evaluate(data, structure);
+        if (tried.fit_error >= fit.fit_error) continue;
+        fit = std::move(tried);
+        improved = true;
+      }
+    }
+  }
+  return fit;
+}
+
+namespace {
+
+/// The slip jump is nearly flat in the error until process and noise have followed it: a few of them
+/// are followed. Restarts and band stay as they are.
+Fit scan_jump(const LoopData& data, Fit fit) {
+  const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
+  if (valve == nullptr) return fit;
+  const Fit start = fit;
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    Structure structure = start.structure;
+    structure.effects.back() = valve->with_jump(share);
+    Fit tried = polish(data, structure, 3);
+    if (tried.fit_error < fit.fit_error) fit = std::move(tried);
+  }
+  return fit;
+}
+
+}  // namespace
+
+Fit fit_anew(const LoopData& data, Fit fit) {
+  const EffectKind kind = fit.structure.effects.back()->kind();
+  const bool bends_flow = kind == EffectKind::valve_stiction || kind == EffectKind::valve_deadband ||
+                          kind == EffectKind::valve_saturation;
+  fit = refine_last(data, std::move(fit));
+  // The linear baseline takes part of an oscillation, and all of a valve's travel, for dynamics.
+  fit = bends_flow || kind == EffectKind::external_oscillation ? search_process(data, fit.structure)
+                                                               : settle(data, fit);
+  fit = scan_jump(data, std::move(fit));
+  for (int round = 0; bends_flow && round < 3; ++round) {
+    const double before = fit.fit_error;
+    fit = polish(data, refine_last(data, std::move(fit)).structure, 4);
+    if (fit.fit_error > 0.999 * before) break;
+  }
+  return refine_last(data, std::move(fit));
+}
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/fit.hpp"
+
+namespace loopscope::core::model {
+
+/// A structure fitted twice, each time to the rows that the other is scored on.
+struct TwinFit {
+  Fit fit;     ///< on the fit rows
+  Fit mirror;  ///< on the score rows, from where `fit` ended
+};
+[[nodiscard]] TwinFit twin(const LoopData& data, Fit fit);
+
+/// How much better one fit predicts than another on rows that it has not seen.
+struct Comparison {
+  double before = 0.0;      ///< mean square of the held-out one-step errors, scaled
+  double after = 0.0;
+  double evidence = 0.0;    ///< n ln(before / after)
+  /// Of the split likelihood ratio (Wasserman, Ramdas and Balakrishnan 2020): a model fitted on one
+  /// half is exp(evidence / 2) times likelier than the null on the other half with at most the
+  /// probability exp(-evidence / 2), however long the search was that found it.
+  double p = 1.0;
+  double consistency_p = 1.0;  ///< that the gain over batches of the held-out rows is chance (t-test)
+  double steadiness = 0.0;  ///< share of an eighth of the record each in which the error falls
+};
+[[nodiscard]] Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& after, bool once = false);
+
+/// n ln(before / after) on the rows that the fits have seen.
+[[nodiscard]] double fit_gain(const LoopData& data, const Fit& before, const Fit& after);
+
+/// Parameters of the last effect by coordinate search, process and noise as they are; moves
+/// from `coarsest` (see Effect::neighbours) down.
+[[nodiscard]] Fit refine_last(const LoopData& data, Fit fit, double coarsest = 1.0);
+
+/// The structure with its effects, everything fitted anew: effect, delay, poles, noise.
+[[nodiscard]] Fit fit_anew(const LoopData& data, Fit fit);
+
+}  // namespace loopscope::core::model
