@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "tests/effects/generator.hpp"
+#include "tests/effects/loop_frequency.hpp"
+#include "tests/effects/scenario.hpp"
+
+namespace loopscope::tests::effects {
+
+enum class Tuning { normal, robust, firm, tight, sluggish };
+enum class Moves { none, sometimes, small, large };
+
+/// What a kind asks of its loop before effects are put in.
+struct LoopOptions {
+  Tuning tuning = Tuning::normal;
+  Moves moves = Moves::sometimes;
+  bool may_integrate = true;
+  bool only_integrates = false;
+  bool load_at_output = false;  ///< where the load could not pass a curve by superposition
+  double op_range = 0.0;        ///< % that large moves travel
+  double most_tau = 60.0;       ///< samples
+  double noise_factor = 1.0;
+};
+
+/// A loop in the making. Truth speaks in % and samples until the record is made.
+struct Draft {
+  Scenario base;      ///< without its effects
+  Scenario scenario;  ///< with them
+  LoopOptions options;
+  double noise_std = 0.0;  ///< of pv in `base` with the set point at rest, % of span
+  std::vector<TrueEffect> effects;
+  /// What has to hold of the record with its effects and of the one without.
+  std::vector<std::function<bool(const Series& with, const Series& without)>> conditions;
+  /// Parameters that follow from the record, e.g. the curvature over the travelled range.
+  std::vector<std::function<void(Draft&, const Series& with)>> measurements;
+};
+
+/// A loop without effects: process, tuned controller, load, noise, set point.
+[[nodiscard]] Draft draw_loop(const LoopOptions& options, Random& random);
+
+/// Where pv comes to rest when op stands; self-regulating processes and vessels with a loss.
+[[nodiscard]] double resting_pv(const Scenario& scenario, double op);
+
+/// Sets `draft.scenario.sp` to moves of the kind; called again by effects that bend the loop.
+void draw_moves(Draft& draft, Random& random);
+
+[[nodiscard]] double standard_deviation(const std::vector<double>& values);
+
+/// A draft whose loop is stable, within its limits and shows its effects, and what it records;
+/// `attempts` counts the loops that were drawn and thrown away.
+struct Finished {
+  Draft draft;
+  Series series;
+  int attempts = 0;
+};
+[[nodiscard]] Finished finish(std::string_view kind, std::uint64_t seed);
+
+}  // namespace loopscope::tests::effects

@@ -1,0 +1,95 @@
+#include "tests/effects/generator.hpp"
+
+#include "tests/effects/draft.hpp"
+#include "tests/effects/kinds.hpp"
+
+namespace loopscope::tests::effects {
+namespace {
+
+/// From % of span and samples to the units of a plant.
+struct Units {
+  double interval_s = 1.0;
+  double low = 0.0;   ///< pv at 0 % of span
+  double unit = 1.0;  ///< pv by % of span
+
+  [[nodiscard]] double scale(const std::string& name) const {
+    if (name == "pv") return unit;
+    if (name == "s") return interval_s;
+    if (name == "1/h") return 3600.0 / interval_s;
+    return 1.0;
+  }
+};
+
+Units draw_units(std::string_view kind, std::uint64_t seed) {
+  Random random(seed_for("units", seed_for(kind, seed)));
+  const double span = random.pick({1.0, 100.0, 1000.0});
+  return {random.pick({1.0, 5.0, 10.0, 60.0}), span * random.pick({0.0, 0.0, -0.5, 0.2}),
+          span / 100.0};
+}
+
+std::vector<double> in_units(const std::vector<double>& rises, double pv0, const Units& units) {
+  std::vector<double> values;
+  values.reserve(rises.size());
+  for (const double rise : rises) values.push_back(units.low + units.unit * (pv0 + rise));
+  return values;
+}
+
+std::vector<TrueEffect> effects_of(const Draft& draft, const Units& units) {
+  std::vector<TrueEffect> effects = draft.effects;
+  for (TrueEffect& effect : effects)
+    for (TrueParameter& parameter : effect.parameters)
+      parameter.value *= units.scale(parameter.unit);
+  return effects;
+}
+
+TrueLoop loop_of(const Scenario& base, const Units& units) {
+  const Process& process = base.process;
+  TrueLoop loop;
+  loop.integrating = process.integrating;
+  loop.gain = process.gain * units.unit;
+  if (process.integrating) loop.gain /= process.tau * units.interval_s;
+  loop.time_constant_s = process.integrating ? 0.0 : process.tau * units.interval_s;
+  loop.second_time_constant_s = process.second_tau * units.interval_s;
+  loop.delay_s = process.delay * units.interval_s;
+  loop.controller_gain = base.controller.kc / units.unit;
+  loop.integral_time_s = base.controller.ti * units.interval_s;
+  loop.peak_sensitivity = LoopFrequency(process).peak_sensitivity(base.controller);
+  return loop;
+}
+
+/// A held value is foreseen without error except when it is renewed; rounding is white noise of a
+/// twelfth of the squared step.
+double floor_of(const Scenario& scenario) {
+  const double white =
+      scenario.noise_sd * scenario.noise_sd + scenario.quantum * scenario.quantum / 12.0;
+  return predictor(scenario.load, white, scenario.hold).variance / scenario.hold;
+}
+
+}  // namespace
+
+const std::vector<KindInfo>& all_kinds() {
+  static const std::vector<KindInfo> kKinds = [] {
+    std::vector<KindInfo> kinds;
+    for (const Recipe& recipe : all_recipes()) kinds.push_back(recipe.info);
+    return kinds;
+  }();
+  return kKinds;
+}
+
+Record generate(std::string_view kind, std::uint64_t seed) {
+  const Finished finished = finish(kind, seed);
+  const Scenario& scenario = finished.draft.scenario;
+  const Units units = draw_units(kind, seed);
+  Record record;
+  record.interval_s = units.interval_s;
+  record.sp = in_units(finished.series.sp, scenario.pv0, units);
+  record.pv = in_units(finished.series.pv, scenario.pv0, units);
+  record.op = finished.series.op;
+  record.mv = finished.series.mv;
+  record.truth = {recipe_of(kind).info, effects_of(finished.draft, units),
+                  loop_of(finished.draft.base, units), floor_of(scenario) * units.unit * units.unit,
+                  finished.draft.noise_std * units.unit};
+  return record;
+}
+
+}  // namespace loopscope::tests::effects

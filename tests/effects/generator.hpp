@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loopscope::tests::effects {
+
+/// A figure that the effect was made with, in the words and units of the results.
+struct TrueParameter {
+  std::string
+      name;  ///< S, J, width, low, high, curvature, period_s, amplitude, at, size, ratio, ...
+  std::string unit;  ///< "%", "pv", "s", "1/h", "" = a ratio
+  double value = 0.0;
+};
+
+struct TrueEffect {
+  std::string effect;  ///< a word of the contract's effects table
+  std::vector<TrueParameter> parameters;
+  std::string law;  ///< the physical law behind it
+};
+
+enum class Group {
+  healthy,  ///< no effect: still, moving, tight, sluggish
+  single,   ///< one effect of the catalogue
+  pair,     ///< two of them
+  unknown,  ///< what no effect of the catalogue describes
+};
+
+struct KindInfo {
+  std::string name;
+  Group group = Group::healthy;
+  std::vector<std::string> effects;   ///< in the record; empty for healthy and unknown
+  std::vector<std::string> verdicts;  ///< each of them is right
+  bool hardware_is_wrong = false;     ///< an effect of valve, process or sensor is wrong
+};
+
+/// Process and controller in the record's units.
+struct TrueLoop {
+  bool integrating = false;
+  double gain = 0.0;  ///< pv per %; integrating: pv per % and second
+  double time_constant_s = 0.0;
+  double second_time_constant_s = 0.0;  ///< 0 = none
+  double delay_s = 0.0;
+  double controller_gain = 0.0;  ///< % per pv
+  double integral_time_s = 0.0;
+  double peak_sensitivity = 0.0;  ///< Ms of the loop without its effects
+};
+
+struct Truth {
+  KindInfo kind;
+  std::vector<TrueEffect> effects;
+  TrueLoop loop;
+  /// Mean square of the one-step innovations of load and sensor noise (rounding noise and holding
+  /// included), everything else known; pv units squared.
+  double floor = 0.0;
+  double noise_std = 0.0;  ///< of pv in the loop without effects, set point at rest, pv units
+};
+
+/// A recording of 4096 samples; op and mv in %.
+struct Record {
+  double interval_s = 1.0;
+  std::vector<double> sp;
+  std::vector<double> pv;
+  std::vector<double> op;
+  std::vector<double> mv;  ///< hidden from the diagnosis
+  Truth truth;
+};
+
+/// In the order of the report.
+[[nodiscard]] const std::vector<KindInfo>& all_kinds();
+
+/// The same record for the same kind and seed on every machine of one floating-point behaviour.
+/// Throws std::invalid_argument for an unknown kind.
+[[nodiscard]] Record generate(std::string_view kind, std::uint64_t seed);
+
+}  // namespace loopscope::tests::effects

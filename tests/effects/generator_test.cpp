@@ -1,0 +1,146 @@
+#include "tests/effects/generator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+#include "tests/effects/draft.hpp"
+#include "tests/support/source_dir.hpp"
+
+namespace loopscope::tests::effects {
+namespace {
+
+double mean_square(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0) /
+         static_cast<double>(values.size());
+}
+
+TEST(Generator, GivesTheSameRecordForTheSameSeedOnly) {
+  EXPECT_EQ(generate("valve_stiction", 3).pv, generate("valve_stiction", 3).pv);
+  EXPECT_NE(generate("valve_stiction", 3).pv, generate("valve_stiction", 4).pv);
+  EXPECT_NE(generate("healthy_still", 3).pv, generate("healthy_moving", 3).pv);
+}
+
+TEST(Generator, RefusesAnUnknownKind) {
+  EXPECT_THROW((void)generate("valve_of_gold", 1), std::invalid_argument);
+}
+
+TEST(Generator, EveryKindIsWholeAndInsideItsLimits) {
+  for (const KindInfo& kind : all_kinds()) {
+    const Record record = generate(kind.name, 11);
+    ASSERT_EQ(record.pv.size(), kSamples) << kind.name;
+    ASSERT_EQ(record.sp.size(), kSamples) << kind.name;
+    ASSERT_EQ(record.op.size(), kSamples) << kind.name;
+    ASSERT_EQ(record.mv.size(), kSamples) << kind.name;
+    EXPECT_TRUE(std::all_of(record.op.begin(), record.op.end(),
+                            [](double op) { return op >= 0.0 && op <= 100.0; }));
+    EXPECT_TRUE(std::all_of(record.pv.begin(), record.pv.end(),
+                            [](double pv) { return std::isfinite(pv); }));
+    EXPECT_GT(record.truth.floor, 0.0) << kind.name;
+  }
+}
+
+TEST(Generator, TruthNamesTheEffectsOfTheKind) {
+  for (const KindInfo& kind : all_kinds()) {
+    std::set<std::string> named;
+    for (const TrueEffect& effect : generate(kind.name, 5).truth.effects) {
+      named.insert(effect.effect);
+      EXPECT_FALSE(effect.parameters.empty()) << kind.name;
+    }
+    EXPECT_EQ(named, std::set<std::string>(kind.effects.begin(), kind.effects.end())) << kind.name;
+  }
+}
+
+/// Innovations of the noise that really was drawn, of the renewed values alone, by the variance
+/// that the Riccati equation gives. The first tenth is left to the filter.
+double innovation_ratio(const Finished& finished) {
+  const Scenario& s = finished.draft.scenario;
+  const double white = s.noise_sd * s.noise_sd + s.quantum * s.quantum / 12.0;
+  const Predictor filter = predictor(s.load, white, s.hold);
+  std::vector<double> renewed;
+  for (std::size_t k = 0; k < kSamples; ++k)
+    if ((k + kRunIn) % static_cast<std::size_t>(s.hold) == 0)
+      renewed.push_back(finished.series.stochastic[k]);
+  std::vector<double> innovations = filter.innovations(renewed);
+  innovations.erase(innovations.begin(),
+                    innovations.begin() + static_cast<std::ptrdiff_t>(innovations.size() / 10));
+  return mean_square(innovations) / filter.variance;
+}
+
+class FloorOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(FloorOf, IsTheMeasuredVarianceOfTheInnovations) {
+  constexpr std::uint64_t kSeeds = 40;
+  double sum = 0.0;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed)
+    sum += innovation_ratio(finish(GetParam(), seed));
+  EXPECT_NEAR(sum / kSeeds, 1.0, 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FloorOf,
+                         testing::Values("healthy_still", "tight", "process_nonlinearity",
+                                         "sensor_hold", "sensor_quantisation"),
+                         [](const auto& kind) { return std::string(kind.param); });
+
+TEST(Generator, StickingStemLagsByItsStaticFriction) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Record record = generate("valve_stiction", seed);
+    const TrueEffect& effect = record.truth.effects.front();
+    std::vector<double> behind;
+    for (std::size_t k = 0; k < kSamples; ++k)
+      behind.push_back(std::abs(record.op[k] - record.mv[k]));
+    std::sort(behind.begin(), behind.end());
+    const double reach = behind[kSamples * 98 / 100];
+    // Static friction is (S + J) / 2; a slow stem and a step of the set point go beyond it.
+    const double friction = (effect.parameters[0].value + effect.parameters[1].value) / 2.0;
+    EXPECT_GT(reach, 0.75 * friction) << seed;
+    EXPECT_LT(reach, 1.15 * friction) << seed;
+  }
+}
+
+TEST(Generator, AQuantisedSensorReportsWholeSteps) {
+  const Record record = generate("sensor_quantisation", 2);
+  const double step = record.truth.effects.front().parameters.front().value;
+  for (std::size_t k = 1; k < kSamples; ++k) {
+    const double steps = (record.pv[k] - record.pv[k - 1]) / step;
+    ASSERT_NEAR(steps, std::round(steps), 1e-6);
+  }
+}
+
+TEST(Generator, AHeldSensorRenewsItsValueAsOftenAsItSays) {
+  const Record record = generate("sensor_hold", 2);
+  const double samples = record.truth.effects.front().parameters.front().value;
+  int changes = 0;
+  for (std::size_t k = 1; k < kSamples; ++k) changes += record.pv[k] != record.pv[k - 1] ? 1 : 0;
+  EXPECT_NEAR(changes, static_cast<double>(kSamples) / samples, 1.5);
+}
+
+TEST(Generator, TankKeepsTheGainOfTheLoopAtItsOperatingPoint) {
+  std::uint64_t seed = 0;
+  Finished finished = finish("process_nonlinearity", seed);
+  while (!finished.draft.scenario.process.loss) finished = finish("process_nonlinearity", ++seed);
+  const Scenario& scenario = finished.draft.scenario;
+  const double slope =
+      (resting_pv(scenario, scenario.op0 + 0.01) - resting_pv(scenario, scenario.op0 - 0.01)) /
+      0.02;
+  EXPECT_NEAR(slope / finished.draft.base.process.gain, 1.0, 1e-3);
+}
+
+TEST(Generator, KnowsNothingOfTheModelNorOfTheSimulationsOfCore) {
+  const std::set<std::string> judges = {"draws.cpp", "outcome.hpp", "outcome.cpp",
+                                        "outcome_test.cpp", "generator_test.cpp"};
+  for (const auto& file : std::filesystem::directory_iterator(source_dir() / "tests/effects")) {
+    if (judges.contains(file.path().filename().string())) continue;
+    std::stringstream text;
+    text << std::ifstream(file.path()).rdbuf();
+    EXPECT_EQ(text.str().find("#include \"core/"), std::string::npos) << file.path();
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::tests::effects

@@ -1,0 +1,102 @@
+#include "tests/effects/options.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+#include <thread>
+
+namespace loopscope::tests::effects {
+namespace {
+
+class Reader {
+ public:
+  explicit Reader(const std::vector<std::string>& words) : words_(words) {}
+
+  Options read() {
+    options_.plan.threads = std::max(1U, std::thread::hardware_concurrency());
+    while (place_ < words_.size()) read_option(words_[place_++]);
+    if (options_.plan.kinds.empty())
+      for (const KindInfo& kind : all_kinds()) options_.plan.kinds.push_back(kind.name);
+    return options_;
+  }
+
+ private:
+  void read_option(const std::string& word) {
+    if (word == "--help")
+      options_.help = true;
+    else if (word == "--list")
+      options_.list = true;
+    else if (word == "--json")
+      options_.json = true;
+    else if (word == "--with-mv")
+      options_.with_mv = true;
+    else if (word == "--seed")
+      options_.plan.seed = number(word, 0);
+    else if (word == "--draws")
+      options_.plan.draws = number(word, 1);
+    else if (word == "--threads")
+      options_.plan.threads = static_cast<unsigned>(number(word, 1));
+    else if (word == "--kinds")
+      read_kinds(value(word));
+    else if (word == "--dump")
+      read_dump(word);
+    else
+      throw WrongUsage("unknown option " + word);
+  }
+
+  const std::string& value(const std::string& option) {
+    if (place_ >= words_.size()) throw WrongUsage(option + " lacks a value");
+    return words_[place_++];
+  }
+
+  std::uint64_t number(const std::string& option, std::uint64_t least) {
+    const std::string& text = value(option);
+    std::uint64_t result = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    if (!whole || result < least)
+      throw WrongUsage(option + " wants a number of at least " + std::to_string(least) + ", not " +
+                       text);
+    return result;
+  }
+
+  static const std::string& known(const std::string& kind) {
+    const std::vector<KindInfo>& all = all_kinds();
+    if (std::none_of(all.begin(), all.end(), [&](const KindInfo& k) { return k.name == kind; }))
+      throw WrongUsage("no kind " + kind + " (--list shows them)");
+    return kind;
+  }
+
+  void read_kinds(const std::string& list) {
+    std::istringstream text(list);
+    for (std::string kind; std::getline(text, kind, ',');)
+      options_.plan.kinds.push_back(known(kind));
+  }
+
+  void read_dump(const std::string& word) {
+    options_.dump_kind = known(value(word));
+    options_.dump_seed = number(word, 0);
+    options_.dump_file = value(word);
+  }
+
+  const std::vector<std::string>& words_;
+  std::size_t place_ = 0;
+  Options options_;
+};
+
+}  // namespace
+
+Options read_options(const std::vector<std::string>& words) {
+  return Reader(words).read();
+}
+
+std::string usage() {
+  return "effects_run [--seed N] [--draws M] [--kinds A,B] [--threads T] [--json]\n"
+         "effects_run --dump KIND SEED FILE.csv [--with-mv]    one record, truth on standard "
+         "error\n"
+         "effects_run --list                                   the kinds of records\n"
+         "Draws loops with undeclared effects, diagnoses each and compares with the truth.\n"
+         "Defaults: seed 1, 20 draws of every kind, one thread per processor.\n";
+}
+
+}  // namespace loopscope::tests::effects

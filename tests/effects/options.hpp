@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/effects/draws.hpp"
+
+namespace loopscope::tests::effects {
+
+/// A command line that cannot be understood; the message names the word.
+struct WrongUsage : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+struct Options {
+  bool help = false;
+  bool list = false;
+  bool json = false;
+  Plan plan;
+  std::string dump_kind;  ///< not empty: write one record instead of running draws
+  std::uint64_t dump_seed = 0;
+  std::string dump_file;  ///< "-" = standard output
+  bool with_mv = false;
+};
+
+/// `words` = without the program's name.
+[[nodiscard]] Options read_options(const std::vector<std::string>& words);
+
+[[nodiscard]] std::string usage();
+
+}  // namespace loopscope::tests::effects

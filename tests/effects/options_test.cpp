@@ -1,0 +1,31 @@
+#include "tests/effects/options.hpp"
+
+#include <gtest/gtest.h>
+
+namespace loopscope::tests::effects {
+namespace {
+
+TEST(EffectsOptions, DefaultIsEveryKind) {
+  const Options options = read_options({});
+  EXPECT_EQ(options.plan.kinds.size(), all_kinds().size());
+  EXPECT_GE(options.plan.threads, 1U);
+}
+
+TEST(EffectsOptions, ReadsSeedDrawsAndKinds) {
+  const Options options =
+      read_options({"--seed", "7", "--draws", "3", "--kinds", "tight,load_step", "--json"});
+  EXPECT_EQ(options.plan.seed, 7U);
+  EXPECT_EQ(options.plan.draws, 3U);
+  EXPECT_EQ(options.plan.kinds, (std::vector<std::string>{"tight", "load_step"}));
+  EXPECT_TRUE(options.json);
+}
+
+TEST(EffectsOptions, RefusesWhatItDoesNotKnow) {
+  const std::vector<std::vector<std::string>> wrong = {
+      {"--sed", "7"},     {"--seed"},          {"--seed", "x"},  {"--draws", "0"},
+      {"--kinds", "nil"}, {"--dump", "tight"}, {"--seed", "-1"}, {"--threads", "2x"}};
+  for (const auto& words : wrong) EXPECT_THROW((void)read_options(words), WrongUsage) << words[0];
+}
+
+}  // namespace
+}  // namespace loopscope::tests::effects

@@ -1,0 +1,148 @@
+#include "tests/effects/scenario.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopscope::tests::effects {
+namespace {
+
+constexpr double kStep = 1.0 / kSubsteps;
+constexpr std::size_t kTotal = kRunIn + kSamples;
+
+double at(const TimeFunction& function, double time, double otherwise) {
+  return function ? function(time) : otherwise;
+}
+
+/// The flow `delay` samples ago, of a flow that is told once a substep.
+class Pipe {
+ public:
+  Pipe() { past_.reserve(kTotal * kSubsteps); }
+  double step(double flow, double delay) {
+    past_.push_back(flow);
+    const auto back = static_cast<std::size_t>(std::lround(delay * kSubsteps));
+    return back < past_.size() ? past_[past_.size() - 1 - back] : 0.0;
+  }
+
+ private:
+  std::vector<double> past_;
+};
+
+class ProcessState {
+ public:
+  explicit ProcessState(const Process& process)
+      : process_(process),
+        share_(1.0 - std::exp(-kStep / process.tau)),
+        second_share_(process.second_tau > 0.0 ? 1.0 - std::exp(-kStep / process.second_tau)
+                                               : 1.0) {}
+
+  void step(double flow) {
+    if (process_.integrating)
+      first_ += kStep * process_.gain / process_.tau * (flow - at(process_.loss, first_, 0.0));
+    else
+      first_ += share_ * (process_.gain * flow - first_);
+    second_ += second_share_ * (first_ - second_);
+  }
+  [[nodiscard]] double pv() const { return at(process_.output_curve, second_, second_); }
+
+ private:
+  const Process& process_;
+  double share_;
+  double second_share_;
+  double first_ = 0.0;
+  double second_ = 0.0;
+};
+
+class ControllerState {
+ public:
+  ControllerState(const Controller& controller, double op0) : controller_(controller), op_(op0) {}
+
+  double step(double error, double gain) {
+    const double move = error - last_ + error / controller_.ti;
+    last_ = error;
+    return op_ = std::clamp(op_ + gain * controller_.kc * move, 0.0, 100.0);
+  }
+
+ private:
+  Controller controller_;
+  double op_;
+  double last_ = 0.0;
+};
+
+class Run {
+ public:
+  explicit Run(const Scenario& scenario)
+      : s_(scenario),
+        process_(scenario.process),
+        controller_(scenario.controller, scenario.op0),
+        valve_(scenario.valve ? scenario.valve() : nullptr),
+        load_noise_(seed_for("load", scenario.noise_seed)),
+        sensor_noise_(seed_for("sensor", scenario.noise_seed)) {}
+
+  Series run() {
+    for (std::size_t k = 0; k < kTotal; ++k) {
+      const double time = static_cast<double>(k) - static_cast<double>(kRunIn);
+      sense(k, time);
+      const double op = controller_.step(s_.sp[k] - pv_, at(s_.controller_gain, time, 1.0));
+      const double mv = hold_op(op, time);
+      if (k >= kRunIn) record(k, op, mv);
+    }
+    return std::move(series_);
+  }
+
+ private:
+  void sense(std::size_t k, double time) {
+    const double noise = s_.load.value(load_) + s_.noise_sd * sensor_noise_.normal();
+    if ((k % static_cast<std::size_t>(s_.hold)) != 0) return;
+    const double true_pv =
+        process_.pv() + at(s_.output_load, time, 0.0) + at(s_.sensor_bias, time, 0.0);
+    pv_ = rounded(true_pv + noise);
+    stochastic_ = pv_ - true_pv;
+  }
+
+  /// On a grid that starts at 0 % of the span, as a converter's does.
+  [[nodiscard]] double rounded(double pv) const {
+    if (s_.quantum <= 0.0) return pv;
+    return s_.quantum * std::round((pv + s_.pv0) / s_.quantum) - s_.pv0;
+  }
+
+  double hold_op(double op, double time) {
+    double position = op;
+    for (int i = 0; i < kSubsteps; ++i) {
+      const double now = time + i * kStep;
+      position = valve_ ? valve_->step(op) : op;
+      const double flow = s_.trim ? s_.trim(position) : position - s_.op0;
+      const double delayed = pipe_.step(flow, at(s_.delay, now, s_.process.delay));
+      process_.step(at(s_.process_gain, now, 1.0) * delayed + at(s_.input_load, now, 0.0));
+      s_.load.step(load_, load_noise_);
+    }
+    return position;
+  }
+
+  void record(std::size_t k, double op, double mv) {
+    series_.sp.push_back(s_.sp[k]);
+    series_.pv.push_back(pv_);
+    series_.op.push_back(op);
+    series_.mv.push_back(mv);
+    series_.stochastic.push_back(stochastic_);
+  }
+
+  const Scenario& s_;
+  ProcessState process_;
+  ControllerState controller_;
+  std::unique_ptr<Valve> valve_;
+  Random load_noise_;
+  Random sensor_noise_;
+  Pipe pipe_;
+  Eigen::Vector3d load_ = Eigen::Vector3d::Zero();
+  double pv_ = 0.0;
+  double stochastic_ = 0.0;
+  Series series_;
+};
+
+}  // namespace
+
+Series simulate(const Scenario& scenario) {
+  return Run(scenario).run();
+}
+
+}  // namespace loopscope::tests::effects
