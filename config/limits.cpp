@@ -35,6 +35,8 @@ std::string limits_text(const Limits& limits) {
       return range_text(limits);
     case Form::choice:
       return words_text(limits.words);
+    case Form::toggle:
+      return "true or false";
     case Form::text:
       return "text";
     case Form::optional_text:

@@ -15,6 +15,7 @@ enum class Form {
   connection,           ///< libpq connection string without secrets, not empty
   optional_connection,  ///< likewise, may be empty
   choice,               ///< one of a list of words
+  toggle,               ///< true or false
 };
 
 /// What a setting may be. Numbers have a range, choices have words.

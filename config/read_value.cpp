@@ -96,12 +96,25 @@ void read_text(const Json& value, const std::string& path, const Limits& limits,
     store_text(slot, text);
 }
 
+void read_switch(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
+                 ProblemList& problems) {
+  if (value.is_boolean()) {
+    store_switch(slot, value.get<bool>());
+    return;
+  }
+  Problem problem = wrong_kind(value, path, limits_text(limits));
+  if (value.is_number()) problem.hint = "true switches it on, false off";
+  problems.add(std::move(problem));
+}
+
 }  // namespace
 
 void read_value(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
                 ProblemList& problems) {
   if (limits.form == Form::number)
     read_number(value, path, limits, slot, problems);
+  else if (limits.form == Form::toggle)
+    read_switch(value, path, limits, slot, problems);
   else
     read_text(value, path, limits, slot, problems);
 }

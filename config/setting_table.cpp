@@ -33,6 +33,8 @@ constexpr auto in_daemon = at<&Settings::daemon, Member>;
 template <auto Member>
 constexpr auto in_flags = at<&Settings::flags, Member>;
 template <auto Member>
+constexpr auto in_analysis = at<&Settings::analysis, Member>;
+template <auto Member>
 constexpr auto in_prepare = at<&Settings::analysis, &AnalysisSettings::prepare, Member>;
 template <auto Member>
 constexpr auto in_hos = at<&Settings::analysis, &AnalysisSettings::hos, Member>;
@@ -133,6 +135,8 @@ constexpr std::array kTable = {
     Setting{"/analysis/slow_span_windows", in_prepare<&PrepareSettings::slow_span_windows>,
             range(1, 16, "windows"),
             "that are read at most for a slow oscillation; 1 = never more than the window"},
+    Setting{"/analysis/fit_model", in_analysis<&AnalysisSettings::fit_model>, any(Form::toggle),
+            "whether a loop model is fitted; false = statistics and shapes only"},
 
     Setting{"/analysis/hos/segment_length", in_hos<&Hos::segment_length>,
             even_range(16, 4096, "samples"), "segment of the averaged estimates"},

@@ -34,12 +34,18 @@ void store_number(const Slot& slot, double value) {
   std::visit(
       [value](auto* place) {
         using Value = std::remove_pointer_t<decltype(place)>;
-        if constexpr (std::is_arithmetic_v<Value>)
+        if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)
           *place = static_cast<Value>(value);
         else
-          throw std::logic_error("a number was stored in a setting of words");
+          throw std::logic_error("a number was stored in a setting of words or a switch");
       },
       slot);
+}
+
+void store_switch(const Slot& slot, bool value) {
+  bool* const* place = std::get_if<bool*>(&slot);
+  if (place == nullptr) throw std::logic_error("a switch was stored in another setting");
+  **place = value;
 }
 
 void store_text(const Slot& slot, const std::string& value) {
@@ -48,7 +54,7 @@ void store_text(const Slot& slot, const std::string& value) {
   else if (auto* const* shape = std::get_if<WindowShape*>(&slot))
     store(**shape, value);
   else
-    throw std::logic_error("a text was stored in a setting of numbers");
+    throw std::logic_error("a text was stored in a setting of numbers or a switch");
 }
 
 }  // namespace loopscope::config

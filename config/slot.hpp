@@ -11,7 +11,8 @@
 namespace loopscope::config {
 
 /// Where the value of one setting lives.
-using Slot = std::variant<double*, int*, std::size_t*, std::string*, core::hos::WindowShape*>;
+using Slot =
+    std::variant<double*, int*, std::size_t*, bool*, std::string*, core::hos::WindowShape*>;
 
 /// Every window shape; the file calls them by their core::hos::name().
 inline constexpr std::array kWindowShapes = {
@@ -24,10 +25,14 @@ inline constexpr std::array kWindowShapes = {
 /// The value as JSON.
 [[nodiscard]] nlohmann::ordered_json slot_value(const Slot& slot);
 
-/// Stores a number that the slot's type can hold; throws std::logic_error for a slot of words.
+/// Stores a number that the slot's type can hold; throws std::logic_error for a slot of words and
+/// for a switch.
 void store_number(const Slot& slot, double value);
 
-/// Stores a text, or the window shape of that name; throws std::logic_error for a slot of numbers
+/// Stores true or false; throws std::logic_error for a slot that is no switch.
+void store_switch(const Slot& slot, bool value);
+
+/// Stores a text, or the window shape of that name; throws std::logic_error for another slot
 /// and for a name that no shape has.
 void store_text(const Slot& slot, const std::string& value);
 

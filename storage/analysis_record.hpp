@@ -23,6 +23,9 @@ struct AnalysisRecord {
   double analyse_ms = 0.0;    ///< core::diagnose
   core::Diagnosis diagnosis;
   std::string hos_slow_json;  ///< the slow look as a JSON object; empty = there is none
+  /// The loop model's story as the JSON object "model" of `analyze --json`; empty = there is none.
+  /// Its steps become rows of explanation_step.
+  std::string model_json;
 };
 
 }  // namespace loopscope::storage

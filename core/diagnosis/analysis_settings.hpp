@@ -13,6 +13,7 @@ struct AnalysisSettings {
   hos::Settings hos;
   loop::OscillationSettings oscillation;
   loop::PerformanceSettings performance;
+  bool fit_model = true;  ///< false = statistics and shapes only
 };
 
 }  // namespace loopscope::core

@@ -1,6 +1,7 @@
 #include "core/diagnosis/case.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/diagnosis/words.hpp"
 
@@ -14,16 +15,15 @@ constexpr double kLargePvShare = 0.05;
 /// loop perform poorly: those found by chance carry 0.03 to 0.14 (paper_5_1, healthy_flow), real
 /// ones 0.24 and more (paper_5_3, where the load wanders; tight_tuning has 0.88).
 constexpr double kOscillationShare = 0.2;
+/// An oscillation whose autocorrelation keeps this share over three further periods is driven by
+/// a line; a loop at the edge of stability under noise keeps 0.6 to 0.75 (tight_tuning and
+/// paper_5_2_excessive), an outside sinusoid 0.95 and more (outside_oscillation, paper_5_3).
+constexpr double kSustained = 0.85;
 
 std::string oscillation_text(const loop::Oscillation& oscillation) {
   return "Oscillation of period " + duration(oscillation.period_s.value_or(0.0)) + ", regularity " +
          number(oscillation.regularity.value_or(0.0)) + ", persistence " +
          number(oscillation.persistence.value_or(0.0)) + ".";
-}
-
-std::string oversized_text(const loop::ValveGain& gain) {
-  return "op spans " + number(*gain.op_span_percent) + " %, pv " + percent(*gain.pv_relative_span) +
-         " of its level.";
 }
 
 }  // namespace
@@ -48,6 +48,44 @@ bool oversized(const Evidence& evidence) {
   const loop::ValveGain& gain = evidence.valve_gain;
   return gain.op_span_percent.value_or(100.0) < kTinyOpSpanPercent &&
          gain.pv_relative_span.value_or(0.0) > kLargePvShare;
+}
+
+std::string oversized_text(const loop::ValveGain& gain) {
+  return "op spans " + number(*gain.op_span_percent) + " %, pv " + percent(*gain.pv_relative_span) +
+         " of its level.";
+}
+
+std::optional<double> middle_harris(const Evidence& evidence) {
+  const loop::Performance& performance = evidence.performance;
+  if (evidence.integrating || !performance.harris_low || !performance.harris_high) {
+    return std::nullopt;
+  }
+  return std::sqrt(*performance.harris_low * *performance.harris_high);
+}
+
+bool creeps(const Evidence& evidence) {
+  return middle_harris(evidence).value_or(1.0) < kSluggishHarris;
+}
+
+std::string harris_text(const Evidence& evidence) {
+  return "Harris index " + number(*evidence.performance.harris_low) + " to " +
+         number(*evidence.performance.harris_high) + " over the plausible delays (1 is the best).";
+}
+
+bool sustained(const Evidence& evidence) {
+  return evidence.oscillation.persistence.value_or(0.0) >= kSustained;
+}
+
+std::string quantisation_text(const Evidence& evidence) {
+  return "pv moves in steps of " + number(evidence.data_quality.quantisation_factor.value_or(0.0)) +
+         " of its standard deviation.";
+}
+
+bool coupling_leads(const Case& loop) {
+  constexpr double kWeak = 1e-3;
+  const double p = loop.nonlinearity.p;
+  if (!loop.nonlinearity.found) return false;
+  return p <= kWeak || p <= oscillation_p(loop.evidence).value_or(1.0);
 }
 
 std::vector<std::string> reasons_of(const Case& loop) {

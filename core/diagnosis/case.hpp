@@ -31,6 +31,37 @@ struct Case {
 /// op moves by fractions of a percent while pv swings (paper, section 6.2.1).
 [[nodiscard]] bool oversized(const Evidence& evidence);
 
+/// Both spans in a sentence; `gain` has them.
+[[nodiscard]] std::string oversized_text(const loop::ValveGain& gain);
+
+/// The error creeps: the middle of the Harris range is far below that of a well tuned loop. False
+/// for integrating loops, which are often meant to be slow, and where it was not measured.
+[[nodiscard]] bool creeps(const Evidence& evidence);
+
+/// Geometric middle of the Harris range; nullopt for integrating loops and where not measured.
+[[nodiscard]] std::optional<double> middle_harris(const Evidence& evidence);
+
+/// Confidence that a coarse grid of pv is what is wrong, seen and not inferred.
+inline constexpr double kGridConfidence = 0.5;
+
+/// Where creeps() draws its line: healthy_flow has 0.85, paper_5_1 0.75, paper_5_2_printed 0.65,
+/// sluggish_tuning 0.32.
+inline constexpr double kSluggishHarris = 0.45;
+
+/// The Harris range in a sentence; middle_harris() is not nullopt.
+[[nodiscard]] std::string harris_text(const Evidence& evidence);
+
+/// The autocorrelation keeps its height: a line drives the oscillation.
+[[nodiscard]] bool sustained(const Evidence& evidence);
+
+/// pv lies on a coarse grid, in a sentence.
+[[nodiscard]] std::string quantisation_text(const Evidence& evidence);
+
+/// Coupling was found and is what the loop is about. One linear loop in twenty shows coupling at
+/// the level of the paper by chance: where such a weak finding meets a clearer oscillation, the
+/// loop is about the oscillation.
+[[nodiscard]] bool coupling_leads(const Case& loop);
+
 /// What every verdict of the flow gives as reasons: the bispectrum, the oscillation, the valve.
 [[nodiscard]] std::vector<std::string> reasons_of(const Case& loop);
 

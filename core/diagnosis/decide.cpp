@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/diagnosis/case.hpp"
+#include "core/diagnosis/model_verdict.hpp"
+#include "core/diagnosis/model_words.hpp"
 #include "core/diagnosis/nonlinear_verdict.hpp"
 #include "core/diagnosis/uncoupled_verdict.hpp"
 #include "core/diagnosis/words.hpp"
@@ -52,13 +54,18 @@ Verdict not_in_command() {
   return verdict;
 }
 
-/// One linear loop in twenty shows coupling at the level of the paper by chance. Where such a weak
-/// finding meets a clearer oscillation, the oscillation is what the loop is about.
-bool coupling_leads(const Case& loop) {
-  constexpr double kWeak = 1e-3;
-  const double p = loop.nonlinearity.p;
-  if (!loop.nonlinearity.found) return false;
-  return p <= kWeak || p <= oscillation_p(loop.evidence).value_or(1.0);
+/// What the model found beside a fact, for the record.
+Verdict with_effects(Verdict verdict, const Evidence& evidence) {
+  if (!evidence.model || !evidence.model->excited) return verdict;
+  for (const model::Step& step : evidence.model->steps) verdict.reasons.push_back(step_text(step));
+  return verdict;
+}
+
+Verdict with_excitation(Verdict verdict, const Evidence& evidence) {
+  if (evidence.model && !evidence.model->excitation.empty()) {
+    verdict.reasons.push_back("The loop model claims nothing: " + evidence.model->excitation);
+  }
+  return verdict;
 }
 
 Verdict choose(const Evidence& evidence, const hos::Settings& settings) {
@@ -67,13 +74,15 @@ Verdict choose(const Evidence& evidence, const hos::Settings& settings) {
     return unrefreshed(evidence);
   }
   if (evidence.data_quality.saturated_fraction.value_or(0.0) > kSaturatedFraction) {
-    return saturated(evidence);
+    return with_effects(saturated(evidence), evidence);
   }
   if (has_flag(evidence, "sp_not_followed")) return not_in_command();
   const Case loop{evidence, judge_nonlinearity(evidence, settings), judge_valve(evidence)};
   const bool faulty = loop.valve.kind == Kind::sticks || loop.valve.kind == Kind::dead_band;
-  if (loop.valve.measured && faulty) return faulty_position(loop);
-  return coupling_leads(loop) ? nonlinear_verdict(loop) : uncoupled_verdict(loop);
+  if (loop.valve.measured && faulty) return with_effects(faulty_position(loop), evidence);
+  if (evidence.model && evidence.model->excited) return model_verdict(loop);
+  return with_excitation(coupling_leads(loop) ? nonlinear_verdict(loop) : uncoupled_verdict(loop),
+                         evidence);
 }
 
 }  // namespace

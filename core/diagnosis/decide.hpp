@@ -11,6 +11,7 @@ namespace loopscope::core::diagnosis {
 ///
 ///     usable? -> pv frozen or held? -> op at its limit? -> setpoint
 ///       followed at all? -> valve position recorded and faulty?
+///       -> loop model fitted and excited? yes -> model_verdict()
 ///       -> NGI, NLI: nonlinear?  yes -> oversized? sticking? valve acquitted? else unexplained
 ///                                no  -> oscillating? sticking (odd-symmetric)? sustained from
 ///                                       outside? tight tuning;  else slow? healthy

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/diagnosis/decide.hpp"
+#include "core/diagnosis/loop_model.hpp"
 #include "core/diagnosis/steady_error.hpp"
 #include "core/signal/spread.hpp"
 
@@ -94,6 +95,10 @@ Diagnosis diagnose(const FirstLook& first, const AnalysisSettings& settings, con
     measure_statistics(loop, settings, facts.seed, evidence);
     measure_shapes(first, evidence);
     if (evidence.hos) look_slowly(first, settings, facts.seed, long_window, evidence);
+    // The segments may have made the window unusable after all.
+    if (evidence.data_quality.usable && settings.fit_model) {
+      evidence.model = explain_loop(first, facts);
+    }
   }
   diagnosis.verdict = diagnosis::decide(evidence, settings.hos);
   return diagnosis;

@@ -1,22 +1,13 @@
 #pragma once
 
-#include <cstdint>
-
 #include "core/diagnosis/analysis_settings.hpp"
 #include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/first_look.hpp"
+#include "core/diagnosis/loop_facts.hpp"
 #include "core/diagnosis/verdict.hpp"
 #include "core/signal/loop_window.hpp"
 
 namespace loopscope::core {
-
-/// What is known of a loop beside its samples.
-struct LoopFacts {
-  bool integrating = false;  ///< level loop: the vessel integrates
-  /// Of the simulations behind p-values (core/hos/significance.hpp); made from the loop and the
-  /// window, so that a replay is identical.
-  std::uint64_t seed = 0;
-};
 
 /// Evidence and what follows from it.
 struct Diagnosis {
@@ -26,7 +17,7 @@ struct Diagnosis {
 
 /// Raised whenever the same window and settings may give another diagnosis than before: part of
 /// the key of every stored analysis.
-inline constexpr int kAlgorithmRevision = 2;
+inline constexpr int kAlgorithmRevision = 3;
 
 /// The table of contents of core/: window in, evidence and verdict out. A window that cannot be
 /// judged ends as `insufficient_data`, never as an exception; settings out of range and series of

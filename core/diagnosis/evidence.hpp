@@ -9,6 +9,7 @@
 #include "core/loop/performance.hpp"
 #include "core/loop/shape.hpp"
 #include "core/loop/valve_gain.hpp"
+#include "core/model/explanation.hpp"
 #include "core/signal/data_quality.hpp"
 
 namespace loopscope::core {
@@ -28,6 +29,8 @@ struct Evidence {
   /// Samples up to the window's end that the slow look wants; 0 = the window is long enough, or no
   /// slow look is needed.
   std::size_t slow_span_samples = 0;
+  /// The fitted loop model's story; nullopt = switched off, no op, or data not usable.
+  std::optional<model::Explanation> model;
 };
 
 }  // namespace loopscope::core

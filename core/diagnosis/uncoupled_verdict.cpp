@@ -1,6 +1,5 @@
 #include "core/diagnosis/uncoupled_verdict.hpp"
 
-#include <cmath>
 #include <optional>
 
 #include "core/diagnosis/words.hpp"
@@ -10,19 +9,12 @@ namespace {
 
 using Kind = ValvePattern::Kind;
 
-/// An oscillation whose autocorrelation keeps this share over three further periods is driven by
-/// a line; a loop at the edge of stability under noise keeps 0.6 to 0.75 (tight_tuning and
-/// paper_5_2_excessive), an outside sinusoid 0.95 and more (outside_oscillation, paper_5_3).
-constexpr double kSustained = 0.85;
 /// A line from outside is a sinusoid once the loop has filtered it; a sustained oscillation of no
 /// clear shape may as well be a limit cycle of the loop's own valve and is believed less.
 constexpr double kSinusoidal = 0.4;
 constexpr double kUnclearShape = 0.6;
 /// Without support from the bispectrum the shapes alone have to speak more clearly.
 constexpr double kClearShapes = 0.75;
-/// Geometric middle of the Harris range below which a loop is called slow: healthy_flow has 0.85,
-/// paper_5_1 0.75, paper_5_2_printed 0.65, sluggish_tuning 0.32.
-constexpr double kSluggishHarris = 0.45;
 
 /// An oscillation of a loop whose output says nothing: one that stands still cannot make it, one
 /// that was not recorded may.
@@ -51,7 +43,7 @@ Verdict oscillating(const Case& loop) {
                 p);
   }
   const double persistence = loop.evidence.oscillation.persistence.value_or(0.0);
-  if (persistence >= kSustained) {
+  if (sustained(loop.evidence)) {
     const bool sinusoidal = loop.evidence.shape.shape_index.value_or(1.0) <= kSinusoidal;
     return make(VerdictCode::external_disturbance,
                 (0.3 + 0.3 * persistence) * (sinusoidal ? 1.0 : kUnclearShape), reasons_of(loop),
@@ -60,25 +52,11 @@ Verdict oscillating(const Case& loop) {
   return make(VerdictCode::tight_tuning, 0.6 - 0.3 * persistence, reasons_of(loop), p);
 }
 
-std::string quantisation_text(const Evidence& evidence) {
-  return "pv moves in steps of " + number(evidence.data_quality.quantisation_factor.value_or(0.0)) +
-         " of its standard deviation.";
-}
-
-/// Middle of the Harris range; nullopt for integrating loops, which are often meant to be slow.
-std::optional<double> middle_harris(const Evidence& evidence) {
-  const loop::Performance& performance = evidence.performance;
-  if (evidence.integrating || !performance.harris_low || !performance.harris_high) {
-    return std::nullopt;
-  }
-  return std::sqrt(*performance.harris_low * *performance.harris_high);
-}
-
 Verdict quiet(const Case& loop) {
   const Evidence& evidence = loop.evidence;
   std::vector<std::string> reasons = with(reasons_of(loop), "No sustained oscillation.");
   if (has_flag(evidence, "pv_quantised")) {
-    return make(VerdictCode::sensor_fault, 0.5,
+    return make(VerdictCode::sensor_fault, kGridConfidence,
                 with(std::move(reasons), quantisation_text(evidence)));
   }
   if (!op_speaks(evidence)) {
@@ -88,12 +66,8 @@ Verdict quiet(const Case& loop) {
                      "controller and valve."));
   }
   const std::optional<double> harris = middle_harris(evidence);
-  if (harris) {
-    reasons.push_back("Harris index " + number(*evidence.performance.harris_low) + " to " +
-                      number(*evidence.performance.harris_high) +
-                      " over the plausible delays (1 is the best).");
-  }
-  if (harris && *harris < kSluggishHarris) {
+  if (harris) reasons.push_back(harris_text(evidence));
+  if (creeps(evidence)) {
     return make(VerdictCode::sluggish_tuning, 0.3 + (kSluggishHarris - *harris), std::move(reasons),
                 evidence.performance.harris_p);
   }

@@ -95,4 +95,8 @@ std::string action_for(VerdictCode code) {
   return std::string(words_of(code).action);
 }
 
+std::string tuning_waits() {
+  return " Leave the tuning alone until that is mended.";
+}
+
 }  // namespace loopscope::core::diagnosis

@@ -21,4 +21,7 @@ namespace loopscope::core::diagnosis {
 /// What to do next, in words for a work order.
 [[nodiscard]] std::string action_for(VerdictCode code);
 
+/// What is added to the action for a valve or sensor fault: tuning waits.
+[[nodiscard]] std::string tuning_waits();
+
 }  // namespace loopscope::core::diagnosis

@@ -67,6 +67,7 @@ Analysis analyse(const Recording& recording, const core::AnalysisSettings& setti
 void analyze(const AnalyzeOptions& options) {
   core::AnalysisSettings settings;
   if (!options.config.empty()) settings = config::read_settings(options.config).analysis;
+  if (options.no_model) settings.fit_model = false;
   if (options.window > 0) settings.prepare.window_samples = options.window;
   const Recording recording = read_recording(options.file);
   const auto [window, diagnosis] = analyse(recording, settings, parse_op_range(options.op_range),
@@ -91,7 +92,7 @@ void add_analyze(CLI::App& program) {
       ->required();
   command.add_flag("--json", options->json, "One JSON object instead of text");
   command.add_flag("--no-model", options->no_model,
-                   "Statistics and shapes only (no model is fitted yet)");
+                   "Statistics and shapes only: no loop model is fitted");
   command.add_option("--window", options->window, "Analyse the last N samples (default 4096)")
       ->check(CLI::Range(16, 10'000'000));
   command.add_option("--op-range", options->op_range, "Controller output at 0 and 100 %: LOW,HIGH");

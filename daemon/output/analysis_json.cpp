@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "daemon/output/model_json.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
@@ -101,19 +103,6 @@ Json shape_json(const core::Evidence& evidence) {
           {"pv_relative_span", or_null(evidence.valve_gain.pv_relative_span)}};
 }
 
-/// No model is fitted yet: every figure is unknown, and no step claims anything.
-Json model_json() {
-  return {{"error_kind", nullptr},
-          {"noise_floor", nullptr},
-          {"baseline", {{"description", nullptr}, {"holdout_error", nullptr}}},
-          {"steps", Json::array()},
-          {"unexplained",
-           {{"fraction", nullptr},
-            {"whiteness_p", nullptr},
-            {"ngi_p", nullptr},
-            {"statement", nullptr}}}};
-}
-
 Json verdict_json(const core::diagnosis::Verdict& verdict) {
   return {{"code", core::diagnosis::name(verdict.code)},
           {"confidence", verdict.confidence},
@@ -141,7 +130,7 @@ Json analysis_json(const InputFacts& input, const core::Diagnosis& diagnosis) {
           {"oscillation", oscillation_json(evidence.oscillation)},
           {"performance", performance_json(evidence.performance)},
           {"shape", shape_json(evidence)},
-          {"model", model_json()},
+          {"model", model_json(evidence.model)},
           {"verdict", verdict_json(diagnosis.verdict)}};
 }
 

@@ -2,18 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <optional>
+
+#include "daemon/output/model_text.hpp"
+#include "daemon/output/text_line.hpp"
 
 namespace loopscope::daemon {
 namespace {
-
-std::string figure(const std::optional<double>& value) {
-  return value ? fmt::format("{:.4g}", *value) : std::string("-");
-}
-
-std::string line(const char* label, const std::string& text) {
-  return fmt::format("  {:<14}{}\n", label, text);
-}
 
 std::string verdict_text(const core::diagnosis::Verdict& verdict) {
   std::string text =
@@ -35,44 +29,47 @@ std::string hos_text(const core::hos::Result& hos) {
 std::string peaks_text(const core::hos::Result& hos, double sample_interval_s) {
   std::string text;
   for (const core::hos::Peak& peak : hos.peaks) {
-    text += line("peak", fmt::format("bic2 {:.3f} at ({:.4f}, {:.4f}) cycles per sample: periods "
-                                     "{:.4g} s and {:.4g} s",
-                                     peak.bic2, peak.f1, peak.f2, sample_interval_s / peak.f1,
-                                     sample_interval_s / peak.f2));
+    text +=
+        text_line("peak", fmt::format("bic2 {:.3f} at ({:.4f}, {:.4f}) cycles per sample: periods "
+                                      "{:.4g} s and {:.4g} s",
+                                      peak.bic2, peak.f1, peak.f2, sample_interval_s / peak.f1,
+                                      sample_interval_s / peak.f2));
   }
   return text;
 }
 
 /// Without the published rule: it does not know that these segments overlap by three quarters.
 std::string slow_look_text(const core::hos::SlowLook& look, double sample_interval_s) {
-  std::string text = line(
-      "slow look", fmt::format("NGI {:.4f}, NLI {:.4f}, p {} over {} segments of every {}th of "
-                               "{} samples",
-                               look.result.ngi, look.result.nli, figure(look.result.nonlinear_p),
-                               look.result.segments, look.decimation, look.samples));
+  std::string text =
+      text_line("slow look",
+                fmt::format("NGI {:.4f}, NLI {:.4f}, p {} over {} segments of every {}th of "
+                            "{} samples",
+                            look.result.ngi, look.result.nli, figure_text(look.result.nonlinear_p),
+                            look.result.segments, look.decimation, look.samples));
   return text + peaks_text(look.result, static_cast<double>(look.decimation) * sample_interval_s);
 }
 
 std::string oscillation_text(const core::loop::Oscillation& oscillation) {
   return fmt::format("{}; period {} s, regularity {}, persistence {}, amplitude {}",
-                     oscillation.present ? "present" : "none found", figure(oscillation.period_s),
-                     figure(oscillation.regularity), figure(oscillation.persistence),
-                     figure(oscillation.amplitude));
+                     oscillation.present ? "present" : "none found",
+                     figure_text(oscillation.period_s), figure_text(oscillation.regularity),
+                     figure_text(oscillation.persistence), figure_text(oscillation.amplitude));
 }
 
 std::string performance_text(const core::loop::Performance& performance) {
   return fmt::format(
       "Harris {} to {}; error std {}; valve travel {} %/h, {} reversals/h; at a "
       "limit {}",
-      figure(performance.harris_low), figure(performance.harris_high),
-      figure(performance.error_std), figure(performance.valve_travel_per_h),
-      figure(performance.reversals_per_h), figure(performance.at_limit_fraction));
+      figure_text(performance.harris_low), figure_text(performance.harris_high),
+      figure_text(performance.error_std), figure_text(performance.valve_travel_per_h),
+      figure_text(performance.reversals_per_h), figure_text(performance.at_limit_fraction));
 }
 
 std::string shape_text(const core::loop::Shape& shape) {
   return fmt::format("shape index {}, Horch dtau {} drho {}, ellipse {} %, mv-op width {} %",
-                     figure(shape.shape_index), figure(shape.horch_dtau), figure(shape.horch_drho),
-                     figure(shape.ellipse_stiction), figure(shape.mv_op_width));
+                     figure_text(shape.shape_index), figure_text(shape.horch_dtau),
+                     figure_text(shape.horch_drho), figure_text(shape.ellipse_stiction),
+                     figure_text(shape.mv_op_width));
 }
 
 }  // namespace
@@ -81,17 +78,18 @@ std::string analysis_text(const std::string& title, double sample_interval_s,
                           const core::Diagnosis& diagnosis) {
   const core::Evidence& evidence = diagnosis.evidence;
   std::string text = title + "\n" + verdict_text(diagnosis.verdict) + "\n";
+  if (evidence.model) text += model_text(*evidence.model);
   if (evidence.hos) {
-    text += line("statistics", hos_text(*evidence.hos));
+    text += text_line("statistics", hos_text(*evidence.hos));
     text += peaks_text(*evidence.hos, sample_interval_s);
   }
   if (evidence.hos_slow) text += slow_look_text(*evidence.hos_slow, sample_interval_s);
-  text += line("oscillation", oscillation_text(evidence.oscillation));
-  text += line("performance", performance_text(evidence.performance));
-  text += line("shape", shape_text(evidence.shape));
-  text += line("data",
-               fmt::format("missing {}, flags: {}", figure(evidence.data_quality.missing_fraction),
-                           fmt::join(evidence.data_quality.flags, ", ")));
+  text += text_line("oscillation", oscillation_text(evidence.oscillation));
+  text += text_line("performance", performance_text(evidence.performance));
+  text += text_line("shape", shape_text(evidence.shape));
+  text += text_line("data", fmt::format("missing {}, flags: {}",
+                                        figure_text(evidence.data_quality.missing_fraction),
+                                        fmt::join(evidence.data_quality.flags, ", ")));
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "core/signal/window_digest.hpp"
 #include "daemon/commands/option_values.hpp"
 #include "daemon/output/analysis_json.hpp"
+#include "daemon/output/model_json.hpp"
 
 namespace loopscope::daemon {
 
@@ -60,6 +61,9 @@ storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, cons
       input.first_look_ms + Milliseconds(std::chrono::steady_clock::now() - start).count();
   if (const auto& slow = record.diagnosis.evidence.hos_slow) {
     record.hos_slow_json = slow_look_json(*slow).dump();
+  }
+  if (record.diagnosis.evidence.model) {
+    record.model_json = json_text(model_json(record.diagnosis.evidence.model));
   }
   return record;
 }

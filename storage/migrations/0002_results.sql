@@ -75,11 +75,12 @@ CREATE TABLE loopscope.analysis (
   mv_slip_jump       double precision,
   mv_stuck_fraction  double precision,
 
-  model_error_kind             text,
-  model_noise_floor            double precision,
-  model_baseline_description   text,
-  model_baseline_holdout_error double precision,
-  model_unexplained            jsonb,
+  model_excited              boolean,
+  model_error_kind           text,
+  model_noise_floor          double precision,
+  model_baseline_error       double precision,
+  model_unexplained_fraction double precision,
+  model                      jsonb,
 
   PRIMARY KEY (loop_id, slot_end, algorithm_revision)
 ) PARTITION BY RANGE (slot_end);
@@ -108,10 +109,15 @@ CREATE TABLE loopscope.explanation_step (
   step                 integer NOT NULL CHECK (step > 0),
   effect               text NOT NULL,
   parameters           jsonb NOT NULL,
-  holdout_error_before double precision NOT NULL,
-  holdout_error_after  double precision NOT NULL,
+  intervals            jsonb NOT NULL,
+  holdout_error_before double precision,
+  holdout_error_after  double precision,
   evidence             double precision,
   p                    double precision,
+  margin               double precision,
+  simulation_ratio     double precision,
+  steadiness           double precision,
+  statement            text NOT NULL,
   PRIMARY KEY (loop_id, slot_end, algorithm_revision, input_revision, step)
 ) PARTITION BY RANGE (slot_end);
 

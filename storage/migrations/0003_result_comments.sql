@@ -64,11 +64,12 @@ COMMENT ON COLUMN loopscope.analysis.ellipse_r2 IS 'Quality of the pv-op ellipse
 COMMENT ON COLUMN loopscope.analysis.mv_op_width IS 'Width of the mv-op hysteresis, % of op range';
 COMMENT ON COLUMN loopscope.analysis.mv_slip_jump IS 'Mean jump of mv beyond op''s own move when it leaves rest, % of op range: the slip jump of a sticking valve';
 COMMENT ON COLUMN loopscope.analysis.mv_stuck_fraction IS 'Share of samples in which op moves and mv stands still, 0 to 1';
-COMMENT ON COLUMN loopscope.analysis.model_error_kind IS 'Kind of all model errors of this row: one_step, simulation or another documented one; null = no model';
+COMMENT ON COLUMN loopscope.analysis.model_excited IS 'Whether op moves enough for the loop model to claim anything; null = no model';
+COMMENT ON COLUMN loopscope.analysis.model_error_kind IS 'Kind of all model errors of this row and its steps: one_step, simulation or another documented one; null = no model';
 COMMENT ON COLUMN loopscope.analysis.model_noise_floor IS 'What a perfect model would leave, pv units squared';
-COMMENT ON COLUMN loopscope.analysis.model_baseline_description IS 'The model without any effect, in words';
-COMMENT ON COLUMN loopscope.analysis.model_baseline_holdout_error IS 'Its mean squared error on unseen samples, pv units squared';
-COMMENT ON COLUMN loopscope.analysis.model_unexplained IS 'What the model leaves: fraction, whiteness_p, ngi_p, statement';
+COMMENT ON COLUMN loopscope.analysis.model_baseline_error IS 'Mean squared error of the model without any effect on unseen samples, pv units squared';
+COMMENT ON COLUMN loopscope.analysis.model_unexplained_fraction IS 'Share of the explainable error that the final model leaves, 0 to 1';
+COMMENT ON COLUMN loopscope.analysis.model IS 'The loop model but its steps: excitation, baseline (description, process), unexplained, questions, closed_loop; null = no model. Steps: explanation_step';
 
 COMMENT ON TABLE loopscope.bicoherence_peak IS 'Strongest distinct peaks of the squared bicoherence of an analysis';
 COMMENT ON COLUMN loopscope.bicoherence_peak.loop_id IS 'Number of the loop';
@@ -88,11 +89,16 @@ COMMENT ON COLUMN loopscope.explanation_step.algorithm_revision IS 'Algorithm re
 COMMENT ON COLUMN loopscope.explanation_step.input_revision IS 'Input revision that the step belongs to';
 COMMENT ON COLUMN loopscope.explanation_step.step IS '1 = first effect taken in';
 COMMENT ON COLUMN loopscope.explanation_step.effect IS 'Name of the effect, e.g. valve_stiction';
-COMMENT ON COLUMN loopscope.explanation_step.parameters IS 'Fitted parameters of the effect';
-COMMENT ON COLUMN loopscope.explanation_step.holdout_error_before IS 'Mean squared error on unseen samples without the effect, pv units squared';
+COMMENT ON COLUMN loopscope.explanation_step.parameters IS 'Fitted parameters of the effect by name; law = the valve law that stiction was fitted by';
+COMMENT ON COLUMN loopscope.explanation_step.intervals IS '90 % intervals of the parameters, [low, high] by name; a parameter without one is left out';
+COMMENT ON COLUMN loopscope.explanation_step.holdout_error_before IS 'Mean squared error on unseen samples without the effect, pv units squared; null = not finite';
 COMMENT ON COLUMN loopscope.explanation_step.holdout_error_after IS 'The same with the effect';
-COMMENT ON COLUMN loopscope.explanation_step.evidence IS 'Strength of the evidence for the effect';
-COMMENT ON COLUMN loopscope.explanation_step.p IS 'p-value of the effect; null = not computed';
+COMMENT ON COLUMN loopscope.explanation_step.evidence IS 'n ln(before / after) over the n unseen samples';
+COMMENT ON COLUMN loopscope.explanation_step.p IS 'Probability that an effect which is not there lowers the error so far; null = not computed';
+COMMENT ON COLUMN loopscope.explanation_step.margin IS 'Evidence less that of the best rival effect of another verdict';
+COMMENT ON COLUMN loopscope.explanation_step.simulation_ratio IS 'Mean square of the simulation error after the step by that before it; null = not computed';
+COMMENT ON COLUMN loopscope.explanation_step.steadiness IS 'Share of the record''s parts in which the effect lowers the error, 0 to 1';
+COMMENT ON COLUMN loopscope.explanation_step.statement IS 'The step in one sentence';
 
 COMMENT ON TABLE loopscope.verdict IS 'What follows from an analysis; one row per input revision, former verdicts stay';
 COMMENT ON COLUMN loopscope.verdict.loop_id IS 'Number of the loop';

@@ -34,7 +34,8 @@ CREATE VIEW loopscope.latest_verdict AS
          analysis.window_start, analysis.window_end, analysis.usable, analysis.flags,
          analysis.ngi, analysis.nli, analysis.nonlinear_p, analysis.coupling,
          analysis.oscillating, analysis.oscillation_period_s, analysis.oscillation_p,
-         analysis.harris_low, analysis.harris_high, analysis.harris_p, analysis.error_std
+         analysis.harris_low, analysis.harris_high, analysis.harris_p, analysis.error_std,
+         analysis.model_excited
   FROM loopscope.loop
   JOIN loopscope.schedule USING (loop_id)
   CROSS JOIN LATERAL (
@@ -69,7 +70,9 @@ CREATE VIEW loopscope.flagged_loop AS
   ), latest AS MATERIALIZED (
     SELECT latest_verdict.*, kind.weight AS kind_weight,
            -- A verdict that rests on a test belongs to the family even if its analysis shows none.
-           greatest(CASE WHEN usable THEN num_nonnulls(nonlinear_p, oscillation_p, harris_p) ELSE 0 END,
+           -- A model that may claim something makes two: of the next effect, and of what is left.
+           greatest(CASE WHEN usable THEN num_nonnulls(nonlinear_p, oscillation_p, harris_p)
+                                          + CASE WHEN model_excited THEN 2 ELSE 0 END ELSE 0 END,
                     num_nonnulls(p)) AS tests,
            kind.is_fault AND confidence >= setting.min_confidence
              AND NOT coalesce(held.whatever_the_code OR latest_verdict.code = ANY (held.codes), false) AS shown
@@ -125,7 +128,12 @@ CREATE VIEW loopscope.loop_history AS
          analysis.analysis_id, analysis.usable, analysis.ngi, analysis.nli, analysis.nonlinear_p,
          analysis.oscillating, analysis.oscillation_period_s,
          analysis.harris_low, analysis.harris_high, analysis.error_std,
-         analysis.valve_travel_per_h, analysis.reversals_per_h
+         analysis.valve_travel_per_h, analysis.reversals_per_h,
+         ARRAY(SELECT taken.effect FROM loopscope.explanation_step AS taken
+               WHERE taken.loop_id = verdict.loop_id AND taken.slot_end = verdict.slot_end
+                 AND taken.algorithm_revision = verdict.algorithm_revision
+                 AND taken.input_revision = verdict.input_revision
+               ORDER BY taken.step) AS effects
   FROM loopscope.loop
   JOIN loopscope.verdict USING (loop_id)
   LEFT JOIN loopscope.analysis
@@ -134,7 +142,21 @@ CREATE VIEW loopscope.loop_history AS
    AND analysis.input_revision = verdict.input_revision;
 COMMENT ON VIEW loopscope.loop_history IS 'Every verdict that was ever given, with the figures behind it while they are the current ones; ask for one loop_id and a span of slot_end';
 COMMENT ON COLUMN loopscope.loop_history.loop_name IS 'Name of the loop';
+COMMENT ON COLUMN loopscope.loop_history.effects IS 'What the loop model took in, in that order; explanation_step has the figures';
 COMMENT ON COLUMN loopscope.loop_history.is_current IS 'True for the newest input revision; null = replaced when late data arrived';
+
+CREATE VIEW loopscope.explanation AS
+  SELECT latest.loop_id, latest.loop_name, latest.slot_end, latest.algorithm_revision, latest.input_revision,
+         latest.code, taken.step, taken.effect, taken.parameters, taken.intervals,
+         taken.holdout_error_before, taken.holdout_error_after,
+         taken.holdout_error_after / nullif(taken.holdout_error_before, 0) AS error_ratio,
+         taken.evidence, taken.p, taken.margin, taken.simulation_ratio, taken.steadiness, taken.statement
+  FROM loopscope.latest_verdict AS latest
+  JOIN loopscope.explanation_step AS taken USING (loop_id, slot_end, algorithm_revision, input_revision);
+COMMENT ON VIEW loopscope.explanation IS 'One row per effect that the loop model took in, of the newest analysis of each loop: ask for one loop, ORDER BY step';
+COMMENT ON COLUMN loopscope.explanation.loop_name IS 'Name of the loop';
+COMMENT ON COLUMN loopscope.explanation.code IS 'The verdict that follows from the whole analysis';
+COMMENT ON COLUMN loopscope.explanation.error_ratio IS 'Error on unseen samples after the step over that before it: below 1 = the effect explains something';
 
 CREATE VIEW loopscope.before_after_maintenance AS
   WITH event AS (
@@ -258,7 +280,7 @@ BEGIN
            col_description(source.attrelid, source.attnum) AS words
     FROM pg_class AS view
     JOIN pg_attribute AS shown ON shown.attrelid = view.oid AND shown.attnum > 0
-    JOIN unnest('{analysis,verdict,loop,schedule,plant_oscillation,maintenance_event}'::text[])
+    JOIN unnest('{analysis,verdict,loop,schedule,plant_oscillation,maintenance_event,explanation_step}'::text[])
       WITH ORDINALITY AS origin (name, priority) ON true
     JOIN pg_attribute AS source
       ON source.attrelid = format('loopscope.%I', origin.name)::regclass AND source.attname = shown.attname

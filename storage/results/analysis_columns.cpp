@@ -77,7 +77,15 @@ constexpr auto performance = add_figure<&Evidence::performance, member>;
 template <auto member>
 constexpr auto shape = add_figure<&Evidence::shape, member>;
 
-// The loop model's columns are not written yet by any analysis and stay NULL.
+using core::model::Explanation;
+
+/// A figure that `read` takes from the loop model; NULL when there is none.
+template <auto read>
+void add_model(ArrayLiteral& array, const CompletedLoop& loop) {
+  const std::optional<Explanation>& model = evidence(loop).model;
+  model ? array.add_number(read(*model)) : array.add_null();
+}
+
 const std::array kColumns{
     Column{"loop_id", "bigint",
            [](ArrayLiteral& a, const CompletedLoop& l) { a.add_integer(l.loop_id); }},
@@ -175,6 +183,27 @@ const std::array kColumns{
     Column{"mv_op_width", "float8", shape<&Shape::mv_op_width>},
     Column{"mv_slip_jump", "float8", shape<&Shape::mv_slip_jump>},
     Column{"mv_stuck_fraction", "float8", shape<&Shape::mv_stuck_fraction>},
+    Column{"model_excited", "boolean",
+           [](ArrayLiteral& a, const CompletedLoop& l) {
+             const std::optional<Explanation>& model = evidence(l).model;
+             model ? a.add_boolean(model->excited) : a.add_null();
+           }},
+    Column{"model_error_kind", "text",
+           [](ArrayLiteral& a, const CompletedLoop& l) {
+             const std::optional<Explanation>& model = evidence(l).model;
+             model ? a.add_text(name(model->error_kind)) : a.add_null();
+           }},
+    Column{"model_noise_floor", "float8",
+           add_model<[](const Explanation& m) { return m.noise_floor; }>},
+    Column{"model_baseline_error", "float8",
+           add_model<[](const Explanation& m) { return m.baseline.holdout_error; }>},
+    Column{"model_unexplained_fraction", "float8",
+           add_model<[](const Explanation& m) { return m.unexplained.fraction; }>},
+    // The steps have rows of their own.
+    Column{
+        "model", "text",
+        [](ArrayLiteral& a, const CompletedLoop& l) { add_optional_text(a, record(l).model_json); },
+        "::jsonb - 'steps'::text"},
 };
 
 /// The statement's text, made from the columns once.

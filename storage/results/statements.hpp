@@ -19,6 +19,7 @@ extern const Statement kCountEnabled;
 extern const Statement kStoredDigests;   ///< loop_ids, slot_ends, algorithm_revision
 extern const Statement kInsertVerdicts;  ///< keys, analysis_ids, codes, ... (one array per column)
 extern const Statement kInsertPeaks;     ///< keys, ranks, f1, f2, bic2, p
+extern const Statement kInsertSteps;     ///< keys, models as JSON objects with "steps"
 extern const Statement kSetParameter;    ///< name, value
 
 // catalogue

@@ -97,6 +97,20 @@ void insert_peaks(Transaction& transaction, const std::vector<WrittenAnalysis>& 
        key.input_revision.text(), rank.text(), f1.text(), f2.text(), bic2.text(), p.text()});
 }
 
+/// One row for each effect that a loop model took in.
+void insert_steps(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
+  KeyArrays key;
+  ArrayLiteral model;
+  for (const WrittenAnalysis& written : analyses) {
+    if (written.loop->record->model_json.empty()) continue;
+    key.add(written);
+    model.add_text(written.loop->record->model_json);
+  }
+  transaction.run(statements::kInsertSteps,
+                  {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
+                   key.input_revision.text(), model.text()});
+}
+
 }  // namespace
 
 WriteCount write_records(Transaction& transaction, const std::vector<const CompletedLoop*>& loops) {
@@ -107,6 +121,7 @@ WriteCount write_records(Transaction& transaction, const std::vector<const Compl
   if (written.empty()) return count;
   insert_verdicts(transaction, written);
   insert_peaks(transaction, written);
+  insert_steps(transaction, written);
   const auto is_new = [](const WrittenAnalysis& analysis) { return analysis.input_revision == 1; };
   count.inserted = static_cast<std::size_t>(std::ranges::count_if(written, is_new));
   count.revised = written.size() - count.inserted;

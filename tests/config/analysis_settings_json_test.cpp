@@ -17,7 +17,7 @@ TEST(AnalysisSettingsJson, NestsAsTheFileDoes) {
   const std::string json = analysis_settings_json({});
   EXPECT_EQ(json.substr(0, json.find("\"hos\"")),
             R"({"window_samples":4096,"min_usable_samples":512,"max_missing_fraction":0.4,)"
-            R"("max_filled_gap":2,"slow_span_windows":4,)");
+            R"("max_filled_gap":2,"slow_span_windows":4,"fit_model":true,)");
 }
 
 TEST(AnalysisSettingsJson, RoundTripKeepsEveryBit) {
@@ -25,6 +25,7 @@ TEST(AnalysisSettingsJson, RoundTripKeepsEveryBit) {
   settings.prepare.window_samples = 8192;
   settings.prepare.max_missing_fraction = 1.0 / 3.0;
   settings.prepare.slow_span_windows = 9;
+  settings.fit_model = false;
   settings.hos.segment_length = 128;
   settings.hos.window = core::hos::WindowShape::rectangular;
   settings.hos.alpha = 0.1 + 0.2;
@@ -36,6 +37,7 @@ TEST(AnalysisSettingsJson, RoundTripKeepsEveryBit) {
   EXPECT_EQ(back.prepare.window_samples, 8192U);
   EXPECT_EQ(back.prepare.max_missing_fraction, 1.0 / 3.0);
   EXPECT_EQ(back.prepare.slow_span_windows, 9U);
+  EXPECT_FALSE(back.fit_model);
   EXPECT_EQ(back.hos.segment_length, 128U);
   EXPECT_EQ(back.hos.window, core::hos::WindowShape::rectangular);
   EXPECT_EQ(back.hos.alpha, 0.1 + 0.2);

@@ -12,6 +12,7 @@ TEST(Limits, InWords) {
   EXPECT_EQ(limits_text(even_range(16, 4096, "samples")), "16 to 4096 samples, even");
   EXPECT_EQ(limits_text(one_of(kWords)), "none, opcda, zero");
   EXPECT_EQ(limits_text(any(Form::optional_text)), "text or empty");
+  EXPECT_EQ(limits_text(any(Form::toggle)), "true or false");
 }
 
 }  // namespace

@@ -53,6 +53,16 @@ TEST(ReadValue, HugeAndNegativeNumbersDoNotWrapAround) {
   EXPECT_EQ(value, 5U);
 }
 
+TEST(ReadValue, SwitchesTakeTrueAndFalseOnly) {
+  bool value = true;
+  EXPECT_EQ(message_for("false", any(Form::toggle), value), "");
+  EXPECT_FALSE(value);
+  EXPECT_EQ(message_for("1", any(Form::toggle), value), "is a number, not true or false");
+  EXPECT_EQ(message_for("\"true\"", any(Form::toggle), value), "is a text, not true or false");
+  EXPECT_EQ(message_for("null", any(Form::toggle), value), "is null, not true or false");
+  EXPECT_FALSE(value);
+}
+
 TEST(ReadValue, TextRules) {
   std::string value = "kept";
   EXPECT_EQ(message_for("\"\"", any(Form::text), value), "is empty");

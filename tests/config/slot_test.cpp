@@ -34,9 +34,22 @@ TEST(Slot, WindowShapesGoByTheirNames) {
                std::invalid_argument);
 }
 
-TEST(Slot, NumbersAndTextsDoNotMix) {
+TEST(Slot, SwitchesAreOnOrOff) {
+  bool on = false;
+  store_switch(&on, true);
+  EXPECT_TRUE(on);
+  EXPECT_EQ(slot_value(&on).dump(), "true");
+  EXPECT_FALSE(takes_whole_numbers(&on));
+}
+
+TEST(Slot, NumbersTextsAndSwitchesDoNotMix) {
   double real = 0.0;
   std::string text;
+  bool on = true;
+  EXPECT_THROW(store_number(&on, 1.0), std::logic_error);
+  EXPECT_THROW(store_text(&on, "true"), std::logic_error);
+  EXPECT_THROW(store_switch(&real, true), std::logic_error);
+  EXPECT_THROW(store_switch(&text, true), std::logic_error);
   EXPECT_THROW(store_number(&text, 1.0), std::logic_error);
   EXPECT_THROW(store_text(&real, "1"), std::logic_error);
 }

@@ -52,6 +52,8 @@ constexpr const char* kPromised[] = {"/input/file",
                                      "/shape/horch_drho",
                                      "/shape/shape_index",
                                      "/shape/ellipse_stiction",
+                                     "/model/excited",
+                                     "/model/excitation",
                                      "/model/error_kind",
                                      "/model/noise_floor",
                                      "/model/baseline/description",
@@ -61,6 +63,8 @@ constexpr const char* kPromised[] = {"/input/file",
                                      "/model/unexplained/whiteness_p",
                                      "/model/unexplained/ngi_p",
                                      "/model/unexplained/statement",
+                                     "/model/questions",
+                                     "/model/closed_loop",
                                      "/verdict/code",
                                      "/verdict/confidence",
                                      "/verdict/p",
@@ -113,6 +117,14 @@ TEST(AnalysisJson, TheSlowLookHasTheSameKeysAndItsOwn) {
   slow.erase("samples");
   ASSERT_EQ(slow.size(), json["hos"].size());
   for (const auto& [key, value] : json["hos"].items()) EXPECT_TRUE(slow.contains(key)) << key;
+}
+
+TEST(AnalysisJson, TheModelOfTheEvidenceIsShown) {
+  core::Diagnosis diagnosis = core::diagnose(noisy_sine(1000), {});
+  diagnosis.evidence.model.emplace().steps.resize(2);
+  const auto json = analysis_json({"f.csv", 1000, 1.0, 0.0, 999.0}, diagnosis);
+  expect_promised_keys(json);
+  EXPECT_EQ(json["model"]["steps"].size(), 2U);
 }
 
 TEST(AnalysisJson, RepeatedTimesAreCounted) {

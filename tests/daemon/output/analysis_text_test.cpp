@@ -29,5 +29,12 @@ TEST(AnalysisText, TheSlowLookHasALineWithPeriodsInSeconds) {
   EXPECT_THAT(text, HasSubstr("periods 1360 s and 2720 s"));
 }
 
+TEST(AnalysisText, TheModelHasASectionWhenThereIsOne) {
+  core::Diagnosis diagnosis = judged();
+  EXPECT_THAT(analysis_text("f.csv", 10.0, diagnosis), Not(HasSubstr("\n  model ")));
+  diagnosis.evidence.model.emplace().excited = true;
+  EXPECT_THAT(analysis_text("f.csv", 10.0, diagnosis), HasSubstr("\n  model "));
+}
+
 }  // namespace
 }  // namespace loopscope::daemon

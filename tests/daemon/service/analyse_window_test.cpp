@@ -64,6 +64,11 @@ TEST(AnalyseWindow, WithoutASlowLookNothingIsStoredOfOne) {
   EXPECT_EQ(analyse_window({}, input, {}, "{}").hos_slow_json, "");
 }
 
+TEST(AnalyseWindow, TheModelIsStoredWhereThereIsOne) {
+  const storage::AnalysisRecord record = analyse_window({}, input_of(0), {}, "{}");
+  EXPECT_EQ(record.model_json.empty(), !record.diagnosis.evidence.model.has_value());
+}
+
 /// What a first look throws, the analysis of that loop throws.
 TEST(AnalyseWindow, AFirstLookThatFailedFailsTheAnalysis) {
   LoopInput input;

@@ -1,6 +1,7 @@
 #include "storage/results/analysis_columns.hpp"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 
 #include "tests/storage/results/results_fixture.hpp"
@@ -87,6 +88,12 @@ void number_time_domain(core::Evidence& evidence, Numberer& number) {
   number("mv_stuck_fraction", evidence.shape.mv_stuck_fraction);
 }
 
+void number_model(core::model::Explanation& model, Numberer& number) {
+  number("model_noise_floor", model.noise_floor);
+  number("model_baseline_error", model.baseline.holdout_error);
+  number("model_unexplained_fraction", model.unexplained.fraction);
+}
+
 TEST_F(AnalysisColumnsTest, EveryFigureLandsInItsOwnColumn) {
   AnalysisRecord& record = *loop.record;
   core::Evidence& evidence = record.diagnosis.evidence;
@@ -101,6 +108,7 @@ TEST_F(AnalysisColumnsTest, EveryFigureLandsInItsOwnColumn) {
   number("saturated_fraction", evidence.data_quality.saturated_fraction);
   number_hos(*evidence.hos, number);
   number_time_domain(evidence, number);
+  number_model(evidence.model.emplace(), number);
   connect().finish(std::vector{loop}, {});
   for (const auto& [column, expected] : number.values) {
     EXPECT_EQ(stored(column), std::to_string(expected)) << column;
@@ -139,6 +147,24 @@ TEST_F(AnalysisColumnsTest, TheSlowLookIsAnObjectOrNull) {
   loop.fence = claim_all(results).at(0).fence;
   results.finish(std::vector{loop}, {});
   EXPECT_EQ(stored("hos_slow"), "NULL");
+}
+
+TEST_F(AnalysisColumnsTest, TheModelIsAnObjectWithoutItsStepsOrNull) {
+  explain(*loop.record);
+  loop.record->diagnosis.evidence.model->noise_floor = std::numeric_limits<double>::infinity();
+  connect().finish(std::vector{loop}, {});
+  EXPECT_EQ(stored("model_excited"), "t");
+  EXPECT_EQ(stored("model_error_kind"), "simulation");
+  EXPECT_EQ(stored("model_noise_floor"), "NULL") << "no finite number";
+  EXPECT_EQ(stored("model->'baseline'->>'description'"), "first order");
+  EXPECT_EQ(stored("model ? 'closed_loop' AND NOT model ? 'steps'"), "t");
+}
+
+TEST_F(AnalysisColumnsTest, WithoutAModelItsColumnsAreNull) {
+  connect().finish(std::vector{loop}, {});
+  EXPECT_EQ(stored("num_nonnulls(model_excited, model_error_kind, model_noise_floor,"
+                   " model_baseline_error, model_unexplained_fraction, model)"),
+            "0");
 }
 
 TEST_F(AnalysisColumnsTest, DoublesSurviveToTheLastDigit) {

@@ -127,6 +127,21 @@ TEST_F(FalseDiscoveryViewTest, EveryTestOfEveryEnabledLoopCounts) {
   EXPECT_THAT(flagged(2), ElementsAre(true, false)) << "nor is a window that cannot be judged";
 }
 
+TEST_F(FalseDiscoveryViewTest, AModelThatMayClaimSomethingMakesTwoTests) {
+  const PlantLoop found{.p = 0.02, .oscillation_p = 0.02};
+  const auto say = [this](const char* excited) {
+    database->execute(std::string("UPDATE loopscope.analysis SET model_excited = ") + excited);
+  };
+  fill({found});
+  say("false");
+  EXPECT_THAT(flagged(1), ElementsAre(true));
+  say("true");
+  EXPECT_THAT(flagged(1), ElementsAre(false)) << "0.05 / 3 is below 0.02";
+  fill({{.p = 0.02, .code = "valve_stiction"}});
+  say("true");
+  EXPECT_THAT(flagged(1), ElementsAre(true)) << "two of them are the model's own";
+}
+
 TEST_F(FalseDiscoveryViewTest, FactsAreFlaggedWithoutATest) {
   fill({{.code = "sensor_fault", .nonlinear_p = 0.9, .oscillation_p = 1.0},
         {.code = "valve_saturation", .nonlinear_p = 0.9},

@@ -66,6 +66,26 @@ CompletedLoop completed(const ClaimedLoop& claim, std::int64_t slot_end_us,
           record_at(slot_end_us, digest)};
 }
 
+void explain(AnalysisRecord& record, const std::string& last_error) {
+  core::model::Explanation& model = record.diagnosis.evidence.model.emplace();
+  model.excited = true;
+  model.error_kind = core::model::ErrorKind::simulation;
+  model.noise_floor = 0.125;
+  model.baseline.holdout_error = 1.0;
+  model.unexplained.fraction = 0.0625;
+  record.model_json = R"({"excited": true, "baseline": {"description": "first order"},
+    "steps": [
+      {"effect": "valve_stiction", "parameters": {"S": 4.2, "law": "kano"},
+       "intervals": {"S": [4.0, 4.4]}, "holdout_error_before": 1.0,
+       "holdout_error_after": 0.30000000000000004, "evidence": 812.5, "p": 1e-300, "margin": 90,
+       "simulation_ratio": 0.5, "steadiness": 0.75, "statement": "The valve's \"stem\" sticks."},
+      {"effect": "external_oscillation", "parameters": {"period_s": 40.0}, "intervals": {},
+       "holdout_error_before": 0.5, "holdout_error_after": )" +
+                      last_error + R"(, "evidence": 12, "p": 0.001, "margin": null,
+       "simulation_ratio": null, "steadiness": 1.0, "statement": "A sinusoid enters."}],
+    "unexplained": {"fraction": 0.0625, "whiteness_p": 0.5}, "closed_loop": null})";
+}
+
 void ResultsTest::SetUp() {
   if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
   database = std::make_unique<tests::TestDatabase>();

@@ -29,6 +29,9 @@ namespace loopscope::storage {
 [[nodiscard]] CompletedLoop completed(const ClaimedLoop& claim, std::int64_t slot_end_us,
                                       const std::string& digest);
 
+/// Gives the record a loop model of two steps; `holdout_error_after` of the second as JSON.
+void explain(AnalysisRecord& record, const std::string& last_error = "0.25");
+
 /// A migrated database of its own for each test; skipped, visibly, without a server.
 class ResultsTest : public testing::Test {
  protected:

@@ -1,0 +1,44 @@
+#include "core/diagnosis/effect_verdict.hpp"
+
+namespace loopscope::core::diagnosis {
+
+VerdictCode verdict_of(model::EffectKind effect) {
+  using enum model::EffectKind;
+  switch (effect) {
+    case valve_stiction:
+      return VerdictCode::valve_stiction;
+    case valve_deadband:
+      return VerdictCode::valve_deadband;
+    case valve_saturation:
+      return VerdictCode::valve_saturation;
+    case valve_characteristic:
+      return VerdictCode::valve_characteristic;
+    case process_nonlinearity:
+      return VerdictCode::process_nonlinearity;
+    case external_oscillation:
+    case load_step:
+      return VerdictCode::external_disturbance;
+    case gain_change:
+      return VerdictCode::process_change;
+    case sensor_quantisation:
+    case sensor_hold:
+      return VerdictCode::sensor_fault;
+  }
+  return VerdictCode::unexplained;
+}
+
+bool withholds_tuning(VerdictCode code) {
+  switch (code) {
+    case VerdictCode::valve_stiction:
+    case VerdictCode::valve_deadband:
+    case VerdictCode::valve_saturation:
+    case VerdictCode::valve_characteristic:
+    case VerdictCode::valve_oversized:
+    case VerdictCode::sensor_fault:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace loopscope::core::diagnosis

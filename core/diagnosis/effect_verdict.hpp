@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/diagnosis/verdict.hpp"
+#include "core/model/effect_kind.hpp"
+
+namespace loopscope::core::diagnosis {
+
+/// The verdict of a loop whose error this effect explains most.
+[[nodiscard]] VerdictCode verdict_of(model::EffectKind effect);
+
+/// Valve and sensor faults: the findings of a controller behind one say nothing of its tuning, so
+/// that advice on tuning waits until the fault is mended.
+[[nodiscard]] bool withholds_tuning(VerdictCode code);
+
+}  // namespace loopscope::core::diagnosis

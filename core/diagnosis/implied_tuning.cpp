@@ -1,0 +1,43 @@
+#include "core/diagnosis/implied_tuning.hpp"
+
+#include <cmath>
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+/// Textbooks ask for a peak sensitivity of 1.2 to 2 (Astrom and Hagglund); the fitted loop is known
+/// to some ten percent, and 2.5 is bad whatever it is exactly.
+constexpr double kPoorSensitivity = 2.5;
+/// Quarter-amplitude decay, the most oscillatory tuning that was ever recommended, has 0.22.
+constexpr double kPoorDamping = 0.2;
+/// The period of a noise-driven resonance wanders, and so do fitted poles.
+constexpr double kNearPeriod = 1.25;
+/// Settling within 2 % takes four time constants.
+constexpr double kSettlingConstants = 4.0;
+/// Slower than this many times what comes with ease is no longer caution.
+constexpr double kFarSlower = 3.0;
+
+/// Easy to get: a closed loop about as fast as the process itself, and where there is nothing but
+/// delay one with the delay as its time constant (direct synthesis).
+double easy_settling_s(const model::ProcessFit& process) {
+  return kSettlingConstants *
+         (process.time_constant_s + process.second_time_constant_s + 2.0 * process.delay_s);
+}
+
+}  // namespace
+
+bool poorly_damped(const model::ClosedLoop& loop) {
+  return loop.peak_sensitivity > kPoorSensitivity || loop.damping < kPoorDamping;
+}
+
+bool far_slower_than_possible(const model::ClosedLoop& loop, const model::ProcessFit& process) {
+  return !process.integrating && loop.settling_s > kFarSlower * easy_settling_s(process);
+}
+
+bool at_resonance(const Evidence& evidence, const model::ClosedLoop& loop) {
+  const double period_s = evidence.oscillation.period_s.value_or(0.0);
+  if (!(period_s > 0.0) || !(loop.period_s > 0.0)) return false;
+  return std::abs(std::log(period_s / loop.period_s)) <= std::log(kNearPeriod);
+}
+
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/diagnosis/verdict.hpp"
+#include "core/model/explanation.hpp"
+
+namespace loopscope::core::diagnosis {
+
+/// ln(before / after) of the held-out error: what one step explains, in the measure in which the
+/// steps of an explanation add up. 0 for a step that does not lower the error (the grid of a coarse
+/// sensor need not) and for errors that are no positive numbers.
+[[nodiscard]] double explained_by(const model::Step& step);
+
+/// The verdict whose steps together explain most of the error.
+struct LeadingEffect {
+  VerdictCode code = VerdictCode::unexplained;
+  const model::Step* strongest = nullptr;  ///< of its steps; points into the explanation
+  double share = 1.0;  ///< of what all steps explain, 0 to 1; 1 = no step explains anything
+};
+
+/// `explanation.steps` is not empty. Of equals the verdict that was taken in first leads.
+[[nodiscard]] LeadingEffect leading_effect(const model::Explanation& explanation);
+
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,68 @@
+#include "core/diagnosis/model_words.hpp"
+
+#include <cmath>
+#include <string_view>
+
+#include "core/diagnosis/words.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+/// "S 4.2 %, J 1.1 %, law kano"
+std::string parameters_text(const model::Step& step) {
+  std::string text;
+  const auto add = [&text](std::string_view part) {
+    if (!text.empty()) text += ", ";
+    text += part;
+  };
+  for (const model::Parameter& parameter : step.parameters) {
+    add(parameter.name);
+    text.append(" ").append(number(parameter.value));
+    if (!parameter.unit.empty()) text.append(" ").append(parameter.unit);
+  }
+  if (!step.law.empty()) {
+    add("law ");
+    text += step.law;
+  }
+  return text;
+}
+
+std::string statement_of(const model::Step& step) {
+  if (!step.statement.empty()) return step.statement;
+  const std::string parameters = parameters_text(step);
+  std::string text = "The model takes in ";
+  text += model::name(step.effect);
+  if (!parameters.empty()) text.append(" (").append(parameters).append(")");
+  return text + ".";
+}
+
+}  // namespace
+
+std::string step_text(const model::Step& step) {
+  return statement_of(step) + " Error on unseen samples " + number(step.holdout_error_before) +
+         " -> " + number(step.holdout_error_after) + " (evidence " + number(step.evidence) +
+         ", p " + number(step.p) + ").";
+}
+
+std::string unexplained_text(const model::Explanation& explanation) {
+  const model::Unexplained& rest = explanation.unexplained;
+  std::string text = "Of what could be explained the model leaves " + percent(rest.fraction) +
+                     " (whiteness p " + number(rest.whiteness_p) + ").";
+  if (!rest.statement.empty()) text += " " + rest.statement;
+  for (const model::Question& question : explanation.questions) {
+    if (!question.statement.empty()) text += " " + question.statement;
+  }
+  return text;
+}
+
+std::string closed_loop_text(const model::ClosedLoop& loop) {
+  const std::string sensitivity = std::isfinite(loop.peak_sensitivity)
+                                      ? "peak sensitivity " + number(loop.peak_sensitivity)
+                                      : std::string("unstable");
+  const std::string period =
+      loop.period_s > 0.0 ? ", period " + duration(loop.period_s) : std::string(", no oscillation");
+  return "Closed loop implied by the records: " + sensitivity + ", damping " +
+         number(loop.damping) + period + ", settles in " + duration(loop.settling_s) + ".";
+}
+
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,139 @@
+#include "core/diagnosis/stepless_verdict.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/diagnosis/effect_verdict.hpp"
+#include "core/diagnosis/implied_tuning.hpp"
+#include "core/diagnosis/model_confidence.hpp"
+#include "core/diagnosis/model_words.hpp"
+#include "core/diagnosis/words.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+/// Times the share of op's moves that the PI law explains.
+constexpr double kTuningConfidence = 0.85;
+/// An oscillation at the loop's own period although its poles are damped: noise alone drives it.
+constexpr double kDampedResonance = 0.5;
+/// The residual says that something is there, not what.
+constexpr double kStructureConfidence = 0.4;
+/// A healthy loop whose statistics alone were looked at has 0.6.
+constexpr double kHealthyConfidence = 0.6;
+constexpr double kExplainedHealth = 0.3;
+
+struct Finding {
+  const Case& loop;
+  const model::Explanation& explanation;
+  std::vector<std::string> reasons;
+
+  [[nodiscard]] const Evidence& evidence() const { return loop.evidence; }
+  [[nodiscard]] double held(double confidence) const {
+    return held_by_structure(confidence, explanation);
+  }
+};
+
+/// Advice on tuning, unless the sensor is at fault: a coarse grid makes a good loop hunt.
+Verdict tuning(const Finding& finding, VerdictCode code, double confidence,
+               std::optional<double> p) {
+  Verdict verdict = make(code, finding.held(confidence), finding.reasons, p);
+  if (has_flag(finding.evidence(), "pv_quantised")) {
+    verdict.reasons.push_back(quantisation_text(finding.evidence()) +
+                              " No advice on tuning while the sensor fault stands.");
+    verdict.action = action_for(VerdictCode::sensor_fault) + tuning_waits();
+  }
+  return verdict;
+}
+
+double controller_known(const Finding& finding) {
+  const double fit = finding.explanation.closed_loop->controller_fit;
+  return fit > 0.0 ? std::min(fit, 1.0) : 0.0;
+}
+
+Verdict from_outside(const Finding& finding) {
+  const double persistence = finding.evidence().oscillation.persistence.value_or(0.0);
+  return make(VerdictCode::external_disturbance, finding.held(0.3 + 0.3 * persistence),
+              finding.reasons, oscillation_p(finding.evidence()));
+}
+
+/// The period says nothing, because the controller is not known or the poles are damped: as without
+/// a model, a sustained line comes from outside.
+Verdict by_persistence(const Finding& finding) {
+  if (sustained(finding.evidence())) return from_outside(finding);
+  const double persistence = finding.evidence().oscillation.persistence.value_or(0.0);
+  return tuning(finding, VerdictCode::tight_tuning, kDampedResonance * (1.0 - persistence),
+                oscillation_p(finding.evidence()));
+}
+
+Verdict coupled(const Finding& finding) {
+  return make(VerdictCode::nonlinear_unexplained, 0.5 * finding.loop.nonlinearity.belief,
+              finding.reasons, finding.loop.nonlinearity.p);
+}
+
+Verdict oscillating(const Finding& finding) {
+  const auto& closed_loop = finding.explanation.closed_loop;
+  const bool own_period = closed_loop && at_resonance(finding.evidence(), *closed_loop);
+  if (own_period && poorly_damped(*closed_loop)) {
+    return tuning(finding, VerdictCode::tight_tuning, kTuningConfidence * controller_known(finding),
+                  oscillation_p(finding.evidence()));
+  }
+  if (coupling_leads(finding.loop)) return coupled(finding);
+  return closed_loop && !own_period ? from_outside(finding) : by_persistence(finding);
+}
+
+bool sluggish(const Finding& finding) {
+  const model::Explanation& explanation = finding.explanation;
+  return explanation.closed_loop && creeps(finding.evidence()) &&
+         far_slower_than_possible(*explanation.closed_loop, explanation.baseline.process);
+}
+
+Verdict healthy(Finding finding) {
+  const double fraction = finding.explanation.unexplained.fraction;
+  const double explained = fraction >= 0.0 ? 1.0 - std::min(fraction, 1.0) : 0.0;
+  finding.reasons.emplace_back("No sustained oscillation.");
+  return make(VerdictCode::healthy, kHealthyConfidence + kExplainedHealth * explained,
+              std::move(finding.reasons));
+}
+
+Verdict quiet(const Finding& finding) {
+  const Evidence& evidence = finding.evidence();
+  if (has_flag(evidence, "pv_quantised")) {
+    return make(VerdictCode::sensor_fault, kGridConfidence,
+                with(finding.reasons, quantisation_text(evidence)));
+  }
+  if (sluggish(finding)) {
+    return tuning(finding, VerdictCode::sluggish_tuning,
+                  kTuningConfidence * controller_known(finding), evidence.performance.harris_p);
+  }
+  if (finding.loop.nonlinearity.found) return coupled(finding);
+  if (leaves_structure(finding.explanation)) {
+    return make(VerdictCode::unexplained, kStructureConfidence, finding.reasons,
+                structure_p(finding.explanation));
+  }
+  return healthy(finding);
+}
+
+std::vector<std::string> reasons_with(const Case& loop, const BelievedExplanation& story) {
+  std::vector<std::string> reasons = story.doubts;
+  reasons.push_back("The linear model needs no effect. " + unexplained_text(story.explanation));
+  if (story.explanation.closed_loop) {
+    reasons.push_back(closed_loop_text(*story.explanation.closed_loop));
+  }
+  const std::vector<std::string> measured = reasons_of(loop);
+  reasons.insert(reasons.end(), measured.begin(), measured.end());
+  if (middle_harris(loop.evidence)) reasons.push_back(harris_text(loop.evidence));
+  return reasons;
+}
+
+}  // namespace
+
+Verdict stepless_verdict(const Case& loop, const BelievedExplanation& story) {
+  const Finding finding{loop, story.explanation, reasons_with(loop, story)};
+  if (oversized(loop.evidence) && (oscillates(loop.evidence) || loop.nonlinearity.found)) {
+    return oversized_valve(loop, coupling_or_oscillation_p(loop));
+  }
+  return oscillates(loop.evidence) ? oscillating(finding) : quiet(finding);
+}
+
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,126 @@
+#include "daemon/output/model_json.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace loopscope::daemon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace core::model;
+
+Json or_null(std::optional<double> value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json process_json(const ProcessFit& process) {
+  return {{"integrating", process.integrating},
+          {"gain", or_null(process.gain)},
+          {"time_constant_s", or_null(process.time_constant_s)},
+          {"second_time_constant_s", or_null(process.second_time_constant_s)},
+          {"delay_s", or_null(process.delay_s)}};
+}
+
+Json baseline_json(const Baseline& baseline) {
+  return {{"description", baseline.description},
+          {"holdout_error", or_null(baseline.holdout_error)},
+          {"process", process_json(baseline.process)}};
+}
+
+Json parameters_json(const Step& step) {
+  Json object = Json::object();
+  for (const Parameter& parameter : step.parameters) {
+    object[std::string(parameter.name)] = or_null(parameter.value);
+  }
+  if (!step.law.empty()) object["law"] = step.law;
+  return object;
+}
+
+Json intervals_json(const Step& step) {
+  Json object = Json::object();
+  for (const Parameter& parameter : step.parameters) {
+    if (!parameter.low && !parameter.high) continue;
+    object[std::string(parameter.name)] =
+        Json::array({or_null(parameter.low), or_null(parameter.high)});
+  }
+  return object;
+}
+
+Json step_json(const Step& step) {
+  return {{"effect", name(step.effect)},
+          {"parameters", parameters_json(step)},
+          {"intervals", intervals_json(step)},
+          {"holdout_error_before", or_null(step.holdout_error_before)},
+          {"holdout_error_after", or_null(step.holdout_error_after)},
+          {"evidence", or_null(step.evidence)},
+          {"p", or_null(step.p)},
+          {"margin", or_null(step.margin)},
+          {"simulation_ratio", or_null(step.simulation_ratio)},
+          {"steadiness", or_null(step.steadiness)},
+          {"statement", step.statement}};
+}
+
+Json unexplained_json(const Unexplained& rest) {
+  return {{"fraction", or_null(rest.fraction)},
+          {"whiteness_p", or_null(rest.whiteness_p)},
+          {"ngi_p", or_null(rest.ngi_p)},
+          {"statement", rest.statement}};
+}
+
+Json questions_json(const std::vector<Question>& questions) {
+  Json list = Json::array();
+  for (const Question& question : questions) {
+    list.push_back(
+        {{"name", question.name}, {"p", or_null(question.p)}, {"statement", question.statement}});
+  }
+  return list;
+}
+
+Json closed_loop_json(const ClosedLoop& loop) {
+  return {{"stable", std::isfinite(loop.peak_sensitivity)},
+          {"controller_gain", or_null(loop.controller_gain)},
+          {"integral_time_s", or_null(loop.integral_time_s)},
+          {"controller_fit", or_null(loop.controller_fit)},
+          {"peak_sensitivity", or_null(loop.peak_sensitivity)},
+          {"damping", or_null(loop.damping)},
+          {"period_s", or_null(loop.period_s)},
+          {"settling_s", or_null(loop.settling_s)}};
+}
+
+Json explanation_json(const Explanation& explanation) {
+  Json steps = Json::array();
+  for (const Step& step : explanation.steps) steps.push_back(step_json(step));
+  return {{"excited", explanation.excited},
+          {"excitation", explanation.excitation},
+          {"error_kind", name(explanation.error_kind)},
+          {"noise_floor", or_null(explanation.noise_floor)},
+          {"baseline", baseline_json(explanation.baseline)},
+          {"steps", std::move(steps)},
+          {"unexplained", unexplained_json(explanation.unexplained)},
+          {"questions", questions_json(explanation.questions)},
+          {"closed_loop",
+           explanation.closed_loop ? closed_loop_json(*explanation.closed_loop) : Json(nullptr)}};
+}
+
+/// `object` with every figure and word replaced by null; objects within keep their keys.
+void make_null(Json& object) {
+  for (auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      make_null(value);
+    } else if (!value.is_array()) {
+      value = nullptr;
+    }
+  }
+}
+
+}  // namespace
+
+Json model_json(const std::optional<Explanation>& explanation) {
+  if (explanation) return explanation_json(*explanation);
+  Json object = explanation_json({});
+  make_null(object);
+  return object;
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "core/model/explanation.hpp"
+
+namespace loopscope::daemon {
+
+/// The story of the loop model for a terminal: baseline, each step with the error before and after,
+/// what is left, and the closed loop that the records imply.
+[[nodiscard]] std::string model_text(const core::model::Explanation& explanation);
+
+}  // namespace loopscope::daemon

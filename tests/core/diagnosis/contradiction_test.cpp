@@ -1,0 +1,57 @@
+#include "core/diagnosis/contradiction.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/diagnosis/explanations.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+using enum model::EffectKind;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string doubt(model::EffectKind effect, const Evidence& evidence) {
+  return contradiction_of(clear_step(effect), case_of(evidence));
+}
+
+TEST(Contradiction, WithoutARecordNothingIsRefuted) {
+  const Evidence evidence = evidence_with(explanation_of());
+  for (const model::EffectKind effect : model::all_effect_kinds()) {
+    EXPECT_THAT(doubt(effect, evidence), IsEmpty()) << model::name(effect);
+  }
+}
+
+TEST(Contradiction, AValveThatFollowsDoesNotStickAndHasNoPlay) {
+  Evidence evidence = evidence_with(explanation_of());
+  evidence.shape.mv_op_width = 0.1;
+  EXPECT_THAT(doubt(valve_stiction, evidence), HasSubstr("follows"));
+  EXPECT_THAT(doubt(valve_deadband, evidence), HasSubstr("follows"));
+  EXPECT_THAT(doubt(valve_characteristic, evidence), IsEmpty());
+}
+
+TEST(Contradiction, ASensorFaultHasToShowInPv) {
+  Evidence evidence = evidence_with(explanation_of());
+  evidence.data_quality.compression_factor = 1.02;
+  evidence.data_quality.quantisation_factor = 0.001;
+  EXPECT_THAT(doubt(sensor_hold, evidence), HasSubstr("1.02"));
+  EXPECT_THAT(doubt(sensor_quantisation, evidence), HasSubstr("0.001"));
+  evidence.data_quality.compression_factor = 2.4;
+  evidence.data_quality.quantisation_factor = 0.3;
+  EXPECT_THAT(doubt(sensor_hold, evidence), IsEmpty());
+  EXPECT_THAT(doubt(sensor_quantisation, evidence), IsEmpty());
+}
+
+TEST(Contradiction, RefutedStepsAreTakenOutAndNamed) {
+  Evidence evidence =
+      evidence_with(explanation_of({clear_step(sensor_hold), clear_step(load_step)}));
+  evidence.data_quality.compression_factor = 1.0;
+  const BelievedExplanation story = believed(case_of(evidence));
+  ASSERT_EQ(story.explanation.steps.size(), 1U);
+  EXPECT_EQ(story.explanation.steps[0].effect, load_step);
+  EXPECT_THAT(story.doubts, testing::ElementsAre(HasSubstr("sensor_hold")));
+}
+
+}  // namespace
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,41 @@
+#include "core/diagnosis/effect_verdict.hpp"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+using enum model::EffectKind;
+
+TEST(EffectVerdict, EveryEffectHasTheVerdictOfTheContract) {
+  EXPECT_EQ(verdict_of(valve_stiction), VerdictCode::valve_stiction);
+  EXPECT_EQ(verdict_of(valve_deadband), VerdictCode::valve_deadband);
+  EXPECT_EQ(verdict_of(valve_saturation), VerdictCode::valve_saturation);
+  EXPECT_EQ(verdict_of(valve_characteristic), VerdictCode::valve_characteristic);
+  EXPECT_EQ(verdict_of(process_nonlinearity), VerdictCode::process_nonlinearity);
+  EXPECT_EQ(verdict_of(external_oscillation), VerdictCode::external_disturbance);
+  EXPECT_EQ(verdict_of(load_step), VerdictCode::external_disturbance);
+  EXPECT_EQ(verdict_of(gain_change), VerdictCode::process_change);
+  EXPECT_EQ(verdict_of(sensor_quantisation), VerdictCode::sensor_fault);
+  EXPECT_EQ(verdict_of(sensor_hold), VerdictCode::sensor_fault);
+}
+
+TEST(EffectVerdict, NoEffectIsForgotten) {
+  for (const model::EffectKind effect : model::all_effect_kinds()) {
+    EXPECT_NE(verdict_of(effect), VerdictCode::unexplained) << model::name(effect);
+  }
+}
+
+TEST(EffectVerdict, ValveAndSensorFaultsWithholdTuning) {
+  std::set<VerdictCode> withheld;
+  for (const VerdictCode code : all_verdict_codes()) {
+    if (withholds_tuning(code)) withheld.insert(code);
+  }
+  EXPECT_EQ(withheld, (std::set{VerdictCode::valve_stiction, VerdictCode::valve_deadband,
+                                VerdictCode::valve_saturation, VerdictCode::valve_characteristic,
+                                VerdictCode::valve_oversized, VerdictCode::sensor_fault}));
+}
+
+}  // namespace
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/diagnosis/case.hpp"
+#include "core/diagnosis/evidence.hpp"
+#include "core/model/explanation.hpp"
+
+namespace loopscope::core::diagnosis {
+
+/// A step with plenty of evidence, no close rival, steady over the record.
+[[nodiscard]] model::Step clear_step(model::EffectKind effect, double before = 1.0,
+                                     double after = 0.5);
+
+/// An excited model that leaves white noise behind, with these steps.
+[[nodiscard]] model::Explanation explanation_of(std::vector<model::Step> steps = {});
+
+/// Implied closed loops: of period 60 s with little damping, well damped, very slow.
+[[nodiscard]] model::ClosedLoop ringing_loop();
+[[nodiscard]] model::ClosedLoop calm_loop();
+[[nodiscard]] model::ClosedLoop slow_loop();
+
+/// A full-length record without coupling, oscillation or odd data, with this model.
+[[nodiscard]] Evidence evidence_with(std::optional<model::Explanation> model);
+
+/// Adds an oscillation that carries most of the error's variance.
+void oscillate(Evidence& evidence, double period_s, double persistence = 0.95);
+
+/// Shapes and cross-correlation of a sticking valve.
+void show_stiction_shapes(Evidence& evidence);
+
+/// What the branches of the flow are given.
+[[nodiscard]] Case case_of(const Evidence& evidence);
+
+}  // namespace loopscope::core::diagnosis

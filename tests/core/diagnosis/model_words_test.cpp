@@ -1,0 +1,46 @@
+#include "core/diagnosis/model_words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "tests/core/diagnosis/explanations.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ModelWords, AStepNamesItsParametersAndErrors) {
+  model::Step step = clear_step(model::EffectKind::valve_stiction, 0.91, 0.4);
+  step.parameters = {{"S", "%", 4.2, 4.0, 4.4}, {"J", "%", 1.1, {}, {}}};
+  step.law = "kano";
+  EXPECT_EQ(step_text(step),
+            "The model takes in valve_stiction (S 4.2 %, J 1.1 %, law kano). Error on unseen "
+            "samples 0.91 -> 0.4 (evidence 500, p 1e-09).");
+}
+
+TEST(ModelWords, AStatementStandsForTheParameters) {
+  model::Step step = clear_step(model::EffectKind::load_step, 0.91, 0.4);
+  step.statement = "The load steps by 3 at 1200 s.";
+  EXPECT_THAT(step_text(step), testing::StartsWith("The load steps by 3 at 1200 s. Error on"));
+}
+
+TEST(ModelWords, WhatIsLeftNamesTheQuestionsThatFoundSomething) {
+  model::Explanation explanation = explanation_of();
+  explanation.unexplained.statement = "A slow wave is left.";
+  explanation.questions[0].statement = "Errors follow the direction of op.";
+  const std::string text = unexplained_text(explanation);
+  EXPECT_THAT(text, HasSubstr("leaves 5 %"));
+  EXPECT_THAT(text, HasSubstr("A slow wave is left. Errors follow the direction of op."));
+}
+
+TEST(ModelWords, AnUnstableLoopHasNoSensitivity) {
+  model::ClosedLoop loop = ringing_loop();
+  EXPECT_THAT(closed_loop_text(loop), HasSubstr("peak sensitivity 4, damping 0.08, period 60 s"));
+  loop.peak_sensitivity = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(closed_loop_text(loop), HasSubstr("unstable"));
+}
+
+}  // namespace
+}  // namespace loopscope::core::diagnosis

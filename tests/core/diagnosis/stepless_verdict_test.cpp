@@ -1,0 +1,148 @@
+#include "core/diagnosis/stepless_verdict.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/diagnosis/decide.hpp"
+#include "core/diagnosis/model_confidence.hpp"
+#include "tests/core/diagnosis/explanations.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+/// A loop whose model needs no effect, with this implied closed loop.
+Evidence plain(std::optional<model::ClosedLoop> closed_loop) {
+  Evidence evidence = evidence_with(explanation_of());
+  evidence.model->closed_loop = closed_loop;
+  return evidence;
+}
+
+void creep(Evidence& evidence) {
+  evidence.performance.harris_low = 0.05;
+  evidence.performance.harris_high = 0.2;
+  evidence.performance.harris_p = 1e-8;
+}
+
+void expect(const Evidence& evidence, VerdictCode code, std::optional<double> p) {
+  const Verdict verdict = decide(evidence, {});
+  EXPECT_EQ(name(verdict.code), name(code));
+  EXPECT_EQ(verdict.p, p);
+}
+
+TEST(SteplessVerdict, NothingLeftIsHealthyAndSurerThanWithoutAModel) {
+  expect(plain(calm_loop()), VerdictCode::healthy, std::nullopt);
+  EXPECT_GT(decide(plain(calm_loop()), {}).confidence,
+            decide(evidence_with(std::nullopt), {}).confidence);
+  expect(plain(std::nullopt), VerdictCode::healthy, std::nullopt);
+}
+
+TEST(SteplessVerdict, RingingAtTheLoopsOwnPeriodIsTuning) {
+  Evidence evidence = plain(ringing_loop());
+  oscillate(evidence, 58.0, 0.6);
+  expect(evidence, VerdictCode::tight_tuning, 1e-6);
+  EXPECT_THAT(decide(evidence, {}).reasons, Contains(HasSubstr("peak sensitivity 4")));
+}
+
+TEST(SteplessVerdict, ATightLoopThatDoesNotOscillateIsNotAccused) {
+  expect(plain(ringing_loop()), VerdictCode::healthy, std::nullopt);
+}
+
+TEST(SteplessVerdict, AControllerThatIsHardlyKnownIsAccusedLess) {
+  Evidence evidence = plain(ringing_loop());
+  oscillate(evidence, 58.0, 0.6);
+  const double known = decide(evidence, {}).confidence;
+  evidence.model->closed_loop->controller_fit = 0.4;
+  EXPECT_LT(decide(evidence, {}).confidence, 0.5 * known);
+}
+
+TEST(SteplessVerdict, AnotherPeriodComesFromOutside) {
+  for (const model::ClosedLoop& loop : {ringing_loop(), calm_loop(), slow_loop()}) {
+    Evidence evidence = plain(loop);
+    oscillate(evidence, 130.0, 0.5);
+    show_stiction_shapes(evidence);
+    expect(evidence, VerdictCode::external_disturbance, 1e-6);
+  }
+}
+
+TEST(SteplessVerdict, AtADampedResonanceTheLineDecides) {
+  Evidence evidence = plain(calm_loop());
+  oscillate(evidence, 60.0, 0.95);
+  expect(evidence, VerdictCode::external_disturbance, 1e-6);
+  oscillate(evidence, 60.0, 0.5);
+  expect(evidence, VerdictCode::tight_tuning, 1e-6);
+  EXPECT_LT(decide(evidence, {}).confidence, 0.3) << "below what is flagged";
+}
+
+TEST(SteplessVerdict, WithoutAControllerTheLineDecides) {
+  Evidence evidence = plain(std::nullopt);
+  oscillate(evidence, 60.0, 0.95);
+  expect(evidence, VerdictCode::external_disturbance, 1e-6);
+  oscillate(evidence, 60.0, 0.3);
+  expect(evidence, VerdictCode::tight_tuning, 1e-6);
+}
+
+TEST(SteplessVerdict, SlowLoopsHaveToCreepAsWell) {
+  Evidence evidence = plain(slow_loop());
+  expect(evidence, VerdictCode::healthy, std::nullopt);
+  creep(evidence);
+  expect(evidence, VerdictCode::sluggish_tuning, 1e-8);
+  evidence.model->closed_loop = calm_loop();
+  expect(evidence, VerdictCode::healthy, std::nullopt);
+  evidence.model->closed_loop = slow_loop();
+  evidence.model->baseline.process.integrating = true;
+  expect(evidence, VerdictCode::healthy, std::nullopt);
+}
+
+TEST(SteplessVerdict, CouplingWithoutAnEffectStaysUnexplained) {
+  Evidence evidence = plain(calm_loop());
+  evidence.hos->nonlinear_p = 1e-6;
+  expect(evidence, VerdictCode::nonlinear_unexplained, 1e-6);
+  oscillate(evidence, 130.0);
+  expect(evidence, VerdictCode::nonlinear_unexplained, 1e-6);
+  oscillate(evidence, 60.0, 0.6);
+  evidence.model->closed_loop = ringing_loop();
+  expect(evidence, VerdictCode::tight_tuning, 1e-6);
+}
+
+TEST(SteplessVerdict, AStructuredRestIsUnexplained) {
+  Evidence evidence = plain(calm_loop());
+  evidence.model->unexplained.whiteness_p = 1e-7;
+  expect(evidence, VerdictCode::unexplained, structure_p(*evidence.model));
+  evidence.model->unexplained.whiteness_p = 0.01;
+  expect(evidence, VerdictCode::healthy, std::nullopt);
+}
+
+TEST(SteplessVerdict, StructureHoldsTuningToo) {
+  Evidence evidence = plain(ringing_loop());
+  oscillate(evidence, 58.0, 0.6);
+  evidence.model->questions[0].p = 1e-9;
+  EXPECT_LE(decide(evidence, {}).confidence, 0.6);
+}
+
+TEST(SteplessVerdict, TuningAdviceWaitsForTheSensor) {
+  Evidence evidence = plain(ringing_loop());
+  oscillate(evidence, 58.0, 0.6);
+  evidence.data_quality.quantisation_factor = 0.8;
+  evidence.data_quality.flags = {"pv_quantised"};
+  const Verdict verdict = decide(evidence, {});
+  EXPECT_EQ(verdict.code, VerdictCode::tight_tuning);
+  EXPECT_THAT(verdict.action, testing::Not(HasSubstr("gain")));
+  EXPECT_THAT(verdict.action, HasSubstr("transmitter"));
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("No advice on tuning")));
+  evidence.oscillation = {};
+  expect(evidence, VerdictCode::sensor_fault, std::nullopt);
+}
+
+TEST(SteplessVerdict, AnOversizedValveIsNamedByItsSpans) {
+  Evidence evidence = plain(calm_loop());
+  evidence.valve_gain = {0.6, 0.3};
+  expect(evidence, VerdictCode::healthy, std::nullopt);
+  oscillate(evidence, 130.0);
+  expect(evidence, VerdictCode::valve_oversized, 1e-6);
+}
+
+}  // namespace
+}  // namespace loopscope::core::diagnosis
