@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace loopscope::core::model {
+
+/// A signal about its mean in units of its standard deviation, with 0 where it is missing: sums of
+/// products then run over what is recorded without asking.
+struct Centred {
+  std::vector<double> values;
+  std::size_t recorded = 0;
+  double mean = 0.0;  ///< signal units
+  double std = 1.0;   ///< signal units
+};
+
+/// nullopt when fewer than `fewest` samples are finite or they do not vary beyond rounding.
+[[nodiscard]] std::optional<Centred> centred(std::span<const double> signal, std::size_t fewest);
+
+/// signal(k) - signal(k - 1); NaN where either is missing and at the first sample.
+[[nodiscard]] std::vector<double> increments(std::span<const double> signal);
+
+}  // namespace loopscope::core::model

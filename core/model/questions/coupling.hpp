@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/model/questions/answer.hpp"
+#include "core/model/questions/questioned.hpp"
+
+namespace loopscope::core::model {
+
+/// "nonlinear" and "ngi": the calibrated tests of core/hos on the residual, all of them combined,
+/// and the mean bicoherence alone (skewed white noise has one too). Quadratic coupling nominates
+/// process_nonlinearity and valve_characteristic, cubic coupling valve_stiction and valve_deadband.
+/// Empty when gaps leave fewer than two segments. `seed` as in hos::analyse.
+[[nodiscard]] std::vector<Answer> ask_coupling(const Questioned& questioned, std::uint64_t seed);
+
+}  // namespace loopscope::core::model
