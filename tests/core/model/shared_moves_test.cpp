@@ -1,0 +1,41 @@
+#include "core/model/shared_moves.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/simulate/random.hpp"
+#include "tests/core/model/known_loops.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+known::Series white(std::uint64_t seed) {
+  simulate::GaussianSource noise(seed);
+  known::Series series(4096);
+  for (double& sample : series) sample = noise.next();
+  return series;
+}
+
+TEST(SharedMoves, ACopyIsSharedWholly) {
+  const known::Series noise = white(1);
+  EXPECT_NEAR(find_shared_moves(noise, noise).r_squared, 1.0, 1e-9);
+}
+
+TEST(SharedMoves, IndependentNoiseSharesWhatThreeCoefficientsTake) {
+  double sum = 0.0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const SharedMoves shared = find_shared_moves(white(seed), white(seed + 1000));
+    // Greatest of eight scales of chi-squared with three degrees of freedom: about 8.
+    EXPECT_LT(shared.chi_squared, 45.0);
+    sum += shared.chi_squared / 100.0;
+  }
+  EXPECT_LT(sum, 14.0);
+}
+
+TEST(SharedMoves, NothingComesOfNothing) {
+  EXPECT_EQ(find_shared_moves({}, {}).scales, 0);
+  const known::Series still(100, 1.0);
+  EXPECT_EQ(find_shared_moves(still, still).r_squared, 0.0);
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
