@@ -47,6 +47,9 @@ class Effect {
                                                           std::span<const double> coefficients,
                                                           double gain) const = 0;
   [[nodiscard]] virtual std::string_view law() const { return {}; }
+
+  /// What the effect is, with its figures, in one sentence for an engineer.
+  [[nodiscard]] virtual std::string words(std::span<const Parameter> parameters) const = 0;
 };
 
 }  // namespace loopscope::core::model

@@ -30,6 +30,12 @@ std::string_view name(EffectKind kind) {
   return "";
 }
 
+bool same_cause(EffectKind a, EffectKind b) {
+  const auto outside = [](EffectKind kind) { return kind == external_oscillation || kind == load_step; };
+  const auto sensor = [](EffectKind kind) { return kind == sensor_quantisation || kind == sensor_hold; };
+  return a == b || (outside(a) && outside(b)) || (sensor(a) && sensor(b));
+}
+
 std::span<const EffectKind> all_effect_kinds() {
   return kAll;
 }

@@ -22,6 +22,9 @@ enum class EffectKind {
 
 [[nodiscard]] std::string_view name(EffectKind kind);
 
+/// Both end in the same verdict.
+[[nodiscard]] bool same_cause(EffectKind a, EffectKind b);
+
 /// Every kind, in the order above.
 [[nodiscard]] std::span<const EffectKind> all_effect_kinds();
 

@@ -1,18 +1,24 @@
 #pragma once
 
+#include <optional>
+
 #include "core/model/explanation.hpp"
-#include "core/model/fit.hpp"
+#include "core/model/model_input.hpp"
 
 namespace loopscope::core::model {
 
-/// Fits the linear loop, then takes in one effect after the other as long as the error on held-out
-/// samples falls significantly. `baseline` and `final` are the fits behind the figures.
-struct Story {
-  Fit baseline;
-  Fit final;
-  Fit final_mirror;
-  std::vector<Step> steps;
-};
-[[nodiscard]] Story tell(const LoopData& data);
+/// Fits a loop model to the recording, finds what it lacks, adds it, and says what is left.
+///
+/// nullopt when there is nothing to fit: op not recorded, pv or op constant, or fewer than 400
+/// samples on which both are known. Series of different lengths throw std::invalid_argument.
+///
+/// - The linear loop (baseline.hpp): one or two lags or an integrator, at least one sample of
+///   delay, numerator, noise with real roots; order by BIC.
+/// - Effects enter one after the other, the one with most evidence first, while the split
+///   likelihood ratio on unseen rows stays below p = 0.001 (story.hpp).
+/// - `unexplained.fraction` is (error - floor) / (baseline error - floor), 0 to 1: of what could be
+///   explained, the share that is not. Where the baseline lies within 2 % of the floor, 2 % of it
+///   is taken for what could be explained.
+[[nodiscard]] std::optional<Explanation> explain(const ModelInput& input);
 
 }  // namespace loopscope::core::model

@@ -66,7 +66,7 @@ struct Question {
 
 /// What the model cannot explain.
 struct Unexplained {
-  double fraction = 0.0;     ///< (after - floor) / (pv's own one-step floor ... ) see explain.hpp
+  double fraction = 0.0;  ///< of what could be explained, 0 to 1 (explain.hpp)
   double whiteness_p = 1.0;
   std::optional<double> ngi_p;  ///< of the final residual
   std::string statement;
@@ -88,6 +88,7 @@ struct ClosedLoop {
 struct Explanation {
   bool excited = false;         ///< op moves enough for claims; else nothing below claims anything
   std::string excitation;       ///< why not, or how much op moves
+  std::string process_doubt;    ///< the linear fit may be the controller run backwards; empty = no
   ErrorKind error_kind = ErrorKind::one_step;
   double noise_floor = 0.0;     ///< what a perfect model would leave, same kind as the errors
   Baseline baseline;

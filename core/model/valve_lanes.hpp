@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include "core/model/valve_law.hpp"
@@ -37,20 +36,24 @@ struct OpMotion {
   }
 };
 
-/// Some valves of one law, side by side under the same op: they differ in where they are. Loops
-/// over lanes hold choices only, no branches, so that compilers turn them into vectors; moving is
-/// 0 or 1 for that reason.
-template <std::size_t lanes>
+/// Two numbers that every processor adds, compares and chooses (`condition ? a : b`) as one: what
+/// compilers make of longer ones and of loops over lanes is slower than plain code.
+typedef double NumberPair __attribute__((vector_size(2 * sizeof(double))));
+
+/// Some valves of one law, side by side under the same op: they differ in where they are. Number is
+/// double or NumberPair, and there are `count` of them. Choices only, no branches.
+template <typename Number, std::size_t count>
 struct ValveLanes {
-  std::array<double, lanes> position{};
-  std::array<double, lanes> turn{};    ///< choudhury: op where counting starts
-  std::array<double, lanes> moving{};  ///< choudhury, kano
+  using Numbers = std::array<Number, count>;
+  Numbers position{};
+  Numbers turn{};    ///< choudhury: op where counting starts
+  Numbers moving{};  ///< choudhury, kano: 0 or 1
   OpMotion motion;
 
   /// All at rest at `op` after a motion in that direction.
   void start(const Friction& friction, double direction, double op) {
-    position.fill(op - direction * friction.lag);
-    turn.fill(op);
+    position.fill(Number{} + (op - direction * friction.lag));
+    turn.fill(Number{} + op);
     motion.previous = op;
     motion.direction = direction;
   }
@@ -68,31 +71,38 @@ struct ValveLanes {
 
  private:
   void step_he(const Friction& friction, double op) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const Number behind = Number{} + (op - friction.lag);
+    const Number ahead = Number{} + (op + friction.lag);
+    for (Number& place : position) {
       // Both thresholds are asked of the same old position: the two choices need not wait for
       // each other.
-      const double gap = op - position[lane];
-      const double up = gap > friction.breakaway ? op - friction.lag : position[lane];
-      position[lane] = gap < -friction.breakaway ? op + friction.lag : up;
+      const Number gap = op - place;
+      const Number up = gap > friction.breakaway ? behind : place;
+      place = gap < -friction.breakaway ? ahead : up;
     }
   }
 
   template <ValveLaw law>
   void step_with_op(const Friction& friction, double op) {
-    const double slide = op - motion.direction * friction.lag;
+    const Number slide = Number{} + (op - motion.direction * friction.lag);
+    const Number before = Number{} + motion.previous;
+    const Number one = Number{} + 1.0;
     const double kept = motion.stopped ? 0.0 : 1.0;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const double rebased = motion.turned ? 1.0 : 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      double reach = friction.breakaway;
+      Number from = position[i];
       if constexpr (law == ValveLaw::choudhury) {
-        const double rebase = motion.turned ? 1.0 : (1.0 - kept) * moving[lane];
-        turn[lane] = rebase > 0.5 ? motion.previous : turn[lane];
+        turn[i] = rebased + (1.0 - kept) * moving[i] > 0.5 ? before : turn[i];
+        reach = friction.band;
+        from = turn[i];
       }
       // A valve of Kano's law that stopped after a motion stands (S + J) / 2 off both of its
       // thresholds, J ahead and S back: so they are asked like He's.
-      const bool loose = law == ValveLaw::choudhury
-                             ? std::abs(op - turn[lane]) > friction.band
-                             : std::abs(op - position[lane]) > friction.breakaway;
-      moving[lane] = loose ? 1.0 : kept * moving[lane];
-      position[lane] = moving[lane] > 0.5 ? slide : position[lane];
+      const Number way = op - from;
+      const Number up = way > reach ? one : kept * moving[i];
+      moving[i] = way < -reach ? one : up;
+      position[i] = moving[i] > 0.5 ? slide : position[i];
     }
   }
 };

@@ -20,7 +20,7 @@ void check(const Valve& valve, std::size_t ops, std::size_t positions) {
 }
 
 template <ValveLaw law>
-void follow(Friction friction, ValveLanes<1> valve, std::span<const ValveRestart> restarts,
+void follow(Friction friction, ValveLanes<double, 1> valve, std::span<const ValveRestart> restarts,
             std::span<const double> op, std::span<double> mv) {
   std::size_t next = 0;
   for (std::size_t k = 0; k < op.size(); ++k) {
@@ -61,7 +61,7 @@ void run_valve(const Valve& valve, std::span<const ValveRestart> restarts,
     return;
   }
   const Friction friction(valve);
-  ValveLanes<1> lane;
+  ValveLanes<double, 1> lane;
   lane.start(friction, valve.start_direction, *first);
   with_law(valve.law, [&]<ValveLaw law>() { follow<law>(friction, lane, restarts, op, mv); });
   const auto missing = static_cast<std::size_t>(first - op.begin());

@@ -7,7 +7,7 @@ namespace loopscope::core::model {
 namespace {
 
 /// Enough for twenty cycles of fifty rows; the first look costs a third of the whole record's.
-constexpr std::size_t kQuickRows = 1200;
+constexpr std::size_t kQuickRows = 2048;
 /// A value held no longer than this is as good as known: valves move little meanwhile.
 constexpr std::size_t kLongestHold = 3;
 

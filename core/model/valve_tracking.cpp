@@ -10,8 +10,17 @@ namespace loopscope::core::model {
 namespace {
 
 constexpr std::size_t kLanes = 8;
-using Lanes = ValveLanes<kLanes>;
-using LaneValues = std::array<double, kLanes>;
+constexpr std::size_t kPairs = kLanes / 2;
+using Lanes = ValveLanes<NumberPair, kPairs>;
+using LaneValues = Lanes::Numbers;
+
+double at(const LaneValues& values, std::size_t lane) {
+  return values[lane / 2][lane % 2];
+}
+
+void put(LaneValues& values, std::size_t lane, double value) {
+  values[lane / 2][lane % 2] = value;
+}
 
 /// Where the lanes start, in half bands off the place that the law has: small ones put drift
 /// right, large ones a slip that was missed. The last lane takes the other end of the band.
@@ -47,16 +56,7 @@ class Tracker {
     }
   }
 
-  TrackedValve result() {
-    TrackedValve tracked;
-    tracked.model = fit_lagged(record_.rows, path_);
-    tracked.corrections = corrections_;
-    tracked.restarts = std::move(restarts_);
-    tracked.evidence = static_cast<double>(record_.rows.rows) *
-                           std::log(record_.linear_residual / tracked.model.residual) -
-                       kCorrectionPrice * static_cast<double>(corrections_);
-    return tracked;
-  }
+  TrackedValve result();
 
  private:
   /// pv less its own past's share of the prediction.
@@ -76,26 +76,29 @@ class Tracker {
   /// where nothing is known.
   LaneValues spread(std::size_t begin) {
     const double op = chosen_.motion.previous;
-    const double gap = op - chosen_.position[0];
-    // The printed chart counts from op, not from the position: there the gap has no limit.
-    const double limit = valve_.law == ValveLaw::choudhury ? std::abs(gap) + friction_.breakaway
-                                                           : friction_.breakaway;
-    const auto place = [&](double wanted) { return op - std::clamp(wanted, -limit, limit); };
+    const double gap = op - at(chosen_.position, 0);
     for (std::size_t lane = 1; lane < kLanes; ++lane) {
-      chosen_.turn[lane] = chosen_.turn[0];
-      chosen_.moving[lane] = chosen_.moving[0];
-      if (begin == 0) {
-        const double share = (2.0 * static_cast<double>(lane) - 1.0) / (kLanes - 1.0) - 1.0;
-        chosen_.position[lane] =
-            valve_.law == ValveLaw::choudhury ? share * reach_ : place(share * friction_.breakaway);
-      } else if (lane < kOffsets.size()) {
-        chosen_.position[lane] = place(gap + kOffsets[lane] * friction_.breakaway);
-      } else {
-        chosen_.position[lane] =
-            place(gap > 0.0 ? gap - friction_.breakaway : gap + friction_.breakaway);
-      }
+      put(chosen_.turn, lane, at(chosen_.turn, 0));
+      put(chosen_.moving, lane, at(chosen_.moving, 0));
+      put(chosen_.position, lane, op - (begin == 0 ? first_gap(lane) : next_gap(lane, gap)));
     }
     return chosen_.position;
+  }
+
+  /// Distance of op from the valve in a lane at the start of the record. The printed chart counts
+  /// from op, not from the position: there it has no limit but op's own reach.
+  [[nodiscard]] double first_gap(std::size_t lane) const {
+    const double share = (2.0 * static_cast<double>(lane) - 1.0) / (kLanes - 1.0) - 1.0;
+    return share * (valve_.law == ValveLaw::choudhury ? reach_ : friction_.breakaway);
+  }
+
+  /// The same later, for a chosen valve with that gap.
+  [[nodiscard]] double next_gap(std::size_t lane, double gap) const {
+    const double band = friction_.breakaway;
+    const double limit = valve_.law == ValveLaw::choudhury ? std::abs(gap) + band : band;
+    const double other_end = gap > 0.0 ? gap - band : gap + band;
+    const double wanted = lane < kOffsets.size() ? gap + kOffsets[lane] * band : other_end;
+    return std::clamp(wanted, -limit, limit);
   }
 
   /// mv of every lane by row, from `begin` to `seen`; `at_end` is where the lanes are at `end`.
@@ -111,12 +114,12 @@ class Tracker {
       LaneValues sum{};
       for (std::size_t step = 0; step < record_.steps_per_row; ++step) {
         lanes.step<law>(friction_, record_.op[row * record_.steps_per_row + step]);
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          sum[lane] += lanes.position[lane];
+        for (std::size_t pair = 0; pair < kPairs; ++pair) {
+          sum[pair] += lanes.position[pair];
         }
       }
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        mv_[row + kInputLags][lane] = sum[lane] * share;
+      for (std::size_t pair = 0; pair < kPairs; ++pair) {
+        mv_[row + kInputLags][pair] = sum[pair] * share;
       }
       if (row + 1 == end) {
         at_end = lanes;
@@ -127,16 +130,16 @@ class Tracker {
 
   void add_costs(std::size_t row, LaneValues& costs) const {
     LaneValues error;
-    error.fill(rest_[row]);
+    error.fill(NumberPair{} + rest_[row]);
     for (std::size_t lag = 1; lag <= kInputLags; ++lag) {
       const double weight = model_.weights[kOutputLags + lag];
       const LaneValues& mv = mv_[row + kInputLags - lag];
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        error[lane] -= weight * mv[lane];
+      for (std::size_t pair = 0; pair < kPairs; ++pair) {
+        error[pair] -= weight * mv[pair];
       }
     }
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      costs[lane] += error[lane] * error[lane];
+    for (std::size_t pair = 0; pair < kPairs; ++pair) {
+      costs[pair] += error[pair] * error[pair];
     }
   }
 
@@ -144,21 +147,20 @@ class Tracker {
               const Lanes& at_end) {
     std::size_t best = 0;
     for (std::size_t lane = 1; lane < kLanes; ++lane) {
-      if (costs[lane] + price_ < costs[best] + (best == 0 ? 0.0 : price_)) {
-        best = lane;
-      }
+      const double bar = at(costs, best) + (best == 0 ? 0.0 : price_);
+      best = at(costs, lane) + price_ < bar ? lane : best;
     }
     if (best != 0) {
       ++corrections_;
-      restarts_.push_back({begin * record_.steps_per_row, starts[best]});
+      restarts_.push_back({begin * record_.steps_per_row, at(starts, best)});
     }
     chosen_ = at_end;
-    chosen_.position[0] = at_end.position[best];
-    chosen_.turn[0] = at_end.turn[best];
-    chosen_.moving[0] = at_end.moving[best];
+    put(chosen_.position, 0, at(at_end.position, best));
+    put(chosen_.turn, 0, at(at_end.turn, best));
+    put(chosen_.moving, 0, at(at_end.moving, best));
     for (std::size_t row = begin; row < end; ++row) {
-      path_[row] = mv_[row + kInputLags][best];
-      mv_[row + kInputLags].fill(path_[row]);
+      path_[row] = at(mv_[row + kInputLags], best);
+      mv_[row + kInputLags].fill(NumberPair{} + path_[row]);
     }
   }
 
@@ -175,6 +177,17 @@ class Tracker {
   std::size_t corrections_ = 0;
   Lanes chosen_;  ///< lane 0 is the valve itself
 };
+
+TrackedValve Tracker::result() {
+  TrackedValve tracked;
+  tracked.model = fit_lagged(record_.rows, path_);
+  tracked.corrections = corrections_;
+  tracked.restarts = std::move(restarts_);
+  tracked.evidence = static_cast<double>(record_.rows.rows) *
+                         std::log(record_.linear_residual / tracked.model.residual) -
+                     kCorrectionPrice * static_cast<double>(corrections_);
+  return tracked;
+}
 
 }  // namespace
 

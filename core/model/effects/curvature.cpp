@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/model/questions/phrases.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
@@ -53,6 +55,16 @@ std::vector<Parameter> ProcessNonlinearity::parameters(const LoopData& data,
   const double square = (coefficients[0] + coefficients[1]) / (kUnit * kUnit) * data.pv_scale;
   const double real_gain = gain * data.pv_scale;
   return {{"curvature", "", real_gain == 0.0 ? 0.0 : kHalfSpan * square / (real_gain * real_gain), {}, {}}};
+}
+
+std::string ValveCharacteristic::words(std::span<const Parameter> parameters) const {
+  return "The flow is not proportional to the valve's travel: curvature " +
+         in_digits(parameters[0].value) + ", the gain changes with the output.";
+}
+
+std::string ProcessNonlinearity::words(std::span<const Parameter> parameters) const {
+  return "The process answers along a curve: curvature " + in_digits(parameters[0].value) +
+         ", the gain changes with the process variable.";
 }
 
 }  // namespace loopscope::core::model

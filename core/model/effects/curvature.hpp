@@ -15,6 +15,7 @@ class ValveCharacteristic final : public Effect {
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;
+  [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 };
 
 /// A process whose answer is curved, at once (y^2) and through its own dynamics (a vessel whose
@@ -28,6 +29,7 @@ class ProcessNonlinearity final : public Effect {
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;
+  [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 };
 
 }  // namespace loopscope::core::model

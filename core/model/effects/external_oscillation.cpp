@@ -4,6 +4,8 @@
 #include <complex>
 #include <numbers>
 
+#include "core/model/questions/phrases.hpp"
+
 namespace loopscope::core::model {
 
 void ExternalOscillation::add_columns(const Signals& signals, std::vector<Column>& columns) const {
@@ -37,6 +39,12 @@ std::vector<Parameter> ExternalOscillation::parameters(const LoopData& data,
   const double amplitude = std::hypot(coefficients[0], coefficients[1]) * data.pv_scale;
   return {{"period_s", "s", period_ * data.sample_interval_s, {}, {}},
           {"amplitude", "pv", amplitude, {}, {}}};
+}
+
+std::string ExternalOscillation::words(std::span<const Parameter> parameters) const {
+  return "An oscillation of period " + in_time(parameters[0].value) +
+         " reaches the loop from outside, amplitude " + in_digits(parameters[1].value) +
+         " in units of pv.";
 }
 
 }  // namespace loopscope::core::model

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/model/questions/phrases.hpp"
+
 namespace loopscope::core::model {
 
 void GainChange::add_columns(const Signals& signals, std::vector<Column>& columns) const {
@@ -39,6 +41,13 @@ std::vector<Parameter> GainChange::parameters(const LoopData& data,
     result.push_back({"rate", "1/h", (ratio - 1.0) / hours, {}, {}});
   }
   return result;
+}
+
+std::string GainChange::words(std::span<const Parameter> parameters) const {
+  const bool sudden = until_ == at_;
+  return std::string("The gain of the process ") + (sudden ? "changes" : "drifts") + " to " +
+         in_digits(parameters[1].value) + " times what it was, from " +
+         in_time(parameters[0].value) + " into the window on.";
 }
 
 }  // namespace loopscope::core::model

@@ -16,6 +16,7 @@ class GainChange final : public Effect {
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;
+  [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 
  private:
   std::size_t at_;     ///< sample of the change, or where it begins

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/model/questions/phrases.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
@@ -43,6 +45,11 @@ std::vector<Parameter> LoadStep::parameters(const LoopData& data,
   const double at_s = static_cast<double>(at_) * data.sample_interval_s;
   const double size = (coefficients[0] + coefficients[1]) * data.pv_scale;
   return {{"at", "s", at_s, {}, {}}, {"size", "pv", size, {}, {}}};
+}
+
+std::string LoadStep::words(std::span<const Parameter> parameters) const {
+  return "The load moved " + in_time(parameters[0].value) + " into the window, by " +
+         in_digits(parameters[1].value) + " in units of pv, and stayed.";
 }
 
 }  // namespace loopscope::core::model

@@ -17,6 +17,7 @@ class LoadStep final : public Effect {
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;
+  [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 
  private:
   std::size_t at_;

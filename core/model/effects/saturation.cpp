@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/questions/phrases.hpp"
+
 namespace loopscope::core::model {
 
 void Saturation::shape_flow(std::span<double> flow) const {
@@ -28,6 +30,11 @@ std::vector<Parameter> Saturation::parameters(const LoopData& data, std::span<co
   const double low = std::max(0.0, data.op_mean + low_);
   const double high = std::min(100.0, data.op_mean + high_);
   return {{"low", "%", low, {}, {}}, {"high", "%", high, {}, {}}};
+}
+
+std::string Saturation::words(std::span<const Parameter> parameters) const {
+  return "The valve follows its output between " + in_digits(parameters[0].value) + " and " +
+         in_digits(parameters[1].value) + " % only.";
 }
 
 }  // namespace loopscope::core::model

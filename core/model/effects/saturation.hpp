@@ -15,6 +15,7 @@ class Saturation final : public Effect {
   [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data, std::span<const double>,
                                                   double) const override;
+  [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 
  private:
   double low_, high_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/model/questions/phrases.hpp"
+
 namespace loopscope::core::model {
 
 EffectKind ValveEffect::kind() const {
@@ -47,6 +49,16 @@ std::vector<Parameter> ValveEffect::parameters(const LoopData&, std::span<const 
 
 std::string_view ValveEffect::law() const {
   return kind() == EffectKind::valve_stiction ? name(valve_.law) : std::string_view();
+}
+
+std::string ValveEffect::words(std::span<const Parameter> parameters) const {
+  if (kind() == EffectKind::valve_deadband) {
+    return "The valve has " + in_digits(parameters[0].value) +
+           " % of play: so far the output moves after each turn before the valve follows.";
+  }
+  return "The valve sticks: after a turn it stands until the output has moved " +
+         in_digits(parameters[0].value) + " %, then jumps by " + in_digits(parameters[1].value) +
+         " % (law " + std::string(law()) + ").";
 }
 
 }  // namespace loopscope::core::model

@@ -25,6 +25,7 @@ class ValveEffect final : public Effect {
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData&, std::span<const double>,
                                                   double) const override;
   [[nodiscard]] std::string_view law() const override;
+  [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 
  private:
   Valve valve_;

@@ -1,0 +1,49 @@
+#include "core/model/calm_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr double kGross = 6.0;
+/// Standard deviation over median of the absolute values, of the normal law.
+constexpr double kDeviation = 1.4826;
+/// What a jump disturbs beside itself.
+constexpr std::size_t kBefore = 3;
+constexpr std::size_t kAfter = 8;
+
+double gross_limit(const Rows& rows, const std::vector<double>& innovations) {
+  std::vector<double> sizes;
+  for (const Range& range : rows.fit) {
+    for (std::size_t k = range.first; k < range.end; ++k) sizes.push_back(std::abs(innovations[k]));
+  }
+  if (sizes.empty()) return 0.0;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return kGross * kDeviation * *middle;
+}
+
+void add_calm_parts(const Range& range, const std::vector<double>& innovations, double limit,
+                    std::vector<Range>& calm) {
+  std::size_t first = range.first;
+  for (std::size_t k = range.first; k < range.end; ++k) {
+    if (std::abs(innovations[k]) <= limit) continue;
+    const std::size_t end = std::max(first, k < kBefore ? 0 : k - kBefore);
+    if (end > first) calm.push_back({first, end});
+    first = std::min(range.end, k + kAfter);
+  }
+  if (range.end > first) calm.push_back({first, range.end});
+}
+
+}  // namespace
+
+Rows calm_rows(const Rows& rows, const Fit& fit) {
+  const double limit = gross_limit(rows, fit.innovations);
+  Rows result;
+  for (const Range& range : rows.fit) add_calm_parts(range, fit.innovations, limit, result.fit);
+  result.score = rows.score;
+  return result;
+}
+
+}  // namespace loopscope::core::model

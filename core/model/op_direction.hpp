@@ -1,0 +1,12 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace loopscope::core::model {
+
+/// Sign of op's last motion beyond its noise (four median steps), sample by sample: +1 or -1; 0
+/// until it has moved so far. Where op is missing it has not moved.
+[[nodiscard]] std::vector<double> op_direction(std::span<const double> op);
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,51 @@
+#include "core/model/process_report.hpp"
+
+#include <cmath>
+
+#include "core/model/sentence.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+double time_constant(double pole, double interval_s) {
+  return pole <= 0.0 ? 0.0 : -interval_s / std::log(pole);
+}
+
+std::string noise_words(const Fit& fit) {
+  const auto& noise = fit.structure.noise;
+  std::string text = sentence("noise with poles ", noise.poles[0]);
+  if (fit.structure.noise_pairs > 1) text += sentence(", ", noise.poles[1]);
+  text += sentence(" and zeros ", noise.zeros[0]);
+  if (fit.structure.noise_pairs > 1) text += sentence(", ", noise.zeros[1]);
+  return text;
+}
+
+}  // namespace
+
+ProcessFit report_process(const LoopData& data, const Fit& fit) {
+  const ProcessShape& shape = fit.structure.process;
+  const double interval = data.sample_interval_s;
+  ProcessFit process;
+  process.integrating = shape.integrating;
+  process.gain = fit.gain() * data.pv_scale / (shape.integrating ? interval : 1.0);
+  process.time_constant_s = shape.integrating ? 0.0 : time_constant(shape.pole, interval);
+  process.second_time_constant_s = time_constant(shape.second_pole, interval);
+  process.delay_s = static_cast<double>(shape.delay_samples) * interval;
+  if (process.second_time_constant_s > process.time_constant_s && !shape.integrating) {
+    std::swap(process.time_constant_s, process.second_time_constant_s);
+  }
+  return process;
+}
+
+std::string describe(const LoopData& data, const Fit& fit) {
+  const ProcessFit process = report_process(data, fit);
+  const bool second = process.second_time_constant_s > 0.0;
+  std::string text = process.integrating ? "integrator" : second ? "two lags" : "one lag";
+  if (process.integrating && second) text += " with a lag";
+  text += sentence(", gain ", process.gain, process.integrating ? " pv per % and s" : " pv per %");
+  if (!process.integrating) text += sentence(", time constant ", process.time_constant_s, " s");
+  if (second) text += sentence(" and ", process.second_time_constant_s, " s");
+  return text + sentence(", delay ", process.delay_s, " s, ") + noise_words(fit);
+}
+
+}  // namespace loopscope::core::model

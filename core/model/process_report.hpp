@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "core/model/explanation.hpp"
+#include "core/model/fit.hpp"
+
+namespace loopscope::core::model {
+
+/// The process of a fit in pv units, % and seconds.
+[[nodiscard]] ProcessFit report_process(const LoopData& data, const Fit& fit);
+
+/// Order, gain, time constants, delay and noise in one line.
+[[nodiscard]] std::string describe(const LoopData& data, const Fit& fit);
+
+}  // namespace loopscope::core::model

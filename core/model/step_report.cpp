@@ -1,0 +1,91 @@
+#include "core/model/step_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopscope::core::model {
+namespace {
+
+/// The record is cut in so many parts, on each of which the effect is fitted again.
+constexpr std::size_t kParts = 4;
+/// 95th percentile of Student's t with kParts - 1 degrees of freedom, over the root of kParts.
+constexpr double kHalfWidth = 2.353 / 2.0;
+
+std::vector<Parameter> parameters_of(const LoopData& data, const Fit& fit, std::size_t place) {
+  std::size_t offset = fit.taps();
+  const auto& effects = fit.structure.effects;
+  for (std::size_t i = 0; i < place; ++i) offset += effects[i]->column_count();
+  const std::span all(fit.coefficients);
+  return effects[place]->parameters(data, all.subspan(offset, effects[place]->column_count()), fit.gain());
+}
+
+std::vector<Range> within(const std::vector<Range>& ranges, Range part) {
+  std::vector<Range> result;
+  for (const Range& range : ranges) {
+    const Range cut{std::max(range.first, part.first), std::min(range.end, part.end)};
+    if (cut.first < cut.end) result.push_back(cut);
+  }
+  return result;
+}
+
+/// The last effect's parameters on one part of the record, the rest of the model as it is.
+std::vector<Parameter> on_part(const LoopData& data, const Fit& fit, std::size_t part) {
+  LoopData piece = data;
+  const Range range{part * data.size() / kParts, (part + 1) * data.size() / kParts};
+  piece.rows.fit = within(data.rows.fit, range);
+  const auto others = within(data.rows.score, range);
+  piece.rows.fit.insert(piece.rows.fit.end(), others.begin(), others.end());
+  return parameters_of(piece, refine_last(piece, evaluate(piece, fit.structure), 0.25),
+                       fit.structure.effects.size() - 1);
+}
+
+/// Sits at one place, or needs the whole record to be told from its neighbours.
+bool has_parts(EffectKind kind) {
+  return kind != EffectKind::load_step && kind != EffectKind::gain_change &&
+         kind != EffectKind::external_oscillation;
+}
+
+void add_spread(const LoopData& data, const Fit& fit, std::vector<Parameter>& parameters) {
+  std::vector<std::vector<Parameter>> parts;
+  for (std::size_t part = 0; part < kParts; ++part) parts.push_back(on_part(data, fit, part));
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    double square = 0.0;
+    for (const auto& part : parts) {
+      if (i >= part.size()) return;
+      square += (part[i].value - parameters[i].value) * (part[i].value - parameters[i].value);
+    }
+    const double half = kHalfWidth * std::sqrt(square / static_cast<double>(kParts - 1));
+    parameters[i].low = parameters[i].value - half;
+    parameters[i].high = parameters[i].value + half;
+  }
+}
+
+Step report(const LoopData& data, const Chapter& chapter) {
+  const Fit& fit = chapter.fit.fit;
+  const Effect& effect = *fit.structure.effects.back();
+  const double square = data.pv_scale * data.pv_scale;
+  Step step;
+  step.effect = effect.kind();
+  step.parameters = parameters_of(data, fit, fit.structure.effects.size() - 1);
+  if (has_parts(step.effect)) add_spread(data, fit, step.parameters);
+  step.law = effect.law();
+  step.holdout_error_before = chapter.comparison.before * square;
+  step.holdout_error_after = chapter.comparison.after * square;
+  step.evidence = chapter.comparison.evidence;
+  step.p = chapter.comparison.p;
+  step.margin = step.evidence - chapter.rival_evidence;
+  step.simulation_ratio = chapter.simulation_ratio;
+  step.steadiness = chapter.comparison.steadiness;
+  step.statement = effect.words(step.parameters);
+  return step;
+}
+
+}  // namespace
+
+std::vector<Step> report_steps(const Story& story) {
+  std::vector<Step> steps;
+  for (const Chapter& chapter : story.chapters) steps.push_back(report(story.data, chapter));
+  return steps;
+}
+
+}  // namespace loopscope::core::model

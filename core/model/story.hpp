@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/question_residual.hpp"
+#include "core/model/trial.hpp"
+
+namespace loopscope::core::model {
+
+/// An effect that was taken in.
+struct Chapter {
+  TwinFit fit;              ///< with it and all before it
+  Comparison comparison;    ///< with it against without it
+  double rival_evidence = 0.0;  ///< of the best effect of another cause in the same round
+  double simulation_ratio = 1.0;
+};
+
+/// From the linear loop to the last effect that the data ask for.
+struct Story {
+  LoopData data;  ///< with the rows on which the last fit is judged
+  TwinFit baseline;
+  std::vector<Chapter> chapters;
+  [[nodiscard]] const TwinFit& last() const {
+    return chapters.empty() ? baseline : chapters.back().fit;
+  }
+};
+
+/// Fits the linear loop.
+[[nodiscard]] Story begin_story(const LoopData& data);
+
+/// Takes in one effect after the other, each time the one with most evidence, as long as that is
+/// significant. A valve is searched for only where the answers to the questions on the baseline's
+/// residual call for one (hysteresis costs most to find and shows first).
+void continue_story(Story& story, const std::vector<Answer>& answers);
+
+}  // namespace loopscope::core::model
