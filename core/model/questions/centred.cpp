@@ -1,5 +1,6 @@
 #include "core/model/questions/centred.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,6 +32,14 @@ std::optional<Centred> centred(std::span<const double> signal, std::size_t fewes
   }
   if (result.recorded < fewest) return std::nullopt;
   return result;
+}
+
+std::vector<double> sorted_finite(std::span<const double> signal) {
+  std::vector<double> sorted;
+  for (const double value : signal)
+    if (std::isfinite(value)) sorted.push_back(value);
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
 }
 
 std::vector<double> increments(std::span<const double> signal) {

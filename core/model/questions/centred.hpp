@@ -19,6 +19,9 @@ struct Centred {
 /// nullopt when fewer than `fewest` samples are finite or they do not vary beyond rounding.
 [[nodiscard]] std::optional<Centred> centred(std::span<const double> signal, std::size_t fewest);
 
+/// The finite samples, ascending.
+[[nodiscard]] std::vector<double> sorted_finite(std::span<const double> signal);
+
 /// signal(k) - signal(k - 1); NaN where either is missing and at the first sample.
 [[nodiscard]] std::vector<double> increments(std::span<const double> signal);
 

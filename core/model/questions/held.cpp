@@ -25,14 +25,14 @@ struct Hold {
   const char* words = "";
 };
 
-double covered(const std::vector<Run>& runs) {
+double covered(const std::vector<FlatRun>& runs) {
   double samples = 0.0;
-  for (const Run& run : runs) samples += static_cast<double>(run.samples);
+  for (const FlatRun& run : runs) samples += static_cast<double>(run.samples);
   return samples;
 }
 
 /// Normal deviate of a count of repeats among the samples, as a p.
-Hold by_repeats(const std::vector<Run>& runs, double grid_step, double noise_std) {
+Hold by_repeats(const std::vector<FlatRun>& runs, double grid_step, double noise_std) {
   const double samples = covered(runs);
   if (samples <= 0.0 || grid_step >= kHarmlessStep * noise_std) return {};
   const double repeats = samples - static_cast<double>(runs.size());
@@ -43,7 +43,7 @@ Hold by_repeats(const std::vector<Run>& runs, double grid_step, double noise_std
           "pv is renewed every so many samples only: "};
 }
 
-bool op_moves_within(const Run& run, const ResidualView& view, double op_std) {
+bool op_moves_within(const FlatRun& run, const ResidualView& view, double op_std) {
   const auto op = view.op_percent.subspan(run.begin, run.samples);
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -55,10 +55,11 @@ bool op_moves_within(const Run& run, const ResidualView& view, double op_std) {
 }
 
 /// Runs of equal values have an exponential tail where each sample renews by chance.
-Hold by_freeze(const std::vector<Run>& runs, const Questioned& questioned) {
+Hold by_freeze(const std::vector<FlatRun>& runs, const Questioned& questioned) {
   if (!questioned.op || runs.size() < 20) return {};
-  const auto longest = std::max_element(
-      runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.samples < b.samples; });
+  const auto longest =
+      std::max_element(runs.begin(), runs.end(),
+                       [](const FlatRun& a, const FlatRun& b) { return a.samples < b.samples; });
   if (longest->samples < 10 || !op_moves_within(*longest, questioned.view, questioned.op->std))
     return {};
   const double share = static_cast<double>(longest->samples) / covered(runs);
@@ -66,7 +67,7 @@ Hold by_freeze(const std::vector<Run>& runs, const Questioned& questioned) {
           longest->begin, "pv stands still while op moves, for as many samples as "};
 }
 
-Hold by_clock(const std::vector<Run>& runs) {
+Hold by_clock(const std::vector<FlatRun>& runs) {
   const Clock clock = find_clock(runs);
   return {clock.p, static_cast<double>(clock.period_samples), std::nullopt,
           "pv is renewed by a clock, every so many samples: "};
@@ -74,7 +75,7 @@ Hold by_clock(const std::vector<Run>& runs) {
 
 Hold strongest(const Questioned& questioned) {
   const double noise_std = questioned.fast_noise_std;
-  const std::vector<Run> runs = complete_runs(questioned.view.pv, kSameValue * noise_std);
+  const std::vector<FlatRun> runs = complete_runs(questioned.view.pv, kSameValue * noise_std);
   return std::min({by_clock(runs), by_repeats(runs, questioned.grid.step, noise_std),
                    by_freeze(runs, questioned)},
                   [](const Hold& a, const Hold& b) { return a.p < b.p; });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/hos/sample_quantile.hpp"
 #include "core/model/questions/phrases.hpp"
 #include "core/model/questions/play.hpp"
 #include "core/model/questions/score_test.hpp"
@@ -16,17 +17,8 @@ constexpr std::array kWidths = {0.25, 0.75, 2.25};
 
 /// Half the distance between the 16th and the 84th percentile: the standard deviation of Gaussian
 /// values, and one setpoint move does not change it.
-double usual_deviation(std::span<const double> op_percent) {
-  std::vector<double> values;
-  for (const double op : op_percent)
-    if (std::isfinite(op)) values.push_back(op);
-  const auto at = [&values](double share) {
-    const auto place = values.begin() +
-                       static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-  };
-  return 0.5 * (at(0.84) - at(0.16));
+double usual_deviation(std::span<const double> op_sorted) {
+  return 0.5 * (hos::sample_quantile(op_sorted, 0.84) - hos::sample_quantile(op_sorted, 0.16));
 }
 
 std::size_t count_reversals(std::span<const double> direction) {
@@ -59,7 +51,7 @@ std::string statement_of(const Questioned& questioned, double width_percent) {
 
 std::optional<Answer> ask_op_direction(const Questioned& questioned) {
   if (!questioned.op) return std::nullopt;
-  const double usual = usual_deviation(questioned.view.op_percent);
+  const double usual = usual_deviation(questioned.op_sorted);
   std::vector<Centred> lags;
   std::vector<double> widths;
   for (const double share : kWidths) {

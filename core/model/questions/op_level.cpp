@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/hos/combine_p.hpp"
+#include "core/hos/sample_quantile.hpp"
 #include "core/model/questions/phrases.hpp"
 #include "core/model/questions/score_test.hpp"
 
@@ -33,18 +33,9 @@ struct Limit {
   double p = 1.0;
 };
 
-std::vector<double> sorted_op(const Questioned& questioned) {
-  std::vector<double> sorted;
-  for (const double op : questioned.view.op_percent)
-    if (std::isfinite(op)) sorted.push_back(op);
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
-}
-
-Limit try_limit(const Questioned& questioned, const std::vector<double>& sorted, double share,
-                bool high) {
-  const double rank = (high ? share : 1.0 - share) * static_cast<double>(sorted.size() - 1);
-  Limit limit{sorted[static_cast<std::size_t>(rank)], high, 1.0 - share, 1.0};
+Limit try_limit(const Questioned& questioned, double share, bool high) {
+  const double near = high ? share : 1.0 - share;
+  Limit limit{hos::sample_quantile(questioned.op_sorted, near), high, 1.0 - share, 1.0};
   limit.p = p_of(questioned, [&limit](double op) {
     return limit.high ? std::max(op - limit.at_percent, 0.0 * op)
                       : std::min(op - limit.at_percent, 0.0 * op);
@@ -53,10 +44,9 @@ Limit try_limit(const Questioned& questioned, const std::vector<double>& sorted,
 }
 
 std::vector<Limit> try_limits(const Questioned& questioned) {
-  const std::vector<double> sorted = sorted_op(questioned);
   std::vector<Limit> limits;
   for (const bool high : {true, false})
-    for (const double share : kShares) limits.push_back(try_limit(questioned, sorted, share, high));
+    for (const double share : kShares) limits.push_back(try_limit(questioned, share, high));
   return limits;
 }
 

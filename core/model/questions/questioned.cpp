@@ -30,6 +30,7 @@ std::optional<Questioned> prepare_questions(const ResidualView& view) {
                     .op = centred(view.op_percent, kFewestAsked),
                     .response = centred(view.response, kFewestAsked),
                     .pv = centred(view.pv, kFewestAsked),
+                    .op_sorted = sorted_finite(view.op_percent),
                     .fast_noise_std = fast_noise_std(view),
                     .grid = {},
                     .recorded = Eigen::ArrayXd(static_cast<Eigen::Index>(view.innovation.size())),

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "core/model/questions/centred.hpp"
 #include "core/model/questions/value_grid.hpp"
@@ -17,6 +18,7 @@ struct Questioned {
   std::optional<Centred> op;        ///< nullopt = missing or constant
   std::optional<Centred> response;  ///< nullopt = missing or constant
   std::optional<Centred> pv;        ///< nullopt = missing or constant
+  std::vector<double> op_sorted;    ///< recorded values, ascending
   double fast_noise_std = 0.0;      ///< pv units, see fast_noise.hpp
   ValueGrid grid;                   ///< of pv
   Eigen::ArrayXd recorded;          ///< 1 where the residual is, else 0

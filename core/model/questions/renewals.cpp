@@ -15,9 +15,9 @@ constexpr std::size_t kFewestRuns = 5;
 constexpr std::size_t kMostLengths = 8;
 
 /// The most common lengths of runs and their common divisors.
-std::set<std::size_t> candidates_of(std::span<const Run> runs) {
+std::set<std::size_t> candidates_of(std::span<const FlatRun> runs) {
   std::map<std::size_t, std::size_t> counts;
-  for (const Run& run : runs) ++counts[run.samples];
+  for (const FlatRun& run : runs) ++counts[run.samples];
   std::vector<std::pair<std::size_t, std::size_t>> common;  // count, length
   for (const auto& [length, count] : counts) common.emplace_back(count, length);
   std::sort(common.rbegin(), common.rend());
@@ -29,9 +29,9 @@ std::set<std::size_t> candidates_of(std::span<const Run> runs) {
   return candidates;
 }
 
-std::size_t most_at_one_phase(std::span<const Run> runs, std::size_t period) {
+std::size_t most_at_one_phase(std::span<const FlatRun> runs, std::size_t period) {
   std::vector<std::size_t> counts(period);
-  for (const Run& run : runs) ++counts[run.begin % period];
+  for (const FlatRun& run : runs) ++counts[run.begin % period];
   return *std::max_element(counts.begin(), counts.end());
 }
 
@@ -45,8 +45,8 @@ double chance(double hits, double tries, double period) {
 
 }  // namespace
 
-std::vector<Run> complete_runs(std::span<const double> signal, double tolerance) {
-  std::vector<Run> runs;
+std::vector<FlatRun> complete_runs(std::span<const double> signal, double tolerance) {
+  std::vector<FlatRun> runs;
   std::size_t begin = 0;  // 0 = unknown
   for (std::size_t k = 1; k < signal.size(); ++k) {
     if (std::isnan(signal[k]) || std::isnan(signal[k - 1])) {
@@ -59,7 +59,7 @@ std::vector<Run> complete_runs(std::span<const double> signal, double tolerance)
   return runs;
 }
 
-Clock find_clock(std::span<const Run> runs) {
+Clock find_clock(std::span<const FlatRun> runs) {
   Clock clock;
   if (runs.size() < kFewestRuns) return clock;
   const auto tries = static_cast<double>(runs.size());

@@ -10,6 +10,7 @@
 #include "core/model/questions/answer.hpp"
 #include "core/model/questions/centred.hpp"
 #include "core/model/questions/questioned.hpp"
+#include "core/signal/gaps.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -25,6 +26,10 @@ constexpr double kIndependent = 0.6;
 /// window correlates neighbours, which leaves 1 / 1.9 of them.
 constexpr double kMeanLog = -std::numbers::egamma;
 constexpr double kLogVariance = 1.9 * std::numbers::pi * std::numbers::pi / 6.0;
+
+/// A drifting signal that misses samples at a regular pace would show the pace as a line: gaps of
+/// up to so many samples are bridged.
+constexpr std::size_t kLongestBridge = 20;
 
 struct Tapered {
   std::vector<double> power;    ///< per bin
@@ -169,10 +174,13 @@ SpectralLine line_of(const Found& found, const Tapered& spectrum, double unit) {
 }  // namespace
 
 LineSearch find_lines(std::span<const double> signal) {
-  const std::optional<Centred> about = centred(signal, kFewestAsked);
+  signal::Samples bridged(signal.begin(), signal.end());
+  signal::discard_infinite(bridged);
+  signal::bridge_gaps(bridged, kLongestBridge);
+  const std::optional<Centred> about = centred(bridged, kFewestAsked);
   if (!about) return {};
-  std::vector<double> recorded(signal.size());
-  std::transform(signal.begin(), signal.end(), recorded.begin(),
+  std::vector<double> recorded(bridged.size());
+  std::transform(bridged.begin(), bridged.end(), recorded.begin(),
                  [](double value) { return std::isfinite(value) ? 1.0 : 0.0; });
   const Tapered spectrum = taper(*about, recorded);
   LineSearch result;

@@ -18,11 +18,12 @@ inline constexpr std::size_t kMostLines = 3;
 /// The strongest lines of a signal against its own coloured noise, strongest first, at most
 /// kMostLines, those with p <= 0.05.
 ///
-/// Hann window over the whole record (straight line removed, missing samples 0), transform of two
-/// to four times its length. The noise beside a frequency is read from the logarithms of the power
-/// in a band on either side: a power law leaves no line. A line is read at the vertex of the
-/// parabola through three logarithms of power. What a stronger line leaks counts as noise.
-/// Empty when fewer than 200 samples are finite or the signal is constant.
+/// Hann window over the whole record (gaps of up to 20 samples bridged, straight line removed,
+/// other missing samples 0), transform of two to four times its length. The noise beside a
+/// frequency is read from the logarithms of the power in a band on either side: a power law leaves
+/// no line. A line is read at the vertex of the parabola through three logarithms of power. What a
+/// stronger line leaks counts as noise. Empty when fewer than 200 samples are finite or the signal
+/// is constant.
 struct LineSearch {
   double p = 1.0;  ///< of the strongest line, significant or not
   std::vector<SpectralLine> lines;

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/model/questions/centred.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
@@ -19,14 +21,6 @@ struct Level {
   double value = 0.0;
   std::size_t samples = 0;
 };
-
-std::vector<double> sorted_finite(std::span<const double> values) {
-  std::vector<double> sorted;
-  for (const double value : values)
-    if (std::isfinite(value)) sorted.push_back(value);
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
-}
 
 std::vector<Level> levels_of(const std::vector<double>& sorted, double tolerance) {
   std::vector<Level> levels;

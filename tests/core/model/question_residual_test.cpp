@@ -1,0 +1,281 @@
+#include "core/model/question_residual.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <gtest/gtest.h>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "core/simulate/scenario.hpp"
+#include "tests/core/model/questions/loops.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+using tests::Questionable;
+using tests::Series;
+using tests::White;
+
+constexpr std::array kWhites = {White::gaussian, White::exponential, White::laplace,
+                                White::modulated, White::garch};
+
+struct Counts {
+  int asked = 0;
+  std::array<int, 3> passed{};  ///< at kLevels
+};
+constexpr std::array kLevels = {0.05, 0.01, 0.001};
+using Rates = std::map<std::string, Counts, std::less<>>;
+
+void count(const std::vector<Answer>& answers, Rates& rates) {
+  for (const Answer& answer : answers) {
+    Counts& counts = rates[std::string(answer.question.name)];
+    ++counts.asked;
+    for (std::size_t i = 0; i < kLevels.size(); ++i)
+      counts.passed[i] += answer.question.p <= kLevels[i] ? 1 : 0;
+  }
+}
+
+Rates sizes(White kind, std::size_t samples, int records) {
+  Rates rates;
+  for (int seed = 1; seed <= records; ++seed) {
+    const auto s = static_cast<std::uint64_t>(seed);
+    const Questionable loop = tests::closed_loop(tests::white(kind, samples, 131 * s), s);
+    count(question_residual_quickly(loop.view()), rates);
+  }
+  return rates;
+}
+
+Rates powers(const std::string& scenario, int records) {
+  Rates rates;
+  for (int seed = 1; seed <= records; ++seed) {
+    const auto record = simulate::simulate_scenario(scenario, {}, static_cast<std::uint64_t>(seed));
+    count(question_residual_quickly(tests::arx_residual(record).view()), rates);
+  }
+  return rates;
+}
+
+TEST(QuestionResidual, WhiteResidualsPass) {
+  constexpr int kRecords = 200;
+  // Four standard deviations of a true rate of 5 %, and of one of 1 %.
+  const double most_5 = kRecords * 0.05 + 4.0 * std::sqrt(kRecords * 0.05 * 0.95);
+  const double most_1 = kRecords * 0.01 + 4.0 * std::sqrt(kRecords * 0.01 * 0.99);
+  for (const White kind : kWhites) {
+    for (const auto& [question, counts] : sizes(kind, 750, kRecords)) {
+      // A variance that changes is there to be found.
+      if (kind == White::modulated && question == "time_spread") continue;
+      EXPECT_LE(counts.passed[0], most_5) << question << ", " << tests::name(kind);
+      EXPECT_LE(counts.passed[1], most_1) << question << ", " << tests::name(kind);
+    }
+  }
+}
+
+TEST(QuestionResidual, EachEffectIsNominatedByItsQuestion) {
+  struct Case {
+    const char* scenario;
+    const char* question;
+    EffectKind effect;
+  };
+  using enum EffectKind;
+  for (const Case& c : {Case{"paper_5_4", "op_direction", valve_stiction},
+                        Case{"paper_5_4_kano", "op_direction", valve_stiction},
+                        Case{"sticking_valve", "op_direction", valve_stiction},
+                        Case{"sticking_level", "op_direction", valve_stiction},
+                        Case{"deadband", "op_direction", valve_deadband},
+                        Case{"saturated_valve", "op_level", valve_saturation},
+                        Case{"worn_valve", "op_level", valve_characteristic},
+                        Case{"nonlinear_process", "response_level", process_nonlinearity},
+                        Case{"process_gain_change", "time_gain", gain_change},
+                        Case{"load_upsets", "time_event", load_step},
+                        Case{"outside_oscillation", "periodic", external_oscillation},
+                        Case{"paper_5_3", "periodic", external_oscillation},
+                        Case{"quantised_sensor", "grid", sensor_quantisation},
+                        Case{"holding_sensor", "held", sensor_hold}}) {
+    int nominated = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const auto record = simulate::simulate_scenario(c.scenario, {}, seed);
+      const auto answers = question_residual_quickly(tests::arx_residual(record).view());
+      const Nomination* nomination = tests::nomination_of(answers, c.question, c.effect);
+      nominated += nomination != nullptr && tests::p_of(answers, c.question) <= 0.01 ? 1 : 0;
+    }
+    EXPECT_EQ(nominated, 5) << c.scenario;
+  }
+}
+
+TEST(QuestionResidual, TheFiguresOfTheFaultsAreRight) {
+  const auto oscillating = simulate::simulate_scenario("paper_5_3", {}, 1);
+  const auto quantised = simulate::simulate_scenario("quantised_sensor", {}, 1);
+  const auto holding = simulate::simulate_scenario("holding_sensor", {}, 1);
+  const auto changed = simulate::simulate_scenario("process_gain_change", {}, 1);
+  const auto nominated = [](const simulate::LoopRecord& record, const char* question,
+                            EffectKind effect) {
+    const auto answers = question_residual_quickly(tests::arx_residual(record).view());
+    const Nomination* found = tests::nomination_of(answers, question, effect);
+    return found == nullptr ? Nomination{} : *found;
+  };
+  using enum EffectKind;
+  EXPECT_NEAR(nominated(oscillating, "periodic", external_oscillation).period_samples.value_or(0.0),
+              100.0, 0.3);
+  EXPECT_NEAR(nominated(quantised, "grid", sensor_quantisation).step.value_or(0.0), 1.0, 1e-9);
+  EXPECT_EQ(nominated(holding, "held", sensor_hold).hold_samples, 12.0);
+  EXPECT_NEAR(
+      static_cast<double>(nominated(changed, "time_gain", gain_change).at_sample.value_or(0)),
+      2048.0, 150.0);
+}
+
+TEST(QuestionResidual, HealthyLoopsNominateLittle) {
+  int passed = 0;
+  int asked = 0;
+  for (const char* scenario : {"healthy_flow", "paper_5_1", "level_loop"})
+    for (const auto& [question, counts] : powers(scenario, 10)) {
+      passed += counts.passed[1];
+      asked += counts.asked;
+    }
+  EXPECT_LE(passed, asked * 0.01 + 4.0 * std::sqrt(asked * 0.01));
+}
+
+TEST(QuestionResidual, AStepInTheResidualIsToldWithItsPlace) {
+  Questionable loop = tests::closed_loop(tests::white(White::gaussian, 4096, 5), 5);
+  for (std::size_t k = 1840; k < 4096; ++k) loop.innovation[k] += 0.6;
+  const auto answers = question_residual_quickly(loop.view());
+  const Answer* answer = tests::answer_of(answers, "time_level");
+  ASSERT_NE(answer, nullptr);
+  EXPECT_LT(answer->question.p, 1e-10);
+  ASSERT_EQ(answer->nominations.size(), 1U);
+  const std::size_t at = *answer->nominations[0].at_sample;
+  EXPECT_NEAR(static_cast<double>(at), 1840.0, 50.0);
+  EXPECT_NE(answer->question.statement.find("(sample " + std::to_string(at) + ")"),
+            std::string::npos)
+      << answer->question.statement;
+  EXPECT_NEAR(*answer->nominations[0].size, 0.6, 0.1);
+}
+
+TEST(QuestionResidual, MissingSamplesDoNotReject) {
+  int passed = 0;
+  int asked = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Questionable loop = tests::closed_loop(tests::white(White::gaussian, 2000, seed), seed);
+    for (std::size_t k = 0; k < 2000; ++k)
+      if (k % 7 == 3 || (k > 600 && k < 900))
+        loop.innovation[k] = loop.pv[k] = loop.op_percent[k] =
+            std::numeric_limits<double>::quiet_NaN();
+    for (const Answer& answer : question_residual_quickly(loop.view())) {
+      EXPECT_TRUE(answer.question.p > 0.0 && answer.question.p <= 1.0) << answer.question.name;
+      passed += answer.question.p <= 0.05 ? 1 : 0;
+      ++asked;
+    }
+  }
+  EXPECT_LE(passed, asked * 0.05 + 4.0 * std::sqrt(asked * 0.05));
+}
+
+TEST(QuestionResidual, QuestionsThatCannotBeAskedAreLeftOut) {
+  const Series r = tests::white(White::gaussian, 1000, 1);
+  const Series none(1000, std::numeric_limits<double>::quiet_NaN());
+  const auto answers = question_residual_quickly({r, none, none, none, none, 1.0});
+  EXPECT_EQ(answers.size(), 5U) << "white, time_level, time_spread, time_event, periodic";
+  EXPECT_EQ(tests::answer_of(answers, "op_direction"), nullptr);
+  EXPECT_TRUE(question_residual_quickly({none, none, none, none, none, 1.0}).empty());
+  EXPECT_TRUE(question_residual({}, 1).empty());
+  const Series constant(1000, 50.0);
+  EXPECT_EQ(question_residual_quickly({r, constant, constant, constant, constant, 1.0}).size(), 5U);
+}
+
+TEST(QuestionResidual, WrongArgumentsAreRefused) {
+  const Series r(500), shorter(499);
+  EXPECT_THROW((void)question_residual({r, shorter, r, r, r, 1.0}, 1), std::invalid_argument);
+  EXPECT_THROW((void)question_residual({r, r, r, r, r, 0.0}, 1), std::invalid_argument);
+}
+
+TEST(QuestionResidual, ScaleDoesNotMatter) {
+  const Questionable loop = tests::closed_loop(tests::white(White::gaussian, 1500, 8), 8);
+  Questionable scaled = loop;
+  for (Series* signal : {&scaled.innovation, &scaled.response, &scaled.pv})
+    for (double& value : *signal) value *= 0x1p300;
+  const auto a = question_residual_quickly(loop.view());
+  const auto b = question_residual_quickly(scaled.view());
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_NEAR(a[i].question.p, b[i].question.p, 1e-9) << a[i].question.name;
+}
+
+TEST(QuestionResidual, CouplingIsAskedWithTheSeed) {
+  const Questionable loop = tests::closed_loop(tests::white(White::exponential, 4096, 9), 9);
+  const auto a = question_residual(loop.view(), 3);
+  const auto b = question_residual(loop.view(), 3);
+  EXPECT_LT(tests::p_of(a, "ngi"), 1e-3) << "skewed noise";
+  EXPECT_GT(tests::p_of(a, "nonlinear"), 0.01) << "is not nonlinear";
+  EXPECT_EQ(tests::p_of(a, "nonlinear"), tests::p_of(b, "nonlinear"));
+}
+
+// ---- The tables of README.md. Disabled: minutes.
+
+void print(const std::string& title, const Rates& rates, std::size_t level) {
+  std::printf("%-24s", title.c_str());
+  for (const auto& [question, counts] : rates)
+    std::printf(" %s %.1f", question.c_str(), 100.0 * counts.passed[level] / counts.asked);
+  std::printf("\n");
+}
+
+TEST(QuestionResidual, DISABLED_Sizes) {
+  for (const std::size_t samples : {std::size_t{750}, std::size_t{4096}, std::size_t{16000}})
+    for (const White kind : kWhites) {
+      const Rates rates = sizes(kind, samples, samples == 16000 ? 400 : 1000);
+      for (std::size_t level = 0; level < kLevels.size(); ++level)
+        print(std::to_string(samples) + " " + std::string(tests::name(kind)) + " at " +
+                  std::to_string(kLevels[level]),
+              rates, level);
+    }
+}
+
+TEST(QuestionResidual, DISABLED_EventsInLaplacianGarchNoise) {
+  for (const std::size_t samples : {std::size_t{4096}, std::size_t{16000}}) {
+    Rates rates;
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+      const Series r = tests::white(White::garch_laplace, samples, seed);
+      count(question_residual_quickly(tests::closed_loop(r, seed).view()), rates);
+    }
+    print(std::to_string(samples), rates, 0);
+  }
+}
+
+TEST(QuestionResidual, DISABLED_CouplingSizes) {
+  for (const std::size_t samples : {std::size_t{750}, std::size_t{4096}})
+    for (const White kind : kWhites) {
+      Rates rates;
+      for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        const Questionable loop = tests::closed_loop(tests::white(kind, samples, 131 * seed), seed);
+        count(question_residual(loop.view(), seed), rates);
+      }
+      print(std::to_string(samples) + " " + std::string(tests::name(kind)), rates, 0);
+    }
+}
+
+TEST(QuestionResidual, DISABLED_Cost) {
+  const Questionable loop = tests::closed_loop(tests::white(White::gaussian, 4096, 5), 5);
+  double least_ms = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 20; ++round) {
+    const std::clock_t begin = std::clock();
+    for (int k = 0; k < 20; ++k) (void)question_residual_quickly(loop.view());
+    least_ms = std::min(least_ms, 1e3 / 20.0 * double(std::clock() - begin) / CLOCKS_PER_SEC);
+  }
+  std::printf("question_residual_quickly, 4096 samples: %.2f ms\n", least_ms);
+}
+
+TEST(QuestionResidual, DISABLED_Powers) {
+  for (const char* scenario : {"healthy_flow",        "paper_5_1",      "paper_5_2_printed",
+                               "paper_5_2_excessive", "level_loop",     "tight_tuning",
+                               "sluggish_tuning",     "paper_5_3",      "outside_oscillation",
+                               "paper_5_4",           "paper_5_4_kano", "sticking_valve",
+                               "square_limit_cycle",  "sticking_level", "deadband",
+                               "saturated_valve",     "worn_valve",     "nonlinear_process",
+                               "process_gain_change", "load_upsets",    "quantised_sensor",
+                               "holding_sensor",      "oversized_valve"})
+    print(scenario, powers(scenario, 100), 1);
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
