@@ -11,6 +11,7 @@
 #include "core/model/op_direction.hpp"
 #include "core/model/process_report.hpp"
 #include "core/model/question_residual.hpp"
+#include "core/model/renewed_record.hpp"
 #include "core/model/sensor_steps.hpp"
 #include "core/model/step_report.hpp"
 #include "core/model/story.hpp"
@@ -101,26 +102,71 @@ void report_rest(const Story& story, const std::vector<Answer>& answers, Explana
   for (const Answer& answer : answers) explanation.questions.push_back(answer.question);
 }
 
+/// The linear loop and what its residual says.
+struct Look {
+  Story story;
+  Questioning questioning;
+  [[nodiscard]] double baseline_error() const {
+    return story.baseline.fit.score_error * story.data.pv_scale * story.data.pv_scale;
+  }
+};
+
+Look look_at(const ModelInput& input) {
+  Look look{begin_story(make_loop_data(input.pv, input.op, input.sample_interval_s)), {}};
+  look.questioning = question(input, look.story.data, look.story.baseline.fit);
+  return look;
+}
+
+Explanation explain_look(const ModelInput& input, Look look) {
+  Story& story = look.story;
+  Explanation explanation;
+  const Fit& linear = story.baseline.fit;
+  explanation.baseline = {describe(story.data, linear), look.baseline_error(), report_process(story.data, linear)};
+  continue_story(story, look.questioning.answers);
+  explanation.steps = report_steps(story);
+  const Fit& last = story.last().fit;
+  if (!story.chapters.empty()) {
+    explanation.baseline.process = report_process(story.data, last);
+    look.questioning = question(input, story.data, last);
+  }
+  judge_loop(input, story.data, last, explanation);
+  report_rest(story, look.questioning.answers, explanation);
+  return explanation;
+}
+
+/// Errors of renewals as mean squares over all samples: between renewals pv is known.
+void spread_over(Explanation& explanation, double share) {
+  explanation.noise_floor *= share;
+  explanation.baseline.holdout_error *= share;
+  for (Step& step : explanation.steps) {
+    step.holdout_error_before *= share;
+    step.holdout_error_after *= share;
+  }
+}
+
+/// Of a held sensor only the renewals say anything: the story is told on them.
+Explanation explain_renewals(const ModelInput& input, Step hold, std::size_t hold_samples) {
+  const RenewedRecord renewed = renewed_record(input.pv, input.op, input.sp, input.error, hold_samples);
+  const double share = 1.0 / static_cast<double>(hold_samples);
+  const ModelInput thinned{renewed.pv, renewed.op, renewed.sp, renewed.error,
+                           input.sample_interval_s / share, input.op_in_percent, input.seed};
+  Explanation explanation = explain_look(thinned, look_at(thinned));
+  spread_over(explanation, share);
+  hold.holdout_error_after = explanation.baseline.holdout_error;
+  explanation.baseline.holdout_error = hold.holdout_error_before;
+  explanation.steps.insert(explanation.steps.begin(), std::move(hold));
+  return explanation;
+}
+
 }  // namespace
 
 std::optional<Explanation> explain(const ModelInput& input) {
   if (!fittable(input)) return std::nullopt;
-  const LoopData data = make_loop_data(input.pv, input.op, input.sample_interval_s);
-  Explanation explanation;
-  Story story = begin_story(data);
-  const Fit& linear = story.baseline.fit;
-  explanation.baseline = {describe(data, linear), linear.score_error * data.pv_scale * data.pv_scale,
-                          report_process(data, linear)};
-  const Questioning first = question(input, data, linear);
-  const SensorFinding sensor = find_sensor_steps(data, linear, first.answers);
-  if (sensor.rows) story.data.rows = *sensor.rows;
-  continue_story(story, first.answers);
-  explanation.steps = report_steps(story);
-  explanation.steps.insert(explanation.steps.begin(), sensor.steps.begin(), sensor.steps.end());
-  const Fit& last = story.last().fit;
-  if (!story.chapters.empty()) explanation.baseline.process = report_process(data, last);
-  judge_loop(input, story.data, last, explanation);
-  report_rest(story, story.chapters.empty() ? first.answers : question(input, story.data, last).answers, explanation);
+  const Look look = look_at(input);
+  const SensorFinding sensor = find_sensor_steps(look.baseline_error(), look.questioning.answers);
+  Explanation explanation = sensor.hold ? explain_renewals(input, *sensor.hold, sensor.hold_samples)
+                                        : explain_look(input, look);
+  if (sensor.quantisation) explanation.steps.insert(explanation.steps.begin(), *sensor.quantisation);
   return explanation;
 }
 

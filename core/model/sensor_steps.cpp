@@ -20,60 +20,36 @@ const Nomination* nominated(const std::vector<Answer>& answers, EffectKind kind)
   return nullptr;
 }
 
-Step sensor_step(EffectKind kind, double p, Parameter parameter, double before, double after) {
+Step sensor_step(EffectKind kind, double p, const Parameter& parameter, double error) {
+  constexpr double kSmallestP = 1e-300;
   Step step;
   step.effect = kind;
   step.parameters = {parameter};
-  step.holdout_error_before = before;
-  step.holdout_error_after = after;
+  step.holdout_error_before = error;
+  step.holdout_error_after = error;
   step.p = p;
-  step.evidence = -2.0 * std::log(std::max(p, 1e-300));
+  step.evidence = -2.0 * std::log(std::max(p, kSmallestP));
   step.margin = step.evidence;
   return step;
 }
 
-/// Rows on which pv differs from the sample before.
-std::vector<Range> renewed(const LoopData& data, const std::vector<Range>& rows) {
-  std::vector<Range> result;
-  for (const Range& range : rows) {
-    for (std::size_t k = std::max<std::size_t>(1, range.first); k < range.end; ++k) {
-      if (data.pv[k] != data.pv[k - 1]) result.push_back({k, k + 1});
-    }
-  }
-  return result;
-}
-
-/// Mean square over all rows of a predictor that knows which samples are renewed.
-double held_error(const LoopData& data, const Fit& fit, const Rows& rows) {
-  LoopData renewals = data;
-  renewals.rows = rows;
-  const double share = static_cast<double>(rows.score_count()) /
-                       static_cast<double>(std::max<std::size_t>(1, data.rows.score_count()));
-  return polish(renewals, fit.structure, 4).score_error * share;
-}
-
 }  // namespace
 
-SensorFinding find_sensor_steps(const LoopData& data, const Fit& baseline,
-                                const std::vector<Answer>& answers) {
+SensorFinding find_sensor_steps(double error, const std::vector<Answer>& answers) {
   SensorFinding finding;
-  const double square = data.pv_scale * data.pv_scale;
-  const double before = baseline.score_error * square;
-  if (const Nomination* held = nominated(answers, EffectKind::sensor_hold); held && held->hold_samples) {
-    const Rows rows{renewed(data, data.rows.fit), renewed(data, data.rows.score)};
-    constexpr std::size_t kFewest = 60;
-    if (rows.fit_count() >= kFewest && rows.score_count() >= kFewest) {
-      finding.rows = rows;
-      Step step = sensor_step(EffectKind::sensor_hold, held->p, {"samples", "", *held->hold_samples, {}, {}},
-                              before, held_error(data, baseline, rows) * square);
-      step.statement = "The sensor is renewed every " + in_digits(*held->hold_samples) + " samples only.";
-      finding.steps.push_back(std::move(step));
-    }
+  const Nomination* held = nominated(answers, EffectKind::sensor_hold);
+  if (held && held->hold_samples && *held->hold_samples >= 2.0) {
+    finding.hold_samples = static_cast<std::size_t>(std::lround(*held->hold_samples));
+    const auto samples = static_cast<double>(finding.hold_samples);
+    finding.hold = sensor_step(EffectKind::sensor_hold, held->p, {"samples", "", samples, {}, {}}, error);
+    finding.hold->statement = "The sensor is renewed every " + in_digits(samples) + " samples only.";
   }
-  if (const Nomination* grid = nominated(answers, EffectKind::sensor_quantisation); grid && grid->step) {
-    Step step = sensor_step(EffectKind::sensor_quantisation, grid->p, {"step", "pv", *grid->step, {}, {}}, before, before);
-    step.statement = "The values of pv lie on a grid of " + in_digits(*grid->step) + ", coarse beside its fast noise.";
-    finding.steps.push_back(std::move(step));
+  const Nomination* grid = nominated(answers, EffectKind::sensor_quantisation);
+  if (grid && grid->step) {
+    finding.quantisation =
+        sensor_step(EffectKind::sensor_quantisation, grid->p, {"step", "pv", *grid->step, {}, {}}, error);
+    finding.quantisation->statement =
+        "The values of pv lie on a grid of " + in_digits(*grid->step) + ", coarse beside its fast noise.";
   }
   return finding;
 }
