@@ -1,0 +1,61 @@
+#include "core/model/cycle_band.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopscope::core::model {
+namespace {
+
+/// Kept samples a cycle at least (where the recording has them): five to a tenth harmonic's half.
+constexpr double kKeptPerCycle = 20.0;
+/// Width of the long mean, cycles. Shorter ones eat the cycle itself, longer ones let the load in.
+constexpr double kLongCycles = 2.5;
+constexpr std::size_t kShortestLongHalf = 8;
+
+}  // namespace
+
+CycleBand::CycleBand(double period_samples)
+    : factor_(std::max<std::size_t>(1, static_cast<std::size_t>(period_samples / kKeptPerCycle))),
+      period_(period_samples / static_cast<double>(factor_)),
+      long_half_(
+          std::max(kShortestLongHalf, static_cast<std::size_t>(0.5 * kLongCycles * period_))),
+      short_half_(static_cast<std::size_t>(std::lround(period_ / kKeptPerCycle))) {}
+
+std::vector<double> CycleBand::resample(std::span<const double> samples) const {
+  std::vector<double> kept(samples.size() / factor_);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    double sum = 0.0;
+    for (const double value : samples.subspan(i * factor_, factor_)) sum += value;
+    kept[i] = sum / static_cast<double>(factor_);
+  }
+  return kept;
+}
+
+std::vector<double> CycleBand::pass(std::span<const double> kept) const {
+  const std::size_t count = kept.size();
+  std::vector<double> sums(count + 1, 0.0);
+  for (std::size_t k = 0; k < count; ++k) sums[k + 1] = sums[k] + kept[k];
+  const auto mean_around = [&](std::size_t k, std::size_t half) {
+    const std::size_t first = k - std::min(k, half);
+    const std::size_t last = std::min(count, k + half + 1);
+    return (sums[last] - sums[first]) / static_cast<double>(last - first);
+  };
+  std::vector<double> passed(count);
+  const auto from_ends = [&](std::size_t k) {
+    const std::size_t half = std::min({short_half_, k, count - 1 - k});
+    return mean_around(k, half) - mean_around(k, long_half_);
+  };
+  const double short_share = 1.0 / static_cast<double>(2 * short_half_ + 1);
+  const double long_share = 1.0 / static_cast<double>(2 * long_half_ + 1);
+  const std::size_t inner = std::min(count, long_half_);
+  const std::size_t outer = std::max(inner, count - std::min(count, long_half_));
+  for (std::size_t k = 0; k < inner; ++k) passed[k] = from_ends(k);
+  for (std::size_t k = inner; k < outer; ++k) {
+    passed[k] = (sums[k + short_half_ + 1] - sums[k - short_half_]) * short_share -
+                (sums[k + long_half_ + 1] - sums[k - long_half_]) * long_share;
+  }
+  for (std::size_t k = outer; k < count; ++k) passed[k] = from_ends(k);
+  return passed;
+}
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace loopscope::core::model {
+
+/// The band of frequencies in which one limit cycle lives: samples are averaged until a cycle has
+/// 20 to 40 of them, and what is slower than 2.5 cycles (drift) or faster than a tenth of one
+/// (noise) is taken out. Both are linear, so that a model's output and pv may be treated alike and
+/// then compared: the drift needs no parameters.
+class CycleBand {
+ public:
+  /// `period_samples` of the recording, >= 2.
+  explicit CycleBand(double period_samples);
+
+  [[nodiscard]] std::size_t factor() const { return factor_; }  ///< samples averaged to one
+  [[nodiscard]] double period() const { return period_; }       ///< in kept samples
+
+  /// Means of `factor` samples; a rest at the end is dropped.
+  [[nodiscard]] std::vector<double> resample(std::span<const double> samples) const;
+  /// A short mean less a long one around every kept sample; same length.
+  [[nodiscard]] std::vector<double> pass(std::span<const double> kept) const;
+
+ private:
+  std::size_t factor_;
+  double period_;
+  std::size_t long_half_;  ///< kept samples to either side
+  std::size_t short_half_;
+};
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,182 @@
+#include "core/model/limit_cycle_cause.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "core/hos/period.hpp"
+#include "core/model/cycle_band.hpp"
+#include "core/model/cycle_evidence.hpp"
+#include "core/signal/gaps.hpp"
+#include "core/signal/loop_window.hpp"
+#include "core/signal/spread.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+using signal::Samples;
+
+constexpr std::size_t kFewestSamples = 128;
+constexpr double kFewestCycles = 5.0;
+constexpr double kMostMissing = 0.4;
+/// Kept samples that are judged in one go; longer records are judged in three parts.
+constexpr std::size_t kLongestRecord = 1500;
+constexpr std::size_t kParts = 3;
+constexpr std::size_t kPartLength = 600;
+/// Noise wanders too; its period stands for the scale at which it does.
+constexpr double kPeriodsInNoise = 9.0;
+
+struct Recording {
+  Samples pv, op, error, recorded;
+};
+
+Samples bridged(std::span<const double> values) {
+  Samples samples(values.begin(), values.end());
+  signal::discard_infinite(samples);
+  signal::bridge_gaps(samples, samples.size());
+  const auto is_recorded = [](double v) { return !std::isnan(v); };
+  const auto first = std::ranges::find_if(samples, is_recorded);
+  if (first == samples.end()) return samples;
+  std::fill(samples.begin(), first, *first);
+  const auto last = std::find_if(samples.rbegin(), samples.rend(), is_recorded);
+  std::fill(samples.rbegin(), last, *last);
+  return samples;
+}
+
+Recording prepare(std::span<const double> pv, std::span<const double> op,
+                  std::span<const double> sp) {
+  Recording result{bridged(pv), bridged(op), {}, Samples(pv.size(), 0.0)};
+  const Samples level = bridged(sp);
+  const bool known = !level.empty() && std::isfinite(level.front());
+  result.error = result.pv;
+  for (std::size_t k = 0; k < pv.size(); ++k) {
+    result.error[k] = (known ? level[k] : 0.0) - result.pv[k];
+    result.recorded[k] = std::isfinite(pv[k]) && std::isfinite(op[k]) ? 1.0 : 0.0;
+  }
+  return result;
+}
+
+bool stands_still(const Samples& samples) {
+  const auto spread = signal::measure_spread(samples);
+  return !spread || spread->constant();
+}
+
+/// Why the recording cannot be judged; empty when it can.
+std::string unusable(const Recording& recording) {
+  const std::size_t samples = recording.pv.size();
+  if (samples < kFewestSamples) return "Too few samples.";
+  const double recorded = signal::measure_spread(recording.recorded)->mean;
+  if (recorded < 1.0 - kMostMissing) return "Too much is missing.";
+  if (stands_still(recording.pv) || stands_still(recording.op)) return "pv or op stands still.";
+  return "";
+}
+
+std::vector<CycleEvidence> gather_parts(const Recording& recording, const CycleBand& band) {
+  const std::size_t samples = recording.pv.size();
+  const bool whole = samples / band.factor() <= kLongestRecord;
+  const std::size_t parts = whole ? 1 : kParts;
+  const std::size_t length = whole ? samples : kPartLength * band.factor();
+  std::vector<CycleEvidence> evidence;
+  for (std::size_t i = 0; i < parts; ++i) {
+    const std::size_t start = parts == 1 ? 0 : i * (samples - length) / (parts - 1);
+    const auto part = [&](const Samples& x) { return std::span(x).subspan(start, length); };
+    const Samples pv(part(recording.pv).begin(), part(recording.pv).end());
+    const Samples op(part(recording.op).begin(), part(recording.op).end());
+    if (stands_still(pv) || stands_still(op)) continue;
+    evidence.push_back(gather_cycle_evidence(
+        {part(recording.pv), part(recording.op), part(recording.error), part(recording.recorded)},
+        band));
+  }
+  return evidence;
+}
+
+/// Means of what the score reads; the process is that of the part whose law fits best.
+CycleEvidence combine(const std::vector<CycleEvidence>& parts) {
+  CycleEvidence result = *std::ranges::min_element(parts, {}, &CycleEvidence::error_law);
+  constexpr std::array kMeans = {&CycleEvidence::error_before,  &CycleEvidence::error_law,
+                                 &CycleEvidence::error_turning, &CycleEvidence::part_ratio,
+                                 &CycleEvidence::steadiness,    &CycleEvidence::band_share,
+                                 &CycleEvidence::op_coherence,  &CycleEvidence::op_triangle,
+                                 &CycleEvidence::pv_third,      &CycleEvidence::pv_triangle};
+  for (const auto member : kMeans) {
+    double sum = 0.0;
+    for (const CycleEvidence& part : parts) sum += part.*member;
+    result.*member = sum / static_cast<double>(parts.size());
+  }
+  return result;
+}
+
+/// Share of the linear error that the valve of the law takes away.
+double law_gain(const CycleEvidence& e) {
+  constexpr double kLeastError = 1e-3;
+  return (e.error_before - e.error_law) / (e.error_before + kLeastError);
+}
+
+/// A triangle counts as far as op has a steady shape at all.
+double steady_triangle(const CycleEvidence& e) {
+  const double weight = std::clamp((e.op_coherence - 0.5) / 0.35, 0.0, 1.0);
+  return weight * std::clamp(e.op_triangle, -0.1, 0.12);
+}
+
+/// Logistic regression on simulated recordings, see README.limit_cycle.md. The limits keep one
+/// figure far outside of what was simulated from deciding alone.
+double score_of(const CycleEvidence& e) {
+  constexpr double kLeastRatio = 1e-3;
+  const double log_ratio = std::log(std::max(e.part_ratio, kLeastRatio));
+  const double z = -11.037 - 1.164 * std::clamp(log_ratio, -1.5, 0.1) +
+                   2.374 * std::clamp(law_gain(e), -0.5, 0.9) + 3.501 * e.steadiness +
+                   3.433 * std::clamp(e.band_share, 0.0, 1.5) + 31.908 * steady_triangle(e) +
+                   5.175 * std::clamp(e.op_coherence, 0.4, 1.0) +
+                   3.613 * std::clamp(e.pv_triangle, 0.2, 0.8);
+  return 1.0 / (1.0 + std::exp(-z));
+}
+
+std::string figure(double value, int decimals = 2) {
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::fixed, decimals);
+  return end.ec == std::errc() ? std::string(text.data(), end.ptr) : "?";
+}
+
+std::string reason_for(const CycleEvidence& e) {
+  return "A valve that moves where op turns leaves " + figure(e.part_ratio) +
+         " of a linear process's error (median; lower in " + figure(100.0 * e.steadiness, 0) +
+         " % of the parts). Held out, a valve with S " + figure(e.stickband) + " and J " +
+         figure(e.slip_jump) + " leaves " + figure(e.error_law) + " of pv, a linear process " +
+         figure(e.error_before) + ". op repeats its half cycle to " +
+         figure(100.0 * e.op_coherence, 0) + " %, triangularity " + figure(e.op_triangle) +
+         " (0 sine, 0.11 triangle); wave shape index of pv " + figure(e.pv_triangle) + ".";
+}
+
+}  // namespace
+
+CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double> op,
+                             std::span<const double> sp) {
+  if (pv.size() != op.size() || (!sp.empty() && sp.size() != pv.size())) {
+    throw std::invalid_argument("judge_limit_cycle: pv, op and sp of different lengths");
+  }
+  CycleCause cause;
+  const Recording recording = prepare(pv, op, sp);
+  cause.reason = unusable(recording);
+  if (!cause.reason.empty()) return cause;
+  const auto samples = static_cast<double>(pv.size());
+  const double period = hos::dominant_period(recording.error).value_or(samples / kPeriodsInNoise);
+  const std::vector<CycleEvidence> parts = gather_parts(recording, CycleBand(period));
+  cause.reason = "op stands still for most of the record.";
+  if (parts.empty()) return cause;
+  cause.evidence = combine(parts);
+  cause.evidence.period_samples = period;
+  cause.evidence.cycles = samples / period;
+  cause.score = score_of(cause.evidence);
+  cause.reason = reason_for(cause.evidence);
+  if (cause.evidence.cycles < kFewestCycles) return cause;
+  cause.decision =
+      cause.score >= 0.5 ? CycleCause::Decision::sticks : CycleCause::Decision::does_not_stick;
+  return cause;
+}
+
+}  // namespace loopscope::core::model

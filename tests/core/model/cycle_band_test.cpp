@@ -1,0 +1,49 @@
+#include "core/model/cycle_band.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+namespace loopscope::core::model {
+namespace {
+
+std::vector<double> sine(std::size_t count, double period) {
+  std::vector<double> wave(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    wave[k] = std::sin(2.0 * std::numbers::pi * static_cast<double>(k) / period);
+  }
+  return wave;
+}
+
+double amplitude(const std::vector<double>& signal) {
+  double sum = 0.0;
+  for (const double value : signal) sum += value * value;
+  return std::sqrt(2.0 * sum / static_cast<double>(signal.size()));
+}
+
+TEST(CycleBand, LeavesTwentyToFortySamplesACycle) {
+  for (const double period : {20.0, 39.0, 41.0, 100.0, 777.0}) {
+    const CycleBand band(period);
+    EXPECT_GE(band.period(), 20.0) << period;
+    EXPECT_LT(band.period(), 40.0) << period;
+  }
+  EXPECT_EQ(CycleBand(9.0).factor(), 1U);
+}
+
+TEST(CycleBand, AveragesAndDropsTheRest) {
+  const CycleBand band(40.0);
+  EXPECT_EQ(band.resample(std::vector{1.0, 3.0, 5.0, 7.0, 9.0}), (std::vector{2.0, 6.0}));
+}
+
+TEST(CycleBand, PassesTheCycleAndNotTheDrift) {
+  const CycleBand band(30.0);
+  // (mean of 5) - (mean of 75) at a period of 30: 0.956 - 0.127.
+  EXPECT_NEAR(amplitude(band.pass(sine(3000, 30.0))), 0.83, 0.02);
+  EXPECT_LT(amplitude(band.pass(sine(3000, 600.0))), 0.05);
+  EXPECT_NEAR(amplitude(band.pass(sine(3000, 3.0))), 0.2, 0.02);
+  EXPECT_LT(amplitude(band.pass(std::vector(500, 7.0))), 1e-9);
+}
+
+}  // namespace
+}  // namespace loopscope::core::model

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "tests/core/model/field_loop.hpp"
+
+namespace loopscope::tests::model {
+
+/// A kind of recording as plants have them, with its truth.
+struct FieldFamily {
+  std::string_view name;
+  bool sticks = false;
+  bool for_tuning = false;  ///< rules are fitted on these; the others score them
+  FieldLoop (*simulate)(Draw& draw) = nullptr;
+};
+
+[[nodiscard]] std::span<const FieldFamily> sticking_families();
+[[nodiscard]] std::span<const FieldFamily> healthy_families();
+/// Both, in that order.
+[[nodiscard]] std::span<const FieldFamily> field_families();
+
+}  // namespace loopscope::tests::model

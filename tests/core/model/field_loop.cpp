@@ -1,0 +1,205 @@
+#include "tests/core/model/field_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+
+namespace loopscope::tests::model {
+namespace {
+
+constexpr double kMiddle = 50.0;
+constexpr std::size_t kRunIn = 800;
+
+double to_grid(double value, double grid) {
+  return grid > 0.0 ? grid * std::round(value / grid) : value;
+}
+
+class Wave {
+ public:
+  Wave(const OutsideWave& settings, Draw& draw) : settings_(settings), phase_(draw.between(0, 1)) {}
+  double next(Draw& draw) {
+    if (settings_.amplitude == 0.0) return 0.0;
+    phase_ += 1.0 / settings_.period_steps +
+              settings_.phase_walk / (2.0 * std::numbers::pi) * draw.normal();
+    // The amplitude forgets itself over about three cycles.
+    const double memory = std::exp(-1.0 / (3.0 * settings_.period_steps));
+    fade_ = memory * fade_ + settings_.fading * std::sqrt(1.0 - memory * memory) * draw.normal();
+    const double place = phase_ - std::floor(phase_);
+    return settings_.amplitude * (1.0 + fade_) * shape(place);
+  }
+  [[nodiscard]] bool at_input() const { return settings_.at_input; }
+
+ private:
+  [[nodiscard]] double shape(double place) const {
+    switch (settings_.shape) {
+      case OutsideWave::Shape::sine:
+        return std::sin(2.0 * std::numbers::pi * place);
+      case OutsideWave::Shape::square:
+        return place < 0.5 ? 1.0 : -1.0;
+      case OutsideWave::Shape::triangle:
+        return 4.0 * std::abs(place - 0.5) - 1.0;
+      case OutsideWave::Shape::lopsided:
+        return place < 0.3 ? 2.0 * place / 0.3 - 1.0 : 1.0 - 2.0 * (place - 0.3) / 0.7;
+    }
+    return 0.0;
+  }
+  OutsideWave settings_;
+  double phase_;
+  double fade_ = 0.0;
+};
+
+/// Stem position under friction: He's quasi-static law, or Karnopp's equation of motion.
+class Stem {
+ public:
+  explicit Stem(const FieldValve& valve)
+      : valve_(valve),
+        static_(0.5 * (valve.stickband_percent + valve.slip_jump_percent)),
+        dynamic_(0.5 * (valve.stickband_percent - valve.slip_jump_percent)) {}
+  double next(double op) {
+    if (valve_.friction == Friction::none) return op;
+    if (valve_.friction == Friction::he) return he(op);
+    for (int i = 0; i < kSubSteps; ++i) karnopp(op);
+    return position_;
+  }
+
+ private:
+  static constexpr int kSubSteps = 20;
+  [[nodiscard]] double scale(double force) const {
+    return force > 0.0 ? 1.0 + valve_.asymmetry : 1.0 - valve_.asymmetry;
+  }
+  double he(double op) {
+    const double force = op - position_;
+    if (std::abs(force) > static_ * scale(force)) {
+      position_ = op - std::copysign(dynamic_ * scale(force), force);
+    }
+    return position_;
+  }
+  void karnopp(double op) {
+    constexpr double kStep = 1.0 / kSubSteps, kMass = 0.002, kViscous = 0.08, kRest = 0.02;
+    const double force = op - position_;
+    if (std::abs(velocity_) < kRest) {
+      if (std::abs(force) <= static_ * scale(force)) {
+        velocity_ = 0.0;
+        return;
+      }
+      velocity_ += kStep * 0.1 * (force - std::copysign(dynamic_ * scale(force), force)) / kMass;
+    }
+    const double sign = velocity_ > 0.0 ? 1.0 : -1.0;
+    // Viscous drag is stiff against the step: taken implicitly.
+    const double drive = force - sign * dynamic_ * scale(sign);
+    const double moved = (velocity_ + kStep * drive / kMass) / (1.0 + kStep * kViscous / kMass);
+    velocity_ = moved * sign < 0.0 ? 0.0 : moved;
+    position_ += kStep * velocity_;
+  }
+  FieldValve valve_;
+  double static_, dynamic_;
+  double position_ = kMiddle;
+  double velocity_ = 0.0;
+};
+
+class Plant {
+ public:
+  explicit Plant(const FieldSettings& s)
+      : s_(s), pipe_(s.dead_steps, 0.0), a1_(pole(s.lag_steps)), a2_(pole(s.second_lag_steps)) {}
+  double next(double flow) {
+    pipe_.push_back(flow);
+    const double late = pipe_.front();
+    pipe_.pop_front();
+    first_ = s_.integrating ? first_ + s_.gain * late : a1_ * first_ + (1.0 - a1_) * s_.gain * late;
+    second_ = a2_ * second_ + (1.0 - a2_) * first_;
+    return second_;
+  }
+
+ private:
+  static double pole(double lag) { return lag > 0.0 ? std::exp(-1.0 / lag) : 0.0; }
+  FieldSettings s_;
+  std::deque<double> pipe_;
+  double a1_, a2_, first_ = 0.0, second_ = 0.0;
+};
+
+class Sensor {
+ public:
+  explicit Sensor(const Recording& r) : r_(r) {}
+  double next(double value, Draw& draw) {
+    wander_ = 0.99 * wander_ + r_.sensor_wander * std::sqrt(1.0 - 0.99 * 0.99) * draw.normal();
+    if (step_++ % r_.sensor_hold != 0) return reading_;
+    double seen = value + wander_;
+    if (r_.spike_rate > 0.0 && draw.chance(r_.spike_rate)) seen += 8.0 * r_.sensor_wander;
+    if (std::abs(seen - reading_) > r_.sensor_dead_zone) reading_ = to_grid(seen, r_.pv_grid);
+    return reading_;
+  }
+
+ private:
+  Recording r_;
+  double wander_ = 0.0, reading_ = 0.0;
+  std::size_t step_ = 0;
+};
+
+/// Dead-band compression: a value is kept when it leaves the band around the last kept one.
+void archive(std::vector<double>& values, double band, double grid, bool interpolate) {
+  if (band > 0.0) {
+    std::size_t kept = 0;
+    for (std::size_t k = 1; k < values.size(); ++k) {
+      const bool last = k + 1 == values.size();
+      if (std::abs(values[k] - values[kept]) <= band && !last) continue;
+      for (std::size_t i = kept + 1; i < k; ++i) {
+        const double share = static_cast<double>(i - kept) / static_cast<double>(k - kept);
+        values[i] = interpolate ? values[kept] + share * (values[k] - values[kept]) : values[kept];
+      }
+      kept = k;
+    }
+  }
+  for (double& value : values) value = to_grid(value, grid);
+}
+
+}  // namespace
+
+double Draw::log_between(double low, double high) {
+  return low * std::pow(high / low, uniform_.next());
+}
+
+std::size_t Draw::whole(std::size_t low, std::size_t high) {
+  return low + static_cast<std::size_t>(uniform_.next() * static_cast<double>(high - low + 1));
+}
+
+FieldLoop run_field_loop(const FieldSettings& s, std::size_t samples, Draw& draw) {
+  Plant plant(s);
+  Sensor sensor(s.recording);
+  Stem stem(s.valve);
+  std::vector<Wave> waves;
+  for (const OutsideWave& wave : s.waves) waves.emplace_back(wave, draw);
+  Wave master(s.master, draw);
+  FieldLoop loop;
+  double op = kMiddle, error_before = 0.0, load = 0.0, pv = 0.0, sp_base = 0.0, sp_walk = 0.0;
+  const std::size_t steps = kRunIn + samples * s.recording.every;
+  for (std::size_t k = 0; k < steps; ++k) {
+    load = s.load_memory * load + s.load_step_std * draw.normal();
+    double at_input = load, at_output = 0.0;
+    for (Wave& wave : waves) (wave.at_input() ? at_input : at_output) += wave.next(draw);
+    const double mv = stem.next(op);
+    pv = plant.next(mv - kMiddle + at_input) + at_output;
+    const double reading = sensor.next(pv + s.noise_std * draw.normal(), draw);
+    if (s.setpoint_every > 0.0 && draw.chance(1.0 / s.setpoint_every)) {
+      sp_base = s.setpoint_step_std * draw.normal();
+    }
+    sp_walk = 0.99 * sp_walk + s.master_walk * std::sqrt(1.0 - 0.99 * 0.99) * draw.normal();
+    const double sp = sp_base + sp_walk + master.next(draw);
+    const double error = sp - reading;
+    op += s.controller_gain * (error - error_before + error / s.integral_steps);
+    op = std::clamp(op, s.op_low, s.op_high);
+    error_before = error;
+    if (k >= kRunIn && (k - kRunIn) % s.recording.every == 0) {
+      loop.sp.push_back(100.0 + sp);
+      loop.pv.push_back(100.0 + reading);
+      loop.op.push_back(op);
+      loop.mv.push_back(mv);
+    }
+  }
+  const Recording& r = s.recording;
+  archive(loop.pv, r.archive_band_pv, r.archive_grid_pv, r.interpolate);
+  archive(loop.op, r.archive_band_op, r.archive_grid_op, r.interpolate);
+  return loop;
+}
+
+}  // namespace loopscope::tests::model

@@ -1,0 +1,56 @@
+#include "tests/core/model/field_recordings.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace loopscope::tests::model {
+namespace {
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  std::stringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+double number_of(const std::vector<std::string>& fields, std::size_t i) {
+  if (i >= fields.size() || fields[i].empty()) return std::numeric_limits<double>::quiet_NaN();
+  return std::strtod(fields[i].c_str(), nullptr);
+}
+
+/// Columns t_s, sp, pv, op.
+void read_samples(const std::string& path, FieldRecording& recording) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    const std::vector<std::string> fields = fields_of(line);
+    recording.sp.push_back(number_of(fields, 1));
+    recording.pv.push_back(number_of(fields, 2));
+    recording.op.push_back(number_of(fields, 3));
+  }
+}
+
+}  // namespace
+
+std::vector<FieldRecording> field_recordings() {
+  std::vector<FieldRecording> recordings;
+  const char* folder = std::getenv("LOOPSCOPE_RECORDINGS");
+  if (folder == nullptr) return recordings;
+  std::ifstream manifest(std::string(folder) + "/manifest.csv");
+  std::string line;
+  std::getline(manifest, line);
+  while (std::getline(manifest, line)) {
+    // The first six columns hold no quoted commas.
+    const std::vector<std::string> fields = fields_of(line);
+    if (fields.size() < 6) continue;
+    FieldRecording recording{fields[0], fields[1], fields[5], {}, {}, {}};
+    read_samples(std::string(folder) + "/" + fields[0], recording);
+    recordings.push_back(std::move(recording));
+  }
+  return recordings;
+}
+
+}  // namespace loopscope::tests::model

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace loopscope::tests::model {
+
+/// A labelled recording of a plant.
+struct FieldRecording {
+  std::string name;
+  std::string loop;
+  std::string label;               ///< stiction, no_stiction, unknown
+  std::vector<double> sp, pv, op;  ///< NaN = missing
+};
+
+/// Those of the folder that the environment names in LOOPSCOPE_RECORDINGS, in the order of its
+/// manifest.csv; none when it is not set.
+[[nodiscard]] std::vector<FieldRecording> field_recordings();
+
+}  // namespace loopscope::tests::model

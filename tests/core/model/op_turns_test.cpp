@@ -1,0 +1,55 @@
+#include "core/model/op_turns.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace loopscope::core::model {
+namespace {
+
+/// 0 up to 10 and back, period 20.
+std::vector<double> triangle(std::size_t count) {
+  std::vector<double> wave(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    wave[k] = 10.0 - std::abs(static_cast<double>(k % 20) - 10.0);
+  }
+  return wave;
+}
+
+TEST(OpTurns, FindsMaximaAndMinimaByTurns) {
+  const std::vector<OpTurn> turns = find_op_turns(triangle(60), 3.0);
+  ASSERT_EQ(turns.size(), 5U);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    EXPECT_EQ(turns[i].sample, 10 * (i + 1));
+    EXPECT_EQ(turns[i].direction, i % 2 == 0 ? 1.0 : -1.0);
+    EXPECT_EQ(turns[i].op, i % 2 == 0 ? 10.0 : 0.0);
+  }
+}
+
+TEST(OpTurns, SmallOnesAreNone) {
+  EXPECT_TRUE(find_op_turns(triangle(60), 11.0).empty());
+  EXPECT_TRUE(find_op_turns({}, 1.0).empty());
+}
+
+TEST(OpTurns, AStickbandAboveTheTravelStandsBetweenTheTurns) {
+  const std::vector<double> op = triangle(60);
+  const std::vector<OpTurn> turns = find_op_turns(op, 3.0);
+  std::vector<double> mv(op.size());
+  run_from_every_turn(14.0, 10.0, op, turns, mv);
+  EXPECT_EQ(mv[12], 8.0);  // 10 - (S - J) / 2
+  EXPECT_EQ(mv[19], 8.0);
+  EXPECT_EQ(mv[25], 2.0);
+}
+
+TEST(OpTurns, WithoutAResetTheBandCounts) {
+  const std::vector<double> op = triangle(60);
+  const std::vector<OpTurn> turns = find_op_turns(op, 3.0);
+  std::vector<double> mv(op.size());
+  run_from_first_turn(6.0, 6.0, op, turns, mv);
+  EXPECT_EQ(mv[0], 10.0);   // stands where it is at the first turn
+  EXPECT_EQ(mv[16], 10.0);  // 6 below the turn is not beyond the band
+  EXPECT_EQ(mv[17], 3.0);
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
