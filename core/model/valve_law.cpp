@@ -1,0 +1,71 @@
+#include "core/model/valve_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+
+#include "core/model/valve_lanes.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+void check(const Valve& valve, std::size_t ops, std::size_t positions) {
+  const bool jump_in_band =
+      valve.slip_jump_percent >= 0.0 && valve.slip_jump_percent <= valve.stickband_percent;
+  if (!jump_in_band || ops != positions) {
+    throw std::invalid_argument("run_valve: 0 <= J <= S or the lengths do not hold");
+  }
+}
+
+template <ValveLaw law>
+void follow(Friction friction, ValveLanes<double, 1> valve, std::span<const ValveRestart> restarts,
+            std::span<const double> op, std::span<double> mv) {
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < op.size(); ++k) {
+    if (next < restarts.size() && restarts[next].at_sample == k) {
+      valve.position[0] = restarts[next++].position_percent;
+    }
+    if (!std::isnan(op[k])) {
+      valve.step<law>(friction, op[k]);
+    }
+    mv[k] = valve.position[0];
+  }
+}
+
+}  // namespace
+
+std::string_view name(ValveLaw law) {
+  switch (law) {
+    case ValveLaw::choudhury:
+      return "choudhury";
+    case ValveLaw::kano:
+      return "kano";
+    case ValveLaw::he:
+      return "he";
+  }
+  return "";
+}
+
+void run_valve(const Valve& valve, std::span<const double> op, std::span<double> mv) {
+  run_valve(valve, {}, op, mv);
+}
+
+void run_valve(const Valve& valve, std::span<const ValveRestart> restarts,
+               std::span<const double> op, std::span<double> mv) {
+  check(valve, op.size(), mv.size());
+  const auto first = std::ranges::find_if(op, [](double value) { return !std::isnan(value); });
+  if (first == op.end()) {
+    std::ranges::fill(mv, std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  const Friction friction(valve);
+  ValveLanes<double, 1> lane;
+  lane.start(friction, valve.start_direction, *first);
+  with_law(valve.law, [&]<ValveLaw law>() { follow<law>(friction, lane, restarts, op, mv); });
+  const auto missing = static_cast<std::size_t>(first - op.begin());
+  std::ranges::fill(mv.first(missing), std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace loopscope::core::model

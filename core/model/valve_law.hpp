@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace loopscope::core::model {
+
+/// How a valve that sticks and jumps follows its controller output. Band S and jump J in % of op,
+/// 0 <= J <= S; with fd = (S - J) / 2 every law moves as mv = op - d fd, d the direction of motion,
+/// and with J = 0 `kano` and `he` are the play of a linkage of full width S.
+enum class ValveLaw {
+  choudhury,  ///< printed flow chart: rests until |op - op at its last turn| > S
+  kano,  ///< Kano et al. 2004: rests when op turns or stands still; until op is J ahead or S back
+  he,    ///< He et al. 2007: rests at every sample; until |op - mv| > (S + J) / 2
+};
+[[nodiscard]] std::string_view name(ValveLaw law);
+
+/// The valve and where it comes from: at the first op it has just stopped after moving in the
+/// direction +1 (up) or -1 (down), so mv = op - direction (S - J) / 2. A recording does not say
+/// which; a caller that does not know tries both.
+struct Valve {
+  ValveLaw law = ValveLaw::kano;
+  double stickband_percent = 0.0;  ///< S, deadband plus stickband
+  double slip_jump_percent = 0.0;  ///< J, 0 to S
+  double start_direction = 1.0;    ///< +1 or -1
+};
+
+/// mv(k), % of op, for op(k), %: equal lengths, any number of samples. Where op is NaN the valve
+/// stands where it is; NaN before the first op. Bit for bit the same on every processor.
+/// Throws std::invalid_argument unless 0 <= J <= S and the lengths are equal.
+void run_valve(const Valve& valve, std::span<const double> op, std::span<double> mv);
+
+/// Before op(at_sample) the valve stands at another place than the law has it.
+struct ValveRestart {
+  std::size_t at_sample = 0;
+  double position_percent = 0.0;
+};
+
+/// The same with restarts, by rising sample: a law keeps every error of its position, as long as
+/// nothing puts it right.
+void run_valve(const Valve& valve, std::span<const ValveRestart> restarts,
+               std::span<const double> op, std::span<double> mv);
+
+/// The same without restarts, spelled out.
+inline void run_valve(ValveLaw law, double stickband_percent, double slip_jump_percent,
+                      double start_direction, std::span<const double> op, std::span<double> mv) {
+  run_valve({law, stickband_percent, slip_jump_percent, start_direction}, op, mv);
+}
+
+}  // namespace loopscope::core::model
