@@ -7,6 +7,7 @@
 #include "core/model/closed_loop.hpp"
 #include "core/model/controller_trap.hpp"
 #include "core/model/excitation.hpp"
+#include "core/model/hysteresis_step.hpp"
 #include "core/model/noise_floor.hpp"
 #include "core/model/op_direction.hpp"
 #include "core/model/process_report.hpp"
@@ -64,22 +65,24 @@ Questioning question(const ModelInput& input, const LoopData& data, const Fit& f
   return result;
 }
 
-void judge_loop(const ModelInput& input, const LoopData& data, const Fit& fit, Explanation& explanation) {
+/// Excitation and closed loop; returns the turns of op.
+std::size_t judge_loop(const ModelInput& input, const LoopData& data, const Fit& fit, Explanation& explanation) {
   std::vector<double> response = deterministic_output(data, fit);
   for (double& value : response) value *= data.pv_scale;
   const Excitation excitation = judge_excitation({input.op, input.pv, input.op_in_percent, response});
   explanation.excited = excitation.sufficient;
   explanation.excitation = excitation.statement;
-  if (input.error.empty()) return;
+  if (input.error.empty()) return excitation.reversals;
   const ControllerLaw law = find_controller_law({input.error, input.sp, input.op, input.op_in_percent});
-  if (!law.found) return;
+  if (!law.found) return excitation.reversals;
   const ProcessFit& process = explanation.baseline.process;
   const ControllerTrap trap = judge_controller_trap(process, law, input.op, input.sample_interval_s);
   if (trap.refused && explanation.steps.empty()) {
     explanation.process_doubt = trap.statement;
-    return;
+    return excitation.reversals;
   }
   if (process.gain != 0.0 && !trap.refused) explanation.closed_loop = close_loop(process, law, input.sample_interval_s);
+  return excitation.reversals;
 }
 
 double smallest_p(const std::vector<Answer>& answers, std::string_view name) {
@@ -117,6 +120,26 @@ Look look_at(const ModelInput& input) {
   return look;
 }
 
+bool explains_a_cycle(const Step& step) {
+  return step.effect == EffectKind::valve_stiction || step.effect == EffectKind::valve_deadband ||
+         step.effect == EffectKind::external_oscillation;
+}
+
+/// Slips of a valve pass for load steps, curves and changes of gain, one by one.
+void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& answers, std::size_t op_turns,
+                       Explanation& explanation) {
+  const bool few_strokes = op_turns <= 8;
+  if (!few_strokes && std::ranges::any_of(explanation.steps, explains_a_cycle)) return;
+  std::optional<Step> step = find_hysteresis(input, answers, op_turns);
+  if (!step) return;
+  explanation.error_kind = ErrorKind::simulation;
+  explanation.excited = true;
+  explanation.baseline.holdout_error = step->holdout_error_before;
+  explanation.noise_floor = std::min(step->holdout_error_before, step->holdout_error_after);
+  explanation.unexplained.fraction = 0.0;
+  explanation.steps = {std::move(*step)};
+}
+
 Explanation explain_look(const ModelInput& input, Look look) {
   Story& story = look.story;
   Explanation explanation;
@@ -125,12 +148,14 @@ Explanation explain_look(const ModelInput& input, Look look) {
   continue_story(story, look.questioning.answers);
   explanation.steps = report_steps(story);
   const Fit& last = story.last().fit;
+  std::vector<Answer> answers = look.questioning.answers;
   if (!story.chapters.empty()) {
     explanation.baseline.process = report_process(story.data, last);
-    look.questioning = question(input, story.data, last);
+    answers = question(input, story.data, last).answers;
   }
-  judge_loop(input, story.data, last, explanation);
-  report_rest(story, look.questioning.answers, explanation);
+  const std::size_t op_turns = judge_loop(input, story.data, last, explanation);
+  report_rest(story, answers, explanation);
+  prefer_hysteresis(input, look.questioning.answers, op_turns, explanation);
   return explanation;
 }
 

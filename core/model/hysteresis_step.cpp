@@ -1,0 +1,100 @@
+#include "core/model/hysteresis_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/effects/valve.hpp"
+#include "core/model/limit_cycle_cause.hpp"
+#include "core/model/questions/phrases.hpp"
+#include "core/model/slow_travel.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+/// The witness of the residual: one healthy loop in a hundred where there are cycles to judge, one
+/// in twenty where a few strokes leave it little to see. A valve that rests over most of op's span
+/// shows as a curve in op's level too.
+constexpr double kCycleP = 0.01;
+constexpr double kStrokeP = 0.05;
+constexpr double kStrokeLevelP = 1e-3;
+/// More turns than this are cycles.
+constexpr std::size_t kFewTurns = 8;
+
+double p_of(const std::vector<Answer>& answers, std::string_view name) {
+  for (const Answer& answer : answers) {
+    if (answer.question.name == name) return answer.question.p;
+  }
+  return 1.0;
+}
+
+double variance_of(std::span<const double> values) {
+  double sum = 0.0, square = 0.0, n = 0.0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += value;
+    square += value * value;
+    n += 1.0;
+  }
+  return n == 0.0 ? 0.0 : square / n - sum / n * sum / n;
+}
+
+Step step_of(double stickband, double slip_jump, double p) {
+  Step step;
+  step.effect = slip_jump < ValveEffect::kPlay * stickband ? EffectKind::valve_deadband
+                                                           : EffectKind::valve_stiction;
+  if (step.effect == EffectKind::valve_deadband) {
+    step.parameters = {{"width", "%", stickband, {}, {}}};
+  } else {
+    step.parameters = {{"S", "%", stickband, {}, {}}, {"J", "%", slip_jump, {}, {}}};
+  }
+  step.p = p;
+  step.evidence = -2.0 * std::log(std::max(p, 1e-300));
+  return step;
+}
+
+std::optional<Step> by_cycle(const ModelInput& input, double p) {
+  const CycleCause cause = judge_limit_cycle(input.pv, input.op, input.sp);
+  if (cause.decision != CycleCause::Decision::sticks) return std::nullopt;
+  const CycleEvidence& evidence = cause.evidence;
+  // Without a slip the loop would not cycle: the jump of a limit cycle is not nothing.
+  Step step = step_of(evidence.stickband, std::max(evidence.slip_jump, 0.25 * evidence.stickband), p);
+  const double variance = variance_of(input.pv);
+  step.law = "he";
+  step.holdout_error_before = variance * evidence.error_before;
+  step.holdout_error_after = variance * std::min(evidence.error_law, evidence.error_turning);
+  step.steadiness = evidence.steadiness;
+  constexpr double kOddsScale = 10.0;  // what confidence_of() divides margins by
+  step.margin = kOddsScale * std::log(std::max(cause.score, 0.01) / std::max(1.0 - cause.score, 0.01));
+  step.statement = "The valve sticks: " + cause.reason;
+  return step;
+}
+
+std::optional<Step> by_strokes(const ModelInput& input, double p) {
+  const auto travel = judge_slow_travel(input.pv, input.op);
+  if (!travel || !travel->sticks()) return std::nullopt;
+  const Valve& valve = travel->valve;
+  Step step = step_of(valve.stickband_percent, std::max(valve.slip_jump_percent, 0.25 * valve.stickband_percent), p);
+  step.law = name(valve.law);
+  step.holdout_error_before = travel->error_before();
+  step.holdout_error_after = travel->error_after();
+  step.margin = step.evidence;
+  step.statement = "The valve rests while the output travels: op alone explains " +
+                   in_percent(travel->linear_share) + " of pv's slow moves, op behind a valve that sticks over " +
+                   in_digits(valve.stickband_percent) + " % explains " + in_percent(travel->valve_share) + ".";
+  return step;
+}
+
+}  // namespace
+
+std::optional<Step> find_hysteresis(const ModelInput& input, const std::vector<Answer>& answers,
+                                    std::size_t op_turns) {
+  const double p = p_of(answers, "op_direction");
+  const double level_p = p_of(answers, "op_level");
+  const bool strokes_call = p <= kStrokeP || level_p <= kStrokeLevelP;
+  if (op_turns <= kFewTurns && strokes_call) {
+    if (auto step = by_strokes(input, std::min(p, level_p))) return step;
+  }
+  return p <= kCycleP ? by_cycle(input, p) : std::nullopt;
+}
+
+}  // namespace loopscope::core::model
