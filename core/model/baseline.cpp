@@ -132,11 +132,12 @@ Fit try_orders(const LoopData& data, Fit fit) {
     if (fit.structure.two_taps) fit = try_delay_neighbours(data, std::move(fit));
     richer = fit.structure;
   }
-  if (richer.noise_pairs < 2) {
-    richer.noise_pairs = 2;
-    richer.noise.poles[1] = 0.5;
-    richer.noise.zeros[1] = 0.3;
-    fit = better(std::move(fit), polish(data, richer, 5), 2.0 * std::log(count), data.rows.fit_count());
+  while (fit.structure.noise.order < kMostNoiseOrder) {
+    const std::size_t order = fit.structure.noise.order;
+    richer = fit.structure;
+    richer.noise = extended(richer.noise, 0.7, 0.6);
+    fit = better(std::move(fit), polish(data, richer, 8), 2.0 * std::log(count), data.rows.fit_count());
+    if (fit.structure.noise.order == order) break;
   }
   richer = fit.structure;
   if (!richer.second_order) {

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace loopscope::core::model {
 namespace {
@@ -126,34 +125,56 @@ Solution solve_structure(const LoopData& data, const Structure& structure) {
 
 /// Where the nonlinear parameters of a structure live, and how far they may go.
 struct Handle {
-  std::function<double&(Structure&)> of;
-  double low, high;
-  enum class Kind { noise_pole, noise_zero, process_pole } kind;
+  enum class Kind { noise_pole, noise_zero, pole, second_pole } kind;
+  std::size_t index = 0;
+  double low = 0.0, high = 0.0;
+
+  [[nodiscard]] double& of(Structure& structure) const {
+    switch (kind) {
+      case Kind::noise_pole: return structure.noise.poles[index];
+      case Kind::noise_zero: return structure.noise.zeros[index];
+      case Kind::pole: return structure.process.pole;
+      case Kind::second_pole: break;
+    }
+    return structure.process.second_pole;
+  }
 };
 
 std::vector<Handle> handles_of(const Structure& structure) {
+  using Kind = Handle::Kind;
+  constexpr double kAnywhere = 4.0;  // make_invertible() holds the zeros
   std::vector<Handle> handles;
-  for (std::size_t pair = 0; pair < structure.noise_pairs; ++pair) {
-    handles.push_back({[pair](Structure& s) -> double& { return s.noise.poles[pair]; }, -0.95, 1.0, Handle::Kind::noise_pole});
-    handles.push_back({[pair](Structure& s) -> double& { return s.noise.zeros[pair]; }, -0.95, 0.98, Handle::Kind::noise_zero});
+  for (std::size_t i = 0; i < structure.noise.order; ++i) {
+    handles.push_back({Kind::noise_pole, i, -0.95, 1.0});
+    handles.push_back({Kind::noise_zero, i, -kAnywhere, kAnywhere});
   }
-  if (!structure.process.integrating) {
-    handles.push_back({[](Structure& s) -> double& { return s.process.pole; }, 0.0, 0.999, Handle::Kind::process_pole});
-  }
-  if (structure.second_order) {
-    handles.push_back({[](Structure& s) -> double& { return s.process.second_pole; }, 0.0, 0.995, Handle::Kind::process_pole});
-  }
+  if (!structure.process.integrating) handles.push_back({Kind::pole, 0, 0.0, 0.999});
+  if (structure.second_order) handles.push_back({Kind::second_pole, 0, 0.0, 0.995});
   return handles;
 }
 
-/// z^-1 / (1 - root z^-1) of a signal.
-void fill_sensitivity(double root, double sign, const VectorXd& signal, Eigen::Ref<VectorXd, 0, Eigen::InnerStride<>> out) {
+/// -z^-1 / (1 - root z^-1) of a signal.
+void lag_sensitivity(double root, const VectorXd& signal, double* out, Index stride) {
   double state = 0.0;
   double before = 0.0;
   for (Index k = 0; k < signal.size(); ++k) {
     state = root * state + before;
-    out(k) = sign * state;
-    before = signal(k);
+    out[k * stride] = -state;
+    before = signal[k];
+  }
+}
+
+/// -z^-(index + 1) / C(z) of a signal.
+void zero_sensitivity(const NoiseModel& noise, std::size_t index, const VectorXd& signal, double* out, Index stride) {
+  double y1 = 0.0, y2 = 0.0, y3 = 0.0;
+  const auto shift = static_cast<Index>(index + 1);
+  for (Index k = 0; k < signal.size(); ++k) {
+    const double input = k < shift ? 0.0 : signal[k - shift];
+    const double y = input - noise.zeros[0] * y1 - noise.zeros[1] * y2 - noise.zeros[2] * y3;
+    out[k * stride] = -y;
+    y3 = y2;
+    y2 = y1;
+    y1 = y;
   }
 }
 
@@ -161,10 +182,12 @@ Table sensitivities(const Solution& solution, Structure structure, const std::ve
   Table result(solution.errors.size(), static_cast<Index>(handles.size()));
   const VectorXd answer = solution.design.table.middleCols(1, solution.design.taps) * solution.coefficients.head(solution.design.taps);
   for (std::size_t h = 0; h < handles.size(); ++h) {
-    const bool process = handles[h].kind == Handle::Kind::process_pole;
-    const double sign = handles[h].kind == Handle::Kind::noise_zero ? 1.0 : -1.0;
-    fill_sensitivity(handles[h].of(structure), sign, process ? answer : solution.errors,
-                     result.col(static_cast<Index>(h)));
+    double* out = result.data() + h;
+    switch (handles[h].kind) {
+      case Handle::Kind::noise_pole: lag_sensitivity(handles[h].of(structure), solution.errors, out, result.cols()); break;
+      case Handle::Kind::noise_zero: zero_sensitivity(structure.noise, handles[h].index, solution.errors, out, result.cols()); break;
+      default: lag_sensitivity(handles[h].of(structure), answer, out, result.cols());
+    }
   }
   return result;
 }
@@ -199,6 +222,7 @@ Structure moved(Structure structure, const std::vector<Handle>& handles, const V
     double& value = handles[h].of(structure);
     value = std::clamp(value + share * step(static_cast<Index>(h)), handles[h].low, handles[h].high);
   }
+  make_invertible(structure.noise);
   return structure;
 }
 
@@ -221,7 +245,7 @@ Fit evaluate(const LoopData& data, const Structure& structure) {
 
 std::vector<double> deterministic_output(const LoopData& data, const Fit& fit) {
   Structure structure = fit.structure;
-  structure.noise = {{0.0, 0.0}, {0.0, 0.0}};
+  structure.noise = {1, {}, {}};
   const Design design = make_design(data, structure);
   const Eigen::Map<const VectorXd> coefficients(fit.coefficients.data(), static_cast<Index>(fit.coefficients.size()));
   const VectorXd output = design.table.middleCols(1, design.used - 1) * coefficients;

@@ -15,7 +15,6 @@ namespace loopscope::core::model {
 struct Structure {
   ProcessShape process;
   NoiseModel noise;
-  std::size_t noise_pairs = 1;     ///< 1 or 2 pairs of pole and zero are fitted
   bool second_order = false;       ///< the second lag is fitted too
   bool two_taps = false;           ///< the numerator has its second coefficient
   std::vector<EffectPtr> effects;

@@ -12,12 +12,13 @@ double time_constant(double pole, double interval_s) {
 }
 
 std::string noise_words(const Fit& fit) {
-  const auto& noise = fit.structure.noise;
-  std::string text = sentence("noise with poles ", noise.poles[0]);
-  if (fit.structure.noise_pairs > 1) text += sentence(", ", noise.poles[1]);
-  text += sentence(" and zeros ", noise.zeros[0]);
-  if (fit.structure.noise_pairs > 1) text += sentence(", ", noise.zeros[1]);
-  return text;
+  const NoiseModel& noise = fit.structure.noise;
+  std::string poles, zeros;
+  for (std::size_t i = 0; i < noise.order; ++i) {
+    poles += sentence(i == 0 ? "" : ", ", noise.poles[i]);
+    zeros += sentence(i == 0 ? "" : ", ", noise.zeros[i]);
+  }
+  return "noise with poles " + poles + " and numerator 1, " + zeros;
 }
 
 }  // namespace

@@ -187,7 +187,6 @@ Chapter chapter_of(const std::vector<Trial>& trials) {
 
 TwinFit linear_baseline(const LoopData& data) {
   Structure start;
-  start.noise = {{0.95, 0.0}, {0.3, 0.0}};
   Fit first = search_process(data, start);
   LoopData calm = data;
   calm.rows = calm_rows(data.rows, first);
