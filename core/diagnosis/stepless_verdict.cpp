@@ -82,9 +82,15 @@ Verdict oscillating(const Finding& finding) {
   return closed_loop && !own_period ? from_outside(finding) : by_persistence(finding);
 }
 
+/// Noise alone does not tell the process from the controller well enough to call a loop slow: it
+/// takes a setpoint that moves, or an error that creeps.
+bool speed_shows(const Evidence& evidence) {
+  return creeps(evidence) || has_flag(evidence, "sp_steps_masked") || has_flag(evidence, "sp_moving");
+}
+
 bool sluggish(const Finding& finding) {
   const model::Explanation& explanation = finding.explanation;
-  return explanation.closed_loop && creeps(finding.evidence()) &&
+  return explanation.closed_loop && speed_shows(finding.evidence()) &&
          far_slower_than_possible(*explanation.closed_loop, explanation.baseline.process);
 }
 

@@ -16,6 +16,7 @@
 #include "core/model/sensor_steps.hpp"
 #include "core/model/step_report.hpp"
 #include "core/model/story.hpp"
+#include "core/model/tuning.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -81,7 +82,11 @@ std::size_t judge_loop(const ModelInput& input, const LoopData& data, const Fit&
     explanation.process_doubt = trap.statement;
     return excitation.reversals;
   }
-  if (process.gain != 0.0 && !trap.refused) explanation.closed_loop = close_loop(process, law, input.sample_interval_s);
+  if (process.gain != 0.0 && !trap.refused) {
+    const TuningJudgement judged = judge_tuning(process, law, input.sample_interval_s);
+    explanation.closed_loop = judged.loop;
+    explanation.closed_loop->slowness = judged.slowness;
+  }
   return excitation.reversals;
 }
 

@@ -82,6 +82,7 @@ struct ClosedLoop {
   double damping = 1.0;              ///< of the dominant poles
   double period_s = 0.0;             ///< of the dominant poles; 0 = they do not oscillate
   double settling_s = 0.0;           ///< 2 % of the slowest pole
+  double slowness = 1.0;  ///< integral action of SIMC tuning by the recorded one; 0 = none recorded
 };
 
 /// The story of one loop, from the linear model to what is left.

@@ -15,6 +15,8 @@ namespace {
 /// in twenty where a few strokes leave it little to see. A valve that rests over most of op's span
 /// shows as a curve in op's level too.
 constexpr double kCycleP = 0.01;
+constexpr double kClearCycleP = 0.05;
+constexpr double kClearScore = 0.8;
 constexpr double kStrokeP = 0.05;
 constexpr double kStrokeLevelP = 1e-3;
 /// More turns than this are cycles.
@@ -55,6 +57,7 @@ Step step_of(double stickband, double slip_jump, double p) {
 std::optional<Step> by_cycle(const ModelInput& input, double p) {
   const CycleCause cause = judge_limit_cycle(input.pv, input.op, input.sp);
   if (cause.decision != CycleCause::Decision::sticks) return std::nullopt;
+  if (p > (cause.score >= kClearScore ? kClearCycleP : kCycleP)) return std::nullopt;
   const CycleEvidence& evidence = cause.evidence;
   // Without a slip the loop would not cycle: the jump of a limit cycle is not nothing.
   Step step = step_of(evidence.stickband, std::max(evidence.slip_jump, 0.25 * evidence.stickband), p);
@@ -94,7 +97,7 @@ std::optional<Step> find_hysteresis(const ModelInput& input, const std::vector<A
   if (op_turns <= kFewTurns && strokes_call) {
     if (auto step = by_strokes(input, std::min(p, level_p))) return step;
   }
-  return p <= kCycleP ? by_cycle(input, p) : std::nullopt;
+  return p <= kClearCycleP ? by_cycle(input, p) : std::nullopt;
 }
 
 }  // namespace loopscope::core::model

@@ -20,7 +20,7 @@ constexpr std::size_t kMostEffects = 6;
 /// An effect that does not gain so much (n ln) where it was fitted gains nothing on unseen rows.
 constexpr double kWorthFitting = 8.0;
 /// How many candidates of a kind are fitted in full.
-constexpr std::size_t kValvesTried = 2;
+constexpr std::size_t kValvesTried = 3;
 /// A sudden step is seen by fit and score over so many samples from two before it on.
 constexpr std::size_t kStepBefore = 2;
 constexpr std::size_t kStepSamples = 16;
@@ -162,7 +162,7 @@ std::vector<Trial> trials_of(const Round& round) {
     std::optional<Trial> best;
     for (std::size_t i = 0; i < count; ++i) {
       std::optional<Trial> trial = try_candidate(round, list[i]);
-      if (trial && (!best || fit_gain(trial->rows, best->fit.fit, trial->fit.fit) > 0.0)) best = std::move(trial);
+      if (trial && (!best || trial->comparison.evidence > best->comparison.evidence)) best = std::move(trial);
     }
     if (best) result.push_back(std::move(*best));
   }
