@@ -84,7 +84,7 @@ std::size_t judge_loop(const ModelInput& input, const LoopData& data, const Fit&
   }
   if (process.gain != 0.0 && !trap.refused) {
     const TuningJudgement judged = judge_tuning(process, law, input.sample_interval_s);
-    explanation.closed_loop = judged.loop;
+    explanation.closed_loop = close_loop(sampled(data, fit), law, input.sample_interval_s);
     explanation.closed_loop->slowness = judged.slowness;
   }
   return excitation.reversals;

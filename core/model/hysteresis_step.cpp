@@ -19,6 +19,8 @@ constexpr double kClearCycleP = 0.05;
 constexpr double kClearScore = 0.8;
 constexpr double kStrokeP = 0.05;
 constexpr double kStrokeLevelP = 1e-3;
+/// Whatever the witnesses say, the valve has to explain something.
+constexpr double kLeastDrop = 0.95;
 /// More turns than this are cycles.
 constexpr std::size_t kFewTurns = 8;
 
@@ -92,12 +94,18 @@ std::optional<Step> by_strokes(const ModelInput& input, double p) {
 std::optional<Step> find_hysteresis(const ModelInput& input, const std::vector<Answer>& answers,
                                     std::size_t op_turns) {
   const double p = p_of(answers, "op_direction");
+  const auto lowers_the_error = [](const std::optional<Step>& step) {
+    return step && step->holdout_error_after <= kLeastDrop * step->holdout_error_before;
+  };
   const double level_p = p_of(answers, "op_level");
   const bool strokes_call = p <= kStrokeP || level_p <= kStrokeLevelP;
   if (op_turns <= kFewTurns && strokes_call) {
-    if (auto step = by_strokes(input, std::min(p, level_p))) return step;
+    auto step = by_strokes(input, std::min(p, level_p));
+    if (lowers_the_error(step)) return step;
   }
-  return p <= kClearCycleP ? by_cycle(input, p) : std::nullopt;
+  if (p > kClearCycleP) return std::nullopt;
+  auto step = by_cycle(input, p);
+  return lowers_the_error(step) ? step : std::nullopt;
 }
 
 }  // namespace loopscope::core::model

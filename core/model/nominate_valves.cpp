@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/model/effects/valve.hpp"
 #include "core/model/nominate.hpp"
 #include "core/model/valve_search.hpp"
@@ -5,8 +7,27 @@
 namespace loopscope::core::model {
 namespace {
 
-EffectPtr effect_of(const ValveCandidate& candidate) {
-  return std::make_shared<ValveEffect>(candidate.valve, candidate.restarts);
+/// The valve's place at the start of the record is unknown; what puts it right there is no more
+/// than an initial value.
+constexpr std::size_t kStart = 256;
+
+template <typename Keep>
+std::vector<ValveRestart> kept(const std::vector<ValveRestart>& restarts, const Keep& keep) {
+  std::vector<ValveRestart> result;
+  std::ranges::copy_if(restarts, std::back_inserter(result), keep);
+  return result;
+}
+
+/// By its law from a start that was put right, and put right wherever a fit may look.
+void add(const ValveCandidate& candidate, const std::vector<std::uint8_t>& seen, std::vector<EffectPtr>& effects) {
+  const auto at_start = [](const ValveRestart& restart) { return restart.at_sample < kStart; };
+  const auto in_sight = [&](const ValveRestart& restart) {
+    return at_start(restart) || (restart.at_sample < seen.size() && seen[restart.at_sample] != 0);
+  };
+  effects.push_back(std::make_shared<ValveEffect>(candidate.valve, kept(candidate.restarts, at_start)));
+  if (candidate.corrections > 1) {
+    effects.push_back(std::make_shared<ValveEffect>(candidate.valve, kept(candidate.restarts, in_sight)));
+  }
 }
 
 }  // namespace
@@ -16,10 +37,14 @@ std::vector<EffectPtr> nominate_valves(const LoopData& data, const Fit&) {
   for (const Range& range : data.rows.fit) {
     for (std::size_t k = range.first; k < range.end; ++k) seen[k] = 1;
   }
-  const ValveSearchResult found = search_valve({data.pv, data.op, seen});
+  std::vector<std::uint8_t> all = seen;
+  for (const Range& range : data.rows.score) {
+    for (std::size_t k = range.first; k < range.end; ++k) all[k] = 1;
+  }
+  const ValveSearchResult found = search_valve({data.pv, data.op, all});
   std::vector<EffectPtr> result;
-  for (const ValveCandidate& candidate : found.candidates) result.push_back(effect_of(candidate));
-  if (found.deadband) result.push_back(effect_of(*found.deadband));
+  for (const ValveCandidate& candidate : found.candidates) add(candidate, seen, result);
+  if (found.deadband) add(*found.deadband, seen, result);
   return result;
 }
 

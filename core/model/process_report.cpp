@@ -38,6 +38,18 @@ ProcessFit report_process(const LoopData& data, const Fit& fit) {
   return process;
 }
 
+SampledProcess sampled(const LoopData& data, const Fit& fit) {
+  const ProcessShape& shape = fit.structure.process;
+  const double lags = (shape.integrating ? 1.0 : 1.0 - shape.pole) * (1.0 - shape.second_pole) * data.pv_scale;
+  SampledProcess process;
+  process.delay_samples = shape.delay_samples;
+  process.numerator = {fit.coefficients[0] * lags};
+  if (fit.structure.two_taps) process.numerator.push_back(fit.coefficients[1] * lags);
+  const double pole = shape.integrating ? 1.0 : shape.pole;
+  process.denominator = {1.0, -(pole + shape.second_pole), pole * shape.second_pole};
+  return process;
+}
+
 std::string describe(const LoopData& data, const Fit& fit) {
   const ProcessFit process = report_process(data, fit);
   const bool second = process.second_time_constant_s > 0.0;

@@ -4,11 +4,15 @@
 
 #include "core/model/explanation.hpp"
 #include "core/model/fit.hpp"
+#include "core/model/sampled_process.hpp"
 
 namespace loopscope::core::model {
 
 /// The process of a fit in pv units, % and seconds.
 [[nodiscard]] ProcessFit report_process(const LoopData& data, const Fit& fit);
+
+/// The same with its numerator, as the samples see it.
+[[nodiscard]] SampledProcess sampled(const LoopData& data, const Fit& fit);
 
 /// Order, gain, time constants, delay and noise in one line.
 [[nodiscard]] std::string describe(const LoopData& data, const Fit& fit);

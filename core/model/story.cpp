@@ -19,8 +19,6 @@ constexpr double kEnterP = 1e-3;
 constexpr std::size_t kMostEffects = 6;
 /// An effect that does not gain so much (n ln) where it was fitted gains nothing on unseen rows.
 constexpr double kWorthFitting = 8.0;
-/// How many candidates of a kind are fitted in full.
-constexpr std::size_t kValvesTried = 3;
 /// A sudden step is seen by fit and score over so many samples from two before it on.
 constexpr std::size_t kStepBefore = 2;
 constexpr std::size_t kStepSamples = 16;
@@ -35,9 +33,9 @@ bool scored_once(EffectKind kind) {
   return kind == EffectKind::load_step || is_valve(kind);
 }
 
-/// Found by looking through all places or frequencies of the record, which all count as tries.
+/// Found by looking through all places, frequencies or bands on all rows, which count as tries.
 bool sought_everywhere(EffectKind kind) {
-  return kind == EffectKind::load_step || kind == EffectKind::external_oscillation;
+  return kind == EffectKind::load_step || kind == EffectKind::external_oscillation || is_valve(kind);
 }
 
 /// How often one kind may come.
@@ -154,14 +152,28 @@ std::optional<Trial> try_candidate(const Round& round, const Candidate& candidat
   return trial;
 }
 
+/// The law as far as a candidate has one: of the three valve laws and plain play each is tried.
+std::string_view law_of(const Candidate& candidate) {
+  return is_valve(candidate.effect->kind()) ? candidate.effect->law() : std::string_view("none");
+}
+
+/// The best candidate of each law.
+std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
+  std::vector<Candidate> chosen;
+  for (const Candidate& candidate : list) {
+    const auto same = [&](const Candidate& other) { return law_of(other) == law_of(candidate); };
+    if (std::ranges::none_of(chosen, same)) chosen.push_back(candidate);
+  }
+  return chosen;
+}
+
 /// The best trial of each kind, most evidence first.
 std::vector<Trial> trials_of(const Round& round) {
   std::vector<Trial> result;
   for (const auto& [kind, list] : looked_at(round)) {
-    const std::size_t count = std::min(list.size(), is_valve(kind) ? kValvesTried : std::size_t{1});
     std::optional<Trial> best;
-    for (std::size_t i = 0; i < count; ++i) {
-      std::optional<Trial> trial = try_candidate(round, list[i]);
+    for (const Candidate& candidate : worth_trying(list)) {
+      std::optional<Trial> trial = try_candidate(round, candidate);
       if (trial && (!best || trial->comparison.evidence > best->comparison.evidence)) best = std::move(trial);
     }
     if (best) result.push_back(std::move(*best));

@@ -124,6 +124,36 @@ Fit scan_jump(const LoopData& data, Fit fit) {
   return fit;
 }
 
+/// A law that keeps its errors of position has a needle at the right band, which a search that puts
+/// positions right passes by: every band within an eighth is tried, with the jump found and a third.
+Fit scan_band(const LoopData& data, Fit fit) {
+  const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
+  if (valve == nullptr) return fit;
+  constexpr double kReach = 0.12, kStep = 0.006, kUsualJump = 1.0 / 3.0;
+  const double jump = valve->valve().slip_jump_percent / valve->valve().stickband_percent;
+  const Structure start = fit.structure;
+  for (double move = -kReach; move <= kReach; move += kStep) {
+    for (const double share : {jump, kUsualJump}) {
+      Structure structure = start;
+      structure.effects.back() = valve->with_band(1.0 + move, share);
+      Fit tried = evaluate(data, structure);
+      if (tried.fit_error < fit.fit_error) fit = std::move(tried);
+    }
+  }
+  return fit;
+}
+
+/// A jump is claimed only where the data ask for it: play alone is the simpler valve.
+Fit prefer_play(const LoopData& data, Fit fit) {
+  const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
+  if (valve == nullptr || valve->kind() == EffectKind::valve_deadband) return fit;
+  constexpr double kWorthOfAJump = 8.0;  // n ln: one parameter by BIC
+  Structure structure = fit.structure;
+  structure.effects.back() = valve->with_jump(0.0);
+  Fit play = polish(data, refine_last(data, evaluate(data, structure), 0.5).structure, 3);
+  return fit_gain(data, play, fit) < kWorthOfAJump ? std::move(play) : std::move(fit);
+}
+
 }  // namespace
 
 Fit fit_anew(const LoopData& data, Fit fit) {
@@ -134,13 +164,14 @@ Fit fit_anew(const LoopData& data, Fit fit) {
   // The linear baseline takes part of an oscillation, and all of a valve's travel, for dynamics.
   fit = bends_flow || kind == EffectKind::external_oscillation ? search_process(data, fit.structure)
                                                                : settle(data, fit);
+  if (bends_flow) fit = polish(data, scan_band(data, std::move(fit)).structure, 4);
   fit = scan_jump(data, std::move(fit));
   for (int round = 0; bends_flow && round < 3; ++round) {
     const double before = fit.fit_error;
     fit = polish(data, refine_last(data, std::move(fit)).structure, 4);
     if (fit.fit_error > 0.999 * before) break;
   }
-  return refine_last(data, std::move(fit));
+  return prefer_play(data, refine_last(data, std::move(fit)));
 }
 
 }  // namespace loopscope::core::model

@@ -16,9 +16,10 @@ void ValveEffect::shape_flow(std::span<double> flow) const {
   run_valve(valve_, restarts_, op, flow);
 }
 
-EffectPtr ValveEffect::with_jump(double share) const {
+EffectPtr ValveEffect::with_band(double times, double jump_share) const {
   Valve valve = valve_;
-  valve.slip_jump_percent = share * valve.stickband_percent;
+  valve.stickband_percent *= times;
+  valve.slip_jump_percent = std::clamp(jump_share, 0.0, 1.0) * valve.stickband_percent;
   return std::make_shared<ValveEffect>(valve, restarts_);
 }
 

@@ -18,7 +18,9 @@ class ValveEffect final : public Effect {
 
   [[nodiscard]] const Valve& valve() const { return valve_; }
   /// The same valve with a slip jump of that share of its band.
-  [[nodiscard]] EffectPtr with_jump(double share) const;
+  [[nodiscard]] EffectPtr with_jump(double share) const { return with_band(1.0, share); }
+  /// The same valve with its band that many times as wide, and a slip jump of that share of it.
+  [[nodiscard]] EffectPtr with_band(double times, double jump_share) const;
   [[nodiscard]] EffectKind kind() const override;
   void shape_flow(std::span<double> flow) const override;
   [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
