@@ -1,7 +1,9 @@
 #include "core/diagnosis/model_confidence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "core/diagnosis/leading_effect.hpp"
 
@@ -31,6 +33,34 @@ double share_or(double share, double otherwise) {
   return std::isnan(share) ? otherwise : std::clamp(share, 0.0, 1.0);
 }
 
+struct Theme {
+  std::string_view question;
+  model::EffectKind effect;
+};
+
+/// What a question sees of an effect that the model has already: lines and grids are asked of pv
+/// itself, where they stay; steps and changes leave their place.
+constexpr std::array kThemes = {
+    Theme{"periodic", model::EffectKind::external_oscillation},
+    Theme{"grid", model::EffectKind::sensor_quantisation},
+    Theme{"held", model::EffectKind::sensor_hold},
+    Theme{"time_event", model::EffectKind::load_step},
+    Theme{"time_level", model::EffectKind::load_step},
+    Theme{"time_gain", model::EffectKind::gain_change},
+    Theme{"op_direction", model::EffectKind::valve_stiction},
+    Theme{"op_direction", model::EffectKind::valve_deadband},
+    Theme{"op_level", model::EffectKind::valve_saturation},
+    Theme{"op_level", model::EffectKind::valve_characteristic},
+    Theme{"response_level", model::EffectKind::process_nonlinearity},
+};
+
+bool answered(const model::Question& question, const model::Explanation& explanation) {
+  return std::ranges::any_of(kThemes, [&](const Theme& theme) {
+    return theme.question == question.name &&
+           std::ranges::any_of(explanation.steps, [&](const model::Step& step) { return step.effect == theme.effect; });
+  });
+}
+
 double evidence_factor(const model::Step& step) {
   return step.evidence > 0.0 ? 1.0 - std::exp(-step.evidence / kEvidenceScale) : 0.0;
 }
@@ -58,6 +88,7 @@ double explained_factor(const model::Unexplained& unexplained) {
 double structure_p(const model::Explanation& explanation) {
   double smallest = p_or_one(explanation.unexplained.whiteness_p);
   for (const model::Question& question : explanation.questions) {
+    if (answered(question, explanation)) continue;
     smallest = std::min(smallest, p_or_one(question.p));
   }
   const auto asked = static_cast<double>(explanation.questions.size() + 1);

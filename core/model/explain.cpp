@@ -183,9 +183,33 @@ Explanation explain_renewals(const ModelInput& input, Step hold, std::size_t hol
   Explanation explanation = explain_look(thinned, look_at(thinned));
   spread_over(explanation, share);
   hold.holdout_error_after = explanation.baseline.holdout_error;
+  explanation.noise_floor = std::min(explanation.noise_floor, hold.holdout_error_after);
   explanation.baseline.holdout_error = hold.holdout_error_before;
   explanation.steps.insert(explanation.steps.begin(), std::move(hold));
   return explanation;
+}
+
+/// pv is a function of op up to rounding: one of the two was computed from the other.
+bool too_good(const Look& look) {
+  constexpr double kRounding = 1e-8;  // of pv's variance
+  return look.story.baseline.fit.score_error < kRounding;
+}
+
+Explanation refused(Look look) {
+  const LoopData& data = look.story.data;
+  const Fit& linear = look.story.baseline.fit;
+  Explanation explanation;
+  explanation.baseline = {describe(data, linear), look.baseline_error(), report_process(data, linear)};
+  explanation.noise_floor = look.baseline_error();
+  explanation.excitation = "Not excited: op predicts pv up to rounding, as the controller run backwards does.";
+  explanation.process_doubt = explanation.excitation;
+  report_rest(look.story, look.questioning.answers, explanation);
+  return explanation;
+}
+
+bool has_rows(const Look& look) {
+  constexpr std::size_t kFewestRows = 100;
+  return look.story.data.rows.fit_count() >= kFewestRows && look.story.data.rows.score_count() >= kFewestRows;
 }
 
 }  // namespace
@@ -193,6 +217,8 @@ Explanation explain_renewals(const ModelInput& input, Step hold, std::size_t hol
 std::optional<Explanation> explain(const ModelInput& input) {
   if (!fittable(input)) return std::nullopt;
   const Look look = look_at(input);
+  if (!has_rows(look)) return std::nullopt;
+  if (too_good(look)) return refused(look);
   const SensorFinding sensor = find_sensor_steps(look.baseline_error(), look.questioning.answers);
   Explanation explanation = sensor.hold ? explain_renewals(input, *sensor.hold, sensor.hold_samples)
                                         : explain_look(input, look);

@@ -137,6 +137,23 @@ struct Trial {
   [[nodiscard]] EffectKind kind() const { return fit.fit.structure.effects.back()->kind(); }
 };
 
+Structure without_last(Structure structure) {
+  structure.effects.pop_back();
+  return structure;
+}
+
+/// A trial searches the process again, and may leave a local optimum that the model without the
+/// effect sits in. What that gains is not the effect's: it is compared with the better of both.
+void compare_fairly(Trial& trial) {
+  const bool once = scored_once(trial.kind());
+  trial.comparison = compare(trial.rows, trial.before, trial.fit, once);
+  const TwinFit bare = twin(trial.rows, polish(trial.rows, without_last(trial.fit.fit.structure)));
+  const Comparison fair = compare(trial.rows, bare, trial.fit, once);
+  if (fair.evidence >= trial.comparison.evidence) return;
+  trial.comparison = fair;
+  trial.before = bare;
+}
+
 std::optional<Trial> try_candidate(const Round& round, const Candidate& candidate) {
   const bool valve = is_valve(candidate.effect->kind()) ;
   if (!valve && candidate.gain < kWorthFitting) return std::nullopt;
@@ -145,7 +162,7 @@ std::optional<Trial> try_candidate(const Round& round, const Candidate& candidat
   Fit fit = fit_anew(trial.rows, candidate.fit);
   if (fit_gain(trial.rows, trial.before.fit, fit) < kWorthFitting) return std::nullopt;
   trial.fit = twin(trial.rows, std::move(fit));
-  trial.comparison = compare(trial.rows, trial.before, trial.fit, scored_once(trial.kind()));
+  compare_fairly(trial);
   if (sought_everywhere(trial.kind())) {
     trial.comparison.p = std::min(1.0, trial.comparison.p * static_cast<double>(round.data.size()));
   }
