@@ -1,0 +1,141 @@
+#include "tests/core/model/model_records.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "core/simulate/random.hpp"
+#include "core/simulate/scenario.hpp"
+
+namespace loopscope::core::model::tests {
+
+Series stepping_op(std::size_t samples, std::uint64_t seed, double size) {
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Series op;
+  while (op.size() < samples) {
+    const double level = 50.0 + size * (2.0 * uniform(engine) - 1.0);
+    const auto rest = static_cast<std::size_t>(5.0 + 40.0 * uniform(engine));
+    op.insert(op.end(), std::min(rest, samples - op.size()), level);
+  }
+  return op;
+}
+
+Series white_noise(std::size_t samples, std::uint64_t seed, double deviation) {
+  simulate::GaussianSource source(seed);
+  Series noise(samples);
+  for (double& value : noise) value = deviation * source.next();
+  return noise;
+}
+
+Series coloured_noise(const NoiseModel& noise, std::size_t samples, std::uint64_t seed,
+                      double deviation) {
+  Series series = white_noise(samples, seed, deviation);
+  for (std::size_t pair = 0; pair < noise.poles.size(); ++pair) {
+    double state = 0.0, before = 0.0;
+    for (double& value : series) {
+      state = noise.poles[pair] * state + value - noise.zeros[pair] * before;
+      before = value;
+      value = state;
+    }
+  }
+  return series;
+}
+
+Series sum(const Series& left, const Series& right) {
+  Series result(left.size());
+  std::ranges::transform(left, right, result.begin(), std::plus<>());
+  return result;
+}
+
+Series scaled(Series series, double factor) {
+  for (double& value : series) value *= factor;
+  return series;
+}
+
+double mean(const Series& series) {
+  return std::accumulate(series.begin(), series.end(), 0.0) / static_cast<double>(series.size());
+}
+
+Series process_record(const ProcessShape& shape, double gain, const Series& op,
+                      const Series& noise) {
+  Series input = op;
+  for (double& value : input) value -= 50.0;
+  Series pv = sum(scaled(answer(shape, input), gain), noise);
+  for (double& value : pv) value += 50.0;
+  return pv;
+}
+
+ProcessShape one_lag(double pole, std::size_t delay_samples) {
+  return {.delay_samples = delay_samples, .integrating = false, .pole = pole};
+}
+
+ProcessShape two_lags(double pole, double second_pole, std::size_t delay_samples) {
+  return {.delay_samples = delay_samples,
+          .integrating = false,
+          .pole = pole,
+          .second_pole = second_pole};
+}
+
+ProcessShape integrator(std::size_t delay_samples) {
+  return {.delay_samples = delay_samples, .integrating = true, .pole = 1.0};
+}
+
+Structure structure_of(const ProcessShape& shape, std::vector<EffectPtr> effects) {
+  Structure structure;
+  structure.process = shape;
+  structure.noise = {{0.0, 0.0}, {0.0, 0.0}};
+  structure.second_order = shape.second_pole != 0.0;
+  structure.two_taps = shape.numerator[1] != 0.0;
+  structure.effects = std::move(effects);
+  return structure;
+}
+
+simulate::LoopRecord noiseless_loop(const simulate::Effect& effect, double move) {
+  simulate::LoopSettings loop = simulate::scenario_loop("healthy_flow");
+  loop.load.step_std = 0.0;
+  loop.measurement_noise_std = 0.0;
+  loop.effects = {effect};
+  const double pattern[] = {1.0, -1.0, -1.0, 1.0};
+  const std::size_t end = loop.discarded_samples + loop.recorded_samples;
+  for (std::size_t at = 97; at < end; at += 97) {
+    loop.setpoint_moves.push_back(
+        {.at_sample = at, .size = move * pattern[loop.setpoint_moves.size() % 4]});
+  }
+  return simulate::simulate_loop(loop, 1);
+}
+
+ProcessShape noiseless_process() {
+  return one_lag(0.6, 2);
+}
+
+Series last_coefficients(const Fit& fit) {
+  std::size_t first = fit.taps();
+  const auto& effects = fit.structure.effects;
+  for (std::size_t i = 0; i + 1 < effects.size(); ++i) first += effects[i]->column_count();
+  const auto begin = fit.coefficients.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + static_cast<std::ptrdiff_t>(effects.back()->column_count())};
+}
+
+std::vector<Parameter> last_parameters(const LoopData& data, const Fit& fit) {
+  return fit.structure.effects.back()->parameters(data, last_coefficients(fit), fit.gain());
+}
+
+double value_of(const std::vector<Parameter>& parameters, std::string_view name) {
+  const auto found = std::ranges::find(parameters, name, &Parameter::name);
+  return found == parameters.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
+
+std::optional<Explanation> explain_record(const simulate::LoopRecord& record, std::uint64_t seed) {
+  const Series error = simulate::control_error(record);
+  return explain({record.pv, record.op, record.sp, error, record.sample_interval_s, true, seed});
+}
+
+std::optional<Explanation> explain_scenario(std::string_view name, std::uint64_t seed) {
+  return explain_record(simulate::simulate_scenario(name, {}, seed), seed);
+}
+
+}  // namespace loopscope::core::model::tests

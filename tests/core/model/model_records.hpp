@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/model/explain.hpp"
+#include "core/model/fit.hpp"
+#include "core/simulate/loop.hpp"
+
+/// Records whose model is known, one sample per second unless said otherwise.
+namespace loopscope::core::model::tests {
+
+using Series = std::vector<double>;
+
+/// op that steps by up to `size` % about 50 % and rests 5 to 45 samples between: no feedback.
+[[nodiscard]] Series stepping_op(std::size_t samples, std::uint64_t seed, double size = 10.0);
+
+[[nodiscard]] Series white_noise(std::size_t samples, std::uint64_t seed, double deviation = 1.0);
+
+/// The noise model's v from w = white_noise(samples, seed, deviation), at rest before.
+[[nodiscard]] Series coloured_noise(const NoiseModel& noise, std::size_t samples,
+                                    std::uint64_t seed, double deviation);
+
+[[nodiscard]] Series sum(const Series& left, const Series& right);
+[[nodiscard]] Series scaled(Series series, double factor);
+[[nodiscard]] double mean(const Series& series);
+
+/// pv = 50 + gain answer(shape, op - 50) + noise.
+[[nodiscard]] Series process_record(const ProcessShape& shape, double gain, const Series& op,
+                                    const Series& noise);
+
+/// One lag after some samples of delay, two lags, an integrator.
+[[nodiscard]] ProcessShape one_lag(double pole, std::size_t delay_samples);
+[[nodiscard]] ProcessShape two_lags(double pole, double second_pole, std::size_t delay_samples);
+[[nodiscard]] ProcessShape integrator(std::size_t delay_samples);
+
+/// That structure without noise dynamics, second lag and second tap as the shape has them.
+[[nodiscard]] Structure structure_of(const ProcessShape& shape,
+                                     std::vector<EffectPtr> effects = {});
+
+/// The flow loop of the scenarios with that effect and nothing else: neither noise nor load; the
+/// setpoint moves up and down by `move` every 100 samples or so.
+[[nodiscard]] simulate::LoopRecord noiseless_loop(const simulate::Effect& effect, double move);
+/// Its process: gain 1.2, pole 0.6, delay 2.
+[[nodiscard]] ProcessShape noiseless_process();
+inline constexpr double kNoiselessGain = 1.2;
+
+/// The coefficients of the last effect's columns.
+[[nodiscard]] Series last_coefficients(const Fit& fit);
+/// The last effect in the results' words.
+[[nodiscard]] std::vector<Parameter> last_parameters(const LoopData& data, const Fit& fit);
+/// The parameter of that name; NaN when there is none.
+[[nodiscard]] double value_of(const std::vector<Parameter>& parameters, std::string_view name);
+
+/// explain() of what the historian would hold of a simulated loop.
+[[nodiscard]] std::optional<Explanation> explain_record(const simulate::LoopRecord& record,
+                                                        std::uint64_t seed = 1);
+[[nodiscard]] std::optional<Explanation> explain_scenario(std::string_view name,
+                                                          std::uint64_t seed);
+
+}  // namespace loopscope::core::model::tests

@@ -1,0 +1,125 @@
+#include "core/model/nominate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/model/effects/external_oscillation.hpp"
+#include "core/model/effects/load_step.hpp"
+#include "core/model/effects/valve.hpp"
+#include "core/simulate/scenario.hpp"
+#include "tests/core/model/model_records.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr std::uint64_t kSeeds = 10;
+
+struct Looked {
+  LoopData data;
+  Fit fit;
+};
+
+/// The record of a scenario and the fit of its true process without the effect.
+Looked looked_at(std::string_view scenario, std::uint64_t seed) {
+  const simulate::LoopRecord record = simulate::simulate_scenario(scenario, {}, seed);
+  Looked result{make_loop_data(record.pv, record.op, record.sample_interval_s), {}};
+  Structure structure = tests::structure_of(tests::noiseless_process());
+  structure.noise = {{0.98, 0.0}, {0.3, 0.0}};
+  result.fit = evaluate(result.data, structure);
+  return result;
+}
+
+/// The place of a step is the largest of three: 0.2, 0.45 and 0.7 of the record.
+TEST(Nominate, FindsThePlaceOfALoadStep) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const Looked looked = looked_at("load_upsets", seed);
+    std::vector<long> places;
+    for (const EffectPtr& effect : nominate_load_steps(looked.data, looked.fit)) {
+      places.push_back(static_cast<long>(dynamic_cast<const LoadStep&>(*effect).at()));
+    }
+    ASSERT_FALSE(places.empty());
+    for (const long truth : {819L, 1843L, 2867L}) {
+      EXPECT_TRUE(std::ranges::any_of(places, [&](long at) { return std::abs(at - truth) <= 4; }))
+          << truth << " seed " << seed;
+    }
+  }
+}
+
+TEST(Nominate, FindsThePeriodOfALine) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const Looked looked = looked_at("outside_oscillation", seed);
+    double nearest = 1e9;
+    for (const EffectPtr& effect : nominate_oscillations(looked.data, looked.fit)) {
+      const double period = dynamic_cast<const ExternalOscillation&>(*effect).period_samples();
+      nearest = std::min(nearest, std::abs(period - 60.0));
+    }
+    EXPECT_LT(nearest, 0.3) << seed;
+  }
+}
+
+TEST(Nominate, FindsBandOfASimulatedValve) {
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Looked looked = looked_at("sticking_valve", seed);
+    for (const EffectPtr& effect : nominate_valves(looked.data, looked.fit)) {
+      const double band = dynamic_cast<const ValveEffect&>(*effect).valve().stickband_percent;
+      if (std::abs(band - 5.0) < 0.25) {
+        ++found;
+        break;
+      }
+    }
+  }
+  EXPECT_GE(found, 4);
+}
+
+TEST(Nominate, EveryKindComesFromItsOwnList) {
+  const Looked looked = looked_at("healthy_flow", 1);
+  const auto only = [](const std::vector<EffectPtr>& list,
+                       std::initializer_list<EffectKind> kinds) {
+    for (const EffectPtr& effect : list) {
+      EXPECT_TRUE(std::ranges::find(kinds, effect->kind()) != kinds.end()) << name(effect->kind());
+    }
+  };
+  using enum EffectKind;
+  const auto fixed = nominate_static(looked.data, looked.fit);
+  only(fixed, {valve_saturation, valve_characteristic, process_nonlinearity});
+  for (const EffectKind kind : {valve_saturation, valve_characteristic, process_nonlinearity}) {
+    EXPECT_TRUE(std::ranges::any_of(fixed, [&](const EffectPtr& e) { return e->kind() == kind; }));
+  }
+  only(nominate_gain_changes(looked.data), {gain_change});
+  only(nominate_load_steps(looked.data, looked.fit), {load_step});
+  only(nominate_oscillations(looked.data, looked.fit), {external_oscillation});
+  only(nominate_valves(looked.data, looked.fit), {valve_stiction, valve_deadband});
+}
+
+TEST(Nominate, GainChangesCoverTheRecord) {
+  const Looked looked = looked_at("healthy_flow", 1);
+  std::vector<double> places;
+  for (const EffectPtr& effect : nominate_gain_changes(looked.data)) {
+    places.push_back(
+        tests::value_of(effect->parameters(looked.data, tests::Series{0.1}, 1.0), "at"));
+  }
+  for (double truth = 0.15 * 4096; truth < 0.85 * 4096; truth += 100.0) {
+    EXPECT_TRUE(std::ranges::any_of(
+        places, [&](double at) { return std::abs(at - truth) <= 4096.0 / 16; }));
+  }
+}
+
+TEST(Nominate, ShortRecordsNominateWithinThemselves) {
+  const tests::Series op = tests::stepping_op(400, 1);
+  const LoopData data = make_loop_data(
+      tests::process_record(tests::one_lag(0.6, 2), 1.2, op, tests::white_noise(400, 2)), op, 1.0);
+  const Fit fit = evaluate(data, tests::structure_of(tests::one_lag(0.6, 2)));
+  for (const EffectPtr& effect : nominate_load_steps(data, fit)) {
+    EXPECT_LT(dynamic_cast<const LoadStep&>(*effect).at(), 400U);
+  }
+  for (const EffectPtr& effect : nominate_oscillations(data, fit)) {
+    const double period = dynamic_cast<const ExternalOscillation&>(*effect).period_samples();
+    EXPECT_GT(period, 2.0);
+    EXPECT_LT(period, 400.0);
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
