@@ -125,16 +125,28 @@ Look look_at(const ModelInput& input) {
   return look;
 }
 
+/// What slips of a valve pass for, one by one.
+bool jumps(const Step& step) {
+  return step.effect == EffectKind::load_step;
+}
+
 bool explains_a_cycle(const Step& step) {
   return step.effect == EffectKind::valve_stiction || step.effect == EffectKind::valve_deadband ||
          step.effect == EffectKind::external_oscillation;
 }
 
-/// Slips of a valve pass for load steps, curves and changes of gain, one by one.
-void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& answers, std::size_t op_turns,
-                       Explanation& explanation) {
-  const bool few_strokes = op_turns <= 8;
+/// A valve by its three witnesses, in place of steps that its slips pass for.
+/// Other effects stand, unless the residual that they leave still follows op's direction.
+void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& answers,
+                       const std::vector<Answer>& left, std::size_t op_turns, Explanation& explanation) {
+  constexpr std::size_t kFewStrokes = 8;
+  constexpr double kStillThere = 0.05;
+  const bool few_strokes = op_turns <= kFewStrokes;
   if (!few_strokes && std::ranges::any_of(explanation.steps, explains_a_cycle)) return;
+  if (!few_strokes && !std::ranges::all_of(explanation.steps, jumps) &&
+      smallest_p(left, "op_direction") > kStillThere) {
+    return;
+  }
   std::optional<Step> step = find_hysteresis(input, answers, op_turns);
   if (!step) return;
   explanation.error_kind = ErrorKind::simulation;
@@ -160,7 +172,7 @@ Explanation explain_look(const ModelInput& input, Look look) {
   }
   const std::size_t op_turns = judge_loop(input, story.data, last, explanation);
   report_rest(story, answers, explanation);
-  prefer_hysteresis(input, look.questioning.answers, op_turns, explanation);
+  prefer_hysteresis(input, look.questioning.answers, answers, op_turns, explanation);
   return explanation;
 }
 

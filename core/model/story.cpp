@@ -174,8 +174,10 @@ std::string_view law_of(const Candidate& candidate) {
   return is_valve(candidate.effect->kind()) ? candidate.effect->law() : std::string_view("none");
 }
 
-/// The best candidate of each law.
+/// The best candidate of each law; of load steps all, since the error of one that is still to come
+/// hides what another gains.
 std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
+  if (!list.empty() && list.front().effect->kind() == EffectKind::load_step) return list;
   std::vector<Candidate> chosen;
   for (const Candidate& candidate : list) {
     const auto same = [&](const Candidate& other) { return law_of(other) == law_of(candidate); };
