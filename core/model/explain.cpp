@@ -141,14 +141,14 @@ void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& answe
                        const std::vector<Answer>& left, std::size_t op_turns, Explanation& explanation) {
   constexpr std::size_t kFewStrokes = 8;
   constexpr double kStillThere = 0.05;
+  constexpr double kClear = 13.8;  // four to one, in the units of `margin`
   const bool few_strokes = op_turns <= kFewStrokes;
   if (!few_strokes && std::ranges::any_of(explanation.steps, explains_a_cycle)) return;
-  if (!few_strokes && !std::ranges::all_of(explanation.steps, jumps) &&
-      smallest_p(left, "op_direction") > kStillThere) {
-    return;
-  }
   std::optional<Step> step = find_hysteresis(input, answers, op_turns);
   if (!step) return;
+  const bool others_stand = !std::ranges::all_of(explanation.steps, jumps) &&
+                            smallest_p(left, "op_direction") > kStillThere && step->margin < kClear;
+  if (!few_strokes && others_stand) return;
   explanation.error_kind = ErrorKind::simulation;
   explanation.excited = true;
   explanation.baseline.holdout_error = step->holdout_error_before;
