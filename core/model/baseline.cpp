@@ -30,11 +30,8 @@ double dot(const std::vector<double>& a, std::size_t shift_a, const std::vector<
 }
 
 std::vector<double> whitened(const NoiseModel& noise, const std::vector<double>& signal) {
-  std::vector<double> table(signal.size() * 4, 0.0);
-  for (std::size_t k = 0; k < signal.size(); ++k) table[4 * k] = signal[k];
-  whiten(noise, table, 4);
   std::vector<double> result(signal.size());
-  for (std::size_t k = 0; k < signal.size(); ++k) result[k] = table[4 * k];
+  whiten(noise, signal, result);
   return result;
 }
 

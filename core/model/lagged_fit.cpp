@@ -52,31 +52,57 @@ void first_products(const LaggedRows& rows, const double* u, InputProducts& prod
   products.sums[1] = sum;
 }
 
-/// Sum of a(k-i-1) b(k-j-1) from that of a(k-i) b(k-j): a row more in front of every run, one
-/// less at its end.
-double slide(const LaggedRows& rows, double sum, const double* a, std::size_t i, const double* b,
-             std::size_t j) {
-  for (const auto [begin, end] : rows.runs) {
-    sum += a[begin - 1 - i] * b[begin - 1 - j] - a[end - 1 - i] * b[end - 1 - j];
+/// What sums over the runs gain when their rows go back by one: a row more in front of every run,
+/// one less at its end. by_output[i][j] of y(k-i) u(k-j-1), by_input[i][j] of u(k-i-1) u(k-j-1).
+struct Edges {
+  std::array<std::array<double, kInputLags>, kOutputLags> by_output{};
+  std::array<std::array<double, kInputLags>, kInputLags> by_input{};
+  std::array<double, kInputLags> sums{};
+};
+
+/// The last values before a row.
+struct Before {
+  Before(const LaggedRows& rows, const double* u, std::size_t row) {
+    for (std::size_t i = 0; i < kOutputLags; ++i) output[i] = rows.output[row - 1 - i];
+    for (std::size_t j = 0; j < kInputLags; ++j) input[j] = u[row - 2 - j];
   }
-  return sum;
+  std::array<double, kOutputLags> output;
+  std::array<double, kInputLags> input;
+};
+
+Edges edges_of(const LaggedRows& rows, const double* u) {
+  Edges edges;
+  for (const auto [begin, end] : rows.runs) {
+    const Before more(rows, u, begin);
+    const Before less(rows, u, end);
+    // Whole rows of twelve: the compiler makes vectors of them, half of by_input or not.
+    for (std::size_t i = 0; i < kOutputLags; ++i) {
+      for (std::size_t j = 0; j < kInputLags; ++j) {
+        edges.by_output[i][j] += more.output[i] * more.input[j] - less.output[i] * less.input[j];
+      }
+    }
+    for (std::size_t i = 0; i < kInputLags; ++i) {
+      for (std::size_t j = i / 2 * 2; j < kInputLags; ++j) {
+        edges.by_input[i][j] += more.input[i] * more.input[j] - less.input[i] * less.input[j];
+      }
+    }
+    for (std::size_t j = 0; j < kInputLags; ++j) edges.sums[j] += more.input[j] - less.input[j];
+  }
+  return edges;
 }
 
 InputProducts input_products(const LaggedRows& rows, const double* u) {
   InputProducts products;
   first_products(rows, u, products);
-  const double* y = rows.output.data();
+  const Edges edges = edges_of(rows, u);
   for (std::size_t j = 1; j < kInputLags; ++j) {
     for (std::size_t i = 0; i < kOutputLags; ++i) {
-      products.by_output[i + 1][j + 1] = slide(rows, products.by_output[i][j], y, i, u, j);
+      products.by_output[i + 1][j + 1] = products.by_output[i][j] + edges.by_output[i][j - 1];
     }
     for (std::size_t i = 1; i <= j; ++i) {
-      products.by_input[i + 1][j + 1] = slide(rows, products.by_input[i][j], u, i, u, j);
+      products.by_input[i + 1][j + 1] = products.by_input[i][j] + edges.by_input[i - 1][j - 1];
     }
-    products.sums[j + 1] = products.sums[j];
-    for (const auto [begin, end] : rows.runs) {
-      products.sums[j + 1] += u[begin - 1 - j] - u[end - 1 - j];
-    }
+    products.sums[j + 1] = products.sums[j] + edges.sums[j - 1];
   }
   return products;
 }

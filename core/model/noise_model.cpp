@@ -1,7 +1,9 @@
 #include "core/model/noise_model.hpp"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "core/model/number_pair.hpp"
+#include "core/model/recursion.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -31,45 +33,38 @@ bool within(const Coefficients& zeros, double radius) {
   return true;
 }
 
-/// y(k) = x(k) + sum a x(k-i) - sum c y(k-i).
-template <std::size_t Width, std::size_t Order>
-void whiten_columns(const Coefficients& a, const Coefficients& c, std::span<double> table) {
-  std::array<std::array<double, Width>, Order> x{};
-  std::array<std::array<double, Width>, Order> y{};
-  double rest_above = 1.0, rest_below = 1.0;  // at rest at the first value: y = x A(1) / C(1)
-  for (std::size_t i = 0; i < Order; ++i) {
-    rest_above += a[i];
-    rest_below += c[i];
-  }
-  for (std::size_t i = 0; i < Order; ++i) {
-    for (std::size_t w = 0; w < Width; ++w) {
-      x[i][w] = table[w];
-      y[i][w] = table[w] * rest_above / rest_below;
-    }
-  }
-  for (std::size_t row = 0; row < table.size(); row += Width) {
-    for (std::size_t w = 0; w < Width; ++w) {
-      const double now = table[row + w];
-      double value = now;
-      for (std::size_t i = 0; i < Order; ++i) value += a[i] * x[i][w] - c[i] * y[i][w];
-      for (std::size_t i = Order - 1; i > 0; --i) {
-        x[i][w] = x[i - 1][w];
-        y[i][w] = y[i - 1][w];
-      }
-      x[0][w] = now;
-      y[0][w] = value;
-      table[row + w] = value;
-    }
-  }
-}
-
-template <std::size_t Width>
-void whiten_width(const NoiseModel& noise, std::span<double> table) {
+/// y(k) = x(k) + sum a x(k-i) - sum c y(k-i), at rest at the first value. Number is double or
+/// NumberPair; x(k) is read before y(k) is written.
+template <typename Number, typename Read, typename Write>
+void whiten_signal(const NoiseModel& noise, std::size_t count, Read read, Write write) {
+  if (count == 0) return;
   const Coefficients a = expanded(noise.poles);
-  switch (noise.order) {
-    case 1: return whiten_columns<Width, 1>(a, noise.zeros, table);
-    case 2: return whiten_columns<Width, 2>(a, noise.zeros, table);
-    default: return whiten_columns<Width, 3>(a, noise.zeros, table);
+  const Coefficients& c = noise.zeros;
+  Number x1 = read(0);
+  const Number rest = x1 * whitened_level(noise);
+  if (noise.order == 1) {
+    const auto moves = [&](std::size_t k) {
+      const Number value = read(k);
+      const Number move = value + a[0] * x1;
+      x1 = value;
+      return move;
+    };
+    run_recursion(Number{} - c[0], rest, count, moves, write);
+    return;
+  }
+  Number x2 = x1, x3 = x1, y1 = rest, y2 = rest, y3 = rest;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Number x = read(k);
+    // The newest y last: what waits for it is one product and one difference.
+    const Number known = x + a[0] * x1 + a[1] * x2 + a[2] * x3 - c[1] * y2 - c[2] * y3;
+    const Number y = known - c[0] * y1;
+    write(k, y);
+    x3 = x2;
+    x2 = x1;
+    x1 = x;
+    y3 = y2;
+    y2 = y1;
+    y1 = y;
   }
 }
 
@@ -93,16 +88,33 @@ void make_invertible(NoiseModel& noise) {
   }
 }
 
-void whiten(const NoiseModel& noise, std::span<double> table, std::size_t width) {
-  switch (width) {
-    case 4: return whiten_width<4>(noise, table);
-    case 8: return whiten_width<8>(noise, table);
-    case 12: return whiten_width<12>(noise, table);
-    case 16: return whiten_width<16>(noise, table);
-    case 20: return whiten_width<20>(noise, table);
-    case 24: return whiten_width<24>(noise, table);
-    default: throw std::invalid_argument("whiten: width of a table");
+double whitened_level(const NoiseModel& noise) {
+  const Coefficients a = expanded(noise.poles);
+  double above = 1.0, below = 1.0;
+  for (std::size_t i = 0; i < kMostNoiseOrder; ++i) {
+    above += a[i];
+    below += noise.zeros[i];
   }
+  return above / below;
+}
+
+void whiten(const NoiseModel& noise, std::span<const double> v, std::span<double> w) {
+  whiten_signal<double>(
+      noise, v.size(), [&](std::size_t k) { return v[k]; },
+      [&](std::size_t k, double value) { w[k] = value; });
+}
+
+void whiten(const NoiseModel& noise, std::array<std::span<const double>, 2> v,
+            std::array<std::span<double>, 2> w) {
+  whiten_signal<NumberPair>(
+      noise, v[0].size(),
+      [&](std::size_t k) {
+        return NumberPair{v[0][k], v[1][k]};
+      },
+      [&](std::size_t k, NumberPair value) {
+        w[0][k] = value[0];
+        w[1][k] = value[1];
+      });
 }
 
 }  // namespace loopscope::core::model

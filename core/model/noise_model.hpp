@@ -28,13 +28,15 @@ struct NoiseModel {
 /// Draws the zeros in until all lie within 0.985 of the origin.
 void make_invertible(NoiseModel& noise);
 
-/// Columns stored row by row, padded to whole vectors, so that a recursion in time runs over all
-/// columns at once.
-inline constexpr std::size_t kMaxColumns = 24;
+/// w = v filtered by the inverse of the noise model; before the record everything was as in its
+/// first sample. Equal lengths; `v` and `w` may be the same.
+void whiten(const NoiseModel& noise, std::span<const double> v, std::span<double> w);
 
-/// w = v filtered by the inverse of the noise model, for every column of a row-major table of
-/// `width` columns (<= kMaxColumns, a multiple of 4), in place. Before the record everything was as
-/// in its first row.
-void whiten(const NoiseModel& noise, std::span<double> table, std::size_t width);
+/// Two signals at the time of one.
+void whiten(const NoiseModel& noise, std::array<std::span<const double>, 2> v,
+            std::array<std::span<double>, 2> w);
+
+/// What a constant 1 becomes.
+[[nodiscard]] double whitened_level(const NoiseModel& noise);
 
 }  // namespace loopscope::core::model

@@ -24,11 +24,10 @@ double quantile(std::vector<double> values, double share) {
 
 /// The answer of the whitening filter to a step, over its first samples.
 std::vector<double> step_pattern(const NoiseModel& noise, std::size_t length) {
-  std::vector<double> table(4 * (length + 1), 0.0);
-  for (std::size_t k = 1; k <= length; ++k) table[4 * k] = 1.0;
-  whiten(noise, table, 4);
-  std::vector<double> pattern(length);
-  for (std::size_t k = 0; k < length; ++k) pattern[k] = table[4 * (k + 1)];
+  std::vector<double> pattern(length + 1, 1.0);
+  pattern.front() = 0.0;
+  whiten(noise, pattern, pattern);
+  pattern.erase(pattern.begin());
   return pattern;
 }
 

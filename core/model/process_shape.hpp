@@ -27,6 +27,9 @@ struct ProcessShape {
 /// value.
 void respond(const ProcessShape& shape, std::span<const double> input, std::span<double> response);
 
+/// (n0 + n1 z^-1) of a response, in place.
+void weigh(const std::array<double, 2>& numerator, std::span<double> response);
+
 /// y, the whole response of gain 1.
 [[nodiscard]] std::vector<double> answer(const ProcessShape& shape, std::span<const double> input);
 

@@ -25,6 +25,16 @@ Valve moved(const Valve& valve, const ValveMove& move, double step) {
   return result;
 }
 
+/// J at the end of its range.
+bool leads_nowhere(const Valve& from, const Valve& to) {
+  return from.stickband_percent == to.stickband_percent &&
+         from.slip_jump_percent == to.slip_jump_percent;
+}
+
+bool leads_back(const ValveMove& last, const ValveMove& move) {
+  return move.band == -last.band && move.jump == -last.jump;
+}
+
 }  // namespace
 
 std::span<const ValveMove> any_move() {
@@ -37,16 +47,26 @@ std::span<const ValveMove> band_moves() {
 
 void climb(const ValveRecords& records, ValveRecords::Entry& entry, Trial& trial, double step,
            std::span<const ValveMove> moves) {
+  const ValveMove* last = nullptr;
   for (int round = 0; round < kRounds; ++round) {
     Trial best = trial;
+    const ValveMove* chosen = nullptr;
     for (const ValveMove& move : moves) {
-      Trial next = judge(records, entry, moved(trial.valve, move, step), trial.tracked.model, 1);
-      best = better(next, best) ? std::move(next) : std::move(best);
+      const Valve valve = moved(trial.valve, move, step);
+      if (leads_nowhere(trial.valve, valve) || (last != nullptr && leads_back(*last, move))) {
+        continue;
+      }
+      Trial next = judge(records, entry, valve, trial.tracked.model, 1);
+      if (better(next, best)) {
+        best = std::move(next);
+        chosen = &move;
+      }
     }
-    if (!better(best, trial)) {
+    if (chosen == nullptr) {
       return;
     }
     trial = std::move(best);
+    last = chosen;
   }
 }
 

@@ -33,6 +33,8 @@ constexpr double kFirstStep = 1.25;
 constexpr std::size_t kFirstRowLength = 2;
 constexpr std::array<std::size_t, 2> kOtherRowLengths = {1, 4};
 constexpr std::size_t kBandsAtAllRates = 4;
+/// Bands of the printed valve, and as many of the others, that are tracked twice.
+constexpr std::size_t kLookedAtAgain = 10;
 /// Bands that every law is tried around, and how far, in logarithms: half a first step and a bit.
 constexpr std::size_t kBandsFollowed = 5;
 constexpr double kFollowedWidth = 0.17;
@@ -65,11 +67,21 @@ std::vector<double> bands_of(const ValveRecords& records) {
 
 /// From the process that the law alone gives: under stiction the linear fit is far off (it is half
 /// the controller's); that of a valve of about the right band is not.
-void try_alone(ValveRecords& records, std::size_t samples_per_row, const Valve& valve,
+void try_alone(ValveRecords& records, std::size_t samples_per_row, const Valve& valve, int passes,
                std::vector<Trial>& trials) {
   auto& entry = records.quick(samples_per_row);
   if (fittable(entry)) {
-    trials.push_back(judge(records, entry, valve, fit_untracked(entry.record, valve), 2));
+    trials.push_back(judge(records, entry, valve, fit_untracked(entry.record, valve), passes));
+  }
+}
+
+/// The leaders once more, each from the process that it was tracked to.
+void look_again(ValveRecords& records, std::vector<Trial>& trials) {
+  auto& entry = records.quick(kFirstRowLength);
+  for (const auto& wanted : {is_printed, is_other}) {
+    for (const Trial& trial : leading(trials, kLookedAtAgain, wanted)) {
+      trials.push_back(judge(records, entry, trial.valve, trial.tracked.model, 1));
+    }
   }
 }
 
@@ -81,16 +93,17 @@ void try_widely(ValveRecords& records, FirstLook& look) {
     }
     next = band * kFirstStep;
     for (const Shape& shape : kFirstShapes) {
-      try_alone(records, kFirstRowLength, valve_of(shape, band), look.trials);
+      try_alone(records, kFirstRowLength, valve_of(shape, band), 1, look.trials);
     }
   }
+  look_again(records, look.trials);
 }
 
 void choose_rate(ValveRecords& records, FirstLook& look) {
   const std::vector<Trial> best = leading(look.trials, kBandsAtAllRates, is_any);
   for (const std::size_t samples : kOtherRowLengths) {
     for (const Trial& trial : best) {
-      try_alone(records, samples, trial.valve, look.trials);
+      try_alone(records, samples, trial.valve, 2, look.trials);
     }
   }
   const auto first = std::ranges::min_element(look.trials, better);

@@ -2,107 +2,136 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
+#include "core/model/number_pair.hpp"
 #include "core/model/valve_law.hpp"
 
 namespace loopscope::core::model {
 
 /// Half widths: where the resting valve breaks loose, and how far a moving one lags behind op.
-struct Friction {
-  explicit Friction(const Valve& valve)
-      : band(valve.stickband_percent),
-        breakaway(0.5 * (valve.stickband_percent + valve.slip_jump_percent)),
-        lag(0.5 * (valve.stickband_percent - valve.slip_jump_percent)) {}
-  double band;
-  double breakaway;
-  double lag;
+template <typename Element>
+struct FrictionIn {
+  explicit FrictionIn(const Valve& valve)
+      : band(static_cast<Element>(valve.stickband_percent)),
+        breakaway(static_cast<Element>(0.5 * (valve.stickband_percent + valve.slip_jump_percent))),
+        lag(static_cast<Element>(0.5 * (valve.stickband_percent - valve.slip_jump_percent))) {}
+  Element band;
+  Element breakaway;
+  Element lag;
+};
+using Friction = FrictionIn<double>;
+
+/// What op does at a sample, as valves see it.
+template <typename Element>
+struct OpStep {
+  Element op;
+  Element before;     ///< op a sample earlier
+  Element direction;  ///< of op's last motion, +1 or -1
+  Element kept;       ///< 0 = op turned, or stood still for the second time: a moving valve stops
+  Element turned;     ///< 0 or 1
 };
 
-/// What op does, the same for every valve that sees it.
+/// Follows op, the same for every valve that sees it.
+template <typename Element>
 struct OpMotion {
-  double previous = 0.0;
-  double direction = 1.0;  ///< of op's last motion
+  Element previous = 0;
+  Element direction = 1;  ///< of op's last motion
   bool stood_still = true;
-  bool turned = false;
-  bool stopped = false;  ///< turned, or stood still for the second time
 
-  void take(double op) {
-    const double slope = op - previous;
-    const bool still = slope == 0.0;
-    turned = slope * direction < 0.0;
-    stopped = turned || (still && stood_still);
+  OpStep<Element> take(Element op) {
+    const Element slope = op - previous;
+    const bool still = slope == 0;
+    const bool turned = slope * direction < 0;
+    const bool stopped = turned || (still && stood_still);
     direction = turned ? -direction : direction;
     stood_still = still;
+    const Element before = previous;
+    previous = op;
+    return {op, before, direction, Element(stopped ? 0 : 1), Element(turned ? 1 : 0)};
   }
 };
 
-/// Two numbers that every processor adds, compares and chooses (`condition ? a : b`) as one: what
-/// compilers make of longer ones and of loops over lanes is slower than plain code.
-typedef double NumberPair __attribute__((vector_size(2 * sizeof(double))));
+/// Four numbers of half the digits, in the same room as a pair: enough for a search, where a valve
+/// is put right every few dozen samples.
+typedef float ShortNumbers __attribute__((vector_size(4 * sizeof(float))));
+
+/// What a Number is made of.
+template <typename Number>
+struct ElementOf {
+  using type = std::remove_cvref_t<decltype(std::declval<Number&>()[0])>;
+};
+template <>
+struct ElementOf<double> {
+  using type = double;
+};
 
 /// Some valves of one law, side by side under the same op: they differ in where they are. Number is
-/// double or NumberPair, and there are `count` of them. Choices only, no branches.
+/// double, NumberPair or ShortNumbers, and there are `count` of them. Choices only, no branches.
 template <typename Number, std::size_t count>
 struct ValveLanes {
+  using Element = typename ElementOf<Number>::type;
+  using Friction = FrictionIn<Element>;
+  using Mask = decltype(Number{} > Number{});
   using Numbers = std::array<Number, count>;
   Numbers position{};
-  Numbers turn{};    ///< choudhury: op where counting starts
-  Numbers moving{};  ///< choudhury, kano: 0 or 1
-  OpMotion motion;
+  Numbers turn{};                    ///< choudhury: op where counting starts
+  std::array<Mask, count> moving{};  ///< choudhury, kano
 
   /// All at rest at `op` after a motion in that direction.
-  void start(const Friction& friction, double direction, double op) {
-    position.fill(Number{} + (op - direction * friction.lag));
-    turn.fill(Number{} + op);
-    motion.previous = op;
-    motion.direction = direction;
+  void start(const Friction& friction, Element direction, Element op) {
+    position.fill(all(op - direction * friction.lag));
+    turn.fill(all(op));
   }
 
   template <ValveLaw law>
-  void step(const Friction& friction, double op) {
+  void step(const Friction& friction, const OpStep<Element>& step) {
     if constexpr (law == ValveLaw::he) {
-      step_he(friction, op);
+      step_he(friction, step.op);
     } else {
-      motion.take(op);
-      step_with_op<law>(friction, op);
+      step_with_op<law>(friction, step);
     }
-    motion.previous = op;
   }
 
  private:
-  void step_he(const Friction& friction, double op) {
-    const Number behind = Number{} + (op - friction.lag);
-    const Number ahead = Number{} + (op + friction.lag);
+  static Number all(Element value) { return Number{} + value; }
+
+  void step_he(const Friction& friction, Element op) {
+    const Number now = all(op);
+    const Number behind = all(op - friction.lag);
+    const Number ahead = all(op + friction.lag);
+    const Number reach = all(friction.breakaway);
     for (Number& place : position) {
-      // Both thresholds are asked of the same old position: the two choices need not wait for
-      // each other.
-      const Number gap = op - place;
-      const Number up = gap > friction.breakaway ? behind : place;
-      place = gap < -friction.breakaway ? ahead : up;
+      // The next sample waits for the place, so the way to it is kept short: both thresholds are
+      // asked at once, and where to is known meanwhile.
+      const Number gap = now - place;
+      const Number target = gap > Number{} ? behind : ahead;
+      const Mask loose = Mask((gap > reach) | (gap < -reach));
+      place = loose ? target : place;
     }
   }
 
   template <ValveLaw law>
-  void step_with_op(const Friction& friction, double op) {
-    const Number slide = Number{} + (op - motion.direction * friction.lag);
-    const Number before = Number{} + motion.previous;
-    const Number one = Number{} + 1.0;
-    const double kept = motion.stopped ? 0.0 : 1.0;
-    const double rebased = motion.turned ? 1.0 : 0.0;
+  void step_with_op(const Friction& friction, const OpStep<Element>& step) {
+    const Number now = all(step.op);
+    const Number slide = all(step.op - step.direction * friction.lag);
+    const Number before = all(step.before);
+    const Mask kept = all(step.kept) > Number{};
+    const Mask stopped = all(step.kept) == Number{};
+    const Mask turned = all(step.turned) > Number{};
+    const Number reach = all(law == ValveLaw::choudhury ? friction.band : friction.breakaway);
     for (std::size_t i = 0; i < count; ++i) {
-      double reach = friction.breakaway;
       Number from = position[i];
       if constexpr (law == ValveLaw::choudhury) {
-        turn[i] = rebased + (1.0 - kept) * moving[i] > 0.5 ? before : turn[i];
-        reach = friction.band;
+        turn[i] = Mask(turned | (stopped & moving[i])) ? before : turn[i];
         from = turn[i];
       }
       // A valve of Kano's law that stopped after a motion stands (S + J) / 2 off both of its
       // thresholds, J ahead and S back: so they are asked like He's.
-      const Number way = op - from;
-      const Number up = way > reach ? one : kept * moving[i];
-      moving[i] = way < -reach ? one : up;
-      position[i] = moving[i] > 0.5 ? slide : position[i];
+      const Number way = now - from;
+      moving[i] = Mask((way > reach) | (way < -reach) | (kept & moving[i]));
+      position[i] = moving[i] ? slide : position[i];
     }
   }
 };

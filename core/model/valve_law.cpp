@@ -20,15 +20,16 @@ void check(const Valve& valve, std::size_t ops, std::size_t positions) {
 }
 
 template <ValveLaw law>
-void follow(Friction friction, ValveLanes<double, 1> valve, std::span<const ValveRestart> restarts,
-            std::span<const double> op, std::span<double> mv) {
+void follow(Friction friction, OpMotion<double> motion, ValveLanes<double, 1> valve,
+            std::span<const ValveRestart> restarts, std::span<const double> op,
+            std::span<double> mv) {
   std::size_t next = 0;
   for (std::size_t k = 0; k < op.size(); ++k) {
     if (next < restarts.size() && restarts[next].at_sample == k) {
       valve.position[0] = restarts[next++].position_percent;
     }
     if (!std::isnan(op[k])) {
-      valve.step<law>(friction, op[k]);
+      valve.step<law>(friction, motion.take(op[k]));
     }
     mv[k] = valve.position[0];
   }
@@ -63,7 +64,9 @@ void run_valve(const Valve& valve, std::span<const ValveRestart> restarts,
   const Friction friction(valve);
   ValveLanes<double, 1> lane;
   lane.start(friction, valve.start_direction, *first);
-  with_law(valve.law, [&]<ValveLaw law>() { follow<law>(friction, lane, restarts, op, mv); });
+  const OpMotion<double> motion{*first, valve.start_direction};
+  with_law(valve.law,
+           [&]<ValveLaw law>() { follow<law>(friction, motion, lane, restarts, op, mv); });
   const auto missing = static_cast<std::size_t>(first - op.begin());
   std::ranges::fill(mv.first(missing), std::numeric_limits<double>::quiet_NaN());
 }

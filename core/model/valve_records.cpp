@@ -10,6 +10,8 @@ namespace {
 constexpr std::size_t kQuickRows = 2048;
 /// A value held no longer than this is as good as known: valves move little meanwhile.
 constexpr std::size_t kLongestHold = 3;
+/// Of op's span: half the smallest band that is looked at.
+constexpr double kSmallestSwing = 0.015;
 
 /// `op` with every NaN replaced by the value before it; the first ones by the first value.
 std::vector<double> held(std::span<const double> op, std::vector<std::uint8_t>& known) {
@@ -52,6 +54,7 @@ ValveRecords::ValveRecords(const ValveSearchInput& input)
   }
   const auto [low, high] = std::ranges::minmax(op_);
   op_span_ = high - low;
+  swings_.emplace(op_, kSmallestSwing * op_span_);
 }
 
 ValveRecords::Entry ValveRecords::make(std::size_t first, std::size_t count,
@@ -63,6 +66,7 @@ ValveRecords::Entry ValveRecords::make(std::size_t first, std::size_t count,
   entry.record.rows = lagged_rows(input_.pv.subspan(first, count), input_.fit.subspan(first, count),
                                   std::span(op_known_).subspan(first, count), samples_per_row);
   entry.record.op.assign(op.begin(), op.end());
+  entry.record.steps = op_steps(op);
   entry.record.steps_per_row = samples_per_row;
   entry.record.linear = fit_lagged(entry.record.rows, means(op, samples_per_row));
   entry.record.linear_residual = entry.record.linear.residual;

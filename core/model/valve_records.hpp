@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/model/op_swings.hpp"
 #include "core/model/valve_search.hpp"
 #include "core/model/valve_tracking.hpp"
 
@@ -30,7 +32,7 @@ class ValveRecords {
   /// The stretch of kQuickRows rows with the most usable samples: for the first look.
   [[nodiscard]] Entry& quick(std::size_t samples_per_row);
 
-  [[nodiscard]] std::span<const double> op() const { return op_; }  ///< less its mean, held
+  [[nodiscard]] const OpSwings& swings() const { return *swings_; }
   [[nodiscard]] double op_level() const { return op_level_; }
   [[nodiscard]] double op_span() const { return op_span_; }
   [[nodiscard]] std::size_t samples() const { return op_.size(); }
@@ -44,6 +46,7 @@ class ValveRecords {
   std::vector<double> op_;
   double op_level_ = 0.0;
   double op_span_ = 0.0;
+  std::optional<OpSwings> swings_;
   std::map<std::size_t, Entry> full_, quick_;
 };
 

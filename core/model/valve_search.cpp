@@ -13,10 +13,15 @@ namespace loopscope::core::model {
 namespace {
 
 constexpr std::array kLaws = {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he};
-constexpr std::size_t kRefined = 3;  ///< of a law, and of play
+constexpr std::size_t kRefined = 3;  ///< of a law
 constexpr std::size_t kReturnedPerLaw = 2;
 /// Of the best evidence of the first look: of a law further behind only the best is refined.
 constexpr double kFarBehind = 0.3;
+/// Of the best evidence: what is further behind, or not among the first, is returned as it is.
+constexpr double kWorthFinishing = 0.3;
+constexpr std::size_t kFinished = 4;
+constexpr std::size_t kPlayRefined = 2;
+constexpr int kPlayPasses = 2;
 constexpr double kNearJumpShare = 0.35;  ///< J / S: trials closer lead to the same place
 
 /// What is refined, and the record that it is refined on.
@@ -28,25 +33,30 @@ class Refinement {
         quick_(records.quick(look.samples_per_row)),
         full_(records.full(look.samples_per_row)) {}
 
+  /// The best of a law, roughly.
   std::vector<Trial> of_law(ValveLaw law) {
     std::vector<Trial> trials = leaders(law);
     for (Trial& trial : trials) {
       climb(records_, quick_, trial, 0.03, any_move());
-      trial = on_whole_record(trial);
+      trial = on_whole_record(std::move(trial));
     }
     std::ranges::sort(trials, better);
     trials.resize(std::min(trials.size(), kReturnedPerLaw));
-    if (law == ValveLaw::he && !trials.empty()) {
-      Trial scanned = on_whole_record(best_band_around(records_, quick_, trials[0]));
-      trials[0] = better(scanned, trials[0]) ? std::move(scanned) : std::move(trials[0]);
-    }
-    for (Trial& trial : trials) {
-      climb(records_, full_, trial, 0.01, any_move());
-    }
-    if (!trials.empty()) {
-      climb(records_, full_, trials[0], 0.004, any_move());
-    }
     return trials;
+  }
+
+  /// Once it is known what the best is worth.
+  void finish(Trial& trial, double best_evidence) {
+    if (trial.evidence < kWorthFinishing * best_evidence) {
+      return;
+    }
+    if (trial.valve.law == ValveLaw::he) {
+      Trial scanned = on_whole_record(best_band_around(records_, quick_, trial));
+      trial = better(scanned, trial) ? std::move(scanned) : std::move(trial);
+    }
+    for (const double step : {0.01, 0.004}) {
+      climb(records_, full_, trial, step, any_move());
+    }
   }
 
   /// Play has no needle: every other band is looked at, wherever valves that jump were found.
@@ -55,11 +65,12 @@ class Refinement {
     for (std::size_t i = 0; i < look_.bands.size(); i += 2) {
       const Valve valve{ValveLaw::he, look_.bands[i], 0.0, 1.0};
       // From its own process: that of a wrong jump would hold it where it is.
-      looks.push_back(judge(records_, full_, valve, fit_untracked(full_.record, valve), 2));
+      looks.push_back(
+          judge(records_, full_, valve, fit_untracked(full_.record, valve), kPlayPasses));
     }
     Trial best;
-    for (Trial& trial : leading(looks, kRefined, [](const Trial&) { return true; })) {
-      for (const double step : {0.04, 0.015, 0.005}) {
+    for (Trial& trial : leading(looks, kPlayRefined, [](const Trial&) { return true; })) {
+      for (const double step : {0.04, 0.015}) {
         climb(records_, full_, trial, step, band_moves());
       }
       best = better(trial, best) ? std::move(trial) : std::move(best);
@@ -102,7 +113,10 @@ class Refinement {
     return chosen;
   }
 
-  Trial on_whole_record(const Trial& trial) {
+  Trial on_whole_record(Trial trial) {
+    if (quick_.samples == full_.samples) {
+      return trial;
+    }
     return judge(records_, full_, trial.valve, trial.tracked.model, 2);
   }
 
@@ -119,6 +133,11 @@ ValveSearchResult refine(ValveRecords& records, const FirstLook& look) {
     for (Trial& trial : refinement.of_law(law)) {
       finals.push_back(std::move(trial));
     }
+  }
+  std::ranges::sort(finals, better);
+  const double best_evidence = finals.empty() ? 0.0 : finals.front().evidence;
+  for (std::size_t i = 0; i < std::min(finals.size(), kFinished); ++i) {
+    refinement.finish(finals[i], best_evidence);
   }
   std::ranges::sort(finals, better);
   ValveSearchResult result;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/model/lagged_fit.hpp"
+#include "core/model/valve_lanes.hpp"
 #include "core/model/valve_law.hpp"
 
 namespace loopscope::core::model {
@@ -14,11 +15,15 @@ namespace loopscope::core::model {
 /// between) for every row of pv.
 struct TrackedRecord {
   LaggedRows rows;
-  std::vector<double> op;  ///< without NaN: the last value is held
+  std::vector<double> op;            ///< without NaN: the last value is held
+  std::vector<OpStep<float>> steps;  ///< of op, by op_steps()
   std::size_t steps_per_row = 1;
   double linear_residual = 0.0;  ///< of the fit with mv = op
   LaggedModel linear;
 };
+
+/// What op does at every sample: for all valves that are tracked alike. Before the record op rose.
+[[nodiscard]] std::vector<OpStep<float>> op_steps(std::span<const double> op);
 
 /// A valve followed through a record by what pv says about it.
 struct TrackedValve {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/model/op_swings.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -44,7 +43,7 @@ bool fittable(const ValveRecords::Entry& entry) {
 }
 
 double period_of(const ValveRecords& records, const Valve& valve) {
-  return swing_period(records.op(), valve.stickband_percent);
+  return records.swings().period(valve.stickband_percent);
 }
 
 Trial judge(const ValveRecords& records, ValveRecords::Entry& entry, const Valve& valve,

@@ -1,7 +1,5 @@
 #include "core/model/effects/curvature.hpp"
 
-#include <algorithm>
-
 #include "core/model/questions/phrases.hpp"
 
 namespace loopscope::core::model {
@@ -12,20 +10,23 @@ constexpr double kUnit = 10.0;
 /// The laws of contract.md are parabolas over half a span of 100.
 constexpr double kHalfSpan = 50.0;
 
-Column power(std::span<const double> values, int exponent, double unit) {
-  Column result(values.size());
-  std::transform(values.begin(), values.end(), result.begin(), [&](double value) {
-    const double share = value / unit;
-    return exponent == 2 ? share * share : share * share * share;
-  });
+Column square_of(std::span<const double> values) {
+  Column result(values.begin(), values.end());
+  for (double& value : result) value = value / kUnit * (value / kUnit);
+  return result;
+}
+
+Column cube_of(std::span<const double> values) {
+  Column result(values.begin(), values.end());
+  for (double& value : result) value = value / kUnit * (value / kUnit) * (value / kUnit);
   return result;
 }
 
 }  // namespace
 
 void ValveCharacteristic::add_columns(const Signals& signals, std::vector<Column>& columns) const {
-  columns.push_back(answer(signals.process, power(signals.flow, 2, kUnit)));
-  columns.push_back(answer(signals.process, power(signals.flow, 3, kUnit)));
+  columns.push_back(answer(signals.process, square_of(signals.flow)));
+  columns.push_back(answer(signals.process, cube_of(signals.flow)));
 }
 
 std::vector<Parameter> ValveCharacteristic::parameters(const LoopData& data,
@@ -40,12 +41,12 @@ std::vector<Parameter> ValveCharacteristic::parameters(const LoopData& data,
 }
 
 void ProcessNonlinearity::add_columns(const Signals& signals, std::vector<Column>& columns) const {
-  Column square = power(signals.response, 2, kUnit);
-  Column lagged = square;
+  Column square = square_of(signals.response);
+  Column lagged(square.size());
   respond(signals.process, square, lagged);
   columns.push_back(std::move(square));
   columns.push_back(std::move(lagged));
-  columns.push_back(power(signals.response, 3, kUnit));
+  columns.push_back(cube_of(signals.response));
 }
 
 std::vector<Parameter> ProcessNonlinearity::parameters(const LoopData& data,

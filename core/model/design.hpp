@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/model/fit.hpp"
+#include "core/model/products.hpp"
+
+namespace loopscope::core::model {
+
+/// The whitened columns of a structure: pv, numerator, effects, offset (and ramp, integrating), one
+/// after the other.
+struct Design {
+  Eigen::MatrixXd table;  ///< a row for each sample
+  Eigen::Index taps = 1;  ///< columns after pv that are the answer of the process to flow
+  [[nodiscard]] Eigen::Index terms() const { return table.cols() - 1; }  ///< pv left out
+  [[nodiscard]] auto answers() const { return table.middleCols(1, taps); }
+  [[nodiscard]] auto regressors() const { return table.rightCols(terms()); }
+  [[nodiscard]] std::vector<Signal> columns() const;
+};
+
+/// Makes the columns of structures that differ in process and noise alone.
+class DesignMaker {
+ public:
+  DesignMaker(const LoopData& data, const std::vector<EffectPtr>& effects);
+  [[nodiscard]] Design make(const Structure& structure) const;
+
+ private:
+  [[nodiscard]] std::vector<Column> effect_columns(const ProcessShape& process,
+                                                   const std::vector<double>& response) const;
+
+  const LoopData& data_;
+  const std::vector<EffectPtr>& effects_;
+  std::vector<double> flow_;
+};
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,44 @@
+#include "core/model/products.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace loopscope::core::model {
+namespace {
+
+TEST(Products, AreTheSumsOverTheRows) {
+  constexpr std::size_t kSamples = 100;
+  std::vector<std::vector<double>> signals(5, std::vector<double>(kSamples));
+  std::vector<Signal> all;
+  for (std::size_t s = 0; s < signals.size(); ++s) {
+    for (std::size_t k = 0; k < kSamples; ++k) {
+      signals[s][k] = std::cos(0.3 * static_cast<double>((s + 1) * k) + static_cast<double>(s));
+    }
+    all.push_back(signals[s].data());
+  }
+  const std::vector<Range> rows = {{3, 4}, {10, 18}, {20, 61}, {70, 70}};
+  const std::vector<Signal> few(all.begin(), all.begin() + 3);
+  const Eigen::MatrixXd square = products(all, rows);
+  const Eigen::MatrixXd crossed = products(few, all, rows);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      double sum = 0.0;
+      for (const Range& range : rows) {
+        for (std::size_t k = range.first; k < range.end; ++k) sum += all[i][k] * all[j][k];
+      }
+      const auto row = static_cast<Eigen::Index>(i);
+      const auto column = static_cast<Eigen::Index>(j);
+      EXPECT_NEAR(square(row, column), sum, 1e-12);
+      if (i < few.size()) {
+        EXPECT_NEAR(crossed(row, column), sum, 1e-12);
+      }
+      if (i == j) {
+        EXPECT_NEAR(sum_of_squares(all[i], rows), sum, 1e-12);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
