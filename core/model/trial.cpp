@@ -124,21 +124,30 @@ Fit scan_jump(const LoopData& data, Fit fit) {
   return fit;
 }
 
-/// A law that keeps its errors of position has a needle at the right band, which a search that puts
-/// positions right passes by: every band within an eighth is tried, with the jump found and a third.
-Fit scan_band(const LoopData& data, Fit fit) {
-  const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
-  if (valve == nullptr) return fit;
+/// The bands within an eighth of the valve's, with its own jump and a third.
+Fit sweep(const LoopData& data, const Structure& start, const ValveEffect& valve, Fit best) {
   constexpr double kReach = 0.12, kStep = 0.006, kUsualJump = 1.0 / 3.0;
-  const double jump = valve->valve().slip_jump_percent / valve->valve().stickband_percent;
-  const Structure start = fit.structure;
+  const double jump = valve.valve().slip_jump_percent / valve.valve().stickband_percent;
+  Structure structure = start;
   for (double move = -kReach; move <= kReach; move += kStep) {
     for (const double share : {jump, kUsualJump}) {
-      Structure structure = start;
-      structure.effects.back() = valve->with_band(1.0 + move, share);
+      structure.effects.back() = valve.with_band(1.0 + move, share);
       Fit tried = evaluate(data, structure);
-      if (tried.fit_error < fit.fit_error) fit = std::move(tried);
+      if (tried.fit_error < best.fit_error) best = std::move(tried);
     }
+  }
+  return best;
+}
+
+/// A law that keeps its errors of position has a needle at the right band, which a search that puts
+/// positions right passes by: it is swept for with the corrections of the search, and without.
+Fit scan_band(const LoopData& data, Fit fit) {
+  const Structure start = fit.structure;
+  const auto* valve = dynamic_cast<const ValveEffect*>(start.effects.back().get());
+  if (valve == nullptr) return fit;
+  fit = sweep(data, start, *valve, std::move(fit));
+  for (const double direction : {-1.0, 1.0}) {
+    fit = sweep(data, start, *valve->by_law_alone(direction), std::move(fit));
   }
   return fit;
 }

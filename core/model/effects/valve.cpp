@@ -16,6 +16,12 @@ void ValveEffect::shape_flow(std::span<double> flow) const {
   run_valve(valve_, restarts_, op, flow);
 }
 
+std::shared_ptr<const ValveEffect> ValveEffect::by_law_alone(double direction) const {
+  Valve valve = valve_;
+  valve.start_direction = direction;
+  return std::make_shared<ValveEffect>(valve);
+}
+
 EffectPtr ValveEffect::with_band(double times, double jump_share) const {
   Valve valve = valve_;
   valve.stickband_percent *= times;

@@ -19,6 +19,8 @@ class ValveEffect final : public Effect {
   [[nodiscard]] const Valve& valve() const { return valve_; }
   /// The same valve with a slip jump of that share of its band.
   [[nodiscard]] EffectPtr with_jump(double share) const { return with_band(1.0, share); }
+  /// The same valve left to its law from the start on, which it comes to in that direction (+1, -1).
+  [[nodiscard]] std::shared_ptr<const ValveEffect> by_law_alone(double direction) const;
   /// The same valve with its band that many times as wide, and a slip jump of that share of it.
   [[nodiscard]] EffectPtr with_band(double times, double jump_share) const;
   [[nodiscard]] EffectKind kind() const override;

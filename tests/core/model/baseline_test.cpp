@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kSamples = 4096;
 constexpr std::uint64_t kSeeds = 5;
-const NoiseModel kNoise{{0.95, 0.0}, {0.4, 0.0}};
+const NoiseModel kNoise{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
 
 LoopData record_of(const ProcessShape& shape, double gain, std::uint64_t seed) {
   const tests::Series op = tests::stepping_op(kSamples, seed);
@@ -22,7 +22,7 @@ LoopData record_of(const ProcessShape& shape, double gain, std::uint64_t seed) {
 
 Structure first_guess() {
   Structure start;
-  start.noise = {{0.95, 0.0}, {0.3, 0.0}};
+  start.noise = {1, {0.95, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
   return start;
 }
 

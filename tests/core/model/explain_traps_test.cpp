@@ -36,7 +36,7 @@ TEST(ExplainTraps, AnOpThatPvDoesNotFollowClaimsNothing) {
   int excited = 0, claimed = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const tests::Series op = tests::stepping_op(4096, seed);
-    const NoiseModel noise{{0.98, 0.0}, {0.4, 0.0}};
+    const NoiseModel noise{1, {0.98, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
     const tests::Series pv = tests::coloured_noise(noise, 4096, seed + 500, 1.0);
     const tests::Series sp(4096, 0.0), error = tests::scaled(pv, -1.0);
     const auto explanation = explain({pv, op, sp, error, 1.0});
@@ -63,7 +63,7 @@ tests::Series controller_output(const tests::Series& error) {
 TEST(ExplainTraps, AControllerAloneIsNoFaultyValveOrProcess) {
   int claimed = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const NoiseModel load{{0.9, 0.0}, {0.3, 0.0}};
+    const NoiseModel load{1, {0.9, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
     const tests::Series pv = tests::coloured_noise(load, 4096, seed, 1.0);
     const tests::Series sp(4096, 0.0), error = tests::scaled(pv, -1.0);
     const auto explanation = explain({pv, controller_output(error), sp, error, 1.0, false});

@@ -14,7 +14,7 @@ constexpr std::size_t kSamples = 4096;
 
 struct Arma {
   ProcessShape shape = tests::one_lag(0.8, 3);
-  NoiseModel noise{{0.95, 0.0}, {0.4, 0.0}};
+  NoiseModel noise{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
   double gain = 1.5;
   double deviation = 0.5;
 };
@@ -116,13 +116,12 @@ Structure random_structure(std::mt19937_64& engine) {
   const bool integrating = uniform(engine) < 0.3;
   structure.second_order = uniform(engine) < 0.5;
   structure.two_taps = uniform(engine) < 0.5;
-  structure.noise_pairs = uniform(engine) < 0.5 ? 1 : 2;
   structure.process = {.delay_samples = 1 + static_cast<std::size_t>(9.0 * uniform(engine)),
                        .integrating = integrating,
                        .pole = integrating ? 1.0 : 0.98 * uniform(engine),
                        .second_pole = structure.second_order ? 0.9 * uniform(engine) : 0.0};
-  structure.noise = {{uniform(engine), 0.0}, {0.9 * uniform(engine), 0.0}};
-  if (structure.noise_pairs == 2) structure.noise.poles[1] = 0.8 * uniform(engine);
+  structure.noise = {1, {uniform(engine), 0.0, 0.0}, {-(0.9 * uniform(engine)), 0.0, 0.0}};
+  if (uniform(engine) < 0.5) structure.noise = extended(structure.noise, 0.8 * uniform(engine), 0.3);
   return structure;
 }
 
@@ -148,11 +147,11 @@ TEST(Fit, NoIterationsIsEvaluate) {
 /// From roots far off; the tolerances are about four standard errors of one record's estimate.
 TEST(Fit, PolishFindsPoleAndRootsOfASimulatedRecord) {
   for (const NoiseModel& noise :
-       {NoiseModel{{0.95, 0.0}, {0.4, 0.0}}, NoiseModel{{0.9, 0.0}, {-0.3, 0.0}}}) {
+       {NoiseModel{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}}, NoiseModel{1, {0.9, 0.0, 0.0}, {0.3, 0.0, 0.0}}}) {
     const Arma truth{.noise = noise};
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       Structure start = tests::structure_of(tests::one_lag(0.5, 3));
-      start.noise = {{0.7, 0.0}, {0.2, 0.0}};
+      start.noise = {1, {0.7, 0.0, 0.0}, {-0.2, 0.0, 0.0}};
       const Fit fit = polish(simulated(truth, seed), start, 30);
       EXPECT_NEAR(fit.structure.process.pole, 0.8, 0.015) << seed;
       EXPECT_NEAR(fit.structure.noise.poles[0], noise.poles[0], 0.06) << seed;
@@ -167,7 +166,7 @@ TEST(Fit, TheModelRunOnOpIsPvWithoutNoise) {
     const LoopData data = make_loop_data(
         tests::process_record(shape, 1.5, op, tests::Series(kSamples, 0.0)), op, 1.0);
     Structure structure = tests::structure_of(shape);
-    structure.noise = {{0.9, 0.0}, {0.3, 0.0}};
+    structure.noise = {1, {0.9, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
     const tests::Series output = deterministic_output(data, evaluate(data, structure));
     for (std::size_t k = 0; k < kSamples; ++k) EXPECT_NEAR(output[k], data.pv[k], 1e-3) << k;
   }

@@ -34,13 +34,15 @@ Series white_noise(std::size_t samples, std::uint64_t seed, double deviation) {
 Series coloured_noise(const NoiseModel& noise, std::size_t samples, std::uint64_t seed,
                       double deviation) {
   Series series = white_noise(samples, seed, deviation);
-  for (std::size_t pair = 0; pair < noise.poles.size(); ++pair) {
-    double state = 0.0, before = 0.0;
-    for (double& value : series) {
-      state = noise.poles[pair] * state + value - noise.zeros[pair] * before;
-      before = value;
-      value = state;
+  const Series white = series;
+  for (std::size_t k = 0; k < samples; ++k) {
+    for (std::size_t i = 0; i < noise.order && i < k; ++i) {
+      series[k] += noise.zeros[i] * white[k - i - 1];
     }
+  }
+  for (std::size_t i = 0; i < noise.order; ++i) {
+    double state = 0.0;
+    for (double& value : series) value = state = noise.poles[i] * state + value;
   }
   return series;
 }
@@ -87,7 +89,7 @@ ProcessShape integrator(std::size_t delay_samples) {
 Structure structure_of(const ProcessShape& shape, std::vector<EffectPtr> effects) {
   Structure structure;
   structure.process = shape;
-  structure.noise = {{0.0, 0.0}, {0.0, 0.0}};
+  structure.noise = {1, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
   structure.second_order = shape.second_pole != 0.0;
   structure.two_taps = shape.numerator[1] != 0.0;
   structure.effects = std::move(effects);

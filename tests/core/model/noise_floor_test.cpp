@@ -17,7 +17,7 @@ struct Judged {
 /// variance 1.
 Judged judged(double pole, std::size_t delay, double noise_pole, std::uint64_t seed) {
   const tests::Series op = tests::stepping_op(kSamples, seed);
-  const NoiseModel truth{{0.9, 0.0}, {0.0, 0.0}};
+  const NoiseModel truth{1, {0.9, 0.0, 0.0}, {0.0, 0.0, 0.0}};
   const tests::Series pv = tests::process_record(
       tests::one_lag(0.8, 3), 1.5, op, tests::coloured_noise(truth, kSamples, seed + 1, 1.0));
   const LoopData data = make_loop_data(pv, op, 1.0);

@@ -4,54 +4,71 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "tests/core/model/model_records.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
-constexpr NoiseModel kNoise{{0.95, 0.4}, {0.3, -0.2}};
+const NoiseModel kFirst{1, {0.95, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
+/// Zeros 0.6 +- 0.4i.
+const NoiseModel kSecond{2, {0.95, 0.8, 0.0}, {-1.2, 0.52, 0.0}};
+const NoiseModel kThird = extended(kSecond, 0.7, 0.5);
 
-std::vector<double> signal(double pace) {
+std::vector<double> wave(double pace) {
   std::vector<double> v(103);
   for (std::size_t k = 0; k < v.size(); ++k) v[k] = 2.0 + std::sin(pace * static_cast<double>(k));
   return v;
 }
 
-/// Sample by sample, from rest at the first value.
-std::vector<double> expected(std::vector<double> v) {
-  for (std::size_t pair = 0; pair < 2; ++pair) {
-    const double pole = kNoise.poles[pair];
-    const double zero = kNoise.zeros[pair];
-    double before = v[0];
-    double state = v[0] * (1.0 - pole) / (1.0 - zero);
-    for (double& value : v) {
-      state = value - pole * before + zero * state;
-      before = value;
-      value = state;
-    }
-  }
-  return v;
+class Noises : public testing::TestWithParam<NoiseModel> {};
+
+TEST_P(Noises, WhiteningUndoesColouring) {
+  const std::vector<double> coloured = tests::coloured_noise(GetParam(), 600, 5, 1.0);
+  const std::vector<double> white = tests::white_noise(600, 5, 1.0);
+  std::vector<double> w(coloured.size());
+  whiten(GetParam(), coloured, w);
+  // What the filter took for the past before the record is forgotten by then.
+  for (std::size_t k = 200; k < w.size(); ++k) EXPECT_NEAR(w[k], white[k], 1e-6) << k;
 }
 
-TEST(NoiseModel, WhitensOneSignalTwoOrATableAlike) {
-  const std::vector<double> a = signal(0.3);
-  const std::vector<double> b = signal(1.1);
-  std::vector<double> one(a.size()), first(a.size()), second(a.size()), table(4 * a.size(), 0.0);
-  for (std::size_t k = 0; k < a.size(); ++k) table[4 * k + 2] = a[k];
-  whiten(kNoise, a, one);
-  whiten(kNoise, {a, b}, {first, second});
-  whiten(kNoise, table, 4);
+TEST_P(Noises, OneSignalOrTwoAlike) {
+  const std::vector<double> a = wave(0.3), b = wave(1.1);
+  std::vector<double> one(a.size()), other(a.size()), first(a.size()), second(a.size());
+  whiten(GetParam(), a, one);
+  whiten(GetParam(), b, other);
+  whiten(GetParam(), {a, b}, {first, second});
   for (std::size_t k = 0; k < a.size(); ++k) {
-    EXPECT_NEAR(one[k], expected(a)[k], 1e-12);
-    EXPECT_NEAR(first[k], expected(a)[k], 1e-12);
-    EXPECT_NEAR(second[k], expected(b)[k], 1e-12);
-    EXPECT_NEAR(table[4 * k + 2], expected(a)[k], 1e-12);
+    EXPECT_NEAR(first[k], one[k], 1e-12);
+    EXPECT_NEAR(second[k], other[k], 1e-12);
   }
 }
 
-TEST(NoiseModel, AConstantStaysOne) {
+TEST_P(Noises, AConstantStaysOne) {
   std::vector<double> ones(20, 1.0);
-  whiten(kNoise, ones, ones);
-  for (const double value : ones) EXPECT_NEAR(value, whitened_level(kNoise), 1e-14);
-  EXPECT_EQ(whitened_level({{0.5, 0.2}, {0.5, 0.2}}), 1.0);
+  whiten(GetParam(), ones, ones);
+  for (const double value : ones) EXPECT_NEAR(value, whitened_level(GetParam()), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Orders, Noises, testing::Values(kFirst, kSecond, kThird));
+
+TEST(NoiseModel, ExtendedMultipliesTheZeroIn) {
+  // (1 - 1.2 z + 0.52 z^2)(1 - 0.5 z)
+  EXPECT_EQ(kThird.order, 3U);
+  EXPECT_NEAR(kThird.zeros[0], -1.7, 1e-12);
+  EXPECT_NEAR(kThird.zeros[1], 1.12, 1e-12);
+  EXPECT_NEAR(kThird.zeros[2], -0.26, 1e-12);
+  EXPECT_EQ(extended(kThird, 0.1, 0.1).order, 3U);
+}
+
+TEST(NoiseModel, ZerosOutsideAreDrawnIn) {
+  NoiseModel noise{2, {0.9, 0.5, 0.0}, {-2.4, 1.44, 0.0}};  // twice 1.2
+  make_invertible(noise);
+  const double radius = std::sqrt(noise.zeros[1]);
+  EXPECT_LT(radius, 0.985);
+  EXPECT_GT(radius, 0.9);
+  NoiseModel fine = kSecond;
+  make_invertible(fine);
+  EXPECT_EQ(fine.zeros, kSecond.zeros);
 }
 
 }  // namespace

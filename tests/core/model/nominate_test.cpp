@@ -25,7 +25,7 @@ Looked looked_at(std::string_view scenario, std::uint64_t seed) {
   const simulate::LoopRecord record = simulate::simulate_scenario(scenario, {}, seed);
   Looked result{make_loop_data(record.pv, record.op, record.sample_interval_s), {}};
   Structure structure = tests::structure_of(tests::noiseless_process());
-  structure.noise = {{0.98, 0.0}, {0.3, 0.0}};
+  structure.noise = {1, {0.98, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
   result.fit = evaluate(result.data, structure);
   return result;
 }

@@ -29,7 +29,7 @@ Story told(const simulate::Effect& truth, double move, const Start& start, std::
   const simulate::LoopRecord record = simulate::simulate_loop(loop, seed);
   Story story{make_loop_data(record.pv, record.op, 1.0), {}, {}};
   Structure structure = tests::structure_of(tests::noiseless_process());
-  structure.noise = {{0.98, 0.0}, {0.4, 0.0}};
+  structure.noise = {1, {0.98, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
   story.baseline = twin(story.data, evaluate(story.data, structure));
   structure.effects = {start(story.data)};
   const Fit fit =

@@ -16,7 +16,7 @@ namespace loopscope::core::model {
 namespace {
 
 constexpr std::size_t kSamples = 1200;
-const NoiseModel kNoise{{0.95, 0.0}, {0.4, 0.0}};
+const NoiseModel kNoise{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
 
 LoopData healthy(std::uint64_t seed, std::size_t samples = kSamples) {
   const tests::Series op = tests::stepping_op(samples, seed);

@@ -112,7 +112,7 @@ TEST(ValveEffect, RefiningFindsTheBand) {
     const LoopData data = make_loop_data(record.pv, record.op, 1.0);
     Structure start = tests::structure_of(tests::noiseless_process(),
                                           {std::make_shared<ValveEffect>(kano(5.05, 1.5))});
-    start.noise = {{0.98, 0.0}, {0.6, 0.0}};
+    start.noise = {1, {0.98, 0.0, 0.0}, {-0.6, 0.0, 0.0}};
     const Fit before = evaluate(data, start);
     const Fit fit = refine_last(data, before);
     EXPECT_LT(fit.fit_error, 0.8 * before.fit_error) << seed;
