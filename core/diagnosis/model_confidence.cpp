@@ -57,7 +57,9 @@ constexpr std::array kThemes = {
 bool answered(const model::Question& question, const model::Explanation& explanation) {
   return std::ranges::any_of(kThemes, [&](const Theme& theme) {
     return theme.question == question.name &&
-           std::ranges::any_of(explanation.steps, [&](const model::Step& step) { return step.effect == theme.effect; });
+           std::ranges::any_of(explanation.steps, [&](const model::Step& step) {
+             return step.effect == theme.effect;
+           });
   });
 }
 

@@ -85,7 +85,8 @@ Verdict oscillating(const Finding& finding) {
 /// Noise alone does not tell the process from the controller well enough to call a loop slow: it
 /// takes a setpoint that moves, or an error that creeps.
 bool speed_shows(const Evidence& evidence) {
-  return creeps(evidence) || has_flag(evidence, "sp_steps_masked") || has_flag(evidence, "sp_moving");
+  return creeps(evidence) || has_flag(evidence, "sp_steps_masked") ||
+         has_flag(evidence, "sp_moving");
 }
 
 bool sluggish(const Finding& finding) {

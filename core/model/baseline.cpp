@@ -11,8 +11,9 @@ namespace {
 /// Time constants of 0, 1.4, 3, 6, 14, 33, 100 samples, and an integrator.
 constexpr std::array kPoles = {0.0, 0.5, 0.72, 0.85, 0.93, 0.97, 0.99, 1.0};
 /// Two lags: one of them a half to all of the other.
-constexpr std::array kPolePairs = {std::pair{0.8, 0.7},   std::pair{0.9, 0.85}, std::pair{0.95, 0.92},
-                                   std::pair{0.975, 0.96}, std::pair{0.985, 0.9}, std::pair{1.0, 0.85}};
+constexpr std::array kPolePairs = {std::pair{0.8, 0.7},   std::pair{0.9, 0.85},
+                                   std::pair{0.95, 0.92}, std::pair{0.975, 0.96},
+                                   std::pair{0.985, 0.9}, std::pair{1.0, 0.85}};
 
 struct Start {
   ProcessShape shape;
@@ -49,8 +50,8 @@ void try_delays(const LoopData& data, const std::vector<double>& pv, const std::
   }
 }
 
-std::vector<Start> ranked_starts(const LoopData& data, const Structure& structure, std::size_t longest,
-                                 std::span<const double> poles) {
+std::vector<Start> ranked_starts(const LoopData& data, const Structure& structure,
+                                 std::size_t longest, std::span<const double> poles) {
   std::vector<double> flow = data.op;
   for (const EffectPtr& effect : structure.effects) effect->shape_flow(flow);
   const std::vector<double> pv = whitened(structure.noise, data.pv);
@@ -96,7 +97,8 @@ std::vector<ProcessShape> distinct(const std::vector<Start>& starts, int count) 
   for (const Start& start : starts) {
     const bool near = std::ranges::any_of(chosen, [&](const ProcessShape& shape) {
       return shape.integrating == start.shape.integrating &&
-             std::abs(static_cast<long>(shape.delay_samples) - static_cast<long>(start.shape.delay_samples)) <= 1;
+             std::abs(static_cast<long>(shape.delay_samples) -
+                      static_cast<long>(start.shape.delay_samples)) <= 1;
     });
     if (!near) chosen.push_back(start.shape);
     if (static_cast<int>(chosen.size()) == count) break;
@@ -113,7 +115,8 @@ Fit try_delay_neighbours(const LoopData& data, Fit fit) {
   for (const int move : {-1, 1}) {
     Structure structure = fit.structure;
     if (move < 0 && structure.process.delay_samples == 1) continue;
-    structure.process.delay_samples = static_cast<std::size_t>(static_cast<long>(structure.process.delay_samples) + move);
+    structure.process.delay_samples =
+        static_cast<std::size_t>(static_cast<long>(structure.process.delay_samples) + move);
     fit = better(std::move(fit), polish(data, structure, 3), 0.5, data.rows.fit_count());
   }
   return fit;
@@ -133,7 +136,8 @@ Fit try_orders(const LoopData& data, Fit fit) {
     const std::size_t order = fit.structure.noise.order;
     richer = fit.structure;
     richer.noise = extended(richer.noise, 0.7, 0.6);
-    fit = better(std::move(fit), polish(data, richer, 8), 2.0 * std::log(count), data.rows.fit_count());
+    fit = better(std::move(fit), polish(data, richer, 8), 2.0 * std::log(count),
+                 data.rows.fit_count());
     if (fit.structure.noise.order == order) break;
   }
   richer = fit.structure;
@@ -142,7 +146,9 @@ Fit try_orders(const LoopData& data, Fit fit) {
     const std::size_t longest = std::min<std::size_t>(12, data.size() / 16);
     const double penalty = (fit.structure.two_taps ? 0.0 : 1.0) * std::log(count);
     Fit second = second_order_fit(data, richer, longest);
-    const bool won = static_cast<double>(data.rows.fit_count()) * std::log(fit.fit_error / second.fit_error) > penalty;
+    const bool won =
+        static_cast<double>(data.rows.fit_count()) * std::log(fit.fit_error / second.fit_error) >
+        penalty;
     if (won) fit = try_delay_neighbours(data, std::move(second));
   }
   return fit;
@@ -166,10 +172,12 @@ ProcessGlance glance(const LoopData& data, const Structure& structure) {
 Fit search_process(const LoopData& data, const Structure& start, const ProcessSearch& search) {
   std::optional<Fit> best;
   const std::size_t longest = std::min(search.longest_delay, data.size() / 16);
-  for (const ProcessShape& shape : distinct(ranked_starts(data, start, longest, kPoles), search.starts)) {
+  for (const ProcessShape& shape :
+       distinct(ranked_starts(data, start, longest, kPoles), search.starts)) {
     Structure structure = start;
     structure.process = shape;
-    structure.process.pole = std::min(structure.process.pole, structure.process.integrating ? 1.0 : 0.99);
+    structure.process.pole =
+        std::min(structure.process.pole, structure.process.integrating ? 1.0 : 0.99);
     Fit fit = polish(data, structure);
     if (!best || fit.fit_error < best->fit_error) best = std::move(fit);
   }

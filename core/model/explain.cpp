@@ -34,7 +34,8 @@ bool varies(std::span<const double> values) {
 
 bool fittable(const ModelInput& input) {
   if (input.op.empty()) return false;
-  if (input.op.size() != input.pv.size()) throw std::invalid_argument("explain: op and pv differ in length");
+  if (input.op.size() != input.pv.size())
+    throw std::invalid_argument("explain: op and pv differ in length");
   std::size_t both = 0;
   for (std::size_t k = 0; k < input.pv.size(); ++k) {
     both += !std::isnan(input.pv[k]) && !std::isnan(input.op[k]) ? 1 : 0;
@@ -47,7 +48,8 @@ std::vector<double> residual_of(const LoopData& data, const Fit& fit) {
   std::vector<double> residual(data.size(), std::nan(""));
   for (const auto* rows : {&data.rows.fit, &data.rows.score}) {
     for (const Range& range : *rows) {
-      for (std::size_t k = range.first; k < range.end; ++k) residual[k] = fit.innovations[k] * data.pv_scale;
+      for (std::size_t k = range.first; k < range.end; ++k)
+        residual[k] = fit.innovations[k] * data.pv_scale;
     }
   }
   return residual;
@@ -59,25 +61,30 @@ struct Questioning {
 };
 
 Questioning question(const ModelInput& input, const LoopData& data, const Fit& fit) {
-  Questioning result{residual_of(data, fit), deterministic_output(data, fit), op_direction(input.op), {}};
+  Questioning result{
+      residual_of(data, fit), deterministic_output(data, fit), op_direction(input.op), {}};
   for (double& value : result.response) value *= data.pv_scale;
-  result.answers = question_residual_quickly(
-      {result.residual, input.op, result.direction, result.response, input.pv, input.sample_interval_s});
+  result.answers = question_residual_quickly({result.residual, input.op, result.direction,
+                                              result.response, input.pv, input.sample_interval_s});
   return result;
 }
 
 /// Excitation and closed loop; returns the turns of op.
-std::size_t judge_loop(const ModelInput& input, const LoopData& data, const Fit& fit, Explanation& explanation) {
+std::size_t judge_loop(const ModelInput& input, const LoopData& data, const Fit& fit,
+                       Explanation& explanation) {
   std::vector<double> response = deterministic_output(data, fit);
   for (double& value : response) value *= data.pv_scale;
-  const Excitation excitation = judge_excitation({input.op, input.pv, input.op_in_percent, response});
+  const Excitation excitation =
+      judge_excitation({input.op, input.pv, input.op_in_percent, response});
   explanation.excited = excitation.sufficient;
   explanation.excitation = excitation.statement;
   if (input.error.empty()) return excitation.reversals;
-  const ControllerLaw law = find_controller_law({input.error, input.sp, input.op, input.op_in_percent});
+  const ControllerLaw law =
+      find_controller_law({input.error, input.sp, input.op, input.op_in_percent});
   if (!law.found) return excitation.reversals;
   const ProcessFit& process = explanation.baseline.process;
-  const ControllerTrap trap = judge_controller_trap(process, law, input.op, input.sample_interval_s);
+  const ControllerTrap trap =
+      judge_controller_trap(process, law, input.op, input.sample_interval_s);
   if (trap.refused && explanation.steps.empty()) {
     explanation.process_doubt = trap.statement;
     return excitation.reversals;
@@ -138,7 +145,8 @@ bool explains_a_cycle(const Step& step) {
 /// A valve by its three witnesses, in place of steps that its slips pass for.
 /// Other effects stand, unless the residual that they leave still follows op's direction.
 void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& answers,
-                       const std::vector<Answer>& left, std::size_t op_turns, Explanation& explanation) {
+                       const std::vector<Answer>& left, std::size_t op_turns,
+                       Explanation& explanation) {
   constexpr std::size_t kFewStrokes = 8;
   constexpr double kStillThere = 0.05;
   constexpr double kClear = 13.8;  // four to one, in the units of `margin`
@@ -161,7 +169,8 @@ Explanation explain_look(const ModelInput& input, Look look) {
   Story& story = look.story;
   Explanation explanation;
   const Fit& linear = story.baseline.fit;
-  explanation.baseline = {describe(story.data, linear), look.baseline_error(), report_process(story.data, linear)};
+  explanation.baseline = {describe(story.data, linear), look.baseline_error(),
+                          report_process(story.data, linear)};
   continue_story(story, look.questioning.answers);
   explanation.steps = report_steps(story);
   const Fit& last = story.last().fit;
@@ -188,10 +197,12 @@ void spread_over(Explanation& explanation, double share) {
 
 /// Of a held sensor only the renewals say anything: the story is told on them.
 Explanation explain_renewals(const ModelInput& input, Step hold, std::size_t hold_samples) {
-  const RenewedRecord renewed = renewed_record(input.pv, input.op, input.sp, input.error, hold_samples);
+  const RenewedRecord renewed =
+      renewed_record(input.pv, input.op, input.sp, input.error, hold_samples);
   const double share = 1.0 / static_cast<double>(hold_samples);
-  const ModelInput thinned{renewed.pv, renewed.op, renewed.sp, renewed.error,
-                           input.sample_interval_s / share, input.op_in_percent, input.seed};
+  const ModelInput thinned{
+      renewed.pv,          renewed.op, renewed.sp, renewed.error, input.sample_interval_s / share,
+      input.op_in_percent, input.seed};
   Explanation explanation = explain_look(thinned, look_at(thinned));
   spread_over(explanation, share);
   hold.holdout_error_after = explanation.baseline.holdout_error;
@@ -211,9 +222,11 @@ Explanation refused(Look look) {
   const LoopData& data = look.story.data;
   const Fit& linear = look.story.baseline.fit;
   Explanation explanation;
-  explanation.baseline = {describe(data, linear), look.baseline_error(), report_process(data, linear)};
+  explanation.baseline = {describe(data, linear), look.baseline_error(),
+                          report_process(data, linear)};
   explanation.noise_floor = look.baseline_error();
-  explanation.excitation = "Not excited: op predicts pv up to rounding, as the controller run backwards does.";
+  explanation.excitation =
+      "Not excited: op predicts pv up to rounding, as the controller run backwards does.";
   explanation.process_doubt = explanation.excitation;
   report_rest(look.story, look.questioning.answers, explanation);
   return explanation;
@@ -221,7 +234,8 @@ Explanation refused(Look look) {
 
 bool has_rows(const Look& look) {
   constexpr std::size_t kFewestRows = 100;
-  return look.story.data.rows.fit_count() >= kFewestRows && look.story.data.rows.score_count() >= kFewestRows;
+  return look.story.data.rows.fit_count() >= kFewestRows &&
+         look.story.data.rows.score_count() >= kFewestRows;
 }
 
 }  // namespace
@@ -234,7 +248,8 @@ std::optional<Explanation> explain(const ModelInput& input) {
   const SensorFinding sensor = find_sensor_steps(look.baseline_error(), look.questioning.answers);
   Explanation explanation = sensor.hold ? explain_renewals(input, *sensor.hold, sensor.hold_samples)
                                         : explain_look(input, look);
-  if (sensor.quantisation) explanation.steps.insert(explanation.steps.begin(), *sensor.quantisation);
+  if (sensor.quantisation)
+    explanation.steps.insert(explanation.steps.begin(), *sensor.quantisation);
   return explanation;
 }
 

@@ -45,8 +45,8 @@ struct Step {
 /// The process between valve and sensor, as the final model has it.
 struct ProcessFit {
   bool integrating = false;
-  double gain = 0.0;             ///< pv units per %; integrating: pv units per % and second
-  double time_constant_s = 0.0;  ///< the slowest; 0 = answers within a sample
+  double gain = 0.0;                    ///< pv units per %; integrating: pv units per % and second
+  double time_constant_s = 0.0;         ///< the slowest; 0 = answers within a sample
   double second_time_constant_s = 0.0;  ///< 0 = first order
   double delay_s = 0.0;                 ///< at least one sample interval
 };
@@ -75,27 +75,27 @@ struct Unexplained {
 /// The controller as the records of error and op show it, and the closed loop it makes with the
 /// fitted process.
 struct ClosedLoop {
-  double controller_gain = 0.0;      ///< % per pv unit, signed
-  double integral_time_s = 0.0;      ///< 0 = no integral action found
-  double controller_fit = 0.0;       ///< share of op's moves that the PI law explains, 0 to 1
-  double peak_sensitivity = 0.0;     ///< Ms, >= 1; infinite when the implied loop is unstable
-  double damping = 1.0;              ///< of the dominant poles
-  double period_s = 0.0;             ///< of the dominant poles; 0 = they do not oscillate
-  double settling_s = 0.0;           ///< 2 % of the slowest pole
+  double controller_gain = 0.0;   ///< % per pv unit, signed
+  double integral_time_s = 0.0;   ///< 0 = no integral action found
+  double controller_fit = 0.0;    ///< share of op's moves that the PI law explains, 0 to 1
+  double peak_sensitivity = 0.0;  ///< Ms, >= 1; infinite when the implied loop is unstable
+  double damping = 1.0;           ///< of the dominant poles
+  double period_s = 0.0;          ///< of the dominant poles; 0 = they do not oscillate
+  double settling_s = 0.0;        ///< 2 % of the slowest pole
   double slowness = 1.0;  ///< integral action of SIMC tuning by the recorded one; 0 = none recorded
 };
 
 /// The story of one loop, from the linear model to what is left.
 struct Explanation {
-  bool excited = false;         ///< op moves enough for claims; else nothing below claims anything
-  std::string excitation;       ///< why not, or how much op moves
-  std::string process_doubt;    ///< the linear fit may be the controller run backwards; empty = no
+  bool excited = false;       ///< op moves enough for claims; else nothing below claims anything
+  std::string excitation;     ///< why not, or how much op moves
+  std::string process_doubt;  ///< the linear fit may be the controller run backwards; empty = no
   ErrorKind error_kind = ErrorKind::one_step;
-  double noise_floor = 0.0;     ///< what a perfect model would leave, same kind as the errors
+  double noise_floor = 0.0;  ///< what a perfect model would leave, same kind as the errors
   Baseline baseline;
-  std::vector<Step> steps;      ///< in the order in which they were taken in
+  std::vector<Step> steps;  ///< in the order in which they were taken in
   Unexplained unexplained;
-  std::vector<Question> questions;  ///< put to the final residual
+  std::vector<Question> questions;        ///< put to the final residual
   std::optional<ClosedLoop> closed_loop;  ///< nullopt = no PI law found
 };
 

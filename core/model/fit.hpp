@@ -15,18 +15,19 @@ namespace loopscope::core::model {
 struct Structure {
   ProcessShape process;
   NoiseModel noise;
-  bool second_order = false;       ///< the second lag is fitted too
-  bool two_taps = false;           ///< the numerator has its second coefficient
+  bool second_order = false;  ///< the second lag is fitted too
+  bool two_taps = false;      ///< the numerator has its second coefficient
   std::vector<EffectPtr> effects;
 };
 
 /// A structure fitted to the fit rows of a record.
 struct Fit {
   Structure structure;
-  /// Numerator (1 or 2), then the effects' columns in their order, then offset (and ramp, integrating).
+  /// Numerator (1 or 2), then the effects' columns in their order, then offset (and ramp,
+  /// integrating).
   std::vector<double> coefficients;
-  double fit_error = 0.0;    ///< mean square of the one-step errors on the fit rows, scaled
-  double score_error = 0.0;  ///< the same on the rows held out
+  double fit_error = 0.0;           ///< mean square of the one-step errors on the fit rows, scaled
+  double score_error = 0.0;         ///< the same on the rows held out
   std::vector<double> innovations;  ///< one-step errors of every sample, scaled pv units
 
   [[nodiscard]] std::size_t taps() const { return structure.two_taps ? 2 : 1; }
@@ -42,8 +43,8 @@ struct Fit {
 /// effects as they are. At most `iterations` steps; never worse than evaluate().
 [[nodiscard]] Fit polish(const LoopData& data, const Structure& structure, int iterations = 8);
 
-/// The output of a fitted model run on op alone, scaled pv units: all columns at their coefficients,
-/// nothing of the noise.
+/// The output of a fitted model run on op alone, scaled pv units: all columns at their
+/// coefficients, nothing of the noise.
 [[nodiscard]] std::vector<double> deterministic_output(const LoopData& data, const Fit& fit);
 
 }  // namespace loopscope::core::model

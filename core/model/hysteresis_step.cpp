@@ -62,14 +62,16 @@ std::optional<Step> by_cycle(const ModelInput& input, double p) {
   if (p > (cause.score >= kClearScore ? kClearCycleP : kCycleP)) return std::nullopt;
   const CycleEvidence& evidence = cause.evidence;
   // Without a slip the loop would not cycle: the jump of a limit cycle is not nothing.
-  Step step = step_of(evidence.stickband, std::max(evidence.slip_jump, 0.25 * evidence.stickband), p);
+  Step step =
+      step_of(evidence.stickband, std::max(evidence.slip_jump, 0.25 * evidence.stickband), p);
   const double variance = variance_of(input.pv);
   step.law = "he";
   step.holdout_error_before = variance * evidence.error_before;
   step.holdout_error_after = variance * std::min(evidence.error_law, evidence.error_turning);
   step.steadiness = evidence.steadiness;
   constexpr double kOddsScale = 10.0;  // what confidence_of() divides margins by
-  step.margin = kOddsScale * std::log(std::max(cause.score, 0.01) / std::max(1.0 - cause.score, 0.01));
+  step.margin =
+      kOddsScale * std::log(std::max(cause.score, 0.01) / std::max(1.0 - cause.score, 0.01));
   step.statement = "The valve sticks: " + cause.reason;
   return step;
 }
@@ -78,14 +80,17 @@ std::optional<Step> by_strokes(const ModelInput& input, double p) {
   const auto travel = judge_slow_travel(input.pv, input.op);
   if (!travel || !travel->sticks()) return std::nullopt;
   const Valve& valve = travel->valve;
-  Step step = step_of(valve.stickband_percent, std::max(valve.slip_jump_percent, 0.25 * valve.stickband_percent), p);
+  Step step = step_of(valve.stickband_percent,
+                      std::max(valve.slip_jump_percent, 0.25 * valve.stickband_percent), p);
   step.law = name(valve.law);
   step.holdout_error_before = travel->error_before();
   step.holdout_error_after = travel->error_after();
   step.margin = step.evidence;
   step.statement = "The valve rests while the output travels: op alone explains " +
-                   in_percent(travel->linear_share) + " of pv's slow moves, op behind a valve that sticks over " +
-                   in_digits(valve.stickband_percent) + " % explains " + in_percent(travel->valve_share) + ".";
+                   in_percent(travel->linear_share) +
+                   " of pv's slow moves, op behind a valve that sticks over " +
+                   in_digits(valve.stickband_percent) + " % explains " +
+                   in_percent(travel->valve_share) + ".";
   return step;
 }
 

@@ -40,15 +40,16 @@ std::vector<double> bridged(std::span<const double> values, double mean, double 
     result[k] = (values[k] - mean) * factor;
     const std::size_t from = last == values.size() ? 0 : last + 1;
     for (std::size_t j = from; j < k; ++j) {
-      const double share = last == values.size() ? 1.0
-                                                 : static_cast<double>(j - last) /
-                                                       static_cast<double>(k - last);
+      const double share = last == values.size()
+                               ? 1.0
+                               : static_cast<double>(j - last) / static_cast<double>(k - last);
       const double left = last == values.size() ? result[k] : result[last];
       result[j] = left + share * (result[k] - left);
     }
     last = k;
   }
-  if (last < values.size()) std::fill(result.begin() + static_cast<long>(last) + 1, result.end(), result[last]);
+  if (last < values.size())
+    std::fill(result.begin() + static_cast<long>(last) + 1, result.end(), result[last]);
   return result;
 }
 
@@ -76,7 +77,8 @@ Rows lay_out(const std::vector<bool>& usable) {
   std::size_t first = 0;
   for (std::size_t block = 0; first < usable.size(); ++block) {
     const double spread = std::fmod(kGolden * static_cast<double>(block), 1.0);
-    const std::size_t length = kShortestBlock + static_cast<std::size_t>(spread * static_cast<double>(kBlockSpread));
+    const std::size_t length =
+        kShortestBlock + static_cast<std::size_t>(spread * static_cast<double>(kBlockSpread));
     const Range range{first + kGuard, std::min(usable.size(), first + length)};
     first += length;
     if (range.first < range.end) add_runs(usable, range, block % 2 == 0 ? rows.fit : rows.score);

@@ -42,9 +42,9 @@ struct LoopData {
 /// The fit sees what it was scored on, and the other way round.
 [[nodiscard]] LoopData mirrored(LoopData data);
 
-/// The same rows, with the `length` samples from `at` on in both kinds. A sudden step lives in a single
-/// one-step error: whoever fits it has to see that sample, and so has whoever scores it. The score
-/// flatters such an effect by one part in the number of rows for each of its coefficients.
+/// The same rows, with the `length` samples from `at` on in both kinds. A sudden step lives in a
+/// single one-step error: whoever fits it has to see that sample, and so has whoever scores it. The
+/// score flatters such an effect by one part in the number of rows for each of its coefficients.
 [[nodiscard]] Rows seen_by_both(const Rows& rows, std::size_t at, std::size_t length);
 
 }  // namespace loopscope::core::model

@@ -81,7 +81,8 @@ void fill_zeros(const NoiseModel& noise, const VectorXd& errors, const std::vect
   }
 }
 
-MatrixXd sensitivities(const Solution& solution, const Structure& structure, const std::vector<Handle>& handles) {
+MatrixXd sensitivities(const Solution& solution, const Structure& structure,
+                       const std::vector<Handle>& handles) {
   const Index samples = solution.errors.size();
   MatrixXd result(samples, static_cast<Index>(handles.size()));
   fill_zeros(structure.noise, solution.errors, handles, result);

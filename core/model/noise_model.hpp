@@ -10,7 +10,8 @@ inline constexpr std::size_t kMostNoiseOrder = 3;
 
 /// The noise of a loop as ARMA of order 1 to 3:
 ///
-///     v = C(z) / ((1 - m1 z^-1)(1 - m2 z^-1)(1 - m3 z^-1)) w,   C = 1 + c1 z^-1 + c2 z^-2 + c3 z^-3
+///     v = C(z) / ((1 - m1 z^-1)(1 - m2 z^-1)(1 - m3 z^-1)) w,   C = 1 + c1 z^-1 + c2 z^-2 + c3
+///     z^-3
 ///
 /// with w white. Order 1 is any mixture of a slow load and white measurement noise (m = 1: a load
 /// that wanders without bound); a load that passes the lags of the process first needs order 2 or
@@ -18,8 +19,8 @@ inline constexpr std::size_t kMostNoiseOrder = 3;
 /// oscillate explains every limit cycle away.
 struct NoiseModel {
   std::size_t order = 1;
-  std::array<double, kMostNoiseOrder> poles{0.95, 0.0, 0.0};   ///< m, -0.95 to 1
-  std::array<double, kMostNoiseOrder> zeros{-0.3, 0.0, 0.0};   ///< c, invertible
+  std::array<double, kMostNoiseOrder> poles{0.95, 0.0, 0.0};  ///< m, -0.95 to 1
+  std::array<double, kMostNoiseOrder> zeros{-0.3, 0.0, 0.0};  ///< c, invertible
 };
 
 /// The noise with one more pole and one more real zero.

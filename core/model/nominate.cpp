@@ -41,11 +41,13 @@ void add_peaks(const std::vector<double>& signal, std::size_t count, std::vector
   const auto spectrum = spectrum_of(signal);
   const auto length = static_cast<double>(2 * (spectrum.size() - 1));
   std::vector<double> power(spectrum.size());
-  std::transform(spectrum.begin(), spectrum.end(), power.begin(), [](const auto& x) { return std::norm(x); });
+  std::transform(spectrum.begin(), spectrum.end(), power.begin(),
+                 [](const auto& x) { return std::norm(x); });
   // At least four cycles in the record, at least three samples a cycle.
   const auto first = static_cast<std::size_t>(4.0 * length / static_cast<double>(signal.size()));
   for (std::size_t found = 0; found < count; ++found) {
-    const auto peak = std::max_element(power.begin() + static_cast<long>(first), power.begin() + static_cast<long>(length / 3.0));
+    const auto peak = std::max_element(power.begin() + static_cast<long>(first),
+                                       power.begin() + static_cast<long>(length / 3.0));
     const auto at = static_cast<std::size_t>(peak - power.begin());
     if (*peak <= 0.0 || at + 1 >= power.size()) return;
     // The vertex of the parabola through the peak.
@@ -53,7 +55,8 @@ void add_peaks(const std::vector<double>& signal, std::size_t count, std::vector
     const double bend = left - 2.0 * middle + right;
     const double shift = bend == 0.0 ? 0.0 : std::clamp(0.5 * (left - right) / bend, -0.5, 0.5);
     periods.push_back(length / (static_cast<double>(at) + shift));
-    for (std::size_t k = at > 6 ? at - 6 : 0; k < std::min(power.size(), at + 7); ++k) power[k] = 0.0;
+    for (std::size_t k = at > 6 ? at - 6 : 0; k < std::min(power.size(), at + 7); ++k)
+      power[k] = 0.0;
   }
 }
 
@@ -100,7 +103,8 @@ std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit)
     if (*best <= 0.0) break;
     result.push_back(std::make_shared<LoadStep>(static_cast<std::size_t>(at)));
     const auto from = std::max<long>(0, at - 20);
-    std::fill(match.begin() + from, match.begin() + std::min<long>(at + 20, static_cast<long>(match.size())), 0.0);
+    std::fill(match.begin() + from,
+              match.begin() + std::min<long>(at + 20, static_cast<long>(match.size())), 0.0);
   }
   return result;
 }
@@ -110,7 +114,8 @@ std::vector<EffectPtr> nominate_oscillations(const LoopData& data, const Fit& fi
   add_peaks(fit.innovations, 2, periods);
   add_peaks(data.pv, 2, periods);
   std::vector<EffectPtr> result;
-  for (const double period : periods) result.push_back(std::make_shared<ExternalOscillation>(period));
+  for (const double period : periods)
+    result.push_back(std::make_shared<ExternalOscillation>(period));
   return result;
 }
 

@@ -19,14 +19,17 @@ std::vector<ValveRestart> kept(const std::vector<ValveRestart>& restarts, const 
 }
 
 /// By its law from a start that was put right, and put right wherever a fit may look.
-void add(const ValveCandidate& candidate, const std::vector<std::uint8_t>& seen, std::vector<EffectPtr>& effects) {
+void add(const ValveCandidate& candidate, const std::vector<std::uint8_t>& seen,
+         std::vector<EffectPtr>& effects) {
   const auto at_start = [](const ValveRestart& restart) { return restart.at_sample < kStart; };
   const auto in_sight = [&](const ValveRestart& restart) {
     return at_start(restart) || (restart.at_sample < seen.size() && seen[restart.at_sample] != 0);
   };
-  effects.push_back(std::make_shared<ValveEffect>(candidate.valve, kept(candidate.restarts, at_start)));
+  effects.push_back(
+      std::make_shared<ValveEffect>(candidate.valve, kept(candidate.restarts, at_start)));
   if (candidate.corrections > 1) {
-    effects.push_back(std::make_shared<ValveEffect>(candidate.valve, kept(candidate.restarts, in_sight)));
+    effects.push_back(
+        std::make_shared<ValveEffect>(candidate.valve, kept(candidate.restarts, in_sight)));
   }
 }
 

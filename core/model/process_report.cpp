@@ -40,7 +40,8 @@ ProcessFit report_process(const LoopData& data, const Fit& fit) {
 
 SampledProcess sampled(const LoopData& data, const Fit& fit) {
   const ProcessShape& shape = fit.structure.process;
-  const double lags = (shape.integrating ? 1.0 : 1.0 - shape.pole) * (1.0 - shape.second_pole) * data.pv_scale;
+  const double lags =
+      (shape.integrating ? 1.0 : 1.0 - shape.pole) * (1.0 - shape.second_pole) * data.pv_scale;
   SampledProcess process;
   process.delay_samples = shape.delay_samples;
   process.numerator = {fit.coefficients[0] * lags};

@@ -16,10 +16,10 @@ namespace loopscope::core::model {
 /// The numerator stands for the part of the dead time that is no whole sample, and for a zero as in
 /// the paper's eq. 20.
 struct ProcessShape {
-  std::size_t delay_samples = 1;  ///< >= 1: without one, the fit finds the controller
-  bool integrating = false;       ///< the first lag is an integrator
-  double pole = 0.0;              ///< of the first lag, 0 to 0.999; 1 when integrating
-  double second_pole = 0.0;       ///< 0 = first order
+  std::size_t delay_samples = 1;              ///< >= 1: without one, the fit finds the controller
+  bool integrating = false;                   ///< the first lag is an integrator
+  double pole = 0.0;                          ///< of the first lag, 0 to 0.999; 1 when integrating
+  double second_pole = 0.0;                   ///< 0 = first order
   std::array<double, 2> numerator{1.0, 0.0};  ///< n0 + n1 = 1: what the last fit found
 };
 

@@ -18,7 +18,7 @@ struct RenewedRecord {
 /// Takes every `hold_samples`-th sample, at the phase at which pv changes most often. Each of `op`,
 /// `sp` and `error` is empty or as long as `pv`; hold_samples >= 1.
 [[nodiscard]] RenewedRecord renewed_record(std::span<const double> pv, std::span<const double> op,
-                                           std::span<const double> sp, std::span<const double> error,
-                                           std::size_t hold_samples);
+                                           std::span<const double> sp,
+                                           std::span<const double> error, std::size_t hold_samples);
 
 }  // namespace loopscope::core::model

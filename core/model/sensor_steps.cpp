@@ -41,15 +41,17 @@ SensorFinding find_sensor_steps(double error, const std::vector<Answer>& answers
   if (held && held->hold_samples && *held->hold_samples >= 2.0) {
     finding.hold_samples = static_cast<std::size_t>(std::lround(*held->hold_samples));
     const auto samples = static_cast<double>(finding.hold_samples);
-    finding.hold = sensor_step(EffectKind::sensor_hold, held->p, {"samples", "", samples, {}, {}}, error);
-    finding.hold->statement = "The sensor is renewed every " + in_digits(samples) + " samples only.";
+    finding.hold =
+        sensor_step(EffectKind::sensor_hold, held->p, {"samples", "", samples, {}, {}}, error);
+    finding.hold->statement =
+        "The sensor is renewed every " + in_digits(samples) + " samples only.";
   }
   const Nomination* grid = nominated(answers, EffectKind::sensor_quantisation);
   if (grid && grid->step) {
-    finding.quantisation =
-        sensor_step(EffectKind::sensor_quantisation, grid->p, {"step", "pv", *grid->step, {}, {}}, error);
-    finding.quantisation->statement =
-        "The values of pv lie on a grid of " + in_digits(*grid->step) + ", coarse beside its fast noise.";
+    finding.quantisation = sensor_step(EffectKind::sensor_quantisation, grid->p,
+                                       {"step", "pv", *grid->step, {}, {}}, error);
+    finding.quantisation->statement = "The values of pv lie on a grid of " +
+                                      in_digits(*grid->step) + ", coarse beside its fast noise.";
   }
   return finding;
 }

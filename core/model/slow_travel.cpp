@@ -41,7 +41,8 @@ struct Share {
 };
 
 /// Of pv's variance by a constant, a trend and a lagged flow.
-Share share_of(const std::vector<double>& pv, const std::vector<double>& flow, double pole, std::size_t delay) {
+Share share_of(const std::vector<double>& pv, const std::vector<double>& flow, double pole,
+               std::size_t delay) {
   using Vector = Eigen::Vector3d;
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Vector right = Vector::Zero();
@@ -72,7 +73,8 @@ Share best_share(const std::vector<double>& pv, const std::vector<double>& flow)
   return best;
 }
 
-void try_valve(const std::vector<double>& pv, const std::vector<double>& op, const Valve& valve, SlowTravel& best) {
+void try_valve(const std::vector<double>& pv, const std::vector<double>& op, const Valve& valve,
+               SlowTravel& best) {
   std::vector<double> flow(op.size());
   run_valve(valve, op, flow);
   const Share share = best_share(pv, flow);
@@ -97,13 +99,17 @@ double variance_of(const std::vector<double>& values) {
 bool SlowTravel::sticks() const {
   constexpr double kOfTheRest = 0.8;
   constexpr double kOfAll = 0.08;
-  return 1.0 - valve_share <= kOfTheRest * (1.0 - linear_share) && valve_share - linear_share >= kOfAll;
+  return 1.0 - valve_share <= kOfTheRest * (1.0 - linear_share) &&
+         valve_share - linear_share >= kOfAll;
 }
 
-std::optional<SlowTravel> judge_slow_travel(std::span<const double> pv, std::span<const double> op) {
+std::optional<SlowTravel> judge_slow_travel(std::span<const double> pv,
+                                            std::span<const double> op) {
   std::vector<double> pv_means = means_of(pv);
   const std::vector<double> op_means = means_of(op);
-  if (pv_means.size() < kFewestMeans || std::isnan(pv_means.front()) || std::isnan(op_means.front())) return std::nullopt;
+  if (pv_means.size() < kFewestMeans || std::isnan(pv_means.front()) ||
+      std::isnan(op_means.front()))
+    return std::nullopt;
   const auto [low, high] = std::ranges::minmax(op_means);
   if (!(high > low)) return std::nullopt;
   SlowTravel result;
@@ -118,7 +124,8 @@ std::optional<SlowTravel> judge_slow_travel(std::span<const double> pv, std::spa
     for (const double jump : kJumps) {
       for (const double direction : {-1.0, 1.0}) {
         const double stickband = band * (high - low);
-        try_valve(pv_means, op_means, {ValveLaw::kano, stickband, jump * stickband, direction}, result);
+        try_valve(pv_means, op_means, {ValveLaw::kano, stickband, jump * stickband, direction},
+                  result);
       }
     }
   }

@@ -21,8 +21,8 @@ struct SlowTravel {
 
   [[nodiscard]] double error_before() const { return variance * (1.0 - linear_share); }
   [[nodiscard]] double error_after() const { return variance * (1.0 - valve_share); }
-  /// A fifth of what op leaves, and a twelfth of all, has to be the valve's: curved trims and moving
-  /// loads pass for a narrow band, but explain next to nothing by it.
+  /// A fifth of what op leaves, and a twelfth of all, has to be the valve's: curved trims and
+  /// moving loads pass for a narrow band, but explain next to nothing by it.
   [[nodiscard]] bool sticks() const;
 };
 

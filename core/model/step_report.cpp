@@ -16,7 +16,8 @@ std::vector<Parameter> parameters_of(const LoopData& data, const Fit& fit, std::
   const auto& effects = fit.structure.effects;
   for (std::size_t i = 0; i < place; ++i) offset += effects[i]->column_count();
   const std::span all(fit.coefficients);
-  return effects[place]->parameters(data, all.subspan(offset, effects[place]->column_count()), fit.gain());
+  return effects[place]->parameters(data, all.subspan(offset, effects[place]->column_count()),
+                                    fit.gain());
 }
 
 std::vector<Range> within(const std::vector<Range>& ranges, Range part) {

@@ -35,7 +35,8 @@ bool scored_once(EffectKind kind) {
 
 /// Found by looking through all places, frequencies or bands on all rows, which count as tries.
 bool sought_everywhere(EffectKind kind) {
-  return kind == EffectKind::load_step || kind == EffectKind::external_oscillation || is_valve(kind);
+  return kind == EffectKind::load_step || kind == EffectKind::external_oscillation ||
+         is_valve(kind);
 }
 
 /// How often one kind may come.
@@ -76,6 +77,7 @@ struct Round {
   const LoopData& data;
   const TwinFit& now;
   const std::vector<EffectPtr>& valves;  ///< nominated once: they rest on op and pv alone
+  bool limits_called_for;  ///< a first look at a limit, by the wrong process, may see nothing of it
 };
 
 struct Candidate {
@@ -86,8 +88,9 @@ struct Candidate {
 
 std::vector<EffectPtr> nominees(const Round& round) {
   std::vector<EffectPtr> all = nominate_static(round.data, round.now.fit);
-  for (const auto& more : {nominate_gain_changes(round.data), nominate_load_steps(round.data, round.now.fit),
-                           nominate_oscillations(round.data, round.now.fit)}) {
+  for (const auto& more :
+       {nominate_gain_changes(round.data), nominate_load_steps(round.data, round.now.fit),
+        nominate_oscillations(round.data, round.now.fit)}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   if (has_room(round.now.fit.structure, EffectKind::valve_stiction)) {
@@ -155,10 +158,13 @@ void compare_fairly(Trial& trial) {
 }
 
 std::optional<Trial> try_candidate(const Round& round, const Candidate& candidate) {
-  const bool valve = is_valve(candidate.effect->kind()) ;
-  if (!valve && candidate.gain < kWorthFitting) return std::nullopt;
+  const EffectKind kind = candidate.effect->kind();
+  const bool called_for =
+      is_valve(kind) || (kind == EffectKind::valve_saturation && round.limits_called_for);
+  if (!called_for && candidate.gain < kWorthFitting) return std::nullopt;
   Trial trial{{}, {}, judged_on(round.original, candidate.fit.structure), round.now};
-  if (candidate.effect->kind() == EffectKind::load_step) trial.before = reevaluated(trial.rows, round.now);
+  if (candidate.effect->kind() == EffectKind::load_step)
+    trial.before = reevaluated(trial.rows, round.now);
   Fit fit = fit_anew(trial.rows, candidate.fit);
   if (fit_gain(trial.rows, trial.before.fit, fit) < kWorthFitting) return std::nullopt;
   trial.fit = twin(trial.rows, std::move(fit));
@@ -193,17 +199,20 @@ std::vector<Trial> trials_of(const Round& round) {
     std::optional<Trial> best;
     for (const Candidate& candidate : worth_trying(list)) {
       std::optional<Trial> trial = try_candidate(round, candidate);
-      if (trial && (!best || trial->comparison.evidence > best->comparison.evidence)) best = std::move(trial);
+      if (trial && (!best || trial->comparison.evidence > best->comparison.evidence))
+        best = std::move(trial);
     }
     if (best) result.push_back(std::move(*best));
   }
-  std::ranges::sort(result, std::greater{}, [](const Trial& trial) { return trial.comparison.evidence; });
+  std::ranges::sort(result, std::greater{},
+                    [](const Trial& trial) { return trial.comparison.evidence; });
   return result;
 }
 
 double rival_evidence(const std::vector<Trial>& trials) {
   for (const Trial& trial : trials) {
-    if (!same_cause(trial.kind(), trials.front().kind())) return std::max(0.0, trial.comparison.evidence);
+    if (!same_cause(trial.kind(), trials.front().kind()))
+      return std::max(0.0, trial.comparison.evidence);
   }
   return 0.0;
 }
@@ -211,8 +220,8 @@ double rival_evidence(const std::vector<Trial>& trials) {
 Chapter chapter_of(const std::vector<Trial>& trials) {
   const Trial& winner = trials.front();
   Chapter chapter{winner.fit, winner.comparison, rival_evidence(trials), 1.0};
-  chapter.simulation_ratio =
-      simulation_error(winner.rows, winner.fit.fit) / simulation_error(winner.rows, winner.before.fit);
+  chapter.simulation_ratio = simulation_error(winner.rows, winner.fit.fit) /
+                             simulation_error(winner.rows, winner.before.fit);
   return chapter;
 }
 
@@ -232,10 +241,10 @@ void settle_chapter(const LoopData& rows, Chapter& chapter) {
 }
 
 /// Hysteresis shows in how the residual follows op's direction and its travel since it turned.
-bool calls_for_valve(const std::vector<Answer>& answers) {
+bool calls_for(const std::vector<Answer>& answers, std::string_view question) {
   constexpr double kSuspicious = 0.05;
-  return std::ranges::any_of(answers, [](const Answer& answer) {
-    return answer.question.name == "op_direction" && answer.question.p <= kSuspicious;
+  return std::ranges::any_of(answers, [&](const Answer& answer) {
+    return answer.question.name == question && answer.question.p <= kSuspicious;
   });
 }
 
@@ -247,10 +256,12 @@ Story begin_story(const LoopData& data) {
 
 void continue_story(Story& story, const std::vector<Answer>& answers) {
   const LoopData original = story.data;
-  const std::vector<EffectPtr> valves =
-      calls_for_valve(answers) ? nominate_valves(original, story.baseline.fit) : std::vector<EffectPtr>{};
+  const std::vector<EffectPtr> valves = calls_for(answers, "op_direction")
+                                            ? nominate_valves(original, story.baseline.fit)
+                                            : std::vector<EffectPtr>{};
   while (story.chapters.size() < kMostEffects) {
-    const std::vector<Trial> trials = trials_of({original, story.data, story.last(), valves});
+    const std::vector<Trial> trials =
+        trials_of({original, story.data, story.last(), valves, calls_for(answers, "op_level")});
     if (trials.empty() || trials.front().comparison.p > kEnterP) break;
     Chapter chapter = chapter_of(trials);
     story.data = judged_on(original, chapter.fit.fit.structure);

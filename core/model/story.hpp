@@ -9,8 +9,8 @@ namespace loopscope::core::model {
 
 /// An effect that was taken in.
 struct Chapter {
-  TwinFit fit;              ///< with it and all before it
-  Comparison comparison;    ///< with it against without it
+  TwinFit fit;                  ///< with it and all before it
+  Comparison comparison;        ///< with it against without it
   double rival_evidence = 0.0;  ///< of the best effect of another cause in the same round
   double simulation_ratio = 1.0;
 };

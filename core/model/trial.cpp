@@ -32,7 +32,8 @@ struct Sums {
 /// Consecutive ranges are pooled to batches of about this many rows, whose sums are independent.
 constexpr std::size_t kBatch = 24;
 
-void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& before, const Fit& after, Sums& sums) {
+void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& before,
+            const Fit& after, Sums& sums) {
   double batch = 0.0;
   std::size_t in_batch = 0;
   for (const Range& range : rows) {
@@ -109,8 +110,8 @@ Fit refine_last(const LoopData& data, Fit fit, double coarsest) {
 
 namespace {
 
-/// The slip jump is nearly flat in the error until process and noise have followed it: a few of them
-/// are followed. Restarts and band stay as they are.
+/// The slip jump is nearly flat in the error until process and noise have followed it: a few of
+/// them are followed. Restarts and band stay as they are.
 Fit scan_jump(const LoopData& data, Fit fit) {
   const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
   if (valve == nullptr) return fit;
@@ -167,7 +168,8 @@ Fit prefer_play(const LoopData& data, Fit fit) {
 
 Fit fit_anew(const LoopData& data, Fit fit) {
   const EffectKind kind = fit.structure.effects.back()->kind();
-  const bool bends_flow = kind == EffectKind::valve_stiction || kind == EffectKind::valve_deadband ||
+  const bool bends_flow = kind == EffectKind::valve_stiction ||
+                          kind == EffectKind::valve_deadband ||
                           kind == EffectKind::valve_saturation;
   fit = refine_last(data, std::move(fit));
   // The linear baseline takes part of an oscillation, and all of a valve's travel, for dynamics.

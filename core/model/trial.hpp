@@ -15,17 +15,19 @@ struct TwinFit {
 
 /// How much better one fit predicts than another on rows that it has not seen.
 struct Comparison {
-  double before = 0.0;      ///< mean square of the held-out one-step errors, scaled
+  double before = 0.0;  ///< mean square of the held-out one-step errors, scaled
   double after = 0.0;
-  double evidence = 0.0;    ///< n ln(before / after)
+  double evidence = 0.0;  ///< n ln(before / after)
   /// Of the split likelihood ratio (Wasserman, Ramdas and Balakrishnan 2020): a model fitted on one
   /// half is exp(evidence / 2) times likelier than the null on the other half with at most the
   /// probability exp(-evidence / 2), however long the search was that found it.
   double p = 1.0;
-  double consistency_p = 1.0;  ///< that the gain over batches of the held-out rows is chance (t-test)
+  double consistency_p =
+      1.0;                  ///< that the gain over batches of the held-out rows is chance (t-test)
   double steadiness = 0.0;  ///< share of an eighth of the record each in which the error falls
 };
-[[nodiscard]] Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& after, bool once = false);
+[[nodiscard]] Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& after,
+                                 bool once = false);
 
 /// n ln(before / after) on the rows that the fits have seen.
 [[nodiscard]] double fit_gain(const LoopData& data, const Fit& before, const Fit& after);

@@ -55,7 +55,11 @@ std::vector<Parameter> ProcessNonlinearity::parameters(const LoopData& data,
   // Static curve in pv: y = g r + s r^2 with r the answer of gain 1, so c / 50 = s / g^2.
   const double square = (coefficients[0] + coefficients[1]) / (kUnit * kUnit) * data.pv_scale;
   const double real_gain = gain * data.pv_scale;
-  return {{"curvature", "", real_gain == 0.0 ? 0.0 : kHalfSpan * square / (real_gain * real_gain), {}, {}}};
+  return {{"curvature",
+           "",
+           real_gain == 0.0 ? 0.0 : kHalfSpan * square / (real_gain * real_gain),
+           {},
+           {}}};
 }
 
 std::string ValveCharacteristic::words(std::span<const Parameter> parameters) const {

@@ -21,8 +21,10 @@ std::vector<EffectPtr> GainChange::neighbours(double scale) const {
   const auto move = static_cast<std::size_t>(std::max(1.0, kMove * scale));
   std::vector<EffectPtr> result;
   const bool sudden = at_ == until_;
-  if (at_ > move) result.push_back(std::make_shared<GainChange>(at_ - move, sudden ? at_ - move : until_));
-  result.push_back(std::make_shared<GainChange>(at_ + move, sudden ? at_ + move : std::max(until_, at_ + move + 1)));
+  if (at_ > move)
+    result.push_back(std::make_shared<GainChange>(at_ - move, sudden ? at_ - move : until_));
+  result.push_back(std::make_shared<GainChange>(
+      at_ + move, sudden ? at_ + move : std::max(until_, at_ + move + 1)));
   if (!sudden) {
     result.push_back(std::make_shared<GainChange>(at_, until_ + move));
     if (until_ > at_ + move + 1) result.push_back(std::make_shared<GainChange>(at_, until_ - move));

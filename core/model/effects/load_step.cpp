@@ -7,8 +7,8 @@
 namespace loopscope::core::model {
 namespace {
 
-/// A vessel has no lag: a step of its load reaches pv as a ramp; five samples stand for the rest.
-constexpr double kVesselLag = 0.8;
+/// A step of a vessel's load is a ramp of its level: scaled to stay near one.
+constexpr double kRampScale = 0.01;
 /// A process that answers within a sample still has a load that takes a few.
 constexpr double kShortestLag = 0.6;
 
@@ -16,18 +16,18 @@ constexpr double kShortestLag = 0.6;
 
 void LoadStep::add_columns(const Signals& signals, std::vector<Column>& columns) const {
   Column step(signals.flow.size(), 0.0);
-  std::fill(step.begin() + static_cast<std::ptrdiff_t>(std::min(at_, step.size())), step.end(), 1.0);
+  std::fill(step.begin() + static_cast<std::ptrdiff_t>(std::min(at_, step.size())), step.end(),
+            1.0);
   Column lagged = step;
   if (signals.process.integrating) {
     ProcessShape vessel;
     vessel.integrating = true;
     vessel.delay_samples = 0;
     respond(vessel, step, lagged);
-    for (double& value : lagged) value /= 100.0;
+    for (double& value : lagged) value *= kRampScale;
   } else {
     lag(std::max(signals.process.pole, kShortestLag), lagged);
   }
-  static_cast<void>(kVesselLag);
   columns.push_back(std::move(step));
   columns.push_back(std::move(lagged));
 }

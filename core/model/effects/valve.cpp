@@ -50,8 +50,10 @@ std::vector<EffectPtr> ValveEffect::neighbours(double scale) const {
 
 std::vector<Parameter> ValveEffect::parameters(const LoopData&, std::span<const double>,
                                                double) const {
-  if (kind() == EffectKind::valve_deadband) return {{"width", "%", valve_.stickband_percent, {}, {}}};
-  return {{"S", "%", valve_.stickband_percent, {}, {}}, {"J", "%", valve_.slip_jump_percent, {}, {}}};
+  if (kind() == EffectKind::valve_deadband)
+    return {{"width", "%", valve_.stickband_percent, {}, {}}};
+  return {{"S", "%", valve_.stickband_percent, {}, {}},
+          {"J", "%", valve_.slip_jump_percent, {}, {}}};
 }
 
 std::string_view ValveEffect::law() const {

@@ -12,14 +12,16 @@ class ValveEffect final : public Effect {
   /// the laws hardly tell the two apart below it.
   static constexpr double kPlay = 0.2;
 
-  /// `restarts`: where pv puts the valve right (valve_search.hpp), positions in % from the mean of op.
+  /// `restarts`: where pv puts the valve right (valve_search.hpp), positions in % from the mean of
+  /// op.
   explicit ValveEffect(const Valve& valve, std::vector<ValveRestart> restarts = {})
       : valve_(valve), restarts_(std::move(restarts)) {}
 
   [[nodiscard]] const Valve& valve() const { return valve_; }
   /// The same valve with a slip jump of that share of its band.
   [[nodiscard]] EffectPtr with_jump(double share) const { return with_band(1.0, share); }
-  /// The same valve left to its law from the start on, which it comes to in that direction (+1, -1).
+  /// The same valve left to its law from the start on, which it comes to in that direction (+1,
+  /// -1).
   [[nodiscard]] std::shared_ptr<const ValveEffect> by_law_alone(double direction) const;
   /// The same valve with its band that many times as wide, and a slip jump of that share of it.
   [[nodiscard]] EffectPtr with_band(double times, double jump_share) const;

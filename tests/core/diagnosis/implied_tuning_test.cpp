@@ -21,10 +21,10 @@ TEST(ImpliedTuning, PoorDampingIsSensitivityOrDampingRatio) {
 }
 
 TEST(ImpliedTuning, SlowIsMeasuredByTheProcess) {
-  const model::ProcessFit process{false, 1.0, 20.0, 0.0, 5.0};  // with ease in 120 s
+  const model::ProcessFit process{false, 1.0, 20.0, 0.0, 5.0};
   model::ClosedLoop loop = slow_loop();
   EXPECT_TRUE(far_slower_than_possible(loop, process));
-  loop.settling_s = 350.0;
+  loop.slowness = 3.5;
   EXPECT_FALSE(far_slower_than_possible(loop, process));
   model::ProcessFit vessel = process;
   vessel.integrating = true;

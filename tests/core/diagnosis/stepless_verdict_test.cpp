@@ -84,7 +84,7 @@ TEST(SteplessVerdict, WithoutAControllerTheLineDecides) {
   expect(evidence, VerdictCode::tight_tuning, 1e-6);
 }
 
-TEST(SteplessVerdict, SlowLoopsHaveToCreepAsWell) {
+TEST(SteplessVerdict, SlowLoopsHaveToShowTheirSpeed) {
   Evidence evidence = plain(slow_loop());
   expect(evidence, VerdictCode::healthy, std::nullopt);
   creep(evidence);
@@ -94,6 +94,10 @@ TEST(SteplessVerdict, SlowLoopsHaveToCreepAsWell) {
   evidence.model->closed_loop = slow_loop();
   evidence.model->baseline.process.integrating = true;
   expect(evidence, VerdictCode::healthy, std::nullopt);
+
+  Evidence moved = plain(slow_loop());
+  moved.data_quality.flags = {"sp_steps_masked"};
+  EXPECT_EQ(decide(moved, {}).code, VerdictCode::sluggish_tuning);
 }
 
 TEST(SteplessVerdict, CouplingWithoutAnEffectStaysUnexplained) {

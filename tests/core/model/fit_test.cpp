@@ -121,7 +121,8 @@ Structure random_structure(std::mt19937_64& engine) {
                        .pole = integrating ? 1.0 : 0.98 * uniform(engine),
                        .second_pole = structure.second_order ? 0.9 * uniform(engine) : 0.0};
   structure.noise = {1, {uniform(engine), 0.0, 0.0}, {-(0.9 * uniform(engine)), 0.0, 0.0}};
-  if (uniform(engine) < 0.5) structure.noise = extended(structure.noise, 0.8 * uniform(engine), 0.3);
+  if (uniform(engine) < 0.5)
+    structure.noise = extended(structure.noise, 0.8 * uniform(engine), 0.3);
   return structure;
 }
 
@@ -146,8 +147,8 @@ TEST(Fit, NoIterationsIsEvaluate) {
 
 /// From roots far off; the tolerances are about four standard errors of one record's estimate.
 TEST(Fit, PolishFindsPoleAndRootsOfASimulatedRecord) {
-  for (const NoiseModel& noise :
-       {NoiseModel{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}}, NoiseModel{1, {0.9, 0.0, 0.0}, {0.3, 0.0, 0.0}}}) {
+  for (const NoiseModel& noise : {NoiseModel{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}},
+                                  NoiseModel{1, {0.9, 0.0, 0.0}, {0.3, 0.0, 0.0}}}) {
     const Arma truth{.noise = noise};
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       Structure start = tests::structure_of(tests::one_lag(0.5, 3));

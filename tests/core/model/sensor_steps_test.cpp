@@ -22,7 +22,8 @@ Answer grid_of(double step, double p) {
 }
 
 TEST(SensorSteps, NothingWithoutClearAnswers) {
-  const SensorFinding finding = find_sensor_steps(kError, {held_every(12.0, 1e-3), grid_of(1.0, 0.04)});
+  const SensorFinding finding =
+      find_sensor_steps(kError, {held_every(12.0, 1e-3), grid_of(1.0, 0.04)});
   EXPECT_FALSE(finding.hold);
   EXPECT_FALSE(finding.quantisation);
   EXPECT_EQ(finding.hold_samples, 1U);
