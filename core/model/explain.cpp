@@ -38,7 +38,7 @@ bool fittable(const ModelInput& input) {
     throw std::invalid_argument("explain: op and pv differ in length");
   std::size_t both = 0;
   for (std::size_t k = 0; k < input.pv.size(); ++k) {
-    both += !std::isnan(input.pv[k]) && !std::isnan(input.op[k]) ? 1 : 0;
+    if (!std::isnan(input.pv[k]) && !std::isnan(input.op[k])) ++both;
   }
   return both >= kFewestSamples && varies(input.pv) && varies(input.op);
 }
