@@ -29,13 +29,6 @@ struct LaggedRows {
   std::array<double, kOutputLags + 1> sums{};
 };
 
-/// A row is usable when three quarters of its samples are there, and counts when as many are in
-/// `fit` too and every lag is usable. NaN = missing. `usable` of a sample: nonzero = its op is
-/// known. All of equal length; samples beyond the last whole row are left out.
-[[nodiscard]] LaggedRows lagged_rows(std::span<const double> pv, std::span<const std::uint8_t> fit,
-                                     std::span<const std::uint8_t> op_known,
-                                     std::size_t samples_per_row);
-
 /// pv(k) = sum a_i pv(k-i) + c + sum b_j mv(k-j): a_1.., c, b_1...
 struct LaggedModel {
   std::array<double, kLaggedColumns> weights{};

@@ -1,6 +1,6 @@
-#include <cmath>
+#include "core/model/lagged_rows.hpp"
 
-#include "core/model/lagged_fit.hpp"
+#include <cmath>
 
 namespace loopscope::core::model {
 namespace {

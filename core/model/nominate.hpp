@@ -13,8 +13,5 @@ namespace loopscope::core::model {
 [[nodiscard]] std::vector<EffectPtr> nominate_gain_changes(const LoopData& data);
 [[nodiscard]] std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit);
 [[nodiscard]] std::vector<EffectPtr> nominate_oscillations(const LoopData& data, const Fit& fit);
-/// Bands, jumps and laws are sought on all rows (half of them leave too little to follow a valve
-/// by); where pv puts a valve right comes from the fit rows and the start of the record alone.
-[[nodiscard]] std::vector<EffectPtr> nominate_valves(const LoopData& data, const Fit& fit);
 
 }  // namespace loopscope::core::model

@@ -1,7 +1,8 @@
+#include "core/model/nominate_valves.hpp"
+
 #include <algorithm>
 
 #include "core/model/effects/valve.hpp"
-#include "core/model/nominate.hpp"
 #include "core/model/valve_search.hpp"
 
 namespace loopscope::core::model {
@@ -35,7 +36,7 @@ void add(const ValveCandidate& candidate, const std::vector<std::uint8_t>& seen,
 
 }  // namespace
 
-std::vector<EffectPtr> nominate_valves(const LoopData& data, const Fit&) {
+std::vector<EffectPtr> nominate_valves(const LoopData& data) {
   std::vector<std::uint8_t> seen(data.size(), 0);
   for (const Range& range : data.rows.fit) {
     for (std::size_t k = range.first; k < range.end; ++k) seen[k] = 1;

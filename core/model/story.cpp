@@ -9,6 +9,7 @@
 #include "core/model/calm_rows.hpp"
 #include "core/model/effects/load_step.hpp"
 #include "core/model/nominate.hpp"
+#include "core/model/nominate_valves.hpp"
 #include "core/model/simulation_error.hpp"
 
 namespace loopscope::core::model {
@@ -157,6 +158,24 @@ void compare_fairly(Trial& trial) {
   trial.before = bare;
 }
 
+Trial finished(const Round& round, Trial trial, Fit fit) {
+  trial.fit = twin(trial.rows, std::move(fit));
+  compare_fairly(trial);
+  if (sought_everywhere(trial.kind())) {
+    trial.comparison.p = std::min(1.0, trial.comparison.p * static_cast<double>(round.data.size()));
+  }
+  return trial;
+}
+
+/// The best valve once more by the other laws.
+void try_other_laws(const Round& round, std::optional<Trial>& best) {
+  if (!best || !is_valve(best->kind())) return;
+  Fit fit = cross_laws(best->rows, best->fit.fit);
+  if (fit.fit_error >= best->fit.fit.fit_error) return;
+  Trial trial = finished(round, {{}, {}, best->rows, best->before}, std::move(fit));
+  if (trial.comparison.evidence > best->comparison.evidence) best = std::move(trial);
+}
+
 std::optional<Trial> try_candidate(const Round& round, const Candidate& candidate) {
   const EffectKind kind = candidate.effect->kind();
   const bool called_for =
@@ -167,12 +186,7 @@ std::optional<Trial> try_candidate(const Round& round, const Candidate& candidat
     trial.before = reevaluated(trial.rows, round.now);
   Fit fit = fit_anew(trial.rows, candidate.fit);
   if (fit_gain(trial.rows, trial.before.fit, fit) < kWorthFitting) return std::nullopt;
-  trial.fit = twin(trial.rows, std::move(fit));
-  compare_fairly(trial);
-  if (sought_everywhere(trial.kind())) {
-    trial.comparison.p = std::min(1.0, trial.comparison.p * static_cast<double>(round.data.size()));
-  }
-  return trial;
+  return finished(round, std::move(trial), std::move(fit));
 }
 
 /// The law as far as a candidate has one: of the three valve laws and plain play each is tried.
@@ -202,6 +216,7 @@ std::vector<Trial> trials_of(const Round& round) {
       if (trial && (!best || trial->comparison.evidence > best->comparison.evidence))
         best = std::move(trial);
     }
+    try_other_laws(round, best);
     if (best) result.push_back(std::move(*best));
   }
   std::ranges::sort(result, std::greater{},
@@ -256,9 +271,8 @@ Story begin_story(const LoopData& data) {
 
 void continue_story(Story& story, const std::vector<Answer>& answers) {
   const LoopData original = story.data;
-  const std::vector<EffectPtr> valves = calls_for(answers, "op_direction")
-                                            ? nominate_valves(original, story.baseline.fit)
-                                            : std::vector<EffectPtr>{};
+  const std::vector<EffectPtr> valves =
+      calls_for(answers, "op_direction") ? nominate_valves(original) : std::vector<EffectPtr>{};
   while (story.chapters.size() < kMostEffects) {
     const std::vector<Trial> trials =
         trials_of({original, story.data, story.last(), valves, calls_for(answers, "op_level")});

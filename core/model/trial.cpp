@@ -166,6 +166,20 @@ Fit prefer_play(const LoopData& data, Fit fit) {
 
 }  // namespace
 
+Fit cross_laws(const LoopData& data, Fit fit) {
+  const Structure start = fit.structure;
+  const auto* valve = dynamic_cast<const ValveEffect*>(start.effects.back().get());
+  if (valve == nullptr) return fit;
+  Fit best = fit;
+  for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
+    if (law == valve->valve().law) continue;
+    for (const double direction : {-1.0, 1.0}) {
+      best = sweep(data, start, *valve->with_law(law)->by_law_alone(direction), std::move(best));
+    }
+  }
+  return best.fit_error < fit.fit_error ? fit_anew(data, std::move(best)) : fit;
+}
+
 Fit fit_anew(const LoopData& data, Fit fit) {
   const EffectKind kind = fit.structure.effects.back()->kind();
   const bool bends_flow = kind == EffectKind::valve_stiction ||

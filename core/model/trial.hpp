@@ -36,6 +36,10 @@ struct Comparison {
 /// from `coarsest` (see Effect::neighbours) down.
 [[nodiscard]] Fit refine_last(const LoopData& data, Fit fit, double coarsest = 1.0);
 
+/// A valve by each of the other laws, from the process that its own has found: the wrong law at the
+/// right band shows the process well enough for the right law to show.
+[[nodiscard]] Fit cross_laws(const LoopData& data, Fit fit);
+
 /// The structure with its effects, everything fitted anew: effect, delay, poles, noise.
 [[nodiscard]] Fit fit_anew(const LoopData& data, Fit fit);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/lagged_rows.hpp"
+
 namespace loopscope::core::model {
 namespace {
 

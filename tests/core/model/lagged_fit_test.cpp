@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/model/lagged_rows.hpp"
 #include "core/simulate/random.hpp"
 
 namespace loopscope::core::model {

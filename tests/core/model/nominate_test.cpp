@@ -7,6 +7,7 @@
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/effects/load_step.hpp"
 #include "core/model/effects/valve.hpp"
+#include "core/model/nominate_valves.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/model_records.hpp"
 
@@ -62,7 +63,7 @@ TEST(Nominate, FindsBandOfASimulatedValve) {
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const Looked looked = looked_at("sticking_valve", seed);
-    for (const EffectPtr& effect : nominate_valves(looked.data, looked.fit)) {
+    for (const EffectPtr& effect : nominate_valves(looked.data)) {
       const double band = dynamic_cast<const ValveEffect&>(*effect).valve().stickband_percent;
       if (std::abs(band - 5.0) < 0.25) {
         ++found;
@@ -90,7 +91,7 @@ TEST(Nominate, EveryKindComesFromItsOwnList) {
   only(nominate_gain_changes(looked.data), {gain_change});
   only(nominate_load_steps(looked.data, looked.fit), {load_step});
   only(nominate_oscillations(looked.data, looked.fit), {external_oscillation});
-  only(nominate_valves(looked.data, looked.fit), {valve_stiction, valve_deadband});
+  only(nominate_valves(looked.data), {valve_stiction, valve_deadband});
 }
 
 TEST(Nominate, GainChangesCoverTheRecord) {
