@@ -15,6 +15,8 @@ constexpr double kNearPeriod = 1.25;
 /// Integral action so many times weaker than the SIMC rules give: of 1000 fine loops with the
 /// process 20 % off one passes, of 717 truly slow ones 716 (core/model/README.closed_loop.md).
 constexpr double kSluggish = 4.0;
+/// Of twelve sluggish loops at rest, whose process is hardly known, the least has 1.5.
+constexpr double kSlower = 1.4;
 
 }  // namespace
 
@@ -24,6 +26,10 @@ bool poorly_damped(const model::ClosedLoop& loop) {
 
 bool far_slower_than_possible(const model::ClosedLoop& loop, const model::ProcessFit& process) {
   return !process.integrating && loop.slowness > kSluggish;
+}
+
+bool slower_than_possible(const model::ClosedLoop& loop, const model::ProcessFit& process) {
+  return !process.integrating && loop.slowness > kSlower;
 }
 
 bool at_resonance(const Evidence& evidence, const model::ClosedLoop& loop) {

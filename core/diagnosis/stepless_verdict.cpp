@@ -17,8 +17,9 @@ namespace {
 constexpr double kTuningConfidence = 0.85;
 /// An oscillation at the loop's own period although its poles are damped: noise alone drives it.
 constexpr double kDampedResonance = 0.5;
-/// The residual says that something is there, not what.
-constexpr double kStructureConfidence = 0.4;
+/// The residual says that something is there, not what; ten of 100 loops of section 5.1 leave as
+/// much, so it is no reason for a flag.
+constexpr double kStructureConfidence = 0.25;
 /// A healthy loop whose statistics alone were looked at has 0.6.
 constexpr double kHealthyConfidence = 0.6;
 constexpr double kExplainedHealth = 0.3;
@@ -82,17 +83,22 @@ Verdict oscillating(const Finding& finding) {
   return closed_loop && !own_period ? from_outside(finding) : by_persistence(finding);
 }
 
-/// Noise alone does not tell the process from the controller well enough to call a loop slow: it
-/// takes a setpoint that moves, or an error that creeps.
-bool speed_shows(const Evidence& evidence) {
-  return creeps(evidence) || has_flag(evidence, "sp_steps_masked") ||
-         has_flag(evidence, "sp_moving");
+bool setpoint_moves(const Evidence& evidence) {
+  return has_flag(evidence, "sp_steps_masked") || has_flag(evidence, "sp_moving");
 }
 
+/// Noise alone does not tell the process from the controller well enough to call a loop slow. Where
+/// the setpoint moves, the implied loop speaks for itself; where it rests, the error has to creep,
+/// and the implied loop must not contradict.
 bool sluggish(const Finding& finding) {
   const model::Explanation& explanation = finding.explanation;
-  return explanation.closed_loop && speed_shows(finding.evidence()) &&
-         far_slower_than_possible(*explanation.closed_loop, explanation.baseline.process);
+  if (!explanation.closed_loop) return false;
+  const model::ProcessFit& process = explanation.baseline.process;
+  if (setpoint_moves(finding.evidence()) &&
+      far_slower_than_possible(*explanation.closed_loop, process)) {
+    return true;
+  }
+  return creeps(finding.evidence()) && slower_than_possible(*explanation.closed_loop, process);
 }
 
 Verdict healthy(Finding finding) {

@@ -34,7 +34,8 @@ Verdict uncoupled(const std::string& scenario, std::uint64_t seed) {
   window.sp = record.sp;
   window.pv = record.pv;
   window.op = record.op;
-  const AnalysisSettings settings;
+  AnalysisSettings settings;
+  settings.fit_model = false;  // the branch of the flow that decides where no model is fitted
   const LoopFacts facts{.integrating = scenario.find("level") != std::string::npos};
   Evidence evidence = diagnose(window, settings, facts).evidence;
   evidence.hos->ngi = -1.0;

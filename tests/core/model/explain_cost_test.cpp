@@ -14,7 +14,8 @@ double explain_ms(const simulate::LoopRecord& record) {
   std::vector<double> error(record.pv.size());
   std::ranges::transform(record.sp, record.pv, error.begin(), std::minus<>());
   const std::clock_t start = std::clock();  // CPU time: the machine may be shared
-  static_cast<void>(explain({record.pv, record.op, record.sp, error, record.sample_interval_s, true, 1}));
+  static_cast<void>(
+      explain({record.pv, record.op, record.sp, error, record.sample_interval_s, true, 1}));
   return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
@@ -35,7 +36,8 @@ TEST(ExplainCost, DISABLED_CpuTimeOfEveryScenario) {
     all.insert(all.end(), times.begin(), times.end());
     std::printf("| %s | %.0f |\n", std::string(scenario.name).c_str(), quantile(times, 0.5));
   }
-  std::printf("all scenarios: median %.0f ms, 90th percentile %.0f ms\n", quantile(all, 0.5), quantile(all, 0.9));
+  std::printf("all scenarios: median %.0f ms, 90th percentile %.0f ms\n", quantile(all, 0.5),
+              quantile(all, 0.9));
 }
 
 }  // namespace
