@@ -11,6 +11,8 @@ namespace {
 constexpr double kRampScale = 0.01;
 /// A process that answers within a sample still has a load that takes a few.
 constexpr double kShortestLag = 0.6;
+/// A load that takes longer than some hundred samples to arrive has no size within the record.
+constexpr double kLongestLag = 0.97;
 
 }  // namespace
 
@@ -26,7 +28,7 @@ void LoadStep::add_columns(const Signals& signals, std::vector<Column>& columns)
     respond(vessel, step, lagged);
     for (double& value : lagged) value *= kRampScale;
   } else {
-    lag(std::max(signals.process.pole, kShortestLag), lagged);
+    lag(std::clamp(signals.process.pole, kShortestLag, kLongestLag), lagged);
   }
   columns.push_back(std::move(step));
   columns.push_back(std::move(lagged));
