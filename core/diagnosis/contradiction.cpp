@@ -58,6 +58,8 @@ BelievedExplanation believed(const Case& loop) {
     }
   }
   result.explanation.steps = std::move(kept);
+  const std::string& doubt = result.explanation.process_doubt;
+  if (!doubt.empty()) result.doubts.push_back(doubt);
   return result;
 }
 

@@ -50,7 +50,8 @@ std::string unexplained_text(const model::Explanation& explanation) {
                      " (whiteness p " + number(rest.whiteness_p) + ").";
   if (!rest.statement.empty()) text += " " + rest.statement;
   for (const model::Question& question : explanation.questions) {
-    if (!question.statement.empty()) text += " " + question.statement;
+    const bool said = rest.statement.find(question.statement) != std::string::npos;
+    if (!said) text += " " + question.statement;
   }
   return text;
 }

@@ -62,30 +62,7 @@ const Words& words_of(VerdictCode code) {
   return kWords.back();
 }
 
-std::string general(double value, int digits) {
-  std::array<char, 32> text{};
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::general, digits);
-  return {text.data(), result.ptr};
-}
-
 }  // namespace
-
-std::string number(double value) {
-  return general(value, 3);
-}
-
-std::string percent(double share) {
-  return general(std::round(100.0 * share), 4) + " %";
-}
-
-std::string duration(double seconds) {
-  constexpr double kMinute = 60.0;
-  constexpr double kHour = 3600.0;
-  if (seconds >= 2.0 * kHour) return number(seconds / kHour) + " h";
-  if (seconds >= 2.0 * kMinute) return number(seconds / kMinute) + " min";
-  return number(seconds) + " s";
-}
 
 std::string summary_of(VerdictCode code) {
   return std::string(words_of(code).summary);

@@ -3,17 +3,24 @@
 #include <string>
 
 #include "core/diagnosis/verdict.hpp"
+#include "core/model/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
 
 /// A number with three significant digits, for reasons that an engineer reads.
-[[nodiscard]] std::string number(double value);
+[[nodiscard]] inline std::string number(double value) {
+  return model::in_digits(value);
+}
 
 /// A share as a whole percentage, e.g. "12 %".
-[[nodiscard]] std::string percent(double share);
+[[nodiscard]] inline std::string percent(double share) {
+  return model::in_percent(share);
+}
 
 /// A period in the unit that an engineer would say it in: "45 s", "12.5 min", "3.2 h".
-[[nodiscard]] std::string duration(double seconds);
+[[nodiscard]] inline std::string duration(double seconds) {
+  return model::in_time(seconds);
+}
 
 /// One sentence that names the verdict.
 [[nodiscard]] std::string summary_of(VerdictCode code);

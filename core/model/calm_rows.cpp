@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "core/signal/median.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
 constexpr double kGross = 6.0;
-/// Standard deviation over median of the absolute values, of the normal law.
-constexpr double kDeviation = 1.4826;
 /// What a jump disturbs beside itself.
 constexpr std::size_t kBefore = 3;
 constexpr std::size_t kAfter = 8;
@@ -18,10 +19,7 @@ double gross_limit(const Rows& rows, const std::vector<double>& innovations) {
   for (const Range& range : rows.fit) {
     for (std::size_t k = range.first; k < range.end; ++k) sizes.push_back(std::abs(innovations[k]));
   }
-  if (sizes.empty()) return 0.0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return kGross * kDeviation * *middle;
+  return sizes.empty() ? 0.0 : kGross * signal::kMadToSigma * signal::median(std::move(sizes));
 }
 
 void add_calm_parts(const Range& range, const std::vector<double>& innovations, double limit,

@@ -40,6 +40,14 @@ std::string_view name(EffectKind kind) {
   return "";
 }
 
+bool is_valve_hysteresis(EffectKind kind) {
+  return kind == valve_stiction || kind == valve_deadband;
+}
+
+bool bends_flow(EffectKind kind) {
+  return is_valve_hysteresis(kind) || kind == valve_saturation;
+}
+
 bool same_cause(EffectKind a, EffectKind b) {
   const auto outside = [](EffectKind kind) {
     return kind == external_oscillation || kind == load_step;

@@ -22,6 +22,12 @@ enum class EffectKind {
 
 [[nodiscard]] std::string_view name(EffectKind kind);
 
+/// Sticks or has play: the two are one fit, told apart by the jump that it ends with.
+[[nodiscard]] bool is_valve_hysteresis(EffectKind kind);
+
+/// Acts between op and flow, so that the process has to be searched again behind it.
+[[nodiscard]] bool bends_flow(EffectKind kind);
+
 /// Both end in the same verdict.
 [[nodiscard]] bool same_cause(EffectKind a, EffectKind b);
 

@@ -7,16 +7,16 @@
 #include "core/model/closed_loop.hpp"
 #include "core/model/controller_trap.hpp"
 #include "core/model/excitation.hpp"
-#include "core/model/hysteresis_step.hpp"
 #include "core/model/noise_floor.hpp"
-#include "core/model/op_direction.hpp"
+#include "core/model/prefer_hysteresis.hpp"
 #include "core/model/process_report.hpp"
-#include "core/model/question_residual.hpp"
+#include "core/model/put_questions.hpp"
 #include "core/model/renewed_record.hpp"
 #include "core/model/sensor_steps.hpp"
 #include "core/model/step_report.hpp"
 #include "core/model/story.hpp"
 #include "core/model/tuning.hpp"
+#include "core/signal/spread.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -24,12 +24,15 @@ namespace {
 constexpr std::size_t kFewestSamples = 400;
 /// Below so much of the baseline's error there is nothing to explain.
 constexpr double kLeastExplainable = 0.02;
+/// A question that finds so little chance describes what is left.
+constexpr double kStructuredP = 1e-3;
+
+/// Sums of fourth powers of larger values would no longer be finite.
+constexpr double kLargestValue = 1e70;
 
 bool varies(std::span<const double> values) {
-  const auto known = [](double value) { return !std::isnan(value); };
-  const auto first = std::ranges::find_if(values, known);
-  return first != values.end() &&
-         std::ranges::any_of(values, [&](double value) { return known(value) && value != *first; });
+  const auto spread = signal::measure_spread(values);
+  return spread && !spread->constant() && std::max(-spread->low, spread->high) < kLargestValue;
 }
 
 bool fittable(const ModelInput& input) {
@@ -43,37 +46,10 @@ bool fittable(const ModelInput& input) {
   return both >= kFewestSamples && varies(input.pv) && varies(input.op);
 }
 
-/// The one-step errors of every sample that counts, pv units; NaN elsewhere.
-std::vector<double> residual_of(const LoopData& data, const Fit& fit) {
-  std::vector<double> residual(data.size(), std::nan(""));
-  for (const auto* rows : {&data.rows.fit, &data.rows.score}) {
-    for (const Range& range : *rows) {
-      for (std::size_t k = range.first; k < range.end; ++k)
-        residual[k] = fit.innovations[k] * data.pv_scale;
-    }
-  }
-  return residual;
-}
-
-struct Questioning {
-  std::vector<double> residual, response, direction;
-  std::vector<Answer> answers;
-};
-
-Questioning question(const ModelInput& input, const LoopData& data, const Fit& fit) {
-  Questioning result{
-      residual_of(data, fit), deterministic_output(data, fit), op_direction(input.op), {}};
-  for (double& value : result.response) value *= data.pv_scale;
-  result.answers = question_residual_quickly({result.residual, input.op, result.direction,
-                                              result.response, input.pv, input.sample_interval_s});
-  return result;
-}
-
 /// Excitation and closed loop; returns the turns of op.
 std::size_t judge_loop(const ModelInput& input, const LoopData& data, const Fit& fit,
                        Explanation& explanation) {
-  std::vector<double> response = deterministic_output(data, fit);
-  for (double& value : response) value *= data.pv_scale;
+  const std::vector<double> response = response_of(data, fit);
   const Excitation excitation =
       judge_excitation({input.op, input.pv, input.op_in_percent, response});
   explanation.excited = excitation.sufficient;
@@ -97,14 +73,6 @@ std::size_t judge_loop(const ModelInput& input, const LoopData& data, const Fit&
   return excitation.reversals;
 }
 
-double smallest_p(const std::vector<Answer>& answers, std::string_view name) {
-  double p = 1.0;
-  for (const Answer& answer : answers) {
-    if (answer.question.name == name) p = std::min(p, answer.question.p);
-  }
-  return p;
-}
-
 void report_rest(const Story& story, const std::vector<Answer>& answers, Explanation& explanation) {
   const double square = story.data.pv_scale * story.data.pv_scale;
   const double after = story.last().fit.score_error * square;
@@ -113,14 +81,20 @@ void report_rest(const Story& story, const std::vector<Answer>& answers, Explana
                                       kLeastExplainable * explanation.baseline.holdout_error);
   Unexplained& rest = explanation.unexplained;
   rest.fraction = std::clamp((after - explanation.noise_floor) / explainable, 0.0, 1.0);
-  rest.whiteness_p = smallest_p(answers, "white");
-  for (const Answer& answer : answers) explanation.questions.push_back(answer.question);
+  rest.whiteness_p = p_of(answers, "white");
+  for (const Answer& answer : answers) {
+    const Question& asked = answer.question;
+    explanation.questions.push_back(asked);
+    if (asked.name == "ngi") rest.ngi_p = asked.p;
+    if (asked.p > kStructuredP || asked.statement.empty()) continue;
+    rest.statement += (rest.statement.empty() ? "" : " ") + asked.statement;
+  }
 }
 
 /// The linear loop and what its residual says.
 struct Look {
   Story story;
-  Questioning questioning;
+  std::vector<Answer> answers;
   [[nodiscard]] double baseline_error() const {
     return story.baseline.fit.score_error * story.data.pv_scale * story.data.pv_scale;
   }
@@ -128,41 +102,8 @@ struct Look {
 
 Look look_at(const ModelInput& input) {
   Look look{begin_story(make_loop_data(input.pv, input.op, input.sample_interval_s)), {}};
-  look.questioning = question(input, look.story.data, look.story.baseline.fit);
+  look.answers = question(input, look.story.data, look.story.baseline.fit, Depth::quick);
   return look;
-}
-
-/// What slips of a valve pass for, one by one.
-bool jumps(const Step& step) {
-  return step.effect == EffectKind::load_step;
-}
-
-bool explains_a_cycle(const Step& step) {
-  return step.effect == EffectKind::valve_stiction || step.effect == EffectKind::valve_deadband ||
-         step.effect == EffectKind::external_oscillation;
-}
-
-/// A valve by its three witnesses, in place of steps that its slips pass for.
-/// Other effects stand, unless the residual that they leave still follows op's direction.
-void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& answers,
-                       const std::vector<Answer>& left, std::size_t op_turns,
-                       Explanation& explanation) {
-  constexpr std::size_t kFewStrokes = 8;
-  constexpr double kStillThere = 0.05;
-  constexpr double kClear = 13.8;  // four to one, in the units of `margin`
-  const bool few_strokes = op_turns <= kFewStrokes;
-  if (!few_strokes && std::ranges::any_of(explanation.steps, explains_a_cycle)) return;
-  std::optional<Step> step = find_hysteresis(input, answers, op_turns);
-  if (!step) return;
-  const bool others_stand = !std::ranges::all_of(explanation.steps, jumps) &&
-                            smallest_p(left, "op_direction") > kStillThere && step->margin < kClear;
-  if (!few_strokes && others_stand) return;
-  explanation.error_kind = ErrorKind::simulation;
-  explanation.excited = true;
-  explanation.baseline.holdout_error = step->holdout_error_before;
-  explanation.noise_floor = std::min(step->holdout_error_before, step->holdout_error_after);
-  explanation.unexplained.fraction = 0.0;
-  explanation.steps = {std::move(*step)};
 }
 
 Explanation explain_look(const ModelInput& input, Look look) {
@@ -171,17 +112,14 @@ Explanation explain_look(const ModelInput& input, Look look) {
   const Fit& linear = story.baseline.fit;
   explanation.baseline = {describe(story.data, linear), look.baseline_error(),
                           report_process(story.data, linear)};
-  continue_story(story, look.questioning.answers);
+  continue_story(story, look.answers);
   explanation.steps = report_steps(story);
   const Fit& last = story.last().fit;
-  std::vector<Answer> answers = look.questioning.answers;
-  if (!story.chapters.empty()) {
-    explanation.baseline.process = report_process(story.data, last);
-    answers = question(input, story.data, last).answers;
-  }
+  if (!story.chapters.empty()) explanation.baseline.process = report_process(story.data, last);
+  const std::vector<Answer> left = question(input, story.data, last, Depth::full);
   const std::size_t op_turns = judge_loop(input, story.data, last, explanation);
-  report_rest(story, answers, explanation);
-  prefer_hysteresis(input, look.questioning.answers, answers, op_turns, explanation);
+  report_rest(story, left, explanation);
+  prefer_hysteresis(input, look.answers, left, op_turns, explanation);
   return explanation;
 }
 
@@ -228,7 +166,7 @@ Explanation refused(Look look) {
   explanation.excitation =
       "Not excited: op predicts pv up to rounding, as the controller run backwards does.";
   explanation.process_doubt = explanation.excitation;
-  report_rest(look.story, look.questioning.answers, explanation);
+  report_rest(look.story, look.answers, explanation);
   return explanation;
 }
 
@@ -245,7 +183,7 @@ std::optional<Explanation> explain(const ModelInput& input) {
   const Look look = look_at(input);
   if (!has_rows(look)) return std::nullopt;
   if (too_good(look)) return refused(look);
-  const SensorFinding sensor = find_sensor_steps(look.baseline_error(), look.questioning.answers);
+  const SensorFinding sensor = find_sensor_steps(look.baseline_error(), look.answers);
   Explanation explanation = sensor.hold ? explain_renewals(input, *sensor.hold, sensor.hold_samples)
                                         : explain_look(input, look);
   if (sensor.quantisation)

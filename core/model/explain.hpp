@@ -18,7 +18,8 @@ namespace loopscope::core::model {
 ///   likelihood ratio on unseen rows stays below p = 0.001 (story.hpp).
 /// - `unexplained.fraction` is (error - floor) / (baseline error - floor), 0 to 1: of what could be
 ///   explained, the share that is not. Where the baseline lies within 2 % of the floor, 2 % of it
-///   is taken for what could be explained.
+///   is taken for what could be explained. Where the errors are simulation errors no floor is known
+///   (NaN), and the fraction is what the valve leaves of the linear error: an upper bound.
 [[nodiscard]] std::optional<Explanation> explain(const ModelInput& input);
 
 }  // namespace loopscope::core::model

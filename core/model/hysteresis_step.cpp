@@ -5,8 +5,9 @@
 
 #include "core/model/effects/valve.hpp"
 #include "core/model/limit_cycle_cause.hpp"
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 #include "core/model/slow_travel.hpp"
+#include "core/signal/spread.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -21,26 +22,6 @@ constexpr double kStrokeP = 0.05;
 constexpr double kStrokeLevelP = 1e-3;
 /// Whatever the witnesses say, the valve has to explain something.
 constexpr double kLeastDrop = 0.95;
-/// More turns than this are cycles.
-constexpr std::size_t kFewTurns = 8;
-
-double p_of(const std::vector<Answer>& answers, std::string_view name) {
-  for (const Answer& answer : answers) {
-    if (answer.question.name == name) return answer.question.p;
-  }
-  return 1.0;
-}
-
-double variance_of(std::span<const double> values) {
-  double sum = 0.0, square = 0.0, n = 0.0;
-  for (const double value : values) {
-    if (std::isnan(value)) continue;
-    sum += value;
-    square += value * value;
-    n += 1.0;
-  }
-  return n == 0.0 ? 0.0 : square / n - sum / n * sum / n;
-}
 
 Step step_of(double stickband, double slip_jump, double p) {
   Step step;
@@ -64,7 +45,8 @@ std::optional<Step> by_cycle(const ModelInput& input, double p) {
   // Without a slip the loop would not cycle: the jump of a limit cycle is not nothing.
   Step step =
       step_of(evidence.stickband, std::max(evidence.slip_jump, 0.25 * evidence.stickband), p);
-  const double variance = variance_of(input.pv);
+  const auto spread = signal::measure_spread(input.pv);
+  const double variance = spread ? spread->std * spread->std : 0.0;
   step.law = "he";
   step.holdout_error_before = variance * evidence.error_before;
   step.holdout_error_after = variance * std::min(evidence.error_law, evidence.error_turning);
@@ -104,7 +86,7 @@ std::optional<Step> find_hysteresis(const ModelInput& input, const std::vector<A
   };
   const double level_p = p_of(answers, "op_level");
   const bool strokes_call = p <= kStrokeP || level_p <= kStrokeLevelP;
-  if (op_turns <= kFewTurns && strokes_call) {
+  if (op_turns <= kFewStrokes && strokes_call) {
     auto step = by_strokes(input, std::min(p, level_p));
     if (lowers_the_error(step)) return step;
   }

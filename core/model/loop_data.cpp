@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/signal/spread.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
@@ -19,17 +21,6 @@ constexpr std::size_t kGuard = 4;
 constexpr std::size_t kWarmUp = 40;
 /// After a gap the prediction leans on bridged samples for about so long.
 constexpr std::size_t kAfterGap = 12;
-
-double mean_of(std::span<const double> values) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const double value : values) {
-    if (std::isnan(value)) continue;
-    sum += value;
-    ++count;
-  }
-  return count == 0 ? 0.0 : sum / static_cast<double>(count);
-}
 
 /// Straight lines across gaps, the nearest value at the ends; less `mean`, times `factor`.
 std::vector<double> bridged(std::span<const double> values, double mean, double factor) {
@@ -91,17 +82,6 @@ std::size_t count(const std::vector<Range>& ranges) {
                          [](std::size_t sum, const Range& range) { return sum + range.size(); });
 }
 
-double standard_deviation(std::span<const double> values, double mean) {
-  double sum = 0.0;
-  std::size_t n = 0;
-  for (const double value : values) {
-    if (std::isnan(value)) continue;
-    sum += (value - mean) * (value - mean);
-    ++n;
-  }
-  return n == 0 || sum <= 0.0 ? 1.0 : std::sqrt(sum / static_cast<double>(n));
-}
-
 /// `ranges` (ascending, apart) and `added` in one.
 std::vector<Range> united(const std::vector<Range>& ranges, Range added) {
   std::vector<Range> result;
@@ -144,9 +124,10 @@ LoopData make_loop_data(std::span<const double> pv, std::span<const double> op,
                         double sample_interval_s) {
   LoopData data;
   data.sample_interval_s = sample_interval_s;
-  data.pv_mean = mean_of(pv);
-  data.pv_scale = standard_deviation(pv, data.pv_mean);
-  data.op_mean = mean_of(op);
+  const signal::Spread pv_spread = signal::measure_spread(pv).value_or(signal::Spread{});
+  data.pv_mean = pv_spread.mean;
+  data.pv_scale = pv_spread.std > 0.0 ? pv_spread.std : 1.0;
+  data.op_mean = signal::measure_spread(op).value_or(signal::Spread{}).mean;
   data.pv = bridged(pv, data.pv_mean, 1.0 / data.pv_scale);
   data.op = bridged(op, data.op_mean, 1.0);
   data.rows = lay_out(countable(pv, op));

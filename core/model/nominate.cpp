@@ -62,7 +62,7 @@ void add_peaks(const std::vector<double>& signal, std::size_t count, std::vector
 
 }  // namespace
 
-std::vector<EffectPtr> nominate_static(const LoopData& data, const Fit&) {
+std::vector<EffectPtr> nominate_static(const LoopData& data) {
   std::vector<EffectPtr> result;
   for (const double share : {0.03, 0.08, 0.15, 0.25, 0.4, 0.55}) {
     result.push_back(std::make_shared<Saturation>(quantile(data.op, share), kNone));

@@ -9,7 +9,7 @@ namespace loopscope::core::model {
 /// Effects that the model may lack, with nonlinear parameters to start from: for each kind a few
 /// places on a coarse net, or what the innovations point at. Kinds that the fit has already and
 /// that come once only are left out.
-[[nodiscard]] std::vector<EffectPtr> nominate_static(const LoopData& data, const Fit& fit);
+[[nodiscard]] std::vector<EffectPtr> nominate_static(const LoopData& data);
 [[nodiscard]] std::vector<EffectPtr> nominate_gain_changes(const LoopData& data);
 [[nodiscard]] std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit);
 [[nodiscard]] std::vector<EffectPtr> nominate_oscillations(const LoopData& data, const Fit& fit);

@@ -1,7 +1,9 @@
 #include "core/model/op_direction.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "core/signal/median.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -14,10 +16,7 @@ double median_step(std::span<const double> op) {
     const double step = std::abs(op[k] - op[k - 1]);
     if (step > 0.0) steps.push_back(step);  // NaN compares false
   }
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return steps.empty() ? 0.0 : signal::median(std::move(steps));
 }
 
 }  // namespace

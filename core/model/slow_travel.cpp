@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/signal/spread.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
@@ -115,16 +117,6 @@ double try_valve(const std::vector<double>& pv, const std::vector<double>& op, c
   return share.fitted;
 }
 
-double variance_of(const std::vector<double>& values) {
-  double sum = 0.0, square = 0.0;
-  for (const double value : values) {
-    sum += value;
-    square += value * value;
-  }
-  const auto n = static_cast<double>(values.size());
-  return square / n - sum / n * sum / n;
-}
-
 }  // namespace
 
 bool SlowTravel::sticks() const {
@@ -142,12 +134,14 @@ std::optional<SlowTravel> judge_slow_travel(std::span<const double> pv,
       std::isnan(op_means.front()))
     return std::nullopt;
   const auto [low, high] = std::ranges::minmax(op_means);
-  if (!(high > low)) return std::nullopt;
+  const double travel = high - low;
+  if (!(travel > 0.0) || std::isinf(travel)) return std::nullopt;
   SlowTravel result;
   const double level = pv_means.front();
   for (double& value : pv_means) value -= level;
-  result.variance = variance_of(pv_means);
-  if (!(result.variance > 0.0)) return std::nullopt;
+  const auto spread = signal::measure_spread(pv_means);
+  if (!spread || spread->constant()) return std::nullopt;
+  result.variance = spread->std * spread->std;
   const Share linear = best_share(pv_means, op_means);
   result.linear_share = result.valve_share = linear.scored;
   double fitted = linear.fitted;
@@ -155,7 +149,7 @@ std::optional<SlowTravel> judge_slow_travel(std::span<const double> pv,
   for (double band = kNarrowest; band < kWidest; band *= kStep) {
     for (const double jump : kJumps) {
       for (const double direction : {-1.0, 1.0}) {
-        const double stickband = band * (high - low);
+        const double stickband = band * travel;
         const Valve valve{ValveLaw::kano, stickband, jump * stickband, direction};
         fitted = try_valve(pv_means, op_means, valve, fitted, result);
       }

@@ -10,8 +10,8 @@ namespace loopscope::core::model {
 /// Whether pv follows op's slow travel, or rests while op travels and then jumps.
 ///
 /// Means of eight samples take the fast noise out; pv is fitted by a constant, a trend and a lag of
-/// op, once of op itself and once of op behind Kano's valve for every band on a net. Blocks of six means
-/// are fitted and scored by turns; shares are of pv's variance on the blocks held out.
+/// op, once of op itself and once of op behind Kano's valve for every band on a net. Blocks of six
+/// means are fitted and scored by turns; shares are of pv's variance on the blocks held out.
 struct SlowTravel {
   double linear_share = 0.0;  ///< explained by op
   double valve_share = 0.0;   ///< explained by op behind the valve

@@ -18,24 +18,14 @@ double sum_of_squares(const std::vector<double>& values, const Range& range) {
   return sum;
 }
 
-/// Upper tail of the normal law.
-double upper_tail(double z) {
-  return 0.5 * std::erfc(z / std::sqrt(2.0));
-}
-
 struct Sums {
-  double before = 0.0, after = 0.0, square = 0.0;
+  double before = 0.0, after = 0.0;
   std::size_t rows = 0;
   std::array<double, kParts> part_before{}, part_after{};
 };
 
-/// Consecutive ranges are pooled to batches of about this many rows, whose sums are independent.
-constexpr std::size_t kBatch = 24;
-
 void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& before,
             const Fit& after, Sums& sums) {
-  double batch = 0.0;
-  std::size_t in_batch = 0;
   for (const Range& range : rows) {
     const double a = sum_of_squares(before.innovations, range);
     const double b = sum_of_squares(after.innovations, range);
@@ -45,14 +35,7 @@ void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& bef
     sums.part_before[part] += a;
     sums.part_after[part] += b;
     sums.rows += range.size();
-    batch += a - b;
-    in_batch += range.size();
-    if (in_batch < kBatch) continue;
-    sums.square += batch * batch;
-    batch = 0.0;
-    in_batch = 0;
   }
-  sums.square += batch * batch;
 }
 
 }  // namespace
@@ -76,8 +59,6 @@ Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& a
   result.before = sums.before / n;
   result.after = sums.after / n;
   result.evidence = n * std::log(result.before / result.after);
-  const double spread = std::sqrt(sums.square);
-  result.consistency_p = spread > 0.0 ? upper_tail((sums.before - sums.after) / spread) : 1.0;
   result.p = std::min(1.0, std::exp(-0.5 * result.evidence));
   for (std::size_t part = 0; part < kParts; ++part) {
     result.steadiness += sums.part_after[part] < sums.part_before[part] ? 1.0 / kParts : 0.0;
@@ -182,16 +163,14 @@ Fit cross_laws(const LoopData& data, Fit fit) {
 
 Fit fit_anew(const LoopData& data, Fit fit) {
   const EffectKind kind = fit.structure.effects.back()->kind();
-  const bool bends_flow = kind == EffectKind::valve_stiction ||
-                          kind == EffectKind::valve_deadband ||
-                          kind == EffectKind::valve_saturation;
+  const bool bends = bends_flow(kind);
   fit = refine_last(data, std::move(fit));
   // The linear baseline takes part of an oscillation, and all of a valve's travel, for dynamics.
-  fit = bends_flow || kind == EffectKind::external_oscillation ? search_process(data, fit.structure)
-                                                               : settle(data, fit);
-  if (bends_flow) fit = polish(data, scan_band(data, std::move(fit)).structure, 4);
+  fit = bends || kind == EffectKind::external_oscillation ? search_process(data, fit.structure)
+                                                          : settle(data, fit);
+  if (bends) fit = polish(data, scan_band(data, std::move(fit)).structure, 4);
   fit = scan_jump(data, std::move(fit));
-  for (int round = 0; bends_flow && round < 3; ++round) {
+  for (int round = 0; bends && round < 3; ++round) {
     const double before = fit.fit_error;
     fit = polish(data, refine_last(data, std::move(fit)).structure, 4);
     if (fit.fit_error > 0.999 * before) break;

@@ -93,6 +93,7 @@ Json explanation_json(const Explanation& explanation) {
   for (const Step& step : explanation.steps) steps.push_back(step_json(step));
   return {{"excited", explanation.excited},
           {"excitation", explanation.excitation},
+          {"process_doubt", explanation.process_doubt},
           {"error_kind", name(explanation.error_kind)},
           {"noise_floor", or_null(explanation.noise_floor)},
           {"baseline", baseline_json(explanation.baseline)},

@@ -1,6 +1,6 @@
 #include "core/model/effects/curvature.hpp"
 
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

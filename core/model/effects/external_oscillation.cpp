@@ -4,7 +4,7 @@
 #include <complex>
 #include <numbers>
 
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
 

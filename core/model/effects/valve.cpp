@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
 

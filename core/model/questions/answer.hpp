@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/model/effect_kind.hpp"
@@ -36,5 +37,13 @@ struct Answer {
 /// A question has found something at this p: what the statements and nominations go by. The caller
 /// knows how many questions it asks and draws its own line below.
 inline constexpr double kSignificant = 0.05;
+
+/// p of the question of that name; 1 when it was not asked.
+[[nodiscard]] inline double p_of(const std::vector<Answer>& answers, std::string_view question) {
+  for (const Answer& answer : answers) {
+    if (answer.question.name == question) return answer.question.p;
+  }
+  return 1.0;
+}
 
 }  // namespace loopscope::core::model

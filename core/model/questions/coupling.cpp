@@ -1,7 +1,7 @@
 #include "core/model/questions/coupling.hpp"
 
 #include "core/hos/analyse.hpp"
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/model/questions/grid.hpp"
 
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
 std::optional<Answer> ask_grid(const Questioned& questioned) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 #include "core/model/questions/renewals.hpp"
 #include "core/model/questions/tails.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/hos/sample_quantile.hpp"
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 #include "core/model/questions/play.hpp"
 #include "core/model/questions/score_test.hpp"
 

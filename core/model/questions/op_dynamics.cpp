@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 #include "core/model/questions/score_test.hpp"
 
 namespace loopscope::core::model {

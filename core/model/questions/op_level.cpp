@@ -5,7 +5,7 @@
 
 #include "core/hos/combine_p.hpp"
 #include "core/hos/sample_quantile.hpp"
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 #include "core/model/questions/score_test.hpp"
 
 namespace loopscope::core::model {

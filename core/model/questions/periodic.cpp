@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 #include "core/model/questions/spectral_lines.hpp"
 
 namespace loopscope::core::model {

@@ -5,7 +5,7 @@
 
 #include "core/hos/combine_p.hpp"
 #include "core/model/questions/change_point.hpp"
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

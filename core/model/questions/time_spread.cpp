@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/model/questions/change_point.hpp"
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -83,7 +83,7 @@ TEST(Nominate, EveryKindComesFromItsOwnList) {
     }
   };
   using enum EffectKind;
-  const auto fixed = nominate_static(looked.data, looked.fit);
+  const auto fixed = nominate_static(looked.data);
   only(fixed, {valve_saturation, valve_characteristic, process_nonlinearity});
   for (const EffectKind kind : {valve_saturation, valve_characteristic, process_nonlinearity}) {
     EXPECT_TRUE(std::ranges::any_of(fixed, [&](const EffectPtr& e) { return e->kind() == kind; }));

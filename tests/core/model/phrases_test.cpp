@@ -1,4 +1,4 @@
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 
 #include <gtest/gtest.h>
 

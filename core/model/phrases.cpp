@@ -1,4 +1,4 @@
-#include "core/model/questions/phrases.hpp"
+#include "core/model/phrases.hpp"
 
 #include <array>
 #include <charconv>
@@ -6,12 +6,20 @@
 
 namespace loopscope::core::model {
 
-std::string in_digits(double value) {
-  constexpr int kDigits = 3;
+namespace {
+
+std::string general(double value, int digits) {
   std::array<char, 32> text{};
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
-                                    std::chars_format::general, kDigits);
+                                    std::chars_format::general, digits);
   return {text.data(), result.ptr};
+}
+
+}  // namespace
+
+std::string in_digits(double value) {
+  constexpr int kDigits = 3;
+  return general(value, kDigits);
 }
 
 std::string in_time(double seconds) {
@@ -28,7 +36,8 @@ std::string at_place(std::size_t sample, double sample_interval_s) {
 }
 
 std::string in_percent(double share) {
-  return std::to_string(std::lround(100.0 * share)) + " %";
+  constexpr int kDigits = 4;  // "1234 %" and still no exponent
+  return general(std::round(100.0 * share), kDigits) + " %";
 }
 
 }  // namespace loopscope::core::model

@@ -1,0 +1,118 @@
+#include "core/model/candidates.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <string_view>
+
+#include "core/model/baseline.hpp"
+#include "core/model/effects/load_step.hpp"
+#include "core/model/nominate.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+/// A sudden step is seen by fit and score over so many samples from two before it on.
+constexpr std::size_t kStepBefore = 2;
+constexpr std::size_t kStepSamples = 16;
+
+/// How often one kind may come.
+std::ptrdiff_t most_of(EffectKind kind) {
+  if (kind == EffectKind::load_step) return 3;
+  return kind == EffectKind::external_oscillation ? 2 : 1;
+}
+
+bool has_room(const Structure& structure, EffectKind kind) {
+  const auto same = [&](const EffectPtr& effect) {
+    return effect->kind() == kind ||
+           (is_valve_hysteresis(kind) && is_valve_hysteresis(effect->kind()));
+  };
+  return std::ranges::count_if(structure.effects, same) < most_of(kind);
+}
+
+Structure with(Structure structure, EffectPtr effect) {
+  structure.effects.push_back(std::move(effect));
+  return structure;
+}
+
+std::vector<EffectPtr> nominees(const Round& round) {
+  std::vector<EffectPtr> all = nominate_static(round.data);
+  for (const auto& more :
+       {nominate_gain_changes(round.data), nominate_load_steps(round.data, round.now.fit),
+        nominate_oscillations(round.data, round.now.fit)}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  if (has_room(round.now.fit.structure, EffectKind::valve_stiction)) {
+    all.insert(all.end(), round.valves.begin(), round.valves.end());
+  }
+  return all;
+}
+
+Candidate look_at(const Round& round, const EffectPtr& effect) {
+  Structure structure = with(round.now.fit.structure, effect);
+  if (bends_flow(effect->kind())) {
+    structure.process = glance(round.data, structure).shape;
+    structure.two_taps = false;
+    structure.second_order = false;
+  }
+  const LoopData rows = judged_on(round.original, structure);
+  Candidate candidate{effect, evaluate(rows, structure), 0.0};
+  const Fit before = effect->kind() == EffectKind::load_step
+                         ? evaluate(rows, round.now.fit.structure)
+                         : round.now.fit;
+  candidate.gain = fit_gain(rows, before, candidate.fit);
+  return candidate;
+}
+
+using Candidates = std::map<EffectKind, std::vector<Candidate>>;
+
+/// The valve's two kinds go under one name: which it is shows when its jump has been fitted.
+Candidates looked_at(const Round& round) {
+  Candidates result;
+  for (const EffectPtr& effect : nominees(round)) {
+    const EffectKind kind =
+        is_valve_hysteresis(effect->kind()) ? EffectKind::valve_stiction : effect->kind();
+    if (has_room(round.now.fit.structure, kind)) result[kind].push_back(look_at(round, effect));
+  }
+  for (auto& [kind, list] : result) std::ranges::sort(list, std::greater{}, &Candidate::gain);
+  return result;
+}
+
+/// The law as far as a candidate has one: of the three valve laws and plain play each is tried.
+std::string_view law_of(const Candidate& candidate) {
+  return is_valve_hysteresis(candidate.effect->kind()) ? candidate.effect->law()
+                                                       : std::string_view("none");
+}
+
+/// The best candidate of each law; of load steps all, since the error of one that is still to come
+/// hides what another gains.
+std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
+  if (!list.empty() && list.front().effect->kind() == EffectKind::load_step) return list;
+  std::vector<Candidate> chosen;
+  for (const Candidate& candidate : list) {
+    const auto same = [&](const Candidate& other) { return law_of(other) == law_of(candidate); };
+    if (std::ranges::none_of(chosen, same)) chosen.push_back(candidate);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+LoopData judged_on(const LoopData& original, const Structure& structure) {
+  LoopData data = original;
+  for (const EffectPtr& effect : structure.effects) {
+    if (const auto* step = dynamic_cast<const LoadStep*>(effect.get())) {
+      const std::size_t from = step->at() < kStepBefore ? 0 : step->at() - kStepBefore;
+      data.rows = seen_by_both(data.rows, from, kStepSamples);
+    }
+  }
+  return data;
+}
+
+std::vector<std::vector<Candidate>> find_candidates(const Round& round) {
+  std::vector<std::vector<Candidate>> result;
+  for (const auto& [kind, list] : looked_at(round)) result.push_back(worth_trying(list));
+  return result;
+}
+
+}  // namespace loopscope::core::model

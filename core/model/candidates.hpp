@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/trial.hpp"
+
+namespace loopscope::core::model {
+
+/// One round of a story: what is to be explained, and on which rows.
+struct Round {
+  const LoopData& original;  ///< rows as laid out, before any step was seen by fit and score alike
+  const LoopData& data;      ///< rows on which `now` is judged
+  const TwinFit& now;
+  const std::vector<EffectPtr>& valves;  ///< nominated once: they rest on op and pv alone
+  bool limits_called_for;  ///< a first look at a limit, by the wrong process, may see nothing of it
+};
+
+/// An effect that was looked at, not yet fitted in full.
+struct Candidate {
+  EffectPtr effect;
+  Fit fit;            ///< process and noise as they are, or by glance()
+  double gain = 0.0;  ///< n ln(error before / after) on the fit rows
+};
+
+/// The original rows, with the samples around every load step of the structure seen by fit and
+/// score.
+[[nodiscard]] LoopData judged_on(const LoopData& original, const Structure& structure);
+
+/// What is worth a full fit, by kind (the valve's two kinds under one): the best of each kind, of a
+/// valve the best of each law, and all load steps.
+[[nodiscard]] std::vector<std::vector<Candidate>> find_candidates(const Round& round);
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/candidates.hpp"
+
+namespace loopscope::core::model {
+
+/// One effect fitted in full, and what it is worth on rows that its fit has not seen.
+struct Contestant {
+  TwinFit fit;
+  Comparison comparison;  ///< against `before`; p counts the tries of the search
+  LoopData rows;
+  TwinFit
+      before;  ///< without the effect: the model as it stood, or polished anew if that is better
+  [[nodiscard]] EffectKind kind() const { return fit.fit.structure.effects.back()->kind(); }
+};
+
+/// The best trial of every kind that has anything to show, most evidence first.
+[[nodiscard]] std::vector<Contestant> hold_contest(const Round& round);
+
+}  // namespace loopscope::core::model

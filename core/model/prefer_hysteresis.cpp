@@ -1,0 +1,47 @@
+#include "core/model/prefer_hysteresis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/model/hysteresis_step.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+/// What slips of a valve pass for, one by one.
+bool jumps(const Step& step) {
+  return step.effect == EffectKind::load_step;
+}
+
+bool explains_a_cycle(const Step& step) {
+  return is_valve_hysteresis(step.effect) || step.effect == EffectKind::external_oscillation;
+}
+
+}  // namespace
+
+void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& first,
+                       const std::vector<Answer>& left, std::size_t op_turns,
+                       Explanation& explanation) {
+  constexpr double kStillThere = 0.05;
+  constexpr double kClear = 13.8;  // four to one, in the units of `margin`
+  const bool few_strokes = op_turns <= kFewStrokes;
+  if (!few_strokes && std::ranges::any_of(explanation.steps, explains_a_cycle)) return;
+  std::optional<Step> step = find_hysteresis(input, first, op_turns);
+  if (!step) return;
+  const bool others_stand = !std::ranges::all_of(explanation.steps, jumps) &&
+                            p_of(left, "op_direction") > kStillThere && step->margin < kClear;
+  if (!few_strokes && others_stand) return;
+  explanation.error_kind = ErrorKind::simulation;
+  explanation.excited = true;
+  explanation.baseline.holdout_error = step->holdout_error_before;
+  // What a perfect model would leave of pv in the band of the cycle is not known: what the valve
+  // leaves of the linear error is an upper bound of what is unexplained.
+  explanation.noise_floor = std::nan("");
+  explanation.unexplained.fraction =
+      std::clamp(step->holdout_error_after / step->holdout_error_before, 0.0, 1.0);
+  explanation.steps = {std::move(*step)};
+}
+
+}  // namespace loopscope::core::model

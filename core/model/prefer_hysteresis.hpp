@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/model/explanation.hpp"
+#include "core/model/model_input.hpp"
+#include "core/model/question_residual.hpp"
+
+namespace loopscope::core::model {
+
+/// Puts a valve by its three witnesses (hysteresis_step.hpp) in place of the steps that its slips
+/// pass for, and the errors of the whole explanation into simulation errors. Other effects stand
+/// where an outside oscillation or a valve is among them, or where what they leave no longer
+/// follows op's direction and the shape of the cycle is not clear; not where op made a few strokes
+/// only. `first`: asked of the linear loop's residual; `left`: of the last model's.
+void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& first,
+                       const std::vector<Answer>& left, std::size_t op_turns,
+                       Explanation& explanation);
+
+}  // namespace loopscope::core::model

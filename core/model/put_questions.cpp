@@ -1,0 +1,41 @@
+#include "core/model/put_questions.hpp"
+
+#include <cmath>
+
+#include "core/model/op_direction.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+/// The one-step errors of every sample that counts, pv units; NaN elsewhere.
+std::vector<double> residual_of(const LoopData& data, const Fit& fit) {
+  std::vector<double> residual(data.size(), std::nan(""));
+  for (const auto* rows : {&data.rows.fit, &data.rows.score}) {
+    for (const Range& range : *rows) {
+      for (std::size_t k = range.first; k < range.end; ++k)
+        residual[k] = fit.innovations[k] * data.pv_scale;
+    }
+  }
+  return residual;
+}
+
+}  // namespace
+
+std::vector<double> response_of(const LoopData& data, const Fit& fit) {
+  std::vector<double> response = deterministic_output(data, fit);
+  for (double& value : response) value *= data.pv_scale;
+  return response;
+}
+
+std::vector<Answer> question(const ModelInput& input, const LoopData& data, const Fit& fit,
+                             Depth depth) {
+  const std::vector<double> residual = residual_of(data, fit);
+  const std::vector<double> direction = op_direction(input.op);
+  const std::vector<double> response = response_of(data, fit);
+  const ResidualView view{residual, input.op, direction,
+                          response, input.pv, input.sample_interval_s};
+  return depth == Depth::quick ? question_residual_quickly(view)
+                               : question_residual(view, input.seed);
+}
+
+}  // namespace loopscope::core::model

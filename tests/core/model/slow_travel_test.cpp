@@ -1,0 +1,70 @@
+#include "core/model/slow_travel.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "core/simulate/random.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr std::size_t kSamples = 800;
+
+/// Three strokes of 2 % in noise of 0.1: pv follows op, or the valve that sticks over `band` of it.
+struct Strokes {
+  std::vector<double> op, pv;
+};
+
+Strokes strokes(double band, std::uint64_t seed) {
+  simulate::GaussianSource noise(seed);
+  Strokes result;
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    const double turn = 3.0 * std::numbers::pi * static_cast<double>(k) / kSamples;
+    result.op.push_back(25.0 + std::asin(std::sin(turn)) * 2.0 / std::numbers::pi);
+  }
+  result.pv.resize(kSamples);
+  run_valve({ValveLaw::kano, band, 0.3 * band, 1.0}, result.op, result.pv);
+  for (double& value : result.pv) value = 4.0 * value + 0.1 * noise.next();
+  return result;
+}
+
+int found(double band) {
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Strokes records = strokes(band, seed);
+    const auto travel = judge_slow_travel(records.pv, records.op);
+    count += travel && travel->sticks() ? 1 : 0;
+  }
+  std::printf("| band %.1f %% | sticks in %d of 20 |\n", band, count);
+  return count;
+}
+
+TEST(SlowTravel, AValveThatRestsOverMostOfTheTravelIsFound) {
+  EXPECT_GE(found(1.4), 19);
+}
+
+TEST(SlowTravel, OneThatFollowsIsNot) {
+  EXPECT_LE(found(0.0), 1);
+}
+
+TEST(SlowTravel, TheBandIsTheValves) {
+  const Strokes records = strokes(1.4, 3);
+  const auto travel = judge_slow_travel(records.pv, records.op);
+  ASSERT_TRUE(travel);
+  EXPECT_NEAR(travel->valve.stickband_percent, 1.4, 0.2);
+  EXPECT_LT(travel->error_after(), travel->error_before());
+}
+
+TEST(SlowTravel, NothingToJudge) {
+  const std::vector<double> still(kSamples, 1.0);
+  const Strokes records = strokes(1.0, 1);
+  EXPECT_FALSE(judge_slow_travel(still, records.op));
+  EXPECT_FALSE(judge_slow_travel(records.pv, still));
+  EXPECT_FALSE(
+      judge_slow_travel(std::span(records.pv).first(200), std::span(records.op).first(200)));
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
