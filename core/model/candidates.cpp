@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <string_view>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "core/model/baseline.hpp"
 #include "core/model/effects/load_step.hpp"
+#include "core/model/effects/valve.hpp"
+#include "core/model/hysteresis_net.hpp"
 #include "core/model/nominate.hpp"
 
 namespace loopscope::core::model {
@@ -64,6 +68,21 @@ Candidate look_at(const Round& round, const EffectPtr& effect) {
   return candidate;
 }
 
+/// Valves by their law alone: sticking ones where play, which is cheap to look for, gains
+/// something.
+void add_hysteresis(const Round& round, std::vector<Candidate>& list) {
+  constexpr double kWorthSearching = 4.0;
+  const auto add = [&](Fit fit) {
+    const double gain = fit_gain(round.data, round.now.fit, fit);
+    EffectPtr effect = fit.structure.effects.back();
+    list.push_back({std::move(effect), std::move(fit), gain});
+    return gain;
+  };
+  const std::optional<Fit> play = find_play(round.data, round.now.fit);
+  if (!play || (add(*play) < kWorthSearching && !round.hysteresis_called_for)) return;
+  for (Fit& fit : find_sticking(round.data, *play)) add(std::move(fit));
+}
+
 using Candidates = std::map<EffectKind, std::vector<Candidate>>;
 
 /// The valve's two kinds go under one name: which it is shows when its jump has been fitted.
@@ -74,14 +93,20 @@ Candidates looked_at(const Round& round) {
         is_valve_hysteresis(effect->kind()) ? EffectKind::valve_stiction : effect->kind();
     if (has_room(round.now.fit.structure, kind)) result[kind].push_back(look_at(round, effect));
   }
+  if (has_room(round.now.fit.structure, EffectKind::valve_stiction))
+    add_hysteresis(round, result[EffectKind::valve_stiction]);
   for (auto& [kind, list] : result) std::ranges::sort(list, std::greater{}, &Candidate::gain);
   return result;
 }
 
-/// The law as far as a candidate has one: of the three valve laws and plain play each is tried.
-std::string_view law_of(const Candidate& candidate) {
-  return is_valve_hysteresis(candidate.effect->kind()) ? candidate.effect->law()
-                                                       : std::string_view("none");
+/// The law as far as a candidate has one, and whether pv puts it right: of the three valve laws and
+/// plain play each is tried.
+std::tuple<EffectKind, ValveLaw, bool> law_of(const Candidate& candidate) {
+  const EffectKind kind = candidate.effect->kind();
+  const auto* valve = dynamic_cast<const ValveEffect*>(candidate.effect.get());
+  if (valve == nullptr) return {kind, ValveLaw::kano, true};
+  const bool play = kind == EffectKind::valve_deadband;
+  return {kind, play ? ValveLaw::kano : valve->valve().law, valve->by_law_alone()};
 }
 
 /// The best candidate of each law; of load steps all, since the error of one that is still to come

@@ -12,6 +12,7 @@ struct Round {
   const LoopData& data;      ///< rows on which `now` is judged
   const TwinFit& now;
   const std::vector<EffectPtr>& valves;  ///< nominated once: they rest on op and pv alone
+  bool hysteresis_called_for;
   bool limits_called_for;  ///< a first look at a limit, by the wrong process, may see nothing of it
 };
 

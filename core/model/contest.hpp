@@ -13,10 +13,13 @@ struct Contestant {
   LoopData rows;
   TwinFit
       before;  ///< without the effect: the model as it stood, or polished anew if that is better
-  [[nodiscard]] EffectKind kind() const { return fit.fit.structure.effects.back()->kind(); }
+  double price = 0.0;  ///< of the search, in units of evidence: twice the logarithm of its tries
+  [[nodiscard]] double worth() const { return comparison.evidence - price; }
+  [[nodiscard]] const Effect& effect() const { return *fit.fit.structure.effects.back(); }
+  [[nodiscard]] EffectKind kind() const { return effect().kind(); }
 };
 
-/// The best trial of every kind that has anything to show, most evidence first.
+/// The best trial of every kind that has anything to show, the worthiest first.
 [[nodiscard]] std::vector<Contestant> hold_contest(const Round& round);
 
 }  // namespace loopscope::core::model

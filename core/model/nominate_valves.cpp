@@ -8,10 +8,6 @@
 namespace loopscope::core::model {
 namespace {
 
-/// The valve's place at the start of the record is unknown; what puts it right there is no more
-/// than an initial value.
-constexpr std::size_t kStart = 256;
-
 template <typename Keep>
 std::vector<ValveRestart> kept(const std::vector<ValveRestart>& restarts, const Keep& keep) {
   std::vector<ValveRestart> result;
@@ -22,7 +18,9 @@ std::vector<ValveRestart> kept(const std::vector<ValveRestart>& restarts, const 
 /// By its law from a start that was put right, and put right wherever a fit may look.
 void add(const ValveCandidate& candidate, const std::vector<std::uint8_t>& seen,
          std::vector<EffectPtr>& effects) {
-  const auto at_start = [](const ValveRestart& restart) { return restart.at_sample < kStart; };
+  const auto at_start = [](const ValveRestart& restart) {
+    return restart.at_sample < ValveEffect::kStart;
+  };
   const auto in_sight = [&](const ValveRestart& restart) {
     return at_start(restart) || (restart.at_sample < seen.size() && seen[restart.at_sample] != 0);
   };

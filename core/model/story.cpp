@@ -62,11 +62,13 @@ Story begin_story(const LoopData& data) {
 
 void continue_story(Story& story, const std::vector<Answer>& answers) {
   const LoopData original = story.data;
+  const bool hysteresis = calls_for(answers, "op_direction");
+  const bool limits = calls_for(answers, "op_level");
   const std::vector<EffectPtr> valves =
-      calls_for(answers, "op_direction") ? nominate_valves(original) : std::vector<EffectPtr>{};
+      hysteresis ? nominate_valves(original) : std::vector<EffectPtr>{};
   while (story.chapters.size() < kMostEffects) {
     const std::vector<Contestant> trials =
-        hold_contest({original, story.data, story.last(), valves, calls_for(answers, "op_level")});
+        hold_contest({original, story.data, story.last(), valves, hysteresis, limits});
     if (trials.empty() || trials.front().comparison.p > kEnterP) break;
     Chapter chapter = chapter_of(trials);
     story.data = judged_on(original, chapter.fit.fit.structure);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
@@ -147,18 +148,47 @@ Fit prefer_play(const LoopData& data, Fit fit) {
 
 }  // namespace
 
-Fit cross_laws(const LoopData& data, Fit fit) {
-  const Structure start = fit.structure;
+namespace {
+
+/// Slips of about the valve's jump, on every rung: a law that jumps to where op is gets them wrong.
+Fit sweep_gradual(const LoopData& data, const Structure& start, const ValveEffect& valve,
+                  Fit best) {
+  constexpr double kReach = 0.12, kStep = 0.02;
+  const double jump = valve.valve().slip_jump_percent / valve.valve().stickband_percent;
+  Structure structure = start;
+  for (double move = -kReach; move <= kReach; move += kStep) {
+    const double band = valve.valve().stickband_percent * (1.0 + move);
+    for (const double share : {jump, 0.5, 1.0}) {
+      for (EffectPtr& rung : ValveEffect::on_every_rung(band, share * band, data.op.front())) {
+        structure.effects.back() = std::move(rung);
+        Fit tried = evaluate(data, structure);
+        if (tried.fit_error < best.fit_error) best = std::move(tried);
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Fit> cross_laws(const LoopData& data, const Fit& fit) {
+  const Structure& start = fit.structure;
   const auto* valve = dynamic_cast<const ValveEffect*>(start.effects.back().get());
-  if (valve == nullptr) return fit;
+  if (valve == nullptr) return std::nullopt;
+  // What puts a valve right flatters its fit: against such a one any law by itself is worth a look.
   Fit best = fit;
+  if (!valve->by_law_alone()) best.fit_error = std::numeric_limits<double>::infinity();
+  const double to_beat = best.fit_error;
   for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
-    if (law == valve->valve().law) continue;
+    if (law == valve->valve().law && valve->by_law_alone()) continue;
     for (const double direction : {-1.0, 1.0}) {
       best = sweep(data, start, *valve->with_law(law)->by_law_alone(direction), std::move(best));
     }
   }
-  return best.fit_error < fit.fit_error ? fit_anew(data, std::move(best)) : fit;
+  if (valve->valve().law != ValveLaw::he_gradual)
+    best = sweep_gradual(data, start, *valve, std::move(best));
+  if (best.fit_error >= to_beat) return std::nullopt;
+  return fit_anew(data, std::move(best));
 }
 
 Fit fit_anew(const LoopData& data, Fit fit) {

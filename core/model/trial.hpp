@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "core/model/fit.hpp"
 
@@ -35,9 +35,10 @@ struct Comparison {
 /// from `coarsest` (see Effect::neighbours) down.
 [[nodiscard]] Fit refine_last(const LoopData& data, Fit fit, double coarsest = 1.0);
 
-/// A valve by each of the other laws, from the process that its own has found: the wrong law at the
-/// right band shows the process well enough for the right law to show.
-[[nodiscard]] Fit cross_laws(const LoopData& data, Fit fit);
+/// A valve by each of the other laws, left to itself, from the process that its own has found: the
+/// wrong law at the right band shows the process well enough for the right law to show. nullopt
+/// where none is better, on the fit rows, than a valve that follows its own law alone.
+[[nodiscard]] std::optional<Fit> cross_laws(const LoopData& data, const Fit& fit);
 
 /// The structure with its effects, everything fitted anew: effect, delay, poles, noise.
 [[nodiscard]] Fit fit_anew(const LoopData& data, Fit fit);

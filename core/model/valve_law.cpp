@@ -44,6 +44,7 @@ std::string_view name(ValveLaw law) {
     case ValveLaw::kano:
       return "kano";
     case ValveLaw::he:
+    case ValveLaw::he_gradual:
       return "he";
   }
   return "";

@@ -7,12 +7,15 @@
 namespace loopscope::core::model {
 
 /// How a valve that sticks and jumps follows its controller output. Band S and jump J in % of op,
-/// 0 <= J <= S; with fd = (S - J) / 2 every law moves as mv = op - d fd, d the direction of motion,
-/// and with J = 0 `kano` and `he` are the play of a linkage of full width S.
+/// 0 <= J <= S; with fd = (S - J) / 2 every law of op at the samples moves as mv = op - d fd, d the
+/// direction of motion, and with J = 0 `kano` and `he` are the play of a linkage of full width S.
 enum class ValveLaw {
   choudhury,  ///< printed flow chart: rests until |op - op at its last turn| > S
   kano,  ///< Kano et al. 2004: rests when op turns or stands still; until op is J ahead or S back
   he,    ///< He et al. 2007: rests at every sample; until |op - mv| > (S + J) / 2
+  /// He's friction behind an actuator that passes between the samples: the stem breaks loose the
+  /// moment that the pressure has reached (S + J) / 2, and so it moves in slips of J.
+  he_gradual,
 };
 [[nodiscard]] std::string_view name(ValveLaw law);
 

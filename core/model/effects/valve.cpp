@@ -28,6 +28,17 @@ std::shared_ptr<const ValveEffect> ValveEffect::with_law(ValveLaw law) const {
   return std::make_shared<ValveEffect>(valve, restarts_);
 }
 
+std::vector<EffectPtr> ValveEffect::on_every_rung(double band, double jump, double op) {
+  constexpr int kPlaces = 6;
+  std::vector<EffectPtr> result;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double place = op + jump * (static_cast<double>(i) / kPlaces - 0.5);
+    const Valve valve{ValveLaw::he_gradual, band, jump, 1.0};
+    result.push_back(std::make_shared<ValveEffect>(valve, std::vector<ValveRestart>{{0, place}}));
+  }
+  return result;
+}
+
 EffectPtr ValveEffect::with_band(double times, double jump_share) const {
   Valve valve = valve_;
   valve.stickband_percent *= times;

@@ -18,6 +18,15 @@ class ValveEffect final : public Effect {
       : valve_(valve), restarts_(std::move(restarts)) {}
 
   [[nodiscard]] const Valve& valve() const { return valve_; }
+  /// What puts the valve right before this sample is no more than an initial value.
+  static constexpr std::size_t kStart = 256;
+  /// Whether it follows its law from the start of the record on, wherever it began.
+  [[nodiscard]] bool by_law_alone() const {
+    return restarts_.empty() || restarts_.back().at_sample < kStart;
+  }
+  /// He's valve that moves in slips of J stays for ever on the rungs that it began on: one valve
+  /// for each of six places to begin, J / 6 apart; `op` at the first sample, from the mean of op.
+  [[nodiscard]] static std::vector<EffectPtr> on_every_rung(double band, double jump, double op);
   /// The same valve with a slip jump of that share of its band.
   [[nodiscard]] EffectPtr with_jump(double share) const { return with_band(1.0, share); }
   /// The same valve left to its law from the start on, which it comes to in that direction (+1,

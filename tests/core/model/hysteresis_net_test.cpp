@@ -1,0 +1,69 @@
+#include "core/model/hysteresis_net.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "core/model/baseline.hpp"
+#include "core/model/effects/valve.hpp"
+#include "core/model/trial.hpp"
+#include "core/simulate/scenario.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+struct Loop {
+  LoopData data;
+  Fit linear;
+};
+
+Loop loop_of(const char* scenario, std::uint64_t seed) {
+  const auto record = simulate::simulate_scenario(scenario, {}, seed);
+  Loop loop{make_loop_data(record.pv, record.op, record.sample_interval_s), {}};
+  loop.linear = search_process(loop.data, {});
+  return loop;
+}
+
+const Valve& valve_of(const Fit& fit) {
+  return dynamic_cast<const ValveEffect&>(*fit.structure.effects.back()).valve();
+}
+
+TEST(HysteresisNet, FindsThePlayOfAWornLinkage) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Loop loop = loop_of("deadband", seed);
+    const auto play = find_play(loop.data, loop.linear);
+    ASSERT_TRUE(play);
+    EXPECT_GT(fit_gain(loop.data, loop.linear, *play), 30.0) << seed;
+    EXPECT_EQ(valve_of(*play).slip_jump_percent, 0.0);
+  }
+}
+
+/// What a healthy loop gains by the best of all bands is what one parameter gains by chance.
+TEST(HysteresisNet, AHealthyLoopGainsNothing) {
+  int gained = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Loop loop = loop_of("healthy_flow", seed);
+    const auto play = find_play(loop.data, loop.linear);
+    gained += play && fit_gain(loop.data, loop.linear, *play) > 10.0 ? 1 : 0;
+  }
+  EXPECT_LE(gained, 2);
+}
+
+TEST(HysteresisNet, ASlippingValveGainsMoreThanPlay) {
+  const Loop loop = loop_of("sticking_valve", 2);
+  const auto play = find_play(loop.data, loop.linear);
+  ASSERT_TRUE(play);
+  const std::vector<Fit> found = find_sticking(loop.data, *play);
+  ASSERT_FALSE(found.empty());
+  const auto best = std::ranges::min_element(found, {}, &Fit::fit_error);
+  EXPECT_LT(best->fit_error, play->fit_error);
+  EXPECT_GT(valve_of(*best).slip_jump_percent, 0.0);
+}
+
+TEST(HysteresisNet, AnOutputThatStandsHasNoPlay) {
+  Loop loop = loop_of("healthy_flow", 1);
+  std::ranges::fill(loop.data.op, 0.0);
+  EXPECT_FALSE(find_play(loop.data, loop.linear));
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
