@@ -13,6 +13,11 @@ namespace loopscope::tests::effects {
 enum class Tuning { normal, robust, firm, tight, sluggish };
 enum class Moves { none, sometimes, small, large };
 
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+};
+
 /// What a kind asks of its loop before effects are put in.
 struct LoopOptions {
   Tuning tuning = Tuning::normal;
@@ -23,6 +28,8 @@ struct LoopOptions {
   double op_range = 0.0;        ///< % that large moves travel
   double most_tau = 60.0;       ///< samples
   double noise_factor = 1.0;
+  Range noise = {0.5, 2.0};   ///< % of span, standard deviation of pv
+  Range reach = {3.0, 12.0};  ///< % of span that small moves travel to either side
 };
 
 /// A loop in the making. Truth speaks in % and samples until the record is made.
@@ -32,6 +39,8 @@ struct Draft {
   LoopOptions options;
   double noise_std = 0.0;  ///< of pv in `base` with the set point at rest, % of span
   std::vector<TrueEffect> effects;
+  /// The loop with one effect alone, of those that have to be explainable.
+  std::vector<Scenario> alone;
   /// What has to hold of the record with its effects and of the one without.
   std::vector<std::function<bool(const Series& with, const Series& without)>> conditions;
   /// Parameters that follow from the record, e.g. the curvature over the travelled range.
@@ -56,6 +65,7 @@ struct Finished {
   Series series;
   int attempts = 0;
 };
-[[nodiscard]] Finished finish(std::string_view kind, std::uint64_t seed);
+[[nodiscard]] Finished finish(std::string_view kind, std::uint64_t seed,
+                              Size size = Size::realistic);
 
 }  // namespace loopscope::tests::effects

@@ -94,7 +94,8 @@ void draw_noise(Draft& draft, Random& random) {
   const double load_std = standard_deviation(simulate(base).pv);
   base.load.scale /= load_std;
   base.noise_sd = std::sqrt(random.log_uniform(0.02, 1.0));
-  draft.noise_std = random.log_uniform(0.5, 2.0) * draft.options.noise_factor;
+  draft.noise_std = random.log_uniform(draft.options.noise.low, draft.options.noise.high) *
+                    draft.options.noise_factor;
   const double factor = draft.noise_std / standard_deviation(simulate(base).pv);
   base.load.scale *= factor;
   base.noise_sd *= factor;

@@ -31,9 +31,9 @@ core::signal::LoopWindow window_of(const Record& record) {
   return window;
 }
 
-Outcome run_draw(const std::string& kind, std::uint64_t seed) {
+Outcome run_draw(const std::string& kind, std::uint64_t seed, Size size) {
   using Clock = std::chrono::steady_clock;
-  const Record record = generate(kind, seed);
+  const Record record = generate(kind, seed, size);
   const core::signal::LoopWindow window = window_of(record);
   const core::LoopFacts facts{.integrating = record.truth.loop.integrating, .seed = seed};
   const auto start = Clock::now();
@@ -65,7 +65,7 @@ class Workers {
     for (std::size_t job = next_++; job < jobs; job = next_++) try {
         const std::size_t kind = job / plan_.draws;
         const std::size_t draw = job % plan_.draws;
-        outcomes_[kind][draw] = run_draw(plan_.kinds[kind], plan_.seed + draw);
+        outcomes_[kind][draw] = run_draw(plan_.kinds[kind], plan_.seed + draw, plan_.size);
       } catch (...) {
         const std::lock_guard lock(mutex_);
         failure_ = std::current_exception();

@@ -14,6 +14,7 @@ struct Plan {
   std::uint64_t seed = 1;
   std::size_t draws = 20;
   unsigned threads = 1;
+  Size size = Size::realistic;
 };
 
 /// Per kind of the plan, one outcome per draw; the same for any number of threads except for the

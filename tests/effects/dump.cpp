@@ -27,7 +27,8 @@ void write_truth(std::ostream& out, const Truth& truth) {
       << ", time constants " << loop.time_constant_s << " s, " << loop.second_time_constant_s
       << " s, delay " << loop.delay_s << " s; PI gain " << loop.controller_gain
       << ", integral time " << loop.integral_time_s << " s, Ms " << loop.peak_sensitivity << "\n"
-      << "floor " << truth.floor << ", noise std of pv " << truth.noise_std << "\n";
+      << "floor " << truth.floor << ", noise std of pv " << truth.noise_std << ", explainable "
+      << truth.explainable << "\n";
 }
 
 }  // namespace loopscope::tests::effects

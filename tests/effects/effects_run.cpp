@@ -19,7 +19,8 @@ int list_kinds() {
 }
 
 int dump(const effects::Options& options) {
-  const effects::Record record = effects::generate(options.dump_kind, options.dump_seed);
+  const effects::Record record =
+      effects::generate(options.dump_kind, options.dump_seed, options.plan.size);
   effects::write_truth(std::cerr, record.truth);
   if (options.dump_file == "-") {
     effects::write_csv(std::cout, record, options.with_mv);

@@ -1,6 +1,7 @@
 #include "tests/effects/generator.hpp"
 
 #include "tests/effects/draft.hpp"
+#include "tests/effects/explainable.hpp"
 #include "tests/effects/kinds.hpp"
 
 namespace loopscope::tests::effects {
@@ -57,14 +58,6 @@ TrueLoop loop_of(const Scenario& base, const Units& units) {
   return loop;
 }
 
-/// A held value is foreseen without error except when it is renewed; rounding is white noise of a
-/// twelfth of the squared step.
-double floor_of(const Scenario& scenario) {
-  const double white =
-      scenario.noise_sd * scenario.noise_sd + scenario.quantum * scenario.quantum / 12.0;
-  return predictor(scenario.load, white, scenario.hold).variance / scenario.hold;
-}
-
 }  // namespace
 
 const std::vector<KindInfo>& all_kinds() {
@@ -76,8 +69,8 @@ const std::vector<KindInfo>& all_kinds() {
   return kKinds;
 }
 
-Record generate(std::string_view kind, std::uint64_t seed) {
-  const Finished finished = finish(kind, seed);
+Record generate(std::string_view kind, std::uint64_t seed, Size size) {
+  const Finished finished = finish(kind, seed, size);
   const Scenario& scenario = finished.draft.scenario;
   const Units units = draw_units(kind, seed);
   Record record;
@@ -86,9 +79,12 @@ Record generate(std::string_view kind, std::uint64_t seed) {
   record.pv = in_units(finished.series.pv, scenario.pv0, units);
   record.op = finished.series.op;
   record.mv = finished.series.mv;
-  record.truth = {recipe_of(kind).info, effects_of(finished.draft, units),
-                  loop_of(finished.draft.base, units), floor_of(scenario) * units.unit * units.unit,
-                  finished.draft.noise_std * units.unit};
+  record.truth = {recipe_of(kind).info,
+                  effects_of(finished.draft, units),
+                  loop_of(finished.draft.base, units),
+                  floor_of(scenario) * units.unit * units.unit,
+                  finished.draft.noise_std * units.unit,
+                  explainable({finished.draft.base, scenario, finished.series})};
   return record;
 }
 

@@ -36,6 +36,12 @@ struct KindInfo {
   bool hardware_is_wrong = false;     ///< an effect of valve, process or sensor is wrong
 };
 
+/// How large the effects are beside load and noise.
+enum class Size {
+  realistic,  ///< an effect that is spread over the record shows in the one-step error
+  faint,      ///< as drawn: many effects are lost in the noise
+};
+
 /// Process and controller in the record's units.
 struct TrueLoop {
   bool integrating = false;
@@ -56,6 +62,8 @@ struct Truth {
   /// included), everything else known; pv units squared.
   double floor = 0.0;
   double noise_std = 0.0;  ///< of pv in the loop without effects, set point at rest, pv units
+  /// What the effects add to the one-step error of the best linear model, by the floor.
+  double explainable = 0.0;
 };
 
 /// A recording of 4096 samples; op and mv in %.
@@ -71,8 +79,9 @@ struct Record {
 /// In the order of the report.
 [[nodiscard]] const std::vector<KindInfo>& all_kinds();
 
-/// The same record for the same kind and seed on every machine of one floating-point behaviour.
-/// Throws std::invalid_argument for an unknown kind.
-[[nodiscard]] Record generate(std::string_view kind, std::uint64_t seed);
+/// The same record for the same kind, seed and size on every machine of one floating-point
+/// behaviour. Throws std::invalid_argument for an unknown kind.
+[[nodiscard]] Record generate(std::string_view kind, std::uint64_t seed,
+                              Size size = Size::realistic);
 
 }  // namespace loopscope::tests::effects

@@ -5,20 +5,15 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <numeric>
 #include <set>
 #include <sstream>
 
 #include "tests/effects/draft.hpp"
+#include "tests/effects/explainable.hpp"
 #include "tests/support/source_dir.hpp"
 
 namespace loopscope::tests::effects {
 namespace {
-
-double mean_square(const std::vector<double>& values) {
-  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0) /
-         static_cast<double>(values.size());
-}
 
 TEST(Generator, GivesTheSameRecordForTheSameSeedOnly) {
   EXPECT_EQ(generate("valve_stiction", 3).pv, generate("valve_stiction", 3).pv);
@@ -59,17 +54,8 @@ TEST(Generator, TruthNamesTheEffectsOfTheKind) {
 /// Innovations of the noise that really was drawn, of the renewed values alone, by the variance
 /// that the Riccati equation gives. The first tenth is left to the filter.
 double innovation_ratio(const Finished& finished) {
-  const Scenario& s = finished.draft.scenario;
-  const double white = s.noise_sd * s.noise_sd + s.quantum * s.quantum / 12.0;
-  const Predictor filter = predictor(s.load, white, s.hold);
-  std::vector<double> renewed;
-  for (std::size_t k = 0; k < kSamples; ++k)
-    if ((k + kRunIn) % static_cast<std::size_t>(s.hold) == 0)
-      renewed.push_back(finished.series.stochastic[k]);
-  std::vector<double> innovations = filter.innovations(renewed);
-  innovations.erase(innovations.begin(),
-                    innovations.begin() + static_cast<std::ptrdiff_t>(innovations.size() / 10));
-  return mean_square(innovations) / filter.variance;
+  const Scenario& scenario = finished.draft.scenario;
+  return realised_floor(scenario, finished.series) / floor_of(scenario);
 }
 
 class FloorOf : public testing::TestWithParam<const char*> {};

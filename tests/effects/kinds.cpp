@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/effects/realistic.hpp"
+
 namespace loopscope::tests::effects {
 namespace {
 
@@ -124,13 +126,14 @@ std::vector<Recipe> make_recipes() {
 
 }  // namespace
 
-const std::vector<Recipe>& all_recipes() {
-  static const std::vector<Recipe> kRecipes = make_recipes();
-  return kRecipes;
+const std::vector<Recipe>& all_recipes(Size size) {
+  static const std::vector<Recipe> kFaint = make_recipes();
+  static const std::vector<Recipe> kRealistic = realistic(kFaint);
+  return size == Size::faint ? kFaint : kRealistic;
 }
 
-const Recipe& recipe_of(std::string_view kind) {
-  const std::vector<Recipe>& all = all_recipes();
+const Recipe& recipe_of(std::string_view kind, Size size) {
+  const std::vector<Recipe>& all = all_recipes(size);
   const auto found = std::find_if(
       all.begin(), all.end(), [kind](const Recipe& recipe) { return recipe.info.name == kind; });
   if (found == all.end()) throw std::invalid_argument("no kind of record: " + std::string(kind));

@@ -13,12 +13,13 @@ struct Recipe {
   KindInfo info;
   std::vector<LoopOptions> options;
   std::vector<Dress> dresses;
-  double most_at_limit = 0.005;  ///< share of samples with op at 0 or 100 %
+  double most_at_limit = 0.005;    ///< share of samples with op at 0 or 100 %
+  std::vector<Dress> spread = {};  ///< those of `dresses` that have to be explainable alone
 };
 
-[[nodiscard]] const std::vector<Recipe>& all_recipes();
+[[nodiscard]] const std::vector<Recipe>& all_recipes(Size size = Size::realistic);
 
 /// Throws std::invalid_argument for an unknown kind.
-[[nodiscard]] const Recipe& recipe_of(std::string_view kind);
+[[nodiscard]] const Recipe& recipe_of(std::string_view kind, Size size = Size::realistic);
 
 }  // namespace loopscope::tests::effects

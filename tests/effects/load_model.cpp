@@ -35,7 +35,7 @@ Eigen::Matrix3d power(const Eigen::Matrix3d& matrix, int exponent) {
 
 void LoadModel::step(Eigen::Vector3d& state, Random& random) const {
   state = (transition * state).eval();
-  state(0) += scale * std::sqrt(kStep) * random.normal();
+  if (scale != 0.0) state(0) += scale * std::sqrt(kStep) * random.normal();
 }
 
 LoadModel output_load_model(double memory) {

@@ -21,8 +21,9 @@ double settling(const Scenario& scenario) {
   return std::min(600.0, 2.0 * slowest + 5.0 * process.delay);
 }
 
-double small_reach(const Scenario& scenario, Random& random) {
-  double reach = random.uniform(3.0, 12.0);
+double small_reach(const Draft& draft, Random& random) {
+  const Scenario& scenario = draft.base;
+  double reach = random.uniform(draft.options.reach.low, draft.options.reach.high);
   if (!scenario.process.integrating)
     reach = std::min(reach, kMostOutput * std::abs(scenario.process.gain));
   return std::min(reach, kMostKick / std::abs(scenario.controller.kc));
@@ -34,7 +35,7 @@ class Levels {
   Levels(const Draft& draft, Random& random)
       : draft_(draft), random_(random), staircase_(random.chance(0.25)) {
     if (draft.options.moves != Moves::large || draft.base.process.integrating)
-      reach_ = small_reach(draft.base, random);
+      reach_ = small_reach(draft, random);
   }
 
   double next() {

@@ -28,6 +28,8 @@ class Reader {
       options_.list = true;
     else if (word == "--json")
       options_.json = true;
+    else if (word == "--faint")
+      options_.plan.size = Size::faint;
     else if (word == "--with-mv")
       options_.with_mv = true;
     else if (word == "--seed")
@@ -91,12 +93,13 @@ Options read_options(const std::vector<std::string>& words) {
 }
 
 std::string usage() {
-  return "effects_run [--seed N] [--draws M] [--kinds A,B] [--threads T] [--json]\n"
-         "effects_run --dump KIND SEED FILE.csv [--with-mv]    one record, truth on standard "
-         "error\n"
+  return "effects_run [--seed N] [--draws M] [--kinds A,B] [--threads T] [--faint] [--json]\n"
+         "effects_run --dump KIND SEED FILE.csv [--with-mv] [--faint]    one record, truth on "
+         "standard error\n"
          "effects_run --list                                   the kinds of records\n"
          "Draws loops with undeclared effects, diagnoses each and compares with the truth.\n"
-         "Defaults: seed 1, 20 draws of every kind, one thread per processor.\n";
+         "Defaults: seed 1, 20 draws of every kind, one thread per processor.\n"
+         "--faint draws effects however small instead of such that show in the one-step error.\n";
 }
 
 }  // namespace loopscope::tests::effects

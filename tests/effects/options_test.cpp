@@ -20,6 +20,11 @@ TEST(EffectsOptions, ReadsSeedDrawsAndKinds) {
   EXPECT_TRUE(options.json);
 }
 
+TEST(EffectsOptions, EffectsAreOfRealisticSizeUnlessFaintOnesAreAskedFor) {
+  EXPECT_EQ(read_options({}).plan.size, Size::realistic);
+  EXPECT_EQ(read_options({"--faint"}).plan.size, Size::faint);
+}
+
 TEST(EffectsOptions, RefusesWhatItDoesNotKnow) {
   const std::vector<std::vector<std::string>> wrong = {
       {"--sed", "7"},     {"--seed"},          {"--seed", "x"},  {"--draws", "0"},

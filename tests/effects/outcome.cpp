@@ -110,6 +110,7 @@ Outcome judge(const Record& record, const std::string& verdict, double confidenc
   outcome.confidence = confidence;
   outcome.verdict_right = contains(record.truth.kind.verdicts, verdict);
   outcome.accuses_hardware = is_hardware(verdict);
+  outcome.explainable = record.truth.explainable;
   outcome.misleads = !outcome.verdict_right && names_a_cause(verdict);
   if (model != nullptr) judge_model(outcome, record, *model);
   return outcome;

@@ -18,6 +18,7 @@ struct Outcome {
   bool accuses_hardware = false;  ///< verdict or a step names valve, process or sensor
   bool misleads = false;          ///< the verdict names a cause, and a wrong one
   double milliseconds = 0.0;      ///< of the diagnosis
+  double explainable = 0.0;       ///< of the record, see Truth
 
   /// The rest only where the diagnosis carries a model.
   bool modelled = false;

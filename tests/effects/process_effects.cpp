@@ -134,8 +134,11 @@ void add_overflow_weir(Draft& draft, Random& random) {
   Process& process = draft.scenario.process;
   process.gain = draft.base.process.gain = std::abs(process.gain);
   draft.base.controller.kc = draft.scenario.controller.kc = std::abs(draft.base.controller.kc);
-  const double crest = draft.noise_std * random.uniform(0.0, 0.8);
-  const double strength = random.uniform(5.0, 20.0) / std::pow(draft.noise_std, 1.5);
+  // A weir works over a part of the levels that are run, or of those that the load gives.
+  const double highest = *std::max_element(draft.base.sp.begin(), draft.base.sp.end());
+  const double rise = std::max(draft.noise_std, highest / 2.0);
+  const double crest = rise * random.uniform(0.0, 0.8);
+  const double strength = random.uniform(5.0, 20.0) / std::pow(rise, 1.5);
   process.loss = [=](double level) {
     return level > crest ? strength * std::pow(level - crest, 1.5) : 0.0;
   };

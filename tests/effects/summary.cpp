@@ -75,6 +75,8 @@ KindSummary summarise_kind(const std::string& kind, const std::vector<Outcome>& 
       mean_of(outcomes, [](const Outcome& o) { return o.verdict_right; }).value_or(0.0);
   summary.all_found = mean_of(with_model, [](const Outcome& o) { return o.all_found; });
   add_parameter_errors(summary, outcomes);
+  summary.explainable =
+      median_of(outcomes, [](const Outcome& o) { return Optional(o.explainable); });
   summary.error_before = median_of(outcomes, [](const Outcome& o) { return o.error_before; });
   summary.error_after = median_of(outcomes, [](const Outcome& o) { return o.error_after; });
   summary.model_floor = median_of(outcomes, [](const Outcome& o) { return o.model_floor; });

@@ -19,6 +19,7 @@ struct KindSummary {
   std::optional<double> all_found;
   std::optional<double> parameter_error;           ///< median over all of the below
   std::map<std::string, double> parameter_errors;  ///< medians, "effect.parameter"
+  std::optional<double> explainable;               ///< median of the records' own
   std::optional<double> error_before;              ///< medians of one-step errors by the true floor
   std::optional<double> error_after;
   std::optional<double> model_floor;

@@ -30,11 +30,13 @@ TEST(EffectsSummary, CountsRightFalseAndOverconfident) {
 TEST(EffectsSummary, MediansAreByTheFloor) {
   Outcome one = outcome(true, 0.9);
   one.modelled = one.named_right = true;
+  one.explainable = 1.8;
   one.error_before = 3.0;
   one.error_after = 1.5;
   one.parameter_errors = {{"valve_stiction.S", 0.1}};
   const Summary summary = summarise({.kinds = {"valve_stiction"}, .draws = 1}, {{one}});
   EXPECT_NEAR(*summary.kinds[0].explained, 0.75, 1e-12);
+  EXPECT_NEAR(*summary.kinds[0].explainable, 1.8, 1e-12);
   EXPECT_NEAR(*summary.kinds[0].parameter_error, 0.1, 1e-12);
   EXPECT_NEAR(*summary.named_accuracy, 1.0, 1e-12);
 }
@@ -45,8 +47,8 @@ TEST(EffectsSummary, JsonHasTheKeysOfTheContract) {
   const auto json = nlohmann::json::parse(json_of(summary));
   for (const char* key : {"accuracy", "false_on_healthy", "overconfident_unknown"})
     EXPECT_TRUE(json.contains(key)) << key;
-  for (const char* key :
-       {"draws", "named_right", "parameter_error", "error_before", "error_after", "floor"})
+  for (const char* key : {"draws", "named_right", "parameter_error", "explainable", "error_before",
+                          "error_after", "floor"})
     EXPECT_TRUE(json["kinds"]["healthy_still"].contains(key)) << key;
 }
 

@@ -38,9 +38,9 @@ void add_row(std::ostringstream& text, const std::vector<std::string>& cells) {
 void add_kind(std::ostringstream& text, const KindSummary& kind) {
   add_row(text, {kind.kind, std::to_string(kind.draws), figure(kind.named_right, 2),
                  figure(kind.verdict_right, 2), figure(kind.all_found, 2),
-                 figure(kind.parameter_error, 3), figure(kind.error_before, 3),
-                 figure(kind.error_after, 3), figure(kind.model_floor, 3),
-                 figure(kind.explained, 2), words_of(kind.verdicts)});
+                 figure(kind.parameter_error, 3), figure(kind.explainable, 3),
+                 figure(kind.error_before, 3), figure(kind.error_after, 3),
+                 figure(kind.model_floor, 3), figure(kind.explained, 2), words_of(kind.verdicts)});
   if (!kind.named.empty())
     text << std::string(34, ' ') << "named: " << words_of(kind.named) << "\n";
 }
@@ -56,6 +56,7 @@ Json json_of(const KindSummary& kind) {
           {"all_found", number(kind.all_found)},
           {"parameter_error", number(kind.parameter_error)},
           {"parameter_errors", kind.parameter_errors},
+          {"explainable", number(kind.explainable)},
           {"error_before", number(kind.error_before)},
           {"error_after", number(kind.error_after)},
           {"floor", 1.0},  // the unit of the errors
@@ -69,10 +70,11 @@ Json json_of(const KindSummary& kind) {
 
 std::string table_of(const Summary& summary) {
   std::ostringstream text;
-  add_row(text, {"kind", "draws", "named", "verdict", "all", "par.err", "before", "after", "floor~",
-                 "expl.", "verdicts"});
+  add_row(text, {"kind", "draws", "named", "verdict", "all", "par.err", "explnbl", "before",
+                 "after", "floor~", "expl.", "verdicts"});
   for (const KindSummary& kind : summary.kinds) add_kind(text, kind);
-  text << "\nbefore, after: median one-step error by the true floor; floor~: the model's own "
+  text << "\nexplnbl: median of what the effects add to the error of a linear model, by the floor\n"
+       << "before, after: median one-step error by the true floor; floor~: the model's own "
           "estimate"
           " of it; expl.: median share of the excess that the steps explain\n"
        << "accuracy (verdict, catalogue)     " << figure(summary.accuracy, 3) << "\n"
