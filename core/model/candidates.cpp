@@ -16,9 +16,11 @@
 namespace loopscope::core::model {
 namespace {
 
-/// A sudden step is seen by fit and score over so many samples from two before it on.
-constexpr std::size_t kStepBefore = 2;
-constexpr std::size_t kStepSamples = 16;
+/// A sudden step is seen by fit and score over so many samples from so many before it on: as far as
+/// its place may move while it is fitted. A place whose first sample the fit does not see leaves
+/// one of its coefficients free.
+constexpr std::size_t kStepBefore = 12;
+constexpr std::size_t kStepSamples = 40;
 
 /// How often one kind may come.
 std::ptrdiff_t most_of(EffectKind kind) {
@@ -40,6 +42,7 @@ Structure with(Structure structure, EffectPtr effect) {
 }
 
 std::vector<EffectPtr> nominees(const Round& round) {
+  if (round.load_steps_only) return nominate_load_steps(round.data, round.now.fit);
   std::vector<EffectPtr> all = nominate_static(round.data);
   for (const auto& more :
        {nominate_gain_changes(round.data), nominate_load_steps(round.data, round.now.fit),
@@ -93,7 +96,7 @@ Candidates looked_at(const Round& round) {
         is_valve_hysteresis(effect->kind()) ? EffectKind::valve_stiction : effect->kind();
     if (has_room(round.now.fit.structure, kind)) result[kind].push_back(look_at(round, effect));
   }
-  if (has_room(round.now.fit.structure, EffectKind::valve_stiction))
+  if (!round.load_steps_only && has_room(round.now.fit.structure, EffectKind::valve_stiction))
     add_hysteresis(round, result[EffectKind::valve_stiction]);
   for (auto& [kind, list] : result) std::ranges::sort(list, std::greater{}, &Candidate::gain);
   return result;

@@ -13,6 +13,7 @@ struct Round {
   const TwinFit& now;
   const std::vector<EffectPtr>& valves;  ///< nominated once: they rest on op and pv alone
   bool hysteresis_called_for;
+  bool load_steps_only;    ///< they come in groups: the next one before anything else is looked at
   bool limits_called_for;  ///< a first look at a limit, by the wrong process, may see nothing of it
 };
 

@@ -47,6 +47,13 @@ void settle_chapter(const LoopData& rows, Chapter& chapter) {
   if (again.fit_error < chapter.fit.fit.fit_error) chapter.fit = twin(rows, std::move(again));
 }
 
+void add_chapter(const LoopData& original, const std::vector<Contestant>& trials, Story& story) {
+  Chapter chapter = chapter_of(trials);
+  story.data = judged_on(original, chapter.fit.fit.structure);
+  settle_chapter(story.data, chapter);
+  story.chapters.push_back(std::move(chapter));
+}
+
 /// A question whose answer makes a costly search worth while: hysteresis shows in how the residual
 /// follows op's direction, a limit in how it follows op's level.
 bool calls_for(const std::vector<Answer>& answers, std::string_view question) {
@@ -66,14 +73,14 @@ void continue_story(Story& story, const std::vector<Answer>& answers) {
   const bool limits = calls_for(answers, "op_level");
   const std::vector<EffectPtr> valves =
       hysteresis ? nominate_valves(original) : std::vector<EffectPtr>{};
+  bool after_a_step = false;
   while (story.chapters.size() < kMostEffects) {
-    const std::vector<Contestant> trials =
-        hold_contest({original, story.data, story.last(), valves, hysteresis, limits});
-    if (trials.empty() || trials.front().comparison.p > kEnterP) break;
-    Chapter chapter = chapter_of(trials);
-    story.data = judged_on(original, chapter.fit.fit.structure);
-    settle_chapter(story.data, chapter);
-    story.chapters.push_back(std::move(chapter));
+    const std::vector<Contestant> trials = hold_contest(
+        {original, story.data, story.last(), valves, hysteresis, after_a_step, limits});
+    const bool enters = !trials.empty() && trials.front().comparison.p <= kEnterP;
+    if (enters) add_chapter(original, trials, story);
+    if (!enters && !after_a_step) break;
+    after_a_step = enters && trials.front().kind() == EffectKind::load_step;
   }
 }
 
