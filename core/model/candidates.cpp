@@ -74,7 +74,7 @@ Candidate look_at(const Round& round, const EffectPtr& effect) {
 /// Valves by their law alone: sticking ones where play, which is cheap to look for, gains
 /// something.
 void add_hysteresis(const Round& round, std::vector<Candidate>& list) {
-  constexpr double kWorthSearching = 4.0;
+  constexpr double kWorthSearching = 5.0;
   const auto add = [&](Fit fit) {
     const double gain = fit_gain(round.data, round.now.fit, fit);
     EffectPtr effect = fit.structure.effects.back();
@@ -82,7 +82,7 @@ void add_hysteresis(const Round& round, std::vector<Candidate>& list) {
     return gain;
   };
   const std::optional<Fit> play = find_play(round.data, round.now.fit);
-  if (!play || (add(*play) < kWorthSearching && !round.hysteresis_called_for)) return;
+  if (!play || add(*play) < kWorthSearching) return;
   for (Fit& fit : find_sticking(round.data, *play)) add(std::move(fit));
 }
 

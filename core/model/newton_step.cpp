@@ -16,6 +16,9 @@ using Eigen::VectorXd;
 
 /// Collinear columns (a PI law ties op to pv) share their weight instead of breaking the solution.
 constexpr double kRidge = 1e-9;
+/// Columns are of order one: a coefficient of a thousand one-step errors is none that the data ask
+/// for. Behind two integrators of the noise the offset leaves nothing but rounding to fit.
+constexpr double kPrior = 1e-6;
 
 /// Where a nonlinear parameter of a structure lives, and how far it may go.
 struct Handle {
@@ -131,8 +134,10 @@ MatrixXd joint_products(const LoopData& data, const Solution& solution, const Ma
 }  // namespace
 
 VectorXd solve_normal(const MatrixXd& normal, const VectorXd& right) {
-  const VectorXd scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const VectorXd diagonal = normal.diagonal().array() + kPrior;
+  const VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
   MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
+  scaled.diagonal().setOnes();
   scaled.diagonal().array() += kRidge;
   return scale.asDiagonal() * scaled.ldlt().solve(scale.asDiagonal() * right);
 }

@@ -37,7 +37,11 @@ TwinFit linear_baseline(const LoopData& data) {
   Fit first = search_process(data, start);
   LoopData calm = data;
   calm.rows = calm_rows(data.rows, first);
-  if (calm.rows.fit_count() == data.rows.fit_count()) return twin(data, std::move(first));
+  const auto kept = static_cast<double>(calm.rows.fit_count());
+  const auto all = static_cast<double>(data.rows.fit_count());
+  // What is left out more often is no upset but the loop's own way.
+  constexpr double kMostUpset = 0.1;
+  if (kept == all || kept < (1.0 - kMostUpset) * all) return twin(data, std::move(first));
   return twin(data, evaluate(data, search_process(calm, first.structure).structure));
 }
 

@@ -150,15 +150,15 @@ Fit prefer_play(const LoopData& data, Fit fit) {
 
 namespace {
 
-/// Slips of about the valve's jump, on every rung: a law that jumps to where op is gets them wrong.
+/// Slips on every rung: a law that jumps to where op is, or play, shows about where the band is and
+/// little of the jump.
 Fit sweep_gradual(const LoopData& data, const Structure& start, const ValveEffect& valve,
                   Fit best) {
-  constexpr double kReach = 0.12, kStep = 0.02;
-  const double jump = valve.valve().slip_jump_percent / valve.valve().stickband_percent;
+  constexpr double kReach = 0.24, kStep = 0.03;
   Structure structure = start;
   for (double move = -kReach; move <= kReach; move += kStep) {
     const double band = valve.valve().stickband_percent * (1.0 + move);
-    for (const double share : {jump, 0.5, 1.0}) {
+    for (const double share : {0.25, 0.4, 0.55, 0.7, 0.85, 1.0}) {
       for (EffectPtr& rung : ValveEffect::on_every_rung(band, share * band, data.op.front())) {
         structure.effects.back() = std::move(rung);
         Fit tried = evaluate(data, structure);
@@ -185,8 +185,7 @@ std::optional<Fit> cross_laws(const LoopData& data, const Fit& fit) {
       best = sweep(data, start, *valve->with_law(law)->by_law_alone(direction), std::move(best));
     }
   }
-  if (valve->valve().law != ValveLaw::he_gradual)
-    best = sweep_gradual(data, start, *valve, std::move(best));
+  best = sweep_gradual(data, start, *valve, std::move(best));
   if (best.fit_error >= to_beat) return std::nullopt;
   return fit_anew(data, std::move(best));
 }

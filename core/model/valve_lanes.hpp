@@ -126,6 +126,9 @@ struct ValveLanes {
     for (Number& place : position) {
       for (int slip = 0; slip < kMostSlips; ++slip) {
         const Number gap = now - place;
+        if constexpr (std::is_same_v<Number, Element>) {
+          if (gap <= reach && gap >= -reach) break;
+        }
         place += gap > reach ? up : Number{};
         place += gap < -reach ? down : Number{};
       }

@@ -46,6 +46,12 @@ EffectPtr ValveEffect::with_band(double times, double jump_share) const {
   return std::make_shared<ValveEffect>(valve, restarts_);
 }
 
+EffectPtr ValveEffect::begun_elsewhere(double move) const {
+  std::vector<ValveRestart> restarts = restarts_;
+  for (ValveRestart& restart : restarts) restart.position_percent += move;
+  return std::make_shared<ValveEffect>(valve_, std::move(restarts));
+}
+
 std::vector<EffectPtr> ValveEffect::neighbours(double scale) const {
   std::vector<EffectPtr> result;
   const auto add = [&](double band, double jump) {
@@ -61,6 +67,7 @@ std::vector<EffectPtr> ValveEffect::neighbours(double scale) const {
     add(band, jump + move * band);
     // Where the valve moves with op it lags by (S - J) / 2: along this line that stays as it is.
     add(band * (1.0 + move / 15.0), jump + band * move / 15.0);
+    if (valve_.law == ValveLaw::he_gradual) result.push_back(begun_elsewhere(move * jump));
   }
   return result;
 }

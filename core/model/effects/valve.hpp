@@ -45,6 +45,8 @@ class ValveEffect final : public Effect {
   [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 
  private:
+  [[nodiscard]] EffectPtr begun_elsewhere(double move) const;
+
   Valve valve_;
   std::vector<ValveRestart> restarts_;
 };
