@@ -45,10 +45,15 @@ TwinFit linear_baseline(const LoopData& data) {
   return twin(data, evaluate(data, search_process(calm, first.structure).structure));
 }
 
-/// The process once more with the effect in its place: it may have been bent by its absence.
+/// The process once more with the effect in its place: process and noise may have been bent by its
+/// absence, so that they are also sought from a plain noise.
 void settle_chapter(const LoopData& rows, Chapter& chapter) {
-  Fit again = search_process(rows, chapter.fit.fit.structure);
-  if (again.fit_error < chapter.fit.fit.fit_error) chapter.fit = twin(rows, std::move(again));
+  Structure plain = chapter.fit.fit.structure;
+  plain.noise = NoiseModel{};
+  for (const Structure& start : {chapter.fit.fit.structure, plain}) {
+    Fit again = search_process(rows, start);
+    if (again.fit_error < chapter.fit.fit.fit_error) chapter.fit = twin(rows, std::move(again));
+  }
 }
 
 void add_chapter(const LoopData& original, const std::vector<Contestant>& trials, Story& story) {

@@ -44,9 +44,10 @@ void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& bef
 TwinFit twin(const LoopData& data, Fit fit) {
   const LoopData other = mirrored(data);
   Fit mirror = polish(other, fit.structure, 4);
-  if (!fit.structure.effects.empty()) {
+  // A valve's band is a needle: the half that it is scored on stands for the tries of its search.
+  const bool effects = !fit.structure.effects.empty();
+  if (effects && !is_valve_hysteresis(fit.structure.effects.back()->kind()))
     mirror = refine_last(other, std::move(mirror), 0.25);
-  }
   return {std::move(fit), std::move(mirror)};
 }
 
