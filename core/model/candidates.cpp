@@ -83,7 +83,7 @@ void add_hysteresis(const Round& round, std::vector<Candidate>& list) {
   };
   const std::optional<Fit> play = find_play(round.data, round.now.fit);
   if (!play || add(*play) < kWorthSearching) return;
-  for (Fit& fit : find_sticking(round.data, *play)) add(std::move(fit));
+  for (Fit& fit : find_sticking(round.data, round.now.fit, *play)) add(std::move(fit));
 }
 
 using Candidates = std::map<EffectKind, std::vector<Candidate>>;

@@ -21,12 +21,17 @@ constexpr double kPlayStep = 1.15;
 /// to 1.4).
 constexpr double kLeastOfPlay = 0.6;
 constexpr double kMostOfPlay = 1.5;
-/// A law with a jump has its needle within a few percent of the band.
-constexpr double kStickStep = 1.015;
-constexpr std::array kShares = {0.2, 0.35, 0.5, 0.7, 1.0};
-constexpr double kGradualStep = 1.04;
-constexpr std::array kLaws = {ValveLaw::kano, ValveLaw::he};
-constexpr std::array kGradualShares = {0.5, 0.75, 1.0};
+/// A law and what its net looks at: each has its needle within so much of the band, and shows its
+/// jump as coarsely.
+struct Mesh {
+  ValveLaw law;
+  double step;
+  std::vector<double> jump_shares;
+};
+const std::array kMeshes = {Mesh{ValveLaw::choudhury, 1.006, {0.2, 0.45, 0.8}},
+                            Mesh{ValveLaw::kano, 1.006, {0.2, 0.33, 0.5, 0.75, 1.0}},
+                            Mesh{ValveLaw::he, 1.015, {0.2, 0.35, 0.5, 0.7, 1.0}}};
+const Mesh kGradualMesh = {ValveLaw::he_gradual, 1.04, {0.5, 0.75, 1.0}};
 
 Structure behind(Structure structure, EffectPtr valve) {
   structure.effects.push_back(std::move(valve));
@@ -51,11 +56,11 @@ void keep_better(Fit fit, Fit& best) {
 }
 
 /// The best valve of one law behind a process that stands.
-Fit best_of(const LoopData& data, ValveLaw law, const Structure& start, double play) {
+Fit best_of(const LoopData& data, const Mesh& mesh, const Structure& start, double play) {
   Fit best;
-  for (double band = kLeastOfPlay * play; band < kMostOfPlay * play; band *= kStickStep) {
-    for (const double share : kShares)
-      keep_better(evaluate(data, behind(start, {law, band, share * band, 1.0})), best);
+  for (double band = kLeastOfPlay * play; band < kMostOfPlay * play; band *= mesh.step) {
+    for (const double share : mesh.jump_shares)
+      keep_better(evaluate(data, behind(start, {mesh.law, band, share * band, 1.0})), best);
   }
   return best;
 }
@@ -63,8 +68,8 @@ Fit best_of(const LoopData& data, ValveLaw law, const Structure& start, double p
 /// A valve that moves in slips of J stays for ever on the rungs that it began on.
 Fit best_gradual(const LoopData& data, const Structure& start, double play) {
   Fit best;
-  for (double band = kLeastOfPlay * play; band < kMostOfPlay * play; band *= kGradualStep) {
-    for (const double share : kGradualShares) {
+  for (double band = kLeastOfPlay * play; band < kMostOfPlay * play; band *= kGradualMesh.step) {
+    for (const double share : kGradualMesh.jump_shares) {
       for (const EffectPtr& valve : ValveEffect::on_every_rung(band, share * band, data.op.front()))
         keep_better(evaluate(data, behind(start, valve)), best);
     }
@@ -88,14 +93,18 @@ std::optional<Fit> find_play(const LoopData& data, const Fit& now) {
   return best;
 }
 
-std::vector<Fit> find_sticking(const LoopData& data, const Fit& play) {
-  Structure start = play.structure;
-  const auto& effect = dynamic_cast<const ValveEffect&>(*start.effects.back());
+std::vector<Fit> find_sticking(const LoopData& data, const Fit& now, const Fit& play) {
+  const auto& effect = dynamic_cast<const ValveEffect&>(*play.structure.effects.back());
   const double band = effect.valve().stickband_percent;
-  start.effects.pop_back();
+  Structure by_play = play.structure;
+  by_play.effects.pop_back();
   std::vector<Fit> found;
-  for (const ValveLaw law : kLaws) found.push_back(best_of(data, law, start, band));
-  found.push_back(best_gradual(data, start, band));
+  for (const Mesh& mesh : kMeshes) {
+    Fit best = best_of(data, mesh, by_play, band);
+    keep_better(best_of(data, mesh, now.structure, band), best);
+    found.push_back(std::move(best));
+  }
+  found.push_back(best_gradual(data, by_play, band));
   return found;
 }
 

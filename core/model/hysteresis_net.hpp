@@ -19,6 +19,6 @@ namespace loopscope::core::model {
 
 /// For every law the best valve with a jump on a net about that play, behind the process that was
 /// found with it: close enough to the true one for the needle of the right law to show.
-[[nodiscard]] std::vector<Fit> find_sticking(const LoopData& data, const Fit& play);
+[[nodiscard]] std::vector<Fit> find_sticking(const LoopData& data, const Fit& now, const Fit& play);
 
 }  // namespace loopscope::core::model

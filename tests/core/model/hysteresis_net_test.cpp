@@ -52,7 +52,7 @@ TEST(HysteresisNet, ASlippingValveGainsMoreThanPlay) {
   const Loop loop = loop_of("sticking_valve", 2);
   const auto play = find_play(loop.data, loop.linear);
   ASSERT_TRUE(play);
-  const std::vector<Fit> found = find_sticking(loop.data, *play);
+  const std::vector<Fit> found = find_sticking(loop.data, loop.linear, *play);
   ASSERT_FALSE(found.empty());
   const auto best = std::ranges::min_element(found, {}, &Fit::fit_error);
   EXPECT_LT(best->fit_error, play->fit_error);
