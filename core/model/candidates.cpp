@@ -1,12 +1,15 @@
 #include "core/model/candidates.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "core/model/baseline.hpp"
 #include "core/model/effects/load_step.hpp"
+#include "core/model/fit_variants.hpp"
 #include "core/model/nominate.hpp"
 
 namespace loopscope::core::model {
@@ -48,31 +51,59 @@ std::vector<EffectPtr> nominees(const Round& round) {
   return all;
 }
 
-Candidate look_at(const Round& round, const EffectPtr& effect) {
-  Structure structure = with(round.now.fit.structure, effect);
-  if (bends_flow(effect->kind())) {
-    structure.process = glance(round.data, structure).shape;
-    structure.two_taps = false;
-    structure.second_order = false;
-  }
-  const LoopData rows = judged_on(round.original, structure);
-  Candidate candidate{effect, evaluate(rows, structure), 0.0};
-  const Fit before = effect->kind() == EffectKind::load_step
-                         ? evaluate(rows, round.now.fit.structure)
-                         : round.now.fit;
-  candidate.gain = fit_gain(rows, before, candidate.fit);
-  return candidate;
+/// n ln(error before / after) on the fit rows.
+double gain_of(const LoopData& rows, double before, double after) {
+  return static_cast<double>(rows.rows.fit_count()) * std::log(before / after);
 }
+
+/// Behind an effect that bends op the process is another one.
+Candidate look_through(const Round& round, const EffectPtr& effect) {
+  Structure structure = with(round.now.fit.structure, effect);
+  structure.process = glance(round.data, structure).shape;
+  structure.two_taps = false;
+  structure.second_order = false;
+  const double error = evaluate(round.data, structure).fit_error;
+  return {effect, std::move(structure), gain_of(round.data, round.now.fit.fit_error, error)};
+}
+
+/// A load step brings rows of its own.
+Candidate look_at_step(const Round& round, const EffectPtr& effect) {
+  Structure structure = with(round.now.fit.structure, effect);
+  const LoopData rows = judged_on(round.original, structure);
+  const double before = evaluate(rows, round.now.fit.structure).fit_error;
+  const double after = evaluate(rows, structure).fit_error;
+  return {effect, std::move(structure), gain_of(rows, before, after)};
+}
+
+/// First looks at effects, one after the other.
+class Looks {
+ public:
+  explicit Looks(const Round& round) : round_(round) {}
+
+  Candidate at(const EffectPtr& effect) {
+    if (bends_flow(effect->kind())) return look_through(round_, effect);
+    if (effect->kind() == EffectKind::load_step) return look_at_step(round_, effect);
+    Structure structure = with(round_.now.fit.structure, effect);
+    if (!straight_) straight_.emplace(round_.data, structure);
+    const double error = straight_->fit_error(effect);
+    return {effect, std::move(structure), gain_of(round_.data, round_.now.fit.fit_error, error)};
+  }
+
+ private:
+  const Round& round_;
+  std::optional<FitVariants> straight_;  ///< effects that leave the flow and the rows as they are
+};
 
 using Candidates = std::map<EffectKind, std::vector<Candidate>>;
 
 /// The valve's two kinds go under one name: which it is shows when its jump has been fitted.
 Candidates looked_at(const Round& round) {
   Candidates result;
+  Looks looks(round);
   for (const EffectPtr& effect : nominees(round)) {
     const EffectKind kind =
         is_valve_hysteresis(effect->kind()) ? EffectKind::valve_stiction : effect->kind();
-    if (has_room(round.now.fit.structure, kind)) result[kind].push_back(look_at(round, effect));
+    if (has_room(round.now.fit.structure, kind)) result[kind].push_back(looks.at(effect));
   }
   for (auto& [kind, list] : result) std::ranges::sort(list, std::greater{}, &Candidate::gain);
   return result;

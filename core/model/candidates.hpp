@@ -12,14 +12,17 @@ struct Round {
   const LoopData& data;      ///< rows on which `now` is judged
   const TwinFit& now;
   const std::vector<EffectPtr>& valves;  ///< nominated once: they rest on op and pv alone
+  /// Where a valve came to nothing a round ago, only one that shows at a first look is fitted
+  /// again.
+  bool valves_called_for;
   bool limits_called_for;  ///< a first look at a limit, by the wrong process, may see nothing of it
 };
 
 /// An effect that was looked at, not yet fitted in full.
 struct Candidate {
   EffectPtr effect;
-  Fit fit;            ///< process and noise as they are, or by glance()
-  double gain = 0.0;  ///< n ln(error before / after) on the fit rows
+  Structure structure;  ///< with it last; process and noise as they are, or by glance()
+  double gain = 0.0;    ///< n ln(error before / after) on the fit rows
 };
 
 /// The original rows, with the samples around every load step of the structure seen by fit and

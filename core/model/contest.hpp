@@ -16,7 +16,11 @@ struct Contestant {
   [[nodiscard]] EffectKind kind() const { return fit.fit.structure.effects.back()->kind(); }
 };
 
-/// The best trial of every kind that has anything to show, most evidence first.
+/// The best trial of every kind that has anything to show, most evidence first. What is scored once
+/// has no mirror yet.
 [[nodiscard]] std::vector<Contestant> hold_contest(const Round& round);
+
+/// Fits the mirror of one that is taken in.
+void complete(Contestant& winner);
 
 }  // namespace loopscope::core::model

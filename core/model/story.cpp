@@ -64,10 +64,15 @@ void continue_story(Story& story, const std::vector<Answer>& answers) {
   const LoopData original = story.data;
   const std::vector<EffectPtr> valves =
       calls_for(answers, "op_direction") ? nominate_valves(original) : std::vector<EffectPtr>{};
+  const bool limits = calls_for(answers, "op_level");
+  bool valve_in_sight = true;
   while (story.chapters.size() < kMostEffects) {
-    const std::vector<Contestant> trials =
-        hold_contest({original, story.data, story.last(), valves, calls_for(answers, "op_level")});
+    std::vector<Contestant> trials =
+        hold_contest({original, story.data, story.last(), valves, valve_in_sight, limits});
     if (trials.empty() || trials.front().comparison.p > kEnterP) break;
+    valve_in_sight = std::ranges::any_of(
+        trials, [](const Contestant& trial) { return is_valve_hysteresis(trial.kind()); });
+    complete(trials.front());
     Chapter chapter = chapter_of(trials);
     story.data = judged_on(original, chapter.fit.fit.structure);
     settle_chapter(story.data, chapter);
