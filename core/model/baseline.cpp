@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "core/model/process_starts.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -15,86 +16,40 @@ constexpr std::array kPolePairs = {std::pair{0.8, 0.7},   std::pair{0.9, 0.85},
                                    std::pair{0.95, 0.92}, std::pair{0.975, 0.96},
                                    std::pair{0.985, 0.9}, std::pair{1.0, 0.85}};
 
-struct Start {
+/// A pole of 1 is an integrator; without delay, which is tried afterwards.
+ProcessShape undelayed(double pole, double second_pole = 0.0) {
   ProcessShape shape;
-  double error = std::numeric_limits<double>::infinity();
-};
-
-double dot(const std::vector<double>& a, std::size_t shift_a, const std::vector<double>& b,
-           std::size_t shift_b, const std::vector<Range>& rows) {
-  double sum = 0.0;
-  for (const Range& range : rows) {
-    const std::size_t first = std::max({range.first, shift_a, shift_b});
-    for (std::size_t k = first; k < range.end; ++k) sum += a[k - shift_a] * b[k - shift_b];
-  }
-  return sum;
+  shape.integrating = pole == 1.0;
+  shape.pole = pole;
+  shape.second_pole = second_pole;
+  shape.delay_samples = 0;
+  return shape;
 }
 
-std::vector<double> whitened(const NoiseModel& noise, const std::vector<double>& signal) {
-  std::vector<double> result(signal.size());
-  whiten(noise, signal, result);
-  return result;
-}
-
-/// Error of pv on s(k-d) for every delay d: dead time is a shift of the whitened column.
-void try_delays(const LoopData& data, const std::vector<double>& pv, const std::vector<double>& s,
-                ProcessShape shape, std::size_t longest, std::vector<Start>& starts) {
-  const auto& rows = data.rows.fit;
-  const double total = dot(pv, 0, pv, 0, rows);
-  for (std::size_t d = 1; d <= longest; ++d) {
-    const double square = dot(s, d, s, d, rows);
-    const double right = dot(pv, 0, s, d, rows);
-    const double explained = square > 0.0 ? right * right / square : 0.0;
-    shape.delay_samples = d;
-    starts.push_back({shape, total - explained});
-  }
-}
-
-std::vector<Start> ranked_starts(const LoopData& data, const Structure& structure,
-                                 std::size_t longest, std::span<const double> poles) {
-  std::vector<double> flow = data.op;
-  for (const EffectPtr& effect : structure.effects) effect->shape_flow(flow);
-  const std::vector<double> pv = whitened(structure.noise, data.pv);
-  std::vector<Start> starts;
-  for (const double pole : poles) {
-    ProcessShape shape;
-    shape.integrating = pole == 1.0;
-    shape.pole = pole;
-    shape.delay_samples = 0;
-    std::vector<double> s(flow.size());
-    respond(shape, flow, s);
-    try_delays(data, pv, whitened(structure.noise, s), shape, longest, starts);
-  }
-  std::ranges::sort(starts, {}, &Start::error);
+std::vector<ProcessStart> ranked_starts(const LoopData& data, const Structure& structure,
+                                        std::size_t longest, std::span<const double> poles) {
+  std::vector<ProcessShape> shapes;
+  for (const double pole : poles) shapes.push_back(undelayed(pole));
+  std::vector<ProcessStart> starts = process_starts(data, structure, longest, shapes);
+  std::ranges::sort(starts, {}, &ProcessStart::error);
   return starts;
 }
 
 /// The best (delay, pole pair) of second order, polished.
 Fit second_order_fit(const LoopData& data, const Structure& start, std::size_t longest) {
-  std::vector<double> flow = data.op;
-  for (const EffectPtr& effect : start.effects) effect->shape_flow(flow);
-  const std::vector<double> pv = whitened(start.noise, data.pv);
-  std::vector<Start> starts;
-  for (const auto& [slow, fast] : kPolePairs) {
-    ProcessShape shape;
-    shape.integrating = slow == 1.0;
-    shape.pole = slow;
-    shape.second_pole = fast;
-    shape.delay_samples = 0;
-    std::vector<double> s(flow.size());
-    respond(shape, flow, s);
-    try_delays(data, pv, whitened(start.noise, s), shape, longest, starts);
-  }
+  std::vector<ProcessShape> shapes;
+  for (const auto& [slow, fast] : kPolePairs) shapes.push_back(undelayed(slow, fast));
+  const std::vector<ProcessStart> starts = process_starts(data, start, longest, shapes);
   Structure structure = start;
-  structure.process = std::ranges::min_element(starts, {}, &Start::error)->shape;
+  structure.process = std::ranges::min_element(starts, {}, &ProcessStart::error)->shape;
   structure.second_order = true;
   return polish(data, structure, 6);
 }
 
 /// The best starts that differ: neighbours in delay at the same pole lead to the same fit.
-std::vector<ProcessShape> distinct(const std::vector<Start>& starts, int count) {
+std::vector<ProcessShape> distinct(const std::vector<ProcessStart>& starts, int count) {
   std::vector<ProcessShape> chosen;
-  for (const Start& start : starts) {
+  for (const ProcessStart& start : starts) {
     const bool near = std::ranges::any_of(chosen, [&](const ProcessShape& shape) {
       return shape.integrating == start.shape.integrating &&
              std::abs(static_cast<long>(shape.delay_samples) -
@@ -162,11 +117,10 @@ Fit settle(const LoopData& data, const Fit& fit) {
 
 ProcessGlance glance(const LoopData& data, const Structure& structure) {
   constexpr std::array kFew = {0.4, 0.8, 0.95, 1.0};
-  const std::vector<double> pv = whitened(structure.noise, data.pv);
   const std::size_t longest = std::min<std::size_t>(15, data.size() / 16);
-  const Start best = ranked_starts(data, structure, longest, kFew).front();
-  const double without = dot(pv, 0, pv, 0, data.rows.fit);
-  return {best.shape, static_cast<double>(data.rows.fit_count()) * std::log(without / best.error)};
+  const ProcessStart best = ranked_starts(data, structure, longest, kFew).front();
+  const auto rows = static_cast<double>(data.rows.fit_count());
+  return {best.shape, rows * std::log(best.total / best.error)};
 }
 
 Fit search_process(const LoopData& data, const Structure& start, const ProcessSearch& search) {

@@ -1,6 +1,7 @@
 #include "core/model/candidates.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "core/model/baseline.hpp"
 #include "core/model/effects/load_step.hpp"
 #include "core/model/effects/valve.hpp"
+#include "core/model/fit_variants.hpp"
 #include "core/model/hysteresis_net.hpp"
 #include "core/model/nominate.hpp"
 
@@ -49,41 +51,64 @@ std::vector<EffectPtr> nominees(const Round& round) {
         nominate_oscillations(round.data, round.now.fit)}) {
     all.insert(all.end(), more.begin(), more.end());
   }
-  if (has_room(round.now.fit.structure, EffectKind::valve_stiction)) {
-    all.insert(all.end(), round.valves.begin(), round.valves.end());
-  }
   return all;
 }
 
-Candidate look_at(const Round& round, const EffectPtr& effect) {
-  Structure structure = with(round.now.fit.structure, effect);
-  if (bends_flow(effect->kind())) {
-    structure.process = glance(round.data, structure).shape;
-    structure.two_taps = false;
-    structure.second_order = false;
-  }
-  const LoopData rows = judged_on(round.original, structure);
-  Candidate candidate{effect, evaluate(rows, structure), 0.0};
-  const Fit before = effect->kind() == EffectKind::load_step
-                         ? evaluate(rows, round.now.fit.structure)
-                         : round.now.fit;
-  candidate.gain = fit_gain(rows, before, candidate.fit);
-  return candidate;
+/// n ln(error before / after) on the fit rows.
+double gain_of(const LoopData& rows, double before, double after) {
+  return static_cast<double>(rows.rows.fit_count()) * std::log(before / after);
 }
+
+/// Behind an effect that bends op the process is another one.
+Candidate look_through(const Round& round, const EffectPtr& effect) {
+  Structure structure = with(round.now.fit.structure, effect);
+  structure.process = glance(round.data, structure).shape;
+  structure.two_taps = false;
+  structure.second_order = false;
+  const double error = evaluate(round.data, structure).fit_error;
+  return {effect, std::move(structure), gain_of(round.data, round.now.fit.fit_error, error)};
+}
+
+/// A load step brings rows of its own.
+Candidate look_at_step(const Round& round, const EffectPtr& effect) {
+  Structure structure = with(round.now.fit.structure, effect);
+  const LoopData rows = judged_on(round.original, structure);
+  const double before = evaluate(rows, round.now.fit.structure).fit_error;
+  const double after = evaluate(rows, structure).fit_error;
+  return {effect, std::move(structure), gain_of(rows, before, after)};
+}
+
+/// First looks at effects, one after the other.
+class Looks {
+ public:
+  explicit Looks(const Round& round) : round_(round) {}
+
+  Candidate at(const EffectPtr& effect) {
+    if (bends_flow(effect->kind())) return look_through(round_, effect);
+    if (effect->kind() == EffectKind::load_step) return look_at_step(round_, effect);
+    Structure structure = with(round_.now.fit.structure, effect);
+    if (!straight_) straight_.emplace(round_.data, structure);
+    const double error = straight_->fit_error(effect);
+    return {effect, std::move(structure), gain_of(round_.data, round_.now.fit.fit_error, error)};
+  }
+
+ private:
+  const Round& round_;
+  std::optional<FitVariants> straight_;  ///< effects that leave the flow and the rows as they are
+};
 
 /// Valves by their law alone: sticking ones where play, which is cheap to look for, gains
 /// something.
 void add_hysteresis(const Round& round, std::vector<Candidate>& list) {
   constexpr double kWorthSearching = 5.0;
-  const auto add = [&](Fit fit) {
-    const double gain = fit_gain(round.data, round.now.fit, fit);
-    EffectPtr effect = fit.structure.effects.back();
-    list.push_back({std::move(effect), std::move(fit), gain});
+  const auto add = [&](const NetFind& find) {
+    const double gain = gain_of(round.data, round.now.fit.fit_error, find.fit_error);
+    list.push_back({find.structure.effects.back(), find.structure, gain});
     return gain;
   };
-  const std::optional<Fit> play = find_play(round.data, round.now.fit);
+  const std::optional<NetFind> play = find_play(round.data, round.now.fit);
   if (!play || add(*play) < kWorthSearching) return;
-  for (Fit& fit : find_sticking(round.data, round.now.fit, *play)) add(std::move(fit));
+  for (const NetFind& find : find_sticking(round.data, round.now.fit, *play)) add(find);
 }
 
 using Candidates = std::map<EffectKind, std::vector<Candidate>>;
@@ -91,10 +116,10 @@ using Candidates = std::map<EffectKind, std::vector<Candidate>>;
 /// The valve's two kinds go under one name: which it is shows when its jump has been fitted.
 Candidates looked_at(const Round& round) {
   Candidates result;
+  Looks looks(round);
   for (const EffectPtr& effect : nominees(round)) {
-    const EffectKind kind =
-        is_valve_hysteresis(effect->kind()) ? EffectKind::valve_stiction : effect->kind();
-    if (has_room(round.now.fit.structure, kind)) result[kind].push_back(look_at(round, effect));
+    if (has_room(round.now.fit.structure, effect->kind()))
+      result[effect->kind()].push_back(looks.at(effect));
   }
   if (!round.load_steps_only && has_room(round.now.fit.structure, EffectKind::valve_stiction))
     add_hysteresis(round, result[EffectKind::valve_stiction]);
@@ -135,6 +160,14 @@ LoopData judged_on(const LoopData& original, const Structure& structure) {
     }
   }
   return data;
+}
+
+std::vector<Candidate> find_tracked_valves(const Round& round) {
+  std::vector<Candidate> list;
+  if (!has_room(round.now.fit.structure, EffectKind::valve_stiction)) return list;
+  for (const EffectPtr& valve : round.tracked_valves()) list.push_back(look_through(round, valve));
+  std::ranges::sort(list, std::greater{}, &Candidate::gain);
+  return worth_trying(list);
 }
 
 std::vector<std::vector<Candidate>> find_candidates(const Round& round) {

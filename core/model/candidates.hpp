@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/model/trial.hpp"
@@ -11,8 +12,9 @@ struct Round {
   const LoopData& original;  ///< rows as laid out, before any step was seen by fit and score alike
   const LoopData& data;      ///< rows on which `now` is judged
   const TwinFit& now;
-  const std::vector<EffectPtr>& valves;  ///< nominated once: they rest on op and pv alone
-  bool hysteresis_called_for;
+  /// Valves that are followed by pv; empty = not called for. The search is the costliest of all, so
+  /// that it waits until hysteresis leads, or nothing else explains anything.
+  std::function<const std::vector<EffectPtr>&()> tracked_valves;
   bool load_steps_only;    ///< they come in groups: the next one before anything else is looked at
   bool limits_called_for;  ///< a first look at a limit, by the wrong process, may see nothing of it
 };
@@ -20,8 +22,8 @@ struct Round {
 /// An effect that was looked at, not yet fitted in full.
 struct Candidate {
   EffectPtr effect;
-  Fit fit;            ///< process and noise as they are, or by glance()
-  double gain = 0.0;  ///< n ln(error before / after) on the fit rows
+  Structure structure;  ///< with it last; process and noise as they are, or by glance()
+  double gain = 0.0;    ///< n ln(error before / after) on the fit rows
 };
 
 /// The original rows, with the samples around every load step of the structure seen by fit and
@@ -31,5 +33,8 @@ struct Candidate {
 /// What is worth a full fit, by kind (the valve's two kinds under one): the best of each kind, of a
 /// valve the best of each law, and all load steps.
 [[nodiscard]] std::vector<std::vector<Candidate>> find_candidates(const Round& round);
+
+/// The best of each law among the round's tracked valves; none where the model has one already.
+[[nodiscard]] std::vector<Candidate> find_tracked_valves(const Round& round);
 
 }  // namespace loopscope::core::model

@@ -6,6 +6,9 @@
 
 namespace loopscope::core::model {
 
+/// One healthy loop in a thousand and kind of effect.
+inline constexpr double kEnterP = 1e-3;
+
 /// One effect fitted in full, and what it is worth on rows that its fit has not seen.
 struct Contestant {
   TwinFit fit;
@@ -19,7 +22,11 @@ struct Contestant {
   [[nodiscard]] EffectKind kind() const { return effect().kind(); }
 };
 
-/// The best trial of every kind that has anything to show, the worthiest first.
+/// The best trial of every kind that has anything to show, the worthiest first. What is scored once
+/// has no mirror yet.
 [[nodiscard]] std::vector<Contestant> hold_contest(const Round& round);
+
+/// Fits the mirror of one that is taken in.
+void complete(Contestant& winner);
 
 }  // namespace loopscope::core::model

@@ -1,42 +1,11 @@
 #include "core/model/design.hpp"
 
-#include <algorithm>
-#include <span>
+#include "core/model/whitening.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
 using Eigen::Index;
-
-std::span<double> column(Design& design, Index at) {
-  return {design.table.col(at).data(), static_cast<std::size_t>(design.table.rows())};
-}
-
-/// One sample later; before the record as in its first row. Whitening such a signal gives the same.
-void put_later(std::span<const double> signal, std::span<double> later) {
-  if (signal.empty()) return;
-  later[0] = signal[0];
-  std::copy(signal.begin(), signal.end() - 1, later.begin() + 1);
-}
-
-/// Columns to be whitened, taken two at a time.
-struct Whitening {
-  std::vector<std::span<const double>> from;
-  std::vector<std::span<double>> to;
-
-  void add(std::span<const double> signal, std::span<double> whitened) {
-    from.push_back(signal);
-    to.push_back(whitened);
-  }
-
-  void run(const NoiseModel& noise) const {
-    std::size_t at = 0;
-    for (; at + 2 <= from.size(); at += 2) {
-      whiten(noise, {from[at], from[at + 1]}, {to[at], to[at + 1]});
-    }
-    if (at < from.size()) whiten(noise, from[at], to[at]);
-  }
-};
 
 std::vector<double> ramp(std::size_t samples) {
   const auto values = Eigen::VectorXd::LinSpaced(static_cast<Index>(samples), -1.0, 1.0);
@@ -45,7 +14,11 @@ std::vector<double> ramp(std::size_t samples) {
 
 }  // namespace
 
-std::vector<Signal> Design::columns() const {
+std::span<double> column(Eigen::MatrixXd& table, Index at) {
+  return {table.col(at).data(), static_cast<std::size_t>(table.rows())};
+}
+
+std::vector<Signal> columns_of(const Eigen::MatrixXd& table) {
   std::vector<Signal> result;
   for (Index at = 0; at < table.cols(); ++at) result.push_back(table.col(at).data());
   return result;
@@ -83,13 +56,13 @@ Design DesignMaker::make(const Structure& structure) const {
   const Index offset = 1 + design.taps + static_cast<Index>(extra.size());
   design.table.resize(static_cast<Index>(data_.size()), offset + (integrating ? 2 : 1));
   Whitening whitening;
-  whitening.add(data_.pv, column(design, 0));
-  whitening.add(response, column(design, 1));
+  whitening.add(data_.pv, column(design.table, 0));
+  whitening.add(response, column(design.table, 1));
   Index at = 1 + design.taps;
-  for (const Column& signal : extra) whitening.add(signal, column(design, at++));
-  if (integrating) whitening.add(drift, column(design, offset + 1));
+  for (const Column& signal : extra) whitening.add(signal, column(design.table, at++));
+  if (integrating) whitening.add(drift, column(design.table, offset + 1));
   whitening.run(structure.noise);
-  if (structure.two_taps) put_later(column(design, 1), column(design, 2));
+  if (structure.two_taps) put_later(column(design.table, 1), column(design.table, 2));
   design.table.col(offset).setConstant(whitened_level(structure.noise));
   return design;
 }

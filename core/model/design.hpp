@@ -1,12 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "core/model/fit.hpp"
 #include "core/model/products.hpp"
 
 namespace loopscope::core::model {
+
+/// A column of a table that holds a row for each sample, and all of them.
+[[nodiscard]] std::span<double> column(Eigen::MatrixXd& table, Eigen::Index at);
+[[nodiscard]] std::vector<Signal> columns_of(const Eigen::MatrixXd& table);
 
 /// The whitened columns of a structure: pv, numerator, effects, offset (and ramp, integrating), one
 /// after the other.
@@ -16,7 +21,7 @@ struct Design {
   [[nodiscard]] Eigen::Index terms() const { return table.cols() - 1; }  ///< pv left out
   [[nodiscard]] auto answers() const { return table.middleCols(1, taps); }
   [[nodiscard]] auto regressors() const { return table.rightCols(terms()); }
-  [[nodiscard]] std::vector<Signal> columns() const;
+  [[nodiscard]] std::vector<Signal> columns() const { return columns_of(table); }
 };
 
 /// Makes the columns of structures that differ in process and noise alone.

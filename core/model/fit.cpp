@@ -73,15 +73,18 @@ Fit polish(const LoopData& data, const Structure& start, int iterations) {
   const DesignMaker maker(data, start.effects);
   Structure structure = start;
   Solution solution = solve_design(data, maker.make(structure));
+  std::optional<NewtonStep> step;  // until one is taken, the same with more damping
   double damping = 1e-3;
   for (int i = 0; i < iterations; ++i) {
-    const Structure next = newton_step(data, solution, structure, damping);
+    if (!step) step.emplace(data, solution, structure);
+    const Structure next = step->take(damping);
     Solution tried = solve_design(data, maker.make(next));
     if (tried.fit_error < solution.fit_error) {
       const double gained = 1.0 - tried.fit_error / solution.fit_error;
       structure = next;
       structure.process.numerator = numerator_of(structure, tried.coefficients);
       solution = std::move(tried);
+      step.reset();
       damping *= 0.1;
       if (gained < kWorthwhile) break;
     } else {

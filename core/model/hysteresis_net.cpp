@@ -1,12 +1,15 @@
 #include "core/model/hysteresis_net.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
+#include <iterator>
 #include <memory>
+#include <utility>
 
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
+#include "core/model/fit_variants.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -30,51 +33,75 @@ struct Mesh {
 };
 const std::array kMeshes = {Mesh{ValveLaw::choudhury, 1.006, {0.2, 0.45, 0.8}},
                             Mesh{ValveLaw::kano, 1.006, {0.2, 0.33, 0.5, 0.75, 1.0}},
-                            Mesh{ValveLaw::he, 1.015, {0.2, 0.35, 0.5, 0.7, 1.0}}};
-const Mesh kGradualMesh = {ValveLaw::he_gradual, 1.04, {0.5, 0.75, 1.0}};
+                            Mesh{ValveLaw::he, 1.015, {0.2, 0.35, 0.5, 0.7, 1.0}},
+                            Mesh{ValveLaw::he_gradual, 1.04, {0.5, 0.75, 1.0}}};
 
 Structure behind(Structure structure, EffectPtr valve) {
   structure.effects.push_back(std::move(valve));
   return structure;
 }
 
-Structure behind(Structure structure, const Valve& valve) {
-  return behind(std::move(structure), std::make_shared<ValveEffect>(valve));
-}
-
 /// The process that goes with a play: without it the linear loop takes the play for delay.
-Fit behind_play(const LoopData& data, const Fit& now, double band) {
-  Structure structure = behind(now.structure, {ValveLaw::he, band, 0.0, 1.0});
-  structure.process = glance(data, structure).shape;
-  structure.two_taps = false;
-  structure.second_order = false;
-  return polish(data, structure, 2);
-}
-
-void keep_better(Fit fit, Fit& best) {
-  if (best.coefficients.empty() || fit.fit_error < best.fit_error) best = std::move(fit);
-}
-
-/// The best valve of one law behind a process that stands.
-Fit best_of(const LoopData& data, const Mesh& mesh, const Structure& start, double play) {
-  Fit best;
-  for (double band = kLeastOfPlay * play; band < kMostOfPlay * play; band *= mesh.step) {
-    for (const double share : mesh.jump_shares)
-      keep_better(evaluate(data, behind(start, {mesh.law, band, share * band, 1.0})), best);
+NetFind behind_play(const LoopData& data, const Fit& now, double band) {
+  const Valve valve{ValveLaw::he, band, 0.0, 1.0};
+  const Structure rich = behind(now.structure, std::make_shared<ValveEffect>(valve));
+  Structure plain = rich;
+  plain.process = glance(data, rich).shape;
+  plain.two_taps = false;
+  plain.second_order = false;
+  Fit fit = polish(data, plain, 2);
+  if (rich.second_order || rich.two_taps) {
+    Fit other = polish(data, rich, 3);
+    if (other.fit_error < fit.fit_error) fit = std::move(other);
   }
-  return best;
+  return {std::move(fit.structure), fit.fit_error};
 }
 
-/// A valve that moves in slips of J stays for ever on the rungs that it began on.
-Fit best_gradual(const LoopData& data, const Structure& start, double play) {
-  Fit best;
-  for (double band = kLeastOfPlay * play; band < kMostOfPlay * play; band *= kGradualMesh.step) {
-    for (const double share : kGradualMesh.jump_shares) {
-      for (const EffectPtr& valve : ValveEffect::on_every_rung(band, share * band, data.op.front()))
-        keep_better(evaluate(data, behind(start, valve)), best);
+/// The best of the valves that were looked at behind one process.
+class Search {
+ public:
+  Search(const LoopData& data, Structure start)
+      : start_(std::move(start)), variants_(data, start_) {}
+
+  void look_at(const EffectPtr& valve) {
+    const double error = variants_.fit_error(valve);
+    if (best_ && error >= error_) return;
+    best_ = valve;
+    error_ = error;
+  }
+  [[nodiscard]] NetFind best() const {
+    NetFind find{start_, error_};
+    find.structure.effects.back() = best_;
+    return find;
+  }
+
+ private:
+  Structure start_;
+  FitVariants variants_;
+  EffectPtr best_;
+  double error_ = 0.0;
+};
+
+/// The valves of one law about a play of that band.
+std::vector<EffectPtr> valves_of(const Mesh& mesh, double play, double op) {
+  std::vector<EffectPtr> valves;
+  for (double band = kLeastOfPlay * play; band < kMostOfPlay * play; band *= mesh.step) {
+    for (const double share : mesh.jump_shares) {
+      const double jump = share * band;
+      if (mesh.law == ValveLaw::he_gradual)
+        std::ranges::copy(ValveEffect::on_every_rung(band, jump, op), std::back_inserter(valves));
+      else
+        valves.push_back(std::make_shared<ValveEffect>(Valve{mesh.law, band, jump, 1.0}));
     }
   }
-  return best;
+  return valves;
+}
+
+NetFind best_of(const LoopData& data, const std::vector<EffectPtr>& valves,
+                const Structure& start) {
+  Search search(data, start);
+  for (const EffectPtr& valve : valves) search.look_at(valve);
+  return search.best();
 }
 
 }  // namespace
@@ -83,28 +110,30 @@ std::size_t hysteresis_net_bands() {
   return static_cast<std::size_t>(std::ceil(std::log(kWidest / kNarrowest) / std::log(kPlayStep)));
 }
 
-std::optional<Fit> find_play(const LoopData& data, const Fit& now) {
+std::optional<NetFind> find_play(const LoopData& data, const Fit& now) {
   const auto [low, high] = std::ranges::minmax(data.op);
-  std::optional<Fit> best;
+  std::optional<NetFind> best;
   for (double band = kNarrowest * (high - low); band < kWidest * (high - low); band *= kPlayStep) {
-    Fit fit = behind_play(data, now, band);
-    if (!best || fit.fit_error < best->fit_error) best = std::move(fit);
+    NetFind find = behind_play(data, now, band);
+    if (!best || find.fit_error < best->fit_error) best = std::move(find);
   }
   return best;
 }
 
-std::vector<Fit> find_sticking(const LoopData& data, const Fit& now, const Fit& play) {
-  const auto& effect = dynamic_cast<const ValveEffect&>(*play.structure.effects.back());
-  const double band = effect.valve().stickband_percent;
-  Structure by_play = play.structure;
-  by_play.effects.pop_back();
-  std::vector<Fit> found;
+std::vector<NetFind> find_sticking(const LoopData& data, const Fit& now, const NetFind& play) {
+  const EffectPtr& best_play = play.structure.effects.back();
+  const double band = dynamic_cast<const ValveEffect&>(*best_play).valve().stickband_percent;
+  const Structure linear = behind(now.structure, best_play);
+  std::vector<NetFind> found;
   for (const Mesh& mesh : kMeshes) {
-    Fit best = best_of(data, mesh, by_play, band);
-    keep_better(best_of(data, mesh, now.structure, band), best);
+    const std::vector<EffectPtr> valves = valves_of(mesh, band, data.op.front());
+    NetFind best = best_of(data, valves, play.structure);
+    if (mesh.law != ValveLaw::he_gradual) {
+      NetFind other = best_of(data, valves, linear);
+      if (other.fit_error < best.fit_error) best = std::move(other);
+    }
     found.push_back(std::move(best));
   }
-  found.push_back(best_gradual(data, by_play, band));
   return found;
 }
 

@@ -142,15 +142,19 @@ VectorXd solve_normal(const MatrixXd& normal, const VectorXd& right) {
   return scale.asDiagonal() * scaled.ldlt().solve(scale.asDiagonal() * right);
 }
 
-Structure newton_step(const LoopData& data, const Solution& solution, const Structure& structure,
-                      double damping) {
-  Structure result = structure;
+NewtonStep::NewtonStep(const LoopData& data, const Solution& solution, const Structure& structure)
+    : structure_(structure),
+      joint_(joint_products(data, solution,
+                            sensitivities(solution, structure, handles_of(structure_)))) {}
+
+Structure NewtonStep::take(double damping) const {
+  Structure result = structure_;
   const std::vector<Handle> handles = handles_of(result);
   const auto count = static_cast<Index>(handles.size());
-  MatrixXd joint = joint_products(data, solution, sensitivities(solution, result, handles));
-  const Index size = joint.rows();
-  joint.diagonal().tail(count) *= 1.0 + damping;
-  const VectorXd step = -solve_normal(joint.leftCols(size), joint.col(size)).tail(count);
+  const Index size = joint_.rows();
+  MatrixXd damped = joint_.leftCols(size);
+  damped.diagonal().tail(count) *= 1.0 + damping;
+  const VectorXd step = -solve_normal(damped, joint_.col(size)).tail(count);
   for (Index h = 0; h < count; ++h) {
     const Handle& handle = handles[static_cast<std::size_t>(h)];
     *handle.value = std::clamp(*handle.value + step(h), handle.low, handle.high);

@@ -19,9 +19,19 @@ struct Solution {
 [[nodiscard]] Eigen::VectorXd solve_normal(const Eigen::MatrixXd& normal,
                                            const Eigen::VectorXd& right);
 
-/// The structure after a Gauss-Newton step of its nonlinear parameters (poles of process and noise,
-/// zeros of noise), the coefficients following, held to where a model makes sense.
-[[nodiscard]] Structure newton_step(const LoopData& data, const Solution& solution,
-                                    const Structure& structure, double damping);
+/// A Gauss-Newton step of a structure's nonlinear parameters (poles of process and noise, zeros of
+/// noise), the coefficients following.
+class NewtonStep {
+ public:
+  NewtonStep(const LoopData& data, const Solution& solution, const Structure& structure);
+
+  /// The structure after the step, held to where a model makes sense. A step that was too long is
+  /// taken again with more damping at little cost.
+  [[nodiscard]] Structure take(double damping) const;
+
+ private:
+  Structure structure_;
+  Eigen::MatrixXd joint_;  ///< products of regressors and sensitivities, with the errors last
+};
 
 }  // namespace loopscope::core::model

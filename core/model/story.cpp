@@ -1,6 +1,7 @@
 #include "core/model/story.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -13,8 +14,6 @@
 namespace loopscope::core::model {
 namespace {
 
-/// One healthy loop in a thousand and kind of effect.
-constexpr double kEnterP = 1e-3;
 constexpr std::size_t kMostEffects = 6;
 double rival_evidence(const std::vector<Contestant>& trials) {
   for (const Contestant& trial : trials) {
@@ -56,7 +55,8 @@ void settle_chapter(const LoopData& rows, Chapter& chapter) {
   }
 }
 
-void add_chapter(const LoopData& original, const std::vector<Contestant>& trials, Story& story) {
+void add_chapter(const LoopData& original, std::vector<Contestant>& trials, Story& story) {
+  complete(trials.front());
   Chapter chapter = chapter_of(trials);
   story.data = judged_on(original, chapter.fit.fit.structure);
   settle_chapter(story.data, chapter);
@@ -78,14 +78,18 @@ Story begin_story(const LoopData& data) {
 
 void continue_story(Story& story, const std::vector<Answer>& answers) {
   const LoopData original = story.data;
+  std::optional<std::vector<EffectPtr>> tracked;
+  const auto track = [&]() -> const std::vector<EffectPtr>& {
+    if (!tracked) tracked = nominate_valves(original);
+    return *tracked;
+  };
   const bool hysteresis = calls_for(answers, "op_direction");
   const bool limits = calls_for(answers, "op_level");
-  const std::vector<EffectPtr> valves =
-      hysteresis ? nominate_valves(original) : std::vector<EffectPtr>{};
   bool after_a_step = false;
   while (story.chapters.size() < kMostEffects) {
-    const std::vector<Contestant> trials = hold_contest(
-        {original, story.data, story.last(), valves, hysteresis, after_a_step, limits});
+    Round round{original, story.data, story.last(), nullptr, after_a_step, limits};
+    if (hysteresis && !after_a_step) round.tracked_valves = track;
+    std::vector<Contestant> trials = hold_contest(round);
     const bool enters = !trials.empty() && trials.front().comparison.p <= kEnterP;
     if (enters) add_chapter(original, trials, story);
     if (!enters && !after_a_step) break;

@@ -7,6 +7,7 @@
 
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
+#include "core/model/fit_variants.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -37,6 +38,27 @@ void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& bef
     sums.part_after[part] += b;
     sums.rows += range.size();
   }
+}
+
+/// Of an error: two laws that move the same valve alike are a tie, which the first one keeps.
+constexpr double kRounding = 1e-9;
+
+/// The best last effect of the variants that were looked at.
+struct Found {
+  EffectPtr effect;
+  double error;
+
+  bool take(const FitVariants& variants, const EffectPtr& tried) {
+    const double tried_error = variants.fit_error(tried);
+    if (tried_error >= (1.0 - kRounding) * error) return false;
+    *this = {tried, tried_error};
+    return true;
+  }
+};
+
+Fit evaluated_with(const LoopData& data, Structure structure, const EffectPtr& last) {
+  structure.effects.back() = last;
+  return evaluate(data, structure);
 }
 
 }  // namespace
@@ -74,21 +96,20 @@ double fit_gain(const LoopData& data, const Fit& before, const Fit& after) {
 
 Fit refine_last(const LoopData& data, Fit fit, double coarsest) {
   constexpr int kRounds = 3;
+  const EffectPtr first = fit.structure.effects.back();
+  if (first->neighbours(coarsest).empty()) return fit;
+  const FitVariants variants(data, fit.structure);
+  Found best{first, variants.fit_error(first)};
   for (double scale = coarsest; scale > 0.05; scale *= 0.5) {
     bool improved = true;
     for (int round = 0; round < kRounds && improved; ++round) {
       improved = false;
-      for (const EffectPtr& effect : fit.structure.effects.back()->neighbours(scale)) {
-        Structure structure = fit.structure;
-        structure.effects.back() = effect;
-        Fit tried = evaluate(data, structure);
-        if (tried.fit_error >= fit.fit_error) continue;
-        fit = std::move(tried);
-        improved = true;
+      for (const EffectPtr& effect : best.effect->neighbours(scale)) {
+        improved = best.take(variants, effect) || improved;
       }
     }
   }
-  return fit;
+  return best.effect == first ? std::move(fit) : evaluated_with(data, fit.structure, best.effect);
 }
 
 namespace {
@@ -112,15 +133,14 @@ Fit scan_jump(const LoopData& data, Fit fit) {
 Fit sweep(const LoopData& data, const Structure& start, const ValveEffect& valve, Fit best) {
   constexpr double kReach = 0.12, kStep = 0.006, kUsualJump = 1.0 / 3.0;
   const double jump = valve.valve().slip_jump_percent / valve.valve().stickband_percent;
-  Structure structure = start;
+  const FitVariants variants(data, start);
+  Found found{nullptr, best.fit_error};
   for (double move = -kReach; move <= kReach; move += kStep) {
     for (const double share : {jump, kUsualJump}) {
-      structure.effects.back() = valve.with_band(1.0 + move, share);
-      Fit tried = evaluate(data, structure);
-      if (tried.fit_error < best.fit_error) best = std::move(tried);
+      found.take(variants, valve.with_band(1.0 + move, share));
     }
   }
-  return best;
+  return found.effect ? evaluated_with(data, start, found.effect) : best;
 }
 
 /// A law that keeps its errors of position has a needle at the right band, which a search that puts
@@ -156,18 +176,16 @@ namespace {
 Fit sweep_gradual(const LoopData& data, const Structure& start, const ValveEffect& valve,
                   Fit best) {
   constexpr double kReach = 0.24, kStep = 0.03;
-  Structure structure = start;
+  const FitVariants variants(data, start);
+  Found found{nullptr, best.fit_error};
   for (double move = -kReach; move <= kReach; move += kStep) {
     const double band = valve.valve().stickband_percent * (1.0 + move);
     for (const double share : {0.25, 0.4, 0.55, 0.7, 0.85, 1.0}) {
-      for (EffectPtr& rung : ValveEffect::on_every_rung(band, share * band, data.op.front())) {
-        structure.effects.back() = std::move(rung);
-        Fit tried = evaluate(data, structure);
-        if (tried.fit_error < best.fit_error) best = std::move(tried);
-      }
+      for (const EffectPtr& rung : ValveEffect::on_every_rung(band, share * band, data.op.front()))
+        found.take(variants, rung);
     }
   }
-  return best;
+  return found.effect ? evaluated_with(data, start, found.effect) : best;
 }
 
 }  // namespace
@@ -191,13 +209,14 @@ std::optional<Fit> cross_laws(const LoopData& data, const Fit& fit) {
   return fit_anew(data, std::move(best));
 }
 
-Fit fit_anew(const LoopData& data, Fit fit) {
+Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {
   const EffectKind kind = fit.structure.effects.back()->kind();
   const bool bends = bends_flow(kind);
   fit = refine_last(data, std::move(fit));
   // The linear baseline takes part of an oscillation, and all of a valve's travel, for dynamics.
   fit = bends || kind == EffectKind::external_oscillation ? search_process(data, fit.structure)
                                                           : settle(data, fit);
+  if (is_valve_hysteresis(kind) && fit.fit_error > hopeless) return fit;
   if (bends) fit = polish(data, scan_band(data, std::move(fit)).structure, 4);
   fit = scan_jump(data, std::move(fit));
   for (int round = 0; bends && round < 3; ++round) {

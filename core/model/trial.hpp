@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "core/model/fit.hpp"
@@ -40,7 +41,10 @@ struct Comparison {
 /// where none is better, on the fit rows, than a valve that follows its own law alone.
 [[nodiscard]] std::optional<Fit> cross_laws(const LoopData& data, const Fit& fit);
 
-/// The structure with its effects, everything fitted anew: effect, delay, poles, noise.
-[[nodiscard]] Fit fit_anew(const LoopData& data, Fit fit);
+/// The structure with its effects, everything fitted anew: effect, delay, poles, noise. A valve
+/// that leaves more than `hopeless` (a fit_error) once the process has been searched behind it is
+/// returned as it is then: the search for its band and jump is the costly part.
+[[nodiscard]] Fit fit_anew(const LoopData& data, Fit fit,
+                           double hopeless = std::numeric_limits<double>::infinity());
 
 }  // namespace loopscope::core::model

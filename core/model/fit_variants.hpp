@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/model/design.hpp"
+
+namespace loopscope::core::model {
+
+/// Fit errors of structures that differ in their last effect alone: what they share is whitened and
+/// multiplied once, so that one of them costs no more than the columns that the last effect moves.
+class FitVariants {
+ public:
+  /// `data` has to outlive this. The last effects to come bend the flow, or do not, as the last one
+  /// of `structure` does.
+  FitVariants(const LoopData& data, const Structure& structure);
+
+  /// evaluate(data, structure with `last` as its last effect).fit_error, up to rounding.
+  [[nodiscard]] double fit_error(const EffectPtr& last) const;
+
+ private:
+  [[nodiscard]] std::vector<Column> moved_columns(const EffectPtr& last) const;
+  [[nodiscard]] Eigen::MatrixXd whitened(const std::vector<Column>& columns) const;
+  [[nodiscard]] Eigen::MatrixXd normal_with(const std::vector<Signal>& moved) const;
+
+  const LoopData& data_;
+  Structure structure_;  ///< without its last effect
+  bool bends_;
+  std::vector<double> flow_;          ///< before the last effect
+  std::vector<double> answered_;      ///< the process's answer to it, of gain 1
+  std::vector<EffectPtr> following_;  ///< whose columns move with what bends the flow
+  Design steady_;
+  std::vector<Signal> steady_columns_;  ///< of `steady_`, those that every variant has; pv first
+  Eigen::MatrixXd steady_normal_;
+};
+
+}  // namespace loopscope::core::model

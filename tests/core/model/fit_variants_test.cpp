@@ -1,0 +1,87 @@
+#include "core/model/fit_variants.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/model/effects/curvature.hpp"
+#include "core/model/effects/external_oscillation.hpp"
+#include "core/model/effects/gain_change.hpp"
+#include "core/model/effects/load_step.hpp"
+#include "core/model/effects/saturation.hpp"
+#include "core/model/effects/valve.hpp"
+#include "tests/core/model/model_records.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr std::size_t kSamples = 1500;
+
+LoopData record() {
+  const NoiseModel noise{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
+  const tests::Series op = tests::stepping_op(kSamples, 1);
+  return make_loop_data(tests::process_record(tests::one_lag(0.8, 3), 1.5, op,
+                                              tests::coloured_noise(noise, kSamples, 2, 0.5)),
+                        op, 1.0);
+}
+
+/// One tap, two taps whose numerator the columns of effects go by, two lags, an integrator.
+std::vector<Structure> structures(const std::vector<EffectPtr>& effects) {
+  ProcessShape taps = tests::one_lag(0.8, 3);
+  taps.numerator = {1.4, -0.4};
+  std::vector<Structure> result;
+  for (const ProcessShape& shape :
+       {tests::one_lag(0.8, 3), taps, tests::two_lags(0.9, 0.6, 1), tests::integrator(2)}) {
+    result.push_back(tests::structure_of(shape, effects));
+    result.push_back(result.back());
+    result.back().noise = {3, {0.98, 0.6, 0.2}, {-0.5, 0.1, -0.05}};
+  }
+  return result;
+}
+
+EffectPtr valve(double band, double jump) {
+  return std::make_shared<ValveEffect>(Valve{ValveLaw::kano, band, jump, 1.0});
+}
+
+/// Those before the last: columns of time, columns that follow the flow, one that bends it.
+std::vector<std::vector<EffectPtr>> companies() {
+  return {{},
+          {std::make_shared<LoadStep>(700), std::make_shared<ExternalOscillation>(41.0)},
+          {std::make_shared<ValveCharacteristic>(), std::make_shared<LoadStep>(300),
+           std::make_shared<GainChange>(600, 600)},
+          {std::make_shared<Saturation>(-8.0, 8.0), std::make_shared<ProcessNonlinearity>()}};
+}
+
+void expect_the_slow_way(const LoopData& data, const std::vector<EffectPtr>& lasts) {
+  for (std::vector<EffectPtr> effects : companies()) {
+    effects.push_back(lasts.front());
+    for (Structure structure : structures(effects)) {
+      const FitVariants variants(data, structure);
+      for (const EffectPtr& last : lasts) {
+        structure.effects.back() = last;
+        const double error = evaluate(data, structure).fit_error;
+        EXPECT_NEAR(variants.fit_error(last), error, 1e-9 * error) << name(last->kind());
+      }
+    }
+  }
+}
+
+TEST(FitVariants, AreTheErrorsOfWholeFits) {
+  const LoopData data = record();
+  expect_the_slow_way(data, {std::make_shared<LoadStep>(500), std::make_shared<LoadStep>(504)});
+  expect_the_slow_way(
+      data, {std::make_shared<ExternalOscillation>(50.0), std::make_shared<GainChange>(400, 900),
+             std::make_shared<ProcessNonlinearity>()});
+}
+
+TEST(FitVariants, AreTheErrorsOfWholeFitsBehindAValve) {
+  expect_the_slow_way(record(),
+                      {valve(3.0, 1.0), valve(3.3, 0.0), std::make_shared<Saturation>(-5.0, 1e9)});
+}
+
+TEST(FitVariants, SeeTheRowsOfTheFitAlone) {
+  const LoopData data = mirrored(record());
+  expect_the_slow_way(data, {std::make_shared<LoadStep>(500)});
+  expect_the_slow_way(data, {valve(2.0, 2.0)});
+}
+
+}  // namespace
+}  // namespace loopscope::core::model

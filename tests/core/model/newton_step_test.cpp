@@ -1,0 +1,54 @@
+#include "core/model/newton_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/model/design.hpp"
+#include "tests/core/model/model_records.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr std::size_t kSamples = 2000;
+
+LoopData record(double pole) {
+  const tests::Series op = tests::stepping_op(kSamples, 1);
+  return make_loop_data(
+      tests::process_record(tests::one_lag(pole, 3), 1.5, op, tests::white_noise(kSamples, 2, 0.1)),
+      op, 1.0);
+}
+
+Solution solved(const LoopData& data, const Structure& structure) {
+  const Fit fit = evaluate(data, structure);
+  Solution solution;
+  solution.design = DesignMaker(data, structure.effects).make(structure);
+  solution.normal = products(solution.design.columns(), data.rows.fit);
+  solution.coefficients = Eigen::Map<const Eigen::VectorXd>(
+      fit.coefficients.data(), static_cast<Eigen::Index>(fit.coefficients.size()));
+  solution.errors = Eigen::Map<const Eigen::VectorXd>(
+      fit.innovations.data(), static_cast<Eigen::Index>(fit.innovations.size()));
+  solution.fit_error = fit.fit_error;
+  return solution;
+}
+
+TEST(NewtonStep, GoesTowardsTheTruePole) {
+  const LoopData data = record(0.8);
+  const Structure start = tests::structure_of(tests::one_lag(0.75, 3));
+  const Structure next = NewtonStep(data, solved(data, start), start).take(1e-3);
+  EXPECT_NEAR(next.process.pole, 0.8, 0.02);
+  EXPECT_LT(evaluate(data, next).fit_error, evaluate(data, start).fit_error);
+}
+
+TEST(NewtonStep, IsShorterWithMoreDampingAndTheSameWhenTakenAgain) {
+  const LoopData data = record(0.8);
+  const Structure start = tests::structure_of(tests::one_lag(0.75, 3));
+  const NewtonStep step(data, solved(data, start), start);
+  const double freely = step.take(1e-3).process.pole - start.process.pole;
+  const double damped = step.take(10.0).process.pole - start.process.pole;
+  EXPECT_GT(freely, damped);
+  EXPECT_GT(damped, 0.0);
+  EXPECT_EQ(step.take(1e-3).process.pole,
+            NewtonStep(data, solved(data, start), start).take(1e-3).process.pole);
+}
+
+}  // namespace
+}  // namespace loopscope::core::model

@@ -1,0 +1,40 @@
+#include "core/model/whitening.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/model/model_records.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+/// Alone, in pairs, and with one over; in place or not.
+TEST(Whitening, IsThatOfEachSignalAlone) {
+  const NoiseModel noise{2, {0.97, 0.5, 0.0}, {-0.6, 0.2, 0.0}};
+  for (const std::size_t count : {1U, 2U, 5U}) {
+    std::vector<tests::Series> signals, expected;
+    Whitening whitening;
+    for (std::size_t i = 0; i < count; ++i) signals.push_back(tests::white_noise(300, i));
+    for (tests::Series& signal : signals) {
+      expected.push_back(tests::Series(signal.size()));
+      whiten(noise, signal, expected.back());
+      whitening.add(signal, signal);
+    }
+    whitening.run(noise);
+    EXPECT_EQ(signals, expected);
+  }
+}
+
+TEST(Whitening, OfASignalThatComesASampleLaterIsASampleLater) {
+  const NoiseModel noise{1, {0.9, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
+  const tests::Series signal = tests::white_noise(200, 1);
+  tests::Series later(200), whitened(200), expected(200), result(200);
+  put_later(signal, later);
+  whiten(noise, later, expected);
+  whiten(noise, signal, whitened);
+  put_later(whitened, result);
+  for (std::size_t k = 0; k < 200; ++k) EXPECT_NEAR(result[k], expected[k], 1e-12);
+  put_later({}, {});
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
