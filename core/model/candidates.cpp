@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <string_view>
+#include <typeinfo>
 
 #include "core/model/baseline.hpp"
 #include "core/model/effects/load_step.hpp"
 #include "core/model/nominate.hpp"
+#include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -15,6 +16,12 @@ namespace {
 /// A sudden step is seen by fit and score over so many samples from two before it on.
 constexpr std::size_t kStepBefore = 2;
 constexpr std::size_t kStepSamples = 16;
+
+/// Changes of gain that lie closer together are hardly told apart.
+constexpr std::size_t kPlace = 64;
+
+/// n ln on the coarse net of places; the best of them all gains about 4 where nothing changes.
+constexpr double kWorthPlacing = 5.0;
 
 /// How often one kind may come.
 std::ptrdiff_t most_of(EffectKind kind) {
@@ -48,20 +55,56 @@ std::vector<EffectPtr> nominees(const Round& round) {
   return all;
 }
 
-Candidate look_at(const Round& round, const EffectPtr& effect) {
+/// The rows of a round and the model as it stands on them.
+struct View {
+  LoopData rows;
+  Fit before;
+};
+
+View whole_view(const Round& round) {
+  View view{seen_whole(round.data), {}};
+  view.before = evaluate(view.rows, round.now.fit.structure);
+  return view;
+}
+
+View fit_view(const Round& round, const Structure& structure, EffectKind kind) {
+  View view{judged_on(round.original, structure), round.now.fit};
+  if (kind == EffectKind::load_step) view.before = evaluate(view.rows, round.now.fit.structure);
+  return view;
+}
+
+Candidate look_at(const Round& round, const View& whole, const EffectPtr& effect) {
+  const EffectKind kind = effect->kind();
   Structure structure = with(round.now.fit.structure, effect);
-  if (bends_flow(effect->kind())) {
-    structure.process = glance(round.data, structure).shape;
+  const bool all = looked_at_whole(kind);
+  if (bends_flow(kind)) {
+    structure.process = glance(all ? whole.rows : round.data, structure).shape;
     structure.two_taps = false;
     structure.second_order = false;
   }
-  const LoopData rows = judged_on(round.original, structure);
-  Candidate candidate{effect, evaluate(rows, structure), 0.0};
-  const Fit before = effect->kind() == EffectKind::load_step
-                         ? evaluate(rows, round.now.fit.structure)
-                         : round.now.fit;
-  candidate.gain = fit_gain(rows, before, candidate.fit);
-  return candidate;
+  const View part = all ? View{} : fit_view(round, structure, kind);
+  const View& view = all ? whole : part;
+  const double gain = fit_gain(view.rows, view.before, evaluate(view.rows, structure));
+  return {effect, std::move(structure), gain};
+}
+
+/// Found by looking through all places, frequencies or bands on all rows.
+bool sought_everywhere(EffectKind kind) {
+  return kind == EffectKind::load_step || kind == EffectKind::external_oscillation ||
+         is_valve_hysteresis(kind);
+}
+
+std::size_t tries_of(const Round& round, EffectKind kind, std::size_t nominees) {
+  if (kind == EffectKind::gain_change) return round.data.size() / kPlace;
+  return sought_everywhere(kind) ? round.data.size() : nominees;
+}
+
+/// The place of a change, to a few samples.
+void put_in_place(const View& whole, Candidate& candidate) {
+  const Fit fit = refine_last(whole.rows, evaluate(whole.rows, candidate.structure));
+  candidate.structure = fit.structure;
+  candidate.effect = fit.structure.effects.back();
+  candidate.gain = fit_gain(whole.rows, whole.before, fit);
 }
 
 using Candidates = std::map<EffectKind, std::vector<Candidate>>;
@@ -69,19 +112,25 @@ using Candidates = std::map<EffectKind, std::vector<Candidate>>;
 /// The valve's two kinds go under one name: which it is shows when its jump has been fitted.
 Candidates looked_at(const Round& round) {
   Candidates result;
+  const View whole = whole_view(round);
   for (const EffectPtr& effect : nominees(round)) {
     const EffectKind kind =
         is_valve_hysteresis(effect->kind()) ? EffectKind::valve_stiction : effect->kind();
-    if (has_room(round.now.fit.structure, kind)) result[kind].push_back(look_at(round, effect));
+    if (has_room(round.now.fit.structure, kind))
+      result[kind].push_back(look_at(round, whole, effect));
   }
-  for (auto& [kind, list] : result) std::ranges::sort(list, std::greater{}, &Candidate::gain);
+  for (auto& [kind, list] : result) {
+    std::ranges::sort(list, std::greater{}, &Candidate::gain);
+    const bool placed = kind == EffectKind::gain_change && list.front().gain >= kWorthPlacing;
+    if (placed) put_in_place(whole, list.front());
+    for (Candidate& candidate : list) candidate.tries = tries_of(round, kind, list.size());
+  }
   return result;
 }
 
-/// The law as far as a candidate has one: of the three valve laws and plain play each is tried.
-std::string_view law_of(const Candidate& candidate) {
-  return is_valve_hysteresis(candidate.effect->kind()) ? candidate.effect->law()
-                                                       : std::string_view("none");
+/// Of the three valve laws and plain play each is tried, and of a bend each of its shapes.
+bool same_law(const Effect& a, const Effect& b) {
+  return typeid(a) == typeid(b) && a.law() == b.law();
 }
 
 /// The best candidate of each law; of load steps all, since the error of one that is still to come
@@ -90,13 +139,21 @@ std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
   if (!list.empty() && list.front().effect->kind() == EffectKind::load_step) return list;
   std::vector<Candidate> chosen;
   for (const Candidate& candidate : list) {
-    const auto same = [&](const Candidate& other) { return law_of(other) == law_of(candidate); };
+    const auto same = [&](const Candidate& other) {
+      return same_law(*other.effect, *candidate.effect);
+    };
     if (std::ranges::none_of(chosen, same)) chosen.push_back(candidate);
   }
   return chosen;
 }
 
 }  // namespace
+
+bool looked_at_whole(EffectKind kind) {
+  using enum EffectKind;
+  return kind == valve_saturation || kind == valve_characteristic || kind == process_nonlinearity ||
+         kind == gain_change;
+}
 
 LoopData judged_on(const LoopData& original, const Structure& structure) {
   LoopData data = original;

@@ -13,10 +13,14 @@ struct Contestant {
   LoopData rows;
   TwinFit
       before;  ///< without the effect: the model as it stood, or polished anew if that is better
+  double price = 0.0;  ///< 2 ln(tries of the search): what p counts, in units of evidence
+  [[nodiscard]] double worth() const { return comparison.evidence - price; }
+  /// One healthy loop in a thousand and kind of effect.
+  [[nodiscard]] bool enters() const { return comparison.p <= 1e-3; }
   [[nodiscard]] EffectKind kind() const { return fit.fit.structure.effects.back()->kind(); }
 };
 
-/// The best trial of every kind that has anything to show, most evidence first.
+/// The best trial of every kind that has anything to show, the least probable by chance first.
 [[nodiscard]] std::vector<Contestant> hold_contest(const Round& round);
 
 }  // namespace loopscope::core::model

@@ -13,13 +13,14 @@
 namespace loopscope::core::model {
 namespace {
 
-/// One healthy loop in a thousand and kind of effect.
-constexpr double kEnterP = 1e-3;
 constexpr std::size_t kMostEffects = 6;
+
+/// At the price of the winner's search.
 double rival_evidence(const std::vector<Contestant>& trials) {
+  const Contestant& winner = trials.front();
   for (const Contestant& trial : trials) {
-    if (!same_cause(trial.kind(), trials.front().kind()))
-      return std::max(0.0, trial.comparison.evidence);
+    if (!same_cause(trial.kind(), winner.kind()))
+      return std::max(0.0, trial.worth() + winner.price);
   }
   return 0.0;
 }
@@ -67,7 +68,7 @@ void continue_story(Story& story, const std::vector<Answer>& answers) {
   while (story.chapters.size() < kMostEffects) {
     const std::vector<Contestant> trials =
         hold_contest({original, story.data, story.last(), valves, calls_for(answers, "op_level")});
-    if (trials.empty() || trials.front().comparison.p > kEnterP) break;
+    if (trials.empty() || !trials.front().enters()) break;
     Chapter chapter = chapter_of(trials);
     story.data = judged_on(original, chapter.fit.fit.structure);
     settle_chapter(story.data, chapter);

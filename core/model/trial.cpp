@@ -38,12 +38,18 @@ void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& bef
   }
 }
 
+/// The moves of op right after a gain has changed lie in one half only: the other half would shift
+/// the change to behind them. Its place is found on all rows (candidates.hpp).
+bool moves_on_half(const Effect& effect) {
+  return effect.kind() != EffectKind::gain_change;
+}
+
 }  // namespace
 
 TwinFit twin(const LoopData& data, Fit fit) {
   const LoopData other = mirrored(data);
   Fit mirror = polish(other, fit.structure, 4);
-  if (!fit.structure.effects.empty()) {
+  if (!fit.structure.effects.empty() && moves_on_half(*fit.structure.effects.back())) {
     mirror = refine_last(other, std::move(mirror), 0.25);
   }
   return {std::move(fit), std::move(mirror)};
@@ -164,6 +170,7 @@ Fit cross_laws(const LoopData& data, Fit fit) {
 Fit fit_anew(const LoopData& data, Fit fit) {
   const EffectKind kind = fit.structure.effects.back()->kind();
   const bool bends = bends_flow(kind);
+  if (!moves_on_half(*fit.structure.effects.back())) return search_process(data, fit.structure);
   fit = refine_last(data, std::move(fit));
   // The linear baseline takes part of an oscillation, and all of a valve's travel, for dynamics.
   fit = bends || kind == EffectKind::external_oscillation ? search_process(data, fit.structure)
