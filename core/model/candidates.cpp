@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <tuple>
+#include <typeinfo>
 #include <utility>
 
 #include "core/model/baseline.hpp"
@@ -14,6 +14,7 @@
 #include "core/model/fit_variants.hpp"
 #include "core/model/hysteresis_net.hpp"
 #include "core/model/nominate.hpp"
+#include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -23,6 +24,12 @@ namespace {
 /// one of its coefficients free.
 constexpr std::size_t kStepBefore = 12;
 constexpr std::size_t kStepSamples = 40;
+
+/// Changes of gain that lie closer together are hardly told apart.
+constexpr std::size_t kPlace = 64;
+
+/// n ln on the coarse net of places; the best of them all gains about 4 where nothing changes.
+constexpr double kWorthPlacing = 5.0;
 
 /// How often one kind may come.
 std::ptrdiff_t most_of(EffectKind kind) {
@@ -59,42 +66,72 @@ double gain_of(const LoopData& rows, double before, double after) {
   return static_cast<double>(rows.rows.fit_count()) * std::log(before / after);
 }
 
-/// Behind an effect that bends op the process is another one.
-Candidate look_through(const Round& round, const EffectPtr& effect) {
-  Structure structure = with(round.now.fit.structure, effect);
-  structure.process = glance(round.data, structure).shape;
-  structure.two_taps = false;
-  structure.second_order = false;
-  const double error = evaluate(round.data, structure).fit_error;
-  return {effect, std::move(structure), gain_of(round.data, round.now.fit.fit_error, error)};
-}
+/// Rows, and the error that the model as it stands leaves on them.
+struct View {
+  LoopData rows;
+  double before = 0.0;
+};
 
-/// A load step brings rows of its own.
-Candidate look_at_step(const Round& round, const EffectPtr& effect) {
-  Structure structure = with(round.now.fit.structure, effect);
-  const LoopData rows = judged_on(round.original, structure);
-  const double before = evaluate(rows, round.now.fit.structure).fit_error;
-  const double after = evaluate(rows, structure).fit_error;
-  return {effect, std::move(structure), gain_of(rows, before, after)};
+View whole_view(const Round& round) {
+  View view{seen_whole(round.data), 0.0};
+  view.before = evaluate(view.rows, round.now.fit.structure).fit_error;
+  return view;
 }
 
 /// First looks at effects, one after the other.
 class Looks {
  public:
-  explicit Looks(const Round& round) : round_(round) {}
+  explicit Looks(const Round& round)
+      : round_(round), part_{round.data, round.now.fit.fit_error}, whole_(whole_view(round)) {}
 
   Candidate at(const EffectPtr& effect) {
-    if (bends_flow(effect->kind())) return look_through(round_, effect);
-    if (effect->kind() == EffectKind::load_step) return look_at_step(round_, effect);
+    if (bends_flow(effect->kind())) return through(effect);
+    return effect->kind() == EffectKind::load_step ? at_step(effect) : beside(effect);
+  }
+
+  /// Behind an effect that bends op the process is another one.
+  [[nodiscard]] Candidate through(const EffectPtr& effect) const {
+    const View& view = looked_at_whole(effect->kind()) ? whole_ : part_;
     Structure structure = with(round_.now.fit.structure, effect);
-    if (!straight_) straight_.emplace(round_.data, structure);
-    const double error = straight_->fit_error(effect);
-    return {effect, std::move(structure), gain_of(round_.data, round_.now.fit.fit_error, error)};
+    structure.process = glance(view.rows, structure).shape;
+    structure.two_taps = false;
+    structure.second_order = false;
+    const double error = evaluate(view.rows, structure).fit_error;
+    return {effect, std::move(structure), gain_of(view.rows, view.before, error)};
+  }
+
+  /// The place of a change, to a few samples.
+  void put_in_place(Candidate& candidate) const {
+    const Fit fit = refine_last(whole_.rows, evaluate(whole_.rows, candidate.structure));
+    candidate.structure = fit.structure;
+    candidate.effect = fit.structure.effects.back();
+    candidate.gain = gain_of(whole_.rows, whole_.before, fit.fit_error);
   }
 
  private:
+  /// A load step brings rows of its own.
+  [[nodiscard]] Candidate at_step(const EffectPtr& effect) const {
+    Structure structure = with(round_.now.fit.structure, effect);
+    const LoopData rows = judged_on(round_.original, structure);
+    const double before = evaluate(rows, round_.now.fit.structure).fit_error;
+    const double after = evaluate(rows, structure).fit_error;
+    return {effect, std::move(structure), gain_of(rows, before, after)};
+  }
+
+  /// An effect that leaves the flow and the rows as they are.
+  Candidate beside(const EffectPtr& effect) {
+    const bool all = looked_at_whole(effect->kind());
+    const View& view = all ? whole_ : part_;
+    std::optional<FitVariants>& variants = all ? whole_variants_ : part_variants_;
+    Structure structure = with(round_.now.fit.structure, effect);
+    if (!variants) variants.emplace(view.rows, structure);
+    const double error = variants->fit_error(effect);
+    return {effect, std::move(structure), gain_of(view.rows, view.before, error)};
+  }
+
   const Round& round_;
-  std::optional<FitVariants> straight_;  ///< effects that leave the flow and the rows as they are
+  View part_, whole_;
+  std::optional<FitVariants> part_variants_, whole_variants_;
 };
 
 /// Valves by their law alone: sticking ones where play, which is cheap to look for, gains
@@ -111,6 +148,14 @@ void add_hysteresis(const Round& round, std::vector<Candidate>& list) {
   for (const NetFind& find : find_sticking(round.data, round.now.fit, *play)) add(find);
 }
 
+/// Load steps and lines are found by looking through all places and frequencies; what a valve was
+/// chosen from shows when it has been fitted.
+std::size_t tries_of(const Round& round, EffectKind kind, std::size_t nominees) {
+  if (kind == EffectKind::gain_change) return round.data.size() / kPlace;
+  const bool everywhere = kind == EffectKind::load_step || kind == EffectKind::external_oscillation;
+  return everywhere ? round.data.size() : nominees;
+}
+
 using Candidates = std::map<EffectKind, std::vector<Candidate>>;
 
 /// The valve's two kinds go under one name: which it is shows when its jump has been fitted.
@@ -123,18 +168,25 @@ Candidates looked_at(const Round& round) {
   }
   if (!round.load_steps_only && has_room(round.now.fit.structure, EffectKind::valve_stiction))
     add_hysteresis(round, result[EffectKind::valve_stiction]);
-  for (auto& [kind, list] : result) std::ranges::sort(list, std::greater{}, &Candidate::gain);
+  for (auto& [kind, list] : result) {
+    if (list.empty()) continue;
+    std::ranges::sort(list, std::greater{}, &Candidate::gain);
+    const bool placed = kind == EffectKind::gain_change && list.front().gain >= kWorthPlacing;
+    if (placed) looks.put_in_place(list.front());
+    for (Candidate& candidate : list) candidate.tries = tries_of(round, kind, list.size());
+  }
   return result;
 }
 
-/// The law as far as a candidate has one, and whether pv puts it right: of the three valve laws and
-/// plain play each is tried.
-std::tuple<EffectKind, ValveLaw, bool> law_of(const Candidate& candidate) {
-  const EffectKind kind = candidate.effect->kind();
-  const auto* valve = dynamic_cast<const ValveEffect*>(candidate.effect.get());
-  if (valve == nullptr) return {kind, ValveLaw::kano, true};
-  const bool play = kind == EffectKind::valve_deadband;
-  return {kind, play ? ValveLaw::kano : valve->valve().law, valve->by_law_alone()};
+/// Of the valve's laws and plain play each is tried, with pv to put it right and without, and of a
+/// bend each of its shapes.
+bool same_law(const Effect& a, const Effect& b) {
+  const auto* valve = dynamic_cast<const ValveEffect*>(&a);
+  const auto* other = dynamic_cast<const ValveEffect*>(&b);
+  if (valve == nullptr || other == nullptr) return typeid(a) == typeid(b) && a.law() == b.law();
+  const bool both_play = a.kind() == EffectKind::valve_deadband && b.kind() == a.kind();
+  return valve->by_law_alone() == other->by_law_alone() &&
+         (both_play || (a.kind() == b.kind() && valve->valve().law == other->valve().law));
 }
 
 /// The best candidate of each law; of load steps all, since the error of one that is still to come
@@ -143,13 +195,21 @@ std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
   if (!list.empty() && list.front().effect->kind() == EffectKind::load_step) return list;
   std::vector<Candidate> chosen;
   for (const Candidate& candidate : list) {
-    const auto same = [&](const Candidate& other) { return law_of(other) == law_of(candidate); };
+    const auto same = [&](const Candidate& other) {
+      return same_law(*other.effect, *candidate.effect);
+    };
     if (std::ranges::none_of(chosen, same)) chosen.push_back(candidate);
   }
   return chosen;
 }
 
 }  // namespace
+
+bool looked_at_whole(EffectKind kind) {
+  using enum EffectKind;
+  return kind == valve_saturation || kind == valve_characteristic || kind == process_nonlinearity ||
+         kind == gain_change;
+}
 
 LoopData judged_on(const LoopData& original, const Structure& structure) {
   LoopData data = original;
@@ -165,7 +225,8 @@ LoopData judged_on(const LoopData& original, const Structure& structure) {
 std::vector<Candidate> find_tracked_valves(const Round& round) {
   std::vector<Candidate> list;
   if (!has_room(round.now.fit.structure, EffectKind::valve_stiction)) return list;
-  for (const EffectPtr& valve : round.tracked_valves()) list.push_back(look_through(round, valve));
+  const Looks looks(round);
+  for (const EffectPtr& valve : round.tracked_valves()) list.push_back(looks.through(valve));
   std::ranges::sort(list, std::greater{}, &Candidate::gain);
   return worth_trying(list);
 }

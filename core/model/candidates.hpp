@@ -22,16 +22,21 @@ struct Round {
 /// An effect that was looked at, not yet fitted in full.
 struct Candidate {
   EffectPtr effect;
-  Structure structure;  ///< with it last; process and noise as they are, or by glance()
-  double gain = 0.0;    ///< n ln(error before / after) on the fit rows
+  Structure structure;    ///< with it last; process and noise as they are, or by glance()
+  double gain = 0.0;      ///< n ln(error before / after) on the rows that were looked at
+  std::size_t tries = 1;  ///< how many of its kind were looked at on rows that score it
 };
 
 /// The original rows, with the samples around every load step of the structure seen by fit and
 /// score.
 [[nodiscard]] LoopData judged_on(const LoopData& original, const Structure& structure);
 
+/// A smooth effect is looked at on all rows: what it gains on the half that a fit would see is too
+/// little to go by, and its few starting points are few tries.
+[[nodiscard]] bool looked_at_whole(EffectKind kind);
+
 /// What is worth a full fit, by kind (the valve's two kinds under one): the best of each kind, of a
-/// valve the best of each law, and all load steps.
+/// valve and of a bend the best of each law, and all load steps.
 [[nodiscard]] std::vector<std::vector<Candidate>> find_candidates(const Round& round);
 
 /// The best of each law among the round's tracked valves; none where the model has one already.

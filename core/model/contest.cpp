@@ -9,12 +9,17 @@
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/hysteresis_net.hpp"
+#include "core/model/tell_bends_apart.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
 /// An effect that does not gain so much (n ln) where it was fitted gains nothing on unseen rows.
 constexpr double kWorthFitting = 8.0;
+/// The same where all rows are looked at: less than what a later p of 0.001 asks for.
+constexpr double kWorthFittingWhole = 11.0;
+/// On the fit rows, of an effect that has shown so much on all: about its parameters.
+constexpr double kWorthScoring = 3.0;
 
 /// Of the error without it: a valve that is further off once the process has been searched behind
 /// it is not followed to its needle. One that is a little off may still have it before it.
@@ -35,16 +40,13 @@ bool scored_once(const Effect& effect) {
   return effect.kind() == EffectKind::load_step || (valve != nullptr && !valve->by_law_alone());
 }
 
-/// Found by looking through places, frequencies or bands on all rows, each of which is a try. Play
-/// is smooth in its band: only so many bands differ.
-double tries_of(const Effect& effect, std::size_t samples) {
-  const bool everywhere = effect.kind() == EffectKind::load_step ||
-                          effect.kind() == EffectKind::external_oscillation ||
-                          is_valve_hysteresis(effect.kind());
-  const auto* valve = dynamic_cast<const ValveEffect*>(&effect);
-  if (valve != nullptr && valve->by_law_alone() && valve->valve().slip_jump_percent == 0.0)
-    return static_cast<double>(hysteresis_net_bands());
-  return everywhere ? static_cast<double>(samples) : 1.0;
+/// What a valve was chosen from shows when it has been fitted: play is smooth in its band, and only
+/// so many bands differ.
+double tries_of(const Candidate& candidate, const Effect& fitted, std::size_t samples) {
+  const auto* valve = dynamic_cast<const ValveEffect*>(&fitted);
+  if (valve == nullptr) return static_cast<double>(candidate.tries);
+  const bool play = valve->by_law_alone() && valve->valve().slip_jump_percent == 0.0;
+  return static_cast<double>(play ? hysteresis_net_bands() : samples);
 }
 
 TwinFit reevaluated(const LoopData& rows, const TwinFit& fit) {
@@ -76,13 +78,12 @@ void compare_fairly(Contestant& trial) {
   trial.before = bare;
 }
 
-Contestant finished(const Round& round, Contestant trial, Fit fit) {
+Contestant finished(Contestant trial, Fit fit, const Candidate& candidate) {
   const bool once = scored_once(*fit.structure.effects.back());
   trial.fit = scored_fit(trial.rows, std::move(fit), once);
   compare_fairly(trial);
-  const double tries = tries_of(trial.effect(), round.data.size());
-  trial.price = 2.0 * std::log(tries);
-  trial.comparison.p = std::min(1.0, trial.comparison.p * tries);
+  trial.price = 2.0 * std::log(tries_of(candidate, trial.effect(), trial.rows.size()));
+  trial.comparison.p = std::min(1.0, std::exp(-0.5 * trial.worth()));
   return trial;
 }
 
@@ -92,7 +93,7 @@ void try_other_laws(const Round& round, std::optional<Contestant>& best) {
   if (!best || !is_valve_hysteresis(best->kind()) || best->comparison.evidence <= 0.0) return;
   std::optional<Fit> fit = cross_laws(best->rows, best->fit.fit);
   if (!fit) return;
-  Contestant trial = finished(round, {{}, {}, best->rows, round.now, 0.0}, std::move(*fit));
+  Contestant trial = finished({{}, {}, best->rows, round.now, 0.0}, std::move(*fit), {});
   if (trial.worth() > best->worth()) best = std::move(trial);
 }
 
@@ -104,23 +105,28 @@ bool called_for(const Round& round, const Effect& effect) {
          (effect.kind() == EffectKind::valve_saturation && round.limits_called_for);
 }
 
+/// What was looked at on all rows has shown its worth there.
+double least_gain(EffectKind kind) {
+  return looked_at_whole(kind) ? kWorthScoring : worth_fitting(kind);
+}
+
 /// The error on the fit rows above which an effect of that kind is not worth while.
 double hopeless_error(const Contestant& trial, EffectKind kind) {
   const auto rows = static_cast<double>(trial.rows.rows.fit_count());
-  return trial.before.fit.fit_error * std::exp(-worth_fitting(kind) / rows);
+  return trial.before.fit.fit_error * std::exp(-least_gain(kind) / rows);
 }
 
 std::optional<Contestant> try_candidate(const Round& round, const Candidate& candidate) {
   const EffectKind kind = candidate.effect->kind();
-  if (!called_for(round, *candidate.effect) && candidate.gain < worth_fitting(kind))
-    return std::nullopt;
+  const double worth = looked_at_whole(kind) ? kWorthFittingWhole : worth_fitting(kind);
+  if (!called_for(round, *candidate.effect) && candidate.gain < worth) return std::nullopt;
   Contestant trial{{}, {}, judged_on(round.original, candidate.structure), round.now, 0.0};
   if (kind == EffectKind::load_step) trial.before = reevaluated(trial.rows, round.now);
   const double hopeless = hopeless_error(trial, kind);
   const double far_off = kFarOff * trial.before.fit.fit_error;
   Fit fit = fit_anew(trial.rows, evaluate(trial.rows, candidate.structure), far_off);
   if (fit.fit_error > hopeless) return std::nullopt;
-  return finished(round, std::move(trial), std::move(fit));
+  return finished(std::move(trial), std::move(fit), candidate);
 }
 
 std::optional<Contestant> best_of(const Round& round, const std::vector<Candidate>& candidates) {
@@ -139,8 +145,20 @@ void rank(std::vector<Contestant>& entries) {
 
 /// Hysteresis leads, or nothing enters without it.
 bool asks_for_tracking(const std::vector<Contestant>& entries) {
-  return entries.empty() || entries.front().comparison.p > kEnterP ||
+  return entries.empty() || !entries.front().enters() ||
          is_valve_hysteresis(entries.front().kind());
+}
+
+void take_tracked(const Round& round, std::vector<Contestant>& entries) {
+  std::optional<Contestant> tracked = best_of(round, find_tracked_valves(round));
+  if (!tracked) return;
+  const auto alone = std::ranges::find_if(
+      entries, [](const Contestant& entry) { return is_valve_hysteresis(entry.kind()); });
+  if (alone == entries.end())
+    entries.push_back(std::move(*tracked));
+  else if (tracked->worth() > alone->worth())
+    *alone = std::move(*tracked);
+  rank(entries);
 }
 
 }  // namespace
@@ -156,16 +174,8 @@ std::vector<Contestant> hold_contest(const Round& round) {
     if (best) result.push_back(std::move(*best));
   }
   rank(result);
-  if (!round.tracked_valves || !asks_for_tracking(result)) return result;
-  std::optional<Contestant> tracked = best_of(round, find_tracked_valves(round));
-  if (!tracked) return result;
-  const auto alone = std::ranges::find_if(
-      result, [](const Contestant& entry) { return is_valve_hysteresis(entry.kind()); });
-  if (alone == result.end())
-    result.push_back(std::move(*tracked));
-  else if (tracked->worth() > alone->worth())
-    *alone = std::move(*tracked);
-  rank(result);
+  if (round.tracked_valves && asks_for_tracking(result)) take_tracked(round, result);
+  tell_bends_apart(round.data, result);
   return result;
 }
 

@@ -6,9 +6,6 @@
 
 namespace loopscope::core::model {
 
-/// One healthy loop in a thousand and kind of effect.
-inline constexpr double kEnterP = 1e-3;
-
 /// One effect fitted in full, and what it is worth on rows that its fit has not seen.
 struct Contestant {
   TwinFit fit;
@@ -16,14 +13,16 @@ struct Contestant {
   LoopData rows;
   TwinFit
       before;  ///< without the effect: the model as it stood, or polished anew if that is better
-  double price = 0.0;  ///< of the search, in units of evidence: twice the logarithm of its tries
+  double price = 0.0;  ///< 2 ln(tries of the search): what p counts, in units of evidence
   [[nodiscard]] double worth() const { return comparison.evidence - price; }
+  /// One healthy loop in a thousand and kind of effect.
+  [[nodiscard]] bool enters() const { return comparison.p <= 1e-3; }
   [[nodiscard]] const Effect& effect() const { return *fit.fit.structure.effects.back(); }
   [[nodiscard]] EffectKind kind() const { return effect().kind(); }
 };
 
-/// The best trial of every kind that has anything to show, the worthiest first. What is scored once
-/// has no mirror yet.
+/// The best trial of every kind that has anything to show, the least probable by chance first. What
+/// is scored once has no mirror yet.
 [[nodiscard]] std::vector<Contestant> hold_contest(const Round& round);
 
 /// Fits the mirror of one that is taken in.

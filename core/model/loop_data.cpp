@@ -113,6 +113,11 @@ LoopData mirrored(LoopData data) {
   return data;
 }
 
+LoopData seen_whole(LoopData data) {
+  for (const Range& range : data.rows.score) data.rows.fit = united(data.rows.fit, range);
+  return data;
+}
+
 Rows seen_by_both(const Rows& rows, std::size_t at, std::size_t length) {
   if (rows.fit.empty() || rows.score.empty()) return rows;
   const std::size_t last = std::max(rows.fit.back().end, rows.score.back().end);

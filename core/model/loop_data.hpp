@@ -42,6 +42,9 @@ struct LoopData {
 /// The fit sees what it was scored on, and the other way round.
 [[nodiscard]] LoopData mirrored(LoopData data);
 
+/// The fit sees the rows of both kinds; the score is what it was.
+[[nodiscard]] LoopData seen_whole(LoopData data);
+
 /// The same rows, with the `length` samples from `at` on in both kinds. A sudden step lives in a
 /// single one-step error: whoever fits it has to see that sample, and so has whoever scores it. The
 /// score flatters such an effect by one part in the number of rows for each of its coefficients.

@@ -6,9 +6,11 @@
 
 #include "core/hos/record_fft.hpp"
 #include "core/model/effects/curvature.hpp"
+#include "core/model/effects/exponential_trim.hpp"
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/effects/gain_change.hpp"
 #include "core/model/effects/load_step.hpp"
+#include "core/model/effects/root_outflow.hpp"
 #include "core/model/effects/saturation.hpp"
 
 namespace loopscope::core::model {
@@ -20,6 +22,12 @@ double quantile(std::vector<double> values, double share) {
   const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + place, values.end());
   return values[static_cast<std::size_t>(place)];
+}
+
+/// Half the way that op travels, > 0.
+double reach_of(const LoopData& data) {
+  const double reach = (quantile(data.op, 0.98) - quantile(data.op, 0.02)) / 2.0;
+  return reach > 0.0 ? reach : 1.0;
 }
 
 /// The answer of the whitening filter to a step, over its first samples.
@@ -62,6 +70,14 @@ void add_peaks(const std::vector<double>& signal, std::size_t count, std::vector
 
 }  // namespace
 
+std::vector<EffectPtr> nominate_trims(const LoopData& data) {
+  std::vector<EffectPtr> result;
+  for (const double growth : {-0.4, 0.4}) {
+    result.push_back(std::make_shared<ExponentialTrim>(growth, reach_of(data)));
+  }
+  return result;
+}
+
 std::vector<EffectPtr> nominate_static(const LoopData& data) {
   std::vector<EffectPtr> result;
   for (const double share : {0.03, 0.08, 0.15, 0.25, 0.4, 0.55}) {
@@ -70,14 +86,19 @@ std::vector<EffectPtr> nominate_static(const LoopData& data) {
   }
   result.push_back(std::make_shared<ValveCharacteristic>());
   result.push_back(std::make_shared<ProcessNonlinearity>());
+  for (const EffectPtr& trim : nominate_trims(data)) result.push_back(trim);
+  // A shallow vessel and a deep one; deeper ones are straight.
+  for (const double reaches : {1.0, 2.5}) {
+    result.push_back(std::make_shared<RootOutflow>(reaches * reach_of(data)));
+  }
   return result;
 }
 
 std::vector<EffectPtr> nominate_gain_changes(const LoopData& data) {
-  constexpr std::size_t kPlaces = 16;
+  constexpr std::size_t kPlaces = 24;
   std::vector<EffectPtr> result;
   const std::size_t n = data.size();
-  for (std::size_t i = 2; i + 1 < kPlaces; ++i) {
+  for (std::size_t i = 3; i + 2 < kPlaces; ++i) {
     result.push_back(std::make_shared<GainChange>(i * n / kPlaces, i * n / kPlaces));
   }
   result.push_back(std::make_shared<GainChange>(0, n));

@@ -15,10 +15,13 @@ namespace loopscope::core::model {
 namespace {
 
 constexpr std::size_t kMostEffects = 6;
+
+/// At the price of the winner's search.
 double rival_evidence(const std::vector<Contestant>& trials) {
+  const Contestant& winner = trials.front();
   for (const Contestant& trial : trials) {
-    if (!same_cause(trial.kind(), trials.front().kind()))
-      return std::max(0.0, trial.comparison.evidence);
+    if (!same_cause(trial.kind(), winner.kind()))
+      return std::max(0.0, trial.worth() + winner.price);
   }
   return 0.0;
 }
@@ -90,7 +93,7 @@ void continue_story(Story& story, const std::vector<Answer>& answers) {
     Round round{original, story.data, story.last(), nullptr, after_a_step, limits};
     if (hysteresis && !after_a_step) round.tracked_valves = track;
     std::vector<Contestant> trials = hold_contest(round);
-    const bool enters = !trials.empty() && trials.front().comparison.p <= kEnterP;
+    const bool enters = !trials.empty() && trials.front().enters();
     if (enters) add_chapter(original, trials, story);
     if (!enters && !after_a_step) break;
     after_a_step = enters && trials.front().kind() == EffectKind::load_step;

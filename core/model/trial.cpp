@@ -61,14 +61,20 @@ Fit evaluated_with(const LoopData& data, Structure structure, const EffectPtr& l
   return evaluate(data, structure);
 }
 
+/// The moves of op right after a gain has changed lie in one half only: the other half would shift
+/// the change to behind them. Its place is found on all rows (candidates.hpp).
+bool moves_on_half(const Effect& effect) {
+  return effect.kind() != EffectKind::gain_change;
+}
+
 }  // namespace
 
 TwinFit twin(const LoopData& data, Fit fit) {
   const LoopData other = mirrored(data);
   Fit mirror = polish(other, fit.structure, 4);
   // A valve's band is a needle: the half that it is scored on stands for the tries of its search.
-  const bool effects = !fit.structure.effects.empty();
-  if (effects && !is_valve_hysteresis(fit.structure.effects.back()->kind()))
+  const Effect* last = fit.structure.effects.empty() ? nullptr : fit.structure.effects.back().get();
+  if (last != nullptr && !is_valve_hysteresis(last->kind()) && moves_on_half(*last))
     mirror = refine_last(other, std::move(mirror), 0.25);
   return {std::move(fit), std::move(mirror)};
 }
@@ -212,6 +218,7 @@ std::optional<Fit> cross_laws(const LoopData& data, const Fit& fit) {
 Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {
   const EffectKind kind = fit.structure.effects.back()->kind();
   const bool bends = bends_flow(kind);
+  if (!moves_on_half(*fit.structure.effects.back())) return search_process(data, fit.structure);
   fit = refine_last(data, std::move(fit));
   // The linear baseline takes part of an oscillation, and all of a valve's travel, for dynamics.
   fit = bends || kind == EffectKind::external_oscillation ? search_process(data, fit.structure)

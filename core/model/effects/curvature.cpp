@@ -41,11 +41,7 @@ std::vector<Parameter> ValveCharacteristic::parameters(const LoopData& data,
 }
 
 void ProcessNonlinearity::add_columns(const Signals& signals, std::vector<Column>& columns) const {
-  Column square = square_of(signals.response);
-  Column lagged(square.size());
-  respond(signals.process, square, lagged);
-  columns.push_back(std::move(square));
-  columns.push_back(std::move(lagged));
+  columns.push_back(square_of(signals.response));
   columns.push_back(cube_of(signals.response));
 }
 
@@ -53,7 +49,7 @@ std::vector<Parameter> ProcessNonlinearity::parameters(const LoopData& data,
                                                        std::span<const double> coefficients,
                                                        double gain) const {
   // Static curve in pv: y = g r + s r^2 with r the answer of gain 1, so c / 50 = s / g^2.
-  const double square = (coefficients[0] + coefficients[1]) / (kUnit * kUnit) * data.pv_scale;
+  const double square = coefficients[0] / (kUnit * kUnit) * data.pv_scale;
   const double real_gain = gain * data.pv_scale;
   return {{"curvature",
            "",

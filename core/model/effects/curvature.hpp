@@ -18,12 +18,12 @@ class ValveCharacteristic final : public Effect {
   [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 };
 
-/// A process whose answer is curved, at once (y^2) and through its own dynamics (a vessel whose
-/// outflow grows with the root of its level: the process answers to y^2).
+/// A process whose answer is curved behind its dynamics, as conversion and titration are: pv
+/// follows the square and the cube of the linear answer as well.
 class ProcessNonlinearity final : public Effect {
  public:
   [[nodiscard]] EffectKind kind() const override { return EffectKind::process_nonlinearity; }
-  [[nodiscard]] std::size_t column_count() const override { return 3; }
+  [[nodiscard]] std::size_t column_count() const override { return 2; }
   void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
   /// curvature c of y + c y^2 / 50, y in pv units from the mean.
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,

@@ -6,14 +6,17 @@
 
 namespace loopscope::core::model {
 
+/// The flow meets the new gain when it comes out of the dead time, before the lags: pv goes over to
+/// it as smoothly as the process does, and an integrator keeps its level.
 void GainChange::add_columns(const Signals& signals, std::vector<Column>& columns) const {
-  Column column(signals.response.begin(), signals.response.end());
+  Column changed(signals.flow.begin(), signals.flow.end());
   const auto length = static_cast<double>(std::max<std::size_t>(1, until_ - at_));
-  for (std::size_t k = 0; k < column.size(); ++k) {
-    const double since = static_cast<double>(k) - static_cast<double>(at_);
-    column[k] *= until_ == at_ ? (since >= 0.0 ? 1.0 : 0.0) : std::clamp(since / length, 0.0, 1.0);
+  for (std::size_t k = 0; k < changed.size(); ++k) {
+    const double since =
+        static_cast<double>(k + signals.process.delay_samples) - static_cast<double>(at_);
+    changed[k] *= until_ == at_ ? (since >= 0.0 ? 1.0 : 0.0) : std::clamp(since / length, 0.0, 1.0);
   }
-  columns.push_back(std::move(column));
+  columns.push_back(answer(signals.process, changed));
 }
 
 std::vector<EffectPtr> GainChange::neighbours(double scale) const {

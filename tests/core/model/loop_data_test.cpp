@@ -155,6 +155,18 @@ TEST(LoopData, SeenByBothAddsTheWindowToBothAndNothingElse) {
   }
 }
 
+/// Once each, also where both kinds have it already.
+TEST(LoopData, SeenWholeFitsTheRowsOfBothKinds) {
+  LoopData data = full_record();
+  data.rows = seen_by_both(data.rows, 1000, 40);
+  const LoopData whole = seen_whole(data);
+  const auto fit = seen(data.rows.fit, kSamples);
+  const auto score = seen(data.rows.score, kSamples);
+  const auto both = seen(whole.rows.fit, kSamples);
+  for (std::size_t k = 0; k < kSamples; ++k) EXPECT_EQ(both[k], std::max(fit[k], score[k])) << k;
+  EXPECT_EQ(whole.rows.score_count(), data.rows.score_count());
+}
+
 TEST(LoopData, SeenByBothStaysWithinTheRecord) {
   const LoopData data = full_record();
   const Rows rows = seen_by_both(data.rows, kSamples + 100, 16);

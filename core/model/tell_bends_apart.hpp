@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/contest.hpp"
+
+namespace loopscope::core::model {
+
+/// Puts the likeliest of a valve that stops short, a curved valve and a curved process first, where
+/// one of them leads; only those come into question that would be taken in alone. At rest they are
+/// nearly the same, and what tells them apart is how pv goes from one level to the next, a few
+/// percent of the rows. So they are compared on all rows, fitted jointly, and not on rows held out:
+/// that there is a bend is known by then.
+void tell_bends_apart(const LoopData& data, std::vector<Contestant>& trials);
+
+}  // namespace loopscope::core::model
