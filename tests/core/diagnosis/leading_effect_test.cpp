@@ -38,6 +38,20 @@ TEST(LeadingEffect, StepsOfOneVerdictCountTogether) {
   EXPECT_EQ(leading.strongest, &explanation.steps[2]) << "of its two the one that explains more";
 }
 
+TEST(LeadingEffect, OfLoadStepsBesideAValveOnlyTheLargestCounts) {
+  const auto explanation =
+      explanation_of({clear_step(valve_stiction, 1.0, 0.6), clear_step(load_step, 0.6, 0.4),
+                      clear_step(load_step, 0.4, 0.3), clear_step(load_step, 0.3, 0.2)});
+  EXPECT_EQ(leading_effect(explanation).code, VerdictCode::valve_stiction);
+}
+
+TEST(LeadingEffect, LoadStepsAloneCountTogether) {
+  const auto explanation =
+      explanation_of({clear_step(external_oscillation, 1.0, 0.8), clear_step(load_step, 0.8, 0.7),
+                      clear_step(load_step, 0.7, 0.6)});
+  EXPECT_EQ(leading_effect(explanation).share, 1.0);
+}
+
 TEST(LeadingEffect, WithoutAnyDropTheFirstLeads) {
   const auto explanation =
       explanation_of({clear_step(sensor_quantisation, 1.0, 1.0), clear_step(load_step, 1.0, 1.0)});

@@ -49,7 +49,7 @@ tests::Series through_process(const tests::Series& op, std::uint64_t seed) {
 
 std::vector<Contestant> contest(const tests::Series& pv, const tests::Series& op) {
   const Story story = begin_story(make_loop_data(pv, op, 1.0));
-  return hold_contest({story.data, story.data, story.last(), {}, true});
+  return hold_contest({story.data, story.data, story.last(), nullptr, false, true});
 }
 
 template <class Make>
