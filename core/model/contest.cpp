@@ -116,6 +116,11 @@ double hopeless_error(const Contestant& trial, EffectKind kind) {
   return trial.before.fit.fit_error * std::exp(-least_gain(kind) / rows);
 }
 
+bool is_plausible(const Fit& fit) {
+  const std::size_t last = fit.structure.effects.size() - 1;
+  return fit.structure.effects[last]->plausible(coefficients_of(fit, last), fit.gain());
+}
+
 std::optional<Contestant> try_candidate(const Round& round, const Candidate& candidate) {
   const EffectKind kind = candidate.effect->kind();
   const double worth = looked_at_whole(kind) ? kWorthFittingWhole : worth_fitting(kind);
@@ -125,7 +130,7 @@ std::optional<Contestant> try_candidate(const Round& round, const Candidate& can
   const double hopeless = hopeless_error(trial, kind);
   const double far_off = kFarOff * trial.before.fit.fit_error;
   Fit fit = fit_anew(trial.rows, evaluate(trial.rows, candidate.structure), far_off);
-  if (fit.fit_error > hopeless) return std::nullopt;
+  if (fit.fit_error > hopeless || !is_plausible(fit)) return std::nullopt;
   return finished(std::move(trial), std::move(fit), candidate);
 }
 

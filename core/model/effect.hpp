@@ -46,6 +46,11 @@ class Effect {
   [[nodiscard]] virtual std::vector<Parameter> parameters(const LoopData& data,
                                                           std::span<const double> coefficients,
                                                           double gain) const = 0;
+  /// Whether such an effect does so much in a plant; beyond its bounds something else is at work.
+  [[nodiscard]] virtual bool plausible(std::span<const double> /*coefficients*/,
+                                       double /*gain*/) const {
+    return true;
+  }
   [[nodiscard]] virtual std::string_view law() const { return {}; }
 
   /// What the effect is, with its figures, in one sentence for an engineer.

@@ -54,6 +54,13 @@ Fit finished(const LoopData& data, const Structure& structure, const Solution& s
 
 }  // namespace
 
+std::span<const double> coefficients_of(const Fit& fit, std::size_t place) {
+  const auto& effects = fit.structure.effects;
+  std::size_t offset = fit.taps();
+  for (std::size_t i = 0; i < place; ++i) offset += effects[i]->column_count();
+  return std::span(fit.coefficients).subspan(offset, effects[place]->column_count());
+}
+
 Fit evaluate(const LoopData& data, const Structure& structure) {
   const DesignMaker maker(data, structure.effects);
   return finished(data, structure, solve_design(data, maker.make(structure)));

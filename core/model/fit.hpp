@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/model/effect.hpp"
@@ -35,6 +36,9 @@ struct Fit {
     return coefficients[0] + (structure.two_taps ? coefficients[1] : 0.0);
   }
 };
+
+/// Those of the columns of one effect, by its place among the structure's.
+[[nodiscard]] std::span<const double> coefficients_of(const Fit& fit, std::size_t place);
 
 /// Least squares over the coefficients, everything in the structure as it is.
 [[nodiscard]] Fit evaluate(const LoopData& data, const Structure& structure);

@@ -12,12 +12,8 @@ constexpr std::size_t kParts = 4;
 constexpr double kHalfWidth = 2.353 / 2.0;
 
 std::vector<Parameter> parameters_of(const LoopData& data, const Fit& fit, std::size_t place) {
-  std::size_t offset = fit.taps();
-  const auto& effects = fit.structure.effects;
-  for (std::size_t i = 0; i < place; ++i) offset += effects[i]->column_count();
-  const std::span all(fit.coefficients);
-  return effects[place]->parameters(data, all.subspan(offset, effects[place]->column_count()),
-                                    fit.gain());
+  const Effect& effect = *fit.structure.effects[place];
+  return effect.parameters(data, coefficients_of(fit, place), fit.gain());
 }
 
 std::vector<Range> within(const std::vector<Range>& ranges, Range part) {

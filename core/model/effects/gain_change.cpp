@@ -5,6 +5,13 @@
 #include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
+namespace {
+
+double ratio_of(std::span<const double> coefficients, double gain) {
+  return gain == 0.0 ? 1.0 : 1.0 + coefficients[0] / gain;
+}
+
+}  // namespace
 
 /// The flow meets the new gain when it comes out of the dead time, before the lags: pv goes over to
 /// it as smoothly as the process does, and an integrator keeps its level.
@@ -38,7 +45,7 @@ std::vector<EffectPtr> GainChange::neighbours(double scale) const {
 std::vector<Parameter> GainChange::parameters(const LoopData& data,
                                               std::span<const double> coefficients,
                                               double gain) const {
-  const double ratio = gain == 0.0 ? 1.0 : 1.0 + coefficients[0] / gain;
+  const double ratio = ratio_of(coefficients, gain);
   const double at_s = static_cast<double>(at_) * data.sample_interval_s;
   std::vector<Parameter> result{{"at", "s", at_s, {}, {}}, {"ratio", "", ratio, {}, {}}};
   if (until_ > at_) {
@@ -46,6 +53,12 @@ std::vector<Parameter> GainChange::parameters(const LoopData& data,
     result.push_back({"rate", "1/h", (ratio - 1.0) / hours, {}, {}});
   }
   return result;
+}
+
+bool GainChange::plausible(std::span<const double> coefficients, double gain) const {
+  constexpr double kMost = 5.0;
+  const double ratio = ratio_of(coefficients, gain);
+  return ratio >= 1.0 / kMost && ratio <= kMost;
 }
 
 std::string GainChange::words(std::span<const Parameter> parameters) const {

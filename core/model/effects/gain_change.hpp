@@ -16,6 +16,9 @@ class GainChange final : public Effect {
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;
+  /// From a fifth to five times: a gain that falls to nothing or turns its sign is that of an op
+  /// which has lost its hold, at a limit or by hand.
+  [[nodiscard]] bool plausible(std::span<const double> coefficients, double gain) const override;
   [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 
  private:
