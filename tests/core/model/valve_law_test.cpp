@@ -127,7 +127,7 @@ TEST(ValveLaw, GradualHeIsHeWhosePressurePassesBetweenTheSamples) {
   const std::vector<double> gradual = positions({ValveLaw::he_gradual, 3.0, 1.0, 1.0}, coarse);
   std::size_t apart = 0;
   for (std::size_t k = 0; k + 1 < coarse.size(); ++k)
-    apart += std::abs(between[k * kBetween] - gradual[k]) > 0.2 ? 1 : 0;
+    apart += std::abs(between[k * kBetween] - gradual[k]) > 0.2 ? 1U : 0U;
   EXPECT_LT(apart, coarse.size() / 20);
 }
 
