@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/diagnosis/effect_verdict.hpp"
 
@@ -14,7 +15,9 @@ bool is_load_step(const model::Step& step) {
 
 /// Something in the loop itself, not beside it.
 bool is_inside(const model::Step& step) {
-  return verdict_of(step.effect) != verdict_of(model::EffectKind::load_step);
+  const VerdictCode code = verdict_of(step.effect);
+  return code != verdict_of(model::EffectKind::load_step) &&
+         code != verdict_of(model::EffectKind::sensor_hold);
 }
 
 /// Slips that a valve's law has missed and moves that a changed gain shows in pass for load steps:
@@ -45,10 +48,11 @@ LeadingEffect leading_effect(const model::Explanation& explanation) {
   LeadingEffect leading;
   double most = -1.0;
   double strongest = -1.0;
-  double total = 0.0;
+  std::map<VerdictCode, double> sums;
   for (const model::Step& step : explanation.steps) {
     const VerdictCode code = verdict_of(step.effect);
     const double sum = explained_by_all(explanation, code);
+    sums[code] = sum;
     const bool takes_over = sum > most;
     if (takes_over || (code == leading.code && explained_by(step) > strongest)) {
       leading.code = code;
@@ -56,8 +60,9 @@ LeadingEffect leading_effect(const model::Explanation& explanation) {
       strongest = explained_by(step);
       most = sum;
     }
-    total += explained_by(step);
   }
+  double total = 0.0;
+  for (const auto& [code, sum] : sums) total += sum;
   if (total > 0.0) leading.share = most / total;
   return leading;
 }

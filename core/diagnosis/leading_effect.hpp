@@ -14,7 +14,8 @@ namespace loopscope::core::diagnosis {
 struct LeadingEffect {
   VerdictCode code = VerdictCode::unexplained;
   const model::Step* strongest = nullptr;  ///< of its steps; points into the explanation
-  double share = 1.0;  ///< of what all steps explain, 0 to 1; 1 = no step explains anything
+  double share =
+      1.0;  ///< of what the steps of all verdicts explain, 0 to 1; 1 = no step explains anything
 };
 
 /// `explanation.steps` is not empty. Of equals the verdict that was taken in first leads.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
-#include <typeinfo>
 #include <utility>
 
 #include "core/model/baseline.hpp"
@@ -19,9 +19,9 @@
 namespace loopscope::core::model {
 namespace {
 
-/// A sudden step is seen by fit and score over so many samples from so many before it on: as far as
-/// its place may move while it is fitted. A place whose first sample the fit does not see leaves
-/// one of its coefficients free.
+/// A sudden step is seen by fit and score over so many samples from so many before it on: about as
+/// far as its place moves while it is fitted. A place whose first sample the fit does not see
+/// leaves one of its coefficients free.
 constexpr std::size_t kStepBefore = 12;
 constexpr std::size_t kStepSamples = 40;
 
@@ -61,9 +61,10 @@ std::vector<EffectPtr> nominees(const Round& round) {
   return all;
 }
 
-/// n ln(error before / after) on the fit rows.
+/// n ln(error before / after) on the fit rows; nothing where numbers have overflown.
 double gain_of(const LoopData& rows, double before, double after) {
-  return static_cast<double>(rows.rows.fit_count()) * std::log(before / after);
+  const double gain = static_cast<double>(rows.rows.fit_count()) * std::log(before / after);
+  return std::isnan(gain) ? -std::numeric_limits<double>::infinity() : gain;
 }
 
 /// Rows, and the error that the model as it stands leaves on them.
@@ -151,7 +152,7 @@ void add_hysteresis(const Round& round, std::vector<Candidate>& list) {
 /// Load steps and lines are found by looking through all places and frequencies; what a valve was
 /// chosen from shows when it has been fitted.
 std::size_t tries_of(const Round& round, EffectKind kind, std::size_t nominees) {
-  if (kind == EffectKind::gain_change) return round.data.size() / kPlace;
+  if (kind == EffectKind::gain_change) return std::max(nominees, round.data.size() / kPlace);
   const bool everywhere = kind == EffectKind::load_step || kind == EffectKind::external_oscillation;
   return everywhere ? round.data.size() : nominees;
 }
@@ -179,11 +180,12 @@ Candidates looked_at(const Round& round) {
 }
 
 /// Of the valve's laws and plain play each is tried, with pv to put it right and without, and of a
-/// bend each of its shapes.
+/// bend each of its shapes, which differ in their columns.
 bool same_law(const Effect& a, const Effect& b) {
   const auto* valve = dynamic_cast<const ValveEffect*>(&a);
   const auto* other = dynamic_cast<const ValveEffect*>(&b);
-  if (valve == nullptr || other == nullptr) return typeid(a) == typeid(b) && a.law() == b.law();
+  if (valve == nullptr || other == nullptr)
+    return a.kind() == b.kind() && a.column_count() == b.column_count();
   const bool both_play = a.kind() == EffectKind::valve_deadband && b.kind() == a.kind();
   return valve->by_law_alone() == other->by_law_alone() &&
          (both_play || (a.kind() == b.kind() && valve->valve().law == other->valve().law));

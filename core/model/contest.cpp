@@ -44,13 +44,9 @@ bool scored_once(const Effect& effect) {
 /// so many bands differ.
 double tries_of(const Candidate& candidate, const Effect& fitted, std::size_t samples) {
   const auto* valve = dynamic_cast<const ValveEffect*>(&fitted);
-  if (valve == nullptr) return static_cast<double>(candidate.tries);
+  if (valve == nullptr) return static_cast<double>(std::max<std::size_t>(candidate.tries, 1));
   const bool play = valve->by_law_alone() && valve->valve().slip_jump_percent == 0.0;
   return static_cast<double>(play ? hysteresis_net_bands() : samples);
-}
-
-TwinFit reevaluated(const LoopData& rows, const TwinFit& fit) {
-  return {evaluate(rows, fit.fit.structure), evaluate(mirrored(rows), fit.mirror.structure)};
 }
 
 Structure without_last(Structure structure) {
@@ -116,11 +112,6 @@ double hopeless_error(const Contestant& trial, EffectKind kind) {
   return trial.before.fit.fit_error * std::exp(-least_gain(kind) / rows);
 }
 
-bool is_plausible(const Fit& fit) {
-  const std::size_t last = fit.structure.effects.size() - 1;
-  return fit.structure.effects[last]->plausible(coefficients_of(fit, last), fit.gain());
-}
-
 std::optional<Contestant> try_candidate(const Round& round, const Candidate& candidate) {
   const EffectKind kind = candidate.effect->kind();
   const double worth = looked_at_whole(kind) ? kWorthFittingWhole : worth_fitting(kind);
@@ -130,7 +121,7 @@ std::optional<Contestant> try_candidate(const Round& round, const Candidate& can
   const double hopeless = hopeless_error(trial, kind);
   const double far_off = kFarOff * trial.before.fit.fit_error;
   Fit fit = fit_anew(trial.rows, evaluate(trial.rows, candidate.structure), far_off);
-  if (fit.fit_error > hopeless || !is_plausible(fit)) return std::nullopt;
+  if (!(fit.fit_error <= hopeless) || !is_plausible(fit)) return std::nullopt;
   return finished(std::move(trial), std::move(fit), candidate);
 }
 

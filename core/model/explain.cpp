@@ -41,7 +41,8 @@ bool fittable(const ModelInput& input) {
     throw std::invalid_argument("explain: op and pv differ in length");
   std::size_t both = 0;
   for (std::size_t k = 0; k < input.pv.size(); ++k) {
-    if (!std::isnan(input.pv[k]) && !std::isnan(input.op[k])) ++both;
+    if (std::isfinite(input.pv[k]) && std::isfinite(input.op[k])) ++both;
+    if (std::isinf(input.pv[k]) || std::isinf(input.op[k])) return false;
   }
   return both >= kFewestSamples && varies(input.pv) && varies(input.op);
 }
@@ -134,6 +135,12 @@ Explanation explain_look(const ModelInput& input, Look look) {
   return explanation;
 }
 
+bool has_rows(const Look& look) {
+  constexpr std::size_t kFewestRows = 100;
+  return look.story.data.rows.fit_count() >= kFewestRows &&
+         look.story.data.rows.score_count() >= kFewestRows;
+}
+
 /// Errors of renewals as mean squares over all samples: between renewals pv is known.
 void spread_over(Explanation& explanation, double share) {
   explanation.noise_floor *= share;
@@ -145,14 +152,19 @@ void spread_over(Explanation& explanation, double share) {
 }
 
 /// Of a held sensor only the renewals say anything: the story is told on them.
-Explanation explain_renewals(const ModelInput& input, Step hold, std::size_t hold_samples) {
+/// nullopt where too few are left to fit.
+std::optional<Explanation> explain_renewals(const ModelInput& input, Step hold,
+                                            std::size_t hold_samples) {
   const RenewedRecord renewed =
       renewed_record(input.pv, input.op, input.sp, input.error, hold_samples);
   const double share = 1.0 / static_cast<double>(hold_samples);
   const ModelInput thinned{
       renewed.pv,          renewed.op, renewed.sp, renewed.error, input.sample_interval_s / share,
       input.op_in_percent, input.seed};
-  Explanation explanation = explain_look(thinned, look_at(thinned));
+  if (!fittable(thinned)) return std::nullopt;
+  const Look look = look_at(thinned);
+  if (!has_rows(look)) return std::nullopt;
+  Explanation explanation = explain_look(thinned, look);
   spread_over(explanation, share);
   hold.holdout_error_after = explanation.baseline.holdout_error;
   explanation.noise_floor = std::min(explanation.noise_floor, hold.holdout_error_after);
@@ -181,12 +193,6 @@ Explanation refused(Look look) {
   return explanation;
 }
 
-bool has_rows(const Look& look) {
-  constexpr std::size_t kFewestRows = 100;
-  return look.story.data.rows.fit_count() >= kFewestRows &&
-         look.story.data.rows.score_count() >= kFewestRows;
-}
-
 }  // namespace
 
 std::optional<Explanation> explain(const ModelInput& input) {
@@ -195,8 +201,11 @@ std::optional<Explanation> explain(const ModelInput& input) {
   if (!has_rows(look)) return std::nullopt;
   if (too_good(look)) return refused(look);
   const SensorFinding sensor = find_sensor_steps(look.baseline_error(), look.answers);
-  Explanation explanation = sensor.hold ? explain_renewals(input, *sensor.hold, sensor.hold_samples)
-                                        : explain_look(input, look);
+  std::optional<Explanation> on_renewals;
+  if (sensor.hold) on_renewals = explain_renewals(input, *sensor.hold, sensor.hold_samples);
+  Explanation explanation = on_renewals ? std::move(*on_renewals) : explain_look(input, look);
+  if (sensor.hold && !on_renewals)
+    explanation.steps.insert(explanation.steps.begin(), *sensor.hold);
   if (sensor.quantisation)
     explanation.steps.insert(explanation.steps.begin(), *sensor.quantisation);
   return explanation;

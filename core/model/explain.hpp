@@ -9,8 +9,9 @@ namespace loopscope::core::model {
 
 /// Fits a loop model to the recording, finds what it lacks, adds it, and says what is left.
 ///
-/// nullopt when there is nothing to fit: op not recorded, pv or op constant, or fewer than 400
-/// samples on which both are known. Series of different lengths throw std::invalid_argument.
+/// nullopt when there is nothing to fit: op not recorded, pv or op constant, infinite or beyond
+/// 1e70, fewer than 400 samples on which both are known, or fewer than 100 of them in whole rows.
+/// Series of different lengths throw std::invalid_argument.
 ///
 /// - The linear loop (baseline.hpp): one or two lags or an integrator, at least one sample of
 ///   delay, numerator, noise with real roots; order by BIC.

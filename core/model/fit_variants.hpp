@@ -14,6 +14,8 @@ class FitVariants {
   /// `data` has to outlive this. The last effects to come bend the flow, or do not, as the last one
   /// of `structure` does.
   FitVariants(const LoopData& data, const Structure& structure);
+  FitVariants(const FitVariants&) = delete;
+  FitVariants& operator=(const FitVariants&) = delete;
 
   /// evaluate(data, structure with `last` as its last effect).fit_error, up to rounding.
   [[nodiscard]] double fit_error(const EffectPtr& last) const;

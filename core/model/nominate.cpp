@@ -26,7 +26,11 @@ double quantile(std::vector<double> values, double share) {
 
 /// Half the way that op travels, > 0.
 double reach_of(const LoopData& data) {
-  const double reach = (quantile(data.op, 0.98) - quantile(data.op, 0.02)) / 2.0;
+  // A rare excursion must not lie so many reaches away that an exponential overflows.
+  constexpr double kFarthest = 20.0;
+  const auto [low, high] = std::ranges::minmax(data.op);
+  const double usual = (quantile(data.op, 0.98) - quantile(data.op, 0.02)) / 2.0;
+  const double reach = std::max(usual, (high - low) / (2.0 * kFarthest));
   return reach > 0.0 ? reach : 1.0;
 }
 

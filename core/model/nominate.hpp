@@ -7,8 +7,8 @@
 namespace loopscope::core::model {
 
 /// Effects that the model may lack, with nonlinear parameters to start from: for each kind a few
-/// places on a coarse net, or what the innovations point at. Kinds that the fit has already and
-/// that come once only are left out.
+/// places on a coarse net, or what the innovations point at. Kinds that the fit has already are
+/// left out by the caller.
 [[nodiscard]] std::vector<EffectPtr> nominate_static(const LoopData& data);
 /// Of those, the trims whose gain rises, or falls, along the whole travel.
 [[nodiscard]] std::vector<EffectPtr> nominate_trims(const LoopData& data);

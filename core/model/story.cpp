@@ -54,7 +54,8 @@ void settle_chapter(const LoopData& rows, Chapter& chapter) {
   plain.noise = NoiseModel{};
   for (const Structure& start : {chapter.fit.fit.structure, plain}) {
     Fit again = search_process(rows, start);
-    if (again.fit_error < chapter.fit.fit.fit_error) chapter.fit = twin(rows, std::move(again));
+    if (again.fit_error < chapter.fit.fit.fit_error && is_plausible(again))
+      chapter.fit = twin(rows, std::move(again));
   }
 }
 
@@ -62,6 +63,7 @@ void add_chapter(const LoopData& original, std::vector<Contestant>& trials, Stor
   complete(trials.front());
   Chapter chapter = chapter_of(trials);
   story.data = judged_on(original, chapter.fit.fit.structure);
+  chapter.fit = reevaluated(story.data, chapter.fit);
   settle_chapter(story.data, chapter);
   story.chapters.push_back(std::move(chapter));
 }

@@ -28,9 +28,9 @@ struct Story {
 /// Fits the linear loop.
 [[nodiscard]] Story begin_story(const LoopData& data);
 
-/// Takes in one effect after the other, each time the one with most evidence, as long as that is
-/// significant. A valve is searched for only where the answers to the questions on the baseline's
-/// residual call for one (hysteresis costs most to find and shows first).
+/// Takes in one effect after the other, each time the one least probable by chance, as long as that
+/// is significant. A valve is followed by pv only where the answers to the questions on the
+/// baseline's residual call for it: that search costs most.
 void continue_story(Story& story, const std::vector<Answer>& answers);
 
 }  // namespace loopscope::core::model

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/model/effects/exponential_trim.hpp"
 #include "core/model/nominate.hpp"
 
 namespace loopscope::core::model {
@@ -31,7 +32,8 @@ std::vector<Shape> shapes_of(const LoopData& data, const Contestant& trial) {
   const EffectPtr& effect = trial.fit.fit.structure.effects.back();
   if (trial.kind() == EffectKind::valve_saturation) return {{effect, 0.0}};
   if (trial.kind() == EffectKind::process_nonlinearity) return {{effect, kPriceOfTwoShapes}};
-  std::vector<Shape> shapes{{effect, kPriceOfAnS}};
+  const bool simple = dynamic_cast<const ExponentialTrim*>(effect.get()) != nullptr;
+  std::vector<Shape> shapes{{effect, simple ? 0.0 : kPriceOfAnS}};
   for (const EffectPtr& trim : nominate_trims(data)) shapes.push_back({trim, 0.0});
   return shapes;
 }

@@ -96,6 +96,15 @@ Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& a
   return result;
 }
 
+TwinFit reevaluated(const LoopData& rows, const TwinFit& fit) {
+  return {evaluate(rows, fit.fit.structure), evaluate(mirrored(rows), fit.mirror.structure)};
+}
+
+bool is_plausible(const Fit& fit) {
+  const std::size_t last = fit.structure.effects.size() - 1;
+  return fit.structure.effects[last]->plausible(coefficients_of(fit, last), fit.gain());
+}
+
 double fit_gain(const LoopData& data, const Fit& before, const Fit& after) {
   return static_cast<double>(data.rows.fit_count()) * std::log(before.fit_error / after.fit_error);
 }

@@ -29,6 +29,12 @@ struct Comparison {
 [[nodiscard]] Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& after,
                                  bool once = false);
 
+/// Both fits of a structure that stands, on other rows.
+[[nodiscard]] TwinFit reevaluated(const LoopData& rows, const TwinFit& fit);
+
+/// Whether the last effect does no more than such an effect does in a plant.
+[[nodiscard]] bool is_plausible(const Fit& fit);
+
 /// n ln(before / after) on the rows that the fits have seen.
 [[nodiscard]] double fit_gain(const LoopData& data, const Fit& before, const Fit& after);
 

@@ -47,6 +47,8 @@ void RootOutflow::add_columns(const Signals& signals, std::vector<Column>& colum
   double straight = column.empty() ? 0.0 : column.front();
   for (double& value : column) {
     level = filled(level, value, depth_, rate);
+    // An empty vessel stays empty, however little flows in.
+    level = depth_ > 0.0 ? std::max(level, lowest) : std::min(level, -lowest);
     straight += (1.0 - pole) * (value - straight);
     value = level - straight;
   }
