@@ -8,13 +8,11 @@
 #include <optional>
 #include <utility>
 
-#include "core/model/baseline.hpp"
 #include "core/model/effects/load_step.hpp"
 #include "core/model/effects/valve.hpp"
-#include "core/model/fit_variants.hpp"
+#include "core/model/first_looks.hpp"
 #include "core/model/hysteresis_net.hpp"
 #include "core/model/nominate.hpp"
-#include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -45,11 +43,6 @@ bool has_room(const Structure& structure, EffectKind kind) {
   return std::ranges::count_if(structure.effects, same) < most_of(kind);
 }
 
-Structure with(Structure structure, EffectPtr effect) {
-  structure.effects.push_back(std::move(effect));
-  return structure;
-}
-
 std::vector<EffectPtr> nominees(const Round& round) {
   if (round.load_steps_only) return nominate_load_steps(round.data, round.now.fit);
   std::vector<EffectPtr> all = nominate_static(round.data);
@@ -60,80 +53,6 @@ std::vector<EffectPtr> nominees(const Round& round) {
   }
   return all;
 }
-
-/// n ln(error before / after) on the fit rows; nothing where numbers have overflown.
-double gain_of(const LoopData& rows, double before, double after) {
-  const double gain = static_cast<double>(rows.rows.fit_count()) * std::log(before / after);
-  return std::isnan(gain) ? -std::numeric_limits<double>::infinity() : gain;
-}
-
-/// Rows, and the error that the model as it stands leaves on them.
-struct View {
-  LoopData rows;
-  double before = 0.0;
-};
-
-View whole_view(const Round& round) {
-  View view{seen_whole(round.data), 0.0};
-  view.before = evaluate(view.rows, round.now.fit.structure).fit_error;
-  return view;
-}
-
-/// First looks at effects, one after the other.
-class Looks {
- public:
-  explicit Looks(const Round& round)
-      : round_(round), part_{round.data, round.now.fit.fit_error}, whole_(whole_view(round)) {}
-
-  Candidate at(const EffectPtr& effect) {
-    if (bends_flow(effect->kind())) return through(effect);
-    return effect->kind() == EffectKind::load_step ? at_step(effect) : beside(effect);
-  }
-
-  /// Behind an effect that bends op the process is another one.
-  [[nodiscard]] Candidate through(const EffectPtr& effect) const {
-    const View& view = looked_at_whole(effect->kind()) ? whole_ : part_;
-    Structure structure = with(round_.now.fit.structure, effect);
-    structure.process = glance(view.rows, structure).shape;
-    structure.two_taps = false;
-    structure.second_order = false;
-    const double error = evaluate(view.rows, structure).fit_error;
-    return {effect, std::move(structure), gain_of(view.rows, view.before, error)};
-  }
-
-  /// The place of a change, to a few samples.
-  void put_in_place(Candidate& candidate) const {
-    const Fit fit = refine_last(whole_.rows, evaluate(whole_.rows, candidate.structure));
-    candidate.structure = fit.structure;
-    candidate.effect = fit.structure.effects.back();
-    candidate.gain = gain_of(whole_.rows, whole_.before, fit.fit_error);
-  }
-
- private:
-  /// A load step brings rows of its own.
-  [[nodiscard]] Candidate at_step(const EffectPtr& effect) const {
-    Structure structure = with(round_.now.fit.structure, effect);
-    const LoopData rows = judged_on(round_.original, structure);
-    const double before = evaluate(rows, round_.now.fit.structure).fit_error;
-    const double after = evaluate(rows, structure).fit_error;
-    return {effect, std::move(structure), gain_of(rows, before, after)};
-  }
-
-  /// An effect that leaves the flow and the rows as they are.
-  Candidate beside(const EffectPtr& effect) {
-    const bool all = looked_at_whole(effect->kind());
-    const View& view = all ? whole_ : part_;
-    std::optional<FitVariants>& variants = all ? whole_variants_ : part_variants_;
-    Structure structure = with(round_.now.fit.structure, effect);
-    if (!variants) variants.emplace(view.rows, structure);
-    const double error = variants->fit_error(effect);
-    return {effect, std::move(structure), gain_of(view.rows, view.before, error)};
-  }
-
-  const Round& round_;
-  View part_, whole_;
-  std::optional<FitVariants> part_variants_, whole_variants_;
-};
 
 /// Valves by their law alone: sticking ones where play, which is cheap to look for, gains
 /// something.
@@ -162,7 +81,7 @@ using Candidates = std::map<EffectKind, std::vector<Candidate>>;
 /// The valve's two kinds go under one name: which it is shows when its jump has been fitted.
 Candidates looked_at(const Round& round) {
   Candidates result;
-  Looks looks(round);
+  FirstLooks looks(round);
   for (const EffectPtr& effect : nominees(round)) {
     if (has_room(round.now.fit.structure, effect->kind()))
       result[effect->kind()].push_back(looks.at(effect));
@@ -227,7 +146,7 @@ LoopData judged_on(const LoopData& original, const Structure& structure) {
 std::vector<Candidate> find_tracked_valves(const Round& round) {
   std::vector<Candidate> list;
   if (!has_room(round.now.fit.structure, EffectKind::valve_stiction)) return list;
-  const Looks looks(round);
+  const FirstLooks looks(round);
   for (const EffectPtr& valve : round.tracked_valves()) list.push_back(looks.through(valve));
   std::ranges::sort(list, std::greater{}, &Candidate::gain);
   return worth_trying(list);

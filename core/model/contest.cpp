@@ -8,6 +8,7 @@
 
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
+#include "core/model/fit_anew.hpp"
 #include "core/model/hysteresis_net.hpp"
 #include "core/model/tell_bends_apart.hpp"
 

@@ -48,6 +48,10 @@ bool bends_flow(EffectKind kind) {
   return is_valve_hysteresis(kind) || kind == valve_saturation;
 }
 
+bool moves_on_half(EffectKind kind) {
+  return kind != gain_change;
+}
+
 bool same_cause(EffectKind a, EffectKind b) {
   const auto outside = [](EffectKind kind) {
     return kind == external_oscillation || kind == load_step;

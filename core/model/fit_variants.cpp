@@ -104,4 +104,17 @@ double FitVariants::fit_error(const EffectPtr& last) const {
   return squares_left(normal_with(columns_of(table))) / static_cast<double>(rows);
 }
 
+bool BestVariant::take(const FitVariants& variants, const EffectPtr& tried) {
+  constexpr double kRounding = 1e-9;  // of an error
+  const double tried_error = variants.fit_error(tried);
+  if (tried_error >= (1.0 - kRounding) * error) return false;
+  *this = {tried, tried_error};
+  return true;
+}
+
+Fit evaluated_with(const LoopData& data, Structure structure, const EffectPtr& last) {
+  structure.effects.back() = last;
+  return evaluate(data, structure);
+}
+
 }  // namespace loopscope::core::model

@@ -36,4 +36,17 @@ class FitVariants {
   Eigen::MatrixXd steady_normal_;
 };
 
+/// The best last effect of the variants that were looked at.
+struct BestVariant {
+  EffectPtr effect;
+  double error;
+
+  /// Whether `tried` is better by more than rounding, and so the best from now on: of two laws that
+  /// move the same valve alike the first one stays.
+  bool take(const FitVariants& variants, const EffectPtr& tried);
+};
+
+/// The whole fit of a structure with another last effect.
+[[nodiscard]] Fit evaluated_with(const LoopData& data, Structure structure, const EffectPtr& last);
+
 }  // namespace loopscope::core::model

@@ -1,0 +1,76 @@
+#include "core/model/first_looks.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/model/baseline.hpp"
+#include "core/model/trial.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+Structure with(Structure structure, EffectPtr effect) {
+  structure.effects.push_back(std::move(effect));
+  return structure;
+}
+
+}  // namespace
+
+double gain_of(const LoopData& rows, double before, double after) {
+  const double gain = static_cast<double>(rows.rows.fit_count()) * std::log(before / after);
+  return std::isnan(gain) ? -std::numeric_limits<double>::infinity() : gain;
+}
+
+FirstLooks::View FirstLooks::whole_view(const Round& round) {
+  View view{seen_whole(round.data), 0.0};
+  view.before = evaluate(view.rows, round.now.fit.structure).fit_error;
+  return view;
+}
+
+FirstLooks::FirstLooks(const Round& round)
+    : round_(round), part_{round.data, round.now.fit.fit_error}, whole_(whole_view(round)) {}
+
+Candidate FirstLooks::at(const EffectPtr& effect) {
+  if (bends_flow(effect->kind())) return through(effect);
+  return effect->kind() == EffectKind::load_step ? at_step(effect) : beside(effect);
+}
+
+Candidate FirstLooks::through(const EffectPtr& effect) const {
+  const View& view = looked_at_whole(effect->kind()) ? whole_ : part_;
+  Structure structure = with(round_.now.fit.structure, effect);
+  structure.process = glance(view.rows, structure).shape;
+  structure.two_taps = false;
+  structure.second_order = false;
+  const double error = evaluate(view.rows, structure).fit_error;
+  return {effect, std::move(structure), gain_of(view.rows, view.before, error)};
+}
+
+void FirstLooks::put_in_place(Candidate& candidate) const {
+  const Fit fit = refine_last(whole_.rows, evaluate(whole_.rows, candidate.structure));
+  candidate.structure = fit.structure;
+  candidate.effect = fit.structure.effects.back();
+  candidate.gain = gain_of(whole_.rows, whole_.before, fit.fit_error);
+}
+
+/// A load step brings rows of its own.
+Candidate FirstLooks::at_step(const EffectPtr& effect) const {
+  Structure structure = with(round_.now.fit.structure, effect);
+  const LoopData rows = judged_on(round_.original, structure);
+  const double before = evaluate(rows, round_.now.fit.structure).fit_error;
+  const double after = evaluate(rows, structure).fit_error;
+  return {effect, std::move(structure), gain_of(rows, before, after)};
+}
+
+/// An effect that leaves the flow and the rows as they are.
+Candidate FirstLooks::beside(const EffectPtr& effect) {
+  const bool all = looked_at_whole(effect->kind());
+  const View& view = all ? whole_ : part_;
+  std::optional<FitVariants>& variants = all ? whole_variants_ : part_variants_;
+  Structure structure = with(round_.now.fit.structure, effect);
+  if (!variants) variants.emplace(view.rows, structure);
+  const double error = variants->fit_error(effect);
+  return {effect, std::move(structure), gain_of(view.rows, view.before, error)};
+}
+
+}  // namespace loopscope::core::model
