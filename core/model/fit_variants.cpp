@@ -53,21 +53,22 @@ FitVariants::FitVariants(const LoopData& data, const Structure& structure)
   steady_normal_ = products(steady_columns_, data_.rows.fit);
 }
 
-std::vector<Column> FitVariants::moved_columns(const EffectPtr& last) const {
+std::vector<Column> FitVariants::moved_columns(const EffectPtr& last,
+                                               const ProcessShape& process) const {
   std::vector<Column> columns;
   if (!bends_) {
-    last->add_columns({flow_, answered_, structure_.process}, columns);
+    last->add_columns({flow_, answered_, process}, columns);
     return columns;
   }
   std::vector<double> flow = flow_;
   last->shape_flow(flow);
   Column response(flow.size());
-  respond(structure_.process, flow, response);
+  respond(process, flow, response);
   columns.push_back(std::move(response));
   if (following_.empty() && last->column_count() == 0) return columns;
   std::vector<double> answered = columns.front();
-  weigh(structure_.process.numerator, answered);
-  const Signals signals{flow, answered, structure_.process};
+  weigh(process.numerator, answered);
+  const Signals signals{flow, answered, process};
   for (const EffectPtr& effect : following_) effect->add_columns(signals, columns);
   last->add_columns(signals, columns);
   return columns;
@@ -98,7 +99,11 @@ MatrixXd FitVariants::normal_with(const std::vector<Signal>& moved) const {
 }
 
 double FitVariants::fit_error(const EffectPtr& last) const {
-  const MatrixXd table = whitened(moved_columns(last));
+  return fit_error(last, structure_.process);
+}
+
+double FitVariants::fit_error(const EffectPtr& last, const ProcessShape& process) const {
+  const MatrixXd table = whitened(moved_columns(last, process));
   const std::size_t rows = data_.rows.fit_count();
   if (rows == 0) return 0.0;
   return squares_left(normal_with(columns_of(table))) / static_cast<double>(rows);

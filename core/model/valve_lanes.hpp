@@ -91,8 +91,6 @@ struct ValveLanes {
   void step(const Friction& friction, const OpStep<Element>& step) {
     if constexpr (law == ValveLaw::he) {
       step_he(friction, step.op);
-    } else if constexpr (law == ValveLaw::he_gradual) {
-      step_gradually(friction, step.op);
     } else {
       step_with_op<law>(friction, step);
     }
@@ -114,26 +112,6 @@ struct ValveLanes {
       const Mask loose = Mask((gap > reach) | (gap < -reach));
       place = loose ? target : place;
     }
-  }
-
-  void step_gradually(const Friction& friction, Element op) {
-    // More slips within a sample than this only come of moves of many bands: those end as He's.
-    constexpr int kMostSlips = 4;
-    const Number now = all(op);
-    const Number reach = all(friction.breakaway);
-    const Number up = all(friction.jump);
-    const Number down = all(-friction.jump);
-    for (Number& place : position) {
-      for (int slip = 0; slip < kMostSlips; ++slip) {
-        const Number gap = now - place;
-        if constexpr (std::is_same_v<Number, Element>) {
-          if (gap <= reach && gap >= -reach) break;
-        }
-        place += gap > reach ? up : Number{};
-        place += gap < -reach ? down : Number{};
-      }
-    }
-    step_he(friction, op);
   }
 
   template <ValveLaw law>
@@ -170,8 +148,6 @@ void with_law(ValveLaw law, Function&& f) {
       return f.template operator()<ValveLaw::kano>();
     case ValveLaw::he:
       return f.template operator()<ValveLaw::he>();
-    case ValveLaw::he_gradual:
-      return f.template operator()<ValveLaw::he_gradual>();
   }
 }
 
