@@ -36,14 +36,15 @@ std::vector<ProcessStart> ranked_starts(const LoopData& data, const Structure& s
 }
 
 /// The best (delay, pole pair) of second order, polished.
-Fit second_order_fit(const LoopData& data, const Structure& start, std::size_t longest) {
+Fit second_order_fit(const LoopData& data, const Structure& start, std::size_t longest,
+                     double to_beat) {
   std::vector<ProcessShape> shapes;
   for (const auto& [slow, fast] : kPolePairs) shapes.push_back(undelayed(slow, fast));
   const std::vector<ProcessStart> starts = process_starts(data, start, longest, shapes);
   Structure structure = start;
   structure.process = std::ranges::min_element(starts, {}, &ProcessStart::error)->shape;
   structure.second_order = true;
-  return polish(data, structure, 6);
+  return polish(data, structure, 6, to_beat);
 }
 
 /// The best starts that differ: neighbours in delay at the same pole lead to the same fit.
@@ -61,9 +62,16 @@ std::vector<ProcessShape> distinct(const std::vector<ProcessStart>& starts, int 
   return chosen;
 }
 
-Fit better(Fit a, Fit b, double penalty_b, std::size_t rows) {
-  const double gained = static_cast<double>(rows) * std::log(a.fit_error / b.fit_error);
-  return gained > penalty_b ? std::move(b) : std::move(a);
+/// The error that a fit has to leave less than to earn `penalty` (n ln).
+double error_below(const LoopData& data, const Fit& fit, double penalty) {
+  return fit.fit_error * std::exp(-penalty / static_cast<double>(data.rows.fit_count()));
+}
+
+/// Another structure, polished, if it earns its penalty; else the fit.
+Fit better(const LoopData& data, Fit fit, const Structure& other, int iterations, double penalty) {
+  const double to_beat = error_below(data, fit, penalty);
+  Fit tried = polish(data, other, iterations, to_beat);
+  return tried.fit_error < to_beat ? std::move(tried) : std::move(fit);
 }
 
 Fit try_delay_neighbours(const LoopData& data, Fit fit) {
@@ -72,7 +80,7 @@ Fit try_delay_neighbours(const LoopData& data, Fit fit) {
     if (move < 0 && structure.process.delay_samples == 1) continue;
     structure.process.delay_samples =
         static_cast<std::size_t>(static_cast<long>(structure.process.delay_samples) + move);
-    fit = better(std::move(fit), polish(data, structure, 3), 0.5, data.rows.fit_count());
+    fit = better(data, std::move(fit), structure, 3, 0.5);
   }
   return fit;
 }
@@ -83,7 +91,7 @@ Fit try_orders(const LoopData& data, Fit fit) {
   Structure richer = fit.structure;
   if (!richer.two_taps) {
     richer.two_taps = true;
-    fit = better(std::move(fit), polish(data, richer, 5), std::log(count), data.rows.fit_count());
+    fit = better(data, std::move(fit), richer, 5, std::log(count));
     if (fit.structure.two_taps) fit = try_delay_neighbours(data, std::move(fit));
     richer = fit.structure;
   }
@@ -91,8 +99,7 @@ Fit try_orders(const LoopData& data, Fit fit) {
     const std::size_t order = fit.structure.noise.order;
     richer = fit.structure;
     richer.noise = extended(richer.noise, 0.7, 0.6);
-    fit = better(std::move(fit), polish(data, richer, 8), 2.0 * std::log(count),
-                 data.rows.fit_count());
+    fit = better(data, std::move(fit), richer, 8, 2.0 * std::log(count));
     if (fit.structure.noise.order == order) break;
   }
   richer = fit.structure;
@@ -100,11 +107,9 @@ Fit try_orders(const LoopData& data, Fit fit) {
     richer.two_taps = false;
     const std::size_t longest = std::min<std::size_t>(12, data.size() / 16);
     const double penalty = (fit.structure.two_taps ? 0.0 : 1.0) * std::log(count);
-    Fit second = second_order_fit(data, richer, longest);
-    const bool won =
-        static_cast<double>(data.rows.fit_count()) * std::log(fit.fit_error / second.fit_error) >
-        penalty;
-    if (won) fit = try_delay_neighbours(data, std::move(second));
+    const double to_beat = error_below(data, fit, penalty);
+    Fit second = second_order_fit(data, richer, longest, to_beat);
+    if (second.fit_error < to_beat) fit = try_delay_neighbours(data, std::move(second));
   }
   return fit;
 }
@@ -132,7 +137,7 @@ Fit search_process(const LoopData& data, const Structure& start, const ProcessSe
     structure.process = shape;
     structure.process.pole =
         std::min(structure.process.pole, structure.process.integrating ? 1.0 : 0.99);
-    Fit fit = polish(data, structure);
+    Fit fit = best ? polish(data, structure, 8, best->fit_error) : polish(data, structure);
     if (!best || fit.fit_error < best->fit_error) best = std::move(fit);
   }
   return try_orders(data, try_delay_neighbours(data, std::move(*best)));

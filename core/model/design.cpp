@@ -45,13 +45,18 @@ std::vector<Column> DesignMaker::effect_columns(const ProcessShape& process,
 }
 
 Design DesignMaker::make(const Structure& structure) const {
+  Design design;
+  make(structure, design);
+  return design;
+}
+
+void DesignMaker::make(const Structure& structure, Design& design) const {
   std::vector<double> response(data_.size());
   respond(structure.process, flow_, response);
   const std::vector<Column> extra = effect_columns(structure.process, response);
   const bool integrating = structure.process.integrating;
   const std::vector<double> drift = integrating ? ramp(data_.size()) : std::vector<double>{};
 
-  Design design;
   design.taps = structure.two_taps ? 2 : 1;
   const Index offset = 1 + design.taps + static_cast<Index>(extra.size());
   design.table.resize(static_cast<Index>(data_.size()), offset + (integrating ? 2 : 1));
@@ -64,7 +69,6 @@ Design DesignMaker::make(const Structure& structure) const {
   whitening.run(structure.noise);
   if (structure.two_taps) put_later(column(design.table, 1), column(design.table, 2));
   design.table.col(offset).setConstant(whitened_level(structure.noise));
-  return design;
 }
 
 }  // namespace loopscope::core::model

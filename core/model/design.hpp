@@ -29,6 +29,8 @@ class DesignMaker {
  public:
   DesignMaker(const LoopData& data, const std::vector<EffectPtr>& effects);
   [[nodiscard]] Design make(const Structure& structure) const;
+  /// The same in the place of another design, whose memory serves again.
+  void make(const Structure& structure, Design& design) const;
 
  private:
   [[nodiscard]] std::vector<Column> effect_columns(const ProcessShape& process,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -44,8 +44,10 @@ struct Fit {
 [[nodiscard]] Fit evaluate(const LoopData& data, const Structure& structure);
 
 /// Poles, noise and coefficients by Gauss-Newton from where the structure stands; delay and
-/// effects as they are. At most `iterations` steps; never worse than evaluate().
-[[nodiscard]] Fit polish(const LoopData& data, const Structure& structure, int iterations = 8);
+/// effects as they are. At most `iterations` steps; never worse than evaluate(). Given up as it
+/// stands where even thrice of what the next step promises would not leave less than `to_beat`.
+[[nodiscard]] Fit polish(const LoopData& data, const Structure& structure, int iterations = 8,
+                         double to_beat = std::numeric_limits<double>::infinity());
 
 /// The output of a fitted model run on op alone, scaled pv units: all columns at their
 /// coefficients, nothing of the noise.

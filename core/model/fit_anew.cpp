@@ -1,6 +1,9 @@
 #include "core/model/fit_anew.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
@@ -20,7 +23,7 @@ Fit scan_jump(const LoopData& data, Fit fit) {
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     Structure structure = start.structure;
     structure.effects.back() = valve->with_jump(share);
-    Fit tried = polish(data, structure, 3);
+    Fit tried = polish(data, structure, 3, fit.fit_error);
     if (tried.fit_error < fit.fit_error) fit = std::move(tried);
   }
   return fit;
@@ -31,12 +34,14 @@ Fit sweep(const LoopData& data, const Structure& start, const ValveEffect& valve
   constexpr double kReach = 0.12, kStep = 0.006, kUsualJump = 1.0 / 3.0;
   const double jump = valve.valve().slip_jump_percent / valve.valve().stickband_percent;
   const FitVariants variants(data, start);
-  BestVariant found{nullptr, best.fit_error};
+  std::vector<EffectPtr> tried;
   for (double move = -kReach; move <= kReach; move += kStep) {
     for (const double share : {jump, kUsualJump}) {
-      found.take(variants, valve.with_band(1.0 + move, share));
+      tried.push_back(valve.with_band(1.0 + move, share));
     }
   }
+  BestVariant found{nullptr, best.fit_error};
+  found.take(variants, tried, Digits::single);
   return found.effect ? evaluated_with(data, start, found.effect) : best;
 }
 

@@ -27,6 +27,16 @@ double squares_left(const MatrixXd& normal) {
   return normal(0, 0) + coefficients.dot(regressors * coefficients - 2.0 * right);
 }
 
+/// Those that act at the samples: they go side by side.
+std::vector<const ValveEffect*> valves_among(std::span<const EffectPtr> effects) {
+  std::vector<const ValveEffect*> valves;
+  for (const EffectPtr& effect : effects) {
+    const auto* valve = dynamic_cast<const ValveEffect*>(effect.get());
+    if (valve != nullptr && valve->valve().acts_at_samples()) valves.push_back(valve);
+  }
+  return valves;
+}
+
 }  // namespace
 
 FitVariants::FitVariants(const LoopData& data, const Structure& structure)
@@ -87,15 +97,20 @@ MatrixXd FitVariants::whitened(const std::vector<Column>& columns) const {
   return table;
 }
 
-MatrixXd FitVariants::normal_with(const std::vector<Signal>& moved) const {
-  const auto count = static_cast<Index>(moved.size());
+/// `moved`: products of the moved columns with the steady ones and with one another.
+MatrixXd FitVariants::normal_with(const MatrixXd& moved) const {
+  const Index count = moved.rows();
   const Index steady = steady_normal_.rows();
   MatrixXd normal(steady + count, steady + count);
   normal.topLeftCorner(steady, steady) = steady_normal_;
-  normal.bottomLeftCorner(count, steady) = products(moved, steady_columns_, data_.rows.fit);
-  normal.topRightCorner(steady, count) = normal.bottomLeftCorner(count, steady).transpose();
-  normal.bottomRightCorner(count, count) = products(moved, data_.rows.fit);
+  normal.bottomRows(count) = moved;
+  normal.topRightCorner(steady, count) = moved.leftCols(steady).transpose();
   return normal;
+}
+
+double FitVariants::error_of(const MatrixXd& moved) const {
+  const std::size_t rows = data_.rows.fit_count();
+  return rows == 0 ? 0.0 : squares_left(normal_with(moved)) / static_cast<double>(rows);
 }
 
 double FitVariants::fit_error(const EffectPtr& last) const {
@@ -104,16 +119,41 @@ double FitVariants::fit_error(const EffectPtr& last) const {
 
 double FitVariants::fit_error(const EffectPtr& last, const ProcessShape& process) const {
   const MatrixXd table = whitened(moved_columns(last, process));
-  const std::size_t rows = data_.rows.fit_count();
-  if (rows == 0) return 0.0;
-  return squares_left(normal_with(columns_of(table))) / static_cast<double>(rows);
+  const std::vector<Signal> columns = columns_of(table);
+  MatrixXd moved(table.cols(), steady_normal_.rows() + table.cols());
+  moved.leftCols(steady_normal_.rows()) = products(columns, steady_columns_, data_.rows.fit);
+  moved.rightCols(table.cols()) = products(columns, data_.rows.fit);
+  return error_of(moved);
 }
 
-bool BestVariant::take(const FitVariants& variants, const EffectPtr& tried) {
-  constexpr double kRounding = 1e-9;  // of an error
-  const double tried_error = variants.fit_error(tried);
-  if (tried_error >= (1.0 - kRounding) * error) return false;
-  *this = {tried, tried_error};
+std::vector<double> FitVariants::fit_errors(std::span<const EffectPtr> lasts, Digits digits) const {
+  std::vector<double> errors;
+  const std::vector<const ValveEffect*> valves = valves_among(lasts);
+  if (valves.size() == lasts.size() && following_.empty()) {
+    const ValveAnswers answers(flow_, structure_, steady_columns_, data_.rows.fit);
+    for (const MatrixXd& moved : answers.products(valves, digits))
+      errors.push_back(error_of(moved));
+  } else {
+    for (const EffectPtr& last : lasts) errors.push_back(fit_error(last));
+  }
+  return errors;
+}
+
+bool BestVariant::take(const FitVariants& variants, std::span<const EffectPtr> tried,
+                       Digits digits) {
+  const double rounding = digits == Digits::full ? 1e-9 : 1e-5;  // of an error
+  const std::vector<double> errors = variants.fit_errors(tried, digits);
+  std::size_t best = tried.size();
+  double least = error;
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    if (!(errors[i] < (1.0 - rounding) * least)) continue;  // nor one that has overflown
+    best = i;
+    least = errors[i];
+  }
+  if (best == tried.size()) return false;
+  if (digits == Digits::single) least = variants.fit_error(tried[best]);
+  if (!(least < error)) return false;
+  *this = {tried[best], least};
   return true;
 }
 

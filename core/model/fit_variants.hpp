@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/model/design.hpp"
+#include "core/model/valve_answers.hpp"
 
 namespace loopscope::core::model {
 
@@ -23,11 +24,16 @@ class FitVariants {
   /// The same behind another process, of one tap. The last effect has to bend the flow.
   [[nodiscard]] double fit_error(const EffectPtr& last, const ProcessShape& process) const;
 
+  /// The same of many; of valves at a fraction of the cost of one after the other.
+  [[nodiscard]] std::vector<double> fit_errors(std::span<const EffectPtr> lasts,
+                                               Digits digits = Digits::full) const;
+
  private:
   [[nodiscard]] std::vector<Column> moved_columns(const EffectPtr& last,
                                                   const ProcessShape& process) const;
   [[nodiscard]] Eigen::MatrixXd whitened(const std::vector<Column>& columns) const;
-  [[nodiscard]] Eigen::MatrixXd normal_with(const std::vector<Signal>& moved) const;
+  [[nodiscard]] Eigen::MatrixXd normal_with(const Eigen::MatrixXd& moved) const;
+  [[nodiscard]] double error_of(const Eigen::MatrixXd& moved) const;
 
   const LoopData& data_;
   Structure structure_;  ///< without its last effect
@@ -45,9 +51,9 @@ struct BestVariant {
   EffectPtr effect;
   double error;
 
-  /// Whether `tried` is better by more than rounding, and so the best from now on: of two laws that
-  /// move the same valve alike the first one stays.
-  bool take(const FitVariants& variants, const EffectPtr& tried);
+  /// Takes the best of those that are better by more than rounding: of two laws that move the same
+  /// valve alike the first one stays. Whether there was one.
+  bool take(const FitVariants& variants, std::span<const EffectPtr> tried, Digits digits);
 };
 
 /// The whole fit of a structure with another last effect.

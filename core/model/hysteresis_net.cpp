@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
@@ -18,6 +21,10 @@ constexpr double kNarrowest = 0.02;
 constexpr double kWidest = 0.9;
 /// Play is smooth in its band.
 constexpr double kPlayStep = 1.15;
+/// So smooth that every third band shows where the best one is: of 283 searches, 102 with a play
+/// that gained 5, the net so thinned and filled again about its two leaders missed the best in one.
+constexpr std::size_t kStride = 3;
+constexpr std::size_t kFollowed = 2;
 
 /// Of the best play's band: a valve that sticks lies in between (measured on 28 loops: 0.64
 /// to 1.4).
@@ -39,44 +46,60 @@ Structure behind(Structure structure, EffectPtr valve) {
 }
 
 /// The process that goes with a play: without it the linear loop takes the play for delay.
-NetFind behind_play(const LoopData& data, const Fit& now, double band) {
+NetFind behind_play(const LoopData& data, const Fit& now, double band, double to_beat) {
   const Valve valve{ValveLaw::he, band, 0.0, 1.0};
   const Structure rich = behind(now.structure, std::make_shared<ValveEffect>(valve));
   Structure plain = rich;
   plain.process = glance(data, rich).shape;
   plain.two_taps = false;
   plain.second_order = false;
-  Fit fit = polish(data, plain, 2);
+  Fit fit = polish(data, plain, 2, to_beat);
   if (rich.second_order || rich.two_taps) {
-    Fit other = polish(data, rich, 3);
+    Fit other = polish(data, rich, 3, std::min(fit.fit_error, to_beat));
     if (other.fit_error < fit.fit_error) fit = std::move(other);
   }
   return {std::move(fit.structure), fit.fit_error};
 }
 
-/// The best of the valves that were looked at behind one process.
-class Search {
+/// Plays by the place of their bands on the net.
+class PlayNet {
  public:
-  Search(const LoopData& data, Structure start)
-      : start_(std::move(start)), variants_(data, start_) {}
+  PlayNet(const LoopData& data, const Fit& now, double span)
+      : data_(data), now_(now), span_(span) {}
 
-  void look_at(const EffectPtr& valve) {
-    const double error = variants_.fit_error(valve);
-    if (best_ && error >= error_) return;
-    best_ = valve;
-    error_ = error;
+  void look_at(std::size_t place) {
+    if (place >= hysteresis_net_bands() || finds_.contains(place)) return;
+    const double band = kNarrowest * span_ * std::pow(kPlayStep, static_cast<double>(place));
+    const double to_beat = finds_.empty() ? kNoError : best().fit_error;
+    finds_.emplace(place, behind_play(data_, now_, band, to_beat));
   }
-  [[nodiscard]] NetFind best() const {
-    NetFind find{start_, error_};
-    find.structure.effects.back() = best_;
-    return find;
+  /// All places up to the next ones that the coarse net has.
+  void look_about(std::size_t place) {
+    for (std::size_t i = 1; i < kStride; ++i) {
+      if (place >= i) look_at(place - i);
+      look_at(place + i);
+    }
   }
+  [[nodiscard]] std::vector<std::size_t> leading(std::size_t count) const {
+    std::vector<std::pair<double, std::size_t>> ranked;
+    for (const auto& [place, find] : finds_) {
+      // What has overflown comes last.
+      ranked.emplace_back(std::isnan(find.fit_error) ? kNoError : find.fit_error, place);
+    }
+    std::ranges::sort(ranked);
+    std::vector<std::size_t> places;
+    ranked.resize(std::min(count, ranked.size()));
+    for (const auto& [error, place] : ranked) places.push_back(place);
+    return places;
+  }
+  [[nodiscard]] const NetFind& best() const { return finds_.at(leading(1).front()); }
 
  private:
-  Structure start_;
-  FitVariants variants_;
-  EffectPtr best_;
-  double error_ = 0.0;
+  static constexpr double kNoError = std::numeric_limits<double>::infinity();
+  const LoopData& data_;
+  const Fit& now_;
+  double span_;
+  std::map<std::size_t, NetFind> finds_;
 };
 
 /// The valves of one law about a play of that band.
@@ -91,11 +114,16 @@ std::vector<EffectPtr> valves_of(const Mesh& mesh, double play) {
   return valves;
 }
 
-NetFind best_of(const LoopData& data, const std::vector<EffectPtr>& valves,
-                const Structure& start) {
-  Search search(data, start);
-  for (const EffectPtr& valve : valves) search.look_at(valve);
-  return search.best();
+/// Of valves that leave the same error, as those that never move do, the first one stays.
+NetFind best_of(const LoopData& data, const std::vector<EffectPtr>& valves, Structure start) {
+  constexpr double kRounding = 1e-5;  // of an error, in single digits
+  const std::vector<double> errors = FitVariants(data, start).fit_errors(valves, Digits::single);
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    if (std::isnan(errors[best]) || errors[i] < (1.0 - kRounding) * errors[best]) best = i;
+  }
+  start.effects.back() = valves[best];
+  return {std::move(start), errors[best]};
 }
 
 }  // namespace
@@ -106,12 +134,11 @@ std::size_t hysteresis_net_bands() {
 
 std::optional<NetFind> find_play(const LoopData& data, const Fit& now) {
   const auto [low, high] = std::ranges::minmax(data.op);
-  std::optional<NetFind> best;
-  for (double band = kNarrowest * (high - low); band < kWidest * (high - low); band *= kPlayStep) {
-    NetFind find = behind_play(data, now, band);
-    if (!best || find.fit_error < best->fit_error) best = std::move(find);
-  }
-  return best;
+  if (!(high > low)) return std::nullopt;
+  PlayNet net(data, now, high - low);
+  for (std::size_t i = 0; i < hysteresis_net_bands(); i += kStride) net.look_at(i);
+  for (const std::size_t place : net.leading(kFollowed)) net.look_about(place);
+  return net.best();
 }
 
 std::vector<NetFind> find_sticking(const LoopData& data, const Fit& now, const NetFind& play) {

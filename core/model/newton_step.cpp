@@ -144,23 +144,26 @@ VectorXd solve_normal(const MatrixXd& normal, const VectorXd& right) {
 
 NewtonStep::NewtonStep(const LoopData& data, const Solution& solution, const Structure& structure)
     : structure_(structure),
+      squares_(solution.fit_error * static_cast<double>(data.rows.fit_count())),
       joint_(joint_products(data, solution,
                             sensitivities(solution, structure, handles_of(structure_)))) {}
 
-Structure NewtonStep::take(double damping) const {
-  Structure result = structure_;
-  const std::vector<Handle> handles = handles_of(result);
+NextStructure NewtonStep::take(double damping) const {
+  NextStructure next{structure_};
+  const std::vector<Handle> handles = handles_of(next.structure);
   const auto count = static_cast<Index>(handles.size());
   const Index size = joint_.rows();
   MatrixXd damped = joint_.leftCols(size);
   damped.diagonal().tail(count) *= 1.0 + damping;
-  const VectorXd step = -solve_normal(damped, joint_.col(size)).tail(count);
+  const VectorXd step = -solve_normal(damped, joint_.col(size));
+  next.promise = squares_ > 0.0 ? -step.dot(joint_.col(size)) / squares_ : 0.0;
+  const auto moves = step.tail(count);
   for (Index h = 0; h < count; ++h) {
     const Handle& handle = handles[static_cast<std::size_t>(h)];
-    *handle.value = std::clamp(*handle.value + step(h), handle.low, handle.high);
+    *handle.value = std::clamp(*handle.value + moves(h), handle.low, handle.high);
   }
-  make_invertible(result.noise);
-  return result;
+  make_invertible(next.structure.noise);
+  return next;
 }
 
 }  // namespace loopscope::core::model

@@ -19,6 +19,12 @@ struct Solution {
 [[nodiscard]] Eigen::VectorXd solve_normal(const Eigen::MatrixXd& normal,
                                            const Eigen::VectorXd& right);
 
+/// A structure after a step, and by how much of itself the error on the fit rows should fall.
+struct NextStructure {
+  Structure structure;
+  double promise = 0.0;
+};
+
 /// A Gauss-Newton step of a structure's nonlinear parameters (poles of process and noise, zeros of
 /// noise), the coefficients following.
 class NewtonStep {
@@ -27,10 +33,11 @@ class NewtonStep {
 
   /// The structure after the step, held to where a model makes sense. A step that was too long is
   /// taken again with more damping at little cost.
-  [[nodiscard]] Structure take(double damping) const;
+  [[nodiscard]] NextStructure take(double damping) const;
 
  private:
   Structure structure_;
+  double squares_;         ///< of the errors on the fit rows
   Eigen::MatrixXd joint_;  ///< products of regressors and sensitivities, with the errors last
 };
 

@@ -10,12 +10,6 @@ namespace {
 
 using Coefficients = std::array<double, kMostNoiseOrder>;
 
-/// Coefficients of (1 - m1 z^-1)(1 - m2 z^-1)(1 - m3 z^-1) after the leading 1.
-Coefficients expanded(const Coefficients& poles) {
-  const auto& m = poles;
-  return {-(m[0] + m[1] + m[2]), m[0] * m[1] + m[0] * m[2] + m[1] * m[2], -m[0] * m[1] * m[2]};
-}
-
 /// All zeros of 1 + c1 z^-1 + ... within the circle of that radius (Schur and Cohn's recursion).
 bool within(const Coefficients& zeros, double radius) {
   Coefficients c{};
@@ -38,7 +32,7 @@ bool within(const Coefficients& zeros, double radius) {
 template <typename Number, typename Read, typename Write>
 void whiten_signal(const NoiseModel& noise, std::size_t count, Read read, Write write) {
   if (count == 0) return;
-  const Coefficients a = expanded(noise.poles);
+  const Coefficients a = autoregression(noise);
   const Coefficients& c = noise.zeros;
   Number x1 = read(0);
   const Number rest = x1 * whitened_level(noise);
@@ -70,6 +64,11 @@ void whiten_signal(const NoiseModel& noise, std::size_t count, Read read, Write 
 
 }  // namespace
 
+Coefficients autoregression(const NoiseModel& noise) {
+  const auto& m = noise.poles;
+  return {-(m[0] + m[1] + m[2]), m[0] * m[1] + m[0] * m[2] + m[1] * m[2], -m[0] * m[1] * m[2]};
+}
+
 NoiseModel extended(const NoiseModel& noise, double pole, double zero) {
   NoiseModel result = noise;
   if (noise.order == kMostNoiseOrder) return result;
@@ -89,7 +88,7 @@ void make_invertible(NoiseModel& noise) {
 }
 
 double whitened_level(const NoiseModel& noise) {
-  const Coefficients a = expanded(noise.poles);
+  const Coefficients a = autoregression(noise);
   double above = 1.0, below = 1.0;
   for (std::size_t i = 0; i < kMostNoiseOrder; ++i) {
     above += a[i];

@@ -23,6 +23,9 @@ struct NoiseModel {
   std::array<double, kMostNoiseOrder> zeros{-0.3, 0.0, 0.0};  ///< c, invertible
 };
 
+/// m as coefficients: those of (1 - m1 z^-1)(1 - m2 z^-1)(1 - m3 z^-1) after the leading 1.
+[[nodiscard]] std::array<double, kMostNoiseOrder> autoregression(const NoiseModel& noise);
+
 /// The noise with one more pole and one more real zero.
 [[nodiscard]] NoiseModel extended(const NoiseModel& noise, double pole, double zero);
 

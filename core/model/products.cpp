@@ -28,9 +28,10 @@ inline NumberPair load(Signal signal, std::size_t k) {
 template <std::size_t height, std::size_t width>
 using PairTile = std::array<std::array<NumberPair, width>, height>;
 
+/// Inlined always: as a call of its own every sum would go through memory.
 template <std::size_t height, std::size_t width>
-void add_pair(const Signal* left, const Signal* right, std::size_t k,
-              PairTile<height, width>& sums) {
+[[gnu::always_inline]] inline void add_pair(const Signal* left, const Signal* right, std::size_t k,
+                                            PairTile<height, width>& sums) {
   std::array<NumberPair, width> b;
   for (std::size_t j = 0; j < width; ++j) b[j] = load(right[j], k);
   for (std::size_t i = 0; i < height; ++i) {

@@ -1,8 +1,11 @@
 #include "core/model/put_questions.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "core/model/op_direction.hpp"
+#include "core/model/questions/op_direction.hpp"
+#include "core/model/questions/questioned.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -36,6 +39,16 @@ std::vector<Answer> question(const ModelInput& input, const LoopData& data, cons
                           response, input.pv, input.sample_interval_s};
   return depth == Depth::quick ? question_residual_quickly(view)
                                : question_residual(view, input.seed);
+}
+
+double p_of_op_direction(const LoopData& data, const Fit& fit) {
+  const std::vector<double> residual = residual_of(data, fit);
+  const std::vector<double> direction = op_direction(data.op);
+  const std::vector<double> nothing(data.size(), std::nan(""));
+  const std::optional<Questioned> questioned =
+      prepare_questions({residual, data.op, direction, nothing, nothing, data.sample_interval_s});
+  const std::optional<Answer> answer = questioned ? ask_op_direction(*questioned) : std::nullopt;
+  return answer ? answer->question.p : 1.0;
 }
 
 }  // namespace loopscope::core::model

@@ -18,4 +18,8 @@ enum class Depth { quick, full };
 [[nodiscard]] std::vector<Answer> question(const ModelInput& input, const LoopData& data,
                                            const Fit& fit, Depth depth);
 
+/// p of the question op_direction alone, put to the one-step errors of a fit; 1 where it cannot be
+/// asked.
+[[nodiscard]] double p_of_op_direction(const LoopData& data, const Fit& fit);
+
 }  // namespace loopscope::core::model

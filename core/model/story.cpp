@@ -9,6 +9,7 @@
 #include "core/model/calm_rows.hpp"
 #include "core/model/contest.hpp"
 #include "core/model/nominate_valves.hpp"
+#include "core/model/put_questions.hpp"
 #include "core/model/simulation_error.hpp"
 
 namespace loopscope::core::model {
@@ -70,9 +71,15 @@ void add_chapter(const LoopData& original, std::vector<Contestant>& trials, Stor
 
 /// A question whose answer makes a costly search worth while: hysteresis shows in how the residual
 /// follows op's direction, a limit in how it follows op's level.
+constexpr double kSuspicious = 0.05;
 bool calls_for(const std::vector<Answer>& answers, std::string_view question) {
-  constexpr double kSuspicious = 0.05;
   return p_of(answers, question) <= kSuspicious;
+}
+
+/// The same of what the effects found so far have left: an oscillation or a curve that is in the
+/// model by now may have been all that looked like hysteresis.
+bool still_calls_for_valves(const Story& story) {
+  return story.chapters.empty() || p_of_op_direction(story.data, story.last().fit) <= kSuspicious;
 }
 
 }  // namespace
@@ -93,7 +100,7 @@ void continue_story(Story& story, const std::vector<Answer>& answers) {
   bool after_a_step = false;
   while (story.chapters.size() < kMostEffects) {
     Round round{original, story.data, story.last(), nullptr, after_a_step, limits};
-    if (hysteresis && !after_a_step) round.tracked_valves = track;
+    if (hysteresis && !after_a_step && still_calls_for_valves(story)) round.tracked_valves = track;
     std::vector<Contestant> trials = hold_contest(round);
     const bool enters = !trials.empty() && trials.front().enters();
     if (enters) add_chapter(original, trials, story);

@@ -30,7 +30,8 @@ struct Story {
 
 /// Takes in one effect after the other, each time the one least probable by chance, as long as that
 /// is significant. A valve is followed by pv only where the answers to the questions on the
-/// baseline's residual call for it: that search costs most.
+/// baseline's residual call for it, and what the effects found since have left still does: that
+/// search costs most.
 void continue_story(Story& story, const std::vector<Answer>& answers);
 
 }  // namespace loopscope::core::model

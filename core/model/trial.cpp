@@ -91,10 +91,7 @@ Fit refine_last(const LoopData& data, Fit fit, double coarsest) {
   for (double scale = coarsest; scale > 0.05; scale *= 0.5) {
     bool improved = true;
     for (int round = 0; round < kRounds && improved; ++round) {
-      improved = false;
-      for (const EffectPtr& effect : best.effect->neighbours(scale)) {
-        improved = best.take(variants, effect) || improved;
-      }
+      improved = best.take(variants, best.effect->neighbours(scale), Digits::full);
     }
   }
   return best.effect == first ? std::move(fit) : evaluated_with(data, fit.structure, best.effect);

@@ -10,18 +10,20 @@
 
 namespace loopscope::core::model {
 
-/// Half widths: where the resting valve breaks loose, and how far a moving one lags behind op.
+/// Half widths: where the resting valve breaks loose, and how far a moving one lags behind op. Of
+/// one valve (an Element), or of as many as a Number has (see put()).
 template <typename Element>
 struct FrictionIn {
+  FrictionIn() = default;
   explicit FrictionIn(const Valve& valve)
       : band(static_cast<Element>(valve.stickband_percent)),
         jump(static_cast<Element>(valve.slip_jump_percent)),
         breakaway(static_cast<Element>(0.5 * (valve.stickband_percent + valve.slip_jump_percent))),
         lag(static_cast<Element>(0.5 * (valve.stickband_percent - valve.slip_jump_percent))) {}
-  Element band;
-  Element jump;
-  Element breakaway;
-  Element lag;
+  Element band{};
+  Element jump{};
+  Element breakaway{};
+  Element lag{};
 };
 using Friction = FrictionIn<double>;
 
@@ -69,14 +71,17 @@ struct ElementOf<double> {
   using type = double;
 };
 
-/// Some valves of one law, side by side under the same op: they differ in where they are. Number is
-/// double, NumberPair or ShortNumbers, and there are `count` of them. Choices only, no branches.
+/// Some valves of one law, side by side under the same op: they differ in where they are, and in
+/// their friction where step() is given one FrictionIn<Number> for each Number instead of one for
+/// all. Number is double, NumberPair or ShortNumbers, and there are `count` of them. Choices only,
+/// no branches.
 template <typename Number, std::size_t count>
 struct ValveLanes {
   using Element = typename ElementOf<Number>::type;
   using Friction = FrictionIn<Element>;
   using Mask = decltype(Number{} > Number{});
   using Numbers = std::array<Number, count>;
+  using Frictions = std::array<FrictionIn<Number>, count>;
   Numbers position{};
   Numbers turn{};                    ///< choudhury: op where counting starts
   std::array<Mask, count> moving{};  ///< choudhury, kano
@@ -87,8 +92,8 @@ struct ValveLanes {
     turn.fill(all(op));
   }
 
-  template <ValveLaw law>
-  void step(const Friction& friction, const OpStep<Element>& step) {
+  template <ValveLaw law, typename OneOrMany>
+  void step(const OneOrMany& friction, const OpStep<Element>& step) {
     if constexpr (law == ValveLaw::he) {
       step_he(friction, step.op);
     } else {
@@ -98,32 +103,39 @@ struct ValveLanes {
 
  private:
   static Number all(Element value) { return Number{} + value; }
+  static const Friction& of(const Friction& friction, std::size_t) { return friction; }
+  static const FrictionIn<Number>& of(const Frictions& frictions, std::size_t i) {
+    return frictions[i];
+  }
 
-  void step_he(const Friction& friction, Element op) {
+  template <typename OneOrMany>
+  void step_he(const OneOrMany& frictions, Element op) {
     const Number now = all(op);
-    const Number behind = all(op - friction.lag);
-    const Number ahead = all(op + friction.lag);
-    const Number reach = all(friction.breakaway);
-    for (Number& place : position) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& friction = of(frictions, i);
       // The next sample waits for the place, so the way to it is kept short: both thresholds are
       // asked at once, and where to is known meanwhile.
-      const Number gap = now - place;
+      const Number gap = now - position[i];
+      const Number behind = now - friction.lag;
+      const Number ahead = now + friction.lag;
       const Number target = gap > Number{} ? behind : ahead;
-      const Mask loose = Mask((gap > reach) | (gap < -reach));
-      place = loose ? target : place;
+      const Mask loose = Mask((gap > friction.breakaway) | (gap < -friction.breakaway));
+      position[i] = loose ? target : position[i];
     }
   }
 
-  template <ValveLaw law>
-  void step_with_op(const Friction& friction, const OpStep<Element>& step) {
+  template <ValveLaw law, typename OneOrMany>
+  void step_with_op(const OneOrMany& frictions, const OpStep<Element>& step) {
     const Number now = all(step.op);
-    const Number slide = all(step.op - step.direction * friction.lag);
     const Number before = all(step.before);
     const Mask kept = all(step.kept) > Number{};
     const Mask stopped = all(step.kept) == Number{};
     const Mask turned = all(step.turned) > Number{};
-    const Number reach = all(law == ValveLaw::choudhury ? friction.band : friction.breakaway);
     for (std::size_t i = 0; i < count; ++i) {
+      const auto& friction = of(frictions, i);
+      const Number slide = now - step.direction * friction.lag;
+      const Number reach =
+          Number{} + (law == ValveLaw::choudhury ? friction.band : friction.breakaway);
       Number from = position[i];
       if constexpr (law == ValveLaw::choudhury) {
         turn[i] = Mask(turned | (stopped & moving[i])) ? before : turn[i];

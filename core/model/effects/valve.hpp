@@ -18,6 +18,7 @@ class ValveEffect final : public Effect {
       : valve_(valve), restarts_(std::move(restarts)) {}
 
   [[nodiscard]] const Valve& valve() const { return valve_; }
+  [[nodiscard]] const std::vector<ValveRestart>& restarts() const { return restarts_; }
   /// What puts the valve right before this sample is no more than an initial value.
   static constexpr std::size_t kStart = 256;
   /// Whether it follows its law from the start of the record on, wherever it began.

@@ -139,6 +139,17 @@ TEST(Fit, PolishIsNeverWorse) {
   }
 }
 
+/// What it can beat it does; what is out of reach it does not go on for.
+TEST(Fit, PolishIsGivenUpWhereItCannotWin) {
+  const LoopData data = simulated({}, 8);
+  const Structure structure = tests::structure_of(tests::one_lag(0.5, 3));
+  const double before = evaluate(data, structure).fit_error;
+  const double best = polish(data, structure).fit_error;
+  ASSERT_LT(best, 0.99 * before);
+  EXPECT_EQ(polish(data, structure, 8, 1.001 * best).fit_error, best);
+  EXPECT_EQ(polish(data, structure, 8, 1e-6 * best).fit_error, before);
+}
+
 TEST(Fit, NoIterationsIsEvaluate) {
   const LoopData data = simulated({}, 8);
   const Structure structure = tests::structure_of(tests::one_lag(0.5, 3));

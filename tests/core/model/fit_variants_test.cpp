@@ -50,11 +50,23 @@ std::vector<std::vector<EffectPtr>> companies() {
           {std::make_shared<Saturation>(-8.0, 8.0), std::make_shared<ProcessNonlinearity>()}};
 }
 
+/// All at once is each by itself.
+void expect_alike(const FitVariants& variants, const std::vector<EffectPtr>& lasts) {
+  const std::vector<double> full = variants.fit_errors(lasts, Digits::full);
+  const std::vector<double> single = variants.fit_errors(lasts, Digits::single);
+  for (std::size_t i = 0; i < lasts.size(); ++i) {
+    const double error = variants.fit_error(lasts[i]);
+    EXPECT_NEAR(full.at(i), error, 1e-9 * error);
+    EXPECT_NEAR(single.at(i), error, 1e-4 * error);
+  }
+}
+
 void expect_the_slow_way(const LoopData& data, const std::vector<EffectPtr>& lasts) {
   for (std::vector<EffectPtr> effects : companies()) {
     effects.push_back(lasts.front());
     for (Structure structure : structures(effects)) {
       const FitVariants variants(data, structure);
+      expect_alike(variants, lasts);
       for (const EffectPtr& last : lasts) {
         structure.effects.back() = last;
         const double error = evaluate(data, structure).fit_error;
@@ -75,6 +87,27 @@ TEST(FitVariants, AreTheErrorsOfWholeFits) {
 TEST(FitVariants, AreTheErrorsOfWholeFitsBehindAValve) {
   expect_the_slow_way(record(),
                       {valve(3.0, 1.0), valve(3.3, 0.0), std::make_shared<Saturation>(-5.0, 1e9)});
+}
+
+TEST(FitVariants, OfManyValvesAreThoseOfEach) {
+  expect_the_slow_way(record(), {valve(3.0, 1.0), valve(3.3, 0.0), valve(2.0, 2.0)});
+}
+
+TEST(FitVariants, TheBestIsTakenAndOfEqualOnesTheFirst) {
+  const LoopData data = record();
+  const FitVariants variants(data, structures({valve(3.0, 1.0)}).front());
+  const double linear = variants.fit_error(valve(1e-6, 0.0));
+  BestVariant best{nullptr, linear};
+  const std::vector<EffectPtr> worse{valve(6.0, 6.0), valve(5.0, 5.0)};
+  EXPECT_FALSE(best.take(variants, worse, Digits::full));
+  best.error = 1.1 * linear;
+  const std::vector<EffectPtr> equal{valve(5.0, 5.0), valve(1e-6, 0.0), valve(1e-6, 0.0)};
+  for (const Digits digits : {Digits::full, Digits::single}) {
+    BestVariant found = best;
+    EXPECT_TRUE(found.take(variants, equal, digits));
+    EXPECT_EQ(found.effect, equal[1]);
+    EXPECT_DOUBLE_EQ(found.error, linear);
+  }
 }
 
 TEST(FitVariants, SeeTheRowsOfTheFitAlone) {

@@ -33,7 +33,7 @@ Solution solved(const LoopData& data, const Structure& structure) {
 TEST(NewtonStep, GoesTowardsTheTruePole) {
   const LoopData data = record(0.8);
   const Structure start = tests::structure_of(tests::one_lag(0.75, 3));
-  const Structure next = NewtonStep(data, solved(data, start), start).take(1e-3);
+  const Structure next = NewtonStep(data, solved(data, start), start).take(1e-3).structure;
   EXPECT_NEAR(next.process.pole, 0.8, 0.02);
   EXPECT_LT(evaluate(data, next).fit_error, evaluate(data, start).fit_error);
 }
@@ -42,12 +42,22 @@ TEST(NewtonStep, IsShorterWithMoreDampingAndTheSameWhenTakenAgain) {
   const LoopData data = record(0.8);
   const Structure start = tests::structure_of(tests::one_lag(0.75, 3));
   const NewtonStep step(data, solved(data, start), start);
-  const double freely = step.take(1e-3).process.pole - start.process.pole;
-  const double damped = step.take(10.0).process.pole - start.process.pole;
+  const double freely = step.take(1e-3).structure.process.pole - start.process.pole;
+  const double damped = step.take(10.0).structure.process.pole - start.process.pole;
   EXPECT_GT(freely, damped);
   EXPECT_GT(damped, 0.0);
-  EXPECT_EQ(step.take(1e-3).process.pole,
-            NewtonStep(data, solved(data, start), start).take(1e-3).process.pole);
+  EXPECT_EQ(step.take(1e-3).structure.process.pole,
+            NewtonStep(data, solved(data, start), start).take(1e-3).structure.process.pole);
+}
+
+/// Near the best fit the error is a parabola.
+TEST(NewtonStep, PromisesWhatItGains) {
+  const LoopData data = record(0.8);
+  const Structure start = tests::structure_of(tests::one_lag(0.79, 3));
+  const Solution before = solved(data, start);
+  const NextStructure next = NewtonStep(data, before, start).take(1e-9);
+  const double gained = 1.0 - evaluate(data, next.structure).fit_error / before.fit_error;
+  EXPECT_NEAR(next.promise, gained, 0.2 * gained);
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ Series finer_he(double lag, const Series& op) {
 
 double share_apart(const Series& left, const Series& right, double by) {
   std::size_t apart = 0;
-  for (std::size_t k = 0; k < left.size(); ++k) apart += std::abs(left[k] - right[k]) > by ? 1 : 0;
+  for (std::size_t k = 0; k < left.size(); ++k)
+    apart += std::abs(left[k] - right[k]) > by ? 1U : 0U;
   return static_cast<double>(apart) / static_cast<double>(left.size());
 }
 
@@ -118,7 +119,7 @@ TEST(ValveBetweenSamples, AMovingStemFollowsWithItsLag) {
 TEST(ValveBetweenSamples, AStemThatIsTooSlowRests) {
   const Series mv = positions(valve_with(ValveLaw::kano, 0.1, 0.0, 1.0), ramp(50.0, 0.05, 400));
   std::size_t stands = 0;
-  for (std::size_t k = 1; k < mv.size(); ++k) stands += mv[k] == mv[k - 1] ? 1 : 0;
+  for (std::size_t k = 1; k < mv.size(); ++k) stands += mv[k] == mv[k - 1] ? 1U : 0U;
   EXPECT_GT(stands, 300U);
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "core/model/effects/valve.hpp"
+#include "core/model/fit.hpp"
+#include "core/model/products.hpp"
+
+namespace loopscope::core::model {
+
+/// Digits of a search among many valves: `single` ranks them, at half the cost, within about 1e-6
+/// of an error.
+enum class Digits { single, full };
+
+/// What least squares needs of the answers of one process to many valves: each valve's answer
+/// passes the process and the whitening, and is multiplied by columns that no valve moves, without
+/// ever being kept. Valves go side by side, since each of these steps waits for the one before.
+class ValveAnswers {
+ public:
+  /// `op`: what the valves see, without NaN; `steady`: whitened columns of its length; process,
+  /// noise and taps by `structure`. All have to outlive this.
+  ValveAnswers(std::span<const double> op, const Structure& structure,
+               std::span<const Signal> steady, std::span<const Range> rows);
+
+  /// For each valve the sums over the rows of its whitened answer with every steady column and with
+  /// itself, a row for each tap: taps x (steady + taps).
+  [[nodiscard]] std::vector<Eigen::MatrixXd> products(std::span<const ValveEffect* const> valves,
+                                                      Digits digits) const;
+
+ private:
+  std::span<const double> op_;
+  const Structure& structure_;
+  std::span<const Signal> steady_;
+  std::span<const Range> rows_;
+};
+
+}  // namespace loopscope::core::model
