@@ -13,6 +13,7 @@
 #include "core/model/first_looks.hpp"
 #include "core/model/hysteresis_net.hpp"
 #include "core/model/nominate.hpp"
+#include "core/model/stem_search.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -55,17 +56,21 @@ std::vector<EffectPtr> nominees(const Round& round) {
 }
 
 /// Valves by their law alone: sticking ones where play, which is cheap to look for, gains
-/// something.
-void add_hysteresis(const Round& round, std::vector<Candidate>& list) {
-  constexpr double kWorthSearching = 5.0;
+/// something, and not next to nothing of what another effect gains: that one is first.
+void add_hysteresis(const Round& round, double other_gain, std::vector<Candidate>& list) {
+  const double worth_searching = std::max(5.0, 0.1 * other_gain);
   const auto add = [&](const NetFind& find) {
     const double gain = gain_of(round.data, round.now.fit.fit_error, find.fit_error);
     list.push_back({find.structure.effects.back(), find.structure, gain});
     return gain;
   };
   const std::optional<NetFind> play = find_play(round.data, round.now.fit);
-  if (!play || add(*play) < kWorthSearching) return;
+  if (!play || add(*play) < worth_searching) return;
   for (const NetFind& find : find_sticking(round.data, round.now.fit, *play)) add(find);
+  const EffectPtr& effect = play->structure.effects.back();
+  const double band = dynamic_cast<const ValveEffect&>(*effect).valve().stickband_percent;
+  for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano})
+    add(find_stem(round.data, play->structure, band, law));
 }
 
 /// Load steps and lines are found by looking through all places and frequencies; what a valve was
@@ -78,6 +83,14 @@ std::size_t tries_of(const Round& round, EffectKind kind, std::size_t nominees) 
 
 using Candidates = std::map<EffectKind, std::vector<Candidate>>;
 
+double best_gain(const Candidates& candidates) {
+  double best = 0.0;
+  for (const auto& [kind, list] : candidates) {
+    for (const Candidate& candidate : list) best = std::max(best, candidate.gain);
+  }
+  return best;
+}
+
 /// The valve's two kinds go under one name: which it is shows when its jump has been fitted.
 Candidates looked_at(const Round& round) {
   Candidates result;
@@ -87,7 +100,7 @@ Candidates looked_at(const Round& round) {
       result[effect->kind()].push_back(looks.at(effect));
   }
   if (!round.load_steps_only && has_room(round.now.fit.structure, EffectKind::valve_stiction))
-    add_hysteresis(round, result[EffectKind::valve_stiction]);
+    add_hysteresis(round, best_gain(result), result[EffectKind::valve_stiction]);
   for (auto& [kind, list] : result) {
     if (list.empty()) continue;
     std::ranges::sort(list, std::greater{}, &Candidate::gain);
@@ -107,7 +120,8 @@ bool same_law(const Effect& a, const Effect& b) {
     return a.kind() == b.kind() && a.column_count() == b.column_count();
   const bool both_play = a.kind() == EffectKind::valve_deadband && b.kind() == a.kind();
   return valve->by_law_alone() == other->by_law_alone() &&
-         (both_play || (a.kind() == b.kind() && valve->valve().law == other->valve().law));
+         (both_play || (a.kind() == b.kind() && valve->valve().law == other->valve().law &&
+                        valve->valve().acts_at_samples() == other->valve().acts_at_samples()));
 }
 
 /// The best candidate of each law; of load steps all, since the error of one that is still to come

@@ -10,6 +10,7 @@
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit_anew.hpp"
 #include "core/model/hysteresis_net.hpp"
+#include "core/model/stem_search.hpp"
 #include "core/model/tell_bends_apart.hpp"
 
 namespace loopscope::core::model {
@@ -47,7 +48,8 @@ double tries_of(const Candidate& candidate, const Effect& fitted, std::size_t sa
   const auto* valve = dynamic_cast<const ValveEffect*>(&fitted);
   if (valve == nullptr) return static_cast<double>(std::max<std::size_t>(candidate.tries, 1));
   const bool play = valve->by_law_alone() && valve->valve().slip_jump_percent == 0.0;
-  return static_cast<double>(play ? hysteresis_net_bands() : samples);
+  if (play && valve->valve().acts_at_samples()) return static_cast<double>(hysteresis_net_bands());
+  return static_cast<double>(valve->valve().acts_at_samples() ? samples : kStemGuesses);
 }
 
 Structure without_last(Structure structure) {
@@ -82,16 +84,6 @@ Contestant finished(Contestant trial, Fit fit, const Candidate& candidate) {
   trial.price = 2.0 * std::log(tries_of(candidate, trial.effect(), trial.rows.size()));
   trial.comparison.p = std::min(1.0, std::exp(-0.5 * trial.worth()));
   return trial;
-}
-
-/// The best valve once more by the other laws, where its own has anything to show: from nothing
-/// they led to nothing in 376 loops.
-void try_other_laws(const Round& round, std::optional<Contestant>& best) {
-  if (!best || !is_valve_hysteresis(best->kind()) || best->comparison.evidence <= 0.0) return;
-  std::optional<Fit> fit = cross_laws(best->rows, best->fit.fit);
-  if (!fit) return;
-  Contestant trial = finished({{}, {}, best->rows, round.now, 0.0}, std::move(*fit), {});
-  if (trial.worth() > best->worth()) best = std::move(trial);
 }
 
 /// A first look is no more than that for what is found by pv or stands at a limit: by the wrong
@@ -132,7 +124,6 @@ std::optional<Contestant> best_of(const Round& round, const std::vector<Candidat
     std::optional<Contestant> entry = try_candidate(round, candidate);
     if (entry && (!best || entry->worth() > best->worth())) best = std::move(entry);
   }
-  try_other_laws(round, best);
   return best;
 }
 
@@ -146,15 +137,39 @@ bool asks_for_tracking(const std::vector<Contestant>& entries) {
          is_valve_hysteresis(entries.front().kind());
 }
 
+auto hysteresis_among(std::vector<Contestant>& entries) {
+  return std::ranges::find_if(
+      entries, [](const Contestant& entry) { return is_valve_hysteresis(entry.kind()); });
+}
+
 void take_tracked(const Round& round, std::vector<Contestant>& entries) {
   std::optional<Contestant> tracked = best_of(round, find_tracked_valves(round));
   if (!tracked) return;
-  const auto alone = std::ranges::find_if(
-      entries, [](const Contestant& entry) { return is_valve_hysteresis(entry.kind()); });
+  const auto alone = hysteresis_among(entries);
   if (alone == entries.end())
     entries.push_back(std::move(*tracked));
   else if (tracked->worth() > alone->worth())
     *alone = std::move(*tracked);
+  rank(entries);
+}
+
+/// Where a valve's own law has something to show: from nothing a search between the samples led to
+/// nothing in 376 loops, and what is far behind another effect comes after it.
+bool worth_a_closer_look(const Contestant& valve, const Contestant& leader) {
+  constexpr double kFarBehind = 0.3;
+  return valve.comparison.evidence > 0.0 &&
+         (!leader.enters() || valve.worth() >= kFarBehind * leader.worth());
+}
+
+/// The best valve once more, between the samples.
+void look_between_samples(const Round& round, std::vector<Contestant>& entries) {
+  const auto valve = hysteresis_among(entries);
+  if (valve == entries.end() || !worth_a_closer_look(*valve, entries.front())) return;
+  std::optional<Fit> fit = sought_between_samples(valve->rows, valve->fit.fit);
+  if (!fit) return;
+  Contestant trial = finished({{}, {}, valve->rows, round.now, 0.0}, std::move(*fit), {});
+  if (trial.worth() <= valve->worth()) return;
+  *valve = std::move(trial);
   rank(entries);
 }
 
@@ -172,6 +187,7 @@ std::vector<Contestant> hold_contest(const Round& round) {
   }
   rank(result);
   if (round.tracked_valves && asks_for_tracking(result)) take_tracked(round, result);
+  look_between_samples(round, result);
   tell_bends_apart(round.data, result);
   return result;
 }

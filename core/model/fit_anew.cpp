@@ -8,6 +8,7 @@
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit_variants.hpp"
+#include "core/model/stem_search.hpp"
 #include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
@@ -17,7 +18,7 @@ namespace {
 /// them are followed. Restarts and band stay as they are.
 Fit scan_jump(const LoopData& data, Fit fit) {
   const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
-  if (valve == nullptr) return fit;
+  if (valve == nullptr || !valve->valve().acts_at_samples()) return fit;
   const Fit start = fit;
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     Structure structure = start.structure;
@@ -49,7 +50,7 @@ Fit sweep(const LoopData& data, const Structure& start, const ValveEffect& valve
 Fit scan_band(const LoopData& data, Fit fit) {
   const Structure start = fit.structure;
   const auto* valve = dynamic_cast<const ValveEffect*>(start.effects.back().get());
-  if (valve == nullptr) return fit;
+  if (valve == nullptr || !valve->valve().acts_at_samples()) return fit;
   fit = sweep(data, start, *valve, std::move(fit));
   for (const double direction : {-1.0, 1.0}) {
     fit = sweep(data, start, *valve->by_law_alone(direction), std::move(fit));
@@ -68,44 +69,22 @@ Fit prefer_play(const LoopData& data, Fit fit) {
   return fit_gain(data, play, fit) < kWorthOfAJump ? std::move(play) : std::move(fit);
 }
 
-/// Slips on every rung: a law that jumps to where op is, or play, shows about where the band is and
-/// little of the jump.
-Fit sweep_gradual(const LoopData& data, const Structure& start, const ValveEffect& valve,
-                  Fit best) {
-  constexpr double kReach = 0.24, kStep = 0.03;
-  const FitVariants variants(data, start);
-  std::vector<EffectPtr> tried;
-  for (double move = -kReach; move <= kReach; move += kStep) {
-    const double band = valve.valve().stickband_percent * (1.0 + move);
-    for (const double share : {0.25, 0.4, 0.55, 0.7, 0.85, 1.0}) {
-      std::ranges::copy(ValveEffect::on_every_rung(band, share * band, data.op.front()),
-                        std::back_inserter(tried));
-    }
-  }
-  BestVariant found{nullptr, best.fit_error};
-  found.take(variants, tried, Digits::single);
-  return found.effect ? evaluated_with(data, start, found.effect) : best;
-}
-
 }  // namespace
 
-std::optional<Fit> cross_laws(const LoopData& data, const Fit& fit) {
-  const Structure& start = fit.structure;
-  const auto* valve = dynamic_cast<const ValveEffect*>(start.effects.back().get());
-  if (valve == nullptr) return std::nullopt;
-  // What puts a valve right flatters its fit: against such a one any law by itself is worth a look.
-  Fit best = fit;
-  if (!valve->by_law_alone()) best.fit_error = std::numeric_limits<double>::infinity();
-  const double to_beat = best.fit_error;
-  for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
-    if (law == valve->valve().law && valve->by_law_alone()) continue;
-    for (const double direction : {-1.0, 1.0}) {
-      best = sweep(data, start, *valve->with_law(law)->by_law_alone(direction), std::move(best));
-    }
+std::optional<Fit> sought_between_samples(const LoopData& data, const Fit& fit) {
+  const auto* effect = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
+  if (effect == nullptr) return std::nullopt;
+  const Valve& valve = effect->valve();
+  std::optional<NetFind> best;
+  for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano}) {
+    // Between the samples the two move so differently that the one which leads is the right one.
+    if (!valve.acts_at_samples() && law != valve.law) continue;
+    NetFind find = find_stem(data, fit.structure, valve.stickband_percent, law);
+    if (!best || find.fit_error < best->fit_error) best = std::move(find);
   }
-  best = sweep_gradual(data, start, *valve, std::move(best));
-  if (best.fit_error >= to_beat) return std::nullopt;
-  return fit_anew(data, std::move(best));
+  // What puts a valve right flatters its fit: against such a one any law by itself is worth a look.
+  if (effect->by_law_alone() && best->fit_error >= fit.fit_error) return std::nullopt;
+  return fit_anew(data, evaluate(data, best->structure));
 }
 
 Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {

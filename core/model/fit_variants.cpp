@@ -27,10 +27,12 @@ double squares_left(const MatrixXd& normal) {
   return normal(0, 0) + coefficients.dot(regressors * coefficients - 2.0 * right);
 }
 
+/// Those that act at the samples: they go side by side.
 std::vector<const ValveEffect*> valves_among(std::span<const EffectPtr> effects) {
   std::vector<const ValveEffect*> valves;
   for (const EffectPtr& effect : effects) {
-    if (const auto* valve = dynamic_cast<const ValveEffect*>(effect.get())) valves.push_back(valve);
+    const auto* valve = dynamic_cast<const ValveEffect*>(effect.get());
+    if (valve != nullptr && valve->valve().acts_at_samples()) valves.push_back(valve);
   }
   return valves;
 }
@@ -61,21 +63,22 @@ FitVariants::FitVariants(const LoopData& data, const Structure& structure)
   steady_normal_ = products(steady_columns_, data_.rows.fit);
 }
 
-std::vector<Column> FitVariants::moved_columns(const EffectPtr& last) const {
+std::vector<Column> FitVariants::moved_columns(const EffectPtr& last,
+                                               const ProcessShape& process) const {
   std::vector<Column> columns;
   if (!bends_) {
-    last->add_columns({flow_, answered_, structure_.process}, columns);
+    last->add_columns({flow_, answered_, process}, columns);
     return columns;
   }
   std::vector<double> flow = flow_;
   last->shape_flow(flow);
   Column response(flow.size());
-  respond(structure_.process, flow, response);
+  respond(process, flow, response);
   columns.push_back(std::move(response));
   if (following_.empty() && last->column_count() == 0) return columns;
   std::vector<double> answered = columns.front();
-  weigh(structure_.process.numerator, answered);
-  const Signals signals{flow, answered, structure_.process};
+  weigh(process.numerator, answered);
+  const Signals signals{flow, answered, process};
   for (const EffectPtr& effect : following_) effect->add_columns(signals, columns);
   last->add_columns(signals, columns);
   return columns;
@@ -111,7 +114,11 @@ double FitVariants::error_of(const MatrixXd& moved) const {
 }
 
 double FitVariants::fit_error(const EffectPtr& last) const {
-  const MatrixXd table = whitened(moved_columns(last));
+  return fit_error(last, structure_.process);
+}
+
+double FitVariants::fit_error(const EffectPtr& last, const ProcessShape& process) const {
+  const MatrixXd table = whitened(moved_columns(last, process));
   const std::vector<Signal> columns = columns_of(table);
   MatrixXd moved(table.cols(), steady_normal_.rows() + table.cols());
   moved.leftCols(steady_normal_.rows()) = products(columns, steady_columns_, data_.rows.fit);

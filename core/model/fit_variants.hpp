@@ -21,12 +21,16 @@ class FitVariants {
   /// evaluate(data, structure with `last` as its last effect).fit_error, up to rounding.
   [[nodiscard]] double fit_error(const EffectPtr& last) const;
 
+  /// The same behind another process, of one tap. The last effect has to bend the flow.
+  [[nodiscard]] double fit_error(const EffectPtr& last, const ProcessShape& process) const;
+
   /// The same of many; of valves at a fraction of the cost of one after the other.
   [[nodiscard]] std::vector<double> fit_errors(std::span<const EffectPtr> lasts,
                                                Digits digits = Digits::full) const;
 
  private:
-  [[nodiscard]] std::vector<Column> moved_columns(const EffectPtr& last) const;
+  [[nodiscard]] std::vector<Column> moved_columns(const EffectPtr& last,
+                                                  const ProcessShape& process) const;
   [[nodiscard]] Eigen::MatrixXd whitened(const std::vector<Column>& columns) const;
   [[nodiscard]] Eigen::MatrixXd normal_with(const Eigen::MatrixXd& moved) const;
   [[nodiscard]] double error_of(const Eigen::MatrixXd& moved) const;

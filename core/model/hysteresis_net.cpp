@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -39,9 +38,7 @@ struct Mesh {
   std::vector<double> jump_shares;
 };
 const std::array kMeshes = {Mesh{ValveLaw::choudhury, 1.006, {0.2, 0.45, 0.8}},
-                            Mesh{ValveLaw::kano, 1.006, {0.2, 0.33, 0.5, 0.75, 1.0}},
-                            Mesh{ValveLaw::he, 1.015, {0.2, 0.35, 0.5, 0.7, 1.0}},
-                            Mesh{ValveLaw::he_gradual, 1.04, {0.5, 0.75, 1.0}}};
+                            Mesh{ValveLaw::kano, 1.006, {0.2, 0.33, 0.5, 0.75, 1.0}}};
 
 Structure behind(Structure structure, EffectPtr valve) {
   structure.effects.push_back(std::move(valve));
@@ -106,15 +103,12 @@ class PlayNet {
 };
 
 /// The valves of one law about a play of that band.
-std::vector<EffectPtr> valves_of(const Mesh& mesh, double play, double op) {
+std::vector<EffectPtr> valves_of(const Mesh& mesh, double play) {
   std::vector<EffectPtr> valves;
   for (double band = kLeastOfPlay * play; band < kMostOfPlay * play; band *= mesh.step) {
     for (const double share : mesh.jump_shares) {
       const double jump = share * band;
-      if (mesh.law == ValveLaw::he_gradual)
-        std::ranges::copy(ValveEffect::on_every_rung(band, jump, op), std::back_inserter(valves));
-      else
-        valves.push_back(std::make_shared<ValveEffect>(Valve{mesh.law, band, jump, 1.0}));
+      valves.push_back(std::make_shared<ValveEffect>(Valve{mesh.law, band, jump, 1.0}));
     }
   }
   return valves;
@@ -153,12 +147,10 @@ std::vector<NetFind> find_sticking(const LoopData& data, const Fit& now, const N
   const Structure linear = behind(now.structure, best_play);
   std::vector<NetFind> found;
   for (const Mesh& mesh : kMeshes) {
-    const std::vector<EffectPtr> valves = valves_of(mesh, band, data.op.front());
+    const std::vector<EffectPtr> valves = valves_of(mesh, band);
     NetFind best = best_of(data, valves, play.structure);
-    if (mesh.law != ValveLaw::he_gradual) {
-      NetFind other = best_of(data, valves, linear);
-      if (other.fit_error < best.fit_error) best = std::move(other);
-    }
+    NetFind other = best_of(data, valves, linear);
+    if (other.fit_error < best.fit_error) best = std::move(other);
     found.push_back(std::move(best));
   }
   return found;

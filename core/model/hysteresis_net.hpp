@@ -23,8 +23,9 @@ struct NetFind {
 /// Bands that the net looks at: what a play found on it has been chosen from.
 [[nodiscard]] std::size_t hysteresis_net_bands();
 
-/// For every law the best valve with a jump on a net about that play, behind the linear loop's
-/// process and that of the play: one of the two is close enough for the needle of the right law.
+/// By the printed and by Kano's law the best valve with a jump on a net about that play, behind the
+/// linear loop's process and that of the play: one of the two is close enough for the needle of the
+/// right law.
 [[nodiscard]] std::vector<NetFind> find_sticking(const LoopData& data, const Fit& now,
                                                  const NetFind& play);
 

@@ -96,8 +96,6 @@ struct ValveLanes {
   void step(const OneOrMany& friction, const OpStep<Element>& step) {
     if constexpr (law == ValveLaw::he) {
       step_he(friction, step.op);
-    } else if constexpr (law == ValveLaw::he_gradual) {
-      step_gradually(friction, step.op);
     } else {
       step_with_op<law>(friction, step);
     }
@@ -124,27 +122,6 @@ struct ValveLanes {
       const Mask loose = Mask((gap > friction.breakaway) | (gap < -friction.breakaway));
       position[i] = loose ? target : position[i];
     }
-  }
-
-  template <typename OneOrMany>
-  void step_gradually(const OneOrMany& frictions, Element op) {
-    // More slips within a sample than this only come of moves of many bands: those end as He's.
-    constexpr int kMostSlips = 4;
-    const Number now = all(op);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& friction = of(frictions, i);
-      const Number reach = Number{} + friction.breakaway;
-      const Number jump = Number{} + friction.jump;
-      for (int slip = 0; slip < kMostSlips; ++slip) {
-        const Number gap = now - position[i];
-        if constexpr (std::is_same_v<Number, Element>) {
-          if (gap <= reach && gap >= -reach) break;
-        }
-        position[i] += gap > reach ? jump : Number{};
-        position[i] += gap < -reach ? -jump : Number{};
-      }
-    }
-    step_he(frictions, op);
   }
 
   template <ValveLaw law, typename OneOrMany>
@@ -183,8 +160,6 @@ void with_law(ValveLaw law, Function&& f) {
       return f.template operator()<ValveLaw::kano>();
     case ValveLaw::he:
       return f.template operator()<ValveLaw::he>();
-    case ValveLaw::he_gradual:
-      return f.template operator()<ValveLaw::he_gradual>();
   }
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/model/valve_between_samples.hpp"
 #include "core/model/valve_lanes.hpp"
 
 namespace loopscope::core::model {
@@ -44,7 +45,6 @@ std::string_view name(ValveLaw law) {
     case ValveLaw::kano:
       return "kano";
     case ValveLaw::he:
-    case ValveLaw::he_gradual:
       return "he";
   }
   return "";
@@ -62,12 +62,16 @@ void run_valve(const Valve& valve, std::span<const ValveRestart> restarts,
     std::ranges::fill(mv, std::numeric_limits<double>::quiet_NaN());
     return;
   }
-  const Friction friction(valve);
-  ValveLanes<double, 1> lane;
-  lane.start(friction, valve.start_direction, *first);
-  const OpMotion<double> motion{*first, valve.start_direction};
-  with_law(valve.law,
-           [&]<ValveLaw law>() { follow<law>(friction, motion, lane, restarts, op, mv); });
+  if (valve.acts_at_samples()) {
+    const Friction friction(valve);
+    ValveLanes<double, 1> lane;
+    lane.start(friction, valve.start_direction, *first);
+    const OpMotion<double> motion{*first, valve.start_direction};
+    with_law(valve.law,
+             [&]<ValveLaw law>() { follow<law>(friction, motion, lane, restarts, op, mv); });
+  } else {
+    run_between_samples(valve, *first, restarts, op, mv);
+  }
   const auto missing = static_cast<std::size_t>(first - op.begin());
   std::ranges::fill(mv.first(missing), std::numeric_limits<double>::quiet_NaN());
 }

@@ -13,11 +13,16 @@ enum class ValveLaw {
   choudhury,  ///< printed flow chart: rests until |op - op at its last turn| > S
   kano,  ///< Kano et al. 2004: rests when op turns or stands still; until op is J ahead or S back
   he,    ///< He et al. 2007: rests at every sample; until |op - mv| > (S + J) / 2
-  /// He's friction behind an actuator that passes between the samples: the stem breaks loose the
-  /// moment that the pressure has reached (S + J) / 2, and so it moves in slips of J.
-  he_gradual,
 };
 [[nodiscard]] std::string_view name(ValveLaw law);
+
+/// What pressure and stem do while op is held (valve_between_samples.hpp). Laws `he` and `kano`
+/// only.
+struct BetweenSamples {
+  double actuator_lag_samples = 0.0;  ///< time constant of the pressure; 0 = acts at the samples
+  double stem_lag_samples = 0.0;      ///< `kano`: with which a moving stem follows it
+  double resting_speed = 0.0;         ///< `kano`: slower stems come to rest; bands S per sample
+};
 
 /// The valve and where it comes from: at the first op it has just stopped after moving in the
 /// direction +1 (up) or -1 (down), so mv = op - direction (S - J) / 2. A recording does not say
@@ -27,6 +32,8 @@ struct Valve {
   double stickband_percent = 0.0;  ///< S, deadband plus stickband
   double slip_jump_percent = 0.0;  ///< J, 0 to S
   double start_direction = 1.0;    ///< +1 or -1
+  BetweenSamples between{};
+  [[nodiscard]] bool acts_at_samples() const { return between.actuator_lag_samples <= 0.0; }
 };
 
 /// mv(k), % of op, for op(k), %: equal lengths, any number of samples. Where op is NaN the valve
@@ -48,7 +55,7 @@ void run_valve(const Valve& valve, std::span<const ValveRestart> restarts,
 /// The same without restarts, spelled out.
 inline void run_valve(ValveLaw law, double stickband_percent, double slip_jump_percent,
                       double start_direction, std::span<const double> op, std::span<double> mv) {
-  run_valve({law, stickband_percent, slip_jump_percent, start_direction}, op, mv);
+  run_valve({law, stickband_percent, slip_jump_percent, start_direction, {}}, op, mv);
 }
 
 }  // namespace loopscope::core::model

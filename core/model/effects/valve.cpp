@@ -25,18 +25,8 @@ std::shared_ptr<const ValveEffect> ValveEffect::by_law_alone(double direction) c
 std::shared_ptr<const ValveEffect> ValveEffect::with_law(ValveLaw law) const {
   Valve valve = valve_;
   valve.law = law;
+  valve.between = {};
   return std::make_shared<ValveEffect>(valve, restarts_);
-}
-
-std::vector<EffectPtr> ValveEffect::on_every_rung(double band, double jump, double op) {
-  constexpr int kPlaces = 6;
-  std::vector<EffectPtr> result;
-  for (int i = 0; i < kPlaces; ++i) {
-    const double place = op + jump * (static_cast<double>(i) / kPlaces - 0.5);
-    const Valve valve{ValveLaw::he_gradual, band, jump, 1.0};
-    result.push_back(std::make_shared<ValveEffect>(valve, std::vector<ValveRestart>{{0, place}}));
-  }
-  return result;
 }
 
 EffectPtr ValveEffect::with_band(double times, double jump_share) const {
@@ -46,10 +36,21 @@ EffectPtr ValveEffect::with_band(double times, double jump_share) const {
   return std::make_shared<ValveEffect>(valve, restarts_);
 }
 
-EffectPtr ValveEffect::begun_elsewhere(double move) const {
-  std::vector<ValveRestart> restarts = restarts_;
-  for (ValveRestart& restart : restarts) restart.position_percent += move;
-  return std::make_shared<ValveEffect>(valve_, std::move(restarts));
+/// What passes between the samples, and where the stem began: it is long remembered.
+void ValveEffect::add_between_samples(double scale, std::vector<EffectPtr>& neighbours) const {
+  for (const double move : {-0.25 * scale, 0.25 * scale}) {
+    Valve valve = valve_;
+    valve.between.actuator_lag_samples *= 1.0 + move;
+    neighbours.push_back(std::make_shared<ValveEffect>(valve, restarts_));
+    std::vector<ValveRestart> restarts = restarts_;
+    for (ValveRestart& restart : restarts)
+      restart.position_percent += move * valve_.slip_jump_percent;
+    neighbours.push_back(std::make_shared<ValveEffect>(valve_, std::move(restarts)));
+    if (valve_.between.stem_lag_samples <= 0.0) continue;
+    valve = valve_;
+    valve.between.stem_lag_samples *= 1.0 + move;
+    neighbours.push_back(std::make_shared<ValveEffect>(valve, restarts_));
+  }
 }
 
 std::vector<EffectPtr> ValveEffect::neighbours(double scale) const {
@@ -67,8 +68,8 @@ std::vector<EffectPtr> ValveEffect::neighbours(double scale) const {
     add(band, jump + move * band);
     // Where the valve moves with op it lags by (S - J) / 2: along this line that stays as it is.
     add(band * (1.0 + move / 15.0), jump + band * move / 15.0);
-    if (valve_.law == ValveLaw::he_gradual) result.push_back(begun_elsewhere(move * jump));
   }
+  if (!valve_.acts_at_samples()) add_between_samples(scale, result);
   return result;
 }
 

@@ -25,15 +25,12 @@ class ValveEffect final : public Effect {
   [[nodiscard]] bool by_law_alone() const {
     return restarts_.empty() || restarts_.back().at_sample < kStart;
   }
-  /// He's valve that moves in slips of J stays for ever on the rungs that it began on: one valve
-  /// for each of six places to begin, J / 6 apart; `op` at the first sample, from the mean of op.
-  [[nodiscard]] static std::vector<EffectPtr> on_every_rung(double band, double jump, double op);
   /// The same valve with a slip jump of that share of its band.
   [[nodiscard]] EffectPtr with_jump(double share) const { return with_band(1.0, share); }
   /// The same valve left to its law from the start on, which it comes to in that direction (+1,
   /// -1).
   [[nodiscard]] std::shared_ptr<const ValveEffect> by_law_alone(double direction) const;
-  /// The same band and jump by another law.
+  /// The same band and jump by another law of op at the samples.
   [[nodiscard]] std::shared_ptr<const ValveEffect> with_law(ValveLaw law) const;
   /// The same valve with its band that many times as wide, and a slip jump of that share of it.
   [[nodiscard]] EffectPtr with_band(double times, double jump_share) const;
@@ -46,7 +43,7 @@ class ValveEffect final : public Effect {
   [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 
  private:
-  [[nodiscard]] EffectPtr begun_elsewhere(double move) const;
+  void add_between_samples(double scale, std::vector<EffectPtr>& neighbours) const;
 
   Valve valve_;
   std::vector<ValveRestart> restarts_;

@@ -43,8 +43,7 @@ Eigen::MatrixXd slowly(const Setting& setting, const Structure& structure,
 /// More than go side by side, of every law, from both directions, some put right on the way.
 std::vector<ValveEffect> valves() {
   std::vector<ValveEffect> result;
-  for (const ValveLaw law :
-       {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he, ValveLaw::he_gradual}) {
+  for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
     for (int i = 0; i < 19; ++i) {
       const double band = 1.0 + 0.4 * i;
       const double direction = i < 9 ? 1.0 : -1.0;

@@ -1,0 +1,112 @@
+#include "core/model/stem_search.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "core/model/fit_variants.hpp"
+#include "core/model/stem_genes.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+// Chosen on 48 sticking loops of tests/effects by how much of what the true stem gains was found;
+// twice as many guesses find a few percent more (README.valves.md).
+constexpr std::size_t kFirstWindow = 512;
+constexpr double kWindowGrowth = 1.42;
+constexpr std::size_t kGuesses = 3000;
+constexpr std::size_t kParents = 250;
+constexpr std::size_t kFewestParents = 8;
+constexpr double kParentsKept = 0.7;
+constexpr std::size_t kChildren = 12;
+constexpr double kCooling = 0.64;
+/// From here on the noise is fitted again behind the best guess.
+constexpr std::size_t kFitFrom = 1000;
+
+std::vector<Range> cut_off(std::vector<Range> ranges, std::size_t end) {
+  for (Range& range : ranges) range.end = std::min(range.end, end);
+  std::erase_if(ranges, [](const Range& range) { return range.first >= range.end; });
+  return ranges;
+}
+
+LoopData beginning(const LoopData& data, std::size_t samples) {
+  if (samples >= data.size()) return data;
+  LoopData result = data;
+  result.pv.resize(samples);
+  result.op.resize(samples);
+  result.rows = {cut_off(data.rows.fit, samples), cut_off(data.rows.score, samples)};
+  return result;
+}
+
+class Evolution {
+ public:
+  Evolution(const LoopData& data, Structure behind, double band, ValveLaw law)
+      : data_(data), start_(std::move(behind)), law_(law) {
+    start_.two_taps = false;
+    for (std::size_t i = 0; i < kGuesses; ++i) guesses_.push_back(drawn_genes(law, band, i));
+  }
+
+  NetFind run() {
+    auto window = static_cast<double>(kFirstWindow);
+    while (window < static_cast<double>(data_.size())) {
+      const LoopData seen = beginning(data_, static_cast<std::size_t>(window));
+      look_at(seen);
+      if (seen.size() >= kFitFrom) start_.noise = fitted(seen, 3).structure.noise;
+      window *= kWindowGrowth;
+      scale_ *= kCooling;
+      parents_ = std::max(kFewestParents,
+                          static_cast<std::size_t>(kParentsKept * static_cast<double>(parents_)));
+    }
+    look_at(data_);
+    Fit fit = fitted(data_, 6);
+    return {std::move(fit.structure), fit.fit_error};
+  }
+
+ private:
+  void look_at(const LoopData& seen) {
+    const FitVariants variants(seen, start_);
+    for (StemGenes& guess : guesses_) rate(guess, variants);
+    keep_best();
+    const std::vector<StemGenes> parents = guesses_;
+    for (const StemGenes& parent : parents) {
+      for (std::size_t i = 0; i < kChildren; ++i) {
+        guesses_.push_back(varied(parent, scale_, children_++));
+        rate(guesses_.back(), variants);
+      }
+    }
+    keep_best();
+  }
+
+  void rate(StemGenes& guess, const FitVariants& variants) const {
+    guess.fit_error = variants.fit_error(valve_of(guess, law_, data_.op.front()),
+                                         process_of(guess, start_.process));
+  }
+
+  void keep_best() {
+    std::ranges::stable_sort(guesses_, {}, &StemGenes::fit_error);
+    if (guesses_.size() > parents_) guesses_.resize(parents_);
+  }
+
+  [[nodiscard]] Fit fitted(const LoopData& seen, int iterations) const {
+    Structure best = start_;
+    best.process = process_of(guesses_.front(), start_.process);
+    best.effects.back() = valve_of(guesses_.front(), law_, data_.op.front());
+    return polish(seen, best, iterations);
+  }
+
+  const LoopData& data_;
+  Structure start_;  ///< with the noise as it was fitted last
+  ValveLaw law_;
+  std::vector<StemGenes> guesses_;
+  std::size_t parents_ = kParents;
+  std::size_t children_ = 0;
+  double scale_ = 1.0;
+};
+
+}  // namespace
+
+NetFind find_stem(const LoopData& data, const Structure& behind, double band, ValveLaw law) {
+  return Evolution(data, behind, band, law).run();
+}
+
+}  // namespace loopscope::core::model

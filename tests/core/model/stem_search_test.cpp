@@ -1,0 +1,82 @@
+#include "core/model/stem_search.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+
+#include "core/model/baseline.hpp"
+#include "core/model/effects/valve.hpp"
+#include "tests/core/model/model_records.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+using tests::Series;
+
+constexpr std::size_t kSamples = 4096;
+
+struct Recorded {
+  LoopData data;
+  Structure behind;  ///< the linear loop's process behind play of about the band
+  Fit linear;
+};
+
+/// A wandering op behind that valve, one lag and a little noise.
+Recorded recorded(const Valve& valve, std::uint64_t seed) {
+  Series op = tests::stepping_op(kSamples, seed, 3.0);
+  const Series wander = tests::coloured_noise({1, {0.95, 0, 0}, {}}, kSamples, seed + 100, 0.5);
+  op = tests::sum(op, wander);
+  Series mv(kSamples);
+  run_valve(valve, op, mv);
+  const Series pv = tests::process_record(tests::one_lag(0.8, 3), 1.5, mv,
+                                          tests::white_noise(kSamples, seed + 200, 0.3));
+  Recorded result{make_loop_data(pv, op, 1.0), {}, {}};
+  result.linear = search_process(result.data, {});
+  result.behind = result.linear.structure;
+  const Valve play{ValveLaw::he, 1.1 * valve.stickband_percent, 0.0, 1.0};
+  result.behind.effects = {std::make_shared<ValveEffect>(play)};
+  return result;
+}
+
+const Valve& valve_of(const NetFind& find) {
+  return dynamic_cast<const ValveEffect&>(*find.structure.effects.back()).valve();
+}
+
+double gain_of(const Recorded& record, const NetFind& find) {
+  return static_cast<double>(record.data.rows.fit_count()) *
+         std::log(record.linear.fit_error / find.fit_error);
+}
+
+/// Both laws, three records each; what the true valve gains is known to the same record.
+TEST(StemSearch, FindsTheBandOfAStemBetweenTheSamples) {
+  int found = 0;
+  for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const Valve truth{law, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}};
+      const Recorded record = recorded(truth, seed);
+      const NetFind find = find_stem(record.data, record.behind, 4.4, law);
+      EXPECT_GT(gain_of(record, find), 100.0);
+      found += std::abs(valve_of(find).stickband_percent - 4.0) < 0.12 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(found, 5);
+}
+
+TEST(StemSearch, FindsTheSameTwice) {
+  const Recorded record = recorded({ValveLaw::he, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}}, 4);
+  const NetFind first = find_stem(record.data, record.behind, 4.4, ValveLaw::he);
+  const NetFind second = find_stem(record.data, record.behind, 4.4, ValveLaw::he);
+  EXPECT_EQ(first.fit_error, second.fit_error);
+  EXPECT_EQ(valve_of(first).stickband_percent, valve_of(second).stickband_percent);
+}
+
+TEST(StemSearch, ARecordShorterThanTheFirstWindowIsSearched) {
+  Recorded record = recorded({ValveLaw::he, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}}, 5);
+  LoopData& data = record.data;
+  data = make_loop_data(std::span(data.pv).first(450), std::span(data.op).first(450), 1.0);
+  const NetFind find = find_stem(data, record.behind, 4.4, ValveLaw::he);
+  EXPECT_TRUE(std::isfinite(find.fit_error));
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
