@@ -27,8 +27,8 @@ struct Candidate {
   std::size_t tries = 1;  ///< how many of its kind were looked at on rows that score it
 };
 
-/// The original rows, with the samples around every load step of the structure seen by fit and
-/// score.
+/// The original rows, with the samples around every load step and sudden change of gain of the
+/// structure seen by fit and score.
 [[nodiscard]] LoopData judged_on(const LoopData& original, const Structure& structure);
 
 /// A smooth effect is looked at on all rows: what it gains on the half that a fit would see is too

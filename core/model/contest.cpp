@@ -29,10 +29,13 @@ constexpr double kFarOff = 1.1;
 
 /// The same by kind: the best of thousands of places or frequencies gains 8 by chance in every
 /// loop, and has to reach an evidence of 30 with its tries. Over 376 loops none did from less
-/// than 13.5 (a step, scored once) or 10.6 (a line, scored on both halves).
+/// than 13.5 (a step, scored once) or 10.6 (a line, scored on both halves). The best change of gain
+/// gains more than 18, on all rows, in one healthy loop of ten.
 double worth_fitting(EffectKind kind) {
   if (kind == EffectKind::load_step) return 12.0;
-  return kind == EffectKind::external_oscillation ? 10.0 : kWorthFitting;
+  if (kind == EffectKind::gain_change) return 18.0;
+  if (kind == EffectKind::external_oscillation) return 10.0;
+  return looked_at_whole(kind) ? kWorthFittingWhole : kWorthFitting;
 }
 
 /// What it gains is counted once: where it sits (a step) or where pv puts it right (a valve) was
@@ -86,6 +89,20 @@ Contestant finished(Contestant trial, Fit fit, const Candidate& candidate) {
   return trial;
 }
 
+/// What an effect explains beyond a plainer one that leaves part of the same mark has to be
+/// significant by itself, at the price of its search.
+bool refutes_plainer(const Contestant& trial) {
+  Structure structure = without_last(trial.fit.fit.structure);
+  for (const EffectPtr& plainer : trial.effect().plainer()) {
+    structure.effects.push_back(plainer);
+    const TwinFit fit = twin(trial.rows, polish(trial.rows, structure));
+    structure.effects.pop_back();
+    const double own = compare(trial.rows, fit, trial.fit).evidence - trial.price;
+    if (std::exp(-0.5 * own) > kEnters) return false;
+  }
+  return true;
+}
+
 /// A first look is no more than that for what is found by pv or stands at a limit: by the wrong
 /// process it may see nothing of them.
 bool called_for(const Round& round, const Effect& effect) {
@@ -107,15 +124,17 @@ double hopeless_error(const Contestant& trial, EffectKind kind) {
 
 std::optional<Contestant> try_candidate(const Round& round, const Candidate& candidate) {
   const EffectKind kind = candidate.effect->kind();
-  const double worth = looked_at_whole(kind) ? kWorthFittingWhole : worth_fitting(kind);
+  const double worth = worth_fitting(kind);
   if (!called_for(round, *candidate.effect) && candidate.gain < worth) return std::nullopt;
   Contestant trial{{}, {}, judged_on(round.original, candidate.structure), round.now, 0.0};
-  if (kind == EffectKind::load_step) trial.before = reevaluated(trial.rows, round.now);
+  if (kind == EffectKind::load_step || kind == EffectKind::gain_change)
+    trial.before = reevaluated(trial.rows, round.now);
   const double hopeless = hopeless_error(trial, kind);
   const double far_off = kFarOff * trial.before.fit.fit_error;
   Fit fit = fit_anew(trial.rows, evaluate(trial.rows, candidate.structure), far_off);
   if (!(fit.fit_error <= hopeless) || !is_plausible(fit)) return std::nullopt;
-  return finished(std::move(trial), std::move(fit), candidate);
+  Contestant entry = finished(std::move(trial), std::move(fit), candidate);
+  return entry.enters() && !refutes_plainer(entry) ? std::nullopt : std::optional(std::move(entry));
 }
 
 std::optional<Contestant> best_of(const Round& round, const std::vector<Candidate>& candidates) {

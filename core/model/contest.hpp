@@ -6,6 +6,9 @@
 
 namespace loopscope::core::model {
 
+/// The p at which an effect enters: one healthy loop in a thousand and kind of effect.
+inline constexpr double kEnters = 1e-3;
+
 /// One effect fitted in full, and what it is worth on rows that its fit has not seen.
 struct Contestant {
   TwinFit fit;
@@ -15,8 +18,7 @@ struct Contestant {
       before;  ///< without the effect: the model as it stood, or polished anew if that is better
   double price = 0.0;  ///< 2 ln(tries of the search): what p counts, in units of evidence
   [[nodiscard]] double worth() const { return comparison.evidence - price; }
-  /// One healthy loop in a thousand and kind of effect.
-  [[nodiscard]] bool enters() const { return comparison.p <= 1e-3; }
+  [[nodiscard]] bool enters() const { return comparison.p <= kEnters; }
   [[nodiscard]] const Effect& effect() const { return *fit.fit.structure.effects.back(); }
   [[nodiscard]] EffectKind kind() const { return effect().kind(); }
 };

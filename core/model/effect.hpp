@@ -46,6 +46,9 @@ class Effect {
   [[nodiscard]] virtual std::vector<Parameter> parameters(const LoopData& data,
                                                           std::span<const double> coefficients,
                                                           double gain) const = 0;
+  /// What leaves part of the same mark: the effect is claimed where each of these, in its place, is
+  /// refuted by what it explains beyond them.
+  [[nodiscard]] virtual std::vector<EffectPtr> plainer() const { return {}; }
   /// Whether such an effect does so much in a plant; beyond its bounds something else is at work.
   [[nodiscard]] virtual bool plausible(std::span<const double> /*coefficients*/,
                                        double /*gain*/) const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/model/baseline.hpp"
+#include "core/model/best_wave.hpp"
 #include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
@@ -47,10 +48,12 @@ Candidate FirstLooks::through(const EffectPtr& effect) const {
 }
 
 void FirstLooks::put_in_place(Candidate& candidate) const {
-  const Fit fit = refine_last(whole_.rows, evaluate(whole_.rows, candidate.structure));
+  const LoopData rows = seen_whole(judged_on(round_.original, candidate.structure));
+  const Fit fit = refine_last(rows, evaluate(rows, candidate.structure));
+  const double before = evaluate(rows, round_.now.fit.structure).fit_error;
   candidate.structure = fit.structure;
   candidate.effect = fit.structure.effects.back();
-  candidate.gain = gain_of(whole_.rows, whole_.before, fit.fit_error);
+  candidate.gain = gain_of(rows, before, fit.fit_error);
 }
 
 /// A load step brings rows of its own.
@@ -69,6 +72,11 @@ Candidate FirstLooks::beside(const EffectPtr& effect) {
   std::optional<FitVariants>& variants = all ? whole_variants_ : part_variants_;
   Structure structure = with(round_.now.fit.structure, effect);
   if (!variants) variants.emplace(view.rows, structure);
+  if (effect->kind() == EffectKind::external_oscillation) {
+    const double misfit = first_look_at_wave(*variants, view.rows, effect).misfit;
+    const auto rows = static_cast<double>(view.rows.rows.fit_count());
+    return {effect, std::move(structure), gain_of(view.rows, view.before, std::exp(misfit / rows))};
+  }
   const double error = variants->fit_error(effect);
   return {effect, std::move(structure), gain_of(view.rows, view.before, error)};
 }

@@ -23,7 +23,7 @@ class FirstLooks {
   /// Behind an effect that bends op the process is another one.
   [[nodiscard]] Candidate through(const EffectPtr& effect) const;
 
-  /// The place of a change, to a few samples.
+  /// The place of a change, to a sample.
   void put_in_place(Candidate& candidate) const;
 
  private:

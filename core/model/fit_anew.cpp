@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/model/baseline.hpp"
+#include "core/model/best_wave.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit_variants.hpp"
 #include "core/model/stem_search.hpp"
@@ -58,6 +59,29 @@ Fit scan_band(const LoopData& data, Fit fit) {
   return fit;
 }
 
+/// The search starts from what op alone explains, which a level that moves may hide: the process as
+/// it stands is settled too.
+Fit searched_and_settled(const LoopData& data, const Fit& fit) {
+  Fit searched = search_process(data, fit.structure);
+  Fit settled = settle(data, fit);
+  return settled.fit_error < searched.fit_error ? std::move(settled) : std::move(searched);
+}
+
+/// The process is searched behind the plain line, which costs few columns; harmonics and knots are
+/// added at the end, as long as the process that they leave asks for others.
+Fit fit_wave(const LoopData& data, const Fit& line) {
+  constexpr int kRounds = 3;
+  Fit fit = searched_and_settled(data, line);
+  for (int round = 0; round < kRounds; ++round) {
+    const EffectPtr now = fit.structure.effects.back();
+    const PricedWave wave = best_wave(FitVariants(data, fit.structure), data, now);
+    if (wave.effect == now) break;
+    fit.structure.effects.back() = wave.effect;
+    fit = polish(data, fit.structure, 4);
+  }
+  return refine_last(data, std::move(fit));
+}
+
 /// A jump is claimed only where the data ask for it: play alone is the simpler valve.
 Fit prefer_play(const LoopData& data, Fit fit) {
   const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
@@ -90,11 +114,11 @@ std::optional<Fit> sought_between_samples(const LoopData& data, const Fit& fit) 
 Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {
   const EffectKind kind = fit.structure.effects.back()->kind();
   const bool bends = bends_flow(kind);
-  if (!moves_on_half(kind)) return search_process(data, fit.structure);
+  if (!moves_on_half(kind)) return searched_and_settled(data, fit);
   fit = refine_last(data, std::move(fit));
-  // The linear baseline takes part of an oscillation, and all of a valve's travel, for dynamics.
-  fit = bends || kind == EffectKind::external_oscillation ? search_process(data, fit.structure)
-                                                          : settle(data, fit);
+  if (kind == EffectKind::external_oscillation) return fit_wave(data, fit);
+  // The linear baseline takes all of a valve's travel for dynamics.
+  fit = bends ? search_process(data, fit.structure) : settle(data, fit);
   if (is_valve_hysteresis(kind) && fit.fit_error > hopeless) return fit;
   if (bends) fit = polish(data, scan_band(data, std::move(fit)).structure, 4);
   fit = scan_jump(data, std::move(fit));

@@ -12,6 +12,7 @@
 #include "core/model/effects/load_step.hpp"
 #include "core/model/effects/root_outflow.hpp"
 #include "core/model/effects/saturation.hpp"
+#include "core/model/load_marks.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -32,15 +33,6 @@ double reach_of(const LoopData& data) {
   const double usual = (quantile(data.op, 0.98) - quantile(data.op, 0.02)) / 2.0;
   const double reach = std::max(usual, (high - low) / (2.0 * kFarthest));
   return reach > 0.0 ? reach : 1.0;
-}
-
-/// The answer of the whitening filter to a step, over its first samples.
-std::vector<double> step_pattern(const NoiseModel& noise, std::size_t length) {
-  std::vector<double> pattern(length + 1, 1.0);
-  pattern.front() = 0.0;
-  whiten(noise, pattern, pattern);
-  pattern.erase(pattern.begin());
-  return pattern;
 }
 
 std::vector<std::complex<double>> spectrum_of(const std::vector<double>& signal) {
@@ -98,7 +90,7 @@ std::vector<EffectPtr> nominate_static(const LoopData& data) {
   return result;
 }
 
-std::vector<EffectPtr> nominate_gain_changes(const LoopData& data) {
+std::vector<EffectPtr> nominate_gain_changes(const LoopData& data, const Fit& fit) {
   constexpr std::size_t kPlaces = 24;
   std::vector<EffectPtr> result;
   const std::size_t n = data.size();
@@ -107,29 +99,19 @@ std::vector<EffectPtr> nominate_gain_changes(const LoopData& data) {
   }
   result.push_back(std::make_shared<GainChange>(0, n));
   result.push_back(std::make_shared<GainChange>(n / 4, 3 * n / 4));
+  for (const LoadMark& mark :
+       {input_load_mark(fit.structure), output_load_mark(fit.structure.noise)}) {
+    for (const std::size_t at : places_of(mark, fit.innovations)) {
+      if (at >= GainChange::kEarliest) result.push_back(std::make_shared<GainChange>(at, at));
+    }
+  }
   return result;
 }
 
-std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit) {
-  constexpr std::size_t kLength = 48;
-  constexpr std::size_t kCandidates = 3;
-  const std::vector<double> pattern = step_pattern(fit.structure.noise, kLength);
-  const auto& r = fit.innovations;
-  std::vector<double> match(data.size(), 0.0);
-  for (std::size_t k = 40; k + kLength < data.size(); ++k) {
-    double sum = 0.0;
-    for (std::size_t j = 0; j < kLength; ++j) sum += pattern[j] * r[k + j];
-    match[k] = std::abs(sum);
-  }
+std::vector<EffectPtr> nominate_load_steps(const Fit& fit) {
   std::vector<EffectPtr> result;
-  for (std::size_t i = 0; i < kCandidates; ++i) {
-    const auto best = std::max_element(match.begin(), match.end());
-    const auto at = best - match.begin();
-    if (*best <= 0.0) break;
-    result.push_back(std::make_shared<LoadStep>(static_cast<std::size_t>(at)));
-    const auto from = std::max<long>(0, at - 20);
-    std::fill(match.begin() + from,
-              match.begin() + std::min<long>(at + 20, static_cast<long>(match.size())), 0.0);
+  for (const std::size_t at : places_of(output_load_mark(fit.structure.noise), fit.innovations)) {
+    result.push_back(std::make_shared<LoadStep>(at));
   }
   return result;
 }

@@ -40,6 +40,20 @@ void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& bef
   }
 }
 
+/// What of `ranges` the `others` leave; both ascending.
+std::vector<Range> without(const std::vector<Range>& ranges, const std::vector<Range>& others) {
+  std::vector<Range> result;
+  for (Range rest : ranges) {
+    for (const Range& other : others) {
+      if (other.end <= rest.first || other.first >= rest.end) continue;
+      if (other.first > rest.first) result.push_back({rest.first, other.first});
+      rest.first = std::min(rest.end, other.end);
+    }
+    if (rest.first < rest.end) result.push_back(rest);
+  }
+  return result;
+}
+
 }  // namespace
 
 TwinFit twin(const LoopData& data, Fit fit) {
@@ -55,7 +69,9 @@ TwinFit twin(const LoopData& data, Fit fit) {
 Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& after, bool once) {
   Sums sums;
   add_up(data, data.rows.score, before.fit, after.fit, sums);
-  if (!once) add_up(data, data.rows.fit, before.mirror, after.mirror, sums);
+  // Rows that both have seen count once.
+  if (!once)
+    add_up(data, without(data.rows.fit, data.rows.score), before.mirror, after.mirror, sums);
   Comparison result;
   if (sums.rows == 0 || sums.after <= 0.0) return result;
   const auto n = static_cast<double>(sums.rows);

@@ -11,7 +11,8 @@ struct TwinFit {
 };
 [[nodiscard]] TwinFit twin(const LoopData& data, Fit fit);
 
-/// How much better one fit predicts than another on rows that it has not seen.
+/// How much better one fit predicts than another on rows that it has not seen, or that both halves
+/// see; each counts once.
 struct Comparison {
   double before = 0.0;  ///< mean square of the held-out one-step errors, scaled
   double after = 0.0;

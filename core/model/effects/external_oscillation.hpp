@@ -1,19 +1,37 @@
 #pragma once
 
+#include <complex>
+
 #include "core/model/effect.hpp"
 
 namespace loopscope::core::model {
 
-/// A sinusoid from outside the loop.
+/// A periodic wave from outside the loop: a fundamental and its harmonics, each of an amplitude and
+/// a phase that are constant or change slowly, along straight lines from knot to knot.
 class ExternalOscillation final : public Effect {
  public:
-  explicit ExternalOscillation(double period_samples) : period_(period_samples) {}
+  /// `stretches` between the knots; 0 = constant.
+  explicit ExternalOscillation(double period_samples, std::size_t harmonics = 1,
+                               std::size_t stretches = 0)
+      : period_(period_samples), harmonics_(harmonics), stretches_(stretches) {}
 
   [[nodiscard]] double period_samples() const { return period_; }
+  [[nodiscard]] std::size_t harmonics() const { return harmonics_; }
   [[nodiscard]] EffectKind kind() const override { return EffectKind::external_oscillation; }
-  [[nodiscard]] std::size_t column_count() const override { return 2; }
+  [[nodiscard]] std::size_t column_count() const override {
+    return 2 * harmonics_ * (stretches_ + 1);
+  }
+  /// By harmonic, then knot: sine, cosine.
   void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
   [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
+
+  /// The same wave, constant and on every net of knots on which a change is slow: stretches of four
+  /// cycles and more.
+  [[nodiscard]] std::vector<EffectPtr> with_knots(std::size_t samples) const;
+  /// Waves with other harmonics, of which this one is the fundamental or a harmonic itself.
+  [[nodiscard]] std::vector<EffectPtr> with_harmonics() const;
+
+  /// Period and amplitude of the fundamental, in the mean over the record.
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;
@@ -21,6 +39,8 @@ class ExternalOscillation final : public Effect {
 
  private:
   double period_;
+  std::size_t harmonics_;
+  std::size_t stretches_;
 };
 
 }  // namespace loopscope::core::model

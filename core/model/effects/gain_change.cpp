@@ -1,7 +1,10 @@
 #include "core/model/effects/gain_change.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/model/effects/input_load.hpp"
+#include "core/model/effects/load_step.hpp"
 #include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
@@ -16,26 +19,23 @@ double ratio_of(std::span<const double> coefficients, double gain) {
 /// The flow meets the new gain when it comes out of the dead time, before the lags: pv goes over to
 /// it as smoothly as the process does, and an integrator keeps its level.
 void GainChange::add_columns(const Signals& signals, std::vector<Column>& columns) const {
-  Column changed(signals.flow.begin(), signals.flow.end());
-  const auto length = static_cast<double>(std::max<std::size_t>(1, until_ - at_));
-  for (std::size_t k = 0; k < changed.size(); ++k) {
-    const double since =
-        static_cast<double>(k + signals.process.delay_samples) - static_cast<double>(at_);
-    changed[k] *= until_ == at_ ? (since >= 0.0 ? 1.0 : 0.0) : std::clamp(since / length, 0.0, 1.0);
-  }
+  const InputLoad level(at_, until_);
+  Column changed = level.course(signals);
+  for (std::size_t k = 0; k < changed.size(); ++k) changed[k] *= signals.flow[k];
   columns.push_back(answer(signals.process, changed));
+  level.add_columns(signals, columns);
 }
 
 std::vector<EffectPtr> GainChange::neighbours(double scale) const {
   constexpr double kMove = 64.0;  // samples
-  const auto move = static_cast<std::size_t>(std::max(1.0, kMove * scale));
+  // The finest moves are of a sample: the level shows the place so sharply.
+  const auto move = static_cast<std::size_t>(std::max(1.0, kMove * std::pow(scale, 1.5)));
   std::vector<EffectPtr> result;
-  const bool sudden = at_ == until_;
-  if (at_ > move)
-    result.push_back(std::make_shared<GainChange>(at_ - move, sudden ? at_ - move : until_));
+  if (at_ >= move + (sudden() ? kEarliest : 0))
+    result.push_back(std::make_shared<GainChange>(at_ - move, sudden() ? at_ - move : until_));
   result.push_back(std::make_shared<GainChange>(
-      at_ + move, sudden ? at_ + move : std::max(until_, at_ + move + 1)));
-  if (!sudden) {
+      at_ + move, sudden() ? at_ + move : std::max(until_, at_ + move + 1)));
+  if (!sudden()) {
     result.push_back(std::make_shared<GainChange>(at_, until_ + move));
     if (until_ > at_ + move + 1) result.push_back(std::make_shared<GainChange>(at_, until_ - move));
   }
@@ -55,15 +55,22 @@ std::vector<Parameter> GainChange::parameters(const LoopData& data,
   return result;
 }
 
+std::vector<EffectPtr> GainChange::plainer() const {
+  std::vector<EffectPtr> result{std::make_shared<InputLoad>(at_, until_)};
+  if (sudden()) result.push_back(std::make_shared<LoadStep>(at_));
+  return result;
+}
+
 bool GainChange::plausible(std::span<const double> coefficients, double gain) const {
   constexpr double kMost = 5.0;
+  constexpr double kWholeRange = 100.0;  // % from the mean of op to the working point
   const double ratio = ratio_of(coefficients, gain);
-  return ratio >= 1.0 / kMost && ratio <= kMost;
+  return ratio >= 1.0 / kMost && ratio <= kMost &&
+         std::abs(coefficients[1]) <= kWholeRange * std::abs(coefficients[0]);
 }
 
 std::string GainChange::words(std::span<const Parameter> parameters) const {
-  const bool sudden = until_ == at_;
-  return std::string("The gain of the process ") + (sudden ? "changes" : "drifts") + " to " +
+  return std::string("The gain of the process ") + (sudden() ? "changes" : "drifts") + " to " +
          in_digits(parameters[1].value) + " times what it was, from " +
          in_time(parameters[0].value) + " into the window on.";
 }

@@ -4,20 +4,29 @@
 
 namespace loopscope::core::model {
 
-/// A process gain that changes once, or drifts over the rest of the record.
+/// A process gain that changes once, or drifts over the rest of the record. The flow that it
+/// multiplies is none at a working point of its own: about the mean of op a level comes with it.
 class GainChange final : public Effect {
  public:
+  /// Of a sudden change, samples: before it too little is seen of the gain as it was, and a process
+  /// that is not at rest when the record begins passes for another one.
+  static constexpr std::size_t kEarliest = 100;
+
   GainChange(std::size_t at, std::size_t until) : at_(at), until_(until) {}
 
+  [[nodiscard]] std::size_t at() const { return at_; }
+  [[nodiscard]] bool sudden() const { return until_ == at_; }
   [[nodiscard]] EffectKind kind() const override { return EffectKind::gain_change; }
-  [[nodiscard]] std::size_t column_count() const override { return 1; }
+  [[nodiscard]] std::size_t column_count() const override { return 2; }
   void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
   [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;
+  /// A load that moves at the same time, before the process or behind it.
+  [[nodiscard]] std::vector<EffectPtr> plainer() const override;
   /// From a fifth to five times: a gain that falls to nothing or turns its sign is that of an op
-  /// which has lost its hold, at a limit or by hand.
+  /// which has lost its hold, at a limit or by hand. The working point lies where op can be.
   [[nodiscard]] bool plausible(std::span<const double> coefficients, double gain) const override;
   [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 

@@ -36,7 +36,7 @@ TEST(Nominate, FindsThePlaceOfALoadStep) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Looked looked = looked_at("load_upsets", seed);
     std::vector<long> places;
-    for (const EffectPtr& effect : nominate_load_steps(looked.data, looked.fit)) {
+    for (const EffectPtr& effect : nominate_load_steps(looked.fit)) {
       places.push_back(static_cast<long>(dynamic_cast<const LoadStep&>(*effect).at()));
     }
     ASSERT_FALSE(places.empty());
@@ -88,8 +88,8 @@ TEST(Nominate, EveryKindComesFromItsOwnList) {
   for (const EffectKind kind : {valve_saturation, valve_characteristic, process_nonlinearity}) {
     EXPECT_TRUE(std::ranges::any_of(fixed, [&](const EffectPtr& e) { return e->kind() == kind; }));
   }
-  only(nominate_gain_changes(looked.data), {gain_change});
-  only(nominate_load_steps(looked.data, looked.fit), {load_step});
+  only(nominate_gain_changes(looked.data, looked.fit), {gain_change});
+  only(nominate_load_steps(looked.fit), {load_step});
   only(nominate_oscillations(looked.data, looked.fit), {external_oscillation});
   only(nominate_valves(looked.data), {valve_stiction, valve_deadband});
 }
@@ -97,7 +97,7 @@ TEST(Nominate, EveryKindComesFromItsOwnList) {
 TEST(Nominate, GainChangesCoverTheRecord) {
   const Looked looked = looked_at("healthy_flow", 1);
   std::vector<double> places;
-  for (const EffectPtr& effect : nominate_gain_changes(looked.data)) {
+  for (const EffectPtr& effect : nominate_gain_changes(looked.data, looked.fit)) {
     places.push_back(
         tests::value_of(effect->parameters(looked.data, tests::Series{0.1}, 1.0), "at"));
   }
@@ -112,7 +112,7 @@ TEST(Nominate, ShortRecordsNominateWithinThemselves) {
   const LoopData data = make_loop_data(
       tests::process_record(tests::one_lag(0.6, 2), 1.2, op, tests::white_noise(400, 2)), op, 1.0);
   const Fit fit = evaluate(data, tests::structure_of(tests::one_lag(0.6, 2)));
-  for (const EffectPtr& effect : nominate_load_steps(data, fit)) {
+  for (const EffectPtr& effect : nominate_load_steps(fit)) {
     EXPECT_LT(dynamic_cast<const LoadStep&>(*effect).at(), 400U);
   }
   for (const EffectPtr& effect : nominate_oscillations(data, fit)) {

@@ -56,6 +56,15 @@ TEST(Trial, EvidenceIsTheLogarithmOfTheErrors) {
   EXPECT_EQ(once.p, 1.0);
 }
 
+TEST(Trial, RowsThatBothHalvesSeeCountOnce) {
+  const LoopData data = seen_whole(healthy(2));
+  LoopData shared = data;
+  shared.rows.score = shared.rows.fit;
+  const TwinFit before = twin(shared, evaluate(shared, truth()));
+  const TwinFit after = twin(shared, evaluate(shared, tests::structure_of(tests::one_lag(0.1, 1))));
+  EXPECT_EQ(compare(shared, before, after).evidence, compare(shared, before, after, true).evidence);
+}
+
 TEST(Trial, SwappingTurnsTheSign) {
   const LoopData data = healthy(3);
   const TwinFit a = twin(data, evaluate(data, truth()));

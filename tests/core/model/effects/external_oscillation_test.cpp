@@ -1,6 +1,9 @@
 #include "core/model/effects/external_oscillation.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <gtest/gtest.h>
+#include <numbers>
 
 #include "core/model/trial.hpp"
 #include "tests/core/model/effects/neighbours.hpp"
@@ -47,9 +50,73 @@ TEST(ExternalOscillation, RefiningFindsThePeriod) {
   }
 }
 
+/// pv = wave, sampled; op apart from it.
+LoopData waving(const std::function<double(double)>& wave, std::size_t samples = 4000) {
+  const tests::Series op = tests::stepping_op(samples, 1);
+  tests::Series load(samples);
+  for (std::size_t k = 0; k < samples; ++k) load[k] = wave(static_cast<double>(k));
+  return make_loop_data(tests::process_record(tests::noiseless_process(), 1.2, op, load), op, 1.0);
+}
+
+Fit fitted_wave(const LoopData& data, double period, std::size_t harmonics, std::size_t knots) {
+  return evaluate(
+      data, tests::structure_of(tests::noiseless_process(),
+                                {std::make_shared<ExternalOscillation>(period, harmonics, knots)}));
+}
+
+double angle(double k, double period) {
+  return 2.0 * std::numbers::pi * k / period;
+}
+
+TEST(ExternalOscillation, ReportsTheFundamentalOfItsHarmonics) {
+  const LoopData data = waving([](double k) {
+    return 2.0 * std::sin(angle(k, 60.0)) + 0.7 * std::sin(angle(k, 30.0) + 1.0);
+  });
+  const Fit fit = fitted_wave(data, 60.0, 2, 0);
+  EXPECT_LT(fit.score_error, 1e-9);
+  EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fit), "amplitude"), 2.0, 1e-3);
+  EXPECT_EQ(tests::value_of(tests::last_parameters(data, fit), "period_s"), 60.0);
+  tests::expect_words(*fit.structure.effects.back(), tests::last_parameters(data, fit));
+}
+
+/// 100 cycles of the fundamental and one more that the phase gains; the amplitude doubles.
+TEST(ExternalOscillation, FollowsAnAmplitudeAndAPhaseThatChange) {
+  const LoopData data = waving([](double k) {
+    const double share = k / 4000.0;
+    return (1.0 + share) * std::sin(angle(k, 40.0) + 2.0 * std::numbers::pi * share * share);
+  });
+  const Fit constant = fitted_wave(data, 40.0, 1, 0);
+  const Fit fit = fitted_wave(data, 40.0, 1, 16);
+  EXPECT_LT(fit.score_error, 0.01 * constant.score_error);
+  const auto parameters = tests::last_parameters(data, fit);
+  EXPECT_NEAR(tests::value_of(parameters, "period_s"), 4000.0 / 101.0, 0.02);
+  EXPECT_NEAR(tests::value_of(parameters, "amplitude"), std::sqrt(7.0 / 3.0), 0.03);
+  tests::expect_words(*fit.structure.effects.back(), parameters);
+}
+
+TEST(ExternalOscillation, StretchesHoldFourCyclesAndAHundredSamples) {
+  const auto nets = [](double period) {
+    return ExternalOscillation(period).with_knots(4096).size();
+  };
+  EXPECT_EQ(nets(20.0), 5U);
+  EXPECT_EQ(nets(40.0), 4U);
+  EXPECT_EQ(nets(300.0), 1U);
+}
+
+TEST(ExternalOscillation, MayBeAHarmonicItself) {
+  std::vector<double> periods;
+  for (const EffectPtr& wave : ExternalOscillation(30.0).with_harmonics())
+    periods.push_back(dynamic_cast<const ExternalOscillation&>(*wave).period_samples());
+  for (const double period : {30.0, 60.0, 90.0}) {
+    EXPECT_TRUE(std::ranges::count(periods, period)) << period;
+  }
+}
+
 TEST(ExternalOscillation, ColumnsAndNeighbours) {
   tests::expect_columns(ExternalOscillation(33.0));
+  tests::expect_columns(ExternalOscillation(33.0, 2, 8));
   tests::expect_neighbours(ExternalOscillation(33.0));
+  tests::expect_neighbours(ExternalOscillation(33.0, 2, 8));
   for (const double period : {2.5, 33.0, 1000.0}) {
     for (const EffectPtr& neighbour : ExternalOscillation(period).neighbours(1.0)) {
       EXPECT_NEAR(dynamic_cast<const ExternalOscillation&>(*neighbour).period_samples() / period,

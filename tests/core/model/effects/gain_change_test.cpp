@@ -46,12 +46,45 @@ TEST(GainChange, NoChangeHasRatioOne) {
               1e-4);
 }
 
-TEST(GainChange, RefiningFindsThePlace) {
-  const LoopData data = changed({.at_s = 2000.0, .ratio = 2.5});
-  const Fit fit = refine_last(data, fitted(data, 1920, 1920));
-  // The setpoint rests for 97 samples between its moves: the gain shows at the next of them.
-  EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fit), "at"), 2000.0, 97.0);
-  EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fit), "ratio"), 2.5, 0.15);
+/// Its flow is none at 30 %, far from the mean of op: the level that comes with it shows when.
+LoopData about_another_point(std::size_t at, double ratio) {
+  constexpr std::size_t kSamples = 2000;
+  const tests::Series op = tests::stepping_op(kSamples, 1);
+  tests::Series more(kSamples, 0.0);
+  for (std::size_t k = at; k < kSamples; ++k) more[k] = (ratio - 1.0) * (op[k] - 30.0);
+  const ProcessShape shape = tests::one_lag(0.8, 2);
+  const tests::Series added = tests::scaled(answer(shape, more), 1.5);
+  return make_loop_data(tests::process_record(shape, 1.5, op, added), op, 1.0);
+}
+
+TEST(GainChange, TakesALevelWithItAndFindsThePlace) {
+  const LoopData data = about_another_point(1000, 1.6);
+  for (const std::size_t start : {960U, 1100U}) {
+    const Structure structure =
+        tests::structure_of(tests::one_lag(0.8, 2), {std::make_shared<GainChange>(start, start)});
+    const Fit fit = refine_last(seen_whole(data), evaluate(data, structure));
+    EXPECT_LT(fit.score_error, 1e-9);
+    const auto parameters = tests::last_parameters(data, fit);
+    // at: of pv, two samples of dead time later
+    EXPECT_NEAR(tests::value_of(parameters, "at"), 1002.0, 1e-9) << start;
+    EXPECT_NEAR(tests::value_of(parameters, "ratio"), 1.6, 1e-3);
+  }
+}
+
+TEST(GainChange, ItsWorkingPointLiesWhereOpCanBe) {
+  const GainChange change(500, 500);
+  EXPECT_TRUE(change.plausible(tests::Series{0.5, 49.0}, 1.0));
+  EXPECT_TRUE(change.plausible(tests::Series{-0.5, -49.0}, 1.0));
+  EXPECT_FALSE(change.plausible(tests::Series{0.5, 51.0}, 1.0));
+  EXPECT_FALSE(change.plausible(tests::Series{-0.9, 0.0}, 1.0)) << "nothing of the gain is left";
+}
+
+TEST(GainChange, ALoadThatMovesIsPlainer) {
+  EXPECT_EQ(GainChange(500, 500).plainer().size(), 2U);
+  EXPECT_EQ(GainChange(300, 700).plainer().size(), 1U);
+  for (const EffectPtr& plainer : GainChange(500, 500).plainer()) {
+    EXPECT_EQ(plainer->kind(), EffectKind::load_step);
+  }
 }
 
 TEST(GainChange, ColumnsAndNeighbours) {
@@ -61,7 +94,7 @@ TEST(GainChange, ColumnsAndNeighbours) {
   tests::expect_neighbours(GainChange(300, 700));
   for (const EffectPtr& neighbour : GainChange(500, 500).neighbours(0.5)) {
     EXPECT_TRUE(std::isnan(
-        tests::value_of(neighbour->parameters(LoopData(), tests::Series{0.1}, 1.0), "rate")))
+        tests::value_of(neighbour->parameters(LoopData(), tests::Series{0.1, 0.0}, 1.0), "rate")))
         << "a sudden change stays sudden";
   }
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/model/fit_variants.hpp"
+
+namespace loopscope::core::model {
+
+/// An outside wave and what it leaves: n ln(error) on the fit rows, the price of its columns beyond
+/// those of a plain line included.
+struct PricedWave {
+  EffectPtr effect;
+  double misfit = 0.0;
+};
+
+/// The wave that explains most for its price, of those that share a period with `start`, by turns
+/// with other harmonics and with other knots; process and noise as the variants have them.
+[[nodiscard]] PricedWave best_wave(const FitVariants& variants, const LoopData& data,
+                                   const EffectPtr& start);
+
+/// A first look at a line: as it is, or changing a few times over the record, whichever is better.
+/// A phase that wanders leaves little of the line itself.
+[[nodiscard]] PricedWave first_look_at_wave(const FitVariants& variants, const LoopData& data,
+                                            const EffectPtr& line);
+
+}  // namespace loopscope::core::model

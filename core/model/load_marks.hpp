@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/model/fit.hpp"
+
+namespace loopscope::core::model {
+
+/// What a load of size one that moves at once leaves in the innovations, from its first sample on.
+using LoadMark = std::vector<double>;
+
+/// Of a load behind the process.
+[[nodiscard]] LoadMark output_load_mark(const NoiseModel& noise);
+/// Of one before its lags, as the structure has them.
+[[nodiscard]] LoadMark input_load_mark(const Structure& structure);
+
+/// The few samples at which the innovations look most like the mark, apart from one another, the
+/// likeliest first.
+[[nodiscard]] std::vector<std::size_t> places_of(const LoadMark& mark,
+                                                 const std::vector<double>& innovations);
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,54 @@
+#include "core/model/contest.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/model/story.hpp"
+#include "tests/core/model/model_records.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr std::size_t kSamples = 2000;
+constexpr std::size_t kAt = 1100;
+const ProcessShape kShape = tests::one_lag(0.8, 3);
+
+/// What enters the process from kAt on, in % of op; a level and a part of the flow.
+LoopData changed(double level, double part, std::uint64_t seed) {
+  const tests::Series op = tests::stepping_op(kSamples, seed);
+  tests::Series more(kSamples, 0.0);
+  for (std::size_t k = kAt; k < kSamples; ++k) more[k] = level + part * (op[k] - 50.0);
+  const tests::Series noise =
+      tests::coloured_noise({1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}}, kSamples, seed + 50, 1.0);
+  const tests::Series rest = tests::sum(tests::scaled(answer(kShape, more), 1.5), noise);
+  return make_loop_data(tests::process_record(kShape, 1.5, op, rest), op, 1.0);
+}
+
+std::vector<Contestant> first_contest(const LoopData& data) {
+  const Story story = begin_story(data);
+  return hold_contest({story.data, story.data, story.last(), nullptr, false, false});
+}
+
+bool among(const std::vector<Contestant>& entries, EffectKind kind) {
+  return std::ranges::any_of(
+      entries, [&](const Contestant& entry) { return entry.enters() && entry.kind() == kind; });
+}
+
+TEST(Contest, ALoadThatMovesIsNoChangeOfGain) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const auto entries = first_contest(changed(12.0, 0.0, seed));
+    EXPECT_TRUE(among(entries, EffectKind::load_step)) << seed;
+    EXPECT_FALSE(among(entries, EffectKind::gain_change)) << seed;
+  }
+}
+
+TEST(Contest, AChangeOfGainTakesItsLevelWithIt) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const auto entries = first_contest(changed(12.0, 0.6, seed));
+    ASSERT_FALSE(entries.empty());
+    EXPECT_EQ(entries.front().kind(), EffectKind::gain_change) << seed;
+    EXPECT_TRUE(entries.front().enters()) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
