@@ -12,9 +12,10 @@ constexpr double kLeastHold = 1.5;
 /// A grid of a hundredth of pv's standard deviation moves no figure of the loop.
 constexpr double kFineGrid = 0.01;
 
-std::string against_valve(const Case& loop) {
-  const bool follows = loop.valve.measured && loop.valve.kind == ValvePattern::Kind::follows;
-  return follows ? "the recorded valve position follows its signal" : "";
+std::string against_valve(const model::Step& step, const Case& loop) {
+  if (loop.valve.measured && loop.valve.kind == ValvePattern::Kind::follows)
+    return "the recorded valve position follows its signal";
+  return step.beside_the_cycle ? "the loop cycles otherwise than about a valve's band" : "";
 }
 
 std::string against_hold(const signal::DataQuality& quality) {
@@ -35,7 +36,7 @@ std::string contradiction_of(const model::Step& step, const Case& loop) {
   switch (step.effect) {
     case model::EffectKind::valve_stiction:
     case model::EffectKind::valve_deadband:
-      return against_valve(loop);
+      return against_valve(step, loop);
     case model::EffectKind::sensor_hold:
       return against_hold(loop.evidence.data_quality);
     case model::EffectKind::sensor_quantisation:

@@ -8,9 +8,9 @@
 
 namespace loopscope::core::diagnosis {
 
-/// Why a recorded fact refutes a step of the model: a valve position that follows its signal, a pv
-/// that is renewed at every sample, or that lies on no grid. Empty = nothing recorded speaks
-/// against it.
+/// Why a fact refutes a step of the model: a valve position that follows its signal, a cycle that
+/// is not about the valve's band, a pv that is renewed at every sample, or that lies on no grid.
+/// Empty = nothing speaks against it.
 [[nodiscard]] std::string contradiction_of(const model::Step& step, const Case& loop);
 
 /// An explanation as the recorded facts leave it.

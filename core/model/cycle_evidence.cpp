@@ -132,6 +132,7 @@ void describe(const SimulatedProcess& law, const Banded& banded, const CycleBand
   const auto factor = static_cast<double>(band.factor());
   evidence.stickband = law.stickband;
   evidence.slip_jump = law.slip_jump;
+  evidence.travel = banded.travel;
   evidence.band_share = law.stickband / banded.travel;
   evidence.delay_samples = static_cast<double>(law.delay) * factor;
   evidence.lag_samples = law.lag * factor;

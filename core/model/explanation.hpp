@@ -39,7 +39,9 @@ struct Step {
   /// Mean square of the simulation error after the step by that before it; nullopt = not computed.
   std::optional<double> simulation_ratio;
   double steadiness = 1.0;  ///< share of the record's parts in which the effect lowers the error
-  std::string statement;    ///< one sentence with the figures, for an engineer
+  /// Of a valve: the loop cycles, but not about this band (cycle_valve.hpp).
+  bool beside_the_cycle = false;
+  std::string statement;  ///< one sentence with the figures, for an engineer
 };
 
 /// The process between valve and sensor, as the final model has it.

@@ -16,7 +16,8 @@ namespace {
 /// in twenty where a few strokes leave it little to see. A valve that rests over most of op's span
 /// shows as a curve in op's level too.
 constexpr double kCycleP = 0.01;
-constexpr double kClearCycleP = 0.05;
+/// Where the one-step error shows no valve, the cycle has to show it clearly: below, more of the
+/// simulated loops without a valve among their steps are healthy than stick.
 constexpr double kClearScore = 0.8;
 constexpr double kStrokeP = 0.05;
 constexpr double kStrokeLevelP = 1e-3;
@@ -39,8 +40,9 @@ Step step_of(double stickband, double slip_jump, double p) {
 
 std::optional<Step> by_cycle(const ModelInput& input, double p) {
   const CycleCause cause = judge_limit_cycle(input.pv, input.op, input.sp);
-  if (cause.decision != CycleCause::Decision::sticks) return std::nullopt;
-  if (p > (cause.score >= kClearScore ? kClearCycleP : kCycleP)) return std::nullopt;
+  if (cause.decision != CycleCause::Decision::sticks || cause.score < kClearScore) {
+    return std::nullopt;
+  }
   const CycleEvidence& evidence = cause.evidence;
   // Without a slip the loop would not cycle: the jump of a limit cycle is not nothing.
   Step step =
@@ -90,7 +92,7 @@ std::optional<Step> find_hysteresis(const ModelInput& input, const std::vector<A
     auto step = by_strokes(input, std::min(p, level_p));
     if (lowers_the_error(step)) return step;
   }
-  if (p > kClearCycleP) return std::nullopt;
+  if (p > kCycleP) return std::nullopt;
   auto step = by_cycle(input, p);
   return lowers_the_error(step) ? step : std::nullopt;
 }

@@ -5,12 +5,13 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
-#include "core/hos/period.hpp"
 #include "core/model/cycle_band.hpp"
 #include "core/model/cycle_evidence.hpp"
+#include "core/model/cycle_period.hpp"
 #include "core/signal/gaps.hpp"
 #include "core/signal/loop_window.hpp"
 #include "core/signal/spread.hpp"
@@ -27,8 +28,6 @@ constexpr double kMostMissing = 0.4;
 constexpr std::size_t kLongestRecord = 1500;
 constexpr std::size_t kParts = 3;
 constexpr std::size_t kPartLength = 600;
-/// Noise wanders too; its period stands for the scale at which it does.
-constexpr double kPeriodsInNoise = 9.0;
 
 struct Recording {
   Samples pv, op, error, recorded;
@@ -97,17 +96,27 @@ std::vector<CycleEvidence> gather_parts(const Recording& recording, const CycleB
 /// Means of what the score reads; the process is that of the part whose law fits best.
 CycleEvidence combine(const std::vector<CycleEvidence>& parts) {
   CycleEvidence result = *std::ranges::min_element(parts, {}, &CycleEvidence::error_law);
-  constexpr std::array kMeans = {&CycleEvidence::error_before,  &CycleEvidence::error_law,
-                                 &CycleEvidence::error_turning, &CycleEvidence::part_ratio,
-                                 &CycleEvidence::steadiness,    &CycleEvidence::band_share,
-                                 &CycleEvidence::op_coherence,  &CycleEvidence::op_triangle,
-                                 &CycleEvidence::pv_third,      &CycleEvidence::pv_triangle};
+  constexpr std::array kMeans = {
+      &CycleEvidence::error_before, &CycleEvidence::error_law,   &CycleEvidence::error_turning,
+      &CycleEvidence::part_ratio,   &CycleEvidence::steadiness,  &CycleEvidence::band_share,
+      &CycleEvidence::op_coherence, &CycleEvidence::op_triangle, &CycleEvidence::pv_third,
+      &CycleEvidence::pv_triangle,  &CycleEvidence::travel};
   for (const auto member : kMeans) {
     double sum = 0.0;
     for (const CycleEvidence& part : parts) sum += part.*member;
     result.*member = sum / static_cast<double>(parts.size());
   }
   return result;
+}
+
+/// nullopt when op or pv stands still in every part.
+std::optional<CycleEvidence> gather(const Recording& recording, double period) {
+  const std::vector<CycleEvidence> parts = gather_parts(recording, CycleBand(period));
+  if (parts.empty()) return std::nullopt;
+  CycleEvidence evidence = combine(parts);
+  evidence.period_samples = period;
+  evidence.cycles = static_cast<double>(recording.pv.size()) / period;
+  return evidence;
 }
 
 /// Share of the linear error that the valve of the law takes away.
@@ -127,11 +136,11 @@ double steady_triangle(const CycleEvidence& e) {
 double score_of(const CycleEvidence& e) {
   constexpr double kLeastRatio = 1e-3;
   const double log_ratio = std::log(std::max(e.part_ratio, kLeastRatio));
-  const double z = -11.037 - 1.164 * std::clamp(log_ratio, -1.5, 0.1) +
-                   2.374 * std::clamp(law_gain(e), -0.5, 0.9) + 3.501 * e.steadiness +
-                   3.433 * std::clamp(e.band_share, 0.0, 1.5) + 31.908 * steady_triangle(e) +
-                   5.175 * std::clamp(e.op_coherence, 0.4, 1.0) +
-                   3.613 * std::clamp(e.pv_triangle, 0.2, 0.8);
+  const double z = -13.084 - 1.762 * std::clamp(log_ratio, -1.5, 0.1) +
+                   1.989 * std::clamp(law_gain(e), -0.5, 0.9) + 2.4 * e.steadiness +
+                   3.134 * std::clamp(e.band_share, 0.0, 1.5) + 28.823 * steady_triangle(e) +
+                   8.698 * std::clamp(e.op_coherence, 0.4, 1.0) +
+                   3.808 * std::clamp(e.pv_triangle, 0.2, 0.8);
   return 1.0 / (1.0 + std::exp(-z));
 }
 
@@ -163,14 +172,14 @@ CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double>
   const Recording recording = prepare(pv, op, sp);
   cause.reason = unusable(recording);
   if (!cause.reason.empty()) return cause;
-  const auto samples = static_cast<double>(pv.size());
-  const double period = hos::dominant_period(recording.error).value_or(samples / kPeriodsInNoise);
-  const std::vector<CycleEvidence> parts = gather_parts(recording, CycleBand(period));
+  std::optional<CycleEvidence> best;
+  for (const double period : candidate_periods(recording.error, recording.op)) {
+    const auto found = gather(recording, period);
+    if (found && (!best || found->op_coherence > best->op_coherence)) best = found;
+  }
   cause.reason = "op stands still for most of the record.";
-  if (parts.empty()) return cause;
-  cause.evidence = combine(parts);
-  cause.evidence.period_samples = period;
-  cause.evidence.cycles = samples / period;
+  if (!best) return cause;
+  cause.evidence = *best;
   cause.score = score_of(cause.evidence);
   cause.reason = reason_for(cause.evidence);
   if (cause.evidence.cycles < kFewestCycles) return cause;

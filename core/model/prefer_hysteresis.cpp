@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/model/cycle_valve.hpp"
 #include "core/model/hysteresis_step.hpp"
 
 namespace loopscope::core::model {
@@ -15,8 +16,21 @@ bool jumps(const Step& step) {
   return step.effect == EffectKind::load_step;
 }
 
-bool explains_a_cycle(const Step& step) {
-  return is_valve_hysteresis(step.effect) || step.effect == EffectKind::external_oscillation;
+bool is_valve(const Step& step) {
+  return is_valve_hysteresis(step.effect);
+}
+
+bool is_outside_cycle(const Step& step) {
+  return step.effect == EffectKind::external_oscillation;
+}
+
+/// Whether what the story found speaks against the valve that the three witnesses see.
+bool others_stand(const std::vector<Step>& steps, const std::vector<Answer>& left,
+                  const Step& valve) {
+  constexpr double kStillThere = 0.05;
+  constexpr double kClear = 22.0;  // nine to one, in the units of `margin`
+  if (valve.margin >= kClear || std::ranges::all_of(steps, jumps)) return false;
+  return std::ranges::any_of(steps, is_outside_cycle) || p_of(left, "op_direction") > kStillThere;
 }
 
 }  // namespace
@@ -24,15 +38,14 @@ bool explains_a_cycle(const Step& step) {
 void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& first,
                        const std::vector<Answer>& left, std::size_t op_turns,
                        Explanation& explanation) {
-  constexpr double kStillThere = 0.05;
-  constexpr double kClear = 13.8;  // four to one, in the units of `margin`
   const bool few_strokes = op_turns <= kFewStrokes;
-  if (!few_strokes && std::ranges::any_of(explanation.steps, explains_a_cycle)) return;
+  if (!few_strokes && std::ranges::any_of(explanation.steps, is_valve)) {
+    weigh_valves_by_cycle(input, explanation.steps);
+    return;
+  }
   std::optional<Step> step = find_hysteresis(input, first, op_turns);
   if (!step) return;
-  const bool others_stand = !std::ranges::all_of(explanation.steps, jumps) &&
-                            p_of(left, "op_direction") > kStillThere && step->margin < kClear;
-  if (!few_strokes && others_stand) return;
+  if (!few_strokes && others_stand(explanation.steps, left, *step)) return;
   explanation.error_kind = ErrorKind::simulation;
   explanation.excited = true;
   explanation.baseline.holdout_error = step->holdout_error_before;

@@ -11,9 +11,10 @@ namespace loopscope::core::model {
 
 /// Puts a valve by its three witnesses (hysteresis_step.hpp) in place of the steps that its slips
 /// pass for, and the errors of the whole explanation into simulation errors. Other effects stand
-/// where an outside oscillation or a valve is among them, or where what they leave no longer
-/// follows op's direction and the shape of the cycle is not clear; not where op made a few strokes
-/// only. `first`: asked of the linear loop's residual; `left`: of the last model's.
+/// where the shape of the cycle is not clear beyond doubt and an outside oscillation is among them,
+/// or what they leave no longer follows op's direction. A valve among the steps is weighed by the
+/// cycle instead (cycle_valve.hpp). Where op made a few strokes only nothing of that stands.
+/// `first`: asked of the linear loop's residual; `left`: of the last model's.
 void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& first,
                        const std::vector<Answer>& left, std::size_t op_turns,
                        Explanation& explanation);

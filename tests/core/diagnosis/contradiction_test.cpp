@@ -31,6 +31,14 @@ TEST(Contradiction, AValveThatFollowsDoesNotStickAndHasNoPlay) {
   EXPECT_THAT(doubt(valve_characteristic, evidence), IsEmpty());
 }
 
+TEST(Contradiction, AValveBesideTheCycleIsNotItsCause) {
+  model::Step step = clear_step(valve_stiction);
+  step.beside_the_cycle = true;
+  const Evidence evidence = evidence_with(explanation_of({step}));
+  EXPECT_THAT(contradiction_of(step, case_of(evidence)), HasSubstr("cycles"));
+  EXPECT_THAT(believed(case_of(evidence)).explanation.steps, IsEmpty());
+}
+
 TEST(Contradiction, ASensorFaultHasToShowInPv) {
   Evidence evidence = evidence_with(explanation_of());
   evidence.data_quality.compression_factor = 1.02;

@@ -10,6 +10,9 @@ namespace loopscope::tests::model {
 /// Loops as plants have them, and what all families of recordings share.
 using Loop = FieldSettings (*)(Draw&);
 
+/// Samples of a recording.
+using Length = std::size_t (*)(Draw&);
+
 std::size_t record_length(Draw& draw);
 
 double std_of(const std::vector<double>& x);

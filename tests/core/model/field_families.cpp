@@ -6,11 +6,19 @@ namespace loopscope::tests::model {
 
 std::span<const FieldFamily> field_families() {
   static const std::vector<FieldFamily> all = [] {
-    std::vector<FieldFamily> families(sticking_families().begin(), sticking_families().end());
-    families.insert(families.end(), healthy_families().begin(), healthy_families().end());
+    std::vector<FieldFamily> families;
+    for (const auto some : {sticking_families(), healthy_families(), plant_sticking_families(),
+                            plant_healthy_families()})
+      families.insert(families.end(), some.begin(), some.end());
     return families;
   }();
   return all;
+}
+
+FieldLoop record_of(const FieldFamily& family, std::uint64_t seed) {
+  const auto place = static_cast<std::uint64_t>(&family - field_families().data());
+  Draw draw(100'000 * (place + 1) + seed);
+  return family.simulate(draw);
 }
 
 }  // namespace loopscope::tests::model

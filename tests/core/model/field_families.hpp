@@ -19,7 +19,13 @@ struct FieldFamily {
 
 [[nodiscard]] std::span<const FieldFamily> sticking_families();
 [[nodiscard]] std::span<const FieldFamily> healthy_families();
-/// Both, in that order.
+/// Slow, long, coarse, interacting, interrupted and complicated ones.
+[[nodiscard]] std::span<const FieldFamily> plant_sticking_families();
+[[nodiscard]] std::span<const FieldFamily> plant_healthy_families();
+/// All, in that order.
 [[nodiscard]] std::span<const FieldFamily> field_families();
+
+/// One recording of the family, below 100 000: no two families share their random numbers.
+[[nodiscard]] FieldLoop record_of(const FieldFamily& family, std::uint64_t seed);
 
 }  // namespace loopscope::tests::model

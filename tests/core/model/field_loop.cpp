@@ -57,7 +57,9 @@ class Stem {
         static_(0.5 * (valve.stickband_percent + valve.slip_jump_percent)),
         dynamic_(0.5 * (valve.stickband_percent - valve.slip_jump_percent)) {}
   double next(double op) {
-    if (valve_.friction == Friction::none) return op;
+    const bool away = valve_.stretch_steps > 0 && step_++ / valve_.stretch_steps % 2 == 1;
+    if (away) velocity_ = 0.0;
+    if (valve_.friction == Friction::none || away) return position_ = op;
     if (valve_.friction == Friction::he) return he(op);
     for (int i = 0; i < kSubSteps; ++i) karnopp(op);
     return position_;
@@ -96,7 +98,12 @@ class Stem {
   double static_, dynamic_;
   double position_ = kMiddle;
   double velocity_ = 0.0;
+  std::size_t step_ = 0;
 };
+
+double pole(double lag) {
+  return lag > 0.0 ? std::exp(-1.0 / lag) : 0.0;
+}
 
 class Plant {
  public:
@@ -112,7 +119,6 @@ class Plant {
   }
 
  private:
-  static double pole(double lag) { return lag > 0.0 ? std::exp(-1.0 / lag) : 0.0; }
   FieldSettings s_;
   std::deque<double> pipe_;
   double a1_, a2_, first_ = 0.0, second_ = 0.0;
@@ -171,15 +177,22 @@ FieldLoop run_field_loop(const FieldSettings& s, std::size_t samples, Draw& draw
   for (const OutsideWave& wave : s.waves) waves.emplace_back(wave, draw);
   Wave master(s.master, draw);
   FieldLoop loop;
-  double op = kMiddle, error_before = 0.0, load = 0.0, pv = 0.0, sp_base = 0.0, sp_walk = 0.0;
+  const double actuator = pole(s.actuator_lag_steps), filter = pole(s.filter_steps);
+  double op = kMiddle, air = kMiddle, op_before = kMiddle, seen = 0.0, error_before = 0.0,
+         load = 0.0, pv = 0.0, sp_base = 0.0, sp_walk = 0.0;
   const std::size_t steps = kRunIn + samples * s.recording.every;
   for (std::size_t k = 0; k < steps; ++k) {
     load = s.load_memory * load + s.load_step_std * draw.normal();
     double at_input = load, at_output = 0.0;
     for (Wave& wave : waves) (wave.at_input() ? at_input : at_output) += wave.next(draw);
-    const double mv = stem.next(op);
-    pv = plant.next(mv - kMiddle + at_input) + at_output;
-    const double reading = sensor.next(pv + s.noise_std * draw.normal(), draw);
+    if (!s.neighbour.empty()) at_output += s.neighbour[k % s.neighbour.size()];
+    air = actuator * air + (1.0 - actuator) * op;
+    const double mv = stem.next(air);
+    const double flow = (mv - kMiddle) * (1.0 + s.trim * (mv - kMiddle) / kMiddle);
+    pv = plant.next(flow + at_input) + at_output;
+    seen = filter * seen + (1.0 - filter) * pv;
+    const double reading = sensor.next(seen + s.noise_std * draw.normal(), draw);
+    op_before = op;
     if (s.setpoint_every > 0.0 && draw.chance(1.0 / s.setpoint_every)) {
       sp_base = s.setpoint_step_std * draw.normal();
     }
@@ -192,7 +205,7 @@ FieldLoop run_field_loop(const FieldSettings& s, std::size_t samples, Draw& draw
     if (k >= kRunIn && (k - kRunIn) % s.recording.every == 0) {
       loop.sp.push_back(100.0 + sp);
       loop.pv.push_back(100.0 + reading);
-      loop.op.push_back(op);
+      loop.op.push_back(s.recording.pv_late ? op_before : op);
       loop.mv.push_back(mv);
     }
   }

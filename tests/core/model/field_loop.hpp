@@ -32,6 +32,8 @@ struct FieldValve {
   double stickband_percent = 0.0;
   double slip_jump_percent = 0.0;
   double asymmetry = 0.0;  ///< share by which friction is larger on the way up
+  /// Friction comes and goes: there for so many steps, away for as many; 0 = always there.
+  std::size_t stretch_steps = 0;
 };
 
 /// A wave from outside.
@@ -56,6 +58,7 @@ struct Recording {
   double archive_band_op = 0.0;   ///< % of op
   double archive_grid_pv = 0.0;
   double archive_grid_op = 0.0;
+  bool pv_late = false;      ///< op is recorded a step before the pv beside it
   bool interpolate = false;  ///< archive joins its points by lines (else holds them)
   std::size_t every = 1;     ///< steps between recorded samples
 };
@@ -65,14 +68,18 @@ struct FieldSettings {
   double gain = 1.0;       ///< pv units per % (integrating: and step)
   double lag_steps = 3.0;  ///< first order
   double second_lag_steps = 0.0;
+  double actuator_lag_steps = 0.0;  ///< of the air that moves the stem, before the friction
+  double filter_steps = 0.0;        ///< of the transmitter
+  double trim = 0.0;                ///< curvature of flow over the stem: flow = x (1 + trim x / 50)
   std::size_t dead_steps = 1;
   double controller_gain = 0.3;  ///< % per pv unit, sign of `gain`
   double integral_steps = 10.0;
   double op_low = 0.0, op_high = 100.0;
   FieldValve valve;
   std::vector<OutsideWave> waves;
-  double noise_std = 0.0;      ///< white, pv units
-  double load_step_std = 0.0;  ///< AR load at the input, % of flow per step
+  std::vector<double> neighbour;  ///< what another loop adds to pv, step by step; again and again
+  double noise_std = 0.0;         ///< white, pv units
+  double load_step_std = 0.0;     ///< AR load at the input, % of flow per step
   double load_memory = 0.999;
   double setpoint_step_std = 0.0;  ///< size of moves, pv units
   double setpoint_every = 0.0;     ///< mean steps between them; 0 = none

@@ -1,47 +1,12 @@
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <vector>
 
-#include "tests/core/model/field_bases.hpp"
 #include "tests/core/model/field_families.hpp"
+#include "tests/core/model/healthy_loops.hpp"
 
 namespace loopscope::tests::model {
 namespace {
 
 using Shape = OutsideWave::Shape;
-
-/// The settings with an archive set by what the loop does.
-FieldLoop archived(FieldSettings s, std::size_t samples, Draw& draw) {
-  const FieldLoop clear = run_field_loop(s, samples, draw);
-  historian(s, std_of(clear.pv), std_of(clear.op), draw);
-  return run_field_loop(s, samples, draw);
-}
-
-OutsideWave outside(Shape shape, bool at_input, Draw& draw) {
-  OutsideWave wave;
-  wave.shape = shape;
-  wave.period_steps = draw.log_between(12.0, 150.0);
-  wave.amplitude = 1.0;
-  wave.phase_walk = draw.chance(0.5) ? draw.between(0.0, 0.04) : draw.between(0.04, 0.15);
-  wave.fading = draw.chance(0.5) ? draw.between(0.0, 0.5) : 0.0;
-  wave.at_input = at_input;
-  return wave;
-}
-
-/// A healthy loop with those waves; a good valve still holds a little (up to 5 % of op's swing).
-FieldLoop waved(FieldSettings s, Draw& draw, bool archive_too = false) {
-  const std::size_t samples = record_length(draw);
-  const FieldLoop clear = run_field_loop(s, samples, draw);
-  const double swing_pv = std_of(clear.pv), swing_op = std_of(clear.op);
-  roughen(s, swing_pv, swing_op, draw);
-  if (draw.chance(0.5)) {
-    s.valve.friction = Friction::he;
-    s.valve.stickband_percent = 0.1 * swing_op * draw.between(0.0, 1.0);
-    s.valve.slip_jump_percent = 0.5 * s.valve.stickband_percent;
-  }
-  return archive_too ? archived(s, samples, draw) : run_field_loop(s, samples, draw);
-}
 
 template <Loop base, Shape shape, bool at_input>
 FieldLoop outside_wave(Draw& draw) {
@@ -63,27 +28,6 @@ FieldLoop several_waves(Draw& draw) {
     s.waves.back().amplitude = draw.between(0.3, 1.0);
   }
   return waved(s, draw);
-}
-
-bool runs_away(FieldSettings s, double factor, Draw& draw) {
-  s.controller_gain *= factor;
-  s.load_step_std = 1e-4;
-  s.recording.every = 1;
-  const FieldLoop loop = run_field_loop(s, 600, draw);
-  const std::vector<double> early(loop.op.begin(), loop.op.begin() + 300);
-  const std::vector<double> late(loop.op.begin() + 300, loop.op.end());
-  return std_of(loop.op) > 0.5 || std_of(late) > 3.0 * std_of(early);
-}
-
-/// Gain multiplied to `share` of where the loop starts to swing by itself.
-FieldSettings tightened(FieldSettings s, double share, Draw& draw) {
-  double low = 0.3, high = 100.0;
-  for (int i = 0; i < 12; ++i) {
-    const double middle = std::sqrt(low * high);
-    (runs_away(s, middle, draw) ? high : low) = middle;
-  }
-  s.controller_gain *= share * low;
-  return s;
 }
 
 template <Loop base>

@@ -12,23 +12,19 @@
 #include <string>
 #include <vector>
 
+#include "tests/core/model/family_balance.hpp"
 #include "tests/core/model/field_families.hpp"
 #include "tests/core/model/field_recordings.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-using tests::model::Draw;
+using Balance = tests::model::FamilyBalance;
 using tests::model::field_families;
 using tests::model::FieldFamily;
 using tests::model::FieldLoop;
+using tests::model::record_of;
 using enum CycleCause::Decision;
-
-FieldLoop loop_of(const FieldFamily& family, std::uint64_t seed) {
-  const auto place = static_cast<std::uint64_t>(&family - field_families().data());
-  Draw draw(100'000 * (place + 1) + seed);
-  return family.simulate(draw);
-}
 
 CycleCause judge(const FieldLoop& loop) {
   return judge_limit_cycle(loop.pv, loop.op, loop.sp);
@@ -38,23 +34,11 @@ CycleCause judge(const FieldLoop& loop) {
 double right_share(const FieldFamily& family, std::uint64_t records) {
   std::uint64_t right = 0;
   for (std::uint64_t seed = 0; seed < records; ++seed) {
-    const bool accused = judge(loop_of(family, seed)).decision == sticks;
+    const bool accused = judge(record_of(family, seed)).decision == sticks;
     if (accused == family.sticks) ++right;
   }
   return static_cast<double>(right) / static_cast<double>(records);
 }
-
-struct Balance {
-  std::array<double, 2> sum{};
-  std::array<double, 2> families{};
-  void add(bool sticks, double right) {
-    sum[sticks ? 1 : 0] += right;
-    families[sticks ? 1 : 0] += 1.0;
-  }
-  [[nodiscard]] double specificity() const { return sum[0] / families[0]; }
-  [[nodiscard]] double sensitivity() const { return sum[1] / families[1]; }
-  [[nodiscard]] double accuracy() const { return 0.5 * (specificity() + sensitivity()); }
-};
 
 TEST(LimitCycleCause, FamiliesThatTheScoreHasNotSeen) {
   Balance balance;
@@ -66,7 +50,7 @@ TEST(LimitCycleCause, FamiliesThatTheScoreHasNotSeen) {
 }
 
 TEST(LimitCycleCause, ScaleAndOffsetDoNotMatter) {
-  FieldLoop loop = loop_of(field_families().front(), 3);
+  FieldLoop loop = record_of(field_families().front(), 3);
   const CycleCause plain = judge(loop);
   for (double& value : loop.pv) value = 250.0 * value - 40.0;
   for (double& value : loop.sp) value = 250.0 * value - 40.0;
@@ -78,7 +62,7 @@ TEST(LimitCycleCause, ScaleAndOffsetDoNotMatter) {
 
 TEST(LimitCycleCause, SurvivesMissingSamples) {
   constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
-  FieldLoop loop = loop_of(field_families().front(), 3);
+  FieldLoop loop = record_of(field_families().front(), 3);
   for (std::size_t k = 0; k < loop.pv.size(); k += 17) loop.pv[k] = kMissing;
   for (std::size_t k = 5; k < loop.op.size(); k += 31) loop.op[k] = kMissing;
   loop.pv.front() = loop.op.back() = kMissing;
@@ -125,7 +109,7 @@ TEST(LimitCycleCause, DISABLED_ErrorsAlone) {
     std::vector<double> ratios;
     constexpr std::uint64_t kRecords = 50;
     for (std::uint64_t seed = 0; seed < kRecords; ++seed) {
-      const CycleEvidence e = judge(loop_of(family, seed)).evidence;
+      const CycleEvidence e = judge(record_of(family, seed)).evidence;
       accused[0] += e.error_law < 0.8 * e.error_before ? 1.0 : 0.0;
       accused[1] += e.error_turning < 0.8 * e.error_before ? 1.0 : 0.0;
       accused[2] += e.part_ratio < 0.8 ? 1.0 : 0.0;
@@ -162,7 +146,7 @@ TEST(LimitCycleCause, DISABLED_Recordings) {
 TEST(LimitCycleCause, DISABLED_Speed) {
   for (const std::size_t family : {0U, 2U, 10U, 26U}) {
     for (const std::size_t samples : {751U, 4096U, 18000U}) {
-      FieldLoop loop = loop_of(field_families()[family], 1);
+      FieldLoop loop = record_of(field_families()[family], 1);
       const std::size_t own = loop.pv.size();
       for (std::size_t k = own; k < samples; ++k) {
         loop.pv.push_back(loop.pv[k % own]);

@@ -1,0 +1,106 @@
+#include "core/model/cycle_valve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/op_turns.hpp"
+#include "core/model/phrases.hpp"
+#include "core/signal/spread.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+/// Logistic regression on the families of simulated recordings that the score was fitted on,
+/// rounded. The score's own log odds count half: both witnesses see the same cycle.
+constexpr double kShapeWeight = 0.5;
+constexpr double kBandWeight = 5.5;
+constexpr double kPrior = -2.3;
+/// A band of op's whole travel leaves nothing to add.
+constexpr double kWidestShare = 1.0;
+/// Noise turns op too, and its turns line up with themselves to about a half.
+constexpr double kMoreThanNoise = 0.6;
+/// Limit cycles mostly repeat themselves to so much and more.
+constexpr double kRepeats = 0.75;
+/// So do moves of the setpoint across play: to 0.48 to 0.87, three in four below 0.73, in 30 loops.
+constexpr double kRepeatsUnderMoves = 0.8;
+/// The one-step error alone has found a slip: the cycle has to speak clearly against it.
+constexpr double kThreeToOneAgainst = -1.1;
+/// A setpoint that moves by less of pv's standard deviation does not drive the loop.
+constexpr double kRestingSetpoint = 0.1;
+/// Between one, where op follows the setpoint, and two.
+constexpr double kFaster = 1.5;
+/// Without a slip the loop would not cycle.
+constexpr double kLeastJump = 0.25;
+
+double log_odds(double probability) {
+  constexpr double kLeast = 1e-4;
+  const double p = std::clamp(probability, kLeast, 1.0 - kLeast);
+  return std::log(p / (1.0 - p));
+}
+
+bool setpoint_moves(const ModelInput& input) {
+  const auto sp = signal::measure_spread(input.sp);
+  const auto pv = signal::measure_spread(input.pv);
+  return sp && pv && sp->std > kRestingSetpoint * pv->std;
+}
+
+/// Play is crossed as often as the setpoint turns; a loop that cycles by itself turns more often.
+bool outruns_setpoint(const ModelInput& input, const CycleEvidence& cycle) {
+  const auto sp = signal::measure_spread(input.sp);
+  if (!sp) return true;
+  const double cycles = 0.5 * static_cast<double>(find_op_turns(input.sp, sp->std).size());
+  return cycle.cycles > kFaster * cycles;
+}
+
+/// op repeats its half cycle more clearly than what else moves it would let it.
+bool cycles_by_itself(const CycleEvidence& cycle, const ModelInput& input) {
+  if (!setpoint_moves(input)) return cycle.op_coherence >= kMoreThanNoise;
+  return cycle.op_coherence >= kRepeatsUnderMoves && outruns_setpoint(input, cycle);
+}
+
+/// Its first parameter is the band.
+bool is_valve(const Step& step) {
+  return is_valve_hysteresis(step.effect) && !step.parameters.empty();
+}
+
+double jump_share(const CycleEvidence& law) {
+  return law.stickband > 0.0 ? std::max(kLeastJump, law.slip_jump / law.stickband) : kLeastJump;
+}
+
+void call_it_stiction(Step& step, const CycleEvidence& law) {
+  const Parameter width = step.parameters.front();
+  step.effect = EffectKind::valve_stiction;
+  step.law = "he";
+  step.parameters = {{"S", "%", width.value, width.low, width.high},
+                     {"J", "%", jump_share(law) * width.value, {}, {}}};
+  step.statement = "The valve sticks: " + in_digits(width.value) + " % between op and flow is " +
+                   in_percent(width.value / law.travel) +
+                   " of op's travel in a cycle that play alone would not keep up (op repeats its "
+                   "half cycle to " +
+                   in_percent(law.op_coherence) + ").";
+}
+
+}  // namespace
+
+double odds_that_valve_cycles(const CycleCause& cause, double band_percent) {
+  if (!(cause.evidence.travel > 0.0)) return kPrior;
+  const double share = std::min(band_percent / cause.evidence.travel, kWidestShare);
+  return kShapeWeight * log_odds(cause.score) + kBandWeight * share + kPrior;
+}
+
+void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps) {
+  if (std::ranges::none_of(steps, is_valve)) return;
+  const CycleCause cause = judge_limit_cycle(input.pv, input.op, input.sp);
+  if (cause.decision == CycleCause::Decision::undecided) return;
+  const bool cycles = cycles_by_itself(cause.evidence, input);
+  const bool steadily = cause.evidence.op_coherence >= kRepeats && !setpoint_moves(input);
+  for (Step& step : steps) {
+    if (!is_valve(step)) continue;
+    const double odds = odds_that_valve_cycles(cause, step.parameters.front().value);
+    const bool play = step.effect == EffectKind::valve_deadband;
+    if (play && odds > 0.0 && cycles) call_it_stiction(step, cause.evidence);
+    step.beside_the_cycle = !play && odds < kThreeToOneAgainst && steadily;
+  }
+}
+
+}  // namespace loopscope::core::model

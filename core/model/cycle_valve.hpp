@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/model/explanation.hpp"
+#include "core/model/limit_cycle_cause.hpp"
+#include "core/model/model_input.hpp"
+
+namespace loopscope::core::model {
+
+/// Log odds that the valve makes the loop cycle, of two witnesses: the shape of the cycle
+/// (`cause`), and how much of op's travel in the cycle the band of the valve is that the one-step
+/// error shows. A sticking valve turns op about a band apart; a good valve's band is a small part
+/// of the travel that something else gives op. `band_percent`: S, or the width of play, > 0.
+[[nodiscard]] double odds_that_valve_cycles(const CycleCause& cause, double band_percent);
+
+/// What the cycle says of the valves that the one-step error shows.
+///
+/// Play: the one-step error hardly tells it from stiction, but a linear loop with play does not
+/// cycle by itself. Where the odds are above 0 and op repeats its half cycle better than noise does
+/// the step becomes valve_stiction (S = the width, J in the proportion of the cycle's law); clearly
+/// better, and more often than the setpoint turns, where that moves op: moves back and forth across
+/// play look alike.
+/// Stiction: where op repeats its half cycle under a setpoint at rest and the odds are three to one
+/// against, the step is marked `beside_the_cycle`: something else makes the loop cycle.
+void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps);
+
+}  // namespace loopscope::core::model
