@@ -9,7 +9,6 @@
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit_anew.hpp"
-#include "core/model/hysteresis_net.hpp"
 #include "core/model/stem_search.hpp"
 #include "core/model/tell_bends_apart.hpp"
 
@@ -36,71 +35,6 @@ double worth_fitting(EffectKind kind) {
   if (kind == EffectKind::gain_change) return 18.0;
   if (kind == EffectKind::external_oscillation) return 10.0;
   return looked_at_whole(kind) ? kWorthFittingWhole : kWorthFitting;
-}
-
-/// What it gains is counted once: where it sits (a step) or where pv puts it right (a valve) was
-/// taken from the fit rows, so that the mirrored fit has nothing unseen to be scored on.
-bool scored_once(const Effect& effect) {
-  const auto* valve = dynamic_cast<const ValveEffect*>(&effect);
-  return effect.kind() == EffectKind::load_step || (valve != nullptr && !valve->by_law_alone());
-}
-
-/// What a valve was chosen from shows when it has been fitted: play is smooth in its band, and only
-/// so many bands differ.
-double tries_of(const Candidate& candidate, const Effect& fitted, std::size_t samples) {
-  const auto* valve = dynamic_cast<const ValveEffect*>(&fitted);
-  if (valve == nullptr) return static_cast<double>(std::max<std::size_t>(candidate.tries, 1));
-  const bool play = valve->by_law_alone() && valve->valve().slip_jump_percent == 0.0;
-  if (play && valve->valve().acts_at_samples()) return static_cast<double>(hysteresis_net_bands());
-  return static_cast<double>(valve->valve().acts_at_samples() ? samples : kStemGuesses);
-}
-
-Structure without_last(Structure structure) {
-  structure.effects.pop_back();
-  return structure;
-}
-
-/// The mirrored fit of what is scored once waits until it has won: nothing is read from it before.
-TwinFit scored_fit(const LoopData& rows, Fit fit, bool once) {
-  if (once) return {std::move(fit), {}};
-  return twin(rows, std::move(fit));
-}
-
-/// A trial searches the process again, and may leave a local optimum that the model without the
-/// effect sits in. What that gains is not the effect's: it is compared with the better of both.
-void compare_fairly(Contestant& trial) {
-  const bool once = scored_once(trial.effect());
-  trial.comparison = compare(trial.rows, trial.before, trial.fit, once);
-  if (trial.comparison.evidence <= 0.0) return;
-  const TwinFit bare =
-      scored_fit(trial.rows, polish(trial.rows, without_last(trial.fit.fit.structure)), once);
-  const Comparison fair = compare(trial.rows, bare, trial.fit, once);
-  if (fair.evidence >= trial.comparison.evidence) return;
-  trial.comparison = fair;
-  trial.before = bare;
-}
-
-Contestant finished(Contestant trial, Fit fit, const Candidate& candidate) {
-  const bool once = scored_once(*fit.structure.effects.back());
-  trial.fit = scored_fit(trial.rows, std::move(fit), once);
-  compare_fairly(trial);
-  trial.price = 2.0 * std::log(tries_of(candidate, trial.effect(), trial.rows.size()));
-  trial.comparison.p = std::min(1.0, std::exp(-0.5 * trial.worth()));
-  return trial;
-}
-
-/// What an effect explains beyond a plainer one that leaves part of the same mark has to be
-/// significant by itself, at the price of its search.
-bool refutes_plainer(const Contestant& trial) {
-  Structure structure = without_last(trial.fit.fit.structure);
-  for (const EffectPtr& plainer : trial.effect().plainer()) {
-    structure.effects.push_back(plainer);
-    const TwinFit fit = twin(trial.rows, polish(trial.rows, structure));
-    structure.effects.pop_back();
-    const double own = compare(trial.rows, fit, trial.fit).evidence - trial.price;
-    if (std::exp(-0.5 * own) > kEnters) return false;
-  }
-  return true;
 }
 
 /// A first look is no more than that for what is found by pv or stands at a limit: by the wrong
@@ -133,7 +67,7 @@ std::optional<Contestant> try_candidate(const Round& round, const Candidate& can
   const double far_off = kFarOff * trial.before.fit.fit_error;
   Fit fit = fit_anew(trial.rows, evaluate(trial.rows, candidate.structure), far_off);
   if (!(fit.fit_error <= hopeless) || !is_plausible(fit)) return std::nullopt;
-  Contestant entry = finished(std::move(trial), std::move(fit), candidate);
+  Contestant entry = scored(std::move(trial), std::move(fit), candidate.tries);
   return entry.enters() && !refutes_plainer(entry) ? std::nullopt : std::optional(std::move(entry));
 }
 
@@ -186,17 +120,13 @@ void look_between_samples(const Round& round, std::vector<Contestant>& entries) 
   if (valve == entries.end() || !worth_a_closer_look(*valve, entries.front())) return;
   std::optional<Fit> fit = sought_between_samples(valve->rows, valve->fit.fit);
   if (!fit) return;
-  Contestant trial = finished({{}, {}, valve->rows, round.now, 0.0}, std::move(*fit), {});
+  Contestant trial = scored({{}, {}, valve->rows, round.now, 0.0}, std::move(*fit), kStemGuesses);
   if (trial.worth() <= valve->worth()) return;
   *valve = std::move(trial);
   rank(entries);
 }
 
 }  // namespace
-
-void complete(Contestant& winner) {
-  if (scored_once(winner.effect())) winner.fit = twin(winner.rows, std::move(winner.fit.fit));
-}
 
 std::vector<Contestant> hold_contest(const Round& round) {
   std::vector<Contestant> result;

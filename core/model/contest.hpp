@@ -3,31 +3,12 @@
 #include <vector>
 
 #include "core/model/candidates.hpp"
+#include "core/model/contestant.hpp"
 
 namespace loopscope::core::model {
-
-/// The p at which an effect enters: one healthy loop in a thousand and kind of effect.
-inline constexpr double kEnters = 1e-3;
-
-/// One effect fitted in full, and what it is worth on rows that its fit has not seen.
-struct Contestant {
-  TwinFit fit;
-  Comparison comparison;  ///< against `before`; p counts the tries of the search
-  LoopData rows;
-  TwinFit
-      before;  ///< without the effect: the model as it stood, or polished anew if that is better
-  double price = 0.0;  ///< 2 ln(tries of the search): what p counts, in units of evidence
-  [[nodiscard]] double worth() const { return comparison.evidence - price; }
-  [[nodiscard]] bool enters() const { return comparison.p <= kEnters; }
-  [[nodiscard]] const Effect& effect() const { return *fit.fit.structure.effects.back(); }
-  [[nodiscard]] EffectKind kind() const { return effect().kind(); }
-};
 
 /// The best trial of every kind that has anything to show, the least probable by chance first. What
 /// is scored once has no mirror yet.
 [[nodiscard]] std::vector<Contestant> hold_contest(const Round& round);
-
-/// Fits the mirror of one that is taken in.
-void complete(Contestant& winner);
 
 }  // namespace loopscope::core::model

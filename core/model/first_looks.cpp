@@ -9,15 +9,6 @@
 #include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
-namespace {
-
-Structure with(Structure structure, EffectPtr effect) {
-  structure.effects.push_back(std::move(effect));
-  return structure;
-}
-
-}  // namespace
-
 double gain_of(const LoopData& rows, double before, double after) {
   const double gain = static_cast<double>(rows.rows.fit_count()) * std::log(before / after);
   return std::isnan(gain) ? -std::numeric_limits<double>::infinity() : gain;

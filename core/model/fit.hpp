@@ -21,6 +21,11 @@ struct Structure {
   std::vector<EffectPtr> effects;
 };
 
+/// With one effect more, with another last one, without the last one.
+[[nodiscard]] Structure with(Structure structure, EffectPtr effect);
+[[nodiscard]] Structure with_last(Structure structure, EffectPtr effect);
+[[nodiscard]] Structure without_last(Structure structure);
+
 /// A structure fitted to the fit rows of a record.
 struct Fit {
   Structure structure;

@@ -43,7 +43,7 @@ Fit sweep(const LoopData& data, const Structure& start, const ValveEffect& valve
   }
   BestVariant found{nullptr, best.fit_error};
   found.take(variants, tried, Digits::single);
-  return found.effect ? evaluated_with(data, start, found.effect) : best;
+  return found.effect ? evaluate(data, with_last(start, found.effect)) : best;
 }
 
 /// A law that keeps its errors of position has a needle at the right band, which a search that puts

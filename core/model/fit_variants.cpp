@@ -157,9 +157,4 @@ bool BestVariant::take(const FitVariants& variants, std::span<const EffectPtr> t
   return true;
 }
 
-Fit evaluated_with(const LoopData& data, Structure structure, const EffectPtr& last) {
-  structure.effects.back() = last;
-  return evaluate(data, structure);
-}
-
 }  // namespace loopscope::core::model

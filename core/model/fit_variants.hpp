@@ -56,7 +56,4 @@ struct BestVariant {
   bool take(const FitVariants& variants, std::span<const EffectPtr> tried, Digits digits);
 };
 
-/// The whole fit of a structure with another last effect.
-[[nodiscard]] Fit evaluated_with(const LoopData& data, Structure structure, const EffectPtr& last);
-
 }  // namespace loopscope::core::model

@@ -40,15 +40,10 @@ struct Mesh {
 const std::array kMeshes = {Mesh{ValveLaw::choudhury, 1.006, {0.2, 0.45, 0.8}},
                             Mesh{ValveLaw::kano, 1.006, {0.2, 0.33, 0.5, 0.75, 1.0}}};
 
-Structure behind(Structure structure, EffectPtr valve) {
-  structure.effects.push_back(std::move(valve));
-  return structure;
-}
-
 /// The process that goes with a play: without it the linear loop takes the play for delay.
 NetFind behind_play(const LoopData& data, const Fit& now, double band, double to_beat) {
   const Valve valve{ValveLaw::he, band, 0.0, 1.0};
-  const Structure rich = behind(now.structure, std::make_shared<ValveEffect>(valve));
+  const Structure rich = with(now.structure, std::make_shared<ValveEffect>(valve));
   Structure plain = rich;
   plain.process = glance(data, rich).shape;
   plain.two_taps = false;
@@ -144,7 +139,7 @@ std::optional<NetFind> find_play(const LoopData& data, const Fit& now) {
 std::vector<NetFind> find_sticking(const LoopData& data, const Fit& now, const NetFind& play) {
   const EffectPtr& best_play = play.structure.effects.back();
   const double band = dynamic_cast<const ValveEffect&>(*best_play).valve().stickband_percent;
-  const Structure linear = behind(now.structure, best_play);
+  const Structure linear = with(now.structure, best_play);
   std::vector<NetFind> found;
   for (const Mesh& mesh : kMeshes) {
     const std::vector<EffectPtr> valves = valves_of(mesh, band);

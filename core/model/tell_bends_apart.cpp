@@ -44,11 +44,6 @@ double misfit(const LoopData& all, const Structure& structure) {
   return static_cast<double>(all.rows.fit_count()) * std::log(fit.fit_error);
 }
 
-Structure with_last(Structure structure, const EffectPtr& effect) {
-  structure.effects.back() = effect;
-  return structure;
-}
-
 /// The shape with the process and noise of the trial that suit it best: a trial that stopped at a
 /// poorer process would lose for that.
 Structure best_start(const LoopData& all, const std::vector<Contestant*>& rivals,

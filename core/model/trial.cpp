@@ -110,7 +110,8 @@ Fit refine_last(const LoopData& data, Fit fit, double coarsest) {
       improved = best.take(variants, best.effect->neighbours(scale), Digits::full);
     }
   }
-  return best.effect == first ? std::move(fit) : evaluated_with(data, fit.structure, best.effect);
+  return best.effect == first ? std::move(fit)
+                              : evaluate(data, with_last(fit.structure, best.effect));
 }
 
 }  // namespace loopscope::core::model
