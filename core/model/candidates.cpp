@@ -17,7 +17,7 @@
 namespace loopscope::core::model {
 namespace {
 
-/// A sudden step is seen by fit and score over so many samples from so many before it on: about as
+/// A sudden step is seen by fit and score over so many rows from so many before it on: about as
 /// far as its place moves while it is fitted. A place whose first sample the fit does not see
 /// leaves one of its coefficients free.
 constexpr std::size_t kStepBefore = 12;
@@ -71,7 +71,7 @@ void add_hysteresis(const Round& round, std::vector<Candidate>& list) {
 /// Load steps and lines are found by looking through all places and frequencies; what a valve was
 /// chosen from shows when it has been fitted.
 std::size_t tries_of(const Round& round, EffectKind kind, std::size_t nominees) {
-  if (kind == EffectKind::gain_change) return std::max(nominees, round.data.size() / kPlace);
+  if (kind == EffectKind::gain_change) return std::max(nominees, round.data.samples() / kPlace);
   const bool everywhere = kind == EffectKind::load_step || kind == EffectKind::external_oscillation;
   return everywhere ? round.data.size() : nominees;
 }
@@ -136,7 +136,8 @@ LoopData judged_on(const LoopData& original, const Structure& structure) {
   LoopData data = original;
   for (const EffectPtr& effect : structure.effects) {
     if (const auto* step = dynamic_cast<const LoadStep*>(effect.get())) {
-      const std::size_t from = step->at() < kStepBefore ? 0 : step->at() - kStepBefore;
+      const std::size_t row = data.grid.row_from(step->at());
+      const std::size_t from = row < kStepBefore ? 0 : row - kStepBefore;
       data.rows = seen_by_both(data.rows, from, kStepSamples);
     }
   }

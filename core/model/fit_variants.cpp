@@ -73,7 +73,8 @@ std::vector<Column> FitVariants::moved_columns(const EffectPtr& last) const {
   return columns;
 }
 
-MatrixXd FitVariants::whitened(const std::vector<Column>& columns) const {
+MatrixXd FitVariants::whitened(std::vector<Column> columns) const {
+  for (Column& signal : columns) keep_rows(data_.grid, signal);
   const bool second_tap = bends_ && structure_.two_taps;
   const auto count = static_cast<Index>(columns.size());
   MatrixXd table(static_cast<Index>(data_.size()), count + (second_tap ? 1 : 0));

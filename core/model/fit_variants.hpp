@@ -22,7 +22,7 @@ class FitVariants {
 
  private:
   [[nodiscard]] std::vector<Column> moved_columns(const EffectPtr& last) const;
-  [[nodiscard]] Eigen::MatrixXd whitened(const std::vector<Column>& columns) const;
+  [[nodiscard]] Eigen::MatrixXd whitened(std::vector<Column> columns) const;
   [[nodiscard]] Eigen::MatrixXd normal_with(const std::vector<Signal>& moved) const;
 
   const LoopData& data_;

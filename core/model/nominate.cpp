@@ -101,7 +101,7 @@ std::vector<EffectPtr> nominate_static(const LoopData& data) {
 std::vector<EffectPtr> nominate_gain_changes(const LoopData& data) {
   constexpr std::size_t kPlaces = 24;
   std::vector<EffectPtr> result;
-  const std::size_t n = data.size();
+  const std::size_t n = data.samples();
   for (std::size_t i = 3; i + 2 < kPlaces; ++i) {
     result.push_back(std::make_shared<GainChange>(i * n / kPlaces, i * n / kPlaces));
   }
@@ -111,14 +111,15 @@ std::vector<EffectPtr> nominate_gain_changes(const LoopData& data) {
 }
 
 std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit) {
-  constexpr std::size_t kLength = 48;
+  // Rows that lie apart see the lags in a few of them, and a record has too few to spare.
+  const std::size_t length = data.grid.every_sample() ? 48 : 12;
   constexpr std::size_t kCandidates = 3;
-  const std::vector<double> pattern = step_pattern(fit.structure.noise, kLength);
+  const std::vector<double> pattern = step_pattern(fit.structure.noise, length);
   const auto& r = fit.innovations;
   std::vector<double> match(data.size(), 0.0);
-  for (std::size_t k = 40; k + kLength < data.size(); ++k) {
+  for (std::size_t k = warm_up_rows(data.grid, data.size()); k + length < data.size(); ++k) {
     double sum = 0.0;
-    for (std::size_t j = 0; j < kLength; ++j) sum += pattern[j] * r[k + j];
+    for (std::size_t j = 0; j < length; ++j) sum += pattern[j] * r[k + j];
     match[k] = std::abs(sum);
   }
   std::vector<EffectPtr> result;
@@ -126,7 +127,8 @@ std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit)
     const auto best = std::max_element(match.begin(), match.end());
     const auto at = best - match.begin();
     if (*best <= 0.0) break;
-    result.push_back(std::make_shared<LoadStep>(static_cast<std::size_t>(at)));
+    result.push_back(std::make_shared<LoadStep>(data.grid.sample_of(static_cast<std::size_t>(at)),
+                                                data.grid.samples_per_row));
     const auto from = std::max<long>(0, at - 20);
     std::fill(match.begin() + from,
               match.begin() + std::min<long>(at + 20, static_cast<long>(match.size())), 0.0);
@@ -138,9 +140,10 @@ std::vector<EffectPtr> nominate_oscillations(const LoopData& data, const Fit& fi
   std::vector<double> periods;
   add_peaks(fit.innovations, 2, periods);
   add_peaks(data.pv, 2, periods);
+  const auto samples_per_row = static_cast<double>(data.grid.samples_per_row);
   std::vector<EffectPtr> result;
   for (const double period : periods)
-    result.push_back(std::make_shared<ExternalOscillation>(period));
+    result.push_back(std::make_shared<ExternalOscillation>(samples_per_row * period));
   return result;
 }
 

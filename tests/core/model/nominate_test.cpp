@@ -122,5 +122,25 @@ TEST(Nominate, ShortRecordsNominateWithinThemselves) {
   }
 }
 
+/// Of a held sensor as of any other, in samples of op.
+TEST(Nominate, OfAHeldSensorPlacesAndPeriodsAreInSamples) {
+  const simulate::LoopRecord record = simulate::simulate_scenario("load_upsets", {}, 1);
+  const LoopData data = make_loop_data(record.pv, record.op, 1.0, {6, 0});
+  const Fit fit = evaluate(data, tests::structure_of(tests::noiseless_process()));
+  for (const EffectPtr& effect : nominate_load_steps(data, fit)) {
+    EXPECT_EQ(dynamic_cast<const LoadStep&>(*effect).at() % 6, 0U);
+  }
+  const simulate::LoopRecord other = simulate::simulate_scenario("outside_oscillation", {}, 1);
+  const LoopData line = make_loop_data(other.pv, other.op, 1.0, {6, 0});
+  double nearest = 1e9;
+  for (const EffectPtr& effect : nominate_oscillations(
+           line, evaluate(line, tests::structure_of(tests::noiseless_process())))) {
+    const double period = dynamic_cast<const ExternalOscillation&>(*effect).period_samples();
+    nearest = std::min(nearest, std::abs(period - 60.0));
+  }
+  EXPECT_LT(nearest, 0.5);
+  EXPECT_TRUE(nominate_valves(data).empty());
+}
+
 }  // namespace
 }  // namespace loopscope::core::model
