@@ -89,7 +89,8 @@ Fit try_delay_neighbours(const LoopData& data, Fit fit) {
 Fit try_orders(const LoopData& data, Fit fit) {
   const double count = static_cast<double>(data.rows.fit_count());
   Structure richer = fit.structure;
-  if (!richer.two_taps) {
+  // Between rows that lie apart a second tap says nothing that the delay does not.
+  if (!richer.two_taps && data.grid.every_sample()) {
     richer.two_taps = true;
     fit = better(data, std::move(fit), richer, 5, std::log(count));
     if (fit.structure.two_taps) fit = try_delay_neighbours(data, std::move(fit));
@@ -105,7 +106,7 @@ Fit try_orders(const LoopData& data, Fit fit) {
   richer = fit.structure;
   if (!richer.second_order) {
     richer.two_taps = false;
-    const std::size_t longest = std::min<std::size_t>(12, data.size() / 16);
+    const std::size_t longest = std::min<std::size_t>(12, data.samples() / 16);
     const double penalty = (fit.structure.two_taps ? 0.0 : 1.0) * std::log(count);
     const double to_beat = error_below(data, fit, penalty);
     Fit second = second_order_fit(data, richer, longest, to_beat);
@@ -122,7 +123,7 @@ Fit settle(const LoopData& data, const Fit& fit) {
 
 ProcessGlance glance(const LoopData& data, const Structure& structure) {
   constexpr std::array kFew = {0.4, 0.8, 0.95, 1.0};
-  const std::size_t longest = std::min<std::size_t>(15, data.size() / 16);
+  const std::size_t longest = std::min<std::size_t>(15, data.samples() / 16);
   const ProcessStart best = ranked_starts(data, structure, longest, kFew).front();
   const auto rows = static_cast<double>(data.rows.fit_count());
   return {best.shape, rows * std::log(best.total / best.error)};
@@ -130,7 +131,7 @@ ProcessGlance glance(const LoopData& data, const Structure& structure) {
 
 Fit search_process(const LoopData& data, const Structure& start, const ProcessSearch& search) {
   std::optional<Fit> best;
-  const std::size_t longest = std::min(search.longest_delay, data.size() / 16);
+  const std::size_t longest = std::min(search.longest_delay, data.samples() / 16);
   for (const ProcessShape& shape :
        distinct(ranked_starts(data, start, longest, kPoles), search.starts)) {
     Structure structure = start;

@@ -50,7 +50,8 @@ PricedWave best_wave(const FitVariants& variants, const LoopData& data, const Ef
   const double rows = rows_of(data);
   PricedWave best = priced(variants, rows, start);
   for (int turn = 0; turn < kTurns; ++turn) {
-    take_best(variants, rows, as_wave(best.effect).with_knots(data.size()), best);
+    take_best(variants, rows,
+              as_wave(best.effect).with_knots(data.samples(), data.grid.samples_per_row), best);
     if (!take_best(variants, rows, as_wave(best.effect).with_harmonics(), best)) break;
   }
   return best;
@@ -61,7 +62,8 @@ PricedWave first_look_at_wave(const FitVariants& variants, const LoopData& data,
   constexpr std::size_t kNet = 2;  // eight stretches: the line itself comes first
   const double rows = rows_of(data);
   PricedWave best = priced(variants, rows, line);
-  const std::vector<EffectPtr> waves = as_wave(line).with_knots(data.size());
+  const std::vector<EffectPtr> waves =
+      as_wave(line).with_knots(data.samples(), data.grid.samples_per_row);
   if (waves.size() > kNet) take_best(variants, rows, {waves[kNet]}, best);
   return best;
 }

@@ -19,7 +19,7 @@
 namespace loopscope::core::model {
 namespace {
 
-/// A sudden step is seen by fit and score over so many samples from so many before it on: about as
+/// A sudden step is seen by fit and score over so many rows from so many before it on: about as
 /// far as its place moves while it is fitted. A place whose first sample the fit does not see
 /// leaves one of its coefficients free.
 constexpr std::size_t kStepBefore = 12;
@@ -51,11 +51,11 @@ bool has_room(const Structure& structure, EffectKind kind) {
 }
 
 std::vector<EffectPtr> nominees(const Round& round) {
-  if (round.load_steps_only) return nominate_load_steps(round.now.fit);
+  if (round.load_steps_only) return nominate_load_steps(round.data, round.now.fit);
   std::vector<EffectPtr> all = nominate_static(round.data);
-  for (const auto& more :
-       {nominate_gain_changes(round.data, round.now.fit), nominate_load_steps(round.now.fit),
-        nominate_oscillations(round.data, round.now.fit)}) {
+  for (const auto& more : {nominate_gain_changes(round.data, round.now.fit),
+                           nominate_load_steps(round.data, round.now.fit),
+                           nominate_oscillations(round.data, round.now.fit)}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
@@ -166,7 +166,8 @@ LoopData judged_on(const LoopData& original, const Structure& structure) {
   for (const EffectPtr& effect : structure.effects) {
     const std::optional<std::size_t> at = moment_of(*effect);
     if (!at) continue;
-    const std::size_t from = *at < kStepBefore ? 0 : *at - kStepBefore;
+    const std::size_t row = data.grid.row_from(*at);
+    const std::size_t from = row < kStepBefore ? 0 : row - kStepBefore;
     data.rows = seen_by_both(data.rows, from, kStepSamples);
   }
   return data;

@@ -51,12 +51,16 @@ Design DesignMaker::make(const Structure& structure) const {
 }
 
 void DesignMaker::make(const Structure& structure, Design& design) const {
-  std::vector<double> response(data_.size());
+  std::vector<double> response(data_.samples());
   respond(structure.process, flow_, response);
-  const std::vector<Column> extra = effect_columns(structure.process, response);
+  std::vector<Column> extra = effect_columns(structure.process, response);
+  for (Column& signal : extra) keep_rows(data_.grid, signal);
   const bool integrating = structure.process.integrating;
   const std::vector<double> drift = integrating ? ramp(data_.size()) : std::vector<double>{};
 
+  design.response.clear();
+  if (!data_.grid.every_sample()) design.response = response;
+  keep_rows(data_.grid, response);
   design.taps = structure.two_taps ? 2 : 1;
   const Index offset = 1 + design.taps + static_cast<Index>(extra.size());
   design.table.resize(static_cast<Index>(data_.size()), offset + (integrating ? 2 : 1));

@@ -9,15 +9,17 @@
 
 namespace loopscope::core::model {
 
-/// A column of a table that holds a row for each sample, and all of them.
+/// A column of a table that holds a row for each row of the record, and all of them.
 [[nodiscard]] std::span<double> column(Eigen::MatrixXd& table, Eigen::Index at);
 [[nodiscard]] std::vector<Signal> columns_of(const Eigen::MatrixXd& table);
 
 /// The whitened columns of a structure: pv, numerator, effects, offset (and ramp, integrating), one
 /// after the other.
 struct Design {
-  Eigen::MatrixXd table;  ///< a row for each sample
+  Eigen::MatrixXd table;  ///< a row for each row of the record
   Eigen::Index taps = 1;  ///< columns after pv that are the answer of the process to flow
+  /// By sample, before the numerator, where the rows are fewer; else empty, the columns tell.
+  std::vector<double> response;
   [[nodiscard]] Eigen::Index terms() const { return table.cols() - 1; }  ///< pv left out
   [[nodiscard]] auto answers() const { return table.middleCols(1, taps); }
   [[nodiscard]] auto regressors() const { return table.rightCols(terms()); }

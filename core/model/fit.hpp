@@ -17,7 +17,7 @@ struct Structure {
   ProcessShape process;
   NoiseModel noise;
   bool second_order = false;  ///< the second lag is fitted too
-  bool two_taps = false;      ///< the numerator has its second coefficient
+  bool two_taps = false;      ///< the numerator has its second coefficient; every sample is a row
   std::vector<EffectPtr> effects;
 };
 

@@ -84,7 +84,8 @@ std::vector<Column> FitVariants::moved_columns(const EffectPtr& last,
   return columns;
 }
 
-MatrixXd FitVariants::whitened(const std::vector<Column>& columns) const {
+MatrixXd FitVariants::whitened(std::vector<Column> columns) const {
+  for (Column& signal : columns) keep_rows(data_.grid, signal);
   const bool second_tap = bends_ && structure_.two_taps;
   const auto count = static_cast<Index>(columns.size());
   MatrixXd table(static_cast<Index>(data_.size()), count + (second_tap ? 1 : 0));
@@ -129,7 +130,7 @@ double FitVariants::fit_error(const EffectPtr& last, const ProcessShape& process
 std::vector<double> FitVariants::fit_errors(std::span<const EffectPtr> lasts, Digits digits) const {
   std::vector<double> errors;
   const std::vector<const ValveEffect*> valves = valves_among(lasts);
-  if (valves.size() == lasts.size() && following_.empty()) {
+  if (valves.size() == lasts.size() && following_.empty() && data_.grid.every_sample()) {
     const ValveAnswers answers(flow_, structure_, steady_columns_, data_.rows.fit);
     for (const MatrixXd& moved : answers.products(valves, digits))
       errors.push_back(error_of(moved));

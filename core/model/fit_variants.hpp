@@ -31,7 +31,7 @@ class FitVariants {
  private:
   [[nodiscard]] std::vector<Column> moved_columns(const EffectPtr& last,
                                                   const ProcessShape& process) const;
-  [[nodiscard]] Eigen::MatrixXd whitened(const std::vector<Column>& columns) const;
+  [[nodiscard]] Eigen::MatrixXd whitened(std::vector<Column> columns) const;
   [[nodiscard]] Eigen::MatrixXd normal_with(const Eigen::MatrixXd& moved) const;
   [[nodiscard]] double error_of(const Eigen::MatrixXd& moved) const;
 

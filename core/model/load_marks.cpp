@@ -9,8 +9,12 @@ namespace {
 constexpr std::size_t kOutputLength = 48;
 /// The lags of most processes are over by then.
 constexpr std::size_t kInputLength = 96;
-/// Before that the innovations still know of the start of the record.
-constexpr std::size_t kFirst = 40;
+/// Rows that lie apart see the lags in a few of them, and a record has too few to spare.
+constexpr std::size_t kApartLength = 12;
+
+std::size_t rows_of_mark(const RowGrid& grid, std::size_t length) {
+  return grid.every_sample() ? length : kApartLength;
+}
 
 /// A step after one sample of rest, so that filters start from rest.
 std::vector<double> step_of(std::size_t length) {
@@ -25,10 +29,12 @@ LoadMark whitened(const NoiseModel& noise, std::vector<double> load) {
   return load;
 }
 
-/// The size of the product at every sample at which the whole mark has room.
-std::vector<double> match_of(const LoadMark& mark, const std::vector<double>& innovations) {
+/// The size of the product at every row at which the whole mark has room. Before the first ones the
+/// innovations still know of the start of the record.
+std::vector<double> match_of(const LoadMark& mark, const std::vector<double>& innovations,
+                             std::size_t first) {
   std::vector<double> match(innovations.size(), 0.0);
-  for (std::size_t k = kFirst; k + mark.size() < innovations.size(); ++k) {
+  for (std::size_t k = first; k + mark.size() < innovations.size(); ++k) {
     double sum = 0.0;
     for (std::size_t j = 0; j < mark.size(); ++j) sum += mark[j] * innovations[k + j];
     match[k] = std::abs(sum);
@@ -38,20 +44,23 @@ std::vector<double> match_of(const LoadMark& mark, const std::vector<double>& in
 
 }  // namespace
 
-LoadMark output_load_mark(const NoiseModel& noise) {
-  return whitened(noise, step_of(kOutputLength));
+LoadMark output_load_mark(const NoiseModel& noise, const RowGrid& grid) {
+  return whitened(noise, step_of(rows_of_mark(grid, kOutputLength)));
 }
 
-LoadMark input_load_mark(const Structure& structure) {
+LoadMark input_load_mark(const Structure& structure, const RowGrid& grid) {
   ProcessShape undelayed = structure.process;
   undelayed.delay_samples = 0;
-  return whitened(structure.noise, answer(undelayed, step_of(kInputLength)));
+  const std::size_t samples = rows_of_mark(grid, kInputLength) * grid.samples_per_row;
+  return whitened(structure.noise,
+                  at_rows({grid.samples_per_row, 0}, answer(undelayed, step_of(samples))));
 }
 
-std::vector<std::size_t> places_of(const LoadMark& mark, const std::vector<double>& innovations) {
+std::vector<std::size_t> places_of(const LoadMark& mark, const std::vector<double>& innovations,
+                                   const RowGrid& grid) {
   constexpr std::size_t kPlaces = 3;
   constexpr std::ptrdiff_t kApart = 20;
-  std::vector<double> match = match_of(mark, innovations);
+  std::vector<double> match = match_of(mark, innovations, warm_up_rows(grid, innovations.size()));
   std::vector<std::size_t> places;
   while (places.size() < kPlaces) {
     const auto best = std::ranges::max_element(match);

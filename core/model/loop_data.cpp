@@ -12,13 +12,17 @@ namespace {
 /// Short blocks of uneven length: setpoint moves, cycles and shifts that come at regular times then
 /// fall to both kinds alike. Shorter ones than 24 samples would be mostly guard.
 constexpr std::size_t kShortestBlock = 24;
-constexpr std::size_t kBlockSpread = 48;
+/// Of the few renewals of a held sensor both kinds still get eight blocks: what happens at regular
+/// times comes after fewer rows there. Still shorter ones would be mostly guard.
+constexpr std::size_t kFewestHeldBlocks = 16;
+constexpr std::size_t kShortestHeldBlock = 12;
 /// Fractional parts of multiples of the golden ratio fill an interval evenly without a pattern.
 constexpr double kGolden = 0.6180339887498949;
 /// The memory of a one-step error: a few samples.
 constexpr std::size_t kGuard = 4;
-/// Filters start from rest; what they remember of the unknown past is gone by then.
 constexpr std::size_t kWarmUp = 40;
+/// Of few renewals no larger part is given away: the lags take a few of them, the noise some more.
+constexpr std::size_t kPartsOfHeldRecord = 12;
 /// After a gap the prediction leans on bridged samples for about so long.
 constexpr std::size_t kAfterGap = 12;
 
@@ -44,12 +48,25 @@ std::vector<double> bridged(std::span<const double> values, double mean, double 
   return result;
 }
 
-std::vector<bool> countable(std::span<const double> pv, std::span<const double> op) {
-  std::vector<bool> usable(pv.size(), true);
-  for (std::size_t k = 0; k < std::min(kWarmUp, pv.size()); ++k) usable[k] = false;
-  for (std::size_t k = 0; k < pv.size(); ++k) {
-    if (!std::isnan(pv[k]) && !std::isnan(op[k])) continue;
-    for (std::size_t j = k; j < std::min(pv.size(), k + kAfterGap); ++j) usable[j] = false;
+/// By row, whether pv or a sample of op since the row before is missing.
+std::vector<bool> missing_rows(std::span<const double> pv, std::span<const double> op,
+                               const RowGrid& grid) {
+  std::vector<bool> missing(pv.size());
+  for (std::size_t row = 0; row < pv.size(); ++row) missing[row] = std::isnan(pv[row]);
+  for (std::size_t k = 0; k < op.size(); ++k) {
+    const std::size_t row = grid.row_from(k);
+    if (std::isnan(op[k]) && row < missing.size()) missing[row] = true;
+  }
+  return missing;
+}
+
+std::vector<bool> countable(const std::vector<bool>& missing, const RowGrid& grid) {
+  std::vector<bool> usable(missing.size(), true);
+  const std::size_t warm_up = std::min(warm_up_rows(grid, missing.size()), missing.size());
+  for (std::size_t k = 0; k < warm_up; ++k) usable[k] = false;
+  for (std::size_t k = 0; k < missing.size(); ++k) {
+    if (!missing[k]) continue;
+    for (std::size_t j = k; j < std::min(missing.size(), k + kAfterGap); ++j) usable[j] = false;
   }
   return usable;
 }
@@ -63,13 +80,19 @@ void add_runs(const std::vector<bool>& usable, Range block, std::vector<Range>& 
   }
 }
 
-Rows lay_out(const std::vector<bool>& usable) {
+/// Of blocks that are twice as long in the mean.
+std::size_t shortest_block(const RowGrid& grid, std::size_t rows) {
+  if (grid.every_sample()) return kShortestBlock;
+  return std::clamp(rows / (2 * kFewestHeldBlocks), kShortestHeldBlock, kShortestBlock);
+}
+
+Rows lay_out(const std::vector<bool>& usable, std::size_t shortest) {
   Rows rows;
   std::size_t first = 0;
   for (std::size_t block = 0; first < usable.size(); ++block) {
     const double spread = std::fmod(kGolden * static_cast<double>(block), 1.0);
     const std::size_t length =
-        kShortestBlock + static_cast<std::size_t>(spread * static_cast<double>(kBlockSpread));
+        shortest + static_cast<std::size_t>(spread * static_cast<double>(2 * shortest));
     const Range range{first + kGuard, std::min(usable.size(), first + length)};
     first += length;
     if (range.first < range.end) add_runs(usable, range, block % 2 == 0 ? rows.fit : rows.score);
@@ -100,6 +123,10 @@ std::vector<Range> united(const std::vector<Range>& ranges, Range added) {
 
 }  // namespace
 
+std::size_t warm_up_rows(const RowGrid& grid, std::size_t rows) {
+  return grid.every_sample() ? kWarmUp : std::min(kWarmUp, rows / kPartsOfHeldRecord);
+}
+
 std::size_t Rows::fit_count() const {
   return count(fit);
 }
@@ -126,16 +153,19 @@ Rows seen_by_both(const Rows& rows, std::size_t at, std::size_t length) {
 }
 
 LoopData make_loop_data(std::span<const double> pv, std::span<const double> op,
-                        double sample_interval_s) {
+                        double sample_interval_s, const RowGrid& grid) {
   LoopData data;
+  data.grid = grid;
   data.sample_interval_s = sample_interval_s;
-  const signal::Spread pv_spread = signal::measure_spread(pv).value_or(signal::Spread{});
+  const std::vector<double> pv_rows = at_rows(grid, pv);
+  const signal::Spread pv_spread = signal::measure_spread(pv_rows).value_or(signal::Spread{});
   data.pv_mean = pv_spread.mean;
   data.pv_scale = pv_spread.std > 0.0 ? pv_spread.std : 1.0;
   data.op_mean = signal::measure_spread(op).value_or(signal::Spread{}).mean;
-  data.pv = bridged(pv, data.pv_mean, 1.0 / data.pv_scale);
+  data.pv = bridged(pv_rows, data.pv_mean, 1.0 / data.pv_scale);
   data.op = bridged(op, data.op_mean, 1.0);
-  data.rows = lay_out(countable(pv, op));
+  data.rows = lay_out(countable(missing_rows(pv_rows, op, grid), grid),
+                      shortest_block(grid, data.pv.size()));
   return data;
 }
 

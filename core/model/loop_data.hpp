@@ -4,16 +4,18 @@
 #include <span>
 #include <vector>
 
+#include "core/model/row_grid.hpp"
+
 namespace loopscope::core::model {
 
-/// Samples from `first` up to, not including, `end`.
+/// Rows from `first` up to, not including, `end`.
 struct Range {
   std::size_t first = 0;
   std::size_t end = 0;
   [[nodiscard]] std::size_t size() const { return end - first; }
 };
 
-/// The samples whose errors a fit may see, and those that it is scored on: alternating blocks, so
+/// The rows whose errors a fit may see, and those that it is scored on: alternating blocks, so
 /// that an effect that sits in one place is seen by both, with a guard gap before each block. A row
 /// that touches a missing sample belongs to neither.
 struct Rows {
@@ -23,21 +25,30 @@ struct Rows {
   [[nodiscard]] std::size_t score_count() const;
 };
 
-/// What a loop model is fitted to. Equal lengths, no NaN: gaps are bridged and left out of `rows`.
+/// How many of so many rows no fit counts at the start of a record: filters begin at rest, and what
+/// they remember of the unknown past is gone by then.
+[[nodiscard]] std::size_t warm_up_rows(const RowGrid& grid, std::size_t rows);
+
+/// What a loop model is fitted to. No NaN: gaps are bridged and left out of `rows`. op, and all
+/// that it passes through, has a value for each sample; pv, the noise and the errors have one for
+/// each row, of which a held sensor has fewer.
 struct LoopData {
   double sample_interval_s = 1.0;
-  std::vector<double> pv;  ///< distance from its mean, in units of `pv_scale`
-  std::vector<double> op;  ///< % of its range, distance from `op_mean`
+  std::vector<double> pv;  ///< by row; distance from its mean, in units of `pv_scale`
+  std::vector<double> op;  ///< by sample; % of its range, distance from `op_mean`
   double pv_mean = 0.0;    ///< pv units
   double pv_scale = 1.0;   ///< pv units; standard deviation of pv, > 0
   double op_mean = 0.0;    ///< %
   Rows rows;
-  [[nodiscard]] std::size_t size() const { return pv.size(); }
+  RowGrid grid;
+  [[nodiscard]] std::size_t size() const { return pv.size(); }  ///< rows
+  [[nodiscard]] std::size_t samples() const { return op.size(); }
 };
 
-/// Bridges gaps (NaN) and lays out the rows. Series of equal length; pv not constant.
+/// Bridges gaps (NaN) and lays out the rows. Series of equal length, a value for each sample; pv
+/// not constant. What pv is between the rows of `grid` is not looked at.
 [[nodiscard]] LoopData make_loop_data(std::span<const double> pv, std::span<const double> op,
-                                      double sample_interval_s);
+                                      double sample_interval_s, const RowGrid& grid = {});
 
 /// The fit sees what it was scored on, and the other way round.
 [[nodiscard]] LoopData mirrored(LoopData data);
@@ -45,8 +56,8 @@ struct LoopData {
 /// The fit sees the rows of both kinds; the score is what it was.
 [[nodiscard]] LoopData seen_whole(LoopData data);
 
-/// The same rows, with the `length` samples from `at` on in both kinds. A sudden step lives in a
-/// single one-step error: whoever fits it has to see that sample, and so has whoever scores it. The
+/// The same rows, with the `length` rows from `at` on in both kinds. A sudden step lives in a
+/// single one-step error: whoever fits it has to see that row, and so has whoever scores it. The
 /// score flatters such an effect by one part in the number of rows for each of its coefficients.
 [[nodiscard]] Rows seen_by_both(const Rows& rows, std::size_t at, std::size_t length);
 

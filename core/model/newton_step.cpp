@@ -6,6 +6,7 @@
 
 #include "core/model/number_pair.hpp"
 #include "core/model/recursion.hpp"
+#include "core/model/whitening.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -84,7 +85,19 @@ void fill_zeros(const NoiseModel& noise, const VectorXd& errors, const std::vect
   }
 }
 
-MatrixXd sensitivities(const Solution& solution, const Structure& structure,
+/// What a process pole moves where the rows are fewer than the samples: the answer passes the pole
+/// at the rate of op, and is whitened at that of the rows.
+void fill_process_pole(const LoopData& data, const Solution& solution, const NoiseModel& noise,
+                       const Handle& pole, std::span<double> result) {
+  std::vector<double> answer = solution.design.response;
+  weigh({solution.coefficients[0], 0.0}, answer);
+  std::vector<double> moved(answer.size());
+  fill_pair(pole, pole, answer.data(), answer.data(), moved.data(), moved.data(), moved.size());
+  keep_rows(data.grid, moved);
+  whiten(noise, moved, result);
+}
+
+MatrixXd sensitivities(const LoopData& data, const Solution& solution, const Structure& structure,
                        const std::vector<Handle>& handles) {
   const Index samples = solution.errors.size();
   MatrixXd result(samples, static_cast<Index>(handles.size()));
@@ -96,7 +109,12 @@ MatrixXd sensitivities(const Solution& solution, const Structure& structure,
   };
   std::vector<std::size_t> poles;
   for (std::size_t h = 0; h < handles.size(); ++h) {
-    if (handles[h].kind != Handle::Kind::noise_zero) poles.push_back(h);
+    if (handles[h].kind == Handle::Kind::process_pole && !data.grid.every_sample()) {
+      fill_process_pole(data, solution, structure.noise, handles[h],
+                        column(result, static_cast<Index>(h)));
+    } else if (handles[h].kind != Handle::Kind::noise_zero) {
+      poles.push_back(h);
+    }
   }
   for (std::size_t i = 0; i < poles.size(); i += 2) {
     // An odd one out runs beside itself.
@@ -146,7 +164,7 @@ NewtonStep::NewtonStep(const LoopData& data, const Solution& solution, const Str
     : structure_(structure),
       squares_(solution.fit_error * static_cast<double>(data.rows.fit_count())),
       joint_(joint_products(data, solution,
-                            sensitivities(solution, structure, handles_of(structure_)))) {}
+                            sensitivities(data, solution, structure, handles_of(structure_)))) {}
 
 NextStructure NewtonStep::take(double damping) const {
   NextStructure next{structure_};

@@ -14,11 +14,11 @@ constexpr std::size_t kTerms = kOwnLags + kMoveLags;
 using Vector = Eigen::Matrix<double, kTerms, 1>;
 using Matrix = Eigen::Matrix<double, kTerms, kTerms>;
 
-Vector past(const LoopData& data, const std::vector<double>& r, std::size_t k) {
+Vector past(const std::vector<double>& op, const std::vector<double>& r, std::size_t k) {
   Vector terms;
   for (std::size_t lag = 1; lag <= kOwnLags; ++lag) terms[static_cast<long>(lag - 1)] = r[k - lag];
   for (std::size_t lag = 1; lag <= kMoveLags; ++lag) {
-    terms[static_cast<long>(kOwnLags + lag - 1)] = data.op[k - lag] - data.op[k - lag - 1];
+    terms[static_cast<long>(kOwnLags + lag - 1)] = op[k - lag] - op[k - lag - 1];
   }
   return terms;
 }
@@ -26,11 +26,12 @@ Vector past(const LoopData& data, const std::vector<double>& r, std::size_t k) {
 }  // namespace
 
 double noise_floor(const LoopData& data, const Fit& fit) {
+  const std::vector<double> op = at_rows(data.grid, data.op);
   Matrix normal = Matrix::Zero();
   Vector right = Vector::Zero();
   for (const Range& range : data.rows.fit) {
     for (std::size_t k = std::max(range.first, kOwnLags + 1); k < range.end; ++k) {
-      const Vector terms = past(data, fit.innovations, k);
+      const Vector terms = past(op, fit.innovations, k);
       normal.selfadjointView<Eigen::Lower>().rankUpdate(terms);
       right += terms * fit.innovations[k];
     }
@@ -41,7 +42,7 @@ double noise_floor(const LoopData& data, const Fit& fit) {
   double sum = 0.0;
   for (const Range& range : data.rows.score) {
     for (std::size_t k = std::max(range.first, kOwnLags + 1); k < range.end; ++k) {
-      const double rest = fit.innovations[k] - weights.dot(past(data, fit.innovations, k));
+      const double rest = fit.innovations[k] - weights.dot(past(op, fit.innovations, k));
       sum += rest * rest;
     }
   }

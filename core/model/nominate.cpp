@@ -93,25 +93,28 @@ std::vector<EffectPtr> nominate_static(const LoopData& data) {
 std::vector<EffectPtr> nominate_gain_changes(const LoopData& data, const Fit& fit) {
   constexpr std::size_t kPlaces = 24;
   std::vector<EffectPtr> result;
-  const std::size_t n = data.size();
+  const std::size_t n = data.samples();
   for (std::size_t i = 3; i + 2 < kPlaces; ++i) {
     result.push_back(std::make_shared<GainChange>(i * n / kPlaces, i * n / kPlaces));
   }
   result.push_back(std::make_shared<GainChange>(0, n));
   result.push_back(std::make_shared<GainChange>(n / 4, 3 * n / 4));
-  for (const LoadMark& mark :
-       {input_load_mark(fit.structure), output_load_mark(fit.structure.noise)}) {
-    for (const std::size_t at : places_of(mark, fit.innovations)) {
+  for (const LoadMark& mark : {input_load_mark(fit.structure, data.grid),
+                               output_load_mark(fit.structure.noise, data.grid)}) {
+    for (const std::size_t row : places_of(mark, fit.innovations, data.grid)) {
+      const std::size_t at = data.grid.sample_of(row);
       if (at >= GainChange::kEarliest) result.push_back(std::make_shared<GainChange>(at, at));
     }
   }
   return result;
 }
 
-std::vector<EffectPtr> nominate_load_steps(const Fit& fit) {
+std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit) {
+  const LoadMark mark = output_load_mark(fit.structure.noise, data.grid);
   std::vector<EffectPtr> result;
-  for (const std::size_t at : places_of(output_load_mark(fit.structure.noise), fit.innovations)) {
-    result.push_back(std::make_shared<LoadStep>(at));
+  for (const std::size_t row : places_of(mark, fit.innovations, data.grid)) {
+    result.push_back(
+        std::make_shared<LoadStep>(data.grid.sample_of(row), data.grid.samples_per_row));
   }
   return result;
 }
@@ -120,9 +123,10 @@ std::vector<EffectPtr> nominate_oscillations(const LoopData& data, const Fit& fi
   std::vector<double> periods;
   add_peaks(fit.innovations, 2, periods);
   add_peaks(data.pv, 2, periods);
+  const auto samples_per_row = static_cast<double>(data.grid.samples_per_row);
   std::vector<EffectPtr> result;
   for (const double period : periods)
-    result.push_back(std::make_shared<ExternalOscillation>(period));
+    result.push_back(std::make_shared<ExternalOscillation>(samples_per_row * period));
   return result;
 }
 

@@ -13,7 +13,7 @@ namespace loopscope::core::model {
 /// Of those, the trims whose gain rises, or falls, along the whole travel.
 [[nodiscard]] std::vector<EffectPtr> nominate_trims(const LoopData& data);
 [[nodiscard]] std::vector<EffectPtr> nominate_gain_changes(const LoopData& data, const Fit& fit);
-[[nodiscard]] std::vector<EffectPtr> nominate_load_steps(const Fit& fit);
+[[nodiscard]] std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit);
 [[nodiscard]] std::vector<EffectPtr> nominate_oscillations(const LoopData& data, const Fit& fit);
 
 }  // namespace loopscope::core::model

@@ -35,6 +35,7 @@ void add(const ValveCandidate& candidate, const std::vector<std::uint8_t>& seen,
 }  // namespace
 
 std::vector<EffectPtr> nominate_valves(const LoopData& data) {
+  if (!data.grid.every_sample()) return {};
   std::vector<std::uint8_t> seen(data.size(), 0);
   for (const Range& range : data.rows.fit) {
     for (std::size_t k = range.first; k < range.end; ++k) seen[k] = 1;

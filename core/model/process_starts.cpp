@@ -35,20 +35,26 @@ class Delayed {
   std::vector<double> squares_;  ///< sums of those before
 };
 
-/// Error of pv on s(k-d) for every delay d: dead time is a shift of the whitened column.
+/// Error of pv on s, which is `later` samples late already, for every delay from there on, a row
+/// apart, up to the longest: dead time is a shift of the whitened column.
 void try_delays(const LoopData& data, const std::vector<double>& pv, const std::vector<double>& s,
-                ProcessShape shape, std::size_t longest, std::vector<ProcessStart>& starts) {
+                ProcessShape shape, std::size_t later, std::size_t longest,
+                std::vector<ProcessStart>& starts) {
   const auto& rows = data.rows.fit;
-  const Delayed delayed(s, longest);
+  const std::size_t apart = data.grid.samples_per_row;
+  const std::size_t first = later == 0 ? 1 : 0;  // in rows; no delay at all is none to try
+  const std::size_t last = (longest - later) / apart;
+  if (first > last) return;
+  const Delayed delayed(s, last);
   std::vector<Signal> all;
-  for (std::size_t d = 1; d <= longest; ++d) all.push_back(delayed.by(d));
+  for (std::size_t d = first; d <= last; ++d) all.push_back(delayed.by(d));
   const Signal output = pv.data();
   const Eigen::MatrixXd right = products({&output, 1}, all, rows);
   const double total = sum_of_squares(output, rows);
-  for (std::size_t d = 1; d <= longest; ++d) {
+  for (std::size_t d = first; d <= last; ++d) {
     const double square = delayed.squares(d, rows);
-    const double both = right(0, static_cast<Eigen::Index>(d - 1));
-    shape.delay_samples = d;
+    const double both = right(0, static_cast<Eigen::Index>(d - first));
+    shape.delay_samples = later + d * apart;
     starts.push_back({shape, total - (square > 0.0 ? both * both / square : 0.0), total});
   }
 }
@@ -60,17 +66,22 @@ std::vector<ProcessStart> process_starts(const LoopData& data, const Structure& 
                                          std::span<const ProcessShape> shapes) {
   std::vector<double> flow = data.op;
   for (const EffectPtr& effect : structure.effects) effect->shape_flow(flow);
-  std::vector<std::vector<double>> signals(shapes.size() + 1, data.pv);
-  Whitening whitening;
-  whitening.add(signals.back(), signals.back());
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    respond(shapes[i], flow, signals[i]);
-    whitening.add(signals[i], signals[i]);
+  // Delays within a row have to be tried apart: the rows see other samples.
+  const std::size_t phases = std::min(data.grid.samples_per_row, longest + 1);
+  std::vector<std::vector<double>> signals{data.pv};
+  std::vector<double> response(flow.size());
+  for (const ProcessShape& shape : shapes) {
+    respond(shape, flow, response);
+    for (std::size_t later = 0; later < phases; ++later)
+      signals.push_back(at_rows(data.grid, response, later));
   }
+  Whitening whitening;
+  for (std::vector<double>& signal : signals) whitening.add(signal, signal);
   whitening.run(structure.noise);
   std::vector<ProcessStart> starts;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    try_delays(data, signals.back(), signals[i], shapes[i], longest, starts);
+  for (std::size_t i = 0; i + 1 < signals.size(); ++i) {
+    try_delays(data, signals.front(), signals[i + 1], shapes[i / phases], i % phases, longest,
+               starts);
   }
   return starts;
 }

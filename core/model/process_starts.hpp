@@ -15,8 +15,9 @@ struct ProcessStart {
 };
 
 /// Every shape at every delay from 1 to the longest, the noise as it is: dead time is a shift of
-/// the whitened answer, so that a shape is whitened once for all its delays. Shapes have none of
-/// their own. In the order of shapes, then delays.
+/// the whitened answer by rows, so that a shape is whitened once for all its delays (once for each
+/// sample of a row where pv is renewed less often). Shapes have none of their own. In the order of
+/// shapes.
 [[nodiscard]] std::vector<ProcessStart> process_starts(const LoopData& data,
                                                        const Structure& structure,
                                                        std::size_t longest_delay,

@@ -32,8 +32,8 @@ RenewedRecord renewed_record(std::span<const double> pv, std::span<const double>
                              std::span<const double> sp, std::span<const double> error,
                              std::size_t hold_samples) {
   RenewedRecord result;
-  result.samples_per_row = hold_samples;
-  for (std::size_t k = renewal_phase(pv, hold_samples); k < pv.size(); k += hold_samples) {
+  result.grid = {hold_samples, renewal_phase(pv, hold_samples)};
+  for (std::size_t k = result.grid.first_sample; k < pv.size(); k += hold_samples) {
     result.pv.push_back(pv[k]);
     if (!op.empty()) result.op.push_back(mean_up_to(op, k, hold_samples));
     if (!sp.empty()) result.sp.push_back(sp[k]);

@@ -4,11 +4,14 @@
 #include <span>
 #include <vector>
 
+#include "core/model/row_grid.hpp"
+
 namespace loopscope::core::model {
 
-/// A held record thinned to one row for each renewal of pv. NaN = missing, as in the record.
+/// A held record thinned to one row for each renewal of pv, for what asks of one value of each
+/// signal a row. NaN = missing, as in the record.
 struct RenewedRecord {
-  std::size_t samples_per_row = 1;
+  RowGrid grid;               ///< the renewals
   std::vector<double> pv;     ///< as renewed
   std::vector<double> op;     ///< mean over the samples up to the renewal: what pv answers to
   std::vector<double> sp;     ///< at the renewal; empty = not recorded

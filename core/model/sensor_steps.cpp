@@ -39,8 +39,8 @@ SensorFinding find_sensor_steps(double error, const std::vector<Answer>& answers
   SensorFinding finding;
   const Nomination* held = nominated(answers, EffectKind::sensor_hold);
   if (held && held->hold_samples && *held->hold_samples >= 2.0) {
-    finding.hold_samples = static_cast<std::size_t>(std::lround(*held->hold_samples));
-    const auto samples = static_cast<double>(finding.hold_samples);
+    const double samples = std::round(*held->hold_samples);
+    if (!held->at_sample) finding.hold_samples = static_cast<std::size_t>(samples);
     finding.hold =
         sensor_step(EffectKind::sensor_hold, held->p, {"samples", "", samples, {}, {}}, error);
     finding.hold->statement =

@@ -13,6 +13,8 @@ struct SensorFinding {
   std::optional<Step> quantisation;
   std::optional<Step> hold;
   std::size_t hold_samples = 1;  ///< the samples that the sensor is renewed after
+  /// It stands still again and again, not once.
+  [[nodiscard]] bool renewed() const { return hold_samples > 1; }
 };
 
 /// Takes the answers to "grid" and "held" for steps where they are clear; `error` is that of the

@@ -29,12 +29,12 @@ std::vector<Range> cut_off(std::vector<Range> ranges, std::size_t end) {
   return ranges;
 }
 
-LoopData beginning(const LoopData& data, std::size_t samples) {
-  if (samples >= data.size()) return data;
+LoopData beginning(const LoopData& data, std::size_t rows) {
+  if (rows >= data.size()) return data;
   LoopData result = data;
-  result.pv.resize(samples);
-  result.op.resize(samples);
-  result.rows = {cut_off(data.rows.fit, samples), cut_off(data.rows.score, samples)};
+  result.pv.resize(rows);
+  result.op.resize(data.grid.sample_of(rows - 1) + 1);
+  result.rows = {cut_off(data.rows.fit, rows), cut_off(data.rows.score, rows)};
   return result;
 }
 

@@ -99,14 +99,15 @@ std::vector<EffectPtr> ExternalOscillation::neighbours(double scale) const {
   return result;
 }
 
-std::vector<EffectPtr> ExternalOscillation::with_knots(std::size_t samples) const {
+std::vector<EffectPtr> ExternalOscillation::with_knots(std::size_t samples,
+                                                       std::size_t samples_per_row) const {
   // A stretch is seen by fit and score alike, whose blocks take turns.
-  constexpr double kShortest = 100.0;  // samples
+  const double shortest = 100.0 * static_cast<double>(samples_per_row);
   constexpr double kFewestCycles = 4.0;
   std::vector<EffectPtr> result{std::make_shared<ExternalOscillation>(period_, harmonics_)};
   for (const std::size_t stretches : {4U, 8U, 16U, 32U}) {
     const double length = static_cast<double>(samples) / static_cast<double>(stretches);
-    if (length < std::max(kShortest, kFewestCycles * period_)) break;
+    if (length < std::max(shortest, kFewestCycles * period_)) break;
     result.push_back(std::make_shared<ExternalOscillation>(period_, harmonics_, stretches));
   }
   return result;
@@ -129,8 +130,8 @@ std::vector<Parameter> ExternalOscillation::parameters(const LoopData& data,
                                                        double) const {
   const std::vector<Phasor> phasors = phasors_of(coefficients, stretches_ + 1);
   const double cycles =
-      static_cast<double>(data.size()) / period_ + turned(phasors) / (2.0 * std::numbers::pi);
-  const double period = stretches_ == 0 ? period_ : static_cast<double>(data.size()) / cycles;
+      static_cast<double>(data.samples()) / period_ + turned(phasors) / (2.0 * std::numbers::pi);
+  const double period = stretches_ == 0 ? period_ : static_cast<double>(data.samples()) / cycles;
   return {{"period_s", "s", period * data.sample_interval_s, {}, {}},
           {"amplitude", "pv", mean_amplitude(phasors) * data.pv_scale, {}, {}}};
 }

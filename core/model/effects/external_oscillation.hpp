@@ -27,7 +27,8 @@ class ExternalOscillation final : public Effect {
 
   /// The same wave, constant and on every net of knots on which a change is slow: stretches of four
   /// cycles and more.
-  [[nodiscard]] std::vector<EffectPtr> with_knots(std::size_t samples) const;
+  [[nodiscard]] std::vector<EffectPtr> with_knots(std::size_t samples,
+                                                  std::size_t samples_per_row = 1) const;
   /// Waves with other harmonics, of which this one is the fundamental or a harmonic itself.
   [[nodiscard]] std::vector<EffectPtr> with_harmonics() const;
 

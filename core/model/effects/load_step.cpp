@@ -35,10 +35,12 @@ void LoadStep::add_columns(const Signals& signals, std::vector<Column>& columns)
 }
 
 std::vector<EffectPtr> LoadStep::neighbours(double scale) const {
-  constexpr double kMove = 4.0;  // samples
-  const auto move = static_cast<std::size_t>(std::max(1.0, kMove * scale));
-  std::vector<EffectPtr> result{std::make_shared<LoadStep>(at_ + move)};
-  if (at_ > move) result.push_back(std::make_shared<LoadStep>(at_ - move));
+  constexpr double kMove = 4.0;  // rows
+  const double samples = kMove * scale * static_cast<double>(samples_per_row_);
+  const auto move = static_cast<std::size_t>(std::max(1.0, samples));
+  const auto put = [&](std::size_t at) { return std::make_shared<LoadStep>(at, samples_per_row_); };
+  std::vector<EffectPtr> result{put(at_ + move)};
+  if (at_ > move) result.push_back(put(at_ - move));
   return result;
 }
 

@@ -7,7 +7,9 @@ namespace loopscope::core::model {
 /// A load that moves once and stays, at once or through the slower lag of the process.
 class LoadStep final : public Effect {
  public:
-  explicit LoadStep(std::size_t at) : at_(at) {}
+  /// `samples_per_row`: how far apart pv is seen, so how far a place has to move to be another one.
+  explicit LoadStep(std::size_t at, std::size_t samples_per_row = 1)
+      : at_(at), samples_per_row_(samples_per_row) {}
 
   [[nodiscard]] std::size_t at() const { return at_; }
   [[nodiscard]] EffectKind kind() const override { return EffectKind::load_step; }
@@ -21,6 +23,7 @@ class LoadStep final : public Effect {
 
  private:
   std::size_t at_;
+  std::size_t samples_per_row_;
 };
 
 }  // namespace loopscope::core::model

@@ -166,5 +166,27 @@ TEST(Explain, TheClosedLoopOfThePapersProcessOscillatesAsItDoes) {
   }
 }
 
+TEST(Explain, AHeldSensorHidesNoneOfTheProcess) {
+  const tests::Series op = tests::stepping_op(4096, 1);
+  const tests::Series pv = tests::held(
+      tests::process_record(tests::one_lag(0.8, 5), 1.5, op, tests::white_noise(4096, 2, 0.3)), 12);
+  const auto explanation = explain({pv, op, {}, {}, 2.0});
+  ASSERT_TRUE(explanation && explanation->steps.size() == 1);
+  EXPECT_EQ(explanation->steps.front().effect, EffectKind::sensor_hold);
+  const ProcessFit& process = explanation->baseline.process;
+  EXPECT_NEAR(process.gain, 1.5, 0.1);
+  EXPECT_NEAR(process.delay_s, 10.0, 2.0);
+  EXPECT_NEAR(process.time_constant_s, -2.0 / std::log(0.8), 2.0);
+}
+
+TEST(Explain, OfTooFewRenewalsNothingIsToldButTheHold) {
+  simulate::LoopRecord record = record_of("load_upsets");
+  record.pv = tests::held(record.pv, 60);
+  const auto explanation = tests::explain_record(record);
+  ASSERT_TRUE(explanation);
+  ASSERT_EQ(explanation->steps.size(), 1U);
+  EXPECT_EQ(explanation->steps.front().effect, EffectKind::sensor_hold);
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

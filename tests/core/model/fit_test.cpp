@@ -184,5 +184,23 @@ TEST(Fit, TheModelRunOnOpIsPvWithoutNoise) {
   }
 }
 
+/// Seen at every ninth sample, from op at every one.
+TEST(Fit, AHeldSensorShowsTheProcessAtTheRateOfOp) {
+  const tests::Series op = tests::stepping_op(kSamples, 1);
+  for (const ProcessShape& truth :
+       {tests::one_lag(0.85, 5), tests::two_lags(0.95, 0.8, 2), tests::integrator(4)}) {
+    const tests::Series pv =
+        tests::process_record(truth, 1.5, op, tests::white_noise(kSamples, 2, 0.02));
+    const LoopData data = make_loop_data(pv, op, 1.0, {9, 2});
+    Structure start = tests::structure_of(truth);
+    start.process.pole = truth.integrating ? 1.0 : truth.pole - 0.05;
+    const Fit fit = polish(data, start, 12);
+    EXPECT_EQ(fit.innovations.size(), data.size());
+    EXPECT_NEAR(fit.structure.process.pole, truth.pole, 0.01);
+    EXPECT_NEAR(fit.gain() * data.pv_scale, 1.5, 0.02);
+    EXPECT_EQ(deterministic_output(data, fit).size(), data.size());
+  }
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

@@ -116,5 +116,19 @@ TEST(FitVariants, SeeTheRowsOfTheFitAlone) {
   expect_the_slow_way(data, {valve(2.0, 2.0)});
 }
 
+/// pv seen at every sixth sample; two taps are for records with a row for each.
+TEST(FitVariants, OfAHeldSensorAreTheErrorsOfWholeFits) {
+  const LoopData whole = record();
+  const LoopData data = make_loop_data(whole.pv, whole.op, 1.0, {6, 2});
+  for (const EffectPtr& last : {valve(3.0, 1.0), EffectPtr(std::make_shared<LoadStep>(500, 6)),
+                                EffectPtr(std::make_shared<GainChange>(400, 900))}) {
+    const Structure structure = tests::structure_of(
+        tests::two_lags(0.9, 0.6, 1), {std::make_shared<ExternalOscillation>(41.0),
+                                       std::make_shared<ValveCharacteristic>(), last});
+    const double error = evaluate(data, structure).fit_error;
+    EXPECT_NEAR(FitVariants(data, structure).fit_error(last), error, 1e-9 * error);
+  }
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

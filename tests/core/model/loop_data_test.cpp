@@ -174,5 +174,44 @@ TEST(LoopData, SeenByBothStaysWithinTheRecord) {
   EXPECT_TRUE(seen_by_both(Rows{}, 5, 16).fit.empty());
 }
 
+TEST(LoopData, OfAHeldSensorTheRowsAreFewerThanTheSamples) {
+  const tests::Series pv = tests::white_noise(kSamples, 1), op = tests::stepping_op(kSamples, 2);
+  const RowGrid grid{15, 4};
+  const LoopData data = make_loop_data(pv, op, 2.0, grid);
+  EXPECT_EQ(data.sample_interval_s, 2.0);
+  EXPECT_EQ(data.samples(), kSamples);
+  ASSERT_EQ(data.size(), grid.rows_in(kSamples));
+  for (std::size_t row = 0; row < data.size(); ++row) {
+    EXPECT_NEAR(data.pv[row] * data.pv_scale + data.pv_mean, pv[grid.sample_of(row)], 1e-9);
+  }
+  EXPECT_NEAR(tests::mean(data.pv), 0.0, 1e-9);
+  EXPECT_GE(data.rows.fit_count(), 90U);
+  EXPECT_GE(data.rows.score_count(), 90U);
+  EXPECT_GE(data.rows.fit.size(), 5U);
+  EXPECT_GE(data.rows.score.size(), 5U);
+}
+
+TEST(LoopData, ARowThatWaitsForAMissingOpIsNone) {
+  tests::Series pv = tests::white_noise(kSamples, 1), op = tests::stepping_op(kSamples, 2);
+  const LoopData whole = make_loop_data(pv, op, 1.0, {10, 3});
+  op[2004] = kNaN;  // row 200 is at 2003, the next one at 2013
+  for (std::size_t k = 1003; k < 1013; ++k) pv[k] = kNaN;
+  pv[3000] = kNaN;  // between rows
+  const LoopData data = make_loop_data(pv, op, 1.0, {10, 3});
+  const auto before = seen(whole.rows.fit, data.size()), after = seen(data.rows.fit, data.size());
+  const auto other = seen(whole.rows.score, data.size());
+  const auto still = seen(data.rows.score, data.size());
+  for (std::size_t row = 0; row < data.size(); ++row) {
+    const bool lost = (row >= 100 && row < 112) || (row >= 201 && row < 213);
+    EXPECT_EQ(after[row] + still[row], lost ? 0 : before[row] + other[row]) << row;
+  }
+}
+
+TEST(LoopData, FewRowsWarmUpForLess) {
+  EXPECT_EQ(warm_up_rows({}, 300), 40U);
+  EXPECT_EQ(warm_up_rows({4, 0}, 1024), 40U);
+  EXPECT_LT(warm_up_rows({15, 0}, 273), 30U);
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

@@ -71,6 +71,13 @@ Series process_record(const ProcessShape& shape, double gain, const Series& op,
   return pv;
 }
 
+Series held(Series series, std::size_t samples, std::size_t first) {
+  for (std::size_t k = 1; k < series.size(); ++k) {
+    if (k < first || (k - first) % samples != 0) series[k] = series[k - 1];
+  }
+  return series;
+}
+
 ProcessShape one_lag(double pole, std::size_t delay_samples) {
   return {.delay_samples = delay_samples, .integrating = false, .pole = pole};
 }

@@ -32,6 +32,9 @@ using Series = std::vector<double>;
 [[nodiscard]] Series process_record(const ProcessShape& shape, double gain, const Series& op,
                                     const Series& noise);
 
+/// What a sensor records of it that is renewed every so many samples, from `first` on.
+[[nodiscard]] Series held(Series series, std::size_t samples, std::size_t first = 0);
+
 /// One lag after some samples of delay, two lags, an integrator.
 [[nodiscard]] ProcessShape one_lag(double pole, std::size_t delay_samples);
 [[nodiscard]] ProcessShape two_lags(double pole, double second_pole, std::size_t delay_samples);

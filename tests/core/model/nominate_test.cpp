@@ -36,7 +36,7 @@ TEST(Nominate, FindsThePlaceOfALoadStep) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Looked looked = looked_at("load_upsets", seed);
     std::vector<long> places;
-    for (const EffectPtr& effect : nominate_load_steps(looked.fit)) {
+    for (const EffectPtr& effect : nominate_load_steps(looked.data, looked.fit)) {
       places.push_back(static_cast<long>(dynamic_cast<const LoadStep&>(*effect).at()));
     }
     ASSERT_FALSE(places.empty());
@@ -89,7 +89,7 @@ TEST(Nominate, EveryKindComesFromItsOwnList) {
     EXPECT_TRUE(std::ranges::any_of(fixed, [&](const EffectPtr& e) { return e->kind() == kind; }));
   }
   only(nominate_gain_changes(looked.data, looked.fit), {gain_change});
-  only(nominate_load_steps(looked.fit), {load_step});
+  only(nominate_load_steps(looked.data, looked.fit), {load_step});
   only(nominate_oscillations(looked.data, looked.fit), {external_oscillation});
   only(nominate_valves(looked.data), {valve_stiction, valve_deadband});
 }
@@ -112,7 +112,7 @@ TEST(Nominate, ShortRecordsNominateWithinThemselves) {
   const LoopData data = make_loop_data(
       tests::process_record(tests::one_lag(0.6, 2), 1.2, op, tests::white_noise(400, 2)), op, 1.0);
   const Fit fit = evaluate(data, tests::structure_of(tests::one_lag(0.6, 2)));
-  for (const EffectPtr& effect : nominate_load_steps(fit)) {
+  for (const EffectPtr& effect : nominate_load_steps(data, fit)) {
     EXPECT_LT(dynamic_cast<const LoadStep&>(*effect).at(), 400U);
   }
   for (const EffectPtr& effect : nominate_oscillations(data, fit)) {
@@ -120,6 +120,26 @@ TEST(Nominate, ShortRecordsNominateWithinThemselves) {
     EXPECT_GT(period, 2.0);
     EXPECT_LT(period, 400.0);
   }
+}
+
+/// Of a held sensor as of any other, in samples of op.
+TEST(Nominate, OfAHeldSensorPlacesAndPeriodsAreInSamples) {
+  const simulate::LoopRecord record = simulate::simulate_scenario("load_upsets", {}, 1);
+  const LoopData data = make_loop_data(record.pv, record.op, 1.0, {6, 0});
+  const Fit fit = evaluate(data, tests::structure_of(tests::noiseless_process()));
+  for (const EffectPtr& effect : nominate_load_steps(data, fit)) {
+    EXPECT_EQ(dynamic_cast<const LoadStep&>(*effect).at() % 6, 0U);
+  }
+  const simulate::LoopRecord other = simulate::simulate_scenario("outside_oscillation", {}, 1);
+  const LoopData line = make_loop_data(other.pv, other.op, 1.0, {6, 0});
+  double nearest = 1e9;
+  for (const EffectPtr& effect : nominate_oscillations(
+           line, evaluate(line, tests::structure_of(tests::noiseless_process())))) {
+    const double period = dynamic_cast<const ExternalOscillation&>(*effect).period_samples();
+    nearest = std::min(nearest, std::abs(period - 60.0));
+  }
+  EXPECT_LT(nearest, 0.5);
+  EXPECT_TRUE(nominate_valves(data).empty());
 }
 
 }  // namespace

@@ -79,5 +79,32 @@ TEST(ProcessStarts, TheBestIsTheProcess) {
   EXPECT_EQ(best->shape.pole, 0.8);
 }
 
+/// pv seen at every seventh sample shows every delay all the same.
+TEST(ProcessStarts, OfAHeldSensorTriesEveryDelayWithinARow) {
+  constexpr std::size_t kMany = 4000;
+  const tests::Series op = tests::stepping_op(kMany, 1);
+  const tests::Series pv =
+      tests::process_record(tests::one_lag(0.8, 11), 1.5, op, tests::white_noise(kMany, 2, 0.1));
+  const LoopData data = make_loop_data(pv, op, 1.0, {7, 3});
+  const std::array shapes = {tests::one_lag(0.5, 0), tests::one_lag(0.8, 0)};
+  const auto starts = process_starts(data, {}, kLongest, shapes);
+  EXPECT_EQ(starts.size(), shapes.size() * kLongest);
+  const auto best = std::ranges::min_element(starts, {}, &ProcessStart::error);
+  EXPECT_EQ(best->shape.delay_samples, 11U);
+  EXPECT_EQ(best->shape.pole, 0.8);
+  for (std::size_t delay = 1; delay <= kLongest; ++delay) {
+    EXPECT_EQ(std::ranges::count(starts, delay,
+                                 [](const ProcessStart& s) { return s.shape.delay_samples; }),
+              2);
+  }
+}
+
+TEST(ProcessStarts, ARowMayBeLongerThanTheLongestDelay) {
+  const LoopData data = record();
+  LoopData sparse = make_loop_data(data.pv, data.op, 1.0, {30, 0});
+  const std::array shapes = {tests::one_lag(0.8, 0)};
+  EXPECT_EQ(process_starts(sparse, {}, kLongest, shapes).size(), kLongest);
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

@@ -15,6 +15,8 @@ TEST(RenewedRecord, KeepsOneRowForEachRenewalAtItsPhase) {
   }
   const RenewedRecord renewed = renewed_record(pv, op, pv, {}, 4);
   ASSERT_EQ(renewed.pv.size(), 10U);
+  EXPECT_EQ(renewed.grid.samples_per_row, 4U);
+  EXPECT_EQ(renewed.grid.first_sample, 2U);
   for (std::size_t i = 0; i < renewed.pv.size(); ++i) {
     EXPECT_EQ(renewed.pv[i], static_cast<double>(i + 1));
     // The mean of the samples up to the renewal at 4 i + 2; the first has three.

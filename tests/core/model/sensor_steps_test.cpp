@@ -47,5 +47,16 @@ TEST(SensorSteps, AGridIsAStepThatLowersNothing) {
   EXPECT_GT(finding.quantisation->evidence, 1000.0);  // finite for a p of nothing
 }
 
+/// One long standstill leaves the rest of the record as it is.
+TEST(SensorSteps, AFreezeIsAHoldThatIsNotRenewed) {
+  Answer freeze = held_every(200.0, 1e-40);
+  freeze.nominations.front().at_sample = 1000;
+  const SensorFinding finding = find_sensor_steps(kError, {freeze});
+  ASSERT_TRUE(finding.hold);
+  EXPECT_EQ(finding.hold->parameters.at(0).value, 200.0);
+  EXPECT_FALSE(finding.renewed());
+  EXPECT_TRUE(find_sensor_steps(kError, {held_every(12.0, 1e-40)}).renewed());
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

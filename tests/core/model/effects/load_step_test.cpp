@@ -70,5 +70,18 @@ TEST(LoadStep, ColumnsAndNeighbours) {
   }
 }
 
+/// Where pv is seen at every eighth sample only, a place moves by rows.
+TEST(LoadStep, OfAHeldSensorRefiningFindsTheRow) {
+  const simulate::LoopRecord record =
+      tests::noiseless_loop(simulate::LoadStep{.at_s = 1500.0 * kIntervalS, .size = 6.0}, 5.0);
+  const LoopData data = make_loop_data(record.pv, record.op, 1.0, {8, 0});
+  for (const std::size_t start : {1472U, 1536U}) {
+    const auto effect = std::make_shared<LoadStep>(start, 8);
+    const Fit fit = refine_last(
+        data, evaluate(data, tests::structure_of(tests::noiseless_process(), {effect})));
+    EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fit), "at"), 1500.0, 8.0) << start;
+  }
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

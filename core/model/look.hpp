@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/explanation.hpp"
+#include "core/model/model_input.hpp"
+#include "core/model/question_residual.hpp"
+#include "core/model/story.hpp"
+
+namespace loopscope::core::model {
+
+/// The linear loop of a record and what its residual says.
+struct Look {
+  ModelInput recorded;  ///< a value for each sample
+  ModelInput at_rows;   ///< a value for each row; the same, unless the sensor is held
+  Story story;          ///< not begun
+  std::vector<Answer> answers;
+  [[nodiscard]] double baseline_error() const;  ///< held out, pv units squared
+  /// The same over the rows of both kinds, each as unseen by the fit to the other: half as many are
+  /// few where the sensor is held.
+  [[nodiscard]] double error_of_both_halves() const;
+};
+
+/// pv and op of `recorded` are modelled on the rows of `grid`; `at_rows` has the same rows. What
+/// both inputs view has to outlive the look.
+[[nodiscard]] Look look_at(const ModelInput& recorded, const ModelInput& at_rows,
+                           const RowGrid& grid);
+/// Every sample is a row.
+[[nodiscard]] Look look_at(const ModelInput& recorded);
+
+/// The loop with every effect that the data ask for.
+[[nodiscard]] Explanation tell_story(Look look);
+/// The linear loop alone.
+[[nodiscard]] Explanation tell_linear(const Look& look);
+
+/// What the model cannot explain, where the story has come so far.
+void report_rest(const Story& story, const std::vector<Answer>& answers, Explanation& explanation);
+
+}  // namespace loopscope::core::model
