@@ -43,10 +43,11 @@ std::vector<Answer> question(const ModelInput& input, const LoopData& data, cons
 
 double p_of_op_direction(const LoopData& data, const Fit& fit) {
   const std::vector<double> residual = residual_of(data, fit);
-  const std::vector<double> direction = op_direction(data.op);
+  const std::vector<double> op = at_rows(data.grid, data.op);
+  const std::vector<double> direction = op_direction(op);
   const std::vector<double> nothing(data.size(), std::nan(""));
   const std::optional<Questioned> questioned =
-      prepare_questions({residual, data.op, direction, nothing, nothing, data.sample_interval_s});
+      prepare_questions({residual, op, direction, nothing, nothing, data.sample_interval_s});
   const std::optional<Answer> answer = questioned ? ask_op_direction(*questioned) : std::nullopt;
   return answer ? answer->question.p : 1.0;
 }

@@ -26,6 +26,15 @@ TEST(PutQuestions, OpsDirectionMattersToALoopWithPlayAndToNoHealthyOne) {
   EXPECT_LE(healthy, 4);  // one in twenty by chance
 }
 
+/// Residuals are there at the renewals only; op is read there too.
+TEST(PutQuestions, OfAHeldSensorOpsDirectionIsReadAtTheRenewals) {
+  const auto record = simulate::simulate_scenario("deadband", {}, 1);
+  const LoopData held = make_loop_data(record.pv, record.op, record.sample_interval_s, {3, 0});
+  const double p = p_of_op_direction(held, search_process(held, {}));
+  EXPECT_GE(p, 0.0);
+  EXPECT_LE(p, 1.0);
+}
+
 TEST(PutQuestions, OfTooFewSamplesNothingIsAsked) {
   const auto record = simulate::simulate_scenario("deadband", {}, 1);
   const std::span<const double> pv(record.pv), op(record.op);
