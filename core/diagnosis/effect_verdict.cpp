@@ -27,6 +27,10 @@ VerdictCode verdict_of(model::EffectKind effect) {
   return VerdictCode::unexplained;
 }
 
+VerdictCode verdict_of(const model::Step& step) {
+  return step.cycles_as_if_stuck ? VerdictCode::valve_stiction : verdict_of(step.effect);
+}
+
 bool withholds_tuning(VerdictCode code) {
   switch (code) {
     case VerdictCode::valve_stiction:

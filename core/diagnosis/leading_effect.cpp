@@ -15,7 +15,7 @@ bool is_load_step(const model::Step& step) {
 
 /// Something in the loop itself, not beside it.
 bool is_inside(const model::Step& step) {
-  const VerdictCode code = verdict_of(step.effect);
+  const VerdictCode code = verdict_of(step);
   return code != verdict_of(model::EffectKind::load_step) &&
          code != verdict_of(model::EffectKind::sensor_hold);
 }
@@ -27,7 +27,7 @@ double explained_by_all(const model::Explanation& explanation, VerdictCode code)
   double sum = 0.0;
   double largest_step = 0.0;
   for (const model::Step& step : explanation.steps) {
-    if (verdict_of(step.effect) != code) continue;
+    if (verdict_of(step) != code) continue;
     const double explained = explained_by(step);
     if (one_step && is_load_step(step))
       largest_step = std::max(largest_step, explained);
@@ -50,7 +50,7 @@ LeadingEffect leading_effect(const model::Explanation& explanation) {
   double strongest = -1.0;
   std::map<VerdictCode, double> sums;
   for (const model::Step& step : explanation.steps) {
-    const VerdictCode code = verdict_of(step.effect);
+    const VerdictCode code = verdict_of(step);
     const double sum = explained_by_all(explanation, code);
     sums[code] = sum;
     const bool takes_over = sum > most;

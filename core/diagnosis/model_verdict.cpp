@@ -50,7 +50,7 @@ bool shapes_overruled(const Case& loop, VerdictCode leading) {
 
 bool withholds(const model::Explanation& explanation) {
   return std::ranges::any_of(explanation.steps, [](const model::Step& step) {
-    return withholds_tuning(verdict_of(step.effect));
+    return withholds_tuning(verdict_of(step));
   });
 }
 

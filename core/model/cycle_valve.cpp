@@ -29,8 +29,6 @@ constexpr double kThreeToOneAgainst = -1.1;
 constexpr double kRestingSetpoint = 0.1;
 /// Between one, where op follows the setpoint, and two.
 constexpr double kFaster = 1.5;
-/// Without a slip the loop would not cycle.
-constexpr double kLeastJump = 0.25;
 
 double log_odds(double probability) {
   constexpr double kLeast = 1e-4;
@@ -63,21 +61,12 @@ bool is_valve(const Step& step) {
   return is_valve_hysteresis(step.effect) && !step.parameters.empty();
 }
 
-double jump_share(const CycleEvidence& law) {
-  return law.stickband > 0.0 ? std::max(kLeastJump, law.slip_jump / law.stickband) : kLeastJump;
-}
-
-void call_it_stiction(Step& step, const CycleEvidence& law) {
-  const Parameter width = step.parameters.front();
-  step.effect = EffectKind::valve_stiction;
-  step.law = "he";
-  step.parameters = {{"S", "%", width.value, width.low, width.high},
-                     {"J", "%", jump_share(law) * width.value, {}, {}}};
-  step.statement = "The valve sticks: " + in_digits(width.value) + " % between op and flow is " +
-                   in_percent(width.value / law.travel) +
-                   " of op's travel in a cycle that play alone would not keep up (op repeats its "
-                   "half cycle to " +
-                   in_percent(law.op_coherence) + ").";
+void mark_as_stuck(Step& step, const CycleEvidence& cycle) {
+  step.cycles_as_if_stuck = true;
+  step.statement +=
+      " The loop keeps up a cycle about it, as behind a valve that sticks: the band is " +
+      in_percent(step.parameters.front().value / cycle.travel) +
+      " of op's travel, and op repeats its half cycle to " + in_percent(cycle.op_coherence) + ".";
 }
 
 }  // namespace
@@ -98,7 +87,7 @@ void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps) {
     if (!is_valve(step)) continue;
     const double odds = odds_that_valve_cycles(cause, step.parameters.front().value);
     const bool play = step.effect == EffectKind::valve_deadband;
-    if (play && odds > 0.0 && cycles) call_it_stiction(step, cause.evidence);
+    if (play && odds > 0.0 && cycles) mark_as_stuck(step, cause.evidence);
     step.beside_the_cycle = !play && odds < kThreeToOneAgainst && steadily;
   }
 }

@@ -41,6 +41,8 @@ struct Step {
   double steadiness = 1.0;  ///< share of the record's parts in which the effect lowers the error
   /// Of a valve: the loop cycles, but not about this band (cycle_valve.hpp).
   bool beside_the_cycle = false;
+  /// Of play: the loop keeps up a cycle about this band, as behind a valve that sticks.
+  bool cycles_as_if_stuck = false;
   std::string statement;  ///< one sentence with the figures, for an engineer
 };
 

@@ -17,7 +17,7 @@ struct Range {
 
 /// The rows whose errors a fit may see, and those that it is scored on: alternating blocks, so
 /// that an effect that sits in one place is seen by both, with a guard gap before each block. A row
-/// that touches a missing sample belongs to neither.
+/// that touches a missing sample belongs to neither. Ranges ascend.
 struct Rows {
   std::vector<Range> fit;
   std::vector<Range> score;

@@ -32,6 +32,7 @@ std::vector<Parameter> on_part(const LoopData& data, const Fit& fit, std::size_t
   piece.rows.fit = within(data.rows.fit, range);
   const auto others = within(data.rows.score, range);
   piece.rows.fit.insert(piece.rows.fit.end(), others.begin(), others.end());
+  std::ranges::sort(piece.rows.fit, {}, &Range::first);
   return parameters_of(piece, refine_last(piece, evaluate(piece, fit.structure), 0.25),
                        fit.structure.effects.size() - 1);
 }

@@ -37,5 +37,13 @@ TEST(EffectVerdict, ValveAndSensorFaultsWithholdTuning) {
                                 VerdictCode::valve_oversized, VerdictCode::sensor_fault}));
 }
 
+TEST(EffectVerdict, PlayThatTheLoopCyclesAboutEndsAsStiction) {
+  model::Step play;
+  play.effect = valve_deadband;
+  EXPECT_EQ(verdict_of(play), VerdictCode::valve_deadband);
+  play.cycles_as_if_stuck = true;
+  EXPECT_EQ(verdict_of(play), VerdictCode::valve_stiction);
+}
+
 }  // namespace
 }  // namespace loopscope::core::diagnosis
