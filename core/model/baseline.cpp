@@ -121,12 +121,10 @@ Fit settle(const LoopData& data, const Fit& fit) {
   return try_delay_neighbours(data, polish(data, fit.structure, 5));
 }
 
-ProcessGlance glance(const LoopData& data, const Structure& structure) {
+ProcessShape glance(const LoopData& data, const Structure& structure) {
   constexpr std::array kFew = {0.4, 0.8, 0.95, 1.0};
   const std::size_t longest = std::min<std::size_t>(15, data.samples() / 16);
-  const ProcessStart best = ranked_starts(data, structure, longest, kFew).front();
-  const auto rows = static_cast<double>(data.rows.fit_count());
-  return {best.shape, rows * std::log(best.total / best.error)};
+  return ranked_starts(data, structure, longest, kFew).front().shape;
 }
 
 Fit search_process(const LoopData& data, const Structure& start, const ProcessSearch& search) {

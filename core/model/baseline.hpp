@@ -22,11 +22,7 @@ struct ProcessSearch {
 [[nodiscard]] Fit settle(const LoopData& data, const Fit& fit);
 
 /// The best shape on a coarse net of delays and poles, one tap, the noise as it is: a first look at
-/// whether an effect that bends op is worth a fit. `fit_gain` is n ln(error without op / error).
-struct ProcessGlance {
-  ProcessShape shape;
-  double gain = 0.0;
-};
-[[nodiscard]] ProcessGlance glance(const LoopData& data, const Structure& structure);
+/// whether an effect that bends op is worth a fit.
+[[nodiscard]] ProcessShape glance(const LoopData& data, const Structure& structure);
 
 }  // namespace loopscope::core::model

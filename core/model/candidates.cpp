@@ -1,9 +1,7 @@
 #include "core/model/candidates.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "core/model/hysteresis_net.hpp"
 #include "core/model/nominate.hpp"
 #include "core/model/stem_search.hpp"
+#include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
 namespace {

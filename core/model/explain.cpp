@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/model/look.hpp"
-#include "core/model/process_report.hpp"
 #include "core/model/renewed_record.hpp"
 #include "core/model/sensor_steps.hpp"
 #include "core/signal/spread.hpp"
@@ -89,11 +88,7 @@ bool too_good(const Look& look) {
 }
 
 Explanation refused(const Look& look) {
-  const LoopData& data = look.story.data;
-  const Fit& linear = look.story.baseline.fit;
-  Explanation explanation;
-  explanation.baseline = {describe(data, linear), look.baseline_error(),
-                          report_process(data, linear)};
+  Explanation explanation = begin_explanation(look);
   explanation.noise_floor = look.baseline_error();
   explanation.excitation =
       "Not excited: op predicts pv up to rounding, as the controller run backwards does.";

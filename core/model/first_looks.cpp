@@ -1,7 +1,6 @@
 #include "core/model/first_looks.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/model/baseline.hpp"
@@ -9,10 +8,6 @@
 #include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
-double gain_of(const LoopData& rows, double before, double after) {
-  const double gain = static_cast<double>(rows.rows.fit_count()) * std::log(before / after);
-  return std::isnan(gain) ? -std::numeric_limits<double>::infinity() : gain;
-}
 
 FirstLooks::View FirstLooks::whole_view(const Round& round) {
   View view{seen_whole(round.data), 0.0};
@@ -31,7 +26,7 @@ Candidate FirstLooks::at(const EffectPtr& effect) {
 Candidate FirstLooks::through(const EffectPtr& effect) const {
   const View& view = looked_at_whole(effect->kind()) ? whole_ : part_;
   Structure structure = with(round_.now.fit.structure, effect);
-  structure.process = glance(view.rows, structure).shape;
+  structure.process = glance(view.rows, structure);
   structure.two_taps = false;
   structure.second_order = false;
   const double error = evaluate(view.rows, structure).fit_error;

@@ -7,9 +7,6 @@
 
 namespace loopscope::core::model {
 
-/// n ln(error before / after) on the fit rows; -infinity where numbers have overflown.
-[[nodiscard]] double gain_of(const LoopData& rows, double before, double after);
-
 /// First looks at effects, one after the other: process and noise as they are, or a glance.
 class FirstLooks {
  public:

@@ -1,7 +1,5 @@
 #include "core/model/fit_anew.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 #include <vector>
 

@@ -45,7 +45,7 @@ NetFind behind_play(const LoopData& data, const Fit& now, double band, double to
   const Valve valve{ValveLaw::he, band, 0.0, 1.0};
   const Structure rich = with(now.structure, std::make_shared<ValveEffect>(valve));
   Structure plain = rich;
-  plain.process = glance(data, rich).shape;
+  plain.process = glance(data, rich);
   plain.two_taps = false;
   plain.second_order = false;
   Fit fit = polish(data, plain, 2, to_beat);

@@ -76,16 +76,6 @@ std::size_t judge_loop(const Look& look, const Fit& fit, Explanation& explanatio
   return excitation.reversals;
 }
 
-/// The linear loop in the results' words.
-Explanation begin_explanation(const Look& look) {
-  const LoopData& data = look.story.data;
-  const Fit& linear = look.story.baseline.fit;
-  Explanation explanation;
-  explanation.baseline = {describe(data, linear), look.baseline_error(),
-                          report_process(data, linear)};
-  return explanation;
-}
-
 }  // namespace
 
 double Look::baseline_error() const {
@@ -124,6 +114,15 @@ void report_rest(const Story& story, const std::vector<Answer>& answers, Explana
     if (asked.p > kStructuredP || asked.statement.empty()) continue;
     rest.statement += (rest.statement.empty() ? "" : " ") + asked.statement;
   }
+}
+
+Explanation begin_explanation(const Look& look) {
+  const LoopData& data = look.story.data;
+  const Fit& linear = look.story.baseline.fit;
+  Explanation explanation;
+  explanation.baseline = {describe(data, linear), look.baseline_error(),
+                          report_process(data, linear)};
+  return explanation;
 }
 
 Explanation tell_story(Look look) {

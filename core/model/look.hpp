@@ -13,7 +13,7 @@ namespace loopscope::core::model {
 struct Look {
   ModelInput recorded;  ///< a value for each sample
   ModelInput at_rows;   ///< a value for each row; the same, unless the sensor is held
-  Story story;          ///< not begun
+  Story story;          ///< the linear baseline; no effect sought yet
   std::vector<Answer> answers;
   [[nodiscard]] double baseline_error() const;  ///< held out, pv units squared
   /// The same over the rows of both kinds, each as unseen by the fit to the other: half as many are
@@ -28,6 +28,8 @@ struct Look {
 /// Every sample is a row.
 [[nodiscard]] Look look_at(const ModelInput& recorded);
 
+/// The linear loop in the results' words, nothing judged yet.
+[[nodiscard]] Explanation begin_explanation(const Look& look);
 /// The loop with every effect that the data ask for.
 [[nodiscard]] Explanation tell_story(Look look);
 /// The linear loop alone.

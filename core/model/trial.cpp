@@ -94,8 +94,13 @@ bool is_plausible(const Fit& fit) {
   return fit.structure.effects[last]->plausible(coefficients_of(fit, last), fit.gain());
 }
 
+double gain_of(const LoopData& data, double before, double after) {
+  const double gain = static_cast<double>(data.rows.fit_count()) * std::log(before / after);
+  return std::isnan(gain) ? -std::numeric_limits<double>::infinity() : gain;
+}
+
 double fit_gain(const LoopData& data, const Fit& before, const Fit& after) {
-  return static_cast<double>(data.rows.fit_count()) * std::log(before.fit_error / after.fit_error);
+  return gain_of(data, before.fit_error, after.fit_error);
 }
 
 Fit refine_last(const LoopData& data, Fit fit, double coarsest) {

@@ -33,7 +33,9 @@ struct Comparison {
 /// Whether the last effect does no more than such an effect does in a plant.
 [[nodiscard]] bool is_plausible(const Fit& fit);
 
-/// n ln(before / after) on the rows that the fits have seen.
+/// n ln(before / after) of errors on the fit rows; -infinity where numbers have overflown.
+[[nodiscard]] double gain_of(const LoopData& data, double before, double after);
+/// The same of two fits.
 [[nodiscard]] double fit_gain(const LoopData& data, const Fit& before, const Fit& after);
 
 /// Parameters of the last effect by coordinate search, process and noise as they are; moves

@@ -21,17 +21,20 @@ int list_kinds() {
 int dump(const effects::Options& options) {
   const effects::Record record =
       effects::generate(options.dump_kind, options.dump_seed, options.plan.size);
-  effects::write_truth(std::cerr, record.truth);
   if (options.dump_file == "-") {
     effects::write_csv(std::cout, record, options.with_mv);
-    return 0;
+  } else {
+    std::ofstream file(options.dump_file);
+    effects::write_csv(file, record, options.with_mv);
+    file.close();
+    if (!file) {
+      std::cerr << "error: cannot write, " << options.dump_file
+                << "\nHINT: name a file in a folder that is there and may be written\n";
+      return 1;
+    }
   }
-  std::ofstream file(options.dump_file);
-  effects::write_csv(file, record, options.with_mv);
-  file.close();
-  if (file) return 0;
-  std::cerr << "error: cannot write, " << options.dump_file << "\n";
-  return 1;
+  effects::write_truth(std::cerr, record.truth);
+  return 0;
 }
 
 int run(const effects::Options& options) {

@@ -22,13 +22,6 @@ std::shared_ptr<const ValveEffect> ValveEffect::by_law_alone(double direction) c
   return std::make_shared<ValveEffect>(valve);
 }
 
-std::shared_ptr<const ValveEffect> ValveEffect::with_law(ValveLaw law) const {
-  Valve valve = valve_;
-  valve.law = law;
-  valve.between = {};
-  return std::make_shared<ValveEffect>(valve, restarts_);
-}
-
 EffectPtr ValveEffect::with_band(double times, double jump_share) const {
   Valve valve = valve_;
   valve.stickband_percent *= times;

@@ -30,8 +30,6 @@ class ValveEffect final : public Effect {
   /// The same valve left to its law from the start on, which it comes to in that direction (+1,
   /// -1).
   [[nodiscard]] std::shared_ptr<const ValveEffect> by_law_alone(double direction) const;
-  /// The same band and jump by another law of op at the samples.
-  [[nodiscard]] std::shared_ptr<const ValveEffect> with_law(ValveLaw law) const;
   /// The same valve with its band that many times as wide, and a slip jump of that share of it.
   [[nodiscard]] EffectPtr with_band(double times, double jump_share) const;
   [[nodiscard]] EffectKind kind() const override;
