@@ -1,6 +1,12 @@
 #include "core/diagnosis/effect_verdict.hpp"
 
 namespace loopscope::core::diagnosis {
+namespace {
+
+/// Of loads that come at any time so many are blamed on the answer to the setpoint.
+constexpr double kHardlyByChance = 0.05;
+
+}  // namespace
 
 VerdictCode verdict_of(model::EffectKind effect) {
   using enum model::EffectKind;
@@ -28,6 +34,7 @@ VerdictCode verdict_of(model::EffectKind effect) {
 }
 
 VerdictCode verdict_of(const model::Step& step) {
+  if (step.setpoint_chance <= kHardlyByChance) return VerdictCode::unexplained;
   return step.cycles_as_if_stuck ? VerdictCode::valve_stiction : verdict_of(step.effect);
 }
 

@@ -17,7 +17,7 @@ bool is_load_step(const model::Step& step) {
 bool is_inside(const model::Step& step) {
   const VerdictCode code = verdict_of(step);
   return code != verdict_of(model::EffectKind::load_step) &&
-         code != verdict_of(model::EffectKind::sensor_hold);
+         code != verdict_of(model::EffectKind::sensor_hold) && code != VerdictCode::unexplained;
 }
 
 /// Slips that a valve's law has missed and moves that a changed gain shows in pass for load steps:

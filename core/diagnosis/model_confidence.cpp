@@ -21,6 +21,8 @@ constexpr double kMarginScale = 10.0;
 constexpr double kNothingExplained = 0.4;
 /// Whatever causes the structure may cause what the effect seems to explain.
 constexpr double kMostWithStructure = 0.6;
+/// Before its time is looked at, one load step in ten stands for something the model lacks.
+constexpr double kOddsOfMisfit = 1.0 / 9.0;
 /// One healthy loop in a thousand: below, the residual counts as structured.
 constexpr double kStructuredP = 1e-3;
 
@@ -80,6 +82,14 @@ double steadiness_factor(const model::Step& step) {
   return happens_once(step.effect) ? 1.0 : 0.5 + 0.5 * share_or(step.steadiness, 0.0);
 }
 
+/// Bayes: how likely a load step that comes with the answer to the setpoint is a load, and how
+/// likely it is none where that is what the verdict rests on.
+double timing_factor(const model::Step& step, VerdictCode code) {
+  if (step.setpoint_chance >= 1.0) return 1.0;
+  const double load = step.setpoint_chance / (step.setpoint_chance + kOddsOfMisfit);
+  return code == VerdictCode::unexplained ? 1.0 - load : load;
+}
+
 double explained_factor(const model::Unexplained& unexplained) {
   const double explained = 1.0 - share_or(unexplained.fraction, 1.0);
   return kNothingExplained + (1.0 - kNothingExplained) * explained;
@@ -111,8 +121,8 @@ double confidence_of(const model::Explanation& explanation) {
   const model::Step& step = *leading.strongest;
   const double agreement = 0.5 + 0.5 * leading.share;
   const double confidence = kMostConfident * evidence_factor(step) * margin_factor(step) *
-                            steadiness_factor(step) * explained_factor(explanation.unexplained) *
-                            agreement;
+                            steadiness_factor(step) * timing_factor(step, leading.code) *
+                            explained_factor(explanation.unexplained) * agreement;
   return held_by_structure(confidence, explanation);
 }
 

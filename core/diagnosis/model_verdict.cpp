@@ -81,14 +81,22 @@ std::vector<std::string> reasons_with(const Case& loop, const BelievedExplanatio
   return reasons;
 }
 
+/// What leads without a name is nonlinear where the statistics say so.
+VerdictCode code_of(const Case& loop, const LeadingEffect& leading) {
+  if (is_oversized(loop, leading.code)) return VerdictCode::valve_oversized;
+  return leading.code == VerdictCode::unexplained && loop.nonlinearity.found
+             ? VerdictCode::nonlinear_unexplained
+             : leading.code;
+}
+
 Verdict of_leading(const Case& loop, const BelievedExplanation& story) {
   const LeadingEffect leading = leading_effect(story.explanation);
   std::vector<std::string> reasons = reasons_with(loop, story, leading.code);
-  const bool too_large = is_oversized(loop, leading.code);
-  if (too_large) reasons.push_back(oversized_text(loop.evidence.valve_gain));
-  Verdict verdict = make(too_large ? VerdictCode::valve_oversized : leading.code,
-                         confidence_with(loop, story.explanation, leading), std::move(reasons),
-                         p_with(loop, leading));
+  const VerdictCode code = code_of(loop, leading);
+  if (code == VerdictCode::valve_oversized)
+    reasons.push_back(oversized_text(loop.evidence.valve_gain));
+  Verdict verdict = make(code, confidence_with(loop, story.explanation, leading),
+                         std::move(reasons), p_with(loop, leading));
   // The words for saturation say so already.
   const bool said = verdict.code == VerdictCode::valve_saturation;
   if (withholds_tuning(verdict.code) && !said) verdict.action += tuning_waits();

@@ -12,6 +12,7 @@
 #include "core/model/process_report.hpp"
 #include "core/model/put_questions.hpp"
 #include "core/model/step_report.hpp"
+#include "core/model/steps_after_moves.hpp"
 #include "core/model/tuning.hpp"
 
 namespace loopscope::core::model {
@@ -139,6 +140,7 @@ Explanation tell_story(Look look) {
   // 640 healthy loops, and none of 40 that stick and were not found without it.
   if (story.data.grid.every_sample())
     prefer_hysteresis(look.recorded, look.answers, left, op_turns, explanation);
+  find_steps_after_moves(look.recorded, story.data.grid.samples_per_row, explanation);
   return explanation;
 }
 

@@ -16,22 +16,17 @@ void add_move(std::vector<SetpointMove>& moves, std::size_t from, std::size_t to
   }
 }
 
-bool in_manual(const PreparedLoop& loop, std::size_t k) {
-  return !loop.mode.empty() && loop.mode[k] == ControlMode::manual;
-}
-
-}  // namespace
-
-std::vector<SetpointMove> find_setpoint_moves(const PreparedLoop& loop) {
+template <typename InManual>
+std::vector<SetpointMove> find_moves(std::span<const double> sp, InManual in_manual) {
   std::vector<SetpointMove> moves;
   std::optional<std::size_t> before;
   bool from_manual = false;
-  for (std::size_t k = 0; k < loop.sp.size(); ++k) {
-    if (in_manual(loop, k)) {
+  for (std::size_t k = 0; k < sp.size(); ++k) {
+    if (in_manual(k)) {
       before.reset();
       from_manual = true;
-    } else if (std::isfinite(loop.sp[k])) {
-      const double size = before ? loop.sp[k] - loop.sp[*before] : 0.0;
+    } else if (std::isfinite(sp[k])) {
+      const double size = before ? sp[k] - sp[*before] : 0.0;
       if (size != 0.0) add_move(moves, *before, k, size);
       if (from_manual) moves.push_back({k, k, kUnknownSize});
       before = k;
@@ -39,6 +34,18 @@ std::vector<SetpointMove> find_setpoint_moves(const PreparedLoop& loop) {
     }
   }
   return moves;
+}
+
+}  // namespace
+
+std::vector<SetpointMove> find_setpoint_moves(const PreparedLoop& loop) {
+  return find_moves(loop.sp, [&](std::size_t k) {
+    return !loop.mode.empty() && loop.mode[k] == ControlMode::manual;
+  });
+}
+
+std::vector<SetpointMove> find_setpoint_moves(std::span<const double> sp) {
+  return find_moves(sp, [](std::size_t) { return false; });
 }
 
 }  // namespace loopscope::core::signal

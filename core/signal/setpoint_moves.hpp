@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/signal/prepared_loop.hpp"
@@ -22,5 +23,8 @@ inline constexpr double kUnknownSize = std::numeric_limits<double>::infinity();
 /// time. A move during a gap counts at the first sample after it. A return from manual is a move of
 /// unknown size: what sp did meanwhile (it may have tracked pv) is no step of the loop.
 [[nodiscard]] std::vector<SetpointMove> find_setpoint_moves(const PreparedLoop& loop);
+
+/// The same of a setpoint whose controller was never in manual; NaN = missing.
+[[nodiscard]] std::vector<SetpointMove> find_setpoint_moves(std::span<const double> sp);
 
 }  // namespace loopscope::core::signal

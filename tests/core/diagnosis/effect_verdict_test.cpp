@@ -45,5 +45,14 @@ TEST(EffectVerdict, PlayThatTheLoopCyclesAboutEndsAsStiction) {
   EXPECT_EQ(verdict_of(play), VerdictCode::valve_stiction);
 }
 
+TEST(EffectVerdict, ALoadThatComesWithTheAnswerToTheSetpointIsNone) {
+  model::Step load;
+  load.effect = load_step;
+  load.setpoint_chance = 0.2;
+  EXPECT_EQ(verdict_of(load), VerdictCode::external_disturbance);
+  load.setpoint_chance = 0.02;
+  EXPECT_EQ(verdict_of(load), VerdictCode::unexplained);
+}
+
 }  // namespace
 }  // namespace loopscope::core::diagnosis

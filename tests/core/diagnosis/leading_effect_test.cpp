@@ -45,6 +45,24 @@ TEST(LeadingEffect, OfLoadStepsBesideAValveOnlyTheLargestCounts) {
   EXPECT_EQ(leading_effect(explanation).code, VerdictCode::valve_stiction);
 }
 
+TEST(LeadingEffect, LoadsThatComeWithTheAnswerToTheSetpointLeadUnnamed) {
+  model::Step first = clear_step(load_step, 0.9, 0.7);
+  model::Step second = clear_step(load_step, 0.7, 0.6);
+  first.setpoint_chance = second.setpoint_chance = 0.01;
+  const auto explanation = explanation_of({clear_step(valve_stiction, 1.0, 0.9), first, second});
+  const LeadingEffect leading = leading_effect(explanation);
+  EXPECT_EQ(leading.code, VerdictCode::unexplained);
+  EXPECT_EQ(leading.strongest, &explanation.steps[1]);
+}
+
+TEST(LeadingEffect, SlipsOfAValveAtMovesOfTheSetpointDoNotHideIt) {
+  model::Step slip = clear_step(load_step, 0.6, 0.5);
+  model::Step another = clear_step(load_step, 0.5, 0.3);
+  slip.setpoint_chance = another.setpoint_chance = 0.01;
+  const auto explanation = explanation_of({clear_step(valve_stiction, 1.0, 0.6), slip, another});
+  EXPECT_EQ(leading_effect(explanation).code, VerdictCode::valve_stiction);
+}
+
 TEST(LeadingEffect, LoadStepsAloneCountTogether) {
   const auto explanation =
       explanation_of({clear_step(external_oscillation, 1.0, 0.8), clear_step(load_step, 0.8, 0.7),

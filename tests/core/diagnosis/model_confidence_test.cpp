@@ -54,6 +54,18 @@ TEST(ModelConfidence, WhatHappensOnceOwesNoSteadiness) {
   }
 }
 
+TEST(ModelConfidence, ALoadThatMayBeTheAnswerToTheSetpointIsBelievedLess) {
+  const auto with = [](double chance) {
+    return confidence_after([&](auto& e) {
+      e.steps[0].effect = load_step;
+      e.steps[0].setpoint_chance = chance;
+    });
+  };
+  EXPECT_NEAR(with(1.0 / 9.0), 0.5 * kClear, 1e-9) << "the odds are even";
+  EXPECT_GT(with(0.5), 0.8 * kClear);
+  EXPECT_GT(with(0.001), 0.95 * kClear) << "that it is no load";
+}
+
 TEST(ModelConfidence, WhatIsLeftOverCosts) {
   const double half = confidence_after([](auto& e) { e.unexplained.fraction = 0.5; });
   const double all = confidence_after([](auto& e) { e.unexplained.fraction = 1.5; });

@@ -49,6 +49,15 @@ TEST(ModelVerdict, OfTwoEffectsTheLargerLeadsAndBothAreReasons) {
   EXPECT_THAT(verdict.action, HasSubstr("stem"));
 }
 
+TEST(ModelVerdict, LoadsThatComeWithTheAnswerToTheSetpointAreNoCause) {
+  model::Step load = clear_step(load_step);
+  load.setpoint_chance = 0.001;
+  load.statement = "It begins when the loop answers its setpoint.";
+  Evidence evidence = evidence_with(explanation_of({load}));
+  EXPECT_EQ(judge(evidence).code, VerdictCode::unexplained);
+  EXPECT_THAT(judge(evidence).reasons, Contains(HasSubstr("answers its setpoint")));
+}
+
 TEST(ModelVerdict, AStructuredRestIsSaidAndHoldsTheConfidence) {
   model::Explanation explanation = explanation_of({clear_step(valve_stiction)});
   explanation.unexplained.whiteness_p = 1e-12;

@@ -47,5 +47,12 @@ TEST(SetpointMoves, ManualHidesItsMovesAndEndsWithOneOfUnknownSize) {
   EXPECT_EQ(moves[1].size, 2.0);
 }
 
+TEST(SetpointMoves, OfASetpointAloneNothingIsManual) {
+  const auto moves = find_setpoint_moves(std::vector{1.0, 2.0, kMissing, 2.0, 1.0});
+  ASSERT_EQ(moves.size(), 2U);
+  EXPECT_EQ(moves[0].first, 1U);
+  EXPECT_EQ(moves[1].size, -1.0);
+}
+
 }  // namespace
 }  // namespace loopscope::core::signal
