@@ -8,6 +8,10 @@
 namespace loopscope::core::diagnosis {
 namespace {
 
+/// Where creeps() draws its line: healthy_flow has 0.85, paper_5_1 0.75, paper_5_2_printed 0.65,
+/// sluggish_tuning 0.32.
+constexpr double kSluggishHarris = 0.45;
+
 /// Paper, section 6.2.1: op between 49.4 and 50 % while pv swings.
 constexpr double kTinyOpSpanPercent = 2.0;
 constexpr double kLargePvShare = 0.05;
@@ -65,6 +69,11 @@ std::optional<double> middle_harris(const Evidence& evidence) {
 
 bool creeps(const Evidence& evidence) {
   return middle_harris(evidence).value_or(1.0) < kSluggishHarris;
+}
+
+double creeping_confidence(const Evidence& evidence) {
+  constexpr double kAtTheLine = 0.3;
+  return kAtTheLine + (kSluggishHarris - middle_harris(evidence).value());
 }
 
 std::string harris_text(const Evidence& evidence) {

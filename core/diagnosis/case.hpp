@@ -44,9 +44,9 @@ struct Case {
 /// Confidence that a coarse grid of pv is what is wrong, seen and not inferred.
 inline constexpr double kGridConfidence = 0.5;
 
-/// Where creeps() draws its line: healthy_flow has 0.85, paper_5_1 0.75, paper_5_2_printed 0.65,
-/// sluggish_tuning 0.32.
-inline constexpr double kSluggishHarris = 0.45;
+/// Confidence that such a loop is slow: 0.3 at the line, 0.75 where nothing of the best is reached.
+/// Requires creeps().
+[[nodiscard]] double creeping_confidence(const Evidence& evidence);
 
 /// The Harris range in a sentence; middle_harris() is not nullopt.
 [[nodiscard]] std::string harris_text(const Evidence& evidence);

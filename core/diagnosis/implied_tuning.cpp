@@ -17,6 +17,9 @@ constexpr double kNearPeriod = 1.25;
 constexpr double kSluggish = 4.0;
 /// Of twelve sluggish loops at rest, whose process is hardly known, the least has 1.5.
 constexpr double kSlower = 1.4;
+/// Lambda tuning's most careful advice, a closed loop three times as slow as the process, comes to
+/// 3 to 4; a dead time counts twice in it.
+constexpr double kSlowerThanItself = 4.0;
 
 }  // namespace
 
@@ -30,6 +33,14 @@ bool far_slower_than_possible(const model::ClosedLoop& loop, const model::Proces
 
 bool slower_than_possible(const model::ClosedLoop& loop, const model::ProcessFit& process) {
   return !process.integrating && loop.slowness > kSlower;
+}
+
+bool slower_than_open_loop(const model::ClosedLoop& loop, const model::ProcessFit& process) {
+  const double residence_s =
+      process.time_constant_s + process.second_time_constant_s + process.delay_s;
+  // Integral of the error after a load by that of what the load would have come to.
+  const double integral_s = loop.integral_time_s / std::abs(process.gain * loop.controller_gain);
+  return integral_s > kSlowerThanItself * residence_s;
 }
 
 bool at_resonance(const Evidence& evidence, const model::ClosedLoop& loop) {

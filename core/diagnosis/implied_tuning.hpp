@@ -18,6 +18,11 @@ namespace loopscope::core::diagnosis {
 [[nodiscard]] bool slower_than_possible(const model::ClosedLoop& loop,
                                         const model::ProcessFit& process);
 
+/// The closed loop takes far longer to make up for a load than the process takes to settle by
+/// itself. False without integral action, which never makes up for it.
+[[nodiscard]] bool slower_than_open_loop(const model::ClosedLoop& loop,
+                                         const model::ProcessFit& process);
+
 /// The error oscillates at the period of the implied loop's dominant poles. False where one of the
 /// two does not oscillate.
 [[nodiscard]] bool at_resonance(const Evidence& evidence, const model::ClosedLoop& loop);

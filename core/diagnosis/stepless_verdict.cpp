@@ -87,18 +87,25 @@ bool setpoint_moves(const Evidence& evidence) {
   return has_flag(evidence, "sp_steps_masked") || has_flag(evidence, "sp_moving");
 }
 
-/// Noise alone does not tell the process from the controller well enough to call a loop slow. Where
-/// the setpoint moves, the implied loop speaks for itself; where it rests, the error has to creep,
-/// and the implied loop must not contradict.
+/// Where the setpoint moves, process and controller are known well enough to be compared. At rest
+/// noise alone does not tell one from the other: the error has to creep (that of a level does not
+/// count), and the implied loop must not contradict. A process that then passes for a vessel does
+/// not: so slowly does its loop move it.
 bool sluggish(const Finding& finding) {
-  const model::Explanation& explanation = finding.explanation;
-  if (!explanation.closed_loop) return false;
-  const model::ProcessFit& process = explanation.baseline.process;
-  if (setpoint_moves(finding.evidence()) &&
-      far_slower_than_possible(*explanation.closed_loop, process)) {
-    return true;
-  }
-  return creeps(finding.evidence()) && slower_than_possible(*explanation.closed_loop, process);
+  const model::ProcessFit& process = finding.explanation.baseline.process;
+  const auto& loop = finding.explanation.closed_loop;
+  if (!loop) return false;
+  if (setpoint_moves(finding.evidence()))
+    return far_slower_than_possible(*loop, process) && slower_than_open_loop(*loop, process);
+  return creeps(finding.evidence()) &&
+         (process.integrating || slower_than_possible(*loop, process));
+}
+
+double sluggish_confidence(const Finding& finding) {
+  const double speed_known = setpoint_moves(finding.evidence())
+                                 ? kTuningConfidence
+                                 : creeping_confidence(finding.evidence());
+  return speed_known * controller_known(finding);
 }
 
 Verdict healthy(Finding finding) {
@@ -116,8 +123,8 @@ Verdict quiet(const Finding& finding) {
                 with(finding.reasons, quantisation_text(evidence)));
   }
   if (sluggish(finding)) {
-    return tuning(finding, VerdictCode::sluggish_tuning,
-                  kTuningConfidence * controller_known(finding), evidence.performance.harris_p);
+    return tuning(finding, VerdictCode::sluggish_tuning, sluggish_confidence(finding),
+                  evidence.performance.harris_p);
   }
   if (finding.loop.nonlinearity.found) return coupled(finding);
   if (leaves_structure(finding.explanation)) {

@@ -68,7 +68,7 @@ Verdict quiet(const Case& loop) {
   const std::optional<double> harris = middle_harris(evidence);
   if (harris) reasons.push_back(harris_text(evidence));
   if (creeps(evidence)) {
-    return make(VerdictCode::sluggish_tuning, 0.3 + (kSluggishHarris - *harris), std::move(reasons),
+    return make(VerdictCode::sluggish_tuning, creeping_confidence(evidence), std::move(reasons),
                 evidence.performance.harris_p);
   }
   return make(VerdictCode::healthy, 0.6, std::move(reasons));

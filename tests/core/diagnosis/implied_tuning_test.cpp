@@ -31,6 +31,18 @@ TEST(ImpliedTuning, SlowIsMeasuredByTheProcess) {
   EXPECT_FALSE(far_slower_than_possible(slow_loop(), vessel));
 }
 
+TEST(ImpliedTuning, AsSlowAsTheProcessItselfIsNotSlow) {
+  model::ClosedLoop loop;
+  loop.controller_gain = -0.5;
+  loop.integral_time_s = 100.0;
+  const model::ProcessFit process{false, -2.0, 60.0, 30.0, 10.0};
+  EXPECT_FALSE(slower_than_open_loop(loop, process)) << "100 s, as the process itself";
+  loop.controller_gain = -0.13;
+  EXPECT_FALSE(slower_than_open_loop(loop, process));
+  loop.controller_gain = -0.12;
+  EXPECT_TRUE(slower_than_open_loop(loop, process));
+}
+
 TEST(ImpliedTuning, ResonanceIsAPeriodNotFarFromThePoles) {
   Evidence evidence;
   EXPECT_FALSE(at_resonance(evidence, ringing_loop()));

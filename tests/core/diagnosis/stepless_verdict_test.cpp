@@ -93,11 +93,25 @@ TEST(SteplessVerdict, SlowLoopsHaveToShowTheirSpeed) {
   expect(evidence, VerdictCode::healthy, std::nullopt);
   evidence.model->closed_loop = slow_loop();
   evidence.model->baseline.process.integrating = true;
+  expect(evidence, VerdictCode::sluggish_tuning, 1e-8);
+  evidence.integrating = true;
   expect(evidence, VerdictCode::healthy, std::nullopt);
 
   Evidence moved = plain(slow_loop());
   moved.data_quality.flags = {"sp_steps_masked"};
   EXPECT_EQ(decide(moved, {}).code, VerdictCode::sluggish_tuning);
+  moved.model->closed_loop->integral_time_s = 0.1;
+  EXPECT_EQ(decide(moved, {}).code, VerdictCode::healthy) << "as fast as the process itself";
+}
+
+TEST(SteplessVerdict, AtRestTheErrorSaysHowSureSlownessIs) {
+  Evidence evidence = plain(slow_loop());
+  creep(evidence);
+  const double clear = decide(evidence, {}).confidence;
+  evidence.performance.harris_low = 0.40;
+  evidence.performance.harris_high = 0.44;
+  EXPECT_EQ(decide(evidence, {}).code, VerdictCode::sluggish_tuning);
+  EXPECT_LT(decide(evidence, {}).confidence, clear);
 }
 
 TEST(SteplessVerdict, CouplingWithoutAnEffectStaysUnexplained) {
