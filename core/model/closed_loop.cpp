@@ -1,12 +1,13 @@
 #include "core/model/closed_loop.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+
+#include "core/model/polynomial_zeros.hpp"
+#include "core/model/sensitivity_peak.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -17,11 +18,8 @@ using Complex = std::complex<double>;
 constexpr std::size_t kMostDelay = 25;
 /// Poles this close to the unit circle are on it: rounding moves them by about so much.
 constexpr double kOnCircle = 1e-7;
-/// Frequencies of the sensitivity from kLowest pi to pi, evenly in their logarithm: 4 % apart, so
-/// that a peak of damping 0.02 is met before it is refined to 1e-5 of its frequency.
-constexpr int kFrequencies = 180;
-constexpr double kLowest = 1e-3;
-constexpr int kRefinements = 20;
+/// Well tuned loops stay below; above it the pair that makes the peak is what shows of the loop.
+constexpr double kResonant = 2.0;
 /// An integral time below this share of a sample cannot be told from pure integral action, and 0
 /// would read as none.
 constexpr double kShortestIntegralTime = 0.01;
@@ -61,40 +59,14 @@ double energy(Complex pole, const Polynomial& answer, const std::vector<Complex>
   return std::norm(residue) / (1.0 - std::norm(pole));
 }
 
+Complex nearest(Complex place, const std::vector<Complex>& poles) {
+  return *std::ranges::min_element(poles, {},
+                                   [&](const Complex& pole) { return std::norm(pole - place); });
+}
+
 Complex dominant(const std::vector<Complex>& poles, const Polynomial& answer) {
   return *std::ranges::max_element(
       poles, {}, [&](const Complex& pole) { return energy(pole, answer, poles); });
-}
-
-double sensitivity(const SampledProcess& process, const ControllerLaw& law, double w) {
-  return 1.0 / std::abs(1.0 + response(process, w) * response(law, w));
-}
-
-/// The two eigenvalues of a 2 x 2 block.
-std::array<Complex, 2> eigenvalues_of_block(const Eigen::Matrix2d& block) {
-  const double half = 0.5 * (block(0, 0) - block(1, 1));
-  const Complex root = std::sqrt(Complex(half * half + block(0, 1) * block(1, 0)));
-  const double middle = 0.5 * (block(0, 0) + block(1, 1));
-  return {middle + root, middle - root};
-}
-
-/// A companion matrix has Hessenberg form, so the first half of a general solver is saved.
-std::vector<Complex> eigenvalues_of_hessenberg(const Eigen::MatrixXd& matrix) {
-  Eigen::RealSchur<Eigen::MatrixXd> schur(matrix.rows());
-  schur.computeFromHessenberg(matrix, matrix, false);
-  const Eigen::MatrixXd& t = schur.matrixT();
-  std::vector<Complex> values;
-  for (Eigen::Index i = 0; i < t.rows(); ++i) {
-    const bool pair = i + 1 < t.rows() && t(i + 1, i) != 0.0;
-    if (!pair) {
-      values.emplace_back(t(i, i));
-      continue;
-    }
-    const auto both = eigenvalues_of_block(t.block<2, 2>(i, i));
-    values.insert(values.end(), both.begin(), both.end());
-    ++i;
-  }
-  return values;
 }
 
 /// Damping and period of a pair of poles; a positive real pole has damping 1 and no period.
@@ -125,45 +97,6 @@ Polynomial characteristic(const SampledProcess& process, const ControllerLaw& la
   return sum(open, delayed(back, process.delay_samples + law.lag));
 }
 
-std::vector<Complex> zeros(const Polynomial& polynomial) {
-  Polynomial p = polynomial;
-  while (p.size() > 1 && p.back() == 0.0) p.pop_back();
-  const auto n = static_cast<Eigen::Index>(p.size()) - 1;
-  if (n < 1) return {};
-  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(n, n);
-  companion.diagonal(-1).setOnes();
-  for (Eigen::Index i = 0; i < n; ++i) companion(0, i) = -p[static_cast<std::size_t>(i) + 1] / p[0];
-  std::vector<Complex> result = eigenvalues_of_hessenberg(companion);
-  std::erase_if(result, [](const Complex& z) { return std::abs(z) < kOnCircle; });
-  return result;
-}
-
-double peak_sensitivity(const SampledProcess& process, const ControllerLaw& law) {
-  const double step = -std::log(kLowest) / (kFrequencies - 1);
-  const auto at = [&](double place) {
-    return sensitivity(process, law, std::numbers::pi * kLowest * std::exp(step * place));
-  };
-  int best = 0;
-  double peak = 0.0;
-  for (int i = 0; i < kFrequencies; ++i) {
-    const double s = at(i);
-    if (s <= peak) continue;
-    peak = s;
-    best = i;
-  }
-  double low = std::max(0, best - 1);
-  double high = std::min(kFrequencies - 1, best + 1);
-  for (int i = 0; i < kRefinements; ++i) {
-    const double third = (high - low) / 3.0;
-    if (at(low + third) < at(high - third)) {
-      low += third;
-    } else {
-      high -= third;
-    }
-  }
-  return std::max({1.0, peak, at(0.5 * (low + high))});
-}
-
 ClosedLoop close_loop(const SampledProcess& process, const ControllerLaw& law, double interval_s) {
   if (!(interval_s > 0.0)) throw std::invalid_argument("closed loop: interval has to be > 0");
   ClosedLoop loop;
@@ -182,10 +115,13 @@ ClosedLoop close_loop(const SampledProcess& process, const ControllerLaw& law, d
     describe_pole(slowest, interval_s, loop);
     return loop;
   }
-  loop.peak_sensitivity = peak_sensitivity(process, law);
+  const SensitivityPeak peak = find_sensitivity_peak(process, law);
+  loop.peak_sensitivity = peak.value;
   if (poles.empty()) return loop;
   loop.settling_s = std::log(kTwoPercent) / std::log(std::abs(slowest)) * interval_s;
-  describe_pole(dominant(poles, answer_to_load(process)), interval_s, loop);
+  const Complex shown = peak.value > kResonant ? nearest(std::polar(1.0, peak.frequency), poles)
+                                               : dominant(poles, answer_to_load(process));
+  describe_pole(shown, interval_s, loop);
   return loop;
 }
 
