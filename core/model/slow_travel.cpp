@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::size_t kMean = 8;
 constexpr std::size_t kFewestMeans = 40;
-/// Lags of up to six means, delays of up to three: what is slower than that is a trend.
-constexpr std::array kPoles = {0.0, 0.6, 0.85};
+/// Lags of up to a hundred means, delays of up to three: a lag that the linear rival lacks looks
+/// like a valve that comes late.
+constexpr std::array kPoles = {0.0, 0.6, 0.85, 0.95, 0.99};
 constexpr std::array<std::size_t, 3> kDelays = {0, 1, 3};
 constexpr std::array kJumps = {0.0, 0.2, 0.5, 1.0};
 
