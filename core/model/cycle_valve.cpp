@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/op_turns.hpp"
+#include "core/model/driven_cycle.hpp"
 #include "core/model/phrases.hpp"
-#include "core/signal/spread.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -25,10 +24,6 @@ constexpr double kRepeats = 0.75;
 constexpr double kRepeatsUnderMoves = 0.8;
 /// The one-step error alone has found a slip: the cycle has to speak clearly against it.
 constexpr double kThreeToOneAgainst = -1.1;
-/// A setpoint that moves by less of pv's standard deviation does not drive the loop.
-constexpr double kRestingSetpoint = 0.1;
-/// Between one, where op follows the setpoint, and two.
-constexpr double kFaster = 1.5;
 
 double log_odds(double probability) {
   constexpr double kLeast = 1e-4;
@@ -36,24 +31,10 @@ double log_odds(double probability) {
   return std::log(p / (1.0 - p));
 }
 
-bool setpoint_moves(const ModelInput& input) {
-  const auto sp = signal::measure_spread(input.sp);
-  const auto pv = signal::measure_spread(input.pv);
-  return sp && pv && sp->std > kRestingSetpoint * pv->std;
-}
-
-/// Play is crossed as often as the setpoint turns; a loop that cycles by itself turns more often.
-bool outruns_setpoint(const ModelInput& input, const CycleEvidence& cycle) {
-  const auto sp = signal::measure_spread(input.sp);
-  if (!sp) return true;
-  const double cycles = 0.5 * static_cast<double>(find_op_turns(input.sp, sp->std).size());
-  return cycle.cycles > kFaster * cycles;
-}
-
 /// op repeats its half cycle more clearly than what else moves it would let it.
 bool cycles_by_itself(const CycleEvidence& cycle, const ModelInput& input) {
   if (!setpoint_moves(input)) return cycle.op_coherence >= kMoreThanNoise;
-  return cycle.op_coherence >= kRepeatsUnderMoves && outruns_setpoint(input, cycle);
+  return cycle.op_coherence >= kRepeatsUnderMoves && !driven_by_setpoint(input, cycle);
 }
 
 /// Its first parameter is the band.

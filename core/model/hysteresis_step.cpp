@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/driven_cycle.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/limit_cycle_cause.hpp"
 #include "core/model/phrases.hpp"
@@ -44,6 +45,7 @@ std::optional<Step> by_cycle(const ModelInput& input, double p) {
     return std::nullopt;
   }
   const CycleEvidence& evidence = cause.evidence;
+  if (driven_by_setpoint(input, evidence)) return std::nullopt;
   // Without a slip the loop would not cycle: the jump of a limit cycle is not nothing.
   Step step =
       step_of(evidence.stickband, std::max(evidence.slip_jump, 0.25 * evidence.stickband), p);
