@@ -52,8 +52,7 @@ double least_gain(EffectKind kind) {
 
 /// The error on the fit rows above which an effect of that kind is not worth while.
 double hopeless_error(const Contestant& trial, EffectKind kind) {
-  const auto rows = static_cast<double>(trial.rows.rows.fit_count());
-  return trial.before.fit.fit_error * std::exp(-least_gain(kind) / rows);
+  return error_after(trial.rows, trial.before.fit.fit_error, least_gain(kind));
 }
 
 std::optional<Contestant> try_candidate(const Round& round, const Candidate& candidate) {
