@@ -30,11 +30,12 @@ PricedWave priced(const FitVariants& variants, double rows, const EffectPtr& wav
   return {wave, rows * std::log(variants.fit_error(wave)) + price_of(as_wave(wave), rows)};
 }
 
-/// Whether one of them is better than the best, which it then is.
+/// Whether one of them is better than the best, which it then is. The best may be among them.
 bool take_best(const FitVariants& variants, double rows, const std::vector<EffectPtr>& waves,
                PricedWave& best) {
   bool better = false;
   for (const EffectPtr& wave : waves) {
+    if (as_wave(wave) == as_wave(best.effect)) continue;
     PricedWave tried = priced(variants, rows, wave);
     if (!(tried.misfit < best.misfit)) continue;
     best = std::move(tried);
