@@ -160,7 +160,7 @@ std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
 bool looked_at_whole(EffectKind kind) {
   using enum EffectKind;
   return kind == valve_saturation || kind == valve_characteristic || kind == process_nonlinearity ||
-         kind == gain_change;
+         kind == gain_change || kind == external_oscillation;
 }
 
 LoopData judged_on(const LoopData& original, const Structure& structure) {
