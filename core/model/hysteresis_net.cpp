@@ -133,7 +133,8 @@ std::optional<NetFind> find_play(const LoopData& data, const Fit& now, double to
   if (!(high > low)) return std::nullopt;
   PlayNet net(data, now, high - low, to_beat);
   for (std::size_t i = 0; i < hysteresis_net_bands(); i += kStride) net.look_at(i);
-  // Of 133 plays that gained 5 none lay between bands that all left more than the model as it stands.
+  // Of 133 plays that gained 5 none lay between bands that all left more than the model as it
+  // stands.
   if (net.best().fit_error > now.fit_error) return net.best();
   for (const std::size_t place : net.leading(kFollowed)) net.look_about(place);
   return net.best();

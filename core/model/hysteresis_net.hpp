@@ -21,8 +21,7 @@ struct NetFind {
 /// delay. One that shows no hope of leaving less than `to_beat` is given up half fitted. nullopt
 /// where op stands still.
 [[nodiscard]] std::optional<NetFind> find_play(
-    const LoopData& data, const Fit& now,
-    double to_beat = std::numeric_limits<double>::infinity());
+    const LoopData& data, const Fit& now, double to_beat = std::numeric_limits<double>::infinity());
 
 /// Bands that the net looks at: what a play found on it has been chosen from.
 [[nodiscard]] std::size_t hysteresis_net_bands();

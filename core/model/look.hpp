@@ -11,9 +11,9 @@ namespace loopscope::core::model {
 
 /// The linear loop of a record and what its residual says first.
 struct Look {
-  ModelInput recorded;  ///< a value for each sample
-  ModelInput at_rows;   ///< a value for each row; the same, unless the sensor is held
-  Story story;          ///< the linear baseline; no effect sought yet
+  ModelInput recorded;          ///< a value for each sample
+  ModelInput at_rows;           ///< a value for each row; the same, unless the sensor is held
+  Story story;                  ///< the linear baseline; no effect sought yet
   std::vector<Answer> answers;  ///< that the story starts from (question_residual.hpp)
   [[nodiscard]] double baseline_error() const;  ///< held out, pv units squared
   /// The same over the rows of both kinds, each as unseen by the fit to the other: half as many are

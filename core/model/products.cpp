@@ -111,8 +111,8 @@ void put_tile(const Bounded& left, const Bounded& right, std::size_t i, std::siz
   const Range a_support = united(left, i, height), b_support = united(right, j, width);
   const std::size_t first = std::max(a_support.first, b_support.first);
   const std::size_t end = std::max(first, std::min(a_support.end, b_support.end));
-  const Tile<height, width> sums = tile<height, width>(&left.signals[i], &right.signals[j],
-                                                       rows.subspan(first, end - first));
+  const Tile<height, width> sums =
+      tile<height, width>(&left.signals[i], &right.signals[j], rows.subspan(first, end - first));
   for (std::size_t a = 0; a < height; ++a) {
     for (std::size_t b = 0; b < width; ++b) {
       all(static_cast<Index>(i + a), static_cast<Index>(j + b)) = sums[a][b];
