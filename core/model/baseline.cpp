@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/model/process_starts.hpp"
+#include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -62,14 +63,9 @@ std::vector<ProcessShape> distinct(const std::vector<ProcessStart>& starts, int 
   return chosen;
 }
 
-/// The error that a fit has to leave less than to earn `penalty` (n ln).
-double error_below(const LoopData& data, const Fit& fit, double penalty) {
-  return fit.fit_error * std::exp(-penalty / static_cast<double>(data.rows.fit_count()));
-}
-
 /// Another structure, polished, if it earns its penalty; else the fit.
 Fit better(const LoopData& data, Fit fit, const Structure& other, int iterations, double penalty) {
-  const double to_beat = error_below(data, fit, penalty);
+  const double to_beat = error_after(data, fit.fit_error, penalty);
   Fit tried = polish(data, other, iterations, to_beat);
   return tried.fit_error < to_beat ? std::move(tried) : std::move(fit);
 }
@@ -108,7 +104,7 @@ Fit try_orders(const LoopData& data, Fit fit) {
     richer.two_taps = false;
     const std::size_t longest = std::min<std::size_t>(12, data.samples() / 16);
     const double penalty = (fit.structure.two_taps ? 0.0 : 1.0) * std::log(count);
-    const double to_beat = error_below(data, fit, penalty);
+    const double to_beat = error_after(data, fit.fit_error, penalty);
     Fit second = second_order_fit(data, richer, longest, to_beat);
     if (second.fit_error < to_beat) fit = try_delay_neighbours(data, std::move(second));
   }

@@ -63,13 +63,16 @@ std::vector<EffectPtr> nominees(const Round& round) {
 /// Valves by their law alone: sticking ones where play, which is cheap to look for, gains
 /// something, and not next to nothing of what another effect gains: that one is first.
 void add_hysteresis(const Round& round, double other_gain, std::vector<Candidate>& list) {
-  const double worth_searching = std::max(5.0, 0.1 * other_gain);
+  constexpr double kLeastGain = 5.0;
+  const double worth_searching = std::max(kLeastGain, 0.1 * other_gain);
   const auto add = [&](const NetFind& find) {
     const double gain = gain_of(round.data, round.now.fit.fit_error, find.fit_error);
     list.push_back({find.structure.effects.back(), find.structure, gain});
     return gain;
   };
-  const std::optional<NetFind> play = find_play(round.data, round.now.fit);
+  const Fit& now = round.now.fit;
+  const std::optional<NetFind> play =
+      find_play(round.data, now, error_after(round.data, now.fit_error, kLeastGain));
   if (!play || add(*play) < worth_searching) return;
   for (const NetFind& find : find_sticking(round.data, round.now.fit, *play)) add(find);
   const EffectPtr& effect = play->structure.effects.back();
@@ -157,7 +160,7 @@ std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
 bool looked_at_whole(EffectKind kind) {
   using enum EffectKind;
   return kind == valve_saturation || kind == valve_characteristic || kind == process_nonlinearity ||
-         kind == gain_change;
+         kind == gain_change || kind == external_oscillation;
 }
 
 LoopData judged_on(const LoopData& original, const Structure& structure) {

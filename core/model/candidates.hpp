@@ -32,7 +32,8 @@ struct Candidate {
 [[nodiscard]] LoopData judged_on(const LoopData& original, const Structure& structure);
 
 /// A smooth effect is looked at on all rows: what it gains on the half that a fit would see is too
-/// little to go by, and its few starting points are few tries.
+/// little to go by, and its few starting points are few tries. So is a line, which has gone on for
+/// all of the record and whose tries count every frequency.
 [[nodiscard]] bool looked_at_whole(EffectKind kind);
 
 /// What is worth a full fit, by kind (the valve's two kinds under one): the best of each kind, of a

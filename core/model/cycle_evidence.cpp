@@ -63,6 +63,10 @@ struct Banded {
   double sign = 0.0;
 };
 
+double travel_of(std::span<const double> op) {
+  return kTravel * std::sqrt(dot(op, op) / static_cast<double>(op.size()));
+}
+
 Banded to_band(const CycleRecord& record, const CycleBand& band) {
   Banded result;
   result.op_kept = band.resample(record.op);
@@ -70,8 +74,7 @@ Banded to_band(const CycleRecord& record, const CycleBand& band) {
   result.op = band.pass(result.op_kept);
   result.weights = band.resample(record.recorded);
   for (double& weight : result.weights) weight = weight > 0.5 ? 1.0 : 0.0;
-  result.travel =
-      kTravel * std::sqrt(dot(result.op, result.op) / static_cast<double>(result.op.size()));
+  result.travel = travel_of(result.op);
   result.sign = controller_sign(result.op, band.pass(band.resample(record.error)));
   return result;
 }
@@ -141,6 +144,12 @@ void describe(const SimulatedProcess& law, const Banded& banded, const CycleBand
 }
 
 }  // namespace
+
+double op_coherence(const CycleRecord& record, const CycleBand& band) {
+  const std::vector<double> op = band.pass(band.resample(record.op));
+  const auto mean = mean_half_cycle(op, find_op_turns(op, kProminence * travel_of(op)));
+  return mean ? mean->coherence : CycleEvidence{}.op_coherence;
+}
 
 CycleEvidence gather_cycle_evidence(const CycleRecord& record, const CycleBand& band) {
   const Banded banded = to_band(record, band);

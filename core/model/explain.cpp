@@ -93,7 +93,7 @@ Explanation refused(const Look& look) {
   explanation.excitation =
       "Not excited: op predicts pv up to rounding, as the controller run backwards does.";
   explanation.process_doubt = explanation.excitation;
-  report_rest(look.story, look.answers, explanation);
+  report_linear_rest(look, explanation);
   return explanation;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,8 +18,10 @@ struct NetFind {
 /// right by, and hysteresis costs a few percent of the one-step error.
 ///
 /// The best play on a net of bands, each with a process of its own: the linear loop takes play for
-/// delay. nullopt where op stands still.
-[[nodiscard]] std::optional<NetFind> find_play(const LoopData& data, const Fit& now);
+/// delay. One that shows no hope of leaving less than `to_beat` is given up half fitted. nullopt
+/// where op stands still.
+[[nodiscard]] std::optional<NetFind> find_play(
+    const LoopData& data, const Fit& now, double to_beat = std::numeric_limits<double>::infinity());
 
 /// Bands that the net looks at: what a play found on it has been chosen from.
 [[nodiscard]] std::size_t hysteresis_net_bands();

@@ -59,7 +59,7 @@ Recording prepare(std::span<const double> pv, std::span<const double> op,
   return result;
 }
 
-bool stands_still(const Samples& samples) {
+bool stands_still(std::span<const double> samples) {
   const auto spread = signal::measure_spread(samples);
   return !spread || spread->constant();
 }
@@ -74,23 +74,21 @@ std::string unusable(const Recording& recording) {
   return "";
 }
 
-std::vector<CycleEvidence> gather_parts(const Recording& recording, const CycleBand& band) {
+/// Those in which op and pv move.
+std::vector<CycleRecord> parts_of(const Recording& recording, const CycleBand& band) {
   const std::size_t samples = recording.pv.size();
   const bool whole = samples / band.factor() <= kLongestRecord;
   const std::size_t parts = whole ? 1 : kParts;
   const std::size_t length = whole ? samples : kPartLength * band.factor();
-  std::vector<CycleEvidence> evidence;
+  std::vector<CycleRecord> result;
   for (std::size_t i = 0; i < parts; ++i) {
     const std::size_t start = parts == 1 ? 0 : i * (samples - length) / (parts - 1);
     const auto part = [&](const Samples& x) { return std::span(x).subspan(start, length); };
-    const Samples pv(part(recording.pv).begin(), part(recording.pv).end());
-    const Samples op(part(recording.op).begin(), part(recording.op).end());
-    if (stands_still(pv) || stands_still(op)) continue;
-    evidence.push_back(gather_cycle_evidence(
-        {part(recording.pv), part(recording.op), part(recording.error), part(recording.recorded)},
-        band));
+    const CycleRecord record{part(recording.pv), part(recording.op), part(recording.error),
+                             part(recording.recorded)};
+    if (!stands_still(record.pv) && !stands_still(record.op)) result.push_back(record);
   }
-  return evidence;
+  return result;
 }
 
 /// Means of what the score reads; the process is that of the part whose law fits best.
@@ -111,12 +109,32 @@ CycleEvidence combine(const std::vector<CycleEvidence>& parts) {
 
 /// nullopt when op or pv stands still in every part.
 std::optional<CycleEvidence> gather(const Recording& recording, double period) {
-  const std::vector<CycleEvidence> parts = gather_parts(recording, CycleBand(period));
+  const CycleBand band(period);
+  std::vector<CycleEvidence> parts;
+  for (const CycleRecord& part : parts_of(recording, band))
+    parts.push_back(gather_cycle_evidence(part, band));
   if (parts.empty()) return std::nullopt;
   CycleEvidence evidence = combine(parts);
   evidence.period_samples = period;
   evidence.cycles = static_cast<double>(recording.pv.size()) / period;
   return evidence;
+}
+
+/// Mean over the parts; -1 when op or pv stands still in all of them.
+double coherence_at(const Recording& recording, double period) {
+  const CycleBand band(period);
+  const std::vector<CycleRecord> parts = parts_of(recording, band);
+  double sum = 0.0;
+  for (const CycleRecord& part : parts) sum += op_coherence(part, band);
+  return parts.empty() ? -1.0 : sum / static_cast<double>(parts.size());
+}
+
+/// The period at which op repeats itself best.
+double period_of(const Recording& recording) {
+  const std::vector<double> periods = candidate_periods(recording.error, recording.op);
+  if (periods.size() == 1) return periods.front();
+  return *std::ranges::max_element(periods, {},
+                                   [&](double period) { return coherence_at(recording, period); });
 }
 
 /// Share of the linear error that the valve of the law takes away.
@@ -172,11 +190,7 @@ CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double>
   const Recording recording = prepare(pv, op, sp);
   cause.reason = unusable(recording);
   if (!cause.reason.empty()) return cause;
-  std::optional<CycleEvidence> best;
-  for (const double period : candidate_periods(recording.error, recording.op)) {
-    const auto found = gather(recording, period);
-    if (found && (!best || found->op_coherence > best->op_coherence)) best = found;
-  }
+  const std::optional<CycleEvidence> best = gather(recording, period_of(recording));
   cause.reason = "op stands still for most of the record.";
   if (!best) return cause;
   cause.evidence = *best;

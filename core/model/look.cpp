@@ -77,28 +77,7 @@ std::size_t judge_loop(const Look& look, const Fit& fit, Explanation& explanatio
   return excitation.reversals;
 }
 
-}  // namespace
-
-double Look::baseline_error() const {
-  return story.baseline.fit.score_error * story.data.pv_scale * story.data.pv_scale;
-}
-
-double Look::error_of_both_halves() const {
-  return compare(story.data, story.baseline, story.baseline).after * story.data.pv_scale *
-         story.data.pv_scale;
-}
-
-Look look_at(const ModelInput& recorded, const ModelInput& at_rows, const RowGrid& grid) {
-  const LoopData data = make_loop_data(recorded.pv, recorded.op, recorded.sample_interval_s, grid);
-  Look look{recorded, at_rows, begin_story(data), {}};
-  look.answers = question(at_rows, look.story.data, look.story.baseline.fit, Depth::quick);
-  return look;
-}
-
-Look look_at(const ModelInput& recorded) {
-  return look_at(recorded, recorded, {});
-}
-
+/// What the model cannot explain, where the story has come so far.
 void report_rest(const Story& story, const std::vector<Answer>& answers, Explanation& explanation) {
   const double square = story.data.pv_scale * story.data.pv_scale;
   const double after = story.last().fit.score_error * square;
@@ -115,6 +94,34 @@ void report_rest(const Story& story, const std::vector<Answer>& answers, Explana
     if (asked.p > kStructuredP || asked.statement.empty()) continue;
     rest.statement += (rest.statement.empty() ? "" : " ") + asked.statement;
   }
+}
+
+}  // namespace
+
+double Look::baseline_error() const {
+  return story.baseline.fit.score_error * story.data.pv_scale * story.data.pv_scale;
+}
+
+double Look::error_of_both_halves() const {
+  return compare(story.data, story.baseline, story.baseline).after * story.data.pv_scale *
+         story.data.pv_scale;
+}
+
+Look look_at(const ModelInput& recorded, const ModelInput& at_rows, const RowGrid& grid) {
+  const LoopData data = make_loop_data(recorded.pv, recorded.op, recorded.sample_interval_s, grid);
+  Look look{recorded, at_rows, begin_story(data), {}};
+  look.answers = question(at_rows, look.story.data, look.story.baseline.fit, Depth::first);
+  return look;
+}
+
+Look look_at(const ModelInput& recorded) {
+  return look_at(recorded, recorded, {});
+}
+
+void report_linear_rest(const Look& look, Explanation& explanation) {
+  const Fit& linear = look.story.baseline.fit;
+  report_rest(look.story, question(look.at_rows, look.story.data, linear, Depth::quick),
+              explanation);
 }
 
 Explanation begin_explanation(const Look& look) {
@@ -147,7 +154,7 @@ Explanation tell_story(Look look) {
 Explanation tell_linear(const Look& look) {
   Explanation explanation = begin_explanation(look);
   judge_loop(look, look.story.baseline.fit, explanation);
-  report_rest(look.story, look.answers, explanation);
+  report_linear_rest(look, explanation);
   return explanation;
 }
 

@@ -9,12 +9,12 @@
 
 namespace loopscope::core::model {
 
-/// The linear loop of a record and what its residual says.
+/// The linear loop of a record and what its residual says first.
 struct Look {
-  ModelInput recorded;  ///< a value for each sample
-  ModelInput at_rows;   ///< a value for each row; the same, unless the sensor is held
-  Story story;          ///< the linear baseline; no effect sought yet
-  std::vector<Answer> answers;
+  ModelInput recorded;          ///< a value for each sample
+  ModelInput at_rows;           ///< a value for each row; the same, unless the sensor is held
+  Story story;                  ///< the linear baseline; no effect sought yet
+  std::vector<Answer> answers;  ///< that the story starts from (question_residual.hpp)
   [[nodiscard]] double baseline_error() const;  ///< held out, pv units squared
   /// The same over the rows of both kinds, each as unseen by the fit to the other: half as many are
   /// few where the sensor is held.
@@ -35,7 +35,7 @@ struct Look {
 /// The linear loop alone.
 [[nodiscard]] Explanation tell_linear(const Look& look);
 
-/// What the model cannot explain, where the story has come so far.
-void report_rest(const Story& story, const std::vector<Answer>& answers, Explanation& explanation);
+/// What the linear loop cannot explain.
+void report_linear_rest(const Look& look, Explanation& explanation);
 
 }  // namespace loopscope::core::model

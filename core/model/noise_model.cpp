@@ -1,6 +1,7 @@
 #include "core/model/noise_model.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "core/model/number_pair.hpp"
 #include "core/model/recursion.hpp"
@@ -95,6 +96,17 @@ double whitened_level(const NoiseModel& noise) {
     below += noise.zeros[i];
   }
   return above / below;
+}
+
+std::size_t whitening_memory(const NoiseModel& noise) {
+  // Zeros that coincide remember some thousand times more than one of them.
+  constexpr double kForgotten = 1e-20;
+  for (const double radius : {0.5, 0.7, 0.8, 0.9, 0.95}) {
+    if (!within(noise.zeros, radius)) continue;
+    const double samples = std::log(kForgotten) / std::log(radius);
+    return static_cast<std::size_t>(samples) + noise.order;
+  }
+  return std::numeric_limits<std::size_t>::max();
 }
 
 void whiten(const NoiseModel& noise, std::span<const double> v, std::span<double> w) {

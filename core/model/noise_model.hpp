@@ -40,6 +40,10 @@ void whiten(const NoiseModel& noise, std::span<const double> v, std::span<double
 void whiten(const NoiseModel& noise, std::array<std::span<const double>, 2> v,
             std::array<std::span<double>, 2> w);
 
+/// After so many samples whitening has forgotten a signal that ended, but for rounding; the largest
+/// number where it remembers longer than is worth knowing.
+[[nodiscard]] std::size_t whitening_memory(const NoiseModel& noise);
+
 /// What a constant 1 becomes.
 [[nodiscard]] double whitened_level(const NoiseModel& noise);
 

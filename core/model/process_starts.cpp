@@ -12,19 +12,20 @@ namespace {
 class Delayed {
  public:
   Delayed(const std::vector<double>& signal, std::size_t longest)
-      : longest_(longest), padded_(longest + signal.size()), squares_(padded_.size() + 1) {
+      : longest_(longest), padded_(longest + signal.size()) {
     std::ranges::copy(signal, padded_.begin() + static_cast<std::ptrdiff_t>(longest));
-    for (std::size_t k = 0; k < padded_.size(); ++k) {
-      squares_[k + 1] = squares_[k] + padded_[k] * padded_[k];
-    }
   }
 
   [[nodiscard]] Signal by(std::size_t delay) const { return &padded_[longest_ - delay]; }
 
-  [[nodiscard]] double squares(std::size_t delay, const std::vector<Range>& rows) const {
+  /// By how much the sum of squares over the rows grows with a delay of one more: each range takes
+  /// in the sample before it and lets its last one go.
+  [[nodiscard]] double more_squares(std::size_t delay, const std::vector<Range>& rows) const {
+    const Signal before = by(delay + 1);
     double sum = 0.0;
     for (const Range& range : rows) {
-      sum += squares_[range.end + longest_ - delay] - squares_[range.first + longest_ - delay];
+      const double come = before[range.first], gone = before[range.end];
+      sum += come * come - gone * gone;
     }
     return sum;
   }
@@ -32,7 +33,6 @@ class Delayed {
  private:
   std::size_t longest_;
   std::vector<double> padded_;
-  std::vector<double> squares_;  ///< sums of those before
 };
 
 /// Error of pv on s, which is `later` samples late already, for every delay from there on, a row
@@ -51,11 +51,12 @@ void try_delays(const LoopData& data, const std::vector<double>& pv, const std::
   const Signal output = pv.data();
   const Eigen::MatrixXd right = products({&output, 1}, all, rows);
   const double total = sum_of_squares(output, rows);
+  double square = sum_of_squares(delayed.by(first), rows);
   for (std::size_t d = first; d <= last; ++d) {
-    const double square = delayed.squares(d, rows);
     const double both = right(0, static_cast<Eigen::Index>(d - first));
     shape.delay_samples = later + d * apart;
     starts.push_back({shape, total - (square > 0.0 ? both * both / square : 0.0), total});
+    if (d < last) square += delayed.more_squares(d, rows);
   }
 }
 

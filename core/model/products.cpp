@@ -1,6 +1,8 @@
 #include "core/model/products.hpp"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "core/model/number_pair.hpp"
 
@@ -69,10 +71,48 @@ Tile<height, width> tile(const Signal* left, const Signal* right, std::span<cons
   return result;
 }
 
+/// Signals, and between which of the rows each is not zero.
+struct Bounded {
+  std::span<const Signal> signals;
+  std::vector<Range> supports;  ///< numbers of rows' ranges
+};
+
+/// The ranges from the first to the last one that a signal has more than zeros in.
+Range support_of(Signal signal, std::span<const Range> rows) {
+  const auto silent = [&](const Range& range) {
+    return std::all_of(signal + range.first, signal + range.end,
+                       [](double value) { return value == 0.0; });
+  };
+  Range support{0, rows.size()};
+  while (support.first < support.end && silent(rows[support.first])) ++support.first;
+  while (support.first < support.end && silent(rows[support.end - 1])) --support.end;
+  return support;
+}
+
+Bounded bounded(std::span<const Signal> signals, std::span<const Range> rows) {
+  Bounded result{signals, {}};
+  for (const Signal signal : signals) result.supports.push_back(support_of(signal, rows));
+  return result;
+}
+
+/// Where any of a few signals from `first` on is not zero.
+Range united(const Bounded& all, std::size_t first, std::size_t count) {
+  Range support = all.supports[first];
+  for (std::size_t i = first + 1; i < first + count; ++i) {
+    support.first = std::min(support.first, all.supports[i].first);
+    support.end = std::max(support.end, all.supports[i].end);
+  }
+  return support;
+}
+
 template <std::size_t height, std::size_t width>
-void put_tile(std::span<const Signal> left, std::span<const Signal> right, std::size_t i,
-              std::size_t j, std::span<const Range> rows, Eigen::MatrixXd& all) {
-  const Tile<height, width> sums = tile<height, width>(&left[i], &right[j], rows);
+void put_tile(const Bounded& left, const Bounded& right, std::size_t i, std::size_t j,
+              std::span<const Range> rows, Eigen::MatrixXd& all) {
+  const Range a_support = united(left, i, height), b_support = united(right, j, width);
+  const std::size_t first = std::max(a_support.first, b_support.first);
+  const std::size_t end = std::max(first, std::min(a_support.end, b_support.end));
+  const Tile<height, width> sums =
+      tile<height, width>(&left.signals[i], &right.signals[j], rows.subspan(first, end - first));
   for (std::size_t a = 0; a < height; ++a) {
     for (std::size_t b = 0; b < width; ++b) {
       all(static_cast<Index>(i + a), static_cast<Index>(j + b)) = sums[a][b];
@@ -80,10 +120,10 @@ void put_tile(std::span<const Signal> left, std::span<const Signal> right, std::
   }
 }
 
-void put_tile_at(std::span<const Signal> left, std::span<const Signal> right, std::size_t i,
-                 std::size_t j, std::span<const Range> rows, Eigen::MatrixXd& all) {
-  const bool high = i + 1 < left.size();
-  const bool wide = j + 1 < right.size();
+void put_tile_at(const Bounded& left, const Bounded& right, std::size_t i, std::size_t j,
+                 std::span<const Range> rows, Eigen::MatrixXd& all) {
+  const bool high = i + 1 < left.signals.size();
+  const bool wide = j + 1 < right.signals.size();
   if (high && wide) return put_tile<2, 2>(left, right, i, j, rows, all);
   if (high) return put_tile<2, 1>(left, right, i, j, rows, all);
   if (wide) return put_tile<1, 2>(left, right, i, j, rows, all);
@@ -99,9 +139,10 @@ Eigen::MatrixXd table(std::size_t rows, std::size_t columns) {
 Eigen::MatrixXd products(std::span<const Signal> left, std::span<const Signal> right,
                          std::span<const Range> rows) {
   Eigen::MatrixXd all = table(left.size(), right.size());
+  const Bounded a = bounded(left, rows), b = bounded(right, rows);
   for (std::size_t i = 0; i < left.size(); i += kTile) {
     for (std::size_t j = 0; j < right.size(); j += kTile) {
-      put_tile_at(left, right, i, j, rows, all);
+      put_tile_at(a, b, i, j, rows, all);
     }
   }
   return all;
@@ -109,9 +150,10 @@ Eigen::MatrixXd products(std::span<const Signal> left, std::span<const Signal> r
 
 Eigen::MatrixXd products(std::span<const Signal> signals, std::span<const Range> rows) {
   Eigen::MatrixXd all = table(signals.size(), signals.size());
+  const Bounded bound = bounded(signals, rows);
   for (std::size_t i = 0; i < signals.size(); i += kTile) {
     for (std::size_t j = 0; j <= i; j += kTile) {
-      put_tile_at(signals, signals, i, j, rows, all);
+      put_tile_at(bound, bound, i, j, rows, all);
     }
   }
   return all.selfadjointView<Eigen::Lower>();

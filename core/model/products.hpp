@@ -10,7 +10,8 @@ namespace loopscope::core::model {
 /// Signals of one record by their first samples.
 using Signal = const double*;
 
-/// Sums over the rows of the products of each signal of `left` with each of `right`.
+/// Sums over the rows, which ascend, of the products of each signal of `left` with each of `right`.
+/// Where signals begin or end with zeros, as columns that sit in one place do, nothing is summed.
 [[nodiscard]] Eigen::MatrixXd products(std::span<const Signal> left, std::span<const Signal> right,
                                        std::span<const Range> rows);
 

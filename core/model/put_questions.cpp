@@ -37,6 +37,7 @@ std::vector<Answer> question(const ModelInput& input, const LoopData& data, cons
   const std::vector<double> response = response_of(data, fit);
   const ResidualView view{residual, input.op, direction,
                           response, input.pv, input.sample_interval_s};
+  if (depth == Depth::first) return question_residual_first(view);
   return depth == Depth::quick ? question_residual_quickly(view)
                                : question_residual(view, input.seed);
 }

@@ -8,8 +8,9 @@
 
 namespace loopscope::core::model {
 
-/// The questions of core/hos cost more than all others: they are put to what is left at the end.
-enum class Depth { quick, full };
+/// What a story starts from is asked of the linear loop; all questions but those of core/hos, which
+/// cost more than the others together, where there is no story; all of them at its end.
+enum class Depth { first, quick, full };
 
 /// The model run on op alone, pv units.
 [[nodiscard]] std::vector<double> response_of(const LoopData& data, const Fit& fit);

@@ -42,6 +42,15 @@ std::vector<Answer> quick_answers(const Questioned& questioned) {
   return answers;
 }
 
+std::vector<Answer> first_answers(const Questioned& questioned) {
+  std::vector<Answer> answers;
+  add(ask_op_direction(questioned), answers);
+  add(ask_op_level(questioned), answers);
+  add(ask_grid(questioned), answers);
+  add(ask_held(questioned), answers);
+  return answers;
+}
+
 }  // namespace
 
 std::vector<Answer> question_residual(const ResidualView& view, std::uint64_t seed) {
@@ -55,6 +64,11 @@ std::vector<Answer> question_residual(const ResidualView& view, std::uint64_t se
 std::vector<Answer> question_residual_quickly(const ResidualView& view) {
   const std::optional<Questioned> questioned = prepare_questions(view);
   return questioned ? quick_answers(*questioned) : std::vector<Answer>();
+}
+
+std::vector<Answer> question_residual_first(const ResidualView& view) {
+  const std::optional<Questioned> questioned = prepare_questions(view);
+  return questioned ? first_answers(*questioned) : std::vector<Answer>();
 }
 
 }  // namespace loopscope::core::model

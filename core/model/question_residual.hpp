@@ -21,4 +21,7 @@ namespace loopscope::core::model {
 /// All but the last two, which cost more than the others together.
 [[nodiscard]] std::vector<Answer> question_residual_quickly(const ResidualView& view);
 
+/// Those that a story starts from: op_direction, op_level, grid, held.
+[[nodiscard]] std::vector<Answer> question_residual_first(const ResidualView& view);
+
 }  // namespace loopscope::core::model

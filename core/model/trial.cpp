@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit_variants.hpp"
 
@@ -97,6 +96,10 @@ bool is_plausible(const Fit& fit) {
 double gain_of(const LoopData& data, double before, double after) {
   const double gain = static_cast<double>(data.rows.fit_count()) * std::log(before / after);
   return std::isnan(gain) ? -std::numeric_limits<double>::infinity() : gain;
+}
+
+double error_after(const LoopData& data, double before, double gain) {
+  return before * std::exp(-gain / static_cast<double>(data.rows.fit_count()));
 }
 
 double fit_gain(const LoopData& data, const Fit& before, const Fit& after) {

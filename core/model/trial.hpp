@@ -35,7 +35,9 @@ struct Comparison {
 
 /// n ln(before / after) of errors on the fit rows; -infinity where numbers have overflown.
 [[nodiscard]] double gain_of(const LoopData& data, double before, double after);
-/// The same of two fits.
+/// The error on the fit rows that is left of `before` by such a gain.
+[[nodiscard]] double error_after(const LoopData& data, double before, double gain);
+/// gain_of() of two fits.
 [[nodiscard]] double fit_gain(const LoopData& data, const Fit& before, const Fit& after);
 
 /// Parameters of the last effect by coordinate search, process and noise as they are; moves

@@ -19,13 +19,27 @@ struct Wave {
   Column sine, cosine;
 };
 
+/// Samples side by side: each waits for the one so many before it only.
+constexpr std::size_t kTogether = 4;
+
 Wave wave_of(double period, std::size_t samples) {
+  const double turn = 2.0 * std::numbers::pi / period;
+  const Phasor turns = std::polar(1.0, static_cast<double>(kTogether) * turn);
+  std::array<double, kTogether> sine{}, cosine{};
+  for (std::size_t i = 0; i < kTogether; ++i) {
+    sine[i] = std::sin(static_cast<double>(i) * turn);
+    cosine[i] = std::cos(static_cast<double>(i) * turn);
+  }
   Wave wave{Column(samples), Column(samples)};
-  const Phasor turn = std::polar(1.0, 2.0 * std::numbers::pi / period);
-  Phasor phase = 1.0;
-  for (std::size_t k = 0; k < samples; ++k, phase *= turn) {
-    wave.sine[k] = phase.imag();
-    wave.cosine[k] = phase.real();
+  for (std::size_t k = 0; k < samples; k += kTogether) {
+    const std::size_t count = std::min(kTogether, samples - k);
+    std::copy_n(sine.begin(), count, wave.sine.begin() + static_cast<std::ptrdiff_t>(k));
+    std::copy_n(cosine.begin(), count, wave.cosine.begin() + static_cast<std::ptrdiff_t>(k));
+    for (std::size_t i = 0; i < kTogether; ++i) {
+      const double before = cosine[i];
+      cosine[i] = before * turns.real() - sine[i] * turns.imag();
+      sine[i] = before * turns.imag() + sine[i] * turns.real();
+    }
   }
   return wave;
 }

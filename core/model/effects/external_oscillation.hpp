@@ -17,6 +17,10 @@ class ExternalOscillation final : public Effect {
 
   [[nodiscard]] double period_samples() const { return period_; }
   [[nodiscard]] std::size_t harmonics() const { return harmonics_; }
+  [[nodiscard]] bool operator==(const ExternalOscillation& other) const {
+    return period_ == other.period_ && harmonics_ == other.harmonics_ &&
+           stretches_ == other.stretches_;
+  }
   [[nodiscard]] EffectKind kind() const override { return EffectKind::external_oscillation; }
   [[nodiscard]] std::size_t column_count() const override {
     return 2 * harmonics_ * (stretches_ + 1);

@@ -71,5 +71,22 @@ TEST(HysteresisNet, AnOutputThatStandsHasNoPlay) {
   EXPECT_FALSE(find_play(loop.data, loop.linear));
 }
 
+TEST(HysteresisNet, APlayThatBeatsWhatItHasToIsFoundAllTheSame) {
+  const Loop loop = loop_of("deadband", 1);
+  const auto play = find_play(loop.data, loop.linear);
+  const auto bounded = find_play(loop.data, loop.linear, 0.99 * loop.linear.fit_error);
+  ASSERT_TRUE(play && bounded);
+  EXPECT_EQ(valve_of(*bounded).stickband_percent, valve_of(*play).stickband_percent);
+  EXPECT_EQ(bounded->fit_error, play->fit_error);
+}
+
+TEST(HysteresisNet, APlayWithoutHopeIsGivenUpAsItStands) {
+  const Loop loop = loop_of("healthy_flow", 1);
+  const auto play = find_play(loop.data, loop.linear);
+  const auto bounded = find_play(loop.data, loop.linear, 0.5 * loop.linear.fit_error);
+  ASSERT_TRUE(play && bounded);
+  EXPECT_GE(bounded->fit_error, play->fit_error);
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

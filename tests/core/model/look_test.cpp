@@ -1,5 +1,6 @@
 #include "core/model/look.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "core/simulate/scenario.hpp"
@@ -50,6 +51,18 @@ TEST(Look, AHeldSensorDelaysTheImpliedLoop) {
   EXPECT_NEAR(held.baseline.process.gain, tests::kNoiselessGain, 0.05);
   ASSERT_TRUE(whole.closed_loop && held.closed_loop);
   EXPECT_GT(held.closed_loop->peak_sensitivity, whole.closed_loop->peak_sensitivity);
+}
+
+/// Where there is no story all questions are asked for the report, and only those that the story
+/// starts from before.
+TEST(Look, TheLinearReportAsksMoreThanTheLook) {
+  const Recorded recorded;
+  const Look look = look_at(recorded.input());
+  const Explanation linear = tell_linear(look);
+  EXPECT_EQ(p_of(look.answers, "white"), 1.0);
+  EXPECT_GT(linear.questions.size(), look.answers.size());
+  EXPECT_TRUE(std::ranges::any_of(
+      linear.questions, [](const Question& question) { return question.name == "white"; }));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <vector>
 
 #include "tests/core/model/model_records.hpp"
@@ -69,6 +70,19 @@ TEST(NoiseModel, ZerosOutsideAreDrawnIn) {
   NoiseModel fine = kSecond;
   make_invertible(fine);
   EXPECT_EQ(fine.zeros, kSecond.zeros);
+}
+
+/// The answer to a single sample is rounding by then.
+TEST(NoiseModel, WhiteningForgetsASample) {
+  for (const NoiseModel& noise : {kFirst, kSecond, kThird}) {
+    const std::size_t memory = whitening_memory(noise);
+    std::vector<double> sample(memory + 100), answer(sample.size());
+    sample[50] = 1.0;
+    whiten(noise, sample, answer);
+    for (std::size_t k = 50 + memory; k < answer.size(); ++k) EXPECT_LT(std::abs(answer[k]), 1e-15);
+  }
+  const NoiseModel slow{1, {1.0, 0.0, 0.0}, {-0.98, 0.0, 0.0}};
+  EXPECT_EQ(whitening_memory(slow), std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace

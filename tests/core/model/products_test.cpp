@@ -40,5 +40,33 @@ TEST(Products, AreTheSumsOverTheRows) {
   }
 }
 
+/// Zeros at the ends of a signal are passed over, also where two signals never meet.
+TEST(Products, OfSignalsThatSitInOnePlaceAreTheSame) {
+  constexpr std::size_t kSamples = 200;
+  const std::vector<Range> rows = {{5, 40}, {44, 90}, {95, 160}, {170, 198}};
+  std::vector<std::vector<double>> signals(5, std::vector<double>(kSamples));
+  const std::vector<Range> places = {{0, 200}, {50, 80}, {100, 175}, {0, 30}, {0, 0}};
+  std::vector<Signal> all;
+  for (std::size_t s = 0; s < signals.size(); ++s) {
+    for (std::size_t k = places[s].first; k < places[s].end; ++k)
+      signals[s][k] = std::cos(0.7 * static_cast<double>((s + 1) * k));
+    all.push_back(signals[s].data());
+  }
+  const Eigen::MatrixXd square = products(all, rows);
+  const Eigen::MatrixXd crossed = products(all, all, rows);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      double sum = 0.0;
+      for (const Range& range : rows) {
+        for (std::size_t k = range.first; k < range.end; ++k) sum += all[i][k] * all[j][k];
+      }
+      const auto row = static_cast<Eigen::Index>(i);
+      const auto column = static_cast<Eigen::Index>(j);
+      EXPECT_NEAR(square(row, column), sum, 1e-12);
+      EXPECT_NEAR(crossed(row, column), sum, 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

@@ -277,5 +277,17 @@ TEST(QuestionResidual, DISABLED_Powers) {
     print(scenario, powers(scenario, 100), 1);
 }
 
+TEST(QuestionResidual, TheFirstAnswersAreThoseOfTheWholeRound) {
+  const Questionable loop = tests::closed_loop(tests::white(White::gaussian, 1000, 1), 1);
+  const std::vector<Answer> all = question_residual_quickly(loop.view());
+  const std::vector<Answer> first = question_residual_first(loop.view());
+  EXPECT_GE(first.size(), 2U);
+  for (const Answer& answer : first) {
+    EXPECT_EQ(answer.question.p, p_of(all, answer.question.name)) << answer.question.name;
+  }
+  for (const char* name : {"op_direction", "op_level", "grid", "held"})
+    EXPECT_EQ(p_of(first, name), p_of(all, name)) << name;
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

@@ -159,5 +159,11 @@ TEST(Trial, RefiningAndFittingAnewAreNeverWorse) {
   }
 }
 
+TEST(Trial, AGainTellsTheErrorThatIsLeft) {
+  const LoopData data = healthy(1);
+  EXPECT_NEAR(gain_of(data, 2.0, error_after(data, 2.0, 7.5)), 7.5, 1e-9);
+  EXPECT_EQ(error_after(data, 2.0, 0.0), 2.0);
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

@@ -1,6 +1,7 @@
 #include "core/model/effects/external_oscillation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -123,6 +124,30 @@ TEST(ExternalOscillation, ColumnsAndNeighbours) {
                   1.0, 0.2);
     }
   }
+}
+
+/// Samples are made side by side; the last ones may be fewer.
+TEST(ExternalOscillation, ItsColumnsAreSineAndCosineAtEverySample) {
+  const std::vector<double> flow(4099);
+  const ProcessShape process = tests::noiseless_process();
+  for (const double period : {3.1, 41.7}) {
+    std::vector<Column> columns;
+    ExternalOscillation(period).add_columns({flow, flow, process}, columns);
+    ASSERT_EQ(columns.size(), 2U);
+    for (std::size_t k = 0; k < flow.size(); ++k) {
+      const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / period;
+      ASSERT_NEAR(columns[0][k], std::sin(angle), 1e-10) << k;
+      ASSERT_NEAR(columns[1][k], std::cos(angle), 1e-10) << k;
+    }
+  }
+}
+
+TEST(ExternalOscillation, WavesAreTheSameByPeriodHarmonicsAndKnots) {
+  const ExternalOscillation wave(40.0, 2, 8);
+  EXPECT_TRUE(wave == ExternalOscillation(40.0, 2, 8));
+  EXPECT_FALSE(wave == ExternalOscillation(41.0, 2, 8));
+  EXPECT_FALSE(wave == ExternalOscillation(40.0, 3, 8));
+  EXPECT_FALSE(wave == ExternalOscillation(40.0, 2, 4));
 }
 
 }  // namespace
