@@ -5,6 +5,10 @@
 namespace loopscope::core::model {
 namespace {
 
+/// Of the band: so far the pressure turns back before a stem rests that no speed is too slow for.
+/// One that has come up to it is told from one that is passed by in few digits too.
+constexpr double kTurn = 1e-5;
+
 /// What a first-order lag goes of its way in one look; all of it without a lag.
 double share_of_way(double lag_samples) {
   return lag_samples > 0.0 ? 1.0 - std::exp(-1.0 / (kLooks * lag_samples)) : 1.0;
@@ -34,7 +38,9 @@ StemFriction<double> stem_friction(const Valve& valve) {
   stem.pressure_left = std::exp(-1.0 / valve.between.actuator_lag_samples);
   stem.stem_share = slips ? 1.0 : share_of_way(valve.between.stem_lag_samples);
   const double least_way = valve.between.resting_speed * valve.stickband_percent / kLooks;
-  stem.least_gap = stem.behind + least_way / stem.stem_share;
+  const double more =
+      least_way > 0.0 ? least_way / stem.stem_share : -kTurn * valve.stickband_percent;
+  stem.least_gap = stem.behind + more;
   stem.but_one_look = course_of(kLooks - 1, stem.pressure_share, stem.stem_share);
   stem.sample = course_of(kLooks, stem.pressure_share, stem.stem_share);
   return stem;

@@ -7,8 +7,16 @@
 
 namespace loopscope::core::model {
 
-/// The stems of valve_between_samples.hpp, as many as a Number has (double: one), side by side under
-/// the same op. Choices instead of branches, but for what all of them do: mostly all of them rest.
+/// A pressure after a sample in which so much of its way to op is left: what waits for the one
+/// before is a product and a sum.
+template <typename Number>
+Number passed_on(Number pressure, Number left, Number op) {
+  return left * pressure + (op - left * op);
+}
+
+/// The stems of valve_between_samples.hpp, as many as a Number has (double: one), side by side
+/// under the same op. Choices instead of branches, but for what all of them do: mostly all of them
+/// rest.
 template <typename Number>
 class Stems {
  public:
@@ -27,19 +35,23 @@ class Stems {
 
   [[nodiscard]] const Number& place() const { return place_; }
 
-  /// What the next op makes of the pressures where no stem moves.
-  void build_up(Element op) { pressure_ = built_up(Number{} + op); }
+  /// The pressures, which follow op where no stem moves, and what is left of their way to it then.
+  [[nodiscard]] Number& pressure() { return pressure_; }
+  [[nodiscard]] const Number& pressure_left() const { return friction_.pressure_left; }
 
   /// The next sample of op; law `he` or `kano`.
   template <ValveLaw law>
   void step(Element next) {
     const Number op = Number{} + next;
     const Mask rest = resting(op);
-    if (holds_for_all(rest)) return build_up(next);
-    if constexpr (law == ValveLaw::he) {
-      look_again(op, rest, place_);
+    Number end = place_;
+    Mask settled = rest;
+    if constexpr (law == ValveLaw::kano) settled = Mask(rest | moving_all_along(op, end));
+    if (holds_for_all(settled)) {
+      pressure_ = built_up(op);
+      place_ = rest ? place_ : end;
     } else {
-      step_moving(op, rest);
+      look_again<law>(op, settled, rest ? place_ : end);
     }
   }
 
@@ -63,7 +75,7 @@ class Stems {
     return Mask((direction_ == Number{}) & holds(pressure_) & holds(op));
   }
   [[nodiscard]] Number built_up(Number op) const {
-    return op + friction_.pressure_left * (pressure_ - op);
+    return passed_on(pressure_, friction_.pressure_left, op);
   }
 
   [[nodiscard]] Number after(const StemCourse<Number>& course, Number op) const {
@@ -71,8 +83,8 @@ class Stems {
            course.behind * direction_ * friction_.behind;
   }
 
-  /// Those that do not come to rest in this sample, and then they are where they `end`. Their ways
-  /// rise and fall at most once while the pressure goes on: the first and the last are least.
+  /// Those that do not come to rest in this sample, and where they `end` then. Their ways rise and
+  /// fall at most once while the pressure goes on: the first and the last are least.
   [[nodiscard]] Mask moving_all_along(Number op, Number& end) const {
     const Number zero{};
     const Number least = friction_.stem_share * (friction_.least_gap - friction_.behind);
@@ -81,60 +93,55 @@ class Stems {
     const Number first = friction_.stem_share * gap * direction_;
     end = after(friction_.sample, op);
     const Number last = (end - after(friction_.but_one_look, op)) * direction_;
-    return Mask(((op - pressure_) * direction_ > zero) & (first > least) & (last > least));
+    const Mask onwards = (op - pressure_) * direction_ >= zero;
+    return Mask(onwards & (direction_ != zero) & (first > least) & (last > least));
   }
 
-  void step_moving(Number op, Mask rest) {
-    Number end = place_;
-    const Mask along = moving_all_along(op, end);
-    end = along ? end : place_;
-    if (!holds_for_all(Mask(rest | along))) return look_again(op, rest, along, end);
-    pressure_ = built_up(op);
-    place_ = end;
-  }
+  /// What changes from look to look.
+  struct Moment {
+    Number pressure, place;
+    Mask up, down;  ///< where a moving stem moves
+  };
 
-  /// He's: there at once, and at rest again.
-  void look_again(Number op, Mask rest, Number place) {
-    const Number behind = friction_.behind, breakaway = friction_.breakaway;
-    Number pressure = pressure_;
+  /// Those that have `settled`, at `end`, are left there.
+  template <ValveLaw law>
+  void look_again(Number op, Mask settled, Number end) {
+    const Number none{}, one = none + Element{1};
+    Moment now{pressure_, place_, direction_ > none, direction_ < none};
     for (int i = 0; i < kLooks; ++i) {
-      pressure += friction_.pressure_share * (op - pressure);
-      // The next look waits for the place: whatever does not depend on it is known by then.
-      const Mask up = pressure - breakaway > place;
-      const Mask down = pressure + breakaway < place;
-      const Number above = down ? pressure + behind : place;
-      place = up ? pressure - behind : above;
+      now.pressure += friction_.pressure_share * (op - now.pressure);
+      law == ValveLaw::he ? slip(now) : follow(now);
     }
-    pressure_ = rest ? built_up(op) : pressure;
-    place_ = rest ? place_ : place;
-  }
-
-  /// Kano's, where `settled` ones rest or have come to their `end`.
-  void look_again(Number op, Mask rest, Mask along, Number end) {
-    const Number zero{}, behind = friction_.behind, breakaway = friction_.breakaway;
-    Number pressure = pressure_, place = place_;
-    Mask up = direction_ > zero, down = direction_ < zero;
-    for (int i = 0; i < kLooks; ++i) {
-      pressure += friction_.pressure_share * (op - pressure);
-      const Mask stands = Mask(!(up | down));
-      up = Mask(up | (stands & (pressure - breakaway > place)));
-      down = Mask(down | (stands & (pressure + breakaway < place)));
-      const Number target = up ? pressure - behind : pressure + behind;
-      up = Mask(up & (target > place));
-      down = Mask(down & (target < place));
-      const Number way = friction_.stem_share * (target - place);
-      const Mask fast_up = pressure - friction_.least_gap >= place;
-      const Mask fast_down = pressure + friction_.least_gap <= place;
-      place += Mask(up | down) ? way : zero;
-      up = Mask(up & fast_up);
-      down = Mask(down & fast_down);
-    }
-    const Mask settled = Mask(rest | along);
-    const Number one = zero + Element{1};
-    const Number direction = (up ? one : zero) - (down ? one : zero);
+    const Number direction = (now.up ? one : none) - (now.down ? one : none);
     direction_ = settled ? direction_ : direction;
-    pressure_ = settled ? built_up(op) : pressure;
-    place_ = settled ? end : place;
+    pressure_ = settled ? built_up(op) : now.pressure;
+    place_ = settled ? end : now.place;
+  }
+
+  // The next look waits for the place of this one: whatever does not depend on it is known by then.
+
+  /// By `he`: there at once, and at rest again.
+  void slip(Moment& now) const {
+    const Mask up = now.pressure - friction_.breakaway > now.place;
+    const Mask down = now.pressure + friction_.breakaway < now.place;
+    const Number above = down ? now.pressure + friction_.behind : now.place;
+    now.place = up ? now.pressure - friction_.behind : above;
+  }
+
+  /// By `kano`: breaks loose, moves on and may come to rest. Both ways are known before it is known
+  /// which is gone.
+  void follow(Moment& now) const {
+    const Number none{};
+    const Number gap_up = now.pressure - friction_.behind - now.place;
+    const Number gap_down = now.pressure + friction_.behind - now.place;
+    const Mask stands = Mask(!(now.up | now.down));
+    const Mask up = Mask(now.up | (stands & (now.pressure - friction_.breakaway > now.place)));
+    const Mask down = Mask(now.down | (stands & (now.pressure + friction_.breakaway < now.place)));
+    now.up = Mask(up & (now.pressure - friction_.least_gap >= now.place));
+    now.down = Mask(down & (now.pressure + friction_.least_gap <= now.place));
+    const Number way_up = Mask(up & (gap_up > none)) ? friction_.stem_share * gap_up : none;
+    const Number way_down = Mask(down & (gap_down < none)) ? friction_.stem_share * gap_down : none;
+    now.place += way_up + way_down;
   }
 
   StemFriction<Number> friction_;
