@@ -22,7 +22,7 @@ inline constexpr std::size_t kLanes = kElements<Number>* kVectorsAtOnce;
 template <typename Element>
 struct BatchRecord {
   const NoiseModel& noise;
-  std::size_t taps;
+  std::size_t taps = 1;
   std::span<const Range> rows;
   SeenOp<Element> seen;
   std::vector<std::vector<Element>> columns;  ///< the steady ones

@@ -20,11 +20,10 @@ struct PoleLanes {
   bool any_pole = false, any_second_pole = false;
 
   void put(std::size_t lane, const ProcessShape& shape) {
-    using Element = typename ElementOf<Number>::type;
+    const std::size_t v = lane / kElements<Number>, i = lane % kElements<Number>;
     const double first = shape.integrating ? 1.0 : shape.pole;
-    element(pole[lane / kElements<Number>], lane % kElements<Number>) = static_cast<Element>(first);
-    element(second_pole[lane / kElements<Number>], lane % kElements<Number>) =
-        static_cast<Element>(shape.second_pole);
+    put_element(pole[v], i, first);
+    put_element(second_pole[v], i, shape.second_pole);
     gain[lane] = (1.0 - shape.second_pole) * (shape.integrating ? 1.0 : 1.0 - shape.pole);
     integrating = shape.integrating;
     any_pole = any_pole || first != 0.0;

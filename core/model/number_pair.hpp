@@ -29,11 +29,20 @@ inline constexpr std::size_t kElements = sizeof(Number) / sizeof(typename Elemen
 
 /// One of the numbers side by side.
 template <typename Number>
-auto& element(Number& numbers, std::size_t at) {
-  if constexpr (kElements<std::remove_const_t<Number>> == 1) {
+[[nodiscard]] typename ElementOf<Number>::type element(const Number& numbers, std::size_t at) {
+  if constexpr (kElements<Number> == 1) {
     return numbers;
   } else {
     return numbers[at];
+  }
+}
+template <typename Number>
+void put_element(Number& numbers, std::size_t at, double value) {
+  const auto few = static_cast<typename ElementOf<Number>::type>(value);
+  if constexpr (kElements<Number> == 1) {
+    numbers = few;
+  } else {
+    numbers[at] = few;
   }
 }
 

@@ -40,9 +40,7 @@ struct StemFriction {
 
 template <typename Number>
 void StemFriction<Number>::put(std::size_t at, const StemFriction<double>& one) {
-  const auto set = [at](Number& numbers, double value) {
-    element(numbers, at) = static_cast<typename ElementOf<Number>::type>(value);
-  };
+  const auto set = [at](Number& numbers, double value) { put_element(numbers, at, value); };
   const auto set_course = [&](StemCourse<Number>& courses, const StemCourse<double>& course) {
     set(courses.own, course.own);
     set(courses.pressure, course.pressure);

@@ -90,10 +90,11 @@ class Evolution {
     std::vector<ValveAndProcess> pairs;
     for (std::size_t i = 0; i < guesses.size(); ++i) pairs.push_back({&valves[i], &processes[i]});
     const std::vector<double> errors = variants.fit_errors(pairs, Digits::single);
-    // What has overflown comes last.
-    constexpr double kNoError = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < guesses.size(); ++i)
-      guesses[i].fit_error = std::isnan(errors[i]) ? kNoError : errors[i];
+    for (std::size_t i = 0; i < guesses.size(); ++i) {
+      guesses[i].fit_error = errors[i];
+      // What has overflown comes last.
+      if (std::isnan(errors[i])) guesses[i].fit_error = std::numeric_limits<double>::infinity();
+    }
   }
 
   void keep_best() {

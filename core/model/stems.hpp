@@ -27,11 +27,11 @@ class Stems {
   void put_in(std::size_t at, const Valve& valve, double op) {
     const StemFriction<double> one = stem_friction(valve);
     friction_.put(at, one);
-    element(pressure_, at) = static_cast<Element>(op);
+    put_element(pressure_, at, op);
     put(at, op - valve.start_direction * one.behind);
   }
   /// It stands elsewhere, moving on or not.
-  void put(std::size_t at, double place) { element(place_, at) = static_cast<Element>(place); }
+  void put(std::size_t at, double place) { put_element(place_, at, place); }
 
   [[nodiscard]] const Number& place() const { return place_; }
 
@@ -72,7 +72,8 @@ class Stems {
   }
   /// The pressure goes straight from where it is to op: where neither moves the stem, it rests.
   [[nodiscard]] Mask resting(Number op) const {
-    return Mask((direction_ == Number{}) & holds(pressure_) & holds(op));
+    const Mask stands = direction_ == Number{}, held = holds(pressure_), kept = holds(op);
+    return Mask(stands & held & kept);
   }
   [[nodiscard]] Number built_up(Number op) const {
     return passed_on(pressure_, friction_.pressure_left, op);
