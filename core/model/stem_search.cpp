@@ -18,10 +18,10 @@ namespace {
 constexpr std::size_t kFirstWindow = 512;
 constexpr double kWindowGrowth = 1.42;
 constexpr std::size_t kGuesses = 3000;
-constexpr std::size_t kParents = 300;
+constexpr std::size_t kParents = 250;
 constexpr std::size_t kFewestParents = 8;
 constexpr double kParentsKept = 0.7;
-constexpr std::size_t kChildren = 8;
+constexpr std::size_t kChildren = 12;
 constexpr double kCooling = 0.64;
 /// From here on the noise is fitted again behind the best guess.
 constexpr std::size_t kFitFrom = 1000;

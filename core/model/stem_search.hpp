@@ -20,6 +20,6 @@ namespace loopscope::core::model {
                                 ValveLaw law);
 
 /// Guesses that one search looks at, about: what it finds has been chosen from these.
-inline constexpr std::size_t kStemGuesses = 10000;
+inline constexpr std::size_t kStemGuesses = 12000;
 
 }  // namespace loopscope::core::model
