@@ -10,9 +10,31 @@
 
 namespace loopscope::core::model {
 
-/// Signals side by side through a process and the whitening, a stretch of samples at a time: what
-/// respond() and whiten() do one after the other to one signal, in an order that keeps few digits
-/// from getting lost: the whitening's zeros come before the process's slow lag.
+/// Poles of processes side by side, that of an integrator 1.
+template <typename Number, std::size_t count>
+struct PoleLanes {
+  std::array<Number, count> pole{}, second_pole{};
+  std::array<double, count * kElements<Number>> gain{};  ///< (1 - pole) (1 - second pole), or that
+                                                         ///< of the second
+  bool integrating = false;                              ///< all of them
+  bool any_pole = false, any_second_pole = false;
+
+  void put(std::size_t lane, const ProcessShape& shape) {
+    const std::size_t v = lane / kElements<Number>, i = lane % kElements<Number>;
+    const double first = shape.integrating ? 1.0 : shape.pole;
+    put_element(pole[v], i, first);
+    put_element(second_pole[v], i, shape.second_pole);
+    gain[lane] = (1.0 - shape.second_pole) * (shape.integrating ? 1.0 : 1.0 - shape.pole);
+    integrating = shape.integrating;
+    any_pole = any_pole || first != 0.0;
+    any_second_pole = any_second_pole || shape.second_pole != 0.0;
+  }
+};
+
+/// Signals side by side through a process each and one whitening, a stretch of samples at a time:
+/// what respond() and whiten() do one after the other to one signal, but for the gain of the poles,
+/// in an order that keeps few digits from getting lost: the whitening's zeros come before the
+/// process's slow lag.
 ///
 /// Number is NumberPair or ShortNumbers, and there are `count` of them; two of them hide what one
 /// waits for.
@@ -24,35 +46,31 @@ class AnswerLanes {
 
   /// `first`: the signals' first values, which they had before the record too. The dead time is the
   /// caller's: as many times the first value before the signals.
-  AnswerLanes(const ProcessShape& shape, const NoiseModel& noise, const Numbers& first)
-      : shape_(shape), order_(noise.order) {
+  AnswerLanes(const PoleLanes<Number, count>& poles, const NoiseModel& noise, const Numbers& first)
+      : poles_(poles), order_(noise.order) {
     const std::array<double, kMostNoiseOrder> a = autoregression(noise);
-    const double lags = (1.0 - shape.second_pole) * (shape.integrating ? 1.0 : 1.0 - shape.pole);
-    const double level = 1.0 + a[0] + a[1] + a[2];
-    front_ = static_cast<Element>(lags);
     for (std::size_t i = 0; i < kMostNoiseOrder; ++i) {
-      moving_[i] = static_cast<Element>(lags * a[i]);
+      moving_[i] = static_cast<Element>(a[i]);
       zeros_[i] = static_cast<Element>(noise.zeros[i]);
     }
-    pole_ = static_cast<Element>(shape.integrating ? 1.0 : shape.pole);
-    second_pole_ = static_cast<Element>(shape.second_pole);
-    const auto at_rest = [&](double factor) {
-      Numbers rest;
-      for (std::size_t i = 0; i < count; ++i) rest[i] = first[i] * static_cast<Element>(factor);
-      return rest;
-    };
-    second_lag_ = at_rest(1.0 / (1.0 - shape.second_pole));
-    // An integrator begins at the first value, and sums up what comes after it.
-    inputs_.fill(at_rest(shape.integrating ? 0.0 : 1.0 / (1.0 - shape.second_pole)));
-    lag_ = at_rest(level);
-    outputs_.fill(at_rest(whitened_level(noise)));
+    const auto level = static_cast<Element>(1.0 + a[0] + a[1] + a[2]);
+    const auto whitened = static_cast<Element>(whitened_level(noise));
+    for (std::size_t i = 0; i < count; ++i) {
+      const Number lagged = first[i] / (Element{1} - poles.second_pole[i]);
+      const Number rest = poles.integrating ? lagged : lagged / (Element{1} - poles.pole[i]);
+      second_lag_[i] = lagged;
+      // An integrator begins at the first value, and sums up what comes after it.
+      for (Numbers& input : inputs_) input[i] = poles.integrating ? Number{} : lagged;
+      lag_[i] = rest * level;
+      for (Numbers& output : outputs_) output[i] = rest * whitened;
+    }
   }
 
   /// The next `samples` of the signals, in place.
   void run(Numbers* signals, std::size_t samples) {
     if (samples == 0) return;
-    if (shape_.second_pole != 0.0) lag(second_pole_, second_lag_, signals, samples);
-    if (shape_.integrating && !begun_) signals[0] = Numbers{};
+    if (poles_.any_second_pole) lag(poles_.second_pole, second_lag_, signals, samples);
+    if (poles_.integrating && !begun_) signals[0] = Numbers{};
     begun_ = true;
     if (order_ == 1) return whiten<1>(signals, samples);
     if (order_ == 2) return whiten<2>(signals, samples);
@@ -62,10 +80,11 @@ class AnswerLanes {
  private:
   using Memory = std::array<Numbers, kMostNoiseOrder>;  ///< the newest first
 
-  static void lag(Element pole, Numbers& state, Numbers* signals, std::size_t samples) {
+  static void lag(const Numbers& poles, Numbers& state, Numbers* signals, std::size_t samples) {
+    const Numbers p = poles;
     Numbers y = state;
     for (std::size_t k = 0; k < samples; ++k) {
-      for (std::size_t i = 0; i < count; ++i) signals[k][i] = y[i] = signals[k][i] + pole * y[i];
+      for (std::size_t i = 0; i < count; ++i) signals[k][i] = y[i] = signals[k][i] + p[i] * y[i];
     }
     state = y;
   }
@@ -73,18 +92,18 @@ class AnswerLanes {
   template <std::size_t order>
   void whiten(Numbers* signals, std::size_t samples) {
     move<order>(signals, samples);
-    if (pole_ != 0) lag(pole_, lag_, signals, samples);
+    if (poles_.any_pole) lag(poles_.pole, lag_, signals, samples);
     settle<order>(signals, samples);
   }
 
-  /// The zeros of the whitening, and the gain of the lags.
+  /// The zeros of the whitening.
   template <std::size_t order>
   void move(Numbers* signals, std::size_t samples) {
     Memory x = inputs_;
     for (std::size_t k = 0; k < samples; ++k) {
       for (std::size_t i = 0; i < count; ++i) {
         const Number now = signals[k][i];
-        Number sum = front_ * now;
+        Number sum = now;
         for (std::size_t j = 0; j < order; ++j) sum += moving_[j] * x[j][i];
         for (std::size_t j = order; j-- > 1;) x[j][i] = x[j - 1][i];
         x[0][i] = now;
@@ -110,9 +129,8 @@ class AnswerLanes {
     outputs_ = y;
   }
 
-  const ProcessShape& shape_;
+  const PoleLanes<Number, count>& poles_;
   std::size_t order_;
-  Element front_, pole_, second_pole_;
   std::array<Element, kMostNoiseOrder> moving_{}, zeros_{};
   Numbers second_lag_, lag_;
   Memory inputs_{}, outputs_{};

@@ -20,7 +20,8 @@ class AnswerSums {
   using Element = typename ElementOf<Number>::type;
   using Numbers = std::array<Number, count>;
 
-  /// `rows`, ascending, and `columns` have to outlive this; one or two taps, the second a sample later.
+  /// `rows`, ascending, and `columns` have to outlive this; one or two taps, the second a sample
+  /// later.
   AnswerSums(std::span<const Range> rows, std::span<const std::vector<Element>> columns,
              std::size_t taps)
       : rows_(rows), columns_(columns), taps_(taps), sums_(taps * (columns.size() + taps)) {}

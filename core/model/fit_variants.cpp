@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/model/added_column.hpp"
 #include "core/model/newton_step.hpp"
 #include "core/model/whitening.hpp"
 
@@ -27,12 +28,12 @@ double squares_left(const MatrixXd& normal) {
   return normal(0, 0) + coefficients.dot(regressors * coefficients - 2.0 * right);
 }
 
-/// Those that act at the samples: they go side by side.
-std::vector<const ValveEffect*> valves_among(std::span<const EffectPtr> effects) {
-  std::vector<const ValveEffect*> valves;
+std::vector<ValveAndProcess> valves_among(std::span<const EffectPtr> effects,
+                                          const ProcessShape& process) {
+  std::vector<ValveAndProcess> valves;
   for (const EffectPtr& effect : effects) {
     const auto* valve = dynamic_cast<const ValveEffect*>(effect.get());
-    if (valve != nullptr && valve->valve().acts_at_samples()) valves.push_back(valve);
+    if (valve != nullptr) valves.push_back({valve, &process});
   }
   return valves;
 }
@@ -63,24 +64,24 @@ FitVariants::FitVariants(const LoopData& data, const Structure& structure)
   steady_normal_ = products(steady_columns_, data_.rows.fit);
 }
 
-std::vector<Column> FitVariants::moved_columns(const EffectPtr& last,
+std::vector<Column> FitVariants::moved_columns(const Effect& last,
                                                const ProcessShape& process) const {
   std::vector<Column> columns;
   if (!bends_) {
-    last->add_columns({flow_, answered_, process}, columns);
+    last.add_columns({flow_, answered_, process}, columns);
     return columns;
   }
   std::vector<double> flow = flow_;
-  last->shape_flow(flow);
+  last.shape_flow(flow);
   Column response(flow.size());
   respond(process, flow, response);
   columns.push_back(std::move(response));
-  if (following_.empty() && last->column_count() == 0) return columns;
+  if (following_.empty() && last.column_count() == 0) return columns;
   std::vector<double> answered = columns.front();
   weigh(process.numerator, answered);
   const Signals signals{flow, answered, process};
   for (const EffectPtr& effect : following_) effect->add_columns(signals, columns);
-  last->add_columns(signals, columns);
+  last.add_columns(signals, columns);
   return columns;
 }
 
@@ -115,10 +116,10 @@ double FitVariants::error_of(const MatrixXd& moved) const {
 }
 
 double FitVariants::fit_error(const EffectPtr& last) const {
-  return fit_error(last, structure_.process);
+  return fit_error(*last, structure_.process);
 }
 
-double FitVariants::fit_error(const EffectPtr& last, const ProcessShape& process) const {
+double FitVariants::fit_error(const Effect& last, const ProcessShape& process) const {
   const MatrixXd table = whitened(moved_columns(last, process));
   const std::vector<Signal> columns = columns_of(table);
   MatrixXd moved(table.cols(), steady_normal_.rows() + table.cols());
@@ -128,14 +129,27 @@ double FitVariants::fit_error(const EffectPtr& last, const ProcessShape& process
 }
 
 std::vector<double> FitVariants::fit_errors(std::span<const EffectPtr> lasts, Digits digits) const {
+  const std::vector<ValveAndProcess> valves = valves_among(lasts, structure_.process);
+  if (valves.size() == lasts.size()) return fit_errors(valves, digits);
   std::vector<double> errors;
-  const std::vector<const ValveEffect*> valves = valves_among(lasts);
-  if (valves.size() == lasts.size() && following_.empty() && data_.grid.every_sample()) {
-    const ValveAnswers answers(flow_, structure_, steady_columns_, data_.rows.fit);
-    for (const MatrixXd& moved : answers.products(valves, digits))
-      errors.push_back(error_of(moved));
-  } else {
-    for (const EffectPtr& last : lasts) errors.push_back(fit_error(last));
+  for (const EffectPtr& last : lasts) errors.push_back(fit_error(last));
+  return errors;
+}
+
+std::vector<double> FitVariants::fit_errors(std::span<const ValveAndProcess> valves,
+                                            Digits digits) const {
+  std::vector<double> errors;
+  if (!following_.empty() || !data_.grid.every_sample()) {
+    for (const ValveAndProcess& one : valves) errors.push_back(fit_error(*one.valve, *one.process));
+    return errors;
+  }
+  const ValveAnswers answers(flow_, structure_, steady_columns_, data_.rows.fit);
+  const AddedColumn added(steady_normal_);
+  const auto rows = static_cast<double>(data_.rows.fit_count());
+  const bool ranked = digits == Digits::single && !structure_.two_taps && rows > 0.0;
+  for (const MatrixXd& moved : answers.products(valves, digits)) {
+    const std::span<const double> column(moved.data(), static_cast<std::size_t>(moved.size()));
+    errors.push_back(ranked ? added.squares_left(column) / rows : error_of(moved));
   }
   return errors;
 }

@@ -22,14 +22,18 @@ class FitVariants {
   [[nodiscard]] double fit_error(const EffectPtr& last) const;
 
   /// The same behind another process, of one tap. The last effect has to bend the flow.
-  [[nodiscard]] double fit_error(const EffectPtr& last, const ProcessShape& process) const;
+  [[nodiscard]] double fit_error(const Effect& last, const ProcessShape& process) const;
 
   /// The same of many; of valves at a fraction of the cost of one after the other.
   [[nodiscard]] std::vector<double> fit_errors(std::span<const EffectPtr> lasts,
                                                Digits digits = Digits::full) const;
 
+  /// The same of valves each behind a process of its own, of one tap.
+  [[nodiscard]] std::vector<double> fit_errors(std::span<const ValveAndProcess> valves,
+                                               Digits digits) const;
+
  private:
-  [[nodiscard]] std::vector<Column> moved_columns(const EffectPtr& last,
+  [[nodiscard]] std::vector<Column> moved_columns(const Effect& last,
                                                   const ProcessShape& process) const;
   [[nodiscard]] Eigen::MatrixXd whitened(std::vector<Column> columns) const;
   [[nodiscard]] Eigen::MatrixXd normal_with(const Eigen::MatrixXd& moved) const;

@@ -15,12 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Collinear columns (a PI law ties op to pv) share their weight instead of breaking the solution.
-constexpr double kRidge = 1e-9;
-/// Behind two integrators of the noise the offset leaves nothing but rounding to fit, and is no
-/// coefficient; whatever moves pv at all leaves more.
-constexpr double kPrior = 1e-20;
-
 /// Where a nonlinear parameter of a structure lives, and how far it may go.
 struct Handle {
   enum class Kind { noise_pole, noise_zero, process_pole };

@@ -15,7 +15,14 @@ struct Solution {
   double fit_error = 0.0;  ///< their mean square on the fit rows
 };
 
-/// Of normal x = right, scaled and with a slight ridge.
+/// Of a column's square: collinear columns (a PI law ties op to pv) share their weight instead of
+/// breaking the solution.
+inline constexpr double kRidge = 1e-9;
+/// Behind two integrators of the noise the offset leaves nothing but rounding to fit, and is no
+/// coefficient; whatever moves pv at all leaves more.
+inline constexpr double kPrior = 1e-20;
+
+/// Of normal x = right, scaled and with that ridge.
 [[nodiscard]] Eigen::VectorXd solve_normal(const Eigen::MatrixXd& normal,
                                            const Eigen::VectorXd& right);
 

@@ -1,9 +1,69 @@
 #pragma once
 
+#include <bit>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
 namespace loopscope::core::model {
 
 /// Two numbers that every processor adds, compares and chooses (`condition ? a : b`) as one: what
 /// compilers make of longer ones and of loops over lanes is slower than plain code.
 typedef double NumberPair __attribute__((vector_size(2 * sizeof(double))));
+
+/// Four numbers of half the digits, in the same room as a pair: enough to rank guesses of a search.
+typedef float ShortNumbers __attribute__((vector_size(4 * sizeof(float))));
+
+/// What a Number is made of: NumberPair, ShortNumbers, or double, which is one by itself.
+template <typename Number>
+struct ElementOf {
+  using type = std::remove_cvref_t<decltype(std::declval<Number&>()[0])>;
+};
+template <>
+struct ElementOf<double> {
+  using type = double;
+};
+
+template <typename Number>
+inline constexpr std::size_t kElements = sizeof(Number) / sizeof(typename ElementOf<Number>::type);
+
+/// One of the numbers side by side.
+template <typename Number>
+[[nodiscard]] typename ElementOf<Number>::type element(const Number& numbers, std::size_t at) {
+  if constexpr (kElements<Number> == 1) {
+    return numbers;
+  } else {
+    return numbers[at];
+  }
+}
+template <typename Number>
+void put_element(Number& numbers, std::size_t at, double value) {
+  const auto few = static_cast<typename ElementOf<Number>::type>(value);
+  if constexpr (kElements<Number> == 1) {
+    numbers = few;
+  } else {
+    numbers[at] = few;
+  }
+}
+
+/// What a comparison of Numbers gives.
+template <typename Number>
+using MaskOf = decltype(Number{} > Number{});
+
+/// Whether the condition holds for each of the numbers side by side, or for none.
+template <typename Mask>
+bool holds_for_all(Mask mask) {
+  if constexpr (std::is_same_v<Mask, bool>) {
+    return mask;
+  } else {
+    typedef long long Halves __attribute__((vector_size(sizeof(Mask))));
+    const auto halves = std::bit_cast<Halves>(mask);
+    return (halves[0] & halves[1]) == -1;
+  }
+}
+template <typename Mask>
+bool holds_for_none(Mask mask) {
+  return holds_for_all(mask == Mask{});
+}
 
 }  // namespace loopscope::core::model

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -19,7 +18,8 @@ class EvenPoint {
     double step = 1.0;
     for (double& coordinate : at_) {
       step /= kRoot;
-      coordinate = std::fmod(step * static_cast<double>(number + 1), 1.0);
+      const double turns = step * static_cast<double>(number + 1);
+      coordinate = turns - std::floor(turns);
     }
   }
   /// The next coordinate, 0 to 1.
@@ -83,11 +83,11 @@ StemGenes varied(const StemGenes& parent, double scale, std::size_t number) {
   return child;
 }
 
-EffectPtr valve_of(const StemGenes& genes, ValveLaw law, double first_op) {
+ValveEffect valve_of(const StemGenes& genes, ValveLaw law, double first_op) {
   const double jump = genes.jump_share * genes.band;
   const double place = first_op - genes.behind_op * 0.5 * (genes.band + jump);
   const Valve valve{law, genes.band, jump, 1.0, genes.between};
-  return std::make_shared<ValveEffect>(valve, std::vector<ValveRestart>{{0, place}});
+  return ValveEffect(valve, {{0, place}});
 }
 
 ProcessShape process_of(const StemGenes& genes, ProcessShape start) {

@@ -27,7 +27,7 @@ struct StemGenes {
 [[nodiscard]] StemGenes varied(const StemGenes& parent, double scale, std::size_t number);
 
 /// `first_op` in % from the mean of op.
-[[nodiscard]] EffectPtr valve_of(const StemGenes& genes, ValveLaw law, double first_op);
+[[nodiscard]] ValveEffect valve_of(const StemGenes& genes, ValveLaw law, double first_op);
 [[nodiscard]] ProcessShape process_of(const StemGenes& genes, ProcessShape start);
 
 }  // namespace loopscope::core::model

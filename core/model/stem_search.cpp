@@ -1,6 +1,9 @@
 #include "core/model/stem_search.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -65,21 +68,33 @@ class Evolution {
  private:
   void look_at(const LoopData& seen) {
     const FitVariants variants(seen, start_);
-    for (StemGenes& guess : guesses_) rate(guess, variants);
+    rate(guesses_, variants);
     keep_best();
-    const std::vector<StemGenes> parents = guesses_;
-    for (const StemGenes& parent : parents) {
-      for (std::size_t i = 0; i < kChildren; ++i) {
-        guesses_.push_back(varied(parent, scale_, children_++));
-        rate(guesses_.back(), variants);
-      }
+    std::vector<StemGenes> children;
+    for (const StemGenes& parent : guesses_) {
+      for (std::size_t i = 0; i < kChildren; ++i)
+        children.push_back(varied(parent, scale_, children_++));
     }
+    rate(children, variants);
+    guesses_.insert(guesses_.end(), children.begin(), children.end());
     keep_best();
   }
 
-  void rate(StemGenes& guess, const FitVariants& variants) const {
-    guess.fit_error = variants.fit_error(valve_of(guess, law_, data_.op.front()),
-                                         process_of(guess, start_.process));
+  void rate(std::vector<StemGenes>& guesses, const FitVariants& variants) const {
+    std::vector<ValveEffect> valves;
+    std::vector<ProcessShape> processes;
+    for (const StemGenes& guess : guesses) {
+      valves.push_back(valve_of(guess, law_, data_.op.front()));
+      processes.push_back(process_of(guess, start_.process));
+    }
+    std::vector<ValveAndProcess> pairs;
+    for (std::size_t i = 0; i < guesses.size(); ++i) pairs.push_back({&valves[i], &processes[i]});
+    const std::vector<double> errors = variants.fit_errors(pairs, Digits::single);
+    for (std::size_t i = 0; i < guesses.size(); ++i) {
+      guesses[i].fit_error = errors[i];
+      // What has overflown comes last.
+      if (std::isnan(errors[i])) guesses[i].fit_error = std::numeric_limits<double>::infinity();
+    }
   }
 
   void keep_best() {
@@ -90,7 +105,8 @@ class Evolution {
   [[nodiscard]] Fit fitted(const LoopData& seen, int iterations) const {
     Structure best = start_;
     best.process = process_of(guesses_.front(), start_.process);
-    best.effects.back() = valve_of(guesses_.front(), law_, data_.op.front());
+    best.effects.back() =
+        std::make_shared<ValveEffect>(valve_of(guesses_.front(), law_, data_.op.front()));
     return polish(seen, best, iterations);
   }
 

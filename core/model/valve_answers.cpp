@@ -1,7 +1,11 @@
 #include "core/model/valve_answers.hpp"
 
-#include "core/model/number_pair.hpp"
-#include "core/model/valve_batch.hpp"
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "core/model/answer_batch.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -22,40 +26,83 @@ std::vector<OpStep<Element>> steps_of(std::span<const double> op, double directi
   return steps;
 }
 
-bool alike(const ValveEffect& a, const ValveEffect& b) {
-  return a.valve().law == b.valve().law && a.valve().start_direction == b.valve().start_direction;
+/// What valves have in common that go side by side.
+auto company(const ValveAndProcess& one) {
+  const Valve& valve = one.valve->valve();
+  const bool sampled = valve.acts_at_samples();
+  // Where a stem begins is a lane's own; the steps of op depend on it.
+  const double direction = sampled ? valve.start_direction : 0.0;
+  return std::tuple(sampled, valve.law, direction, one.process->delay_samples);
 }
 
-template <typename Number>
-void add_products(const BatchRecord<typename ElementOf<Number>::type>& shared,
-                  std::span<const ValveEffect* const> valves, std::vector<MatrixXd>& result) {
-  ValveBatch<Number> batch(shared, valves);
-  with_law(valves.front()->valve().law, [&]<ValveLaw law>() { batch.template run<law>(); });
-  for (std::size_t lane = 0; lane < valves.size(); ++lane) result.push_back(batch.products(lane));
+/// The places of the valves, those of one company one after the other.
+std::vector<std::size_t> by_company(std::span<const ValveAndProcess> valves) {
+  std::vector<std::size_t> places(valves.size());
+  std::iota(places.begin(), places.end(), 0U);
+  std::ranges::stable_sort(places, {}, [&](std::size_t i) { return company(valves[i]); });
+  return places;
 }
 
+/// A record's valves, as many together as there are lanes of Number.
 template <typename Number>
-std::vector<MatrixXd> all_products(std::span<const double> op, const Structure& structure,
-                                   std::span<const Signal> steady, std::span<const Range> rows,
-                                   std::span<const ValveEffect* const> valves) {
+class Batches {
+ public:
   using Element = typename ElementOf<Number>::type;
-  std::vector<MatrixXd> result;
-  BatchRecord<Element> shared{structure, rows, op.size(), {}, {}};
-  for (const Signal signal : steady) shared.columns.emplace_back(signal, signal + op.size());
-  double direction = 0.0;
-  for (std::size_t at = 0; at < valves.size();) {
-    const ValveEffect& first = *valves[at];
-    if (first.valve().start_direction != direction)
-      shared.steps = steps_of<Element>(op, direction = first.valve().start_direction);
-    std::size_t count = 1;
-    while (count < ValveBatch<Number>::kLanes && at + count < valves.size() &&
-           alike(first, *valves[at + count]))
-      ++count;
-    add_products<Number>(shared, valves.subspan(at, count), result);
-    at += count;
+
+  Batches(BatchRecord<Element> shared, std::span<const double> op,
+          std::span<const ValveAndProcess> valves)
+      : shared_(std::move(shared)), op_(op), valves_(valves), products_(valves.size()) {}
+
+  std::vector<MatrixXd> run() {
+    const std::vector<std::size_t> places = by_company(valves_);
+    for (std::size_t at = 0; at < places.size();) {
+      std::size_t count = 1;
+      while (count < kLanes<Number> && at + count < places.size() &&
+             company(valves_[places[at + count]]) == company(valves_[places[at]]))
+        ++count;
+      run_together(std::span(places).subspan(at, count));
+      at += count;
+    }
+    return std::move(products_);
   }
-  return result;
-}
+
+ private:
+  void run_together(std::span<const std::size_t> places) {
+    const Valve& valve = valves_[places.front()].valve->valve();
+    if (valve.acts_at_samples()) {
+      see_steps(valve.start_direction);
+      with_law(valve.law, [&]<ValveLaw law>() {
+        put_products<SampledBatch<Number, kVectorsAtOnce, law>>(places);
+      });
+    } else if (valve.law == ValveLaw::he) {
+      put_products<StemBatch<Number, kVectorsAtOnce, ValveLaw::he>>(places);
+    } else {
+      put_products<StemBatch<Number, kVectorsAtOnce, ValveLaw::kano>>(places);
+    }
+  }
+
+  void see_steps(double direction) {
+    if (direction == seen_from_) return;
+    seen_from_ = direction;
+    shared_.seen.steps = steps_of<Element>(op_, direction);
+  }
+
+  template <typename Batch>
+  void put_products(std::span<const std::size_t> places) {
+    std::vector<ValveAndProcess> together;
+    for (const std::size_t place : places) together.push_back(valves_[place]);
+    AnswerBatch<Number, Batch> batch(shared_, together);
+    batch.run();
+    for (std::size_t lane = 0; lane < places.size(); ++lane)
+      products_[places[lane]] = batch.products(lane);
+  }
+
+  BatchRecord<Element> shared_;
+  std::span<const double> op_;
+  std::span<const ValveAndProcess> valves_;
+  std::vector<MatrixXd> products_;
+  double seen_from_ = 0.0;  ///< the direction of the steps; 0 = there are none yet
+};
 
 }  // namespace
 
@@ -63,11 +110,19 @@ ValveAnswers::ValveAnswers(std::span<const double> op, const Structure& structur
                            std::span<const Signal> steady, std::span<const Range> rows)
     : op_(op), structure_(structure), steady_(steady), rows_(rows) {}
 
-std::vector<MatrixXd> ValveAnswers::products(std::span<const ValveEffect* const> valves,
+template <typename Number>
+std::vector<MatrixXd> ValveAnswers::products_in(std::span<const ValveAndProcess> valves) const {
+  using Element = typename ElementOf<Number>::type;
+  BatchRecord<Element> shared{structure_.noise, structure_.two_taps ? 2U : 1U, rows_, {}, {}};
+  shared.seen.op.assign(op_.begin(), op_.end());
+  for (const Signal signal : steady_) shared.columns.emplace_back(signal, signal + op_.size());
+  return Batches<Number>(std::move(shared), op_, valves).run();
+}
+
+std::vector<MatrixXd> ValveAnswers::products(std::span<const ValveAndProcess> valves,
                                              Digits digits) const {
-  return digits == Digits::full
-             ? all_products<NumberPair>(op_, structure_, steady_, rows_, valves)
-             : all_products<ShortNumbers>(op_, structure_, steady_, rows_, valves);
+  return digits == Digits::full ? products_in<NumberPair>(valves)
+                                : products_in<ShortNumbers>(valves);
 }
 
 }  // namespace loopscope::core::model

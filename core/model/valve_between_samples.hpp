@@ -13,7 +13,7 @@ namespace loopscope::core::model {
 ///     rests until |P - x| > (S + J) / 2; then x moves towards P - d (S - J) / 2, d its direction
 ///
 /// By `he` it is there at once and rests again, so that it goes in slips; by `kano` it follows with
-/// the stem's lag, until P turns back or it has become slower than `resting_speed`. When within a
+/// the stem's lag, until it has become slower than `resting_speed` or P turns back. When within a
 /// sample a stem breaks loose, and by how much it overshoots, a law of op at the samples does not
 /// know: it puts each slip wrong by what op moved in that sample, and keeps the error.
 ///

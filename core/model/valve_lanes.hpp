@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 
 #include "core/model/number_pair.hpp"
 #include "core/model/valve_law.hpp"
@@ -57,20 +55,6 @@ struct OpMotion {
   }
 };
 
-/// Four numbers of half the digits, in the same room as a pair: enough for a search, where a valve
-/// is put right every few dozen samples.
-typedef float ShortNumbers __attribute__((vector_size(4 * sizeof(float))));
-
-/// What a Number is made of.
-template <typename Number>
-struct ElementOf {
-  using type = std::remove_cvref_t<decltype(std::declval<Number&>()[0])>;
-};
-template <>
-struct ElementOf<double> {
-  using type = double;
-};
-
 /// Some valves of one law, side by side under the same op: they differ in where they are, and in
 /// their friction where step() is given one FrictionIn<Number> for each Number instead of one for
 /// all. Number is double, NumberPair or ShortNumbers, and there are `count` of them. Choices only,
@@ -79,7 +63,7 @@ template <typename Number, std::size_t count>
 struct ValveLanes {
   using Element = typename ElementOf<Number>::type;
   using Friction = FrictionIn<Element>;
-  using Mask = decltype(Number{} > Number{});
+  using Mask = MaskOf<Number>;
   using Numbers = std::array<Number, count>;
   using Frictions = std::array<FrictionIn<Number>, count>;
   Numbers position{};

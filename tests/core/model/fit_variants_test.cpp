@@ -93,6 +93,36 @@ TEST(FitVariants, OfManyValvesAreThoseOfEach) {
   expect_the_slow_way(record(), {valve(3.0, 1.0), valve(3.3, 0.0), valve(2.0, 2.0)});
 }
 
+/// Stems between the samples, each behind a process of its own.
+TEST(FitVariants, OfManyStemsAndProcessesAreThoseOfEach) {
+  const LoopData data = record();
+  for (const std::vector<EffectPtr>& company : companies()) {
+    std::vector<EffectPtr> effects = company;
+    effects.push_back(valve(3.0, 1.0));
+    const Structure structure = tests::structure_of(tests::two_lags(0.9, 0.6, 2), effects);
+    const FitVariants variants(data, structure);
+    std::vector<ValveEffect> valves;
+    std::vector<ProcessShape> processes;
+    for (int i = 0; i < 20; ++i) {
+      const double band = 1.0 + 0.3 * i;
+      valves.emplace_back(Valve{i % 2 == 0 ? ValveLaw::he : ValveLaw::kano, band, 0.05 * i * band,
+                                1.0, BetweenSamples{0.1 + 0.03 * i, 0.1, 0.001}},
+                          std::vector<ValveRestart>{{0, 0.1 * i}});
+      processes.push_back(
+          tests::two_lags(0.8 + 0.01 * i, 0.5, static_cast<std::size_t>(1 + i % 3)));
+    }
+    std::vector<ValveAndProcess> pairs;
+    for (std::size_t i = 0; i < valves.size(); ++i) pairs.push_back({&valves[i], &processes[i]});
+    const std::vector<double> full = variants.fit_errors(pairs, Digits::full);
+    const std::vector<double> single = variants.fit_errors(pairs, Digits::single);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const double error = variants.fit_error(valves[i], processes[i]);
+      EXPECT_NEAR(full.at(i), error, 1e-9 * error);
+      EXPECT_NEAR(single.at(i), error, 1e-4 * error);
+    }
+  }
+}
+
 TEST(FitVariants, TheBestIsTakenAndOfEqualOnesTheFirst) {
   const LoopData data = record();
   const FitVariants variants(data, structures({valve(3.0, 1.0)}).front());

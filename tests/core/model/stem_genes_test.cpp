@@ -8,10 +8,6 @@
 namespace loopscope::core::model {
 namespace {
 
-const Valve& valve_in(const EffectPtr& effect) {
-  return dynamic_cast<const ValveEffect&>(*effect).valve();
-}
-
 TEST(StemGenes, GuessesFillTheirRanges) {
   std::set<int> bands, jumps, starts;
   for (std::size_t i = 0; i < 1000; ++i) {
@@ -47,7 +43,7 @@ TEST(StemGenes, AChildOfNoScaleIsItsParent) {
 TEST(StemGenes, BecomeAValveThatStandsWithinItsBand) {
   for (std::size_t i = 0; i < 200; ++i) {
     StemGenes genes = varied(drawn_genes(ValveLaw::he, 3.0, i), 3.0, i);
-    const Valve& valve = valve_in(valve_of(genes, ValveLaw::he, 1.5));
+    const Valve valve = valve_of(genes, ValveLaw::he, 1.5).valve();
     EXPECT_GE(valve.slip_jump_percent, 0.0);
     EXPECT_LE(valve.slip_jump_percent, valve.stickband_percent);
     EXPECT_FALSE(valve.acts_at_samples());

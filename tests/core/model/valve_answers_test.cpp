@@ -23,11 +23,11 @@ struct Setting {
 };
 
 /// The same one after the other: law, process, whitening, products.
-Eigen::MatrixXd slowly(const Setting& setting, const Structure& structure,
-                       const ValveEffect& valve) {
+Eigen::MatrixXd slowly(const Setting& setting, const Structure& structure, const ValveEffect& valve,
+                       const ProcessShape& process) {
   std::vector<tests::Series> taps{setting.op};
   valve.shape_flow(taps[0]);
-  respond(structure.process, tests::Series(taps[0]), taps[0]);
+  respond(process, tests::Series(taps[0]), taps[0]);
   whiten(structure.noise, taps[0], taps[0]);
   if (structure.two_taps) {
     taps.emplace_back(kSamples);
@@ -40,7 +40,22 @@ Eigen::MatrixXd slowly(const Setting& setting, const Structure& structure,
   return products(left, right, setting.rows);
 }
 
-/// More than go side by side, of every law, from both directions, some put right on the way.
+/// Each with its lags, some too slow to move on, some hardly held.
+void add_stems(std::vector<ValveEffect>& valves) {
+  for (const ValveLaw law : {ValveLaw::kano, ValveLaw::he}) {
+    for (int i = 0; i < 19; ++i) {
+      const double band = 0.5 + 0.4 * i;
+      const double direction = i % 2 == 0 ? 1.0 : -1.0;
+      const BetweenSamples between{0.03 + 0.05 * i, 0.03 * (i % 5), 0.002 * (i % 3)};
+      valves.emplace_back(Valve{law, band, 0.05 * i * band, direction, between});
+    }
+    valves.emplace_back(Valve{law, 3.0, 1.0, 1.0, {0.2, 0.1, 0.0}},
+                        std::vector<ValveRestart>{{0, 1.0}, {64, -1.0}, {65, 1.5}, {700, 4.0}});
+  }
+}
+
+/// More than go side by side, of every law, at the samples and between them, from both directions,
+/// some put right on the way.
 std::vector<ValveEffect> valves() {
   std::vector<ValveEffect> result;
   for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
@@ -52,6 +67,7 @@ std::vector<ValveEffect> valves() {
     result.emplace_back(Valve{law, 3.0, 1.0, 1.0},
                         std::vector<ValveRestart>{{0, 2.0}, {64, -1.0}, {65, 1.5}, {700, 4.0}});
   }
+  add_stems(result);
   return result;
 }
 
@@ -73,17 +89,30 @@ std::vector<Structure> structures() {
   return result;
 }
 
+/// A process for each valve: dead times and poles about the structure's.
+std::vector<ProcessShape> processes(const ProcessShape& about, std::size_t count) {
+  std::vector<ProcessShape> result(count, about);
+  for (std::size_t i = 1; i < count; ++i) {
+    const double share = 0.9 + 0.01 * static_cast<double>(i % 10);
+    result[i].delay_samples += i % 4;
+    if (!about.integrating) result[i].pole *= share;
+    result[i].second_pole *= share;
+  }
+  return result;
+}
+
 void expect_the_slow_way(Digits digits, double tolerance) {
   const Setting setting;
   const std::vector<ValveEffect> all = valves();
-  std::vector<const ValveEffect*> each;
-  for (const ValveEffect& valve : all) each.push_back(&valve);
   for (const Structure& structure : structures()) {
+    const std::vector<ProcessShape> behind = processes(structure.process, all.size());
+    std::vector<ValveAndProcess> each;
+    for (std::size_t i = 0; i < all.size(); ++i) each.push_back({&all[i], &behind[i]});
     const ValveAnswers answers(setting.op, structure, setting.steady, setting.rows);
     const std::vector<Eigen::MatrixXd> found = answers.products(each, digits);
     ASSERT_EQ(found.size(), all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const Eigen::MatrixXd truth = slowly(setting, structure, all[i]);
+      const Eigen::MatrixXd truth = slowly(setting, structure, all[i], behind[i]);
       ASSERT_EQ(found[i].rows(), truth.rows());
       ASSERT_EQ(found[i].cols(), truth.cols());
       EXPECT_LE((found[i] - truth).norm(), tolerance * truth.norm()) << i;

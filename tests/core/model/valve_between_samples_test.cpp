@@ -123,6 +123,20 @@ TEST(ValveBetweenSamples, AStemThatIsTooSlowRests) {
   EXPECT_GT(stands, 300U);
 }
 
+/// However long op stands still meanwhile.
+TEST(ValveBetweenSamples, AStemThatNoSpeedIsTooSlowForMovesOnUntilThePressureTurnsBack) {
+  Series op(5, 50.0);
+  op.insert(op.end(), 200, 53.0);
+  op.insert(op.end(), 5, 53.1);
+  op.insert(op.end(), 5, 53.0);
+  op.insert(op.end(), 5, 53.1);
+  const Series mv = positions(valve_with(ValveLaw::kano, 0.1, 0.1), op);
+  EXPECT_NEAR(mv[204], 52.0, 1e-9);
+  EXPECT_NEAR(mv[209], 52.1, 1e-9);
+  EXPECT_EQ(mv[214], mv[209]);
+  EXPECT_EQ(mv[219], mv[209]);
+}
+
 TEST(ValveBetweenSamples, RestsWithinItsBand) {
   Series op = wandering_op(3);
   for (double& value : op) value = 50.0 + 0.9 * std::sin(value);

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/model/answer_lanes.hpp"
+#include "core/model/answer_sums.hpp"
+#include "core/model/valve_answers.hpp"
+#include "core/model/valve_batch.hpp"
+
+namespace loopscope::core::model {
+
+/// Numbers side by side: they hide what each of them waits for. Of 2, 3 and 4 the last is fastest.
+inline constexpr std::size_t kVectorsAtOnce = 4;
+template <typename Number>
+inline constexpr std::size_t kLanes = kElements<Number>* kVectorsAtOnce;
+
+/// What every batch shares, in the digits of its numbers.
+template <typename Element>
+struct BatchRecord {
+  const NoiseModel& noise;
+  std::size_t taps = 1;
+  std::span<const Range> rows;
+  SeenOp<Element> seen;
+  std::vector<std::vector<Element>> columns;  ///< the steady ones
+  [[nodiscard]] std::size_t samples() const { return seen.op.size(); }
+};
+
+/// Valves and processes side by side, from op to their sums; dead time and integrator are those of
+/// the first one. As few as there are: what is left of the lanes repeats the last one. `Batch` is
+/// SampledBatch or StemBatch of kVectorsAtOnce Numbers.
+template <typename Number, typename Batch>
+class AnswerBatch {
+ public:
+  using Element = typename ElementOf<Number>::type;
+  using Numbers = typename Batch::Numbers;
+
+  AnswerBatch(const BatchRecord<Element>& shared, std::span<const ValveAndProcess> all)
+      : shared_(shared),
+        delay_(std::min(all.front().process->delay_samples, shared.samples())),
+        valves_(shared.seen),
+        sums_(shared.rows, shared.columns, shared.taps) {
+    for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
+      const ValveAndProcess& one = all[std::min(lane, all.size() - 1)];
+      valves_.put_in(lane, one.valve->valve());
+      poles_.put(lane, *one.process);
+      for (const ValveRestart& restart : one.valve->restarts())
+        restarts_.push_back({restart.at_sample, lane, restart.position_percent});
+    }
+    std::ranges::stable_sort(restarts_, {}, &LaneRestart::at_sample);
+  }
+
+  void run() {
+    Numbers start;
+    move_on(1, &start);
+    AnswerLanes<Number, kVectorsAtOnce> answers(poles_, shared_.noise, start);
+    // The sample before a stretch stands in front of it: the second tap is a sample later.
+    std::array<Numbers, kStretch + 1> x;
+    for (std::size_t first = 0; first < shared_.samples(); first += kStretch) {
+      const std::size_t count = std::min(kStretch, shared_.samples() - first);
+      // The dead time: until then the valves are where they began.
+      const std::size_t waiting = std::min(count, delay_ + 1 - std::min(delay_ + 1, first));
+      std::fill_n(&x[1], waiting, start);
+      move_on(count - waiting, &x[1 + waiting]);
+      answers.run(&x[1], count);
+      if (first == 0) x[0] = x[1];
+      sums_.add(first, count, x.data());
+      x[0] = x[count];
+    }
+  }
+
+  /// Of one lane, see ValveAnswers.
+  [[nodiscard]] Eigen::MatrixXd products(std::size_t lane) const {
+    Eigen::MatrixXd result = sums_.products(lane);
+    result *= poles_.gain[lane];
+    result.rightCols(result.rows()) *= poles_.gain[lane];
+    return result;
+  }
+
+ private:
+  /// Samples at a time: few enough to stay near the processor between the steps.
+  static constexpr std::size_t kStretch = 64;
+
+  /// A lane is put elsewhere than its law has it.
+  struct LaneRestart {
+    std::size_t at_sample;
+    std::size_t lane;
+    double place;
+  };
+
+  /// Where the valves are at the next samples of op.
+  void move_on(std::size_t count, Numbers* places) {
+    while (count > 0) {
+      for (; restart_ < restarts_.size() && restarts_[restart_].at_sample == now_; ++restart_)
+        valves_.put(restarts_[restart_].lane, restarts_[restart_].place);
+      const std::size_t next =
+          restart_ < restarts_.size() ? restarts_[restart_].at_sample : shared_.samples();
+      const std::size_t free = std::min(count, next - now_);
+      valves_.run(now_, free, places);
+      now_ += free;
+      count -= free;
+      places += free;
+    }
+  }
+
+  const BatchRecord<Element>& shared_;
+  std::size_t delay_;
+  Batch valves_;
+  PoleLanes<Number, kVectorsAtOnce> poles_;
+  AnswerSums<Number, kVectorsAtOnce> sums_;
+  std::vector<LaneRestart> restarts_;
+  std::size_t restart_ = 0, now_ = 0;
+};
+
+}  // namespace loopscope::core::model
