@@ -1,6 +1,8 @@
 #include "core/model/effects/load_step.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "core/model/phrases.hpp"
 
@@ -13,6 +15,13 @@ constexpr double kRampScale = 0.01;
 constexpr double kShortestLag = 0.6;
 /// A load that takes longer than some hundred samples to arrive has no size within the record.
 constexpr double kLongestLag = 0.97;
+/// A lag of its own, samples: below, a load moves at once; above, it is a drift.
+constexpr double kShortestOwn = 0.3;
+constexpr double kLongestOwn = 30.0;
+/// Where the search for it begins, so that it finds any of them by halves and doubles.
+constexpr std::array kOwnLags = {1.5, 5.0, 15.0};
+/// From the process's lag to one of its own only while places are far apart.
+constexpr double kCoarse = 0.5;
 
 }  // namespace
 
@@ -21,7 +30,9 @@ void LoadStep::add_columns(const Signals& signals, std::vector<Column>& columns)
   std::fill(step.begin() + static_cast<std::ptrdiff_t>(std::min(at_, step.size())), step.end(),
             1.0);
   Column lagged = step;
-  if (signals.process.integrating) {
+  if (lag_samples_ > 0.0) {
+    lag(std::exp(-1.0 / lag_samples_), lagged);
+  } else if (signals.process.integrating) {
     ProcessShape vessel;
     vessel.integrating = true;
     vessel.delay_samples = 0;
@@ -38,10 +49,20 @@ std::vector<EffectPtr> LoadStep::neighbours(double scale) const {
   constexpr double kMove = 4.0;  // rows
   const double samples = kMove * scale * static_cast<double>(samples_per_row_);
   const auto move = static_cast<std::size_t>(std::max(1.0, samples));
-  const auto put = [&](std::size_t at) { return std::make_shared<LoadStep>(at, samples_per_row_); };
-  std::vector<EffectPtr> result{put(at_ + move)};
-  if (at_ > move) result.push_back(put(at_ - move));
+  std::vector<EffectPtr> result{moved(at_ + move, lag_samples_)};
+  if (at_ > move) result.push_back(moved(at_ - move, lag_samples_));
+  if (lag_samples_ > 0.0) {
+    const double factor = std::exp2(scale);
+    for (const double lag_samples : {lag_samples_ * factor, lag_samples_ / factor})
+      result.push_back(moved(at_, std::clamp(lag_samples, kShortestOwn, kLongestOwn)));
+  } else if (scale >= kCoarse) {
+    for (const double lag_samples : kOwnLags) result.push_back(moved(at_, lag_samples));
+  }
   return result;
+}
+
+EffectPtr LoadStep::moved(std::size_t at, double lag_samples) const {
+  return std::make_shared<LoadStep>(at, samples_per_row_, lag_samples);
 }
 
 std::vector<Parameter> LoadStep::parameters(const LoopData& data,

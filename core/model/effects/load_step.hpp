@@ -4,12 +4,14 @@
 
 namespace loopscope::core::model {
 
-/// A load that moves once and stays, at once or through the slower lag of the process.
+/// A load that moves once and stays: at once, and through a lag of its own or, where that is not
+/// known, the slower one of the process (of a vessel: as a ramp of its level).
 class LoadStep final : public Effect {
  public:
   /// `samples_per_row`: how far apart pv is seen, so how far a place has to move to be another one.
-  explicit LoadStep(std::size_t at, std::size_t samples_per_row = 1)
-      : at_(at), samples_per_row_(samples_per_row) {}
+  /// `lag_samples`: 0 = the process's.
+  explicit LoadStep(std::size_t at, std::size_t samples_per_row = 1, double lag_samples = 0.0)
+      : at_(at), samples_per_row_(samples_per_row), lag_samples_(lag_samples) {}
 
   [[nodiscard]] std::size_t at() const { return at_; }
   [[nodiscard]] EffectKind kind() const override { return EffectKind::load_step; }
@@ -22,8 +24,11 @@ class LoadStep final : public Effect {
   [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 
  private:
+  [[nodiscard]] EffectPtr moved(std::size_t at, double lag_samples) const;
+
   std::size_t at_;
   std::size_t samples_per_row_;
+  double lag_samples_;
 };
 
 }  // namespace loopscope::core::model

@@ -1,5 +1,6 @@
 #include "core/model/effects/load_step.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "core/model/trial.hpp"
@@ -52,6 +53,27 @@ TEST(LoadStep, FindsAStepThroughTheLag) {
   EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fit), "size"), 3.0, 1e-2);
 }
 
+/// Whatever the lag, also of a vessel's load that is no ramp of its level.
+TEST(LoadStep, RefiningFindsAStepThroughALagOfItsOwn) {
+  const tests::Series op = tests::stepping_op(2000, 1);
+  for (const double lag_samples : {1.0, 4.0, 12.0}) {
+    for (const bool integrating : {false, true}) {
+      tests::Series load(2000, 0.0);
+      for (std::size_t k = 900; k < 2000; ++k) load[k] = 3.0;
+      lag(std::exp(-1.0 / lag_samples), load);
+      ProcessShape shape = tests::one_lag(0.9, 2);
+      if (integrating) shape = {.delay_samples = 2, .integrating = true, .pole = 1.0};
+      const LoopData data = make_loop_data(tests::process_record(shape, 1.5, op, load), op, 1.0);
+      const Fit start =
+          evaluate(data, tests::structure_of(shape, {std::make_shared<LoadStep>(903)}));
+      const Fit fit = refine_last(data, start);
+      EXPECT_LT(fit.fit_error, 1e-6) << lag_samples << integrating;
+      EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fit), "size"), 3.0, 0.1)
+          << lag_samples << integrating;
+    }
+  }
+}
+
 TEST(LoadStep, RefiningFindsThePlace) {
   const LoopData data = stepped(6.0, 1.0);
   for (const std::size_t start : {1494U, 1507U}) {
@@ -64,6 +86,8 @@ TEST(LoadStep, ColumnsAndNeighbours) {
   tests::expect_columns(LoadStep(500));
   tests::expect_neighbours(LoadStep(500));
   tests::expect_columns(LoadStep(0));
+  tests::expect_columns(LoadStep(500, 1, 4.0));
+  tests::expect_neighbours(LoadStep(500, 1, 4.0));
   tests::expect_columns(LoadStep(999999));
   for (const EffectPtr& neighbour : LoadStep(0).neighbours(1.0)) {
     EXPECT_LT(dynamic_cast<const LoadStep&>(*neighbour).at(), 100U);
