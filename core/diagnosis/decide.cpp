@@ -1,6 +1,7 @@
 #include "core/diagnosis/decide.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/diagnosis/case.hpp"
 #include "core/diagnosis/model_verdict.hpp"
@@ -63,9 +64,23 @@ Verdict with_effects(Verdict verdict, const Evidence& evidence) {
 
 Verdict with_excitation(Verdict verdict, const Evidence& evidence) {
   if (evidence.model && !evidence.model->excitation.empty()) {
-    verdict.reasons.push_back("The loop model claims nothing: " + evidence.model->excitation);
+    verdict.reasons.push_back("Of the way from op to pv the model claims nothing: " +
+                              evidence.model->excitation);
   }
   return verdict;
+}
+
+/// Tuning and health are what is said where nothing else is known.
+bool knows_no_cause(VerdictCode code) {
+  using enum VerdictCode;
+  return code == healthy || code == sluggish_tuning || code == tight_tuning || code == unexplained;
+}
+
+/// By the statistics, unless they know less than what the model saw come from outside.
+Verdict without_model(const Case& loop) {
+  Verdict verdict = coupling_leads(loop) ? nonlinear_verdict(loop) : uncoupled_verdict(loop);
+  if (!loop.evidence.model || !knows_no_cause(verdict.code)) return verdict;
+  return outside_verdict(loop).value_or(std::move(verdict));
 }
 
 Verdict choose(const Evidence& evidence, const hos::Settings& settings) {
@@ -81,8 +96,7 @@ Verdict choose(const Evidence& evidence, const hos::Settings& settings) {
   const bool faulty = loop.valve.kind == Kind::sticks || loop.valve.kind == Kind::dead_band;
   if (loop.valve.measured && faulty) return with_effects(faulty_position(loop), evidence);
   if (evidence.model && evidence.model->excited) return model_verdict(loop);
-  return with_excitation(coupling_leads(loop) ? nonlinear_verdict(loop) : uncoupled_verdict(loop),
-                         evidence);
+  return with_excitation(without_model(loop), evidence);
 }
 
 }  // namespace

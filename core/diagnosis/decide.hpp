@@ -15,6 +15,7 @@ namespace loopscope::core::diagnosis {
 ///       -> NGI, NLI: nonlinear?  yes -> oversized? sticking? valve acquitted? else unexplained
 ///                                no  -> oscillating? sticking (odd-symmetric)? sustained from
 ///                                       outside? tight tuning;  else slow? healthy
+///          (in place of tuning and health what a model without excitation saw come from outside)
 ///
 /// Confidence is 0 to 1 and falls with short records. Never throws.
 [[nodiscard]] Verdict decide(const Evidence& evidence, const hos::Settings& settings);

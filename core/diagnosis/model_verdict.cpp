@@ -103,7 +103,27 @@ Verdict of_leading(const Case& loop, const BelievedExplanation& story) {
   return verdict;
 }
 
+BelievedExplanation from_outside(const Case& loop) {
+  BelievedExplanation story{*loop.evidence.model, {}};
+  const auto inside = [](const model::Step& step) {
+    return !model::same_cause(step.effect, model::EffectKind::load_step);
+  };
+  for (const model::Step& step : story.explanation.steps) {
+    if (inside(step))
+      story.doubts.push_back("The model took in " + std::string(model::name(step.effect)) +
+                             ", but op moves too little to show it: not believed.");
+  }
+  std::erase_if(story.explanation.steps, inside);
+  return story;
+}
+
 }  // namespace
+
+std::optional<Verdict> outside_verdict(const Case& loop) {
+  const BelievedExplanation story = from_outside(loop);
+  if (story.explanation.steps.empty()) return std::nullopt;
+  return of_leading(loop, story);
+}
 
 Verdict model_verdict(const Case& loop) {
   const BelievedExplanation story = believed(loop);

@@ -58,6 +58,33 @@ TEST(ModelVerdict, LoadsThatComeWithTheAnswerToTheSetpointAreNoCause) {
   EXPECT_THAT(judge(evidence).reasons, Contains(HasSubstr("answers its setpoint")));
 }
 
+Evidence unexcited(std::vector<model::Step> steps) {
+  Evidence evidence = evidence_with(explanation_of(std::move(steps)));
+  evidence.model->excited = false;
+  evidence.model->excitation = "Not excited: op stands still.";
+  return evidence;
+}
+
+TEST(ModelVerdict, WithoutExcitationWhatCameFromOutsideIsKnownAllTheSame) {
+  const Verdict verdict =
+      judge(unexcited({clear_step(valve_deadband), clear_step(external_oscillation, 0.5, 0.2)}));
+  EXPECT_EQ(verdict.code, VerdictCode::external_disturbance);
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("valve_deadband, but op moves too little")));
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("op stands still")));
+}
+
+TEST(ModelVerdict, WithoutExcitationNothingElseIsClaimed) {
+  EXPECT_EQ(judge(unexcited({clear_step(valve_deadband)})).code, VerdictCode::healthy);
+  EXPECT_EQ(judge(unexcited({clear_step(gain_change)})).code, VerdictCode::healthy);
+  EXPECT_EQ(judge(unexcited({})).code, VerdictCode::healthy);
+}
+
+TEST(ModelVerdict, WithoutExcitationTheStatisticsKeepWhatTheyKnow) {
+  Evidence evidence = unexcited({clear_step(load_step)});
+  evidence.hos->nonlinear_p = 1e-9;
+  EXPECT_EQ(judge(evidence).code, VerdictCode::nonlinear_unexplained);
+}
+
 TEST(ModelVerdict, AStructuredRestIsSaidAndHoldsTheConfidence) {
   model::Explanation explanation = explanation_of({clear_step(valve_stiction)});
   explanation.unexplained.whiteness_p = 1e-12;
