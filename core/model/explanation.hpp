@@ -90,6 +90,9 @@ struct ClosedLoop {
   double period_s = 0.0;          ///< of the dominant poles; 0 = they do not oscillate
   double settling_s = 0.0;        ///< 2 % of the slowest pole
   double slowness = 1.0;  ///< integral action of SIMC tuning by the recorded one; 0 = none recorded
+  /// Integral action, % per pv unit and second, signed; 0 = none found. Gain by integral time is
+  /// not where the gain is next to nothing.
+  double integral_per_s = 0.0;
 };
 
 /// The story of one loop, from the linear model to what is left.
