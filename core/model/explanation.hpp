@@ -43,8 +43,8 @@ struct Step {
   bool beside_the_cycle = false;
   /// Of play: the loop keeps up a cycle about this band, as behind a valve that sticks.
   bool cycles_as_if_stuck = false;
-  /// Of a load step that comes when the loop answers its setpoint: the chance that loads at any time
-  /// do so (steps_after_moves.hpp). 1 = it comes at another time.
+  /// Of a load step that comes when the loop answers its setpoint: the chance that loads at any
+  /// time do so (steps_after_moves.hpp). 1 = it comes at another time.
   double setpoint_chance = 1.0;
   std::string statement;  ///< one sentence with the figures, for an engineer
 };
