@@ -38,9 +38,9 @@ bool slower_than_possible(const model::ClosedLoop& loop, const model::ProcessFit
 bool slower_than_open_loop(const model::ClosedLoop& loop, const model::ProcessFit& process) {
   const double residence_s =
       process.time_constant_s + process.second_time_constant_s + process.delay_s;
-  // Integral of the error after a load by that of what the load would have come to.
-  const double integral_s = loop.integral_time_s / std::abs(process.gain * loop.controller_gain);
-  return integral_s > kSlowerThanItself * residence_s;
+  const double action_per_s = std::abs(process.gain * loop.integral_per_s);
+  // Its inverse: integral of the error after a load by that of what the load would have come to.
+  return action_per_s > 0.0 && action_per_s * kSlowerThanItself * residence_s < 1.0;
 }
 
 bool at_resonance(const Evidence& evidence, const model::ClosedLoop& loop) {

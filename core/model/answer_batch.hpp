@@ -64,7 +64,7 @@ class AnswerBatch {
       // The dead time: until then the valves are where they began.
       const std::size_t waiting = std::min(count, delay_ + 1 - std::min(delay_ + 1, first));
       std::fill_n(&x[1], waiting, start);
-      move_on(count - waiting, &x[1 + waiting]);
+      move_on(count - waiting, x.data() + 1 + waiting);  // nothing is left where all wait
       answers.run(&x[1], count);
       if (first == 0) x[0] = x[1];
       sums_.add(first, count, x.data());

@@ -102,6 +102,7 @@ ClosedLoop close_loop(const SampledProcess& process, const ControllerLaw& law, d
   ClosedLoop loop;
   loop.controller_gain = law.gain;
   loop.integral_time_s = integral_time(law, interval_s);
+  loop.integral_per_s = law.integral / interval_s;
   loop.controller_fit = law.explained;
   const std::vector<Complex> poles = zeros(characteristic(process, law));
   const Complex slowest =

@@ -43,8 +43,8 @@ struct Step {
   bool beside_the_cycle = false;
   /// Of play: the loop keeps up a cycle about this band, as behind a valve that sticks.
   bool cycles_as_if_stuck = false;
-  /// Of a load step that comes when the loop answers its setpoint: the chance that loads at any time
-  /// do so (steps_after_moves.hpp). 1 = it comes at another time.
+  /// Of a load step that comes when the loop answers its setpoint: the chance that loads at any
+  /// time do so (steps_after_moves.hpp). 1 = it comes at another time.
   double setpoint_chance = 1.0;
   std::string statement;  ///< one sentence with the figures, for an engineer
 };
@@ -90,6 +90,9 @@ struct ClosedLoop {
   double period_s = 0.0;          ///< of the dominant poles; 0 = they do not oscillate
   double settling_s = 0.0;        ///< 2 % of the slowest pole
   double slowness = 1.0;  ///< integral action of SIMC tuning by the recorded one; 0 = none recorded
+  /// Integral action, % per pv unit and second, signed; 0 = none found. Gain by integral time is
+  /// not where the gain is next to nothing.
+  double integral_per_s = 0.0;
 };
 
 /// The story of one loop, from the linear model to what is left.

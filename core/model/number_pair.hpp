@@ -50,7 +50,7 @@ void put_element(Number& numbers, std::size_t at, double value) {
 template <typename Number>
 using MaskOf = decltype(Number{} > Number{});
 
-/// Whether the condition holds for each of the numbers side by side, or for none.
+/// Whether the condition holds for each of the numbers side by side.
 template <typename Mask>
 bool holds_for_all(Mask mask) {
   if constexpr (std::is_same_v<Mask, bool>) {
@@ -60,10 +60,6 @@ bool holds_for_all(Mask mask) {
     const auto halves = std::bit_cast<Halves>(mask);
     return (halves[0] & halves[1]) == -1;
   }
-}
-template <typename Mask>
-bool holds_for_none(Mask mask) {
-  return holds_for_all(mask == Mask{});
 }
 
 }  // namespace loopscope::core::model

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,17 @@ constexpr double kDeadTimes = 2.0;
 /// More often it says nothing.
 constexpr double kWorthSaying = 0.25;
 
+/// sp while the controller was at work: in manual, where the error is missing beside a pv that is
+/// not, nothing answers it, and it may go after pv.
+std::vector<double> obeyed_setpoint(const ModelInput& input) {
+  std::vector<double> sp(input.sp.begin(), input.sp.end());
+  for (std::size_t k = 0; k < input.error.size(); ++k) {
+    const bool in_manual = std::isnan(input.error[k]) && !std::isnan(input.pv[k]);
+    if (in_manual) sp[k] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return sp;
+}
+
 class Answers {
  public:
   Answers(const ModelInput& input, double samples_per_row, double delay_s)
@@ -26,7 +39,7 @@ class Answers {
         early_(kEarlyRows * samples_per_row),
         late_(kDeadTimes * delay_s / interval_s_ + kLateRows * samples_per_row),
         answering_(input.sp.size(), false) {
-    for (const signal::SetpointMove& move : signal::find_setpoint_moves(input.sp)) {
+    for (const signal::SetpointMove& move : signal::find_setpoint_moves(obeyed_setpoint(input))) {
       answer_to(move.first);
       answer_to(move.last);
     }

@@ -37,7 +37,7 @@ model::ClosedLoop calm_loop() {
 }
 
 model::ClosedLoop slow_loop() {
-  return {0.02, 30.0, 0.95, 1.05, 1.0, 0.0, 2000.0, 9.0};
+  return {0.02, 30.0, 0.95, 1.05, 1.0, 0.0, 2000.0, 9.0, 0.02 / 30.0};
 }
 
 Evidence evidence_with(std::optional<model::Explanation> model) {

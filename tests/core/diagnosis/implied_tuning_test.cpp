@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "core/model/closed_loop.hpp"
 #include "tests/core/diagnosis/explanations.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -33,14 +34,27 @@ TEST(ImpliedTuning, SlowIsMeasuredByTheProcess) {
 
 TEST(ImpliedTuning, AsSlowAsTheProcessItselfIsNotSlow) {
   model::ClosedLoop loop;
-  loop.controller_gain = -0.5;
-  loop.integral_time_s = 100.0;
   const model::ProcessFit process{false, -2.0, 60.0, 30.0, 10.0};
+  EXPECT_FALSE(slower_than_open_loop(loop, process)) << "no integral action";
+  loop.integral_per_s = -0.005;
   EXPECT_FALSE(slower_than_open_loop(loop, process)) << "100 s, as the process itself";
-  loop.controller_gain = -0.13;
+  loop.integral_per_s = -0.0013;
   EXPECT_FALSE(slower_than_open_loop(loop, process));
-  loop.controller_gain = -0.12;
+  loop.integral_per_s = -0.0012;
   EXPECT_TRUE(slower_than_open_loop(loop, process));
+}
+
+/// Next to no gain, whose estimate may have either sign: the integral action alone counts.
+TEST(ImpliedTuning, PureIntegralActionIsSlowByItself) {
+  const model::ProcessFit process{false, 1.0, 3.0, 0.0, 2.0};
+  for (const double gain : {0.001, 0.0, -0.005}) {
+    model::ControllerLaw law;
+    law.gain = gain;
+    law.integral = 0.01;
+    EXPECT_TRUE(slower_than_open_loop(model::close_loop(process, law, 1.0), process)) << gain;
+    law.integral = 0.1;
+    EXPECT_FALSE(slower_than_open_loop(model::close_loop(process, law, 1.0), process)) << gain;
+  }
 }
 
 TEST(ImpliedTuning, ResonanceIsAPeriodNotFarFromThePoles) {

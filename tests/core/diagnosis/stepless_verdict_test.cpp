@@ -100,7 +100,7 @@ TEST(SteplessVerdict, SlowLoopsHaveToShowTheirSpeed) {
   Evidence moved = plain(slow_loop());
   moved.data_quality.flags = {"sp_steps_masked"};
   EXPECT_EQ(decide(moved, {}).code, VerdictCode::sluggish_tuning);
-  moved.model->closed_loop->integral_time_s = 0.1;
+  moved.model->closed_loop->integral_per_s = 0.2;
   EXPECT_EQ(decide(moved, {}).code, VerdictCode::healthy) << "as fast as the process itself";
 }
 

@@ -44,6 +44,26 @@ Explanation judged(const std::vector<double>& sp, const std::vector<double>& at_
   return explanation;
 }
 
+/// In manual from 700 to 800, where sp goes after pv, and back to where it was.
+TEST(StepsAfterMoves, NothingAnswersASetpointInManual) {
+  std::vector<double> sp(kSamples, 5.0), pv(kSamples, 5.0), error(kSamples, 0.0);
+  for (std::size_t k = 700; k < 800; ++k) {
+    sp[k] = pv[k] = 5.0 + 0.1 * static_cast<double>(k % 7);
+    error[k] = std::nan("");
+  }
+  Explanation explanation = with_load_steps({750.0});
+  ModelInput input;
+  input.sp = sp;
+  input.pv = pv;
+  input.sample_interval_s = kInterval;
+  find_steps_after_moves(input, 1, explanation);
+  EXPECT_LT(explanation.steps[0].setpoint_chance, 0.05) << "as if the controller had been at work";
+  explanation = with_load_steps({750.0});
+  input.error = error;
+  find_steps_after_moves(input, 1, explanation);
+  EXPECT_EQ(explanation.steps[0].setpoint_chance, 1.0);
+}
+
 /// From 4 samples before a move to 2 x 6 + 8 after it: 25 of 200 samples.
 const double kShare = 20.0 * 25.0 / static_cast<double>(kSamples);
 
