@@ -37,7 +37,14 @@ double confidence_with(const Case& loop, const model::Explanation& explanation,
   return is_grid_fact(loop, leading) ? std::max(confidence, kGridConfidence) : confidence;
 }
 
-std::optional<double> p_with(const Case& loop, const LeadingEffect& leading) {
+/// That something is there is one claim, that it is nonlinear another.
+double held_by_coupling(const Case& loop, VerdictCode code, double confidence) {
+  if (code != VerdictCode::nonlinear_unexplained) return confidence;
+  return std::min(confidence, 0.5 + 0.5 * loop.nonlinearity.belief);
+}
+
+std::optional<double> p_with(const Case& loop, const LeadingEffect& leading, VerdictCode code) {
+  if (code == VerdictCode::nonlinear_unexplained) return loop.nonlinearity.p;
   if (is_grid_fact(loop, leading)) return std::nullopt;
   return leading.strongest->p;
 }
@@ -95,8 +102,9 @@ Verdict of_leading(const Case& loop, const BelievedExplanation& story) {
   const VerdictCode code = code_of(loop, leading);
   if (code == VerdictCode::valve_oversized)
     reasons.push_back(oversized_text(loop.evidence.valve_gain));
-  Verdict verdict = make(code, confidence_with(loop, story.explanation, leading),
-                         std::move(reasons), p_with(loop, leading));
+  Verdict verdict =
+      make(code, held_by_coupling(loop, code, confidence_with(loop, story.explanation, leading)),
+           std::move(reasons), p_with(loop, leading, code));
   // The words for saturation say so already.
   const bool said = verdict.code == VerdictCode::valve_saturation;
   if (withholds_tuning(verdict.code) && !said) verdict.action += tuning_waits();

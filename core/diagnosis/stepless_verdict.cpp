@@ -15,6 +15,8 @@ namespace {
 
 /// Times the share of op's moves that the PI law explains.
 constexpr double kTuningConfidence = 0.85;
+/// A loop that creeps while its implied poles ring: one of the two is wrong.
+constexpr double kContradicted = 0.5;
 /// An oscillation at the loop's own period although its poles are damped: noise alone drives it.
 constexpr double kDampedResonance = 0.5;
 /// The residual says that something is there, not what; ten of 100 loops of section 5.1 leave as
@@ -89,8 +91,8 @@ bool setpoint_moves(const Evidence& evidence) {
 
 /// Where the setpoint moves, process and controller are known well enough to be compared. At rest
 /// noise alone does not tell one from the other: the error has to creep (that of a level does not
-/// count), and the implied loop must not contradict. A process that then passes for a vessel does
-/// not: so slowly does its loop move it.
+/// count), and integral action be weak for the process. Where that passes for a vessel nobody
+/// knows: a slow loop moves its process too little to tell.
 bool sluggish(const Finding& finding) {
   const model::ProcessFit& process = finding.explanation.baseline.process;
   const auto& loop = finding.explanation.closed_loop;
@@ -105,7 +107,8 @@ double sluggish_confidence(const Finding& finding) {
   const double speed_known = setpoint_moves(finding.evidence())
                                  ? kTuningConfidence
                                  : creeping_confidence(finding.evidence());
-  return speed_known * controller_known(finding);
+  const bool contradicted = poorly_damped(*finding.explanation.closed_loop);
+  return speed_known * controller_known(finding) * (contradicted ? kContradicted : 1.0);
 }
 
 Verdict healthy(Finding finding) {

@@ -12,6 +12,7 @@ namespace {
 constexpr int kFrequencies = 180;
 constexpr double kLowest = 1e-3;
 constexpr int kRefinements = 20;
+
 double sensitivity(const SampledProcess& process, const ControllerLaw& law, double w) {
   return 1.0 / std::abs(1.0 + response(process, w) * response(law, w));
 }

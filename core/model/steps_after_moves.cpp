@@ -9,6 +9,7 @@
 
 #include "core/model/phrases.hpp"
 #include "core/signal/setpoint_moves.hpp"
+#include "core/signal/spread.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -16,6 +17,9 @@ namespace {
 /// A step's place is known to so many rows: its fit moves it about by four at first.
 constexpr double kEarlyRows = 4.0;
 constexpr double kLateRows = 8.0;
+/// Of pv's standard deviation: the answer to a smaller move is nothing that a load step could pass
+/// for, and a setpoint that comes out of another controller moves so much at every sample.
+constexpr double kLeastMove = 0.1;
 /// The dead time that the model has may be half of the one that it should have.
 constexpr double kDeadTimes = 2.0;
 /// More often it says nothing.
@@ -39,7 +43,10 @@ class Answers {
         early_(kEarlyRows * samples_per_row),
         late_(kDeadTimes * delay_s / interval_s_ + kLateRows * samples_per_row),
         answering_(input.sp.size(), false) {
+    const auto pv = signal::measure_spread(input.pv);
+    const double least = pv ? kLeastMove * pv->std : 0.0;
     for (const signal::SetpointMove& move : signal::find_setpoint_moves(obeyed_setpoint(input))) {
+      if (std::abs(move.size) < least) continue;
       answer_to(move.first);
       answer_to(move.last);
     }

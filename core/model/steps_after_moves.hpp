@@ -15,7 +15,8 @@ namespace loopscope::core::model {
 /// that lies from shortly before a move (of a ramp: its beginning and its end) to two dead times
 /// after it, and k of n load steps begin there, the chance of those k is that of k or more out of n
 /// at any time: binomial. Steps that close together are one. A setpoint that moves all the time has
-/// c near 1, and a chance near 1. Nothing answers what it does in manual.
+/// c near 1, and a chance near 1. Nothing answers what it does in
+/// manual, and moves by less than a tenth of pv's standard deviation do not count.
 ///
 /// `samples_per_row`: of the rows on which the steps were placed.
 void find_steps_after_moves(const ModelInput& input, std::size_t samples_per_row,

@@ -16,8 +16,8 @@ struct ValveAndProcess {
   const ProcessShape* process;
 };
 
-/// Digits of a search among many valves: `single` ranks them, at half the cost, within about 1e-6
-/// of an error.
+/// Digits of a search among many valves: `single` ranks them, at half the cost, mostly within 1e-6
+/// of an error; of 320 stems between the samples on six records the worst was off by 5e-4.
 enum class Digits { single, full };
 
 /// What least squares needs of the answers of processes to many valves: each valve's answer passes

@@ -58,6 +58,18 @@ TEST(ModelVerdict, LoadsThatComeWithTheAnswerToTheSetpointAreNoCause) {
   EXPECT_THAT(judge(evidence).reasons, Contains(HasSubstr("answers its setpoint")));
 }
 
+TEST(ModelVerdict, ThatItIsNonlinearIsAClaimOfTheStatistics) {
+  model::Step load = clear_step(load_step);
+  load.setpoint_chance = 0.001;
+  Evidence evidence = evidence_with(explanation_of({load}));
+  evidence.hos->nonlinear_p = 0.009;
+  const Verdict verdict = judge(evidence);
+  EXPECT_EQ(verdict.code, VerdictCode::nonlinear_unexplained);
+  EXPECT_EQ(verdict.p, 0.009);
+  evidence.hos->nonlinear_p = 1e-9;
+  EXPECT_GT(judge(evidence).confidence, verdict.confidence);
+}
+
 Evidence unexcited(std::vector<model::Step> steps) {
   Evidence evidence = evidence_with(explanation_of(std::move(steps)));
   evidence.model->excited = false;

@@ -104,6 +104,16 @@ TEST(SteplessVerdict, SlowLoopsHaveToShowTheirSpeed) {
   EXPECT_EQ(decide(moved, {}).code, VerdictCode::healthy) << "as fast as the process itself";
 }
 
+TEST(SteplessVerdict, SlowLoopsThatShouldRingAreDoubted) {
+  Evidence evidence = plain(slow_loop());
+  creep(evidence);
+  evidence.model->baseline.process.integrating = true;
+  const double clear = decide(evidence, {}).confidence;
+  evidence.model->closed_loop->peak_sensitivity = 4.0;
+  EXPECT_EQ(decide(evidence, {}).code, VerdictCode::sluggish_tuning);
+  EXPECT_NEAR(decide(evidence, {}).confidence, 0.5 * clear, 1e-9);
+}
+
 TEST(SteplessVerdict, AtRestTheErrorSaysHowSureSlownessIs) {
   Evidence evidence = plain(slow_loop());
   creep(evidence);

@@ -111,6 +111,23 @@ TEST(StepsAfterMoves, ASetpointThatNeverRestsProvesNothing) {
   EXPECT_NEAR(judged(sp, {700.0, 900.0, 2000.0}).steps[0].setpoint_chance, 1.0, 1e-2);
 }
 
+TEST(StepsAfterMoves, AMoveTooSmallToShowExplainsNoLoad) {
+  std::vector<double> sp = stepped_setpoint();
+  std::vector<double> pv;
+  for (std::size_t k = 0; k < kSamples; ++k) pv.push_back(k % 2 == 0 ? -1.0 : 1.0);
+  Explanation explanation = with_load_steps({3 * kPace + 7.0});
+  ModelInput input;
+  input.sp = sp;
+  input.pv = pv;
+  input.sample_interval_s = kInterval;
+  find_steps_after_moves(input, 1, explanation);
+  EXPECT_LT(explanation.steps[0].setpoint_chance, 0.2);
+  for (double& value : sp) value *= 0.05;
+  explanation = with_load_steps({3 * kPace + 7.0});
+  find_steps_after_moves(input, 1, explanation);
+  EXPECT_EQ(explanation.steps[0].setpoint_chance, 1.0);
+}
+
 TEST(StepsAfterMoves, WithoutASetpointOrAMoveNothingIsBlamed) {
   EXPECT_EQ(judged({}, {700.0}).steps[0].setpoint_chance, 1.0);
   EXPECT_EQ(judged(std::vector<double>(kSamples, 5.0), {700.0}).steps[0].setpoint_chance, 1.0);
