@@ -1,7 +1,6 @@
 #include "core/model/steps_after_moves.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -99,6 +98,14 @@ std::vector<double> moments_of(const std::vector<Step>& steps, double apart_s) {
   return moments;
 }
 
+/// That so many of `all`, a few, are among a share of everything, or more: binomial.
+double chance_of(std::size_t many, std::size_t all, double share) {
+  if (many == 0) return 1.0;
+  if (many > all) return 0.0;
+  return share * chance_of(many - 1, all - 1, share) +
+         (1.0 - share) * chance_of(many, all - 1, share);
+}
+
 struct Coincidence {
   std::size_t moments = 0;
   std::size_t answering = 0;
@@ -110,10 +117,7 @@ Coincidence coincidence_of(const Answers& answers, const std::vector<Step>& step
   const auto during = [&](double at_s) { return answers.during(at_s); };
   Coincidence result{moments.size(),
                      static_cast<std::size_t>(std::ranges::count_if(moments, during))};
-  if (result.answering == 0) return result;
-  const boost::math::binomial by_chance(static_cast<double>(result.moments), answers.share());
-  const double fewer = static_cast<double>(result.answering) - 1.0;
-  result.chance = boost::math::cdf(boost::math::complement(by_chance, fewer));
+  result.chance = chance_of(result.answering, result.moments, answers.share());
   return result;
 }
 
