@@ -1,7 +1,6 @@
 #include "core/diagnosis/leading_effect.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "core/diagnosis/effect_verdict.hpp"
@@ -28,7 +27,7 @@ double explained_by_all(const model::Explanation& explanation, VerdictCode code)
   double largest_step = 0.0;
   for (const model::Step& step : explanation.steps) {
     if (verdict_of(step) != code) continue;
-    const double explained = explained_by(step);
+    const double explained = model::explained_by(step);
     if (one_step && is_load_step(step))
       largest_step = std::max(largest_step, explained);
     else
@@ -38,11 +37,6 @@ double explained_by_all(const model::Explanation& explanation, VerdictCode code)
 }
 
 }  // namespace
-
-double explained_by(const model::Step& step) {
-  const double drop = std::log(step.holdout_error_before / step.holdout_error_after);
-  return std::isfinite(drop) ? std::max(drop, 0.0) : 0.0;
-}
 
 LeadingEffect leading_effect(const model::Explanation& explanation) {
   LeadingEffect leading;
@@ -54,10 +48,10 @@ LeadingEffect leading_effect(const model::Explanation& explanation) {
     const double sum = explained_by_all(explanation, code);
     sums[code] = sum;
     const bool takes_over = sum > most;
-    if (takes_over || (code == leading.code && explained_by(step) > strongest)) {
+    if (takes_over || (code == leading.code && model::explained_by(step) > strongest)) {
       leading.code = code;
       leading.strongest = &step;
-      strongest = explained_by(step);
+      strongest = model::explained_by(step);
       most = sum;
     }
   }

@@ -5,11 +5,6 @@
 
 namespace loopscope::core::diagnosis {
 
-/// ln(before / after) of the held-out error: what one step explains, in the measure in which the
-/// steps of an explanation add up. 0 for a step that does not lower the error (the grid of a coarse
-/// sensor need not) and for errors that are no positive numbers.
-[[nodiscard]] double explained_by(const model::Step& step);
-
 /// The verdict whose steps together explain most of the error.
 struct LeadingEffect {
   VerdictCode code = VerdictCode::unexplained;

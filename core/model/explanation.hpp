@@ -58,6 +58,11 @@ struct ProcessFit {
   double delay_s = 0.0;                 ///< at least one sample interval
 };
 
+/// ln(before / after) of the held-out error: what one step explains, in the measure in which the
+/// steps of an explanation add up. 0 for a step that does not lower the error (the grid of a coarse
+/// sensor need not) and for errors that are no positive numbers.
+[[nodiscard]] double explained_by(const Step& step);
+
 struct Baseline {
   std::string description;     ///< one line: order, gain, time constants, delay, noise
   double holdout_error = 0.0;  ///< of the linear model

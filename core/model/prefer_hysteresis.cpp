@@ -27,7 +27,7 @@ bool is_outside_cycle(const Step& step) {
 double explained(const std::vector<Step>& steps, bool (*counts)(const Step&)) {
   double sum = 0.0;
   for (const Step& step : steps) {
-    if (counts(step)) sum += std::log(step.holdout_error_before / step.holdout_error_after);
+    if (counts(step)) sum += explained_by(step);
   }
   return sum;
 }

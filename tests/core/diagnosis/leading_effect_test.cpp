@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 
 #include "tests/core/diagnosis/explanations.hpp"
 
@@ -10,15 +9,6 @@ namespace loopscope::core::diagnosis {
 namespace {
 
 using enum model::EffectKind;
-
-TEST(LeadingEffect, WhatAStepExplainsIsTheLogarithmOfItsDrop) {
-  EXPECT_DOUBLE_EQ(explained_by(clear_step(load_step, 1.0, 0.5)), std::log(2.0));
-  EXPECT_EQ(explained_by(clear_step(load_step, 1.0, 1.2)), 0.0);
-  EXPECT_EQ(explained_by(clear_step(load_step, 0.0, 0.0)), 0.0);
-  EXPECT_EQ(explained_by(clear_step(load_step, 1.0, 0.0)), 0.0);
-  EXPECT_EQ(explained_by(clear_step(load_step, std::numeric_limits<double>::quiet_NaN(), 1.0)),
-            0.0);
-}
 
 TEST(LeadingEffect, TheLargestDropLeadsNotTheFirstStep) {
   const auto explanation = explanation_of(

@@ -7,6 +7,24 @@
 namespace loopscope::core::model {
 namespace {
 
+double sum_of_products(Signal left, Signal right, const std::vector<Range>& rows) {
+  double sum = 0.0;
+  for (const Range& range : rows) {
+    for (std::size_t k = range.first; k < range.end; ++k) sum += left[k] * right[k];
+  }
+  return sum;
+}
+
+void expect_sums(const Eigen::MatrixXd& found, const std::vector<Signal>& left,
+                 const std::vector<Signal>& right, const std::vector<Range>& rows) {
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    for (std::size_t j = 0; j < right.size(); ++j) {
+      const double sum = sum_of_products(left[i], right[j], rows);
+      EXPECT_NEAR(found(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)), sum, 1e-12);
+    }
+  }
+}
+
 TEST(Products, AreTheSumsOverTheRows) {
   constexpr std::size_t kSamples = 100;
   std::vector<std::vector<double>> signals(5, std::vector<double>(kSamples));
@@ -21,22 +39,10 @@ TEST(Products, AreTheSumsOverTheRows) {
   const std::vector<Signal> few(all.begin(), all.begin() + 3);
   const Eigen::MatrixXd square = products(all, rows);
   const Eigen::MatrixXd crossed = products(few, all, rows);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = 0; j < all.size(); ++j) {
-      double sum = 0.0;
-      for (const Range& range : rows) {
-        for (std::size_t k = range.first; k < range.end; ++k) sum += all[i][k] * all[j][k];
-      }
-      const auto row = static_cast<Eigen::Index>(i);
-      const auto column = static_cast<Eigen::Index>(j);
-      EXPECT_NEAR(square(row, column), sum, 1e-12);
-      if (i < few.size()) {
-        EXPECT_NEAR(crossed(row, column), sum, 1e-12);
-      }
-      if (i == j) {
-        EXPECT_NEAR(sum_of_squares(all[i], rows), sum, 1e-12);
-      }
-    }
+  expect_sums(square, all, all, rows);
+  expect_sums(crossed, few, all, rows);
+  for (const Signal& signal : all) {
+    EXPECT_NEAR(sum_of_squares(signal, rows), sum_of_products(signal, signal, rows), 1e-12);
   }
 }
 
@@ -54,18 +60,8 @@ TEST(Products, OfSignalsThatSitInOnePlaceAreTheSame) {
   }
   const Eigen::MatrixXd square = products(all, rows);
   const Eigen::MatrixXd crossed = products(all, all, rows);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = 0; j < all.size(); ++j) {
-      double sum = 0.0;
-      for (const Range& range : rows) {
-        for (std::size_t k = range.first; k < range.end; ++k) sum += all[i][k] * all[j][k];
-      }
-      const auto row = static_cast<Eigen::Index>(i);
-      const auto column = static_cast<Eigen::Index>(j);
-      EXPECT_NEAR(square(row, column), sum, 1e-12);
-      EXPECT_NEAR(crossed(row, column), sum, 1e-12);
-    }
-  }
+  expect_sums(square, all, all, rows);
+  expect_sums(crossed, all, all, rows);
 }
 
 }  // namespace
