@@ -48,10 +48,10 @@ LoopWindow assemble(const LoopRows& rows, const Grid& grid,
   LoopWindow window;
   window.sample_interval_s = grid.sample_interval_s;
   window.start_us = grid.start_us;
-  window.pv = align(rows.pv, grid, Hold::sample);
+  window.pv = align(rows.pv, grid, rows.pv.hold);
   window.sp = align_if_recorded(rows.sp, grid, Hold::step);
-  window.op = align_if_recorded(rows.op, grid, Hold::sample);
-  window.mv = align_if_recorded(rows.mv, grid, Hold::sample);
+  window.op = align_if_recorded(rows.op, grid, rows.op.hold);
+  window.mv = align_if_recorded(rows.mv, grid, rows.mv.hold);
   window.mode = to_modes(align_if_recorded(rows.mode, grid, Hold::step));
   window.op_range = op_range;
   window.repeated_times = count_repeated_times(rows.pv);

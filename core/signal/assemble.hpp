@@ -22,8 +22,8 @@ struct LoopRows {
 [[nodiscard]] Grid window_grid(const RawSeries& pv, double sample_interval_s, std::int64_t end_us,
                                std::size_t max_samples);
 
-/// Rows of several tags onto one grid: pv, op and mv as periodic samples, setpoint and mode held
-/// from change to change. A tag without rows stays empty.
+/// Rows of several tags onto one grid: pv, op and mv as their archives keep them (RawSeries::hold),
+/// setpoint and mode always held from change to change. A tag without rows stays empty.
 [[nodiscard]] LoopWindow assemble(const LoopRows& rows, const Grid& grid,
                                   const std::optional<OpRange>& op_range);
 

@@ -48,6 +48,29 @@ void place_steps(const RawSeries& rows, const Grid& grid, Samples& slots) {
   }
 }
 
+/// Fills the slots from the time of one row to that of the next, both included, by the line between
+/// them; NaN at either end makes the line unknown.
+void draw_line(const RawSeries& rows, std::size_t row, const Grid& grid, Samples& slots) {
+  const double interval_us = grid.sample_interval_s * kMicrosecondsPerSecond;
+  const double from = elapsed_us(grid.start_us, rows.time_us[row]) / interval_us;
+  const double to = elapsed_us(grid.start_us, rows.time_us[row + 1]) / interval_us;
+  const double last = std::min(std::floor(to), static_cast<double>(grid.size) - 1.0);
+  for (double k = std::max(std::ceil(from), 0.0); k <= last; k += 1.0) {
+    const double share = to > from ? (k - from) / (to - from) : 1.0;
+    slots[static_cast<std::size_t>(k)] =
+        rows.value[row] + share * (rows.value[row + 1] - rows.value[row]);
+  }
+}
+
+void place_lines(const RawSeries& rows, const Grid& grid, Samples& slots) {
+  // A row next to a line that nobody knows still says what the value was in its own slot.
+  place_samples(rows, grid, slots);
+  for (std::size_t row = 0; row + 1 < rows.time_us.size(); ++row) {
+    const bool known = std::isfinite(rows.value[row]) && std::isfinite(rows.value[row + 1]);
+    if (known) draw_line(rows, row, grid, slots);
+  }
+}
+
 }  // namespace
 
 double elapsed_us(std::int64_t from_us, std::int64_t to_us) {
@@ -78,10 +101,16 @@ std::int64_t Grid::time_us(std::size_t k) const {
 
 Samples align(const RawSeries& rows, const Grid& grid, Hold hold) {
   Samples slots(grid.size, kMissing);
-  if (hold == Hold::sample) {
-    place_samples(rows, grid, slots);
-  } else {
-    place_steps(rows, grid, slots);
+  switch (hold) {
+    case Hold::sample:
+      place_samples(rows, grid, slots);
+      break;
+    case Hold::step:
+      place_steps(rows, grid, slots);
+      break;
+    case Hold::linear:
+      place_lines(rows, grid, slots);
+      break;
   }
   for (double& value : slots) {
     if (!std::isfinite(value)) value = kMissing;

@@ -25,14 +25,9 @@ struct Grid {
   [[nodiscard]] std::int64_t time_us(std::size_t k) const;
 };
 
-/// How a value is held between rows.
-enum class Hold {
-  sample,  ///< a row fills only the slot it is nearest to (periodic recording)
-  step,    ///< a row holds until the next one (setpoint, mode: recorded on change)
-};
-
-/// Rows onto the grid: slots without a value are NaN. With Hold::step a bad row (NaN) ends the
-/// hold. Where several rows fall into one slot the last one counts.
+/// Rows onto the grid: slots without a value are NaN. With Hold::step and Hold::linear a bad row
+/// (NaN) ends what the row before it began; with Hold::linear nothing is known behind the last row.
+/// Where several rows fall into one slot the last one counts.
 [[nodiscard]] Samples align(const RawSeries& rows, const Grid& grid, Hold hold);
 
 /// Number of rows whose time equals that of the row before.

@@ -1,5 +1,6 @@
 #include "core/signal/assemble.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace loopscope::core::signal {
@@ -82,6 +83,18 @@ TEST(Assemble, AModeThatIsNoKnownNumberIsUnknown) {
   EXPECT_EQ(window.mode[0], ControlMode::manual);
   EXPECT_EQ(window.mode[1], ControlMode::unknown);
   EXPECT_EQ(window.mode[2], ControlMode::unknown);
+}
+
+TEST(Assemble, EveryTagIsReconstructedAsItsArchiveDemands) {
+  LoopRows rows;
+  for (RawSeries* series : {&rows.pv, &rows.op, &rows.mv, &rows.sp}) *series = ramp(0, 20, 3);
+  rows.op.hold = Hold::step;
+  rows.mv.hold = rows.sp.hold = Hold::linear;
+  const LoopWindow window = assemble(rows, {0, 10.0, 5}, std::nullopt);
+  EXPECT_TRUE(std::isnan(window.pv[1]));
+  EXPECT_EQ(window.op[1], 0.0);
+  EXPECT_EQ(window.mv[1], 0.5);
+  EXPECT_EQ(window.sp[1], 0.0) << "a setpoint is never drawn as a line";
 }
 
 }  // namespace

@@ -61,6 +61,33 @@ TEST(Grid, ABadRowEndsAHold) {
   EXPECT_TRUE(std::isnan(samples[1]) && std::isnan(samples[2]));
 }
 
+TEST(Grid, LinesRunFromRowToRow) {
+  const Samples samples = align(rows_at({-10, 30, 40}), {0, 10.0, 6}, Hold::linear);
+  EXPECT_EQ(Samples(samples.begin(), samples.begin() + 5), (Samples{0.25, 0.5, 0.75, 1, 2}));
+  EXPECT_TRUE(std::isnan(samples[5])) << "nothing is known behind the last row";
+}
+
+TEST(Grid, JitteringRowsOnLinesFillTheirOwnSlots) {
+  const Samples samples = align(rows_at({0.4, 10.3, 19.8}), {0, 10.0, 3}, Hold::linear);
+  EXPECT_EQ(samples[0], 0.0);
+  EXPECT_NEAR(samples[1], 9.6 / 9.9, 1e-12);
+  EXPECT_EQ(samples[2], 2.0);
+}
+
+TEST(Grid, ABadRowBreaksTheLinesOnBothSides) {
+  RawSeries rows = rows_at({0, 20, 40});
+  rows.value[1] = kMissing;
+  const Samples samples = align(rows, {0, 10.0, 5}, Hold::linear);
+  EXPECT_EQ(samples[0], 0.0);
+  for (const std::size_t k : {1, 2, 3}) EXPECT_TRUE(std::isnan(samples[k])) << k;
+  EXPECT_EQ(samples[4], 2.0);
+}
+
+TEST(Grid, OfTwoRowsAtOneTimeTheLastOneEndsAndBeginsTheLine) {
+  const Samples samples = align(rows_at({0, 10, 10, 20}), {0, 10.0, 3}, Hold::linear);
+  EXPECT_EQ(samples, (Samples{0, 2, 3}));
+}
+
 TEST(Grid, InfinityIsMissing) {
   RawSeries rows = rows_at({0});
   rows.value[0] = HUGE_VAL;
