@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "config/check_historian.hpp"
 #include "config/number_text.hpp"
 
 namespace loopscope::config {
@@ -35,14 +36,8 @@ void check_historians(const Settings& settings, ProblemList& problems) {
     problems.add_unless_refused({"/historians"}, "is missing or empty, at least one is needed",
                                 R"("historians": [{"connection": "service=plant"}])");
   check_historian_names(settings, problems);
-  for (std::size_t i = 0; i < settings.historians.size(); ++i) {
-    const std::string path = "/historians/" + std::to_string(i);
-    const HistorianSettings& historian = settings.historians[i];
-    if (historian.quality_column.empty() && historian.quality_rule != "none")
-      problems.add_unless_refused({path + "/quality_rule", path + "/quality_column"},
-                                  "\"" + historian.quality_rule + "\" needs a quality column",
-                                  R"(name it in quality_column, or set quality_rule to "none")");
-  }
+  for (std::size_t i = 0; i < settings.historians.size(); ++i)
+    check_historian(settings.historians[i], "/historians/" + std::to_string(i), problems);
 }
 
 void check_schedule(const ScheduleSettings& schedule, ProblemList& problems) {

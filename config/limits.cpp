@@ -29,6 +29,10 @@ bool is_connection(Form form) {
   return form == Form::connection || form == Form::optional_connection;
 }
 
+bool is_list(Form form) {
+  return form == Form::texts || form == Form::numbers || form == Form::states;
+}
+
 std::string limits_text(const Limits& limits) {
   switch (limits.form) {
     case Form::number:
@@ -37,6 +41,12 @@ std::string limits_text(const Limits& limits) {
       return words_text(limits.words);
     case Form::toggle:
       return "true or false";
+    case Form::texts:
+      return "list of texts";
+    case Form::numbers:
+      return "list of numbers";
+    case Form::states:
+      return "list of \"TEXT=NUMBER\"";
     case Form::text:
       return "text";
     case Form::optional_text:

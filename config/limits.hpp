@@ -16,6 +16,9 @@ enum class Form {
   optional_connection,  ///< likewise, may be empty
   choice,               ///< one of a list of words
   toggle,               ///< true or false
+  texts,                ///< a list of texts, each not empty; numbers are taken as their text
+  numbers,              ///< likewise, each of them a number
+  states,               ///< likewise, each "TEXT=NUMBER"
 };
 
 /// What a setting may be. Numbers have a range, choices have words.
@@ -43,6 +46,7 @@ struct Limits {
 
 [[nodiscard]] bool may_be_empty(Form form);
 [[nodiscard]] bool is_connection(Form form);
+[[nodiscard]] bool is_list(Form form);
 
 /// The limits in words: "0.1 to 3600 s", "16 to 4096 samples, even", "debug, info, ...".
 [[nodiscard]] std::string limits_text(const Limits& limits);

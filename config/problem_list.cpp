@@ -18,7 +18,7 @@ void ProblemList::add(Problem problem) {
   problems_.push_back(std::move(problem));
 }
 
-void ProblemList::add_unless_refused(std::initializer_list<std::string> paths,
+void ProblemList::add_unless_refused(const std::vector<std::string>& paths,
                                      const std::string& message, const std::string& hint) {
   if (std::none_of(paths.begin(), paths.end(), [this](const auto& path) { return refused(path); }))
     add({*paths.begin(), message, hint});

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +16,7 @@ class ProblemList {
 
   /// Adds a problem that was drawn from the values at `paths` (the first of them names it), unless
   /// one of these values was refused already.
-  void add_unless_refused(std::initializer_list<std::string> paths, const std::string& message,
+  void add_unless_refused(const std::vector<std::string>& paths, const std::string& message,
                           const std::string& hint);
 
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/document.hpp"
+#include "config/historian_presets.hpp"
 #include "config/nearest_name.hpp"
 #include "config/read_value.hpp"
 #include "config/setting_table.hpp"
@@ -56,6 +57,16 @@ std::string hint_for_unknown(const std::string& key, const std::vector<std::stri
   return hint;
 }
 
+/// What a historian's other keys change: the preset that it names, wherever it names it.
+HistorianSettings defaults_for(const Json& historian) {
+  const auto named = historian.is_object() ? historian.find("preset") : historian.end();
+  if (named == historian.end() || !named->is_string()) return {};
+  const auto name = named->get<std::string>();
+  const auto known = preset_names();
+  return std::find(known.begin(), known.end(), name) == known.end() ? HistorianSettings{}
+                                                                    : historian_preset(name);
+}
+
 class TreeReader {
  public:
   TreeReader(Settings& settings, ProblemList& problems)
@@ -82,7 +93,7 @@ class TreeReader {
                      node.is_object() ? "put it into brackets: [ ... ]" : ""});
       return;
     }
-    settings_.historians.resize(node.size());
+    for (const Json& historian : node) settings_.historians.push_back(defaults_for(historian));
     for (std::size_t i = 0; i < node.size(); ++i)
       read(node[i], {place.path + "/" + std::to_string(i), place.pattern + "/*", i});
   }

@@ -1,9 +1,11 @@
 #include "config/read_value.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "config/connection_secret.hpp"
@@ -107,6 +109,54 @@ void read_switch(const Json& value, const std::string& path, const Limits& limit
   problems.add(std::move(problem));
 }
 
+/// The text that an element of a list stands for; nullopt when it is neither text nor number.
+std::optional<std::string> element_text(const Json& element) {
+  if (element.is_string()) return element.get<std::string>();
+  if (element.is_number()) return number_text(element.get<double>());
+  return std::nullopt;
+}
+
+bool is_number_text(std::string_view text) {
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(number);
+}
+
+std::optional<Problem> refuse_element(const std::string& text, const std::string& path, Form form) {
+  if (text.empty()) return Problem{path, "is empty", "leave it out of the list"};
+  if (has_control_character(text)) return Problem{path, "holds a control character", {}};
+  if (form == Form::numbers && !is_number_text(text))
+    return Problem{path, Json(text).dump() + " is no number", {}};
+  const std::size_t equals = text.rfind('=');
+  const bool state = equals != std::string::npos && equals > 0 &&
+                     is_number_text(std::string_view(text).substr(equals + 1));
+  if (form == Form::states && !state)
+    return Problem{path, Json(text).dump() + " is not TEXT=NUMBER", R"(e.g. "RUNNING=1")"};
+  return std::nullopt;
+}
+
+void read_list(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
+               ProblemList& problems) {
+  if (!value.is_array()) {
+    problems.add({path, "is " + kind_of(value) + ", not a " + limits_text(limits),
+                  "put it into brackets: [ ... ]"});
+    return;
+  }
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const std::string place = path + "/" + std::to_string(i);
+    const auto text = element_text(value[i]);
+    if (!text) {
+      problems.add({place, "is " + kind_of(value[i]) + ", not a text or a number", {}});
+    } else if (auto problem = refuse_element(*text, place, limits.form)) {
+      problems.add(std::move(*problem));
+    } else {
+      texts.push_back(*text);
+    }
+  }
+  if (texts.size() == value.size()) store_list(slot, std::move(texts));
+}
+
 }  // namespace
 
 void read_value(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
@@ -115,6 +165,8 @@ void read_value(const Json& value, const std::string& path, const Limits& limits
     read_number(value, path, limits, slot, problems);
   else if (limits.form == Form::toggle)
     read_switch(value, path, limits, slot, problems);
+  else if (is_list(limits.form))
+    read_list(value, path, limits, slot, problems);
   else
     read_text(value, path, limits, slot, problems);
 }

@@ -16,19 +16,58 @@ struct ResultsSettings {
   int retention_months = 24;     ///< months of results that maintain keeps, 0 = all
 };
 
-/// One historian in the narrow layout (tag, time, value, quality).
+/// One historian: a connection, and where and how its tables keep the tags. `preset` gives the
+/// defaults of a vendor's tables, every other field may change them (README: presets).
 struct HistorianSettings {
   std::string name = "plant";     ///< what loops refer to as their source
+  std::string preset = "narrow";  ///< see historian_presets.hpp
   std::string connection;         ///< libpq connection string of a reader; required
   std::string writer_connection;  ///< only for `import`; empty = connection
+  std::string layout = "narrow";  ///< narrow, loop_row, wide
   std::string table = "public.history";
-  std::string tag_column = "tag";
+  std::string partition_table;  ///< lists the tables of the data; empty = `table` is the only one
+  std::string partition_name_column;
+  std::string partition_start_column;
+  std::string partition_end_column;
+  std::string tag_column = "tag";   ///< of the tag, or of its first part; empty in wide tables
+  std::string tag_table;            ///< names of what tag_column holds; empty = it holds the names
+  std::string tag_name_column;      ///< of tag_table
+  std::string tag_id_column;        ///< of tag_table
+  std::string tag_order_column;     ///< of tag_table: puts several ids of a name in order
+  bool tag_ignore_case = false;     ///< of the names in tag_table
+  std::string subtag_column;        ///< of the second part of a tag; empty = tags have one part
+  std::string subtag_table;         ///< names of what subtag_column holds
+  std::string subtag_name_column;   ///< of subtag_table
+  std::string subtag_id_column;     ///< of subtag_table
+  std::string tag_separator = ".";  ///< between the parts of a tag
   std::string time_column = "time";
-  std::string value_column = "value";
-  std::string quality_column = "quality";  ///< empty = none
-  std::string time_kind =
-      "timestamptz";  ///< timestamptz, timestamp_utc, epoch_s, epoch_s_float, epoch_ms, epoch_us
-  std::string quality_rule = "opcda";  ///< none, opcda, zero
+  /// timestamptz, timestamp_utc, timestamp_local, epoch_s, epoch_s_float, epoch_ms, epoch_us,
+  /// epoch_ns
+  std::string time_kind = "timestamptz";
+  std::string time_zone;                        ///< of timestamp_local
+  std::string nanos_column;                     ///< nanoseconds after the full second; empty = none
+  std::string value_column = "value";           ///< of narrow tables
+  std::vector<std::string> more_value_columns;  ///< asked in turn where value_column is NULL
+  std::vector<std::string> states;              ///< "TEXT=NUMBER": what texts mean
+  std::string null_means = "bad";               ///< bad, absent
+  std::string quality_column = "quality";       ///< empty = none
+  /// none, opcda, opcda_exact, opcua, opchda, zero, truth, codes
+  std::string quality_rule = "opcda";
+  bool accept_uncertain = false;
+  std::vector<std::string> good_codes;         ///< of the rule `codes`
+  std::vector<std::string> uncertain_codes;    ///< likewise
+  std::vector<std::string> bad_codes;          ///< likewise; what is in no list is unknown
+  std::string quality_table;                   ///< names of the codes; empty = the lists hold codes
+  std::string quality_name_column;             ///< of quality_table
+  std::string quality_id_column;               ///< of quality_table
+  std::string tiebreak_column;                 ///< of rows with one time the largest counts
+  std::string interpolation = "sample";        ///< sample, step, linear
+  std::string interpolation_column;            ///< of tag_table: how each tag is archived
+  std::vector<std::string> step_codes;         ///< of interpolation_column
+  std::vector<std::string> linear_codes;       ///< of interpolation_column
+  std::vector<std::string> manual_codes{"0"};  ///< values of a mode tag
+  std::vector<std::string> automatic_codes{"1"};  ///< likewise
+  std::vector<std::string> cascade_codes{"2"};    ///< likewise
 };
 
 /// When and in what portions the work is done.

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace loopscope::config {
 
@@ -55,6 +56,12 @@ void store_text(const Slot& slot, const std::string& value) {
     store(**shape, value);
   else
     throw std::logic_error("a text was stored in a setting of numbers or a switch");
+}
+
+void store_list(const Slot& slot, std::vector<std::string> values) {
+  auto* const* list = std::get_if<std::vector<std::string>*>(&slot);
+  if (list == nullptr) throw std::logic_error("a list was stored in another setting");
+  **list = std::move(values);
 }
 
 }  // namespace loopscope::config

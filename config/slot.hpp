@@ -5,14 +5,15 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/hos/settings.hpp"
 
 namespace loopscope::config {
 
 /// Where the value of one setting lives.
-using Slot =
-    std::variant<double*, int*, std::size_t*, bool*, std::string*, core::hos::WindowShape*>;
+using Slot = std::variant<double*, int*, std::size_t*, bool*, std::string*,
+                          std::vector<std::string>*, core::hos::WindowShape*>;
 
 /// Every window shape; the file calls them by their core::hos::name().
 inline constexpr std::array kWindowShapes = {
@@ -35,5 +36,8 @@ void store_switch(const Slot& slot, bool value);
 /// Stores a text, or the window shape of that name; throws std::logic_error for another slot
 /// and for a name that no shape has.
 void store_text(const Slot& slot, const std::string& value);
+
+/// Stores a list of texts; throws std::logic_error for another slot.
+void store_list(const Slot& slot, std::vector<std::string> values);
 
 }  // namespace loopscope::config

@@ -160,7 +160,7 @@ void import_recording(const ImportOptions& options) {
   catalogue.save({});
   const config::HistorianSettings& source = find_historian(settings, entry.source);
   const auto writer = historian_writer_connection(source);
-  const storage::NarrowLayout layout = historian_layout(source);
+  const storage::SourceLayout layout = historian_layout(source);
   if (options.create_table) storage::create_historian_table(writer, layout);
   storage::HistorianReader historian(historian_connection(source), layout);
   place(options, settings, entry, historian, recording);

@@ -19,7 +19,7 @@ void look_first(LoopInput& input, const core::AnalysisSettings& settings) {
 }
 
 void read_long_windows(storage::HistorianReader& historian,
-                       std::span<const storage::ClaimedLoop* const> claims,
+                       std::span<const storage::ClaimedLoop* const> claims, const ModeCodes& modes,
                        std::vector<LoopInput>& inputs) {
   std::vector<SpanRequest> requests;
   std::vector<LoopInput*> asking;
@@ -29,7 +29,7 @@ void read_long_windows(storage::HistorianReader& historian,
     requests.push_back({&claims[k]->loop, &inputs[k].at_slot, samples});
     asking.push_back(&inputs[k]);
   }
-  std::vector<core::signal::LoopWindow> windows = read_spans(historian, requests);
+  std::vector<core::signal::LoopWindow> windows = read_spans(historian, requests, modes);
   for (std::size_t k = 0; k < asking.size(); ++k) asking[k]->long_window = std::move(windows[k]);
 }
 
@@ -45,7 +45,7 @@ std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
     input.at_slot = std::move(at_slot);
     look_first(input, settings);
   }
-  read_long_windows(historian, claims, inputs);
+  read_long_windows(historian, claims, window_settings.modes, inputs);
   return inputs;
 }
 

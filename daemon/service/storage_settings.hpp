@@ -5,7 +5,7 @@
 
 #include "config/settings.hpp"
 #include "storage/connection_settings.hpp"
-#include "storage/historian/narrow_layout.hpp"
+#include "storage/historian/source_layout.hpp"
 
 namespace loopscope::daemon {
 
@@ -18,7 +18,7 @@ namespace loopscope::daemon {
 /// The connection that may write into the historian (import).
 [[nodiscard]] storage::ConnectionSettings historian_writer_connection(
     const config::HistorianSettings& historian);
-[[nodiscard]] storage::NarrowLayout historian_layout(const config::HistorianSettings& historian);
+[[nodiscard]] storage::SourceLayout historian_layout(const config::HistorianSettings& historian);
 
 /// The historian of that name. Throws Failure (configuration) when the settings have none.
 [[nodiscard]] const config::HistorianSettings& find_historian(const config::Settings& settings,

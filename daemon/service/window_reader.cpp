@@ -74,7 +74,7 @@ void find_unknown_intervals(storage::HistorianReader& historian, std::vector<Pla
     if (!plan.has_rows || plan.interval_s > 0.0) continue;
     unknown.push_back(&plan);
     requests.push_back({plan.loop->pv_tag, plan.slot_end_us - microseconds(kIntervalLookBack_s),
-                        plan.slot_end_us, kIntervalRows, false});
+                        plan.slot_end_us, kIntervalRows, storage::RowBefore::no});
   }
   if (requests.empty()) return;
   const std::vector<RawSeries> rows = historian.read(requests);
@@ -86,15 +86,15 @@ void find_unknown_intervals(storage::HistorianReader& historian, std::vector<Pla
 struct TagSlot {
   const std::string CatalogueEntry::*tag;
   RawSeries LoopRows::*rows;
-  bool held;  ///< recorded on change: the row before the window belongs to it
+  storage::RowBefore before;  ///< what is recorded on change has its value from before the window
 };
 
 constexpr TagSlot kTagSlots[] = {
-    {&CatalogueEntry::sp_tag, &LoopRows::sp, true},
-    {&CatalogueEntry::pv_tag, &LoopRows::pv, false},
-    {&CatalogueEntry::op_tag, &LoopRows::op, false},
-    {&CatalogueEntry::mv_tag, &LoopRows::mv, false},
-    {&CatalogueEntry::mode_tag, &LoopRows::mode, true},
+    {&CatalogueEntry::sp_tag, &LoopRows::sp, storage::RowBefore::yes},
+    {&CatalogueEntry::pv_tag, &LoopRows::pv, storage::RowBefore::if_held},
+    {&CatalogueEntry::op_tag, &LoopRows::op, storage::RowBefore::if_held},
+    {&CatalogueEntry::mv_tag, &LoopRows::mv, storage::RowBefore::if_held},
+    {&CatalogueEntry::mode_tag, &LoopRows::mode, storage::RowBefore::yes},
 };
 
 std::vector<TagRequest> requests_of(const Plan& plan) {
@@ -105,7 +105,7 @@ std::vector<TagRequest> requests_of(const Plan& plan) {
     const std::string& tag = plan.loop->*slot.tag;
     if (tag.empty()) continue;
     requests.push_back(
-        {tag, plan.slot_end_us - span_us, plan.slot_end_us, kRowsPerSlot * slots, slot.held});
+        {tag, plan.slot_end_us - span_us, plan.slot_end_us, kRowsPerSlot * slots, slot.before});
   }
   return requests;
 }
@@ -130,7 +130,8 @@ core::signal::LoopWindow make_window(const Plan& plan, const LoopRows& rows) {
 
 /// The windows of all plans in one batch of requests; an empty one for a plan without rows.
 std::vector<core::signal::LoopWindow> read_plans(storage::HistorianReader& historian,
-                                                 const std::vector<Plan>& plans) {
+                                                 const std::vector<Plan>& plans,
+                                                 const ModeCodes& modes) {
   std::vector<TagRequest> requests;
   for (const Plan& plan : plans) {
     if (!readable(plan)) continue;
@@ -143,7 +144,9 @@ std::vector<core::signal::LoopWindow> read_plans(storage::HistorianReader& histo
   std::size_t next = 0;
   for (std::size_t k = 0; k < plans.size(); ++k) {
     if (!readable(plans[k])) continue;
-    windows[k] = make_window(plans[k], take_rows(*plans[k].loop, series, next));
+    LoopRows rows = take_rows(*plans[k].loop, series, next);
+    decode_modes(rows.mode, modes);
+    windows[k] = make_window(plans[k], rows);
   }
   return windows;
 }
@@ -155,7 +158,7 @@ std::vector<LoopWindowAtSlot> read_windows(storage::HistorianReader& historian,
                                            const WindowSettings& settings) {
   std::vector<Plan> plans = make_plans(historian, claims, settings);
   find_unknown_intervals(historian, plans);
-  std::vector<core::signal::LoopWindow> windows = read_plans(historian, plans);
+  std::vector<core::signal::LoopWindow> windows = read_plans(historian, plans, settings.modes);
   std::vector<LoopWindowAtSlot> at_slots;
   for (std::size_t k = 0; k < plans.size(); ++k) {
     at_slots.push_back({plans[k].slot_end_us, std::move(windows[k])});
@@ -164,14 +167,15 @@ std::vector<LoopWindowAtSlot> read_windows(storage::HistorianReader& historian,
 }
 
 std::vector<core::signal::LoopWindow> read_spans(storage::HistorianReader& historian,
-                                                 std::span<const SpanRequest> requests) {
+                                                 std::span<const SpanRequest> requests,
+                                                 const ModeCodes& modes) {
   std::vector<Plan> plans;
   for (const SpanRequest& request : requests) {
     const LoopWindowAtSlot& at_slot = *request.at_slot;
     plans.push_back({request.loop, at_slot.slot_end_us, true, at_slot.window.sample_interval_s,
                      request.samples});
   }
-  return read_plans(historian, plans);
+  return read_plans(historian, plans, modes);
 }
 
 }  // namespace loopscope::daemon

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/signal/loop_window.hpp"
+#include "daemon/service/mode_codes.hpp"
 #include "daemon/service/slot.hpp"
 #include "storage/historian/historian_reader.hpp"
 #include "storage/results/results_database.hpp"
@@ -17,6 +18,7 @@ struct WindowSettings {
   std::size_t max_samples = 4096;
   double settle_s = 60.0;
   SlotRule slot_rule = SlotRule::clock;
+  ModeCodes modes;  ///< of the historian that is read
 };
 
 /// The window of one claimed loop, ready for analysis.
@@ -41,6 +43,7 @@ struct SpanRequest {
 /// Reads the longer spans of loops of ONE historian, in the order of `requests`, all together.
 /// Throws storage::DatabaseError.
 [[nodiscard]] std::vector<core::signal::LoopWindow> read_spans(
-    storage::HistorianReader& historian, std::span<const SpanRequest> requests);
+    storage::HistorianReader& historian, std::span<const SpanRequest> requests,
+    const ModeCodes& modes);
 
 }  // namespace loopscope::daemon

@@ -92,7 +92,8 @@ storage::WriteCount Worker::process(const std::vector<ClaimedLoop>& claims) {
 std::vector<LoopInput> Worker::read(const std::string& source, const Claims& claims) {
   const core::AnalysisSettings& analysis = settings_->analysis;
   const WindowSettings window_settings{analysis.prepare.window_samples,
-                                       settings_->schedule.settle_s, slot_rule_};
+                                       settings_->schedule.settle_s, slot_rule_,
+                                       mode_codes(find_historian(*settings_, source))};
   const bool fresh = historians_.find(source) == historians_.end();
   try {
     return read_inputs(historian(source), claims, window_settings, analysis);

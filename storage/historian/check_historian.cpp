@@ -1,10 +1,14 @@
 #include "storage/historian/check_historian.hpp"
 
+#include <algorithm>
+#include <sstream>
 #include <string>
 
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
+#include "storage/historian/refuse.hpp"
 #include "storage/historian/resolve_layout.hpp"
+#include "storage/historian/scan_rows.hpp"
 #include "storage/historian/statements.hpp"
 #include "storage/timestamp.hpp"
 
@@ -16,60 +20,156 @@ namespace {
 constexpr std::int64_t kRecentUs = std::int64_t{7} * 86'400 * 1'000'000;
 constexpr int kPatience_s = 10;
 
-Finding check_index(PqConnection& connection, const ResolvedLayout& layout) {
-  const NarrowLayout& names = layout.layout;
-  if (!layout.is_table) {
-    return {true, names.relation + " is a view or a foreign table: its indexes were not checked",
-            "make sure that the table behind it has an index on (tag, time)", true};
-  }
-  const PqRows rows =
-      connection.run(historian_statements::kIndexes,
-                     {std::to_string(layout.relation_oid), names.tag_column, names.time_column});
-  const std::string included = layout.value + (layout.quality.empty() ? "" : ", " + layout.quality);
-  const std::string hint = "CREATE INDEX CONCURRENTLY ON " + layout.relation + " (" + layout.tag +
-                           ", " + layout.time + ") INCLUDE (" + included + ")";
-  if (rows.size() == 0) {
-    return {
-        false,
-        "no index starts with (tag, time), so every window would scan the table, " + names.relation,
-        hint, false};
-  }
-  const std::string covered = "," + rows.text(0, 0) + ",";
-  if (covered.find("," + names.value_column + ",") == std::string::npos) {
-    return {true,
-            "the index on (tag, time) does not include the value: reading is some three "
-            "times slower than it could be, " +
-                names.relation,
-            hint, true};
-  }
-  return {true, "an index covers tag, time and value, " + names.relation, "", false};
+/// The columns that the index should start with and those that it should hold besides.
+struct WantedIndex {
+  std::vector<std::string> key, include;
+};
+
+WantedIndex wanted_index(const SourceLayout& layout) {
+  WantedIndex wanted;
+  for (const KeyPart& part : layout.key) wanted.key.push_back(part.column);
+  wanted.key.push_back(layout.time_column);
+  // Rows of several values serve many tags at once: a covering index would be a second table.
+  if (layout.shape == Shape::narrow) wanted.include = layout.value_columns;
+  if (layout.shape == Shape::narrow && has_quality(layout))
+    wanted.include.push_back(layout.quality_column);
+  return wanted;
 }
 
-Finding check_newest(PqConnection& connection, const ResolvedLayout& layout) {
-  const TimeKind kind = layout.layout.time_kind;
-  const std::int64_t now = std::stoll(connection.run(historian_statements::kNow).text(0, 0));
+std::string quoted_list(const PqConnection& connection, const std::vector<std::string>& columns) {
+  std::string list;
+  for (const std::string& column : columns) {
+    list += (list.empty() ? "" : ", ") + connection.quote(column);
+  }
+  return list;
+}
+
+std::string plain_list(const std::vector<std::string>& columns) {
+  std::string list;
+  for (const std::string& column : columns) list += (list.empty() ? "" : ", ") + column;
+  return list;
+}
+
+std::string advice(const PqConnection& connection, const std::string& relation,
+                   const WantedIndex& wanted) {
+  std::string sql =
+      "CREATE INDEX CONCURRENTLY ON " + relation + " (" + quoted_list(connection, wanted.key) + ")";
+  if (!wanted.include.empty()) sql += " INCLUDE (" + quoted_list(connection, wanted.include) + ")";
+  return sql;
+}
+
+/// Whether a comma-separated list starts with the wanted columns: the time last, the parts of the
+/// key before it in any order.
+bool starts_with_key(const std::string& columns, const WantedIndex& wanted) {
+  std::vector<std::string> first;
+  std::istringstream rest(columns);
+  for (std::string name; first.size() < wanted.key.size() && std::getline(rest, name, ',');) {
+    first.push_back(name);
+  }
+  return first.size() == wanted.key.size() && first.back() == wanted.key.back() &&
+         std::is_permutation(first.begin(), first.end(), wanted.key.begin());
+}
+
+bool holds_all(const std::string& columns, const std::vector<std::string>& wanted) {
+  const std::string list = "," + columns + ",";
+  return std::all_of(wanted.begin(), wanted.end(), [&list](const std::string& column) {
+    return list.find("," + column + ",") != std::string::npos;
+  });
+}
+
+/// SQL of some value of a row: which tag's does not matter to rights and plans.
+std::string any_value(const PqConnection& connection, const ResolvedLayout& layout) {
+  if (layout.layout.shape == Shape::narrow) return value_of(connection, layout, "").value();
+  for (const auto& [column, type] : layout.data.types) {
+    if (const auto value = value_of(connection, layout, column)) return *value;
+  }
+  refuse(layout.layout, "no column of " + layout.data.sql + " holds numbers",
+         "the columns of a loop_row or wide table are its values");
+}
+
+Finding check_index(PqConnection& connection, const ResolvedLayout& layout) {
+  const std::string& relation = layout.data.sql;
+  if (!layout.data.is_table) {
+    return {true, relation + " is a view or a foreign table: its indexes were not checked",
+            "make sure that the table behind it has an index on (tag, time)", true};
+  }
+  const WantedIndex wanted = wanted_index(layout.layout);
+  const std::string hint = advice(connection, relation, wanted);
   const PqRows rows =
-      connection.run(historian_statements::newest_row(layout),
+      connection.run(historian_statements::kIndexes, {std::to_string(layout.data.oid)});
+  bool has_key = false;
+  for (int row = 0; row < rows.size(); ++row) {
+    if (!starts_with_key(rows.text(row, 0), wanted)) continue;
+    has_key = true;
+    if (holds_all(rows.text(row, 1), wanted.include))
+      return {true, "an index serves the reading of windows, " + relation, "", false};
+  }
+  if (!has_key) {
+    return {false,
+            "no index starts with (" + plain_list(wanted.key) +
+                "), so every window would scan the table, " + relation,
+            hint, false};
+  }
+  return {
+      true,
+      "the index on (" + plain_list(wanted.key) +
+          ") does not include the value: reading is some three times slower than it could be, " +
+          relation,
+      hint, true};
+}
+
+/// What the planner makes of the statement that reads windows: no index helps where it does not
+/// use one (a view that converts its columns, statistics that are out of date).
+Finding check_plan(PqConnection& connection, const ResolvedLayout& layout, std::int64_t now_us) {
+  Scan scan{{}, now_us - kRecentUs, now_us, 4096, {}};
+  for (const ResolvedKey& key : layout.key) {
+    // A key that fits the type and that no row need have.
+    scan.key.push_back(key.type == "uuid" ? "00000000-0000-0000-0000-000000000000" : "0");
+  }
+  scan.columns.push_back({any_value(connection, layout), false, {}});
+  const Statement plan = historian_statements::explain(
+      historian_statements::read_scans(layout, {layout.data.sql}, scan.columns));
+  const PqRows rows = connection.run(plan, scan_parameters({scan}, layout));
+  for (int row = 0; row < rows.size(); ++row) {
+    const std::string line = rows.text(row, 0);
+    if (line.find("Seq Scan") == std::string::npos) continue;
+    return {
+        true, "the plan of a window scans a whole table:" + line + ", " + layout.data.sql,
+        "expected of a table that is nearly empty; else create the index, run ANALYZE, and keep "
+        "conversions of tag and time out of views",
+        true};
+  }
+  return {true, "the plan of a window uses indexes only, " + layout.data.sql, "", false};
+}
+
+Finding check_newest(PqConnection& connection, const ResolvedLayout& layout, std::int64_t now) {
+  const TimeKind kind = layout.layout.time_kind;
+  const PqRows rows =
+      connection.run(historian_statements::newest_row(layout, layout.data.sql),
                      {native_bound(kind, now - kRecentUs, Bound::lower)}, ResultFormat::binary);
   if (rows.size() == 0) {
-    return {true, "no row is younger than a week, " + layout.layout.relation,
+    return {true, "no row is younger than a week, " + layout.data.sql,
             "check that the historian records, and `time_kind`", true};
   }
   const std::int64_t newest = microseconds(kind, decode_value(rows.bytes(0, 0)));
   if (newest > now) {
-    return {true,
-            "the newest row lies in the future, at " + timestamp_text(newest) + ", " +
-                layout.layout.relation,
-            "check `time_kind`, the time zone of the recorder and its clock", true};
+    return {
+        true,
+        "the newest row lies in the future, at " + timestamp_text(newest) + ", " + layout.data.sql,
+        "check `time_kind`, the time zone of the recorder and its clock", true};
   }
-  return {true, "the newest row is of " + timestamp_text(newest) + ", " + layout.layout.relation,
-          "", false};
+  return {true, "the newest row is of " + timestamp_text(newest) + ", " + layout.data.sql, "",
+          false};
+}
+
+std::int64_t database_now_us(PqConnection& connection) {
+  return std::stoll(connection.run(historian_statements::kNow).text(0, 0));
 }
 
 }  // namespace
 
 std::vector<Finding> check_historian(const ConnectionSettings& settings,
-                                     const NarrowLayout& layout) {
+                                     const SourceLayout& layout) {
   ConnectionSettings reader = settings;
   reader.read_only = true;
   reader.statement_timeout_s = kPatience_s;
@@ -78,10 +178,12 @@ std::vector<Finding> check_historian(const ConnectionSettings& settings,
     PqConnection connection(reader);
     findings.push_back({true, "connected to the " + connection.target(), "", false});
     const ResolvedLayout resolved = resolve_layout(connection, layout);
-    connection.run(historian_statements::try_read(resolved));
-    findings.push_back({true, layout.relation + " has the columns and can be read", "", false});
+    connection.run(historian_statements::try_read(resolved, any_value(connection, resolved)));
+    findings.push_back({true, resolved.data.sql + " has the columns and can be read", "", false});
+    const std::int64_t now_us = database_now_us(connection);
     findings.push_back(check_index(connection, resolved));
-    findings.push_back(check_newest(connection, resolved));
+    findings.push_back(check_plan(connection, resolved, now_us));
+    findings.push_back(check_newest(connection, resolved, now_us));
   } catch (const DatabaseError& error) {
     findings.push_back({false, error.what(), error.hint(), false});
   } catch (const MalformedArray& error) {

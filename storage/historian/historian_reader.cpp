@@ -1,119 +1,65 @@
 #include "storage/historian/historian_reader.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <map>
 
-#include "core/signal/loop_window.hpp"
 #include "storage/array_literal.hpp"
+#include "storage/historian/find_partitions.hpp"
+#include "storage/historian/find_tags.hpp"
+#include "storage/historian/merge_series.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
+#include "storage/historian/scan_rows.hpp"
 #include "storage/historian/statements.hpp"
 #include "storage/timestamp.hpp"
 
 namespace loopscope::storage {
 namespace {
 
-using core::signal::kMissing;
 using core::signal::RawSeries;
+using Places = std::vector<std::vector<TagPlace>>;
 
-// 32 loops of three tags: larger batches read no faster and hold more memory.
-constexpr std::size_t kMaxTags = 96;
-// The rows that a batch may ask for: 96 windows of 4096 samples with some to spare, about 20 MB.
-constexpr std::int64_t kMaxRows = 786'432;
-// newest() returns one value per tag.
-constexpr std::size_t kMaxNewestTags = 1024;
-constexpr std::int64_t kYearUs = std::int64_t{366} * 86'400 * 1'000'000;
-// How far back a row before the window is looked for: a setpoint may stand still for months.
-constexpr std::int64_t kReachUs = kYearUs;
+// newest() returns one value per key.
+constexpr std::size_t kMaxNewestKeys = 1024;
 // How far back the newest row of a tag is looked for: archives of old recordings are analysed too,
 // and the bound only keeps the planner from giving up the index.
-constexpr std::int64_t kNewestReachUs = 30 * kYearUs;
-
-constexpr std::uint64_t kMissingBits = std::bit_cast<std::uint64_t>(kMissing);
-
-double finite_or_missing(std::uint64_t bits) {
-  const auto value = std::bit_cast<double>(bits);
-  return std::isfinite(value) ? value : kMissing;
-}
-
-/// How many of `requests` go into the next round trip: at least one.
-std::size_t batch_size(std::span<const TagRequest> requests) {
-  std::int64_t rows = 0;
-  std::size_t count = 0;
-  while (count < std::min(requests.size(), kMaxTags)) {
-    rows += std::min(requests[count].max_rows, kMaxRows);
-    if (count > 0 && rows > kMaxRows) break;
-    ++count;
-  }
-  return count;
-}
-
-void add_tag(ArrayLiteral& array, const std::string& tag, const ResolvedLayout& layout) {
-  const std::optional<std::string> native = native_tag(tag, layout.tag_type);
-  native ? array.add_text(*native) : array.add_null();
-}
-
-std::vector<std::string> read_parameters(std::span<const TagRequest> requests,
-                                         const ResolvedLayout& layout) {
-  const TimeKind kind = layout.layout.time_kind;
-  ArrayLiteral tag, from, to, max_rows, before;
-  for (const TagRequest& request : requests) {
-    add_tag(tag, request.tag, layout);
-    from.add_text(native_bound(kind, request.from_us, Bound::lower));
-    to.add_text(native_bound(kind, request.to_us, Bound::upper));
-    max_rows.add_integer(std::max<std::int64_t>(request.max_rows, 0));
-    if (request.before) {
-      before.add_text(native_bound(kind, clamp_time(request.from_us) - kReachUs, Bound::lower));
-    } else {
-      before.add_null();
-    }
-  }
-  return {tag.text(), from.text(), to.text(), max_rows.text(), before.text()};
-}
-
-/// The rows of one request: newest first on the wire, ascending in the series.
-RawSeries read_series(const PqRows& rows, int row, TimeKind kind) {
-  std::vector<std::uint64_t> times, values;
-  if (!rows.is_null(row, 1)) {
-    times = decode_array(rows.bytes(row, 1), native_element(kind), 0);
-    values = decode_array(rows.bytes(row, 2), ElementType::float8, kMissingBits);
-  }
-  if (times.size() != values.size()) throw MalformedArray("times and values differ in number");
-  if (!rows.is_null(row, 3)) {
-    times.push_back(decode_value(rows.bytes(row, 3)));
-    values.push_back(rows.is_null(row, 4) ? kMissingBits : decode_value(rows.bytes(row, 4)));
-  }
-  RawSeries series;
-  series.time_us.resize(times.size());
-  series.value.resize(values.size());
-  std::transform(times.rbegin(), times.rend(), series.time_us.begin(),
-                 [kind](std::uint64_t bits) { return microseconds(kind, bits); });
-  std::transform(values.rbegin(), values.rend(), series.value.begin(), finite_or_missing);
-  return series;
-}
-
-std::size_t slot_of(const PqRows& rows, int row, std::size_t slots) {
-  const std::uint64_t slot = decode_value(rows.bytes(row, 0));
-  if (slot < 1 || slot > slots) throw MalformedArray("a row of an unknown slot");
-  return static_cast<std::size_t>(slot - 1);
-}
+constexpr std::int64_t kNewestReachUs = 30 * kReachBefore_us;
 
 ConnectionSettings as_reader(ConnectionSettings settings) {
   settings.read_only = true;
   return settings;
 }
 
+/// The parts that were read of every request, one a place.
+std::vector<std::vector<RawSeries>> empty_parts(const Places& places) {
+  std::vector<std::vector<RawSeries>> parts;
+  for (const auto& of_tag : places) parts.emplace_back(of_tag.size());
+  return parts;
+}
+
+/// The span of a batch of scans, and what lies before it.
+std::pair<std::int64_t, std::int64_t> reach_of(const std::vector<Scan>& batch) {
+  std::int64_t from = kLatestTimeUs;
+  std::int64_t to = kEarliestTimeUs;
+  for (const Scan& scan : batch) {
+    const bool before = std::any_of(scan.columns.begin(), scan.columns.end(),
+                                    [](const ScanColumn& column) { return column.before; });
+    from = std::min(from, clamp_time(scan.from_us) - (before ? kReachBefore_us : 0));
+    to = std::max(to, scan.to_us);
+  }
+  return {from, to};
+}
+
 }  // namespace
 
 struct HistorianReader::Impl {
-  Impl(const ConnectionSettings& settings, const NarrowLayout& narrow)
-      : connection(as_reader(settings)),
-        layout(resolve_layout(connection, narrow)),
-        read_rows(historian_statements::read_rows(layout)),
-        newest_rows(historian_statements::newest_rows(layout)) {
-    connection.run(historian_statements::try_read(layout));
+  Impl(const ConnectionSettings& settings, const SourceLayout& source)
+      : connection(as_reader(settings)), layout(resolve_layout(connection, source)) {
+    if (layout.partitions) partitions.emplace(connection, layout);
+    if (source.shape != Shape::narrow) return;
+    connection.run(
+        historian_statements::try_read(layout, value_of(connection, layout, "").value()));
   }
 
   /// Runs `read(rows)` on the answer and turns bytes that make no sense into a database error.
@@ -131,48 +77,98 @@ struct HistorianReader::Impl {
     }
   }
 
+  std::vector<std::string> relations(std::int64_t from_us, std::int64_t to_us) {
+    return partitions ? partitions->within(from_us, to_us) : std::vector{layout.data.sql};
+  }
+
+  /// Historians add columns and tables while they run.
+  void look_again(std::span<const std::vector<TagPlace>> places) {
+    if (partitions) partitions->refresh();
+    const bool all_known = std::all_of(places.begin(), places.end(), [this](const auto& of_tag) {
+      return of_tag.empty() || of_tag.front().column.empty() ||
+             layout.data.types.contains(of_tag.front().column);
+    });
+    if (!all_known) layout = resolve_layout(connection, layout.layout);
+  }
+
+  void read_batch(const std::vector<Scan>& batch, std::vector<std::vector<RawSeries>>& parts) {
+    const auto [from, to] = reach_of(batch);
+    const std::vector<std::string> tables = relations(from, to);
+    if (tables.empty()) return;
+    const Statement statement =
+        historian_statements::read_scans(layout, tables, batch.front().columns);
+    query(statement, scan_parameters(batch, layout), [&](const PqRows& rows) {
+      for (int row = 0; row < rows.size(); ++row) {
+        const Scan& scan = batch[slot_of(rows, row, batch.size())];
+        for (std::size_t column = 0; column < scan.columns.size(); ++column) {
+          const RawSeries series = read_column(rows, row, scan, column, layout);
+          for (const ScanTarget& target : scan.columns[column].targets) {
+            parts[target.request][target.place] = series;
+          }
+        }
+      }
+    });
+  }
+
   PqConnection connection;
   ResolvedLayout layout;
-  Statement read_rows;
-  Statement newest_rows;
+  std::optional<Partitions> partitions;
 };
 
-HistorianReader::HistorianReader(const ConnectionSettings& settings, const NarrowLayout& layout)
+HistorianReader::HistorianReader(const ConnectionSettings& settings, const SourceLayout& layout)
     : impl_(std::make_unique<Impl>(settings, layout)) {}
 HistorianReader::~HistorianReader() = default;
 HistorianReader::HistorianReader(HistorianReader&&) noexcept = default;
 HistorianReader& HistorianReader::operator=(HistorianReader&&) noexcept = default;
 
 std::vector<RawSeries> HistorianReader::read(std::span<const TagRequest> requests) {
+  std::vector<std::string> tags;
+  for (const TagRequest& request : requests) tags.push_back(request.tag);
+  const Places places = find_tags(impl_->connection, impl_->layout, tags);
+  impl_->look_again(places);
+  std::vector<std::vector<RawSeries>> parts = empty_parts(places);
+  for (const auto& batch : plan_scans(impl_->connection, impl_->layout, requests, places)) {
+    impl_->read_batch(batch, parts);
+  }
   std::vector<RawSeries> series(requests.size());
-  for (std::size_t done = 0; done < requests.size();) {
-    const auto batch = requests.subspan(done, batch_size(requests.subspan(done)));
-    impl_->query(impl_->read_rows, read_parameters(batch, impl_->layout), [&](const PqRows& rows) {
-      for (int row = 0; row < rows.size(); ++row) {
-        series[done + slot_of(rows, row, batch.size())] =
-            read_series(rows, row, impl_->layout.layout.time_kind);
-      }
-    });
-    done += batch.size();
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    series[k] = merge_series(std::move(parts[k]), requests[k]);
+    if (!places[k].empty()) series[k].hold = places[k].back().hold;
   }
   return series;
 }
 
 std::vector<std::optional<std::int64_t>> HistorianReader::newest(std::span<const std::string> tags,
                                                                  std::int64_t not_after_us) {
-  const TimeKind kind = impl_->layout.layout.time_kind;
-  const std::string from =
-      native_bound(kind, clamp_time(not_after_us) - kNewestReachUs, Bound::lower);
-  const std::string to = native_bound(kind, not_after_us, Bound::upper);
+  const Places places = find_tags(impl_->connection, impl_->layout, tags);
+  impl_->look_again(places);
+  std::map<std::vector<std::string>, std::vector<std::size_t>> tags_of_key;
+  for (std::size_t tag = 0; tag < places.size(); ++tag) {
+    for (const TagPlace& place : places[tag]) tags_of_key[place.key].push_back(tag);
+  }
   std::vector<std::optional<std::int64_t>> newest(tags.size());
-  for (std::size_t done = 0; done < tags.size(); done += kMaxNewestTags) {
-    const auto batch = tags.subspan(done, std::min(kMaxNewestTags, tags.size() - done));
-    ArrayLiteral tag;
-    for (const std::string& name : batch) add_tag(tag, name, impl_->layout);
-    impl_->query(impl_->newest_rows, {tag.text(), from, to}, [&](const PqRows& rows) {
+  const std::int64_t earliest = clamp_time(not_after_us) - kNewestReachUs;
+  const std::vector<std::string> tables = impl_->relations(earliest, not_after_us);
+  if (tables.empty()) return newest;
+  const TimeKind kind = impl_->layout.layout.time_kind;
+  for (auto next = tags_of_key.begin(); next != tags_of_key.end();) {
+    std::vector<const std::vector<std::size_t>*> batch;
+    std::vector<ArrayLiteral> keys(impl_->layout.key.size());
+    for (; next != tags_of_key.end() && batch.size() < kMaxNewestKeys; ++next) {
+      batch.push_back(&next->second);
+      for (std::size_t part = 0; part < keys.size(); ++part) keys[part].add_text(next->first[part]);
+    }
+    std::vector<std::string> parameters;
+    for (const ArrayLiteral& key : keys) parameters.push_back(key.text());
+    parameters.push_back(native_bound(kind, earliest, Bound::lower));
+    parameters.push_back(native_bound(kind, not_after_us, Bound::upper));
+    const Statement statement = historian_statements::newest_rows(impl_->layout, tables);
+    impl_->query(statement, parameters, [&](const PqRows& rows) {
       for (int row = 0; row < rows.size(); ++row) {
-        newest[done + slot_of(rows, row, batch.size())] =
-            microseconds(kind, decode_value(rows.bytes(row, 1)));
+        const std::int64_t time_us = microseconds(kind, decode_value(rows.bytes(row, 1)));
+        for (const std::size_t tag : *batch[slot_of(rows, row, batch.size())]) {
+          newest[tag] = std::max(newest[tag].value_or(kEarliestTimeUs), time_us);
+        }
       }
     });
   }

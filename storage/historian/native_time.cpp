@@ -1,7 +1,9 @@
 #include "storage/historian/native_time.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "storage/array_literal.hpp"
 #include "storage/timestamp.hpp"
@@ -12,6 +14,7 @@ namespace {
 // PostgreSQL counts from 2000-01-01.
 constexpr std::int64_t kPostgresEpochUs = 946'684'800'000'000;
 constexpr double kMicrosecondsPerSecond = 1e6;
+constexpr std::int64_t kNanoseconds = 1000;  // of a microsecond
 
 /// Microseconds in one unit of a whole-number column; 0 = the column is no such one.
 std::int64_t unit_us(TimeKind kind) {
@@ -24,7 +27,9 @@ std::int64_t unit_us(TimeKind kind) {
       return 1;
     case TimeKind::timestamptz:
     case TimeKind::timestamp_utc:
+    case TimeKind::timestamp_local:
     case TimeKind::epoch_s_float:
+    case TimeKind::epoch_ns:
       return 0;
   }
   return 0;
@@ -42,11 +47,19 @@ std::string float_bound(std::int64_t time_us, Bound bound) {
   return number_text((static_cast<double>(time_us) + half) / kMicrosecondsPerSecond);
 }
 
+/// All nanoseconds of the microsecond belong to it; years beyond 2262 do not fit into the type.
+std::string nanoseconds_bound(std::int64_t time_us, Bound bound) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / kNanoseconds - 1;
+  const std::int64_t time = std::clamp(time_us, -kMost, kMost);
+  return std::to_string(time * kNanoseconds + (bound == Bound::lower ? 0 : kNanoseconds - 1));
+}
+
 }  // namespace
 
 const char* native_type(TimeKind kind) {
   switch (kind) {
     case TimeKind::timestamptz:
+    case TimeKind::timestamp_local:
       return "timestamptz";
     case TimeKind::timestamp_utc:
       return "timestamp";
@@ -55,14 +68,23 @@ const char* native_type(TimeKind kind) {
     case TimeKind::epoch_s:
     case TimeKind::epoch_ms:
     case TimeKind::epoch_us:
+    case TimeKind::epoch_ns:
       return "int8";
   }
   return "int8";
 }
 
+std::vector<std::string> time_column_types(TimeKind kind) {
+  if (kind == TimeKind::timestamp_local) return {"timestamp"};
+  const std::string type = native_type(kind);
+  // Shorter whole numbers compare with int8 by the same index.
+  return type == "int8" ? std::vector<std::string>{type, "int4"} : std::vector<std::string>{type};
+}
+
 ElementType native_element(TimeKind kind) {
   switch (kind) {
     case TimeKind::timestamptz:
+    case TimeKind::timestamp_local:
       return ElementType::timestamptz;
     case TimeKind::timestamp_utc:
       return ElementType::timestamp;
@@ -71,6 +93,7 @@ ElementType native_element(TimeKind kind) {
     case TimeKind::epoch_s:
     case TimeKind::epoch_ms:
     case TimeKind::epoch_us:
+    case TimeKind::epoch_ns:
       return ElementType::int8;
   }
   return ElementType::int8;
@@ -79,6 +102,7 @@ ElementType native_element(TimeKind kind) {
 std::string native_bound(TimeKind kind, std::int64_t time_us, Bound bound) {
   const std::int64_t time = clamp_time(time_us);
   if (kind == TimeKind::epoch_s_float) return float_bound(time, bound);
+  if (kind == TimeKind::epoch_ns) return nanoseconds_bound(time, bound);
   const std::int64_t unit = unit_us(kind);
   if (unit == 0) return timestamp_text(time);
   const std::int64_t round_up = bound == Bound::lower ? unit - 1 : 0;
@@ -89,7 +113,7 @@ std::string native_text(TimeKind kind, std::int64_t time_us) {
   if (kind == TimeKind::epoch_s_float) {
     return number_text(static_cast<double>(clamp_time(time_us)) / kMicrosecondsPerSecond);
   }
-  return native_bound(kind, time_us, Bound::upper);
+  return native_bound(kind, time_us, kind == TimeKind::epoch_ns ? Bound::lower : Bound::upper);
 }
 
 std::int64_t microseconds(TimeKind kind, std::uint64_t native_bits) {
@@ -97,8 +121,13 @@ std::int64_t microseconds(TimeKind kind, std::uint64_t native_bits) {
     return std::llround(std::bit_cast<double>(native_bits) * kMicrosecondsPerSecond);
   }
   const auto value = std::bit_cast<std::int64_t>(native_bits);
+  if (kind == TimeKind::epoch_ns) return divide_down(value, kNanoseconds);
   const std::int64_t unit = unit_us(kind);
-  return unit == 0 ? value + kPostgresEpochUs : value * unit;
+  if (unit == 0) return value + kPostgresEpochUs;
+  std::int64_t time_us = 0;
+  // What does not fit lies beyond every calendar: the nearest end of what does.
+  if (!__builtin_mul_overflow(value, unit, &time_us)) return time_us;
+  return value < 0 ? kEarliestTimeUs : kLatestTimeUs;
 }
 
 }  // namespace loopscope::storage

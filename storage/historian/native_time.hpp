@@ -2,17 +2,21 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "storage/historian/binary_array.hpp"
-#include "storage/historian/narrow_layout.hpp"
+#include "storage/historian/source_layout.hpp"
 
 namespace loopscope::storage {
 
 /// A historian's time column in its own unit. Bounds are sent in that unit and results converted
 /// here, because a conversion in SQL would keep the server from using its index.
 
-/// SQL type that a value of the column is read and compared as.
+/// SQL type that bounds and results travel as.
 [[nodiscard]] const char* native_type(TimeKind kind);
+
+/// Types that the column may have.
+[[nodiscard]] std::vector<std::string> time_column_types(TimeKind kind);
 
 /// Element type of an array of it.
 [[nodiscard]] ElementType native_element(TimeKind kind);

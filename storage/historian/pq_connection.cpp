@@ -103,6 +103,15 @@ std::string PqConnection::quote(const std::string& name) const {
   return quoted.get();
 }
 
+std::string PqConnection::quote_literal(const std::string& text) const {
+  const std::unique_ptr<char, PqDelete> quoted(
+      PQescapeLiteral(connection_.get(), text.data(), text.size()));
+  if (!quoted) {
+    throw DatabaseError("not a text, " + place_.target, "texts are UTF-8", Remedy::give_up);
+  }
+  return quoted.get();
+}
+
 void PqConnection::start(const Statement& statement) {
   place_.statement = statement.name;
   deadline_ = Clock::now() + patience_.value_or(std::chrono::seconds(0));

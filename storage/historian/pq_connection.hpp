@@ -66,6 +66,8 @@ class PqConnection {
 
   /// `name` quoted as an identifier.
   [[nodiscard]] std::string quote(const std::string& name) const;
+  /// `text` quoted as a value: for what cannot travel as a parameter.
+  [[nodiscard]] std::string quote_literal(const std::string& text) const;
   [[nodiscard]] const std::string& target() const { return place_.target; }
 
  private:

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <map>
 #include <string_view>
-#include <vector>
 
+#include "storage/historian/find_partitions.hpp"
 #include "storage/historian/native_time.hpp"
+#include "storage/historian/refuse.hpp"
 #include "storage/historian/statements.hpp"
+#include "storage/historian/value_sql.hpp"
 #include "storage/utf8.hpp"
 
 namespace loopscope::storage {
@@ -16,54 +17,20 @@ namespace {
 
 using Types = std::vector<std::string>;
 
-[[noreturn]] void refuse(const std::string& what, const NarrowLayout& layout,
-                         const std::string& hint) {
-  throw DatabaseError(what + ", historian " + layout.source + " (" + layout.relation + ")", hint,
-                      Remedy::give_up);
-}
-
-/// The types of the columns by name. A domain counts as the type below it.
-using ColumnTypes = std::map<std::string, std::string>;
-
-ColumnTypes read_columns(PqConnection& connection, std::uint32_t relation_oid) {
-  ColumnTypes types;
-  const PqRows rows =
-      connection.run(historian_statements::kColumns, {std::to_string(relation_oid)});
-  for (int row = 0; row < rows.size(); ++row) types[rows.text(row, 0)] = rows.text(row, 1);
-  return types;
-}
-
-std::string known_columns(const ColumnTypes& types) {
-  std::string list;
-  for (const auto& [name, type] : types) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 /// The column's type, which must be one of `usable`.
-std::string require_column(const ColumnTypes& types, const NarrowLayout& layout,
-                           const std::string& setting, const std::string& column,
-                           const Types& usable) {
-  const auto found = types.find(column);
-  if (found == types.end()) {
-    refuse("no column \"" + column + "\"", layout,
-           "set `" + setting + "` to one of: " + known_columns(types));
-  }
-  if (std::ranges::find(usable, found->second) == usable.end()) {
-    std::string list;
-    for (const std::string& type : usable) list += (list.empty() ? "" : ", ") + type;
-    refuse("column \"" + column + "\" has the unusable type " + found->second, layout,
-           "`" + setting + "` reads " + list + "; a view can convert the column");
-  }
-  return found->second;
+std::string require_type(const SourceLayout& layout, const ColumnTypes& types,
+                         const std::string& relation, const NamedColumn& column,
+                         const Types& usable) {
+  require_columns(layout, relation, types, {column});
+  const std::string& found = types.at(column.second);
+  if (std::ranges::find(usable, found) != usable.end()) return found;
+  std::string list;
+  for (const std::string& type : usable) list += (list.empty() ? "" : ", ") + type;
+  refuse(layout, "column \"" + column.second + "\" has the unusable type " + found,
+         "`" + column.first + "` reads " + list + "; a view can convert the column");
 }
 
-/// Shorter whole numbers compare with int8 by the same index.
-Types time_types(TimeKind kind) {
-  const std::string type = native_type(kind);
-  return type == "int8" ? Types{type, "int4"} : Types{type};
-}
-
-/// Tags are compared as this type, so that the column's index can be used.
+/// Keys are compared as this type, so that the column's index can be used.
 std::string request_type(const std::string& column_type) {
   if (column_type.starts_with("int")) return "int8";
   if (column_type == "uuid" || column_type == "bpchar") return column_type;
@@ -86,66 +53,185 @@ bool is_int8(const std::string& text) {
   return error == std::errc{} && stop == end;
 }
 
-ResolvedLayout find_relation(PqConnection& connection, const NarrowLayout& layout) {
-  const RelationName name = split_relation(layout.relation);
-  if (!is_storable(layout.relation)) refuse("not a table's name", layout, "names are UTF-8 text");
-  const PqRows rows =
-      connection.run(historian_statements::kFindRelation, {name.schema, name.table});
-  if (rows.size() == 0) {
-    refuse(
-        "no such table or view", layout,
-        "set `table` to schema.table as it stands in the catalogue (upper and lower case count), "
-        "in " +
-            connection.target());
+class Resolver {
+ public:
+  Resolver(PqConnection& connection, const SourceLayout& layout)
+      : connection_(connection), layout_(layout) {}
+
+  ResolvedLayout resolve() {
+    ResolvedLayout resolved;
+    resolved.layout = layout_;
+    if (layout_.partitions) resolved.partitions = partition_list(*layout_.partitions);
+    resolved.data = data_of(resolved);
+    for (std::size_t part = 0; part < layout_.key.size(); ++part) {
+      resolved.key.push_back(key_part(resolved.data.types, layout_.key[part], part));
+    }
+    times(resolved);
+    if (has_quality(layout_)) {
+      const std::string type =
+          require_type(layout_, resolved.data.types, layout_.relation,
+                       {"quality_column", layout_.quality_column},
+                       {"int2", "int4", "int8", "bool", "text", "varchar", "bpchar", "name"});
+      resolved.quality = quality_sql(connection_, layout_, column(layout_.quality_column), type);
+    }
+    if (layout_.shape == Shape::narrow) require_values(resolved.data.types);
+    return resolved;
   }
-  ResolvedLayout resolved;
-  resolved.layout = layout;
-  resolved.relation_oid = static_cast<std::uint32_t>(std::stoul(rows.text(0, 0)));
-  resolved.relation = connection.quote(rows.text(0, 1)) + "." + connection.quote(rows.text(0, 2));
-  resolved.is_table = rows.text(0, 3) == "t";
-  return resolved;
+
+ private:
+  std::string column(const std::string& name) { return "h." + connection_.quote(name); }
+
+  std::string quoted_or_empty(const std::string& name) {
+    return name.empty() ? "" : connection_.quote(name);
+  }
+
+  FoundRelation table(const std::string& relation, const std::string& setting) {
+    auto found = find_relation(connection_, split_relation(relation));
+    if (!found) {
+      refuse(layout_, "no such table or view: " + make_storable(relation),
+             "set `" + setting +
+                 "` to schema.table as it stands in the catalogue (upper and lower case count), "
+                 "in " +
+                 connection_.target());
+    }
+    return *std::move(found);
+  }
+
+  ResolvedPartitions partition_list(const PartitionList& list) {
+    const FoundRelation found = table(list.relation, "partition_table");
+    require_columns(layout_, list.relation, found.types,
+                    {{"partition_name_column", list.name_column},
+                     {"partition_start_column", list.start_column},
+                     {"partition_end_column", list.end_column}});
+    return {found.sql, connection_.quote(list.name_column), connection_.quote(list.start_column),
+            connection_.quote(list.end_column), split_relation(list.relation).schema};
+  }
+
+  /// All listed tables have the same columns: any of them serves.
+  FoundRelation data_of(const ResolvedLayout& resolved) {
+    if (resolved.partitions) {
+      Partitions partitions(connection_, resolved);
+      if (auto any = partitions.any()) return *std::move(any);
+    }
+    return table(layout_.relation, "table");
+  }
+
+  ResolvedKey key_part(const ColumnTypes& types, const KeyPart& part, std::size_t index) {
+    const std::string setting = index == 0 ? "tag_column" : "subtag_column";
+    const std::string type =
+        require_type(layout_, types, layout_.relation, {setting, part.column},
+                     {"text", "varchar", "bpchar", "name", "int2", "int4", "int8", "uuid"});
+    ResolvedKey key{column(part.column), request_type(type), {}};
+    if (part.names) key.names = names(part, index == 0 ? "tag" : "subtag");
+    return key;
+  }
+
+  ResolvedNames names(const KeyPart& part, const std::string& prefix) {
+    const SideTable& side = *part.names;
+    const FoundRelation found = table(side.relation, prefix + "_table");
+    require_type(layout_, found.types, side.relation, {prefix + "_name_column", side.name_column},
+                 {"text", "varchar", "bpchar", "name"});
+    require_columns(layout_, side.relation, found.types, {{prefix + "_id_column", side.id_column}});
+    for (const NamedColumn& optional : {NamedColumn{prefix + "_order_column", part.order_column},
+                                        NamedColumn{"interpolation_column", part.hold_column}}) {
+      if (!optional.second.empty())
+        require_columns(layout_, side.relation, found.types, {optional});
+    }
+    return {found.sql, connection_.quote(side.name_column), connection_.quote(side.id_column),
+            quoted_or_empty(part.order_column), quoted_or_empty(part.hold_column)};
+  }
+
+  void times(ResolvedLayout& resolved) {
+    const ColumnTypes& types = resolved.data.types;
+    require_type(layout_, types, layout_.relation, {"time_column", layout_.time_column},
+                 time_column_types(layout_.time_kind));
+    resolved.time = column(layout_.time_column);
+    if (!layout_.nanos_column.empty()) {
+      require_type(layout_, types, layout_.relation, {"nanos_column", layout_.nanos_column},
+                   {"int4", "int8"});
+      resolved.nanos = column(layout_.nanos_column);
+    }
+    if (!layout_.tiebreak_column.empty()) {
+      require_columns(layout_, layout_.relation, types,
+                      {{"tiebreak_column", layout_.tiebreak_column}});
+      resolved.tiebreak = column(layout_.tiebreak_column);
+    }
+    if (layout_.time_kind == TimeKind::timestamp_local) resolved.zone = zone();
+  }
+
+  std::string zone() {
+    if (!is_storable(layout_.time_zone) ||
+        connection_.run(historian_statements::kFindZone, {layout_.time_zone}).size() == 0) {
+      refuse(layout_, "no such time zone: \"" + make_storable(layout_.time_zone) + "\"",
+             "set `time_zone` to a name of pg_timezone_names, e.g. Europe/Berlin");
+    }
+    return connection_.quote_literal(layout_.time_zone);
+  }
+
+  void require_values(const ColumnTypes& types) {
+    for (const std::string& value : layout_.value_columns) {
+      require_columns(layout_, layout_.relation, types, {{"value_column", value}});
+      const std::string& type = types.at(value);
+      if (is_number_type(type) || is_text_type(type)) continue;
+      refuse(layout_, "column \"" + value + "\" has the unusable type " + type,
+             "`value_column` reads numbers, truths and texts; a view can convert the column");
+    }
+  }
+
+  PqConnection& connection_;
+  const SourceLayout& layout_;
+};
+
+/// COALESCE over the columns of a narrow row, or the one column of the tag.
+std::string bare_value(const PqConnection& connection, const ResolvedLayout& layout,
+                       const std::vector<std::string>& columns) {
+  std::string list;
+  for (const std::string& column : columns) {
+    const std::string sql = value_sql(connection, "h." + connection.quote(column),
+                                      layout.data.types.at(column), layout.layout.states);
+    list += (list.empty() ? "" : ", ") + sql;
+  }
+  return columns.size() == 1 ? list : "COALESCE(" + list + ")";
+}
+
+/// A local time that stands for two moments (the hour that the end of summer time repeats): the
+/// database takes it for the later one, so the earlier one reads the same on the clock.
+std::string unambiguous(const ResolvedLayout& layout) {
+  const std::string at_zone = " AT TIME ZONE " + layout.zone;
+  return "((" + layout.time + at_zone + ") - interval '1 hour')" + at_zone + " <> " + layout.time;
 }
 
 }  // namespace
 
-RelationName split_relation(const std::string& relation) {
-  const std::size_t dot = relation.find('.');
-  if (dot == std::string::npos) return {"", relation};
-  return {relation.substr(0, dot), relation.substr(dot + 1)};
+ResolvedLayout resolve_layout(PqConnection& connection, const SourceLayout& layout) {
+  return Resolver(connection, layout).resolve();
 }
 
-bool has_quality(const NarrowLayout& layout) {
-  return !layout.quality_column.empty() && layout.quality_rule != QualityRule::none;
-}
-
-ResolvedLayout resolve_layout(PqConnection& connection, const NarrowLayout& layout) {
-  ResolvedLayout resolved = find_relation(connection, layout);
-  const ColumnTypes types = read_columns(connection, resolved.relation_oid);
-  resolved.tag_type = request_type(
-      require_column(types, layout, "tag_column", layout.tag_column,
-                     {"text", "varchar", "bpchar", "name", "int2", "int4", "int8", "uuid"}));
-  require_column(types, layout, "time_column", layout.time_column, time_types(layout.time_kind));
-  require_column(types, layout, "value_column", layout.value_column,
-                 {"float4", "float8", "int2", "int4", "int8", "numeric", "bool"});
-  resolved.tag = connection.quote(layout.tag_column);
-  resolved.time = connection.quote(layout.time_column);
-  resolved.value = connection.quote(layout.value_column);
-  // There is no direct way from boolean to double.
-  resolved.value_cast = types.at(layout.value_column) == "bool" ? "::int4::float8" : "::float8";
-  if (has_quality(layout)) {
-    require_column(types, layout, "quality_column", layout.quality_column,
-                   {"int2", "int4", "int8"});
-    resolved.quality = connection.quote(layout.quality_column);
+std::optional<std::string> value_of(const PqConnection& connection, const ResolvedLayout& layout,
+                                    const std::string& column) {
+  const bool narrow = layout.layout.shape == Shape::narrow;
+  if (!narrow) {
+    const auto found = layout.data.types.find(column);
+    if (found == layout.data.types.end()) return std::nullopt;
+    if (!is_number_type(found->second) && !is_text_type(found->second)) return std::nullopt;
   }
-  return resolved;
+  const std::string value =
+      bare_value(connection, layout, narrow ? layout.layout.value_columns : std::vector{column});
+  std::string condition = layout.quality.good;
+  if (!layout.zone.empty()) {
+    condition = (condition.empty() ? "" : "(" + condition + ") AND ") + unambiguous(layout);
+  }
+  if (condition.empty()) return value;
+  const std::string otherwise = layout.layout.null_is_absent ? " ELSE 'NaN'" : "";
+  return "CASE WHEN " + condition + " THEN " + value + otherwise + " END";
 }
 
-std::optional<std::string> native_tag(const std::string& tag, const std::string& tag_type) {
-  const bool possible = tag_type == "int8"   ? is_int8(tag)
-                        : tag_type == "uuid" ? is_uuid(tag)
-                                             : is_storable(tag);
+std::optional<std::string> native_key(const std::string& key, const std::string& type) {
+  const bool possible = type == "int8"   ? is_int8(key)
+                        : type == "uuid" ? is_uuid(key)
+                                         : is_storable(key);
   if (!possible) return std::nullopt;
-  return tag;
+  return key;
 }
 
 }  // namespace loopscope::storage

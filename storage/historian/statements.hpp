@@ -1,6 +1,10 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "storage/historian/resolve_layout.hpp"
+#include "storage/historian/scan.hpp"
 #include "storage/statement.hpp"
 
 /// The closed list of statements on a historian. Those that name its table are made from a layout
@@ -9,40 +13,63 @@ namespace loopscope::storage::historian_statements {
 
 extern const Statement kFindRelation;  ///< schema, table -> oid, schema, table, is_table
 extern const Statement kColumns;       ///< relation oid -> name, type
-extern const Statement kIndexes;       ///< relation oid, tag, time -> included columns
+extern const Statement kIndexes;  ///< relation oid -> key columns, all columns, comma-separated
 extern const Statement kNow;
 extern const Statement kBegin;
 extern const Statement kCommit;
 
-/// Newest rows of many tags, newest first: tags, lower bounds, upper bounds, largest numbers of
-/// rows, lower bounds for the row before (null = not wanted) -> slot, times, values, time before,
-/// value before. Bad quality is NULL.
-[[nodiscard]] Statement read_rows(const ResolvedLayout& layout);
+extern const Statement kFindZone;  ///< name of a time zone -> a row
 
-/// Time of each tag's newest row: tags, lower bound, upper bound.
-[[nodiscard]] Statement newest_rows(const ResolvedLayout& layout);
+/// Names -> name, id, code of how the tag is archived; several ids of a name in the order in which
+/// they were made. Names are found as they are and, with `lower_too`, in lower case.
+[[nodiscard]] Statement find_ids(const ResolvedNames& names, bool lower_too);
+/// The same in any case; no index serves it.
+[[nodiscard]] Statement find_ids_in_any_case(const ResolvedNames& names);
+/// Names (in any case) -> ids. The names are quoted.
+[[nodiscard]] Statement ids_of_names(const std::string& relation, const std::string& name,
+                                     const std::string& id);
 
-/// Time of the newest row of the whole table: lower bound.
-[[nodiscard]] Statement newest_row(const ResolvedLayout& layout);
+/// -> name, first time, last time of every listed table, the times as `kind` counts them.
+[[nodiscard]] Statement list_partitions(const ResolvedPartitions& list, TimeKind kind);
 
-/// Reads nothing, needs every right that reading needs.
-[[nodiscard]] Statement try_read(const ResolvedLayout& layout);
+/// Newest rows of many keys, newest first: one array per part of the key, lower bounds, upper
+/// bounds, largest numbers of rows, lower bounds for the row before -> slot, times, rows of unknown
+/// quality, values of each column, and time and value of the row before of each column that wants
+/// it. Bad values are NULL. `relations` (at least one) hold the span and what lies before it.
+[[nodiscard]] Statement read_scans(const ResolvedLayout& layout,
+                                   const std::vector<std::string>& relations,
+                                   const std::vector<ScanColumn>& columns);
 
-/// Whether a tag has rows in a span: tag, lower bound, upper bound.
-[[nodiscard]] Statement has_rows(const ResolvedLayout& layout);
+/// Time of the newest row of each key: one array per part of the key, lower bound, upper bound ->
+/// slot, time.
+[[nodiscard]] Statement newest_rows(const ResolvedLayout& layout,
+                                    const std::vector<std::string>& relations);
+
+/// The plan of `statement` as text, a row a line.
+[[nodiscard]] Statement explain(const Statement& statement);
+
+/// Time of the newest row of a whole table: lower bound.
+[[nodiscard]] Statement newest_row(const ResolvedLayout& layout, const std::string& relation);
+
+/// Reads nothing, needs every right that reading a value needs.
+[[nodiscard]] Statement try_read(const ResolvedLayout& layout, const std::string& value);
+
+/// The plain narrow table that recordings are loaded into, quoted.
+struct PlainTable {
+  std::string relation, tag, time, value, quality;  ///< quality empty = none
+  TimeKind time_kind = TimeKind::timestamptz;
+};
+
+/// Whether a tag has rows in a span: tag, lower bound, upper bound. `tag_type` is a SQL type.
+[[nodiscard]] Statement has_rows(const PlainTable& table, const std::string& tag_type);
 
 /// Deletes a tag's rows in a span: tag, lower bound, upper bound.
-[[nodiscard]] Statement delete_rows(const ResolvedLayout& layout);
+[[nodiscard]] Statement delete_rows(const PlainTable& table, const std::string& tag_type);
 
 /// COPY in text format: tag, time, value and, where it is judged, quality.
-[[nodiscard]] Statement copy_rows(const ResolvedLayout& layout);
+[[nodiscard]] Statement copy_rows(const PlainTable& table);
 
-/// Names that are not in the catalogue yet, quoted.
-struct NewTable {
-  std::string relation, tag, time, value, quality;  ///< quality empty = none
-  TimeKind time_kind;
-};
-[[nodiscard]] Statement create_table(const NewTable& table);
-[[nodiscard]] Statement create_index(const NewTable& table);
+[[nodiscard]] Statement create_table(const PlainTable& table);
+[[nodiscard]] Statement create_index(const PlainTable& table);
 
 }  // namespace loopscope::storage::historian_statements

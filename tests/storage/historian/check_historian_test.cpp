@@ -54,7 +54,7 @@ TEST_F(CheckHistorianTest, HintIsSqlThatWorks) {
   for (const Finding& found : check()) {
     if (!found.ok) database->execute(found.hint);
   }
-  EXPECT_THAT(check(), Contains(finding(true, false, "an index covers")));
+  EXPECT_THAT(check(), Contains(finding(true, false, "an index serves")));
 }
 
 TEST_F(CheckHistorianTest, ProblemsAreFindingsNotExceptions) {

@@ -8,7 +8,7 @@ std::int64_t second(std::int64_t seconds) {
 
 TagRequest request(const std::string& tag, std::int64_t from_s, std::int64_t to_s,
                    std::int64_t max_rows) {
-  return {tag, second(from_s), second(to_s), max_rows, false};
+  return {tag, second(from_s), second(to_s), max_rows, RowBefore::no};
 }
 
 TagRows rows_of(const std::string& tag, const std::vector<double>& values) {

@@ -35,7 +35,7 @@ class HistorianTest : public testing::Test {
               const std::string& quality = "192");
 
   std::unique_ptr<tests::TestDatabase> database;
-  NarrowLayout layout;
+  SourceLayout layout;
 };
 
 }  // namespace loopscope::storage

@@ -36,7 +36,7 @@ TEST_F(ReaderTest, QualityRulesDiffer) {
   insert("a", "2026-01-01 00:00:00+00", "1", "0");
   insert("a", "2026-01-01 00:00:01+00", "2", "192");
   const auto values = [&](QualityRule rule, const std::string& column) {
-    layout.quality_rule = rule;
+    layout.quality.rule = rule;
     layout.quality_column = column;
     HistorianReader historian = reader();
     return read_one(historian, request("a", 0, 100)).value;
@@ -82,16 +82,16 @@ TEST_F(ReaderTest, RowBeforeIsAddedWhenAskedFor) {
   import_rows(settings(), layout, std::vector{rows_of("a", {0, 1, 2, 3})}, false);
   HistorianReader historian = reader();
   TagRequest wanted = request("a", 2, 3);
-  wanted.before = true;
+  wanted.before = RowBefore::yes;
   const RawSeries rows = read_one(historian, wanted);
   EXPECT_THAT(rows.value, ElementsAre(1, 2, 3));
   EXPECT_EQ(rows.time_us.front(), second(1));
 
   wanted = request("a", 100, 200);
-  wanted.before = true;
+  wanted.before = RowBefore::yes;
   EXPECT_THAT(read_one(historian, wanted).value, ElementsAre(3)) << "nothing else in the span";
   wanted = request("a", 0, 0);
-  wanted.before = true;
+  wanted.before = RowBefore::yes;
   EXPECT_THAT(read_one(historian, wanted).value, ElementsAre(0)) << "nothing before";
 }
 

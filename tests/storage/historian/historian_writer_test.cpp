@@ -20,7 +20,7 @@ TEST_F(WriterTest, MissingValuesAreNullWithBadQuality) {
   EXPECT_EQ(
       database->rows("SELECT time, value, quality FROM history ORDER BY time"),
       (Rows{{"2026-01-01 00:00:00+00", "0.1", "192"}, {"2026-01-01 00:00:01+00", "NULL", "0"}}));
-  layout.quality_rule = QualityRule::zero;
+  layout.quality.rule = QualityRule::zero;
   import_rows(settings(), layout, std::vector{rows_of("b", {0.1, kNan})}, false);
   EXPECT_EQ(database->rows("SELECT quality FROM history WHERE tag = 'b' ORDER BY time"),
             (Rows{{"0"}, {"1"}}));

@@ -1,4 +1,4 @@
-#include "storage/historian/narrow_layout.hpp"
+#include "storage/historian/resolve_layout.hpp"
 
 #include <gmock/gmock.h>
 
@@ -36,7 +36,7 @@ TEST_P(TimeKindTest, RowsComeBackAtTheirTimes) {
 
   HistorianReader historian = reader();
   TagRequest wanted = request("a", 2, 3);
-  wanted.before = true;
+  wanted.before = RowBefore::yes;
   const RawSeries rows = read_one(historian, wanted);
   EXPECT_THAT(rows.value, ElementsAre(1, 2, 3));
   EXPECT_THAT(rows.time_us, ElementsAre(second(1), second(2), second(3)));
@@ -97,7 +97,7 @@ TEST_F(LayoutTest, ReadsThroughViewsAndDomainsAndOtherNumbers) {
     HistorianReader historian = reader();
     EXPECT_THAT(read_one(historian, request("a", 0, 9)).value, ElementsAre(12.5, IsNan()));
   }
-  layout.value_column = "on_off";
+  layout.value_columns = {"on_off"};
   HistorianReader historian = reader();
   EXPECT_THAT(read_one(historian, request("a", 0, 9)).value, ElementsAre(1.0, 0.0));
 }
@@ -113,9 +113,9 @@ TEST_F(LayoutTest, DatabaseMayHaveAnotherEncoding) {
 
 TEST_F(LayoutTest, HostileNamesAreOnlyNames) {
   layout.relation = "we\"ird.ta;ble'; DROP TABLE public.history; --";
-  layout.tag_column = "ta\"g";
+  layout.key.front().column = "ta\"g";
   layout.time_column = "select";
-  layout.value_column = "va,lue\\";
+  layout.value_columns = {"va,lue\\"};
   layout.quality_column = "$1";
   database->execute("CREATE SCHEMA \"we\"\"ird\"");
   ASSERT_TRUE(create_historian_table(settings(), layout));
@@ -134,7 +134,7 @@ TEST_F(LayoutTest, HostileNamesAreOnlyNames) {
 
 TEST_F(LayoutTest, WrongLayoutsAreRefusedWithAHint) {
   const auto refusal = [&](auto change) {
-    NarrowLayout wrong = layout;
+    SourceLayout wrong = layout;
     change(wrong);
     try {
       HistorianReader historian(settings(), wrong);
@@ -145,21 +145,21 @@ TEST_F(LayoutTest, WrongLayoutsAreRefusedWithAHint) {
       return std::string(error.what()) + " HINT: " + error.hint();
     }
   };
-  EXPECT_THAT(refusal([](NarrowLayout& l) { l.relation = "public.nothing"; }),
-              HasSubstr("no such table or view, historian plant (public.nothing)"));
-  EXPECT_THAT(refusal([](NarrowLayout& l) { l.relation = "History"; }), HasSubstr("no such table"));
-  EXPECT_THAT(refusal([](NarrowLayout& l) { l.relation = ""; }), HasSubstr("no such table"));
-  EXPECT_THAT(
-      refusal([](NarrowLayout& l) { l.tag_column = "Tag"; }),
-      HasSubstr("no column \"Tag\", historian plant (public.history) HINT: set `tag_column` "
-                "to one of: quality, tag, time, value"));
-  EXPECT_THAT(refusal([](NarrowLayout& l) { l.value_column = "tag"; }),
-              HasSubstr("column \"tag\" has the unusable type text"));
-  EXPECT_THAT(refusal([](NarrowLayout& l) { l.quality_column = "value"; }),
+  EXPECT_THAT(refusal([](SourceLayout& l) { l.relation = "public.nothing"; }),
+              HasSubstr("no such table or view: public.nothing, historian plant (public.nothing)"));
+  EXPECT_THAT(refusal([](SourceLayout& l) { l.relation = "History"; }), HasSubstr("no such table"));
+  EXPECT_THAT(refusal([](SourceLayout& l) { l.relation = ""; }), HasSubstr("no such table"));
+  EXPECT_THAT(refusal([](SourceLayout& l) { l.key.front().column = "Tag"; }),
+              HasSubstr("no column \"Tag\" in public.history, historian plant (public.history) "
+                        "HINT: set `tag_column` "
+                        "to one of: quality, tag, time, value"));
+  EXPECT_THAT(refusal([](SourceLayout& l) { l.value_columns = {"time"}; }),
+              HasSubstr("column \"time\" has the unusable type timestamptz"));
+  EXPECT_THAT(refusal([](SourceLayout& l) { l.quality_column = "value"; }),
               HasSubstr("`quality_column` reads int2, int4, int8"));
-  EXPECT_THAT(refusal([](NarrowLayout& l) { l.time_kind = TimeKind::timestamp_utc; }),
+  EXPECT_THAT(refusal([](SourceLayout& l) { l.time_kind = TimeKind::timestamp_utc; }),
               HasSubstr("`time_column` reads timestamp;"));
-  EXPECT_THAT(refusal([](NarrowLayout& l) { l.time_kind = TimeKind::epoch_ms; }),
+  EXPECT_THAT(refusal([](SourceLayout& l) { l.time_kind = TimeKind::epoch_ms; }),
               HasSubstr("unusable type timestamptz"));
 }
 

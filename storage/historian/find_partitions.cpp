@@ -1,0 +1,66 @@
+#include "storage/historian/find_partitions.hpp"
+
+#include <algorithm>
+
+#include "storage/historian/native_time.hpp"
+#include "storage/historian/statements.hpp"
+#include "storage/timestamp.hpp"
+
+namespace loopscope::storage {
+
+Partitions::Partitions(PqConnection& connection, const ResolvedLayout& layout)
+    : connection_(connection),
+      list_(layout.partitions.value()),
+      time_kind_(layout.layout.time_kind) {
+  refresh();
+}
+
+void Partitions::refresh() {
+  const PqRows rows = connection_.run(historian_statements::list_partitions(list_, time_kind_), {},
+                                      ResultFormat::binary);
+  std::map<std::string, Entry> spans;
+  for (int row = 0; row < rows.size(); ++row) {
+    const auto time_at = [&](int column) {
+      return microseconds(time_kind_, decode_value(rows.bytes(row, column)));
+    };
+    const std::int64_t from = rows.is_null(row, 1) ? kEarliestTimeUs : time_at(1);
+    std::int64_t to = rows.is_null(row, 2) ? kLatestTimeUs : time_at(2);
+    // The table that is being written may have no end yet.
+    if (to < from) to = kLatestTimeUs;
+    const std::string name = rows.text(row, 0);
+    const auto relation = quoted(name);
+    if (!relation) continue;
+    const auto [entry, first] = spans.try_emplace(name, Entry{*relation, from, to});
+    if (!first) {
+      entry->second.from_us = std::min(entry->second.from_us, from);
+      entry->second.to_us = std::max(entry->second.to_us, to);
+    }
+  }
+  entries_.clear();
+  for (auto& [name, entry] : spans) entries_.push_back(std::move(entry));
+}
+
+std::vector<std::string> Partitions::within(std::int64_t from_us, std::int64_t to_us) const {
+  std::vector<std::string> relations;
+  for (const Entry& entry : entries_) {
+    if (entry.from_us <= to_us && entry.to_us >= from_us) relations.push_back(entry.relation);
+  }
+  return relations;
+}
+
+std::optional<FoundRelation> Partitions::any() {
+  if (known_.empty()) return std::nullopt;
+  return known_.begin()->second;
+}
+
+std::optional<std::string> Partitions::quoted(const std::string& name) {
+  auto known = known_.find(name);
+  if (known == known_.end()) {
+    auto found = find_relation(connection_, {list_.schema, name});
+    if (!found) return std::nullopt;
+    known = known_.emplace(name, *std::move(found)).first;
+  }
+  return known->second.sql;
+}
+
+}  // namespace loopscope::storage

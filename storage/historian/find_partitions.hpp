@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/historian/resolve_layout.hpp"
+
+namespace loopscope::storage {
+
+/// The tables that hold a span of time, by the historian's own list of them.
+///
+/// The list is the only thing to go by: a table's name says neither its span nor whose rows it
+/// holds (the number in Ignition's names changes with the gateway's name). Listed tables that were
+/// dropped are passed over; a table that is listed twice is read once.
+class Partitions {
+ public:
+  /// `layout.partitions` must be there.
+  Partitions(PqConnection& connection, const ResolvedLayout& layout);
+
+  /// Reads the list again: tables come and go. Throws DatabaseError.
+  void refresh();
+  /// The tables that overlap a span, microseconds UTC, both ends included; quoted for SQL.
+  [[nodiscard]] std::vector<std::string> within(std::int64_t from_us, std::int64_t to_us) const;
+  /// Any table of the list that exists.
+  [[nodiscard]] std::optional<FoundRelation> any();
+
+ private:
+  struct Entry {
+    std::string relation;  ///< quoted
+    std::int64_t from_us = 0;
+    std::int64_t to_us = 0;
+  };
+  /// nullopt for a table that does not exist.
+  std::optional<std::string> quoted(const std::string& name);
+
+  PqConnection& connection_;
+  ResolvedPartitions list_;
+  TimeKind time_kind_;
+  std::map<std::string, FoundRelation> known_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace loopscope::storage

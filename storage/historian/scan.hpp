@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "storage/historian/find_tags.hpp"
+#include "storage/historian/resolve_layout.hpp"
+#include "storage/historian/tag_request.hpp"
+
+namespace loopscope::storage {
+
+/// Whom the values of one column of a scan are for: place `place` of request `request`.
+struct ScanTarget {
+  std::size_t request = 0;
+  std::size_t place = 0;
+};
+
+/// One value column of a scan.
+struct ScanColumn {
+  std::string value;    ///< SQL of the double (value_of)
+  bool before = false;  ///< also the newest row before the span
+  std::vector<ScanTarget> targets;
+};
+
+/// One pass over the rows of a key in a span of time. Tags that share their rows (columns of one
+/// loop or of one wide table, one tag of several loops) share the scan.
+struct Scan {
+  std::vector<std::string> key;
+  std::int64_t from_us = 0;
+  std::int64_t to_us = 0;
+  std::int64_t max_rows = 0;
+  std::vector<ScanColumn> columns;
+};
+
+/// Scans that one statement reads: all of them have the same columns. `places` are those of
+/// `requests` (find_tags). Every request's places are in some batch, unless its column holds no
+/// values. Batches keep to what a round trip should carry (rows and columns).
+[[nodiscard]] std::vector<std::vector<Scan>> plan_scans(
+    const PqConnection& connection, const ResolvedLayout& layout,
+    std::span<const TagRequest> requests, std::span<const std::vector<TagPlace>> places);
+
+}  // namespace loopscope::storage

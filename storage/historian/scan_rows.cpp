@@ -1,0 +1,155 @@
+#include "storage/historian/scan_rows.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/signal/loop_window.hpp"
+#include "storage/array_literal.hpp"
+#include "storage/historian/native_time.hpp"
+#include "storage/timestamp.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+using core::signal::kMissing;
+using core::signal::RawSeries;
+
+// Columns of the answer: slot, times, rows of unknown quality, then the values of each column, then
+// time and value of the row before of each column that wants one.
+constexpr int kTimes = 1;
+constexpr int kUnknown = 2;
+constexpr int kFirstValues = 3;
+
+/// NULL on the wire, told apart from a NaN that the server sent by bits that it never sends.
+constexpr std::uint64_t kNullBits = 0x7FF8'0000'0000'0A55;
+
+/// Position of a column's row before among the answer's columns.
+int before_column(const Scan& scan, std::size_t column) {
+  int position = kFirstValues + static_cast<int>(scan.columns.size());
+  for (std::size_t k = 0; k < column; ++k) position += scan.columns[k].before ? 2 : 0;
+  return position;
+}
+
+double finite_or_missing(std::uint64_t bits) {
+  const auto value = std::bit_cast<double>(bits);
+  return std::isfinite(value) ? value : kMissing;
+}
+
+/// Puts rows with the same time into the order of their values, missing ones first.
+void settle_ties(RawSeries& series) {
+  const auto before = [](double a, double b) {
+    return std::isnan(a) ? !std::isnan(b) : !std::isnan(b) && a < b;
+  };
+  for (std::size_t first = 0, end = 0; first < series.time_us.size(); first = end) {
+    for (end = first + 1;
+         end < series.time_us.size() && series.time_us[end] == series.time_us[first];) {
+      ++end;
+    }
+    if (end - first == 1) continue;
+    const auto begin = series.value.begin();
+    std::sort(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end),
+              before);
+  }
+}
+
+/// The bits of the rows, newest first on the wire.
+struct Wire {
+  std::vector<std::uint64_t> times, values;
+};
+
+Wire take_wire(const PqRows& rows, int row, const Scan& scan, std::size_t column, TimeKind kind) {
+  Wire wire;
+  const int values = kFirstValues + static_cast<int>(column);
+  if (!rows.is_null(row, kTimes)) {
+    wire.times = decode_array(rows.bytes(row, kTimes), native_element(kind), 0);
+    wire.values = decode_array(rows.bytes(row, values), ElementType::float8, kNullBits);
+  }
+  if (wire.times.size() != wire.values.size()) {
+    throw MalformedArray("times and values differ in number");
+  }
+  const int before = before_column(scan, column);
+  if (scan.columns[column].before && !rows.is_null(row, before)) {
+    wire.times.push_back(decode_value(rows.bytes(row, before)));
+    wire.values.push_back(
+        rows.is_null(row, before + 1) ? kNullBits : decode_value(rows.bytes(row, before + 1)));
+  }
+  return wire;
+}
+
+/// What the statement's bounds let through that the span does not: whole seconds beside
+/// nanoseconds, clocks that were put back.
+void trim(RawSeries& series, const Scan& scan, bool before) {
+  const auto erase = [&series](std::ptrdiff_t first, std::ptrdiff_t end) {
+    series.time_us.erase(series.time_us.begin() + first, series.time_us.begin() + end);
+    series.value.erase(series.value.begin() + first, series.value.begin() + end);
+  };
+  const auto position = [&series](auto bound) { return bound - series.time_us.begin(); };
+  auto& times = series.time_us;
+  erase(position(std::upper_bound(times.begin(), times.end(), scan.to_us)),
+        static_cast<std::ptrdiff_t>(times.size()));
+  const std::ptrdiff_t earlier =
+      position(std::lower_bound(times.begin(), times.end(), scan.from_us));
+  erase(0, before && earlier > 0 ? earlier - 1 : earlier);
+}
+
+/// The lower bound as the time column sees it: beside nanoseconds it may hold full seconds only.
+std::int64_t first_time(const Scan& scan, const ResolvedLayout& layout) {
+  constexpr std::int64_t kSecond_us = 1'000'000;
+  if (layout.nanos.empty()) return scan.from_us;
+  const std::int64_t from = clamp_time(scan.from_us);
+  const std::int64_t fraction = ((from % kSecond_us) + kSecond_us) % kSecond_us;
+  return from - fraction;
+}
+
+}  // namespace
+
+std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
+                                         const ResolvedLayout& layout) {
+  const TimeKind kind = layout.layout.time_kind;
+  std::vector<std::string> parameters;
+  for (std::size_t part = 0; part < layout.key.size(); ++part) {
+    ArrayLiteral keys;
+    for (const Scan& scan : batch) keys.add_text(scan.key[part]);
+    parameters.push_back(keys.text());
+  }
+  ArrayLiteral from, to, max_rows, before;
+  for (const Scan& scan : batch) {
+    from.add_text(native_bound(kind, first_time(scan, layout), Bound::lower));
+    to.add_text(native_bound(kind, scan.to_us, Bound::upper));
+    max_rows.add_integer(std::max<std::int64_t>(scan.max_rows, 0));
+    before.add_text(native_bound(kind, clamp_time(scan.from_us) - kReachBefore_us, Bound::lower));
+  }
+  for (const ArrayLiteral* array : {&from, &to, &max_rows, &before})
+    parameters.push_back(array->text());
+  return parameters;
+}
+
+RawSeries read_column(const PqRows& rows, int row, const Scan& scan, std::size_t column,
+                      const ResolvedLayout& layout) {
+  const TimeKind kind = layout.layout.time_kind;
+  const Wire wire = take_wire(rows, row, scan, column, kind);
+  RawSeries series;
+  series.time_us.reserve(wire.times.size());
+  series.value.reserve(wire.times.size());
+  bool repeated = false;
+  for (std::size_t k = wire.times.size(); k-- > 0;) {
+    if (layout.layout.null_is_absent && wire.values[k] == kNullBits) continue;
+    const std::int64_t time_us = microseconds(kind, wire.times[k]);
+    repeated = repeated || (!series.empty() && series.time_us.back() == time_us);
+    series.time_us.push_back(time_us);
+    series.value.push_back(finite_or_missing(wire.values[k]));
+  }
+  if (repeated && layout.tiebreak.empty()) settle_ties(series);
+  trim(series, scan, scan.columns[column].before);
+  series.unknown_quality = static_cast<std::size_t>(decode_value(rows.bytes(row, kUnknown)));
+  return series;
+}
+
+std::size_t slot_of(const PqRows& rows, int row, std::size_t slots) {
+  const std::uint64_t slot = decode_value(rows.bytes(row, 0));
+  if (slot < 1 || slot > slots) throw MalformedArray("a row of an unknown slot");
+  return static_cast<std::size_t>(slot - 1);
+}
+
+}  // namespace loopscope::storage

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/signal/raw_series.hpp"
+#include "storage/historian/pq_connection.hpp"
+#include "storage/historian/resolve_layout.hpp"
+#include "storage/historian/scan.hpp"
+
+namespace loopscope::storage {
+
+/// Parameters of the statement read_scans() for a batch: one array per part of the key, then lower
+/// bounds, upper bounds, largest numbers of rows, lower bounds of the row before.
+[[nodiscard]] std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
+                                                       const ResolvedLayout& layout);
+
+/// How far back a row before the window is looked for: a setpoint may stand still for months.
+inline constexpr std::int64_t kReachBefore_us = std::int64_t{366} * 86'400 * 1'000'000;
+
+/// The rows of one column of a scan out of a row of the statement's answer: ascending in time, bad
+/// values as NaN, nothing outside the span but the one row before it. Rows with the same time and
+/// nothing to tell them apart come in the order of their values, so that the same rows always make
+/// the same series. Throws MalformedArray.
+[[nodiscard]] core::signal::RawSeries read_column(const PqRows& rows, int row, const Scan& scan,
+                                                  std::size_t column, const ResolvedLayout& layout);
+
+/// Position in the batch that a row of the answer belongs to. Throws MalformedArray.
+[[nodiscard]] std::size_t slot_of(const PqRows& rows, int row, std::size_t slots);
+
+}  // namespace loopscope::storage
