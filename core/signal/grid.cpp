@@ -48,15 +48,15 @@ void place_steps(const RawSeries& rows, const Grid& grid, Samples& slots) {
   }
 }
 
-/// Fills the slots from the time of one row to that of the next, both included, by the line between
-/// them; NaN at either end makes the line unknown.
+/// Fills the slots from the time of one row on up to, but without, that of the next by the line
+/// between them.
 void draw_line(const RawSeries& rows, std::size_t row, const Grid& grid, Samples& slots) {
   const double interval_us = grid.sample_interval_s * kMicrosecondsPerSecond;
   const double from = elapsed_us(grid.start_us, rows.time_us[row]) / interval_us;
   const double to = elapsed_us(grid.start_us, rows.time_us[row + 1]) / interval_us;
-  const double last = std::min(std::floor(to), static_cast<double>(grid.size) - 1.0);
-  for (double k = std::max(std::ceil(from), 0.0); k <= last; k += 1.0) {
-    const double share = to > from ? (k - from) / (to - from) : 1.0;
+  const double end = std::min(to, static_cast<double>(grid.size));
+  for (double k = std::max(std::ceil(from), 0.0); k < end; k += 1.0) {
+    const double share = (k - from) / (to - from);
     slots[static_cast<std::size_t>(k)] =
         rows.value[row] + share * (rows.value[row + 1] - rows.value[row]);
   }

@@ -32,6 +32,8 @@ class Fnv1a {
     for (const char c : text) add_byte(static_cast<unsigned char>(c));
   }
 
+  [[nodiscard]] std::uint64_t value() const { return hash_; }
+
   [[nodiscard]] std::string hexadecimal() const {
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string text;
@@ -57,6 +59,12 @@ std::string window_digest(const LoopWindow& window, std::string_view settings) {
   hash.add(window.op_range ? window.op_range->high : kMissing);
   hash.add(settings);
   return hash.hexadecimal();
+}
+
+std::uint64_t window_seed(const LoopWindow& window) {
+  Fnv1a hash;
+  hash.add(window.pv);
+  return hash.value();
 }
 
 }  // namespace loopscope::core::signal

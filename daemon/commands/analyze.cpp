@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "config/read_settings.hpp"
-#include "core/diagnosis/seed.hpp"
+#include "core/signal/window_digest.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
 #include "daemon/failure.hpp"
@@ -58,8 +58,7 @@ Analysis analyse(const Recording& recording, const core::AnalysisSettings& setti
   if (first.slow_span_samples > 0) {
     longer = last_window(recording, first.slow_span_samples, op_range);
   }
-  // The name of the file is left out: a copy of a recording has the recording's diagnosis.
-  facts.seed = core::seed_of("", analysis.window.start_us);
+  facts.seed = core::signal::window_seed(analysis.window);
   analysis.diagnosis = core::diagnose(first, settings, facts, longer ? &*longer : nullptr);
   return analysis;
 }

@@ -2,7 +2,6 @@
 
 #include <chrono>
 
-#include "core/diagnosis/seed.hpp"
 #include "core/hos/triple_sums.hpp"
 #include "core/signal/grid.hpp"
 #include "core/signal/window_digest.hpp"
@@ -56,7 +55,7 @@ storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, cons
   const auto start = std::chrono::steady_clock::now();
   record.diagnosis = diagnose(input, settings,
                               {.integrating = is_integrating_type(loop.loop_type),
-                               .seed = core::seed_of(loop.name, input.at_slot.slot_end_us)});
+                               .seed = core::signal::window_seed(input.at_slot.window)});
   record.analyse_ms =
       input.first_look_ms + Milliseconds(std::chrono::steady_clock::now() - start).count();
   if (const auto& slow = record.diagnosis.evidence.hos_slow) {

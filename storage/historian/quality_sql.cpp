@@ -1,6 +1,7 @@
 #include "storage/historian/quality_sql.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <vector>
@@ -70,6 +71,14 @@ Codes ids_of(PqConnection& connection, const SourceLayout& layout, const SideTab
   return ids;
 }
 
+Codes lower(Codes words) {
+  for (std::string& word : words) {
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  }
+  return words;
+}
+
 QualitySql listed(PqConnection& connection, const SourceLayout& layout, const std::string& column,
                   const std::string& type) {
   const QualityDecoder& rule = layout.quality;
@@ -94,8 +103,9 @@ QualitySql listed(PqConnection& connection, const SourceLayout& layout, const st
              "write codes as the column has them, or name `quality_table`");
     }
   }
-  const std::string q = numbers ? column : "btrim(" + column + "::text)";
-  return {in_list(connection, q, good), in_list(connection, q, known)};
+  if (numbers) return {in_list(connection, column, good), in_list(connection, column, known)};
+  const std::string word = "lower(btrim(" + column + "::text))";
+  return {in_list(connection, word, lower(good)), in_list(connection, word, lower(known))};
 }
 
 }  // namespace

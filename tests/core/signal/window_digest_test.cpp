@@ -46,5 +46,16 @@ TEST(WindowDigest, EveryMissingSampleAndBothZerosCountTheSame) {
   EXPECT_EQ(window_digest(b, ""), window_digest(c, ""));
 }
 
+TEST(WindowSeed, GoesByTheSamplesAlone) {
+  LoopWindow window;
+  for (int k = 0; k < 100; ++k) window.pv.push_back(0.5 * k);
+  window.pv[7] = kMissing;
+  LoopWindow elsewhere = window;
+  elsewhere.start_us = 1'000'000;
+  EXPECT_EQ(window_seed(window), window_seed(elsewhere));
+  elsewhere.pv[99] += 1e-9;
+  EXPECT_NE(window_seed(window), window_seed(elsewhere));
+}
+
 }  // namespace
 }  // namespace loopscope::core::signal

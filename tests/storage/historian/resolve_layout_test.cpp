@@ -51,7 +51,8 @@ INSTANTIATE_TEST_SUITE_P(
         KindOfTime{TimeKind::epoch_s, "bigint", "1767225601"},
         KindOfTime{TimeKind::epoch_s_float, "double precision", "1767225601"},
         KindOfTime{TimeKind::epoch_ms, "bigint", "1767225601000"},
-        KindOfTime{TimeKind::epoch_us, "bigint", "1767225601000000"}));
+        KindOfTime{TimeKind::epoch_us, "bigint", "1767225601000000"},
+        KindOfTime{TimeKind::epoch_ns, "bigint", "1767225601000000000"}));
 
 struct KindOfTag {
   const char* type;
@@ -130,6 +131,19 @@ TEST_F(LayoutTest, HostileNamesAreOnlyNames) {
   EXPECT_THAT(rows[1].value, ElementsAre(3));
   EXPECT_THAT(rows[2].value, ElementsAre(4));
   EXPECT_EQ(database->value("SELECT count(*) FROM public.history"), "0");
+}
+
+TEST_F(LayoutTest, NoValueMakesTheStatementFail) {
+  database->execute(
+      "CREATE TABLE numbers (tag text, time timestamptz, value numeric);"
+      "INSERT INTO numbers SELECT 'a', timestamptz '2026-01-01 00:00:00+00' + k * interval '1 s', v"
+      " FROM unnest(ARRAY['1.5', '1e400', '-1e-400', '0', 'NaN', '-1e299']::numeric[])"
+      " WITH ORDINALITY AS t (v, k)");
+  layout.relation = "numbers";
+  layout.quality_column = "";
+  HistorianReader historian = reader();
+  EXPECT_THAT(read_one(historian, request("a", 0, 99)).value,
+              ElementsAre(1.5, IsNan(), IsNan(), 0.0, IsNan(), -1e299));
 }
 
 TEST_F(LayoutTest, WrongLayoutsAreRefusedWithAHint) {
