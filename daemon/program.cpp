@@ -54,6 +54,7 @@ void add_commands(CLI::App& program) {
   add_simulate(program);
   add_import(program);
   add_loops(program);
+  add_window(program);
   add_migrate(program);
   add_maintain(program);
   add_check_config(program);

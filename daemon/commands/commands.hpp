@@ -17,6 +17,7 @@ void add_calibrate(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_import(CLI::App& program);
 void add_loops(CLI::App& program);
+void add_window(CLI::App& program);
 void add_migrate(CLI::App& program);
 void add_maintain(CLI::App& program);
 void add_check_config(CLI::App& program);

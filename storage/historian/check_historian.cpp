@@ -1,15 +1,16 @@
 #include "storage/historian/check_historian.hpp"
 
-#include <algorithm>
-#include <sstream>
 #include <string>
 
+#include "storage/historian/check_index.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/refuse.hpp"
 #include "storage/historian/resolve_layout.hpp"
 #include "storage/historian/scan_rows.hpp"
+#include "storage/historian/scan_statements.hpp"
 #include "storage/historian/statements.hpp"
+#include "storage/historian/tag_value.hpp"
 #include "storage/timestamp.hpp"
 
 namespace loopscope::storage {
@@ -20,63 +21,6 @@ namespace {
 constexpr std::int64_t kRecentUs = std::int64_t{7} * 86'400 * 1'000'000;
 constexpr int kPatience_s = 10;
 
-/// The columns that the index should start with and those that it should hold besides.
-struct WantedIndex {
-  std::vector<std::string> key, include;
-};
-
-WantedIndex wanted_index(const SourceLayout& layout) {
-  WantedIndex wanted;
-  for (const KeyPart& part : layout.key) wanted.key.push_back(part.column);
-  wanted.key.push_back(layout.time_column);
-  // Rows of several values serve many tags at once: a covering index would be a second table.
-  if (layout.shape == Shape::narrow) wanted.include = layout.value_columns;
-  if (layout.shape == Shape::narrow && has_quality(layout))
-    wanted.include.push_back(layout.quality_column);
-  return wanted;
-}
-
-std::string quoted_list(const PqConnection& connection, const std::vector<std::string>& columns) {
-  std::string list;
-  for (const std::string& column : columns) {
-    list += (list.empty() ? "" : ", ") + connection.quote(column);
-  }
-  return list;
-}
-
-std::string plain_list(const std::vector<std::string>& columns) {
-  std::string list;
-  for (const std::string& column : columns) list += (list.empty() ? "" : ", ") + column;
-  return list;
-}
-
-std::string advice(const PqConnection& connection, const std::string& relation,
-                   const WantedIndex& wanted) {
-  std::string sql =
-      "CREATE INDEX CONCURRENTLY ON " + relation + " (" + quoted_list(connection, wanted.key) + ")";
-  if (!wanted.include.empty()) sql += " INCLUDE (" + quoted_list(connection, wanted.include) + ")";
-  return sql;
-}
-
-/// Whether a comma-separated list starts with the wanted columns: the time last, the parts of the
-/// key before it in any order.
-bool starts_with_key(const std::string& columns, const WantedIndex& wanted) {
-  std::vector<std::string> first;
-  std::istringstream rest(columns);
-  for (std::string name; first.size() < wanted.key.size() && std::getline(rest, name, ',');) {
-    first.push_back(name);
-  }
-  return first.size() == wanted.key.size() && first.back() == wanted.key.back() &&
-         std::is_permutation(first.begin(), first.end(), wanted.key.begin());
-}
-
-bool holds_all(const std::string& columns, const std::vector<std::string>& wanted) {
-  const std::string list = "," + columns + ",";
-  return std::all_of(wanted.begin(), wanted.end(), [&list](const std::string& column) {
-    return list.find("," + column + ",") != std::string::npos;
-  });
-}
-
 /// SQL of some value of a row: which tag's does not matter to rights and plans.
 std::string any_value(const PqConnection& connection, const ResolvedLayout& layout) {
   if (layout.layout.shape == Shape::narrow) return value_of(connection, layout, "").value();
@@ -85,37 +29,6 @@ std::string any_value(const PqConnection& connection, const ResolvedLayout& layo
   }
   refuse(layout.layout, "no column of " + layout.data.sql + " holds numbers",
          "the columns of a loop_row or wide table are its values");
-}
-
-Finding check_index(PqConnection& connection, const ResolvedLayout& layout) {
-  const std::string& relation = layout.data.sql;
-  if (!layout.data.is_table) {
-    return {true, relation + " is a view or a foreign table: its indexes were not checked",
-            "make sure that the table behind it has an index on (tag, time)", true};
-  }
-  const WantedIndex wanted = wanted_index(layout.layout);
-  const std::string hint = advice(connection, relation, wanted);
-  const PqRows rows =
-      connection.run(historian_statements::kIndexes, {std::to_string(layout.data.oid)});
-  bool has_key = false;
-  for (int row = 0; row < rows.size(); ++row) {
-    if (!starts_with_key(rows.text(row, 0), wanted)) continue;
-    has_key = true;
-    if (holds_all(rows.text(row, 1), wanted.include))
-      return {true, "an index serves the reading of windows, " + relation, "", false};
-  }
-  if (!has_key) {
-    return {false,
-            "no index starts with (" + plain_list(wanted.key) +
-                "), so every window would scan the table, " + relation,
-            hint, false};
-  }
-  return {
-      true,
-      "the index on (" + plain_list(wanted.key) +
-          ") does not include the value: reading is some three times slower than it could be, " +
-          relation,
-      hint, true};
 }
 
 /// What the planner makes of the statement that reads windows: no index helps where it does not

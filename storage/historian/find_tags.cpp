@@ -6,6 +6,7 @@
 #include <set>
 
 #include "storage/array_literal.hpp"
+#include "storage/historian/native_key.hpp"
 #include "storage/historian/statements.hpp"
 #include "storage/utf8.hpp"
 

@@ -11,7 +11,9 @@
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
 #include "storage/historian/scan_rows.hpp"
+#include "storage/historian/scan_statements.hpp"
 #include "storage/historian/statements.hpp"
+#include "storage/historian/tag_value.hpp"
 #include "storage/timestamp.hpp"
 
 namespace loopscope::storage {
@@ -49,6 +51,37 @@ std::pair<std::int64_t, std::int64_t> reach_of(const std::vector<Scan>& batch) {
     to = std::max(to, scan.to_us);
   }
   return {from, to};
+}
+
+/// A key and the tags whose rows stand under it.
+struct KeyOfTags {
+  std::vector<std::string> key;
+  std::vector<std::size_t> tags;
+};
+
+std::vector<KeyOfTags> keys_of(const Places& places) {
+  std::map<std::vector<std::string>, std::vector<std::size_t>> tags_of_key;
+  for (std::size_t tag = 0; tag < places.size(); ++tag) {
+    for (const TagPlace& place : places[tag]) tags_of_key[place.key].push_back(tag);
+  }
+  std::vector<KeyOfTags> keys;
+  for (auto& [key, tags] : tags_of_key) keys.push_back({key, std::move(tags)});
+  return keys;
+}
+
+std::vector<std::string> newest_parameters(std::span<const KeyOfTags> batch,
+                                           const ResolvedLayout& layout, std::int64_t earliest_us,
+                                           std::int64_t latest_us) {
+  std::vector<std::string> parameters;
+  for (std::size_t part = 0; part < layout.key.size(); ++part) {
+    ArrayLiteral keys;
+    for (const KeyOfTags& tagged : batch) keys.add_text(tagged.key[part]);
+    parameters.push_back(keys.text());
+  }
+  const TimeKind kind = layout.layout.time_kind;
+  parameters.push_back(native_bound(kind, earliest_us, Bound::lower));
+  parameters.push_back(native_bound(kind, latest_us, Bound::upper));
+  return parameters;
 }
 
 }  // namespace
@@ -142,31 +175,20 @@ std::vector<std::optional<std::int64_t>> HistorianReader::newest(std::span<const
                                                                  std::int64_t not_after_us) {
   const Places places = find_tags(impl_->connection, impl_->layout, tags);
   impl_->look_again(places);
-  std::map<std::vector<std::string>, std::vector<std::size_t>> tags_of_key;
-  for (std::size_t tag = 0; tag < places.size(); ++tag) {
-    for (const TagPlace& place : places[tag]) tags_of_key[place.key].push_back(tag);
-  }
   std::vector<std::optional<std::int64_t>> newest(tags.size());
-  const std::int64_t earliest = clamp_time(not_after_us) - kNewestReachUs;
-  const std::vector<std::string> tables = impl_->relations(earliest, not_after_us);
+  const std::int64_t earliest_us = clamp_time(not_after_us) - kNewestReachUs;
+  const std::vector<std::string> tables = impl_->relations(earliest_us, not_after_us);
   if (tables.empty()) return newest;
+  const Statement statement = historian_statements::newest_rows(impl_->layout, tables);
   const TimeKind kind = impl_->layout.layout.time_kind;
-  for (auto next = tags_of_key.begin(); next != tags_of_key.end();) {
-    std::vector<const std::vector<std::size_t>*> batch;
-    std::vector<ArrayLiteral> keys(impl_->layout.key.size());
-    for (; next != tags_of_key.end() && batch.size() < kMaxNewestKeys; ++next) {
-      batch.push_back(&next->second);
-      for (std::size_t part = 0; part < keys.size(); ++part) keys[part].add_text(next->first[part]);
-    }
-    std::vector<std::string> parameters;
-    for (const ArrayLiteral& key : keys) parameters.push_back(key.text());
-    parameters.push_back(native_bound(kind, earliest, Bound::lower));
-    parameters.push_back(native_bound(kind, not_after_us, Bound::upper));
-    const Statement statement = historian_statements::newest_rows(impl_->layout, tables);
+  const std::vector<KeyOfTags> keys = keys_of(places);
+  for (std::size_t done = 0; done < keys.size(); done += kMaxNewestKeys) {
+    const auto batch = std::span(keys).subspan(done, std::min(kMaxNewestKeys, keys.size() - done));
+    const auto parameters = newest_parameters(batch, impl_->layout, earliest_us, not_after_us);
     impl_->query(statement, parameters, [&](const PqRows& rows) {
       for (int row = 0; row < rows.size(); ++row) {
         const std::int64_t time_us = microseconds(kind, decode_value(rows.bytes(row, 1)));
-        for (const std::size_t tag : *batch[slot_of(rows, row, batch.size())]) {
+        for (const std::size_t tag : batch[slot_of(rows, row, batch.size())].tags) {
           newest[tag] = std::max(newest[tag].value_or(kEarliestTimeUs), time_us);
         }
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "storage/array_literal.hpp"
+#include "storage/historian/native_key.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/refuse.hpp"

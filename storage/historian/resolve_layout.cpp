@@ -1,15 +1,12 @@
 #include "storage/historian/resolve_layout.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <string_view>
 
 #include "storage/historian/find_partitions.hpp"
+#include "storage/historian/native_key.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/refuse.hpp"
 #include "storage/historian/statements.hpp"
-#include "storage/historian/value_sql.hpp"
 #include "storage/utf8.hpp"
 
 namespace loopscope::storage {
@@ -28,29 +25,6 @@ std::string require_type(const SourceLayout& layout, const ColumnTypes& types,
   for (const std::string& type : usable) list += (list.empty() ? "" : ", ") + type;
   refuse(layout, "column \"" + column.second + "\" has the unusable type " + found,
          "`" + column.first + "` reads " + list + "; a view can convert the column");
-}
-
-/// Keys are compared as this type, so that the column's index can be used.
-std::string request_type(const std::string& column_type) {
-  if (column_type.starts_with("int")) return "int8";
-  if (column_type == "uuid" || column_type == "bpchar") return column_type;
-  return "text";
-}
-
-bool is_uuid(const std::string& text) {
-  constexpr std::string_view kForm = "hhhhhhhh-hhhh-hhhh-hhhh-hhhhhhhhhhhh";
-  const auto fits = [](char character, char form) {
-    return form == '-' ? character == '-'
-                       : std::isxdigit(static_cast<unsigned char>(character)) != 0;
-  };
-  return std::equal(text.begin(), text.end(), kForm.begin(), kForm.end(), fits);
-}
-
-bool is_int8(const std::string& text) {
-  std::int64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc{} && stop == end;
 }
 
 class Resolver {
@@ -121,7 +95,7 @@ class Resolver {
     const std::string type =
         require_type(layout_, types, layout_.relation, {setting, part.column},
                      {"text", "varchar", "bpchar", "name", "int2", "int4", "int8", "uuid"});
-    ResolvedKey key{column(part.column), request_type(type), {}};
+    ResolvedKey key{column(part.column), key_type(type), {}};
     if (part.names) key.names = names(part, index == 0 ? "tag" : "subtag");
     return key;
   }
@@ -182,56 +156,10 @@ class Resolver {
   const SourceLayout& layout_;
 };
 
-/// COALESCE over the columns of a narrow row, or the one column of the tag.
-std::string bare_value(const PqConnection& connection, const ResolvedLayout& layout,
-                       const std::vector<std::string>& columns) {
-  std::string list;
-  for (const std::string& column : columns) {
-    const std::string sql = value_sql(connection, "h." + connection.quote(column),
-                                      layout.data.types.at(column), layout.layout.states);
-    list += (list.empty() ? "" : ", ") + sql;
-  }
-  return columns.size() == 1 ? list : "COALESCE(" + list + ")";
-}
-
-/// A local time that stands for two moments (the hour that the end of summer time repeats): the
-/// database takes it for the later one, so the earlier one reads the same on the clock.
-std::string unambiguous(const ResolvedLayout& layout) {
-  const std::string at_zone = " AT TIME ZONE " + layout.zone;
-  return "((" + layout.time + at_zone + ") - interval '1 hour')" + at_zone + " <> " + layout.time;
-}
-
 }  // namespace
 
 ResolvedLayout resolve_layout(PqConnection& connection, const SourceLayout& layout) {
   return Resolver(connection, layout).resolve();
-}
-
-std::optional<std::string> value_of(const PqConnection& connection, const ResolvedLayout& layout,
-                                    const std::string& column) {
-  const bool narrow = layout.layout.shape == Shape::narrow;
-  if (!narrow) {
-    const auto found = layout.data.types.find(column);
-    if (found == layout.data.types.end()) return std::nullopt;
-    if (!is_number_type(found->second) && !is_text_type(found->second)) return std::nullopt;
-  }
-  const std::string value =
-      bare_value(connection, layout, narrow ? layout.layout.value_columns : std::vector{column});
-  std::string condition = layout.quality.good;
-  if (!layout.zone.empty()) {
-    condition = (condition.empty() ? "" : "(" + condition + ") AND ") + unambiguous(layout);
-  }
-  if (condition.empty()) return value;
-  const std::string otherwise = layout.layout.null_is_absent ? " ELSE 'NaN'" : "";
-  return "CASE WHEN " + condition + " THEN " + value + otherwise + " END";
-}
-
-std::optional<std::string> native_key(const std::string& key, const std::string& type) {
-  const bool possible = type == "int8"   ? is_int8(key)
-                        : type == "uuid" ? is_uuid(key)
-                                         : is_storable(key);
-  if (!possible) return std::nullopt;
-  return key;
 }
 
 }  // namespace loopscope::storage

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,18 +46,5 @@ struct ResolvedLayout {
 /// Looks relations and columns up and checks their types. Throws DatabaseError (give_up) that names
 /// what is missing or does not fit.
 [[nodiscard]] ResolvedLayout resolve_layout(PqConnection& connection, const SourceLayout& layout);
-
-/// SQL of the double that a tag's row holds, its quality included: NULL for bad ones (NaN where the
-/// layout says that NULL is no row). `column` is the tag's own in loop_row and wide tables and
-/// empty in narrow ones; nullopt when there is no such column or it holds nothing that reads as a
-/// number.
-[[nodiscard]] std::optional<std::string> value_of(const PqConnection& connection,
-                                                  const ResolvedLayout& layout,
-                                                  const std::string& column);
-
-/// `key` as the key column's type takes it; nullopt when no row can have it (a word in a column of
-/// numbers, bytes that are no text): such a tag is unknown and must not fail its whole batch.
-[[nodiscard]] std::optional<std::string> native_key(const std::string& key,
-                                                    const std::string& type);
 
 }  // namespace loopscope::storage

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "storage/historian/tag_value.hpp"
+
 namespace loopscope::storage {
 namespace {
 

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "storage/historian/resolve_layout.hpp"
-#include "storage/historian/scan.hpp"
 #include "storage/statement.hpp"
 
 /// The closed list of statements on a historian. Those that name its table are made from a layout
@@ -32,27 +30,8 @@ extern const Statement kFindZone;  ///< name of a time zone -> a row
 /// -> name, first time, last time of every listed table, the times as `kind` counts them.
 [[nodiscard]] Statement list_partitions(const ResolvedPartitions& list, TimeKind kind);
 
-/// Newest rows of many keys, newest first: one array per part of the key, lower bounds, upper
-/// bounds, largest numbers of rows, lower bounds for the row before -> slot, times, rows of unknown
-/// quality, values of each column, and time and value of the row before of each column that wants
-/// it. Bad values are NULL. `relations` (at least one) hold the span and what lies before it.
-[[nodiscard]] Statement read_scans(const ResolvedLayout& layout,
-                                   const std::vector<std::string>& relations,
-                                   const std::vector<ScanColumn>& columns);
-
-/// Time of the newest row of each key: one array per part of the key, lower bound, upper bound ->
-/// slot, time.
-[[nodiscard]] Statement newest_rows(const ResolvedLayout& layout,
-                                    const std::vector<std::string>& relations);
-
 /// The plan of `statement` as text, a row a line.
 [[nodiscard]] Statement explain(const Statement& statement);
-
-/// Time of the newest row of a whole table: lower bound.
-[[nodiscard]] Statement newest_row(const ResolvedLayout& layout, const std::string& relation);
-
-/// Reads nothing, needs every right that reading a value needs.
-[[nodiscard]] Statement try_read(const ResolvedLayout& layout, const std::string& value);
 
 /// The plain narrow table that recordings are loaded into, quoted.
 struct PlainTable {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "storage/finding.hpp"
+#include "storage/historian/pq_connection.hpp"
+#include "storage/historian/resolve_layout.hpp"
+
+namespace loopscope::storage {
+
+/// Whether the table of the data has an index that starts with key and time and, in narrow tables,
+/// holds value and quality too; the hint is the statement that makes it. Throws DatabaseError.
+[[nodiscard]] Finding check_index(PqConnection& connection, const ResolvedLayout& layout);
+
+}  // namespace loopscope::storage
