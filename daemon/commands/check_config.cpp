@@ -17,11 +17,10 @@ namespace {
 int print_findings(const std::string& about, const std::vector<storage::Finding>& findings) {
   int problems = 0;
   for (const storage::Finding& finding : findings) {
-    std::cout << fmt::format("{:<8} {}: {}\n", finding.ok ? "ok" : "PROBLEM", about, finding.what);
-    if (!finding.ok) {
-      ++problems;
-      std::cout << "         HINT: " << finding.hint << '\n';
-    }
+    const char* judgement = !finding.ok ? "PROBLEM" : finding.warning ? "warning" : "ok";
+    std::cout << fmt::format("{:<8} {}: {}\n", judgement, about, finding.what);
+    if (!finding.ok) ++problems;
+    if (!finding.hint.empty()) std::cout << "         HINT: " << finding.hint << '\n';
   }
   return problems;
 }

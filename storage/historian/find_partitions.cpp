@@ -50,7 +50,7 @@ std::vector<std::string> Partitions::within(std::int64_t from_us, std::int64_t t
 
 std::optional<FoundRelation> Partitions::any() {
   if (known_.empty()) return std::nullopt;
-  return known_.begin()->second;
+  return known_.rbegin()->second;
 }
 
 std::optional<std::string> Partitions::quoted(const std::string& name) {

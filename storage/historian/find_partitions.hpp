@@ -24,7 +24,8 @@ class Partitions {
   void refresh();
   /// The tables that overlap a span, microseconds UTC, both ends included; quoted for SQL.
   [[nodiscard]] std::vector<std::string> within(std::int64_t from_us, std::int64_t to_us) const;
-  /// Any table of the list that exists.
+  /// A table of the list that exists: the last one by name, which is the youngest where names hold
+  /// dates.
   [[nodiscard]] std::optional<FoundRelation> any();
 
  private:
