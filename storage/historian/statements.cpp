@@ -117,6 +117,22 @@ Statement newest_row(const ResolvedLayout& layout) {
                             time + " DESC LIMIT 1"};
 }
 
+// PostgreSQL has no skip scan: the recursion looks the next larger tag up in the index.
+Statement list_tags(const ResolvedLayout& layout) {
+  const std::string from = " FROM " + layout.relation + " AS h WHERE h." + layout.tag;
+  const std::string first = " ORDER BY h." + layout.tag + " LIMIT 1)";
+  return {"list_tags", "WITH RECURSIVE found AS ((SELECT h." + layout.tag + " AS tag" + from +
+                           " IS NOT NULL" + first + " UNION ALL SELECT (SELECT h." + layout.tag +
+                           from + " > found.tag" + first +
+                           " FROM found WHERE found.tag IS NOT NULL)"
+                           " SELECT found.tag::text FROM found WHERE found.tag IS NOT NULL"};
+}
+
+Statement distinct_tags(const ResolvedLayout& layout) {
+  return {"distinct_tags", "SELECT DISTINCT h." + layout.tag + "::text FROM " + layout.relation +
+                               " AS h WHERE h." + layout.tag + " IS NOT NULL"};
+}
+
 Statement try_read(const ResolvedLayout& layout) {
   return {"try_read",
           "SELECT h." + layout.tag + ", " + time_column(layout) + ", " + value_column(layout) +

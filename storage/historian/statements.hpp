@@ -25,6 +25,10 @@ extern const Statement kCommit;
 /// Time of the newest row of the whole table: lower bound.
 [[nodiscard]] Statement newest_row(const ResolvedLayout& layout);
 
+/// Every tag as text: by a loose scan of the index on (tag, time), or by reading the table.
+[[nodiscard]] Statement list_tags(const ResolvedLayout& layout);
+[[nodiscard]] Statement distinct_tags(const ResolvedLayout& layout);
+
 /// Reads nothing, needs every right that reading needs.
 [[nodiscard]] Statement try_read(const ResolvedLayout& layout);
 
