@@ -6,30 +6,24 @@
 #include <vector>
 
 #include "core/signal/loop_window.hpp"
-#include "daemon/service/slot.hpp"
+#include "daemon/service/newest_slots.hpp"
 #include "storage/historian/historian_reader.hpp"
-#include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
 
-/// What of the settings decides which rows a window is made of.
-struct WindowSettings {
-  std::size_t max_samples = 4096;
-  double settle_s = 60.0;
-  SlotRule slot_rule = SlotRule::clock;
-};
-
-/// The window of one claimed loop, ready for analysis.
+/// The window of one slot of a loop, ready for analysis.
 struct LoopWindowAtSlot {
   std::int64_t slot_end_us = 0;
   core::signal::LoopWindow window;  ///< size 0 when the historian has no row for pv
+  TagReadings tags;                 ///< one for each tag of the loop
 };
 
-/// Reads the windows of claimed loops of ONE historian: slot, sample interval, rows, grid; in the
-/// order of `claims`, in a few round trips whatever their number. Throws storage::DatabaseError.
-[[nodiscard]] std::vector<LoopWindowAtSlot> read_windows(
-    storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
-    const WindowSettings& settings);
+/// Reads the windows of slots of loops of ONE historian: sample interval, rows, grid; in the order
+/// of `slots`, in a few round trips whatever their number. The same rows give the same window
+/// whenever it is read. Throws storage::DatabaseError.
+[[nodiscard]] std::vector<LoopWindowAtSlot> read_windows(storage::HistorianReader& historian,
+                                                         std::span<const LoopSlot> slots,
+                                                         std::size_t max_samples);
 
 /// A loop whose slow look wants a longer span than its window.
 struct SpanRequest {
