@@ -19,7 +19,7 @@ void look_first(LoopInput& input, const core::AnalysisSettings& settings) {
 }
 
 void read_long_windows(storage::HistorianReader& historian, std::span<const LoopSlot> slots,
-                       std::vector<LoopInput>& inputs) {
+                       RowMemory& memory, std::vector<LoopInput>& inputs) {
   std::vector<SpanRequest> requests;
   std::vector<LoopInput*> asking;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
@@ -28,7 +28,7 @@ void read_long_windows(storage::HistorianReader& historian, std::span<const Loop
     requests.push_back({slots[k].loop, &inputs[k].at_slot, samples});
     asking.push_back(&inputs[k]);
   }
-  std::vector<core::signal::LoopWindow> windows = read_spans(historian, requests);
+  std::vector<core::signal::LoopWindow> windows = read_spans(historian, requests, memory);
   for (std::size_t k = 0; k < asking.size(); ++k) asking[k]->long_window = std::move(windows[k]);
 }
 
@@ -36,15 +36,15 @@ void read_long_windows(storage::HistorianReader& historian, std::span<const Loop
 
 std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
                                    std::span<const LoopSlot> slots,
-                                   const core::AnalysisSettings& settings) {
+                                   const core::AnalysisSettings& settings, RowMemory& memory) {
   std::vector<LoopInput> inputs;
   for (LoopWindowAtSlot& at_slot :
-       read_windows(historian, slots, settings.prepare.window_samples)) {
+       read_windows(historian, slots, settings.prepare.window_samples, memory)) {
     LoopInput& input = inputs.emplace_back();
     input.at_slot = std::move(at_slot);
     look_first(input, settings);
   }
-  read_long_windows(historian, slots, inputs);
+  read_long_windows(historian, slots, memory, inputs);
   return inputs;
 }
 

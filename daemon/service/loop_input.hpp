@@ -22,10 +22,12 @@ struct LoopInput {
 };
 
 /// Reads the windows of slots of loops of ONE historian, takes a first look at each, and reads the
-/// longer spans that slow oscillations want, all of them in one batch; in the order of `slots`.
+/// longer spans that slow oscillations want, all of them in one batch; in the order of `slots`;
+/// what `memory` holds is not read again.
 /// Throws storage::DatabaseError.
 [[nodiscard]] std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
                                                  std::span<const LoopSlot> slots,
-                                                 const core::AnalysisSettings& settings);
+                                                 const core::AnalysisSettings& settings,
+                                                 RowMemory& memory);
 
 }  // namespace loopscope::daemon

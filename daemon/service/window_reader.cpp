@@ -123,15 +123,15 @@ core::signal::LoopWindow make_window(const Plan& plan, const LoopRows& rows) {
 
 /// The windows of all plans in one batch of requests; an empty one for a plan without rows.
 std::vector<core::signal::LoopWindow> read_plans(storage::HistorianReader& historian,
-                                                 std::vector<Plan>& plans) {
+                                                 std::vector<Plan>& plans, RowMemory& memory) {
   std::vector<TagRequest> requests;
   for (const Plan& plan : plans) {
     if (!readable(plan)) continue;
     const auto more = requests_of(plan);
     requests.insert(requests.end(), more.begin(), more.end());
   }
-  std::vector<RawSeries> series =
-      requests.empty() ? std::vector<RawSeries>{} : historian.read(requests);
+  std::vector<RawSeries> series = memory.read(
+      requests, [&](std::span<const TagRequest> missing) { return historian.read(missing); });
   std::vector<core::signal::LoopWindow> windows(plans.size());
   std::size_t next = 0;
   for (std::size_t k = 0; k < plans.size(); ++k) {
@@ -146,11 +146,11 @@ std::vector<core::signal::LoopWindow> read_plans(storage::HistorianReader& histo
 }  // namespace
 
 std::vector<LoopWindowAtSlot> read_windows(storage::HistorianReader& historian,
-                                           std::span<const LoopSlot> slots,
-                                           std::size_t max_samples) {
+                                           std::span<const LoopSlot> slots, std::size_t max_samples,
+                                           RowMemory& memory) {
   std::vector<Plan> plans = make_plans(slots, max_samples);
   find_unknown_intervals(historian, plans);
-  std::vector<core::signal::LoopWindow> windows = read_plans(historian, plans);
+  std::vector<core::signal::LoopWindow> windows = read_plans(historian, plans, memory);
   std::vector<LoopWindowAtSlot> at_slots;
   for (std::size_t k = 0; k < plans.size(); ++k) {
     at_slots.push_back({plans[k].slot_end_us, std::move(windows[k]), std::move(plans[k].tags)});
@@ -159,7 +159,8 @@ std::vector<LoopWindowAtSlot> read_windows(storage::HistorianReader& historian,
 }
 
 std::vector<core::signal::LoopWindow> read_spans(storage::HistorianReader& historian,
-                                                 std::span<const SpanRequest> requests) {
+                                                 std::span<const SpanRequest> requests,
+                                                 RowMemory& memory) {
   std::vector<Plan> plans;
   for (const SpanRequest& request : requests) {
     const LoopWindowAtSlot& at_slot = *request.at_slot;
@@ -170,7 +171,7 @@ std::vector<core::signal::LoopWindow> read_spans(storage::HistorianReader& histo
                      request.samples,
                      {}});
   }
-  return read_plans(historian, plans);
+  return read_plans(historian, plans, memory);
 }
 
 }  // namespace loopscope::daemon

@@ -7,6 +7,7 @@
 
 #include "core/signal/loop_window.hpp"
 #include "daemon/service/newest_slots.hpp"
+#include "daemon/service/row_memory.hpp"
 #include "storage/historian/historian_reader.hpp"
 
 namespace loopscope::daemon {
@@ -19,11 +20,12 @@ struct LoopWindowAtSlot {
 };
 
 /// Reads the windows of slots of loops of ONE historian: sample interval, rows, grid; in the order
-/// of `slots`, in a few round trips whatever their number. The same rows give the same window
-/// whenever it is read. Throws storage::DatabaseError.
+/// of `slots`, in a few round trips whatever their number; what `memory` holds is not read again.
+/// The same rows give the same window whenever it is read. Throws storage::DatabaseError.
 [[nodiscard]] std::vector<LoopWindowAtSlot> read_windows(storage::HistorianReader& historian,
                                                          std::span<const LoopSlot> slots,
-                                                         std::size_t max_samples);
+                                                         std::size_t max_samples,
+                                                         RowMemory& memory);
 
 /// A loop whose slow look wants a longer span than its window.
 struct SpanRequest {
@@ -35,6 +37,6 @@ struct SpanRequest {
 /// Reads the longer spans of loops of ONE historian, in the order of `requests`, all together.
 /// Throws storage::DatabaseError.
 [[nodiscard]] std::vector<core::signal::LoopWindow> read_spans(
-    storage::HistorianReader& historian, std::span<const SpanRequest> requests);
+    storage::HistorianReader& historian, std::span<const SpanRequest> requests, RowMemory& memory);
 
 }  // namespace loopscope::daemon

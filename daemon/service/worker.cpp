@@ -118,7 +118,7 @@ bool Worker::read_newest(const std::string& source, const Claims& claims, Batch&
   return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
     const auto start = std::chrono::steady_clock::now();
     const auto slots = newest_slots(historian, claims, {settings_->schedule.settle_s, slot_rule_});
-    std::vector<LoopInput> inputs = read_inputs(historian, slots, settings_->analysis);
+    std::vector<LoopInput> inputs = read_inputs(historian, slots, settings_->analysis, batch.rows);
     double reading_ms = milliseconds_since(start);
     for (const LoopInput& input : inputs) reading_ms -= input.first_look_ms;
     std::vector<LoopVisit> visits;
@@ -146,7 +146,7 @@ bool Worker::read_earlier(const std::string& source, const Claims& claims, Batch
   }
   if (slots.empty()) return true;
   return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    std::vector<LoopInput> inputs = read_inputs(historian, slots, settings_->analysis);
+    std::vector<LoopInput> inputs = read_inputs(historian, slots, settings_->analysis, batch.rows);
     std::vector<LoopVisit> visits = std::move(batch.visits);
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       visits[owner[k]].earlier.push_back(std::move(inputs[k]));

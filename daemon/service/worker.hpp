@@ -55,6 +55,7 @@ class Worker {
   using Claims = std::vector<const storage::ClaimedLoop*>;
   struct Batch {
     std::vector<LoopVisit> visits;
+    RowMemory rows;
     StoredAnalyses stored;
     std::vector<storage::CompletedLoop> completed;
     std::vector<storage::FailedLoop> failed;
