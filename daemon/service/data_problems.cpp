@@ -17,13 +17,17 @@ constexpr double kDeadSamples = 512.0;
 /// With more of the rows bad, the tag is what has to be mended, not the loop.
 constexpr double kMostlyBad = 0.5;
 
+/// Whoever brings a whole period at a time is late by up to two of them, and alive.
+constexpr double kDeadPeriods = 2.0;
+
 /// Seconds without a row after which a tag has stopped; nullopt = never.
 std::optional<double> dead_after_s(const TagReading& reading, const storage::CatalogueEntry& loop,
                                    double interval_s, std::size_t max_samples) {
-  if (reading.role == "pv") return std::max(loop.period_s, kDeadSamples * interval_s);
+  const double periods_s = kDeadPeriods * loop.period_s;
+  if (reading.role == "pv") return std::max(periods_s, kDeadSamples * interval_s);
   // A controller output in manual stands still for hours where it is recorded by exception.
   if (reading.role == "op" || reading.role == "mv") {
-    return std::max(loop.period_s, static_cast<double>(max_samples) * interval_s);
+    return std::max(periods_s, static_cast<double>(max_samples) * interval_s);
   }
   return std::nullopt;
 }
@@ -34,7 +38,7 @@ bool is_dead(const TagReading& reading, const storage::CatalogueEntry& loop,
       std::max(loop.interval_s.value_or(0.0), at_slot.window.sample_interval_s);
   const std::optional<double> limit_s = dead_after_s(reading, loop, interval_s, max_samples);
   if (!limit_s) return false;
-  const auto age_us = static_cast<double>(at_slot.slot_end_us - *reading.newest_row_us);
+  const auto age_us = static_cast<double>(reading.asked_us - *reading.newest_row_us);
   return age_us > *limit_s * kMicrosecondsPerSecond;
 }
 

@@ -15,10 +15,11 @@ namespace loopscope::daemon {
 /// | code | when |
 /// |---|---|
 /// | `no_rows` | the tag has no row at all |
-/// | `dead_tag` | pv: no row for 512 samples and a period; op, mv: no row in a whole window |
+/// | `dead_tag` | no row for two periods, and not for 512 samples (pv) or a window (op, mv) |
 /// | `bad_quality` | more than half of the rows of the window are of bad quality |
 /// | `future_rows` | rows are stamped in the future |
 ///
+/// By the historian's clock, so that an archive that has ended is dead whatever slot is looked at.
 /// sp and mode may stand still for months where they are recorded on change: never dead.
 [[nodiscard]] std::vector<storage::DataProblem> tag_problems(const storage::CatalogueEntry& loop,
                                                              const LoopWindowAtSlot& at_slot,

@@ -85,6 +85,10 @@ bool HistorianPool::is_down(const std::string& name) {
   return source(name).gate.is_down();
 }
 
+int HistorianPool::in_use(const std::string& name) {
+  return source(name).gate.inside();
+}
+
 void HistorianPool::forget_idle(const std::string& name) {
   Source& forgotten = source(name);
   const std::lock_guard lock(mutex_);

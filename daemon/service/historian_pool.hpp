@@ -47,6 +47,8 @@ class HistorianPool {
 
   /// Whether the last use of the source failed.
   [[nodiscard]] bool is_down(const std::string& source);
+  /// Connections to the source that are in use now.
+  [[nodiscard]] int in_use(const std::string& source);
   /// Closes connections that nobody uses, of one source or of all: after a reload they may lead to
   /// the wrong place.
   void forget_idle(const std::string& source);

@@ -8,7 +8,6 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/failure.hpp"
-#include "daemon/service/newest_slots.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "daemon/service/workforce.hpp"
 
@@ -22,11 +21,6 @@ using storage::ClaimedLoop;
 constexpr double kPatience_s = 30.0;
 /// The wait for a connection takes at most this share of the lease: the rest is for the work.
 constexpr double kPatienceOfLease = 1.0 / 3.0;
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 SourceGate::Duration patience(const config::ScheduleSettings& schedule) {
   return std::chrono::duration_cast<SourceGate::Duration>(
@@ -69,16 +63,20 @@ std::vector<ClaimedLoop> Worker::claim_next(std::int64_t after) {
   });
 }
 
-/// Loops grouped by historian. One that was down a moment ago comes last: what it costs to find
-/// that it still is must not hold up the loops of others.
+/// Loops grouped by historian, the one with the fewest users first. One that was down a moment ago
+/// comes last: what it costs to find that it still is must not hold up the loops of others.
 std::vector<std::pair<std::string, Worker::Claims>> Worker::by_source(
     const std::vector<ClaimedLoop>& claims) {
-  std::map<std::pair<bool, std::string>, Claims> groups;
-  for (const ClaimedLoop& claim : claims) {
-    groups[{historians_.is_down(claim.loop.source), claim.loop.source}].push_back(&claim);
+  std::map<std::string, Claims> groups;
+  for (const ClaimedLoop& claim : claims) groups[claim.loop.source].push_back(&claim);
+  std::multimap<std::pair<bool, int>, std::string> by_burden;
+  for (const auto& [source, group] : groups) {
+    by_burden.insert({{historians_.is_down(source), historians_.in_use(source)}, source});
   }
   std::vector<std::pair<std::string, Claims>> ordered;
-  for (auto& [key, group] : groups) ordered.emplace_back(key.second, std::move(group));
+  for (const auto& [burden, source] : by_burden) {
+    ordered.emplace_back(source, std::move(groups[source]));
+  }
   return ordered;
 }
 
@@ -116,56 +114,24 @@ bool Worker::with_source(const std::string& source, const Claims& claims, Batch&
 
 bool Worker::read_newest(const std::string& source, const Claims& claims, Batch& batch) {
   return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto slots = newest_slots(historian, claims, {settings_->schedule.settle_s, slot_rule_});
-    std::vector<LoopInput> inputs = read_inputs(historian, slots, settings_->analysis, batch.rows);
-    double reading_ms = milliseconds_since(start);
-    for (const LoopInput& input : inputs) reading_ms -= input.first_look_ms;
-    std::vector<LoopVisit> visits;
-    for (std::size_t k = 0; k < claims.size(); ++k) {
-      visits.push_back(
-          {claims[k], std::move(inputs[k]), {}, reading_ms / static_cast<double>(claims.size())});
-    }
-    return visits;
+    return visit_newest(historian, claims, *settings_, slot_rule_, batch.rows);
   });
 }
 
 /// Rows that came late for a slot that is stored change its window: a few earlier slots of each
-/// loop are read again with every visit.
+/// loop are looked at again with every visit.
 bool Worker::read_earlier(const std::string& source, const Claims& claims, Batch& batch) {
-  std::vector<LoopSlot> slots;
-  std::vector<std::size_t> owner;
-  for (std::size_t k = 0; k < batch.visits.size(); ++k) {
-    const LoopWindowAtSlot& newest = batch.visits[k].newest.at_slot;
-    const ClaimedLoop& claim = *batch.visits[k].claim;
-    for (const std::int64_t end : slots_to_check(claim, newest.slot_end_us, batch.stored,
-                                                 settings_->schedule.revise_slots)) {
-      slots.push_back({&claim.loop, end, newest.tags});
-      owner.push_back(k);
-    }
-  }
-  if (slots.empty()) return true;
+  const int horizon = settings_->schedule.revise_slots;
+  const EarlierSlots earlier = earlier_slots_to_check(batch.visits, batch.stored, horizon);
+  if (earlier.slots.empty()) return true;
   return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    std::vector<LoopInput> inputs = read_inputs(historian, slots, settings_->analysis, batch.rows);
-    std::vector<LoopVisit> visits = std::move(batch.visits);
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
-      visits[owner[k]].earlier.push_back(std::move(inputs[k]));
-    }
-    return visits;
+    visit_earlier(historian, earlier, *settings_, batch.rows, batch.visits);
+    return std::move(batch.visits);
   });
 }
 
 StoredAnalyses Worker::stored_analyses(const std::vector<LoopVisit>& visits) {
-  std::vector<std::pair<std::int64_t, std::int64_t>> keys;
-  for (const LoopVisit& visit : visits) {
-    const std::int64_t newest = visit.newest.at_slot.slot_end_us;
-    const ClaimedLoop& claim = *visit.claim;
-    keys.emplace_back(claim.loop.loop_id, newest);
-    for (const std::int64_t end : earlier_slots(newest, claim.last_slot_end_us, claim.loop.period_s,
-                                                settings_->schedule.revise_slots)) {
-      keys.emplace_back(claim.loop.loop_id, end);
-    }
-  }
+  const auto keys = slots_that_may_be_stored(visits, settings_->schedule.revise_slots);
   return StoredAnalyses(with_results([&](storage::ResultsDatabase& database) {
     return database.stored_digests(keys, core::kAlgorithmRevision, settings_json_);
   }));

@@ -11,7 +11,7 @@
 #include "daemon/failure.hpp"
 #include "daemon/service/fault_log.hpp"
 #include "daemon/service/historian_pool.hpp"
-#include "daemon/service/loop_visit.hpp"
+#include "daemon/service/read_visits.hpp"
 #include "daemon/service/slot.hpp"
 #include "storage/results/results_database.hpp"
 

@@ -25,14 +25,14 @@ std::string with_number(std::string text, const std::string& number) {
   return text.replace(text.find('@'), 1, number);
 }
 
-/// A plant with one loop of 600 samples, the last of them an hour ago, a slot each 10 minutes.
+/// A plant with one loop of 600 samples, the last of them half an hour ago, a slot each 10 minutes.
 class LateData : public testing::Test {
  protected:
   void import() const {
     plant.import_loop("FIC101", 600);
     plant.sql(
-        "update history set time = time - (select max(time) - date_trunc('hour', max(time)) from "
-        "history) - interval '1 hour'");
+        "update history set time = time + (select date_bin('10 minutes', now() - interval '25 "
+        "minutes', 'epoch') - max(time) from history)");
     ASSERT_EQ(plant.loopscope("loops", {"set", "FIC101", "--period-s", "600"}).exit_code, 0);
   }
   std::string once() const {
@@ -136,6 +136,31 @@ TEST_F(LateData, NothingNewerThanTheSettlingTimeAndNothingFromTheFutureIsRead) {
   EXPECT_EQ(plant.sql("select max(error_std) < 100 from loopscope.analysis"), "t");
   EXPECT_EQ(plant.sql("select input_digest from loopscope.analysis order by slot_end limit 1"),
             first);
+}
+
+TEST_F(LateData, ATagThatHasStoppedIsSaidWithTheTimeOfItsLastRow) {
+  import();
+  plant.sql("update history set time = time - interval '3 days'");
+  once();
+  const std::string dead =
+      "select dead_roles, dead_tags, dead_since[1] = (select max(time) from history where "
+      "tag = "
+      "'FIC101.PV') from loopscope.monitor_health";
+  EXPECT_EQ(plant.sql(dead), "{op,pv}|{FIC101.OP,FIC101.PV}|t");
+  plant.sql("update history set time = time + interval '3 days'");
+  once();
+  EXPECT_EQ(plant.sql("select dead_tags is null from loopscope.monitor_health"), "t");
+}
+
+TEST_F(LateData, MostlyBadQualityIsSaidBesideTheVerdict) {
+  import();
+  plant.sql(
+      "update history set quality = 0 where tag = 'FIC101.PV' and "
+      "extract(epoch from time)::bigint % 100 >= 30");
+  EXPECT_THAT(once(), HasSubstr("1 could not be judged"));
+  EXPECT_EQ(plant.sql("select problem, role, tag, judged, figure from loopscope.data_problem "
+                      "where problem in ('bad_quality', 'insufficient_data') order by 1"),
+            "bad_quality|pv|FIC101.PV|f|0.7\ninsufficient_data|pv|FIC101.PV|f|");
 }
 
 TEST_F(LateData, DeadTagsAndLoopsThatCannotBeJudgedAreSaid) {
