@@ -35,6 +35,8 @@ constexpr auto in_daemon = at<&Settings::daemon, Member>;
 template <auto Member>
 constexpr auto in_flags = at<&Settings::flags, Member>;
 template <auto Member>
+constexpr auto in_discovery = at<&Settings::discovery, Member>;
+template <auto Member>
 constexpr auto in_analysis = at<&Settings::analysis, Member>;
 template <auto Member>
 constexpr auto in_prepare = at<&Settings::analysis, &AnalysisSettings::prepare, Member>;
@@ -201,6 +203,9 @@ const std::array kTable = {
             any(Form::numbers), "likewise"},
     Setting{"/historians/*/cascade_codes", in_historian<&HistorianSettings::cascade_codes>,
             any(Form::numbers), "likewise; any other value is an unknown mode"},
+    Setting{"/historians/*/max_connections", in_historian<&HistorianSettings::max_connections>,
+            range(1, 64, "connections"),
+            "of this process at a time, over all workers; who gets none waits"},
 
     Setting{"/schedule/poll_s", in_schedule<&ScheduleSettings::poll_s>, range(0.1, 3600, "s"),
             "between two looks for due loops"},
@@ -213,6 +218,9 @@ const std::array kTable = {
     Setting{"/schedule/default_period_s", in_schedule<&ScheduleSettings::default_period_s>,
             range(1, 2592000, "s"),
             "between two analyses of a loop that is added without a period; at least `poll_s`"},
+    Setting{"/schedule/revise_slots", in_schedule<&ScheduleSettings::revise_slots>,
+            range(0, 48, "slots"),
+            "before the newest one that are checked for late rows at each visit of a loop"},
 
     Setting{"/daemon/workers", in_daemon<&DaemonSettings::workers>, range(0, 256, "threads"),
             "that analyse; 0 = one per core"},
@@ -229,6 +237,21 @@ const std::array kTable = {
             "power"},
     Setting{"/flags/min_confidence", in_flags<&FlagSettings::min_confidence>, range(0, 1),
             "verdicts below are not flagged"},
+
+    Setting{"/discovery/patterns", in_discovery<&DiscoverySettings::patterns>, any(Form::text),
+            "of the tags of a loop, between semicolons, the first that fits counts; `*` is a part "
+            "of a name, `[./]` one of these characters"},
+    Setting{"/discovery/sp_words", in_discovery<&DiscoverySettings::sp_words>, any(Form::text),
+            "words for the set point, between commas, the preferred one first"},
+    Setting{"/discovery/pv_words", in_discovery<&DiscoverySettings::pv_words>, any(Form::text),
+            "words for the process variable"},
+    Setting{"/discovery/op_words", in_discovery<&DiscoverySettings::op_words>, any(Form::text),
+            "words for the controller output; one that stands for the valve position too goes to "
+            "the first of the two that has no other tag"},
+    Setting{"/discovery/mv_words", in_discovery<&DiscoverySettings::mv_words>,
+            any(Form::optional_text), "words for the valve position"},
+    Setting{"/discovery/mode_words", in_discovery<&DiscoverySettings::mode_words>,
+            any(Form::optional_text), "words for the controller mode"},
 
     Setting{"/analysis/window_samples", in_prepare<&PrepareSettings::window_samples>,
             range(kFewestSamples, kMostSamples, "samples"), "that are analysed: the last ones"},

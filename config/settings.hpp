@@ -68,6 +68,9 @@ struct HistorianSettings {
   std::vector<std::string> manual_codes{"0"};  ///< values of a mode tag
   std::vector<std::string> automatic_codes{"1"};  ///< likewise
   std::vector<std::string> cascade_codes{"2"};    ///< likewise
+  int max_connections = 4;  ///< of this process at a time, over all workers, 1 to 64
+
+  [[nodiscard]] bool operator==(const HistorianSettings&) const = default;
 };
 
 /// When and in what portions the work is done.
@@ -77,6 +80,7 @@ struct ScheduleSettings {
   double lease_s = 300.0;            ///< seconds that a claimed loop is held, 10 to 86400
   int batch_loops = 16;              ///< loops per claim, 1 to 256
   double default_period_s = 3600.0;  ///< analysis period of a loop that is added without one
+  int revise_slots = 1;              ///< earlier slots that are checked for late rows, 0 to 48
 };
 
 /// The process itself.
@@ -94,6 +98,19 @@ struct FlagSettings {
   double min_confidence = 0.3;  ///< verdicts below are not flagged, 0 to 1
 };
 
+/// How `loops discover` groups tags into loops (daemon/README.md, "Discovery"). Words whatever
+/// their case, the preferred one first.
+struct DiscoverySettings {
+  std::string patterns =
+      "{loop}/*/{role}.CV; {loop}/*/{role}.ACTUAL; {loop}[./]{role}.CV; {loop}[./]PID*[./]{role}; "
+      "{loop}[./_:-]{role}";
+  std::string sp_words = "SP,SV,SETPOINT,SPT,SP_WRK,CSP,WSP";
+  std::string pv_words = "PV,MEAS,PROCESS,PROCESSVALUE,MEASUREMENT,PV_IN";
+  std::string op_words = "OP,OUT,CO,OUTPUT,CONTROLLEROUTPUT,LMN,CV,MV";
+  std::string mv_words = "ZT,POS,POSITION,VP,ZI,FEEDBACK,RBK,MV";
+  std::string mode_words = "MODE,MD,AUTO";
+};
+
 /// The whole settings file.
 struct Settings {
   ResultsSettings results;
@@ -101,6 +118,7 @@ struct Settings {
   ScheduleSettings schedule;
   DaemonSettings daemon;
   FlagSettings flags;
+  DiscoverySettings discovery;
   core::AnalysisSettings analysis;
 };
 

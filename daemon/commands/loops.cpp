@@ -10,6 +10,7 @@
 #include "daemon/catalogue/catalogue_csv.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/commands/commands.hpp"
+#include "daemon/commands/loops_actions.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/output/write_file.hpp"
 #include "daemon/service/storage_settings.hpp"
@@ -190,6 +191,9 @@ void add_loops(CLI::App& program) {
       ->required();
   add_edit_action(loops, "add", "Adds one loop", options, add_loop);
   add_edit_action(loops, "set", "Changes one loop", options, set_fields);
+  const std::shared_ptr<const std::string> config(options, &options->config);
+  add_discover(loops, config);
+  add_check(loops, config);
   add_action(loops, "enable", "Analyses these loops again", options,
              [](const LoopsOptions& o) { switch_loops(o, true); })
       .add_option("NAME", options->names, "Loops")

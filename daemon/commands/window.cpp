@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
@@ -10,6 +12,8 @@
 #include "daemon/output/window_csv.hpp"
 #include "daemon/output/write_file.hpp"
 #include "daemon/recording/time_text.hpp"
+#include "daemon/service/newest_slots.hpp"
+#include "daemon/service/row_memory.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "daemon/service/window_reader.hpp"
 #include "storage/results/catalogue.hpp"
@@ -34,6 +38,13 @@ storage::ClaimedLoop claim_at(const storage::CatalogueEntry& loop, std::int64_t 
   return claim;
 }
 
+std::optional<std::int64_t> end_of(const WindowOptions& options) {
+  if (options.end.empty()) return std::nullopt;
+  if (const auto time = parse_time(options.end)) return time;
+  throw Failure(ExitCode::usage, fmt::format("--end \"{}\" is not a time", options.end),
+                "write ISO 8601, e.g. 2026-03-01T12:00:00Z");
+}
+
 void write_window(const WindowOptions& options) {
   const config::Settings settings = config::read_settings(options.config);
   const auto loop = storage::Catalogue(owner_connection(settings)).find(options.loop);
@@ -43,24 +54,17 @@ void write_window(const WindowOptions& options) {
                   "loopscope loops --config F lists them");
   }
   const config::HistorianSettings& source = find_historian(settings, loop->source);
-  WindowSettings window_settings{settings.analysis.prepare.window_samples,
-                                 settings.schedule.settle_s, SlotRule::newest_sample,
-                                 mode_codes(source)};
-  std::int64_t end_us = 0;
-  if (!options.end.empty()) {
-    const auto time = parse_time(options.end);
-    if (!time) {
-      throw Failure(ExitCode::usage, fmt::format("--end \"{}\" is not a time", options.end),
-                    "write ISO 8601, e.g. 2026-03-01T12:00:00Z");
-    }
-    end_us = *time;
-    window_settings.slot_rule = SlotRule::clock;
-  }
+  const auto end_us = end_of(options);
   storage::HistorianReader historian(historian_connection(source), historian_layout(source));
-  const storage::ClaimedLoop claim = claim_at(*loop, end_us, settings.schedule.settle_s);
-  const std::vector<const storage::ClaimedLoop*> claims{&claim};
-  const std::string text =
-      window_csv(read_windows(historian, claims, window_settings).at(0).window);
+  const storage::ClaimedLoop claim =
+      claim_at(*loop, end_us.value_or(historian.now_us()), settings.schedule.settle_s);
+  const SlotSettings slot_settings{settings.schedule.settle_s,
+                                   end_us ? SlotRule::clock : SlotRule::newest_sample};
+  const auto slots = newest_slots(historian, std::vector{&claim}, slot_settings);
+  RowMemory memory;
+  const auto windows =
+      read_windows(historian, slots, settings.analysis.prepare.window_samples, memory);
+  const std::string text = window_csv(windows.at(0).window);
   if (options.out == "-") {
     std::cout << text;
   } else {

@@ -18,34 +18,33 @@ void look_first(LoopInput& input, const core::AnalysisSettings& settings) {
   input.first_look_ms = Milliseconds(std::chrono::steady_clock::now() - start).count();
 }
 
-void read_long_windows(storage::HistorianReader& historian,
-                       std::span<const storage::ClaimedLoop* const> claims, const ModeCodes& modes,
-                       std::vector<LoopInput>& inputs) {
+void read_long_windows(storage::HistorianReader& historian, std::span<const LoopSlot> slots,
+                       RowMemory& memory, std::vector<LoopInput>& inputs) {
   std::vector<SpanRequest> requests;
   std::vector<LoopInput*> asking;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     const std::size_t samples = inputs[k].first ? inputs[k].first->slow_span_samples : 0;
     if (samples == 0) continue;
-    requests.push_back({&claims[k]->loop, &inputs[k].at_slot, samples});
+    requests.push_back({slots[k].loop, &inputs[k].at_slot, samples});
     asking.push_back(&inputs[k]);
   }
-  std::vector<core::signal::LoopWindow> windows = read_spans(historian, requests, modes);
+  std::vector<core::signal::LoopWindow> windows = read_spans(historian, requests, memory);
   for (std::size_t k = 0; k < asking.size(); ++k) asking[k]->long_window = std::move(windows[k]);
 }
 
 }  // namespace
 
 std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
-                                   std::span<const storage::ClaimedLoop* const> claims,
-                                   const WindowSettings& window_settings,
-                                   const core::AnalysisSettings& settings) {
+                                   std::span<const LoopSlot> slots,
+                                   const core::AnalysisSettings& settings, RowMemory& memory) {
   std::vector<LoopInput> inputs;
-  for (LoopWindowAtSlot& at_slot : read_windows(historian, claims, window_settings)) {
+  for (LoopWindowAtSlot& at_slot :
+       read_windows(historian, slots, settings.prepare.window_samples, memory)) {
     LoopInput& input = inputs.emplace_back();
     input.at_slot = std::move(at_slot);
     look_first(input, settings);
   }
-  read_long_windows(historian, claims, window_settings.modes, inputs);
+  read_long_windows(historian, slots, memory, inputs);
   return inputs;
 }
 

@@ -8,7 +8,6 @@
 #include "core/signal/loop_window.hpp"
 #include "daemon/service/window_reader.hpp"
 #include "storage/historian/historian_reader.hpp"
-#include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
 
@@ -22,11 +21,13 @@ struct LoopInput {
   double first_look_ms = 0.0;                           ///< part of the analysis' time
 };
 
-/// Reads the windows of claimed loops of ONE historian, takes a first look at each, and reads the
-/// longer spans that slow oscillations want, all of them in one batch; in the order of `claims`.
+/// Reads the windows of slots of loops of ONE historian, takes a first look at each, and reads the
+/// longer spans that slow oscillations want, all of them in one batch; in the order of `slots`;
+/// what `memory` holds is not read again.
 /// Throws storage::DatabaseError.
-[[nodiscard]] std::vector<LoopInput> read_inputs(
-    storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
-    const WindowSettings& window_settings, const core::AnalysisSettings& settings);
+[[nodiscard]] std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
+                                                 std::span<const LoopSlot> slots,
+                                                 const core::AnalysisSettings& settings,
+                                                 RowMemory& memory);
 
 }  // namespace loopscope::daemon

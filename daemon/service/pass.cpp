@@ -28,7 +28,7 @@ class Pass {
         pool_(workers_left_) {}
 
   PassResult run() {
-    Worker scout(settings_, worker_name(0), SlotRule::newest_sample, faults_);
+    Worker scout(settings_, worker_name(0), SlotRule::newest_sample, faults_, historians_);
     result_.enabled = scout.with_results(
         [](storage::ResultsDatabase& database) { return database.count_enabled_loops(); });
     ProgressBar bar(result_.enabled);
@@ -53,7 +53,7 @@ class Pass {
  private:
   void work(std::size_t index) {
     try {
-      Worker worker(settings_, worker_name(index), SlotRule::newest_sample, faults_);
+      Worker worker(settings_, worker_name(index), SlotRule::newest_sample, faults_, historians_);
       for (auto claims = next_claims(worker); !claims.empty(); claims = next_claims(worker)) {
         const storage::WriteCount count = worker.process(claims);
         asio::post(context_, [this, count, loops = claims.size()] { account(count, loops); });
@@ -91,6 +91,7 @@ class Pass {
 
   std::shared_ptr<const config::Settings> settings_;
   FaultLog faults_;
+  HistorianPool historians_;
   asio::io_context context_;
   asio::signal_set signals_;
   std::size_t workers_left_;

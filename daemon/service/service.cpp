@@ -74,6 +74,7 @@ class Service {
     try {
       settings_ = std::make_shared<config::Settings>(config::read_settings(file_));
       set_up_log(settings_->daemon);
+      historians_.forget_idle();
       spdlog::info("settings read again: {}", file_.string());
     } catch (const config::SettingsError& error) {
       spdlog::error("the old settings stay in force: {}", error.what());
@@ -96,7 +97,7 @@ class Service {
   void dispatch(std::size_t index) {
     Seat& seat = seats_[index];
     if (!seat.worker || seat.worker->settings() != settings_) {
-      seat.worker.emplace(settings_, worker_name(index), SlotRule::clock, faults_);
+      seat.worker.emplace(settings_, worker_name(index), SlotRule::clock, faults_, historians_);
     }
     seat.busy = true;
     asio::post(pool_, [this, &seat] {
@@ -133,6 +134,7 @@ class Service {
   std::filesystem::path file_;
   std::shared_ptr<const config::Settings> settings_;
   FaultLog faults_;
+  HistorianPool historians_;
   asio::io_context context_;
   asio::signal_set signals_;
   asio::steady_timer timer_;

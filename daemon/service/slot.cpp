@@ -24,6 +24,17 @@ std::int64_t floor_to_period(std::int64_t time_us, double period_s) {
   return time_us - (remainder < 0 ? remainder + period_us : remainder);
 }
 
+std::vector<std::int64_t> earlier_slots(std::int64_t slot_end_us,
+                                        std::optional<std::int64_t> last_completed_us,
+                                        double period_s, int count) {
+  const std::int64_t period_us = std::max<std::int64_t>(microseconds(period_s), 1);
+  const bool passed = last_completed_us && *last_completed_us < slot_end_us;
+  std::int64_t end = passed ? *last_completed_us : slot_end_us - period_us;
+  std::vector<std::int64_t> ends;
+  for (int k = 0; k < count; ++k, end -= period_us) ends.push_back(end);
+  return ends;
+}
+
 std::int64_t next_due(std::int64_t slot_end_us, double period_s, double settle_s) {
   return slot_end_us + microseconds(period_s) + microseconds(settle_s);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace loopscope::daemon {
 
@@ -12,6 +14,13 @@ enum class SlotRule {
 
 /// The last whole multiple of `period_s` since 1970 that is not after `time_us`.
 [[nodiscard]] std::int64_t floor_to_period(std::int64_t time_us, double period_s);
+
+/// Ends of up to `count` slots before `slot_end_us`, newest first, whose rows may have come late:
+/// the slot that was completed last (`last_completed_us`; a period earlier where that is unknown or
+/// is this very slot), and those before it, a period apart.
+[[nodiscard]] std::vector<std::int64_t> earlier_slots(std::int64_t slot_end_us,
+                                                      std::optional<std::int64_t> last_completed_us,
+                                                      double period_s, int count);
 
 /// When a loop whose slot `slot_end_us` is done has to be looked at again: as soon as the next
 /// slot has settled.

@@ -103,6 +103,13 @@ std::vector<std::pair<std::string, double>> states_of(const config::HistorianSet
   return states;
 }
 
+/// Texts that config/ has found to be numbers.
+std::vector<double> numbers(const std::vector<std::string>& texts) {
+  std::vector<double> values;
+  for (const std::string& text : texts) values.push_back(std::stod(text));
+  return values;
+}
+
 storage::QualityDecoder quality_of(const config::HistorianSettings& historian) {
   return {look_up(kQualityRules, historian.quality_rule),
           historian.accept_uncertain,
@@ -167,6 +174,8 @@ storage::SourceLayout historian_layout(const config::HistorianSettings& historia
   layout.null_is_absent = historian.null_means == "absent";
   layout.hold = {look_up(kHolds, historian.interpolation), historian.step_codes,
                  historian.linear_codes};
+  layout.modes = {numbers(historian.manual_codes), numbers(historian.automatic_codes),
+                  numbers(historian.cascade_codes)};
   return layout;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <string_view>
 
 #include "core/signal/assemble.hpp"
 
@@ -12,7 +12,6 @@ namespace {
 using core::signal::LoopRows;
 using core::signal::RawSeries;
 using storage::CatalogueEntry;
-using storage::ClaimedLoop;
 using storage::TagRequest;
 
 constexpr double kMicrosecondsPerSecond = 1e6;
@@ -30,39 +29,19 @@ struct Plan {
   bool has_rows = false;
   double interval_s = 0.0;  ///< 0 = unknown
   std::size_t max_samples = 0;
+  TagReadings tags = {};
 };
 
 std::int64_t microseconds(double seconds) {
   return std::llround(seconds * kMicrosecondsPerSecond);
 }
 
-std::vector<std::optional<std::int64_t>> newest_pv(storage::HistorianReader& historian,
-                                                   std::span<const ClaimedLoop* const> claims) {
-  std::vector<std::string> tags;
-  for (const ClaimedLoop* claim : claims) tags.push_back(claim->loop.pv_tag);
-  // Rows stamped in the future are a clock fault of their sender and no end of a window.
-  return historian.newest(tags, historian.now_us());
-}
-
-/// `once` without any sample: the slot of the loop's registration, so that a second pass finds the
-/// same one.
-std::int64_t slot_end(const ClaimedLoop& claim, const std::optional<std::int64_t>& newest,
-                      const WindowSettings& settings) {
-  const std::int64_t end = settings.slot_rule == SlotRule::clock
-                               ? claim.database_now_us - microseconds(settings.settle_s)
-                               : newest.value_or(claim.loop.registered_us);
-  return floor_to_period(end, claim.loop.period_s);
-}
-
-std::vector<Plan> make_plans(storage::HistorianReader& historian,
-                             std::span<const ClaimedLoop* const> claims,
-                             const WindowSettings& settings) {
-  const auto newest = newest_pv(historian, claims);
+std::vector<Plan> make_plans(std::span<const LoopSlot> slots, std::size_t max_samples) {
   std::vector<Plan> plans;
-  for (std::size_t k = 0; k < claims.size(); ++k) {
-    const ClaimedLoop& claim = *claims[k];
-    plans.push_back({&claim.loop, slot_end(claim, newest[k], settings), newest[k].has_value(),
-                     claim.loop.interval_s.value_or(0.0), settings.max_samples});
+  for (const LoopSlot& slot : slots) {
+    const TagReading* pv = find_reading(slot.tags, "pv");
+    plans.push_back({slot.loop, slot.end_us, pv != nullptr && pv->newest_row_us.has_value(),
+                     slot.loop->interval_s.value_or(0.0), max_samples, slot.tags});
   }
   return plans;
 }
@@ -84,17 +63,18 @@ void find_unknown_intervals(storage::HistorianReader& historian, std::vector<Pla
 }
 
 struct TagSlot {
+  std::string_view role;
   const std::string CatalogueEntry::*tag;
   RawSeries LoopRows::*rows;
   storage::RowBefore before;  ///< what is recorded on change has its value from before the window
 };
 
 constexpr TagSlot kTagSlots[] = {
-    {&CatalogueEntry::sp_tag, &LoopRows::sp, storage::RowBefore::yes},
-    {&CatalogueEntry::pv_tag, &LoopRows::pv, storage::RowBefore::if_held},
-    {&CatalogueEntry::op_tag, &LoopRows::op, storage::RowBefore::if_held},
-    {&CatalogueEntry::mv_tag, &LoopRows::mv, storage::RowBefore::if_held},
-    {&CatalogueEntry::mode_tag, &LoopRows::mode, storage::RowBefore::yes},
+    {"sp", &CatalogueEntry::sp_tag, &LoopRows::sp, storage::RowBefore::yes},
+    {"pv", &CatalogueEntry::pv_tag, &LoopRows::pv, storage::RowBefore::if_held},
+    {"op", &CatalogueEntry::op_tag, &LoopRows::op, storage::RowBefore::if_held},
+    {"mv", &CatalogueEntry::mv_tag, &LoopRows::mv, storage::RowBefore::if_held},
+    {"mode", &CatalogueEntry::mode_tag, &LoopRows::mode, storage::RowBefore::yes},
 };
 
 std::vector<TagRequest> requests_of(const Plan& plan) {
@@ -104,8 +84,8 @@ std::vector<TagRequest> requests_of(const Plan& plan) {
   for (const TagSlot& slot : kTagSlots) {
     const std::string& tag = plan.loop->*slot.tag;
     if (tag.empty()) continue;
-    requests.push_back(
-        {tag, plan.slot_end_us - span_us, plan.slot_end_us, kRowsPerSlot * slots, slot.before});
+    requests.push_back({tag, plan.slot_end_us - span_us, plan.slot_end_us, kRowsPerSlot * slots,
+                        slot.before, slot.rows == &LoopRows::mode});
   }
   return requests;
 }
@@ -116,6 +96,19 @@ LoopRows take_rows(const CatalogueEntry& loop, std::vector<RawSeries>& series, s
     if (!(loop.*slot.tag).empty()) rows.*slot.rows = std::move(series[next++]);
   }
   return rows;
+}
+
+/// Missing is what is of bad quality, NULL, or no number.
+void count_rows(const LoopRows& rows, TagReadings& tags) {
+  for (const TagSlot& slot : kTagSlots) {
+    const RawSeries& series = rows.*slot.rows;
+    for (TagReading& reading : tags) {
+      if (reading.role != slot.role) continue;
+      reading.rows = series.value.size();
+      reading.bad_rows = static_cast<std::size_t>(
+          std::ranges::count_if(series.value, [](double value) { return std::isnan(value); }));
+    }
+  }
 }
 
 bool readable(const Plan& plan) {
@@ -130,22 +123,21 @@ core::signal::LoopWindow make_window(const Plan& plan, const LoopRows& rows) {
 
 /// The windows of all plans in one batch of requests; an empty one for a plan without rows.
 std::vector<core::signal::LoopWindow> read_plans(storage::HistorianReader& historian,
-                                                 const std::vector<Plan>& plans,
-                                                 const ModeCodes& modes) {
+                                                 std::vector<Plan>& plans, RowMemory& memory) {
   std::vector<TagRequest> requests;
   for (const Plan& plan : plans) {
     if (!readable(plan)) continue;
     const auto more = requests_of(plan);
     requests.insert(requests.end(), more.begin(), more.end());
   }
-  std::vector<RawSeries> series =
-      requests.empty() ? std::vector<RawSeries>{} : historian.read(requests);
+  std::vector<RawSeries> series = memory.read(
+      requests, [&](std::span<const TagRequest> missing) { return historian.read(missing); });
   std::vector<core::signal::LoopWindow> windows(plans.size());
   std::size_t next = 0;
   for (std::size_t k = 0; k < plans.size(); ++k) {
     if (!readable(plans[k])) continue;
-    LoopRows rows = take_rows(*plans[k].loop, series, next);
-    decode_modes(rows.mode, modes);
+    const LoopRows rows = take_rows(*plans[k].loop, series, next);
+    count_rows(rows, plans[k].tags);
     windows[k] = make_window(plans[k], rows);
   }
   return windows;
@@ -154,28 +146,32 @@ std::vector<core::signal::LoopWindow> read_plans(storage::HistorianReader& histo
 }  // namespace
 
 std::vector<LoopWindowAtSlot> read_windows(storage::HistorianReader& historian,
-                                           std::span<const ClaimedLoop* const> claims,
-                                           const WindowSettings& settings) {
-  std::vector<Plan> plans = make_plans(historian, claims, settings);
+                                           std::span<const LoopSlot> slots, std::size_t max_samples,
+                                           RowMemory& memory) {
+  std::vector<Plan> plans = make_plans(slots, max_samples);
   find_unknown_intervals(historian, plans);
-  std::vector<core::signal::LoopWindow> windows = read_plans(historian, plans, settings.modes);
+  std::vector<core::signal::LoopWindow> windows = read_plans(historian, plans, memory);
   std::vector<LoopWindowAtSlot> at_slots;
   for (std::size_t k = 0; k < plans.size(); ++k) {
-    at_slots.push_back({plans[k].slot_end_us, std::move(windows[k])});
+    at_slots.push_back({plans[k].slot_end_us, std::move(windows[k]), std::move(plans[k].tags)});
   }
   return at_slots;
 }
 
 std::vector<core::signal::LoopWindow> read_spans(storage::HistorianReader& historian,
                                                  std::span<const SpanRequest> requests,
-                                                 const ModeCodes& modes) {
+                                                 RowMemory& memory) {
   std::vector<Plan> plans;
   for (const SpanRequest& request : requests) {
     const LoopWindowAtSlot& at_slot = *request.at_slot;
-    plans.push_back({request.loop, at_slot.slot_end_us, true, at_slot.window.sample_interval_s,
-                     request.samples});
+    plans.push_back({request.loop,
+                     at_slot.slot_end_us,
+                     true,
+                     at_slot.window.sample_interval_s,
+                     request.samples,
+                     {}});
   }
-  return read_plans(historian, plans, modes);
+  return read_plans(historian, plans, memory);
 }
 
 }  // namespace loopscope::daemon

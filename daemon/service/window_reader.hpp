@@ -6,32 +6,26 @@
 #include <vector>
 
 #include "core/signal/loop_window.hpp"
-#include "daemon/service/mode_codes.hpp"
-#include "daemon/service/slot.hpp"
+#include "daemon/service/newest_slots.hpp"
+#include "daemon/service/row_memory.hpp"
 #include "storage/historian/historian_reader.hpp"
-#include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
 
-/// What of the settings decides which rows a window is made of.
-struct WindowSettings {
-  std::size_t max_samples = 4096;
-  double settle_s = 60.0;
-  SlotRule slot_rule = SlotRule::clock;
-  ModeCodes modes;  ///< of the historian that is read
-};
-
-/// The window of one claimed loop, ready for analysis.
+/// The window of one slot of a loop, ready for analysis.
 struct LoopWindowAtSlot {
   std::int64_t slot_end_us = 0;
   core::signal::LoopWindow window;  ///< size 0 when the historian has no row for pv
+  TagReadings tags;                 ///< one for each tag of the loop
 };
 
-/// Reads the windows of claimed loops of ONE historian: slot, sample interval, rows, grid; in the
-/// order of `claims`, in a few round trips whatever their number. Throws storage::DatabaseError.
-[[nodiscard]] std::vector<LoopWindowAtSlot> read_windows(
-    storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
-    const WindowSettings& settings);
+/// Reads the windows of slots of loops of ONE historian: sample interval, rows, grid; in the order
+/// of `slots`, in a few round trips whatever their number; what `memory` holds is not read again.
+/// The same rows give the same window whenever it is read. Throws storage::DatabaseError.
+[[nodiscard]] std::vector<LoopWindowAtSlot> read_windows(storage::HistorianReader& historian,
+                                                         std::span<const LoopSlot> slots,
+                                                         std::size_t max_samples,
+                                                         RowMemory& memory);
 
 /// A loop whose slow look wants a longer span than its window.
 struct SpanRequest {
@@ -43,7 +37,6 @@ struct SpanRequest {
 /// Reads the longer spans of loops of ONE historian, in the order of `requests`, all together.
 /// Throws storage::DatabaseError.
 [[nodiscard]] std::vector<core::signal::LoopWindow> read_spans(
-    storage::HistorianReader& historian, std::span<const SpanRequest> requests,
-    const ModeCodes& modes);
+    storage::HistorianReader& historian, std::span<const SpanRequest> requests, RowMemory& memory);
 
 }  // namespace loopscope::daemon

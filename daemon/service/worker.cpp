@@ -1,51 +1,42 @@
 #include "daemon/service/worker.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <map>
 #include <spdlog/spdlog.h>
 #include <utility>
 
 #include "config/read_settings.hpp"
 #include "daemon/failure.hpp"
-#include "daemon/service/analyse_window.hpp"
 #include "daemon/service/storage_settings.hpp"
+#include "daemon/service/workforce.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 using storage::ClaimedLoop;
-using Claims = std::vector<const ClaimedLoop*>;
 
-/// The loops of a historian that is away are not at fault: their pause does not grow, so that they
-/// go on soon after it is back.
-constexpr double kSourcePause_s = 30.0;
+/// Longer than any batch of windows takes to read: whoever has not got a connection by then is
+/// better off with other loops.
+constexpr double kPatience_s = 30.0;
+/// The wait for a connection takes at most this share of the lease: the rest is for the work.
+constexpr double kPatienceOfLease = 1.0 / 3.0;
 
-std::map<std::string, Claims> by_source(const std::vector<ClaimedLoop>& claims) {
-  std::map<std::string, Claims> groups;
-  for (const ClaimedLoop& claim : claims) groups[claim.loop.source].push_back(&claim);
-  return groups;
-}
-
-std::string digest_for(const std::vector<storage::StoredDigest>& stored, std::int64_t loop_id) {
-  for (const storage::StoredDigest& row : stored) {
-    if (row.loop_id == loop_id) return row.input_digest;
-  }
-  return {};
-}
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
+SourceGate::Duration patience(const config::ScheduleSettings& schedule) {
+  return std::chrono::duration_cast<SourceGate::Duration>(
+      std::chrono::duration<double>(std::min(kPatience_s, kPatienceOfLease * schedule.lease_s)));
 }
 
 }  // namespace
 
 Worker::Worker(std::shared_ptr<const config::Settings> settings, std::string owner,
-               SlotRule slot_rule, FaultLog& faults)
+               SlotRule slot_rule, FaultLog& faults, HistorianPool& historians)
     : settings_(std::move(settings)),
       settings_json_(config::analysis_settings_json(settings_->analysis)),
       owner_(std::move(owner)),
       slot_rule_(slot_rule),
-      faults_(faults) {}
+      faults_(faults),
+      historians_(historians) {}
 
 storage::ResultsDatabase& Worker::results() {
   if (results_) return *results_;
@@ -56,14 +47,6 @@ storage::ResultsDatabase& Worker::results() {
                           settings_->flags.false_discovery_dependence == "arbitrary" ? 1.0 : 0.0);
   results_->set_parameter("min_confidence", settings_->flags.min_confidence);
   return *results_;
-}
-
-storage::HistorianReader& Worker::historian(const std::string& source) {
-  const auto known = historians_.find(source);
-  if (known != historians_.end()) return known->second;
-  const config::HistorianSettings& settings = find_historian(*settings_, source);
-  storage::HistorianReader reader(historian_connection(settings), historian_layout(settings));
-  return historians_.emplace(source, std::move(reader)).first->second;
 }
 
 std::vector<ClaimedLoop> Worker::claim_due() {
@@ -80,92 +63,105 @@ std::vector<ClaimedLoop> Worker::claim_next(std::int64_t after) {
   });
 }
 
+/// Loops grouped by historian, the one with the fewest users first. One that was down a moment ago
+/// comes last: what it costs to find that it still is must not hold up the loops of others.
+std::vector<std::pair<std::string, Worker::Claims>> Worker::by_source(
+    const std::vector<ClaimedLoop>& claims) {
+  std::map<std::string, Claims> groups;
+  for (const ClaimedLoop& claim : claims) groups[claim.loop.source].push_back(&claim);
+  std::multimap<std::pair<bool, int>, std::string> by_burden;
+  for (const auto& [source, group] : groups) {
+    by_burden.insert({{historians_.is_down(source), historians_.in_use(source)}, source});
+  }
+  std::vector<std::pair<std::string, Claims>> ordered;
+  for (const auto& [burden, source] : by_burden) {
+    ordered.emplace_back(source, std::move(groups[source]));
+  }
+  return ordered;
+}
+
 storage::WriteCount Worker::process(const std::vector<ClaimedLoop>& claims) {
+  storage::WriteCount sum;
+  for (const auto& [source, loops] : by_source(claims)) add(sum, process_source(source, loops));
+  return sum;
+}
+
+storage::WriteCount Worker::process_source(const std::string& source, const Claims& claims) {
   Batch batch;
-  for (const auto& [source, loops] : by_source(claims)) fetch(source, loops, batch);
-  analyse(batch);
+  if (read_newest(source, claims, batch)) {
+    batch.stored = stored_analyses(batch.visits);
+    if (read_earlier(source, claims, batch)) analyse(batch);
+  }
   return with_results([&](storage::ResultsDatabase& database) {
     return database.finish(batch.completed, batch.failed);
   });
 }
 
-std::vector<LoopInput> Worker::read(const std::string& source, const Claims& claims) {
-  const core::AnalysisSettings& analysis = settings_->analysis;
-  const WindowSettings window_settings{analysis.prepare.window_samples,
-                                       settings_->schedule.settle_s, slot_rule_,
-                                       mode_codes(find_historian(*settings_, source))};
-  const bool fresh = historians_.find(source) == historians_.end();
+template <typename Read>
+bool Worker::with_source(const std::string& source, const Claims& claims, Batch& batch, Read read) {
   try {
-    return read_inputs(historian(source), claims, window_settings, analysis);
-  } catch (const storage::DatabaseError& error) {
-    historians_.erase(source);
-    // A connection that died while it was idle says nothing about the server: one new one is tried.
-    if (fresh || error.remedy() != storage::Remedy::reconnect) throw;
-  }
-  return read_inputs(historian(source), claims, window_settings, analysis);
-}
-
-void Worker::fetch(const std::string& source, const Claims& claims, Batch& batch) {
-  const auto start = std::chrono::steady_clock::now();
-  try {
-    auto inputs = read(source, claims);
-    double reading_ms = milliseconds_since(start);
-    for (const LoopInput& input : inputs) reading_ms -= input.first_look_ms;
-    const double fetch_ms = reading_ms / static_cast<double>(claims.size());
-    for (std::size_t k = 0; k < claims.size(); ++k) {
-      batch.fetched.push_back({claims[k], std::move(inputs[k]), fetch_ms});
-    }
+    const config::HistorianSettings& settings = find_historian(*settings_, source);
+    batch.visits = historians_.with_reader(settings, patience(settings_->schedule), read);
     faults_.recovered("historian " + source);
+    return true;
   } catch (const storage::DatabaseError& error) {
-    historians_.erase(source);
     set_aside(source, {ExitCode::database, error.what(), error.hint()}, claims, batch);
   } catch (const Failure& failure) {
     set_aside(source, failure, claims, batch);
   }
+  return false;
+}
+
+bool Worker::read_newest(const std::string& source, const Claims& claims, Batch& batch) {
+  return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
+    return visit_newest(historian, claims, *settings_, slot_rule_, batch.rows);
+  });
+}
+
+/// Rows that came late for a slot that is stored change its window: a few earlier slots of each
+/// loop are looked at again with every visit.
+bool Worker::read_earlier(const std::string& source, const Claims& claims, Batch& batch) {
+  const int horizon = settings_->schedule.revise_slots;
+  const EarlierSlots earlier = earlier_slots_to_check(batch.visits, batch.stored, horizon);
+  if (earlier.slots.empty()) return true;
+  return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
+    visit_earlier(historian, earlier, *settings_, batch.rows, batch.visits);
+    return std::move(batch.visits);
+  });
+}
+
+StoredAnalyses Worker::stored_analyses(const std::vector<LoopVisit>& visits) {
+  const auto keys = slots_that_may_be_stored(visits, settings_->schedule.revise_slots);
+  return StoredAnalyses(with_results([&](storage::ResultsDatabase& database) {
+    return database.stored_digests(keys, core::kAlgorithmRevision, settings_json_);
+  }));
 }
 
 void Worker::set_aside(const std::string& source, const Failure& failure, const Claims& claims,
                        Batch& batch) {
   faults_.fault("historian " + source, std::string(failure.what()) + " HINT: " + failure.hint());
   if (!first_failure_) first_failure_ = failure;
+  constexpr std::chrono::duration<double> kPause = kSourcePause;
   for (const ClaimedLoop* claim : claims) {
-    batch.failed.push_back({claim->loop.loop_id, claim->fence, failure.what(), kSourcePause_s});
+    batch.failed.push_back({claim->loop.loop_id, claim->fence, failure.what(), kPause.count()});
   }
 }
 
 void Worker::analyse(Batch& batch) {
-  std::vector<std::pair<std::int64_t, std::int64_t>> keys;
-  for (const Fetched& fetched : batch.fetched) {
-    keys.emplace_back(fetched.claim->loop.loop_id, fetched.input.at_slot.slot_end_us);
-  }
-  const auto stored = with_results([&](storage::ResultsDatabase& database) {
-    return database.stored_digests(keys, core::kAlgorithmRevision);
-  });
-  for (const Fetched& fetched : batch.fetched) {
-    analyse_loop(fetched, digest_for(stored, fetched.claim->loop.loop_id), batch);
-  }
-}
-
-void Worker::analyse_loop(const Fetched& fetched, const std::string& stored_digest, Batch& batch) {
-  const storage::CatalogueEntry& loop = fetched.claim->loop;
-  const std::int64_t slot_end_us = fetched.input.at_slot.slot_end_us;
-  storage::CompletedLoop completed{
-      loop.loop_id, fetched.claim->fence, slot_end_us,
-      next_due(slot_end_us, loop.period_s, settings_->schedule.settle_s), std::nullopt};
-  try {
-    if (digest_of(loop, fetched.input, settings_json_) != stored_digest) {
-      completed.record = analyse_window(loop, fetched.input, settings_->analysis, settings_json_);
-      completed.record->fetch_ms = fetched.fetch_ms;
+  for (const LoopVisit& visit : batch.visits) {
+    const ClaimedLoop& claim = *visit.claim;
+    try {
+      batch.completed.push_back(complete_visit(visit, batch.stored, *settings_, settings_json_));
+    } catch (const std::exception& error) {
+      spdlog::error("loop \"{}\" could not be analysed: {}", claim.loop.name, error.what());
+      if (!first_failure_) {
+        first_failure_ =
+            Failure(ExitCode::fault, "loop \"" + claim.loop.name + "\": " + error.what(),
+                    "this is a fault in the program: please report it");
+      }
+      batch.failed.push_back(
+          {claim.loop.loop_id, claim.fence, error.what(), retry_pause_s(claim.attempts)});
     }
-    batch.completed.push_back(std::move(completed));
-  } catch (const std::exception& error) {
-    spdlog::error("loop \"{}\" could not be analysed: {}", loop.name, error.what());
-    if (!first_failure_) {
-      first_failure_ = Failure(ExitCode::fault, "loop \"" + loop.name + "\": " + error.what(),
-                               "this is a fault in the program: please report it");
-    }
-    batch.failed.push_back(
-        {loop.loop_id, fetched.claim->fence, error.what(), retry_pause_s(fetched.claim->attempts)});
   }
 }
 

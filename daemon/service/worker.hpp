@@ -1,30 +1,30 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/settings.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/service/fault_log.hpp"
-#include "daemon/service/loop_input.hpp"
+#include "daemon/service/historian_pool.hpp"
+#include "daemon/service/read_visits.hpp"
 #include "daemon/service/slot.hpp"
-#include "storage/historian/historian_reader.hpp"
 #include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
 
-/// One worker: its own connections, used by one thread at a time. Claims loops, fetches their
-/// windows, analyses them and writes the results back; a fault of one loop or one historian sets
-/// those loops aside and stops nothing else. A dead connection is thrown away and made anew at the
-/// next use.
+/// One worker: its own connection to the results, used by one thread at a time; those to the
+/// historians are lent by a pool that all workers share. Claims loops, fetches their windows,
+/// analyses them and writes the results back; a fault of one loop or one historian sets those loops
+/// aside and stops nothing else. A dead connection is thrown away and made anew at the next use.
 class Worker {
  public:
   Worker(std::shared_ptr<const config::Settings> settings, std::string owner, SlotRule slot_rule,
-         FaultLog& faults);
+         FaultLog& faults, HistorianPool& historians);
 
   /// Claims loops that are due. Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
@@ -52,28 +52,29 @@ class Worker {
   }
 
  private:
-  /// A claimed loop whose input was read.
-  struct Fetched {
-    const storage::ClaimedLoop* claim;
-    LoopInput input;
-    double fetch_ms;
-  };
+  using Claims = std::vector<const storage::ClaimedLoop*>;
   struct Batch {
-    std::vector<Fetched> fetched;
+    std::vector<LoopVisit> visits;
+    RowMemory rows;
+    StoredAnalyses stored;
     std::vector<storage::CompletedLoop> completed;
     std::vector<storage::FailedLoop> failed;
   };
 
   storage::ResultsDatabase& results();
-  storage::HistorianReader& historian(const std::string& source);
-  void fetch(const std::string& source, const std::vector<const storage::ClaimedLoop*>& claims,
-             Batch& batch);
-  std::vector<LoopInput> read(const std::string& source,
-                              const std::vector<const storage::ClaimedLoop*>& claims);
-  void set_aside(const std::string& source, const Failure& failure,
-                 const std::vector<const storage::ClaimedLoop*>& claims, Batch& batch);
+  [[nodiscard]] std::vector<std::pair<std::string, Claims>> by_source(
+      const std::vector<storage::ClaimedLoop>& claims);
+  storage::WriteCount process_source(const std::string& source, const Claims& claims);
+  /// Runs `read` on a connection to the source; false when that failed and the loops were set
+  /// aside.
+  template <typename Read>
+  bool with_source(const std::string& source, const Claims& claims, Batch& batch, Read read);
+  bool read_newest(const std::string& source, const Claims& claims, Batch& batch);
+  bool read_earlier(const std::string& source, const Claims& claims, Batch& batch);
+  [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopVisit>& visits);
+  void set_aside(const std::string& source, const Failure& failure, const Claims& claims,
+                 Batch& batch);
   void analyse(Batch& batch);
-  void analyse_loop(const Fetched& fetched, const std::string& stored_digest, Batch& batch);
 
   std::shared_ptr<const config::Settings> settings_;
   std::string settings_json_;  ///< provenance of every analysis
@@ -81,8 +82,8 @@ class Worker {
   SlotRule slot_rule_;
   FaultLog& faults_;
   std::optional<Failure> first_failure_;
+  HistorianPool& historians_;
   std::optional<storage::ResultsDatabase> results_;
-  std::map<std::string, storage::HistorianReader> historians_;
 };
 
 }  // namespace loopscope::daemon

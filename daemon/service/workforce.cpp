@@ -32,6 +32,8 @@ void add(storage::WriteCount& sum, const storage::WriteCount& more) {
   sum.unchanged += more.unchanged;
   sum.failed += more.failed;
   sum.fenced_off += more.fenced_off;
+  sum.not_judged += more.not_judged;
+  sum.revised_earlier += more.revised_earlier;
 }
 
 std::string count_text(const storage::WriteCount& count) {
@@ -39,6 +41,12 @@ std::string count_text(const storage::WriteCount& count) {
       count.inserted + count.revised + count.unchanged + count.failed + count.fenced_off;
   std::string text = fmt::format("{} loops: {} new, {} revised, {} unchanged, {} set aside", all,
                                  count.inserted, count.revised, count.unchanged, count.failed);
+  if (count.not_judged > 0) {
+    text += fmt::format(", {} could not be judged (loopscope.data_problem)", count.not_judged);
+  }
+  if (count.revised_earlier > 0) {
+    text += fmt::format(", {} earlier slots revised", count.revised_earlier);
+  }
   if (count.fenced_off > 0) text += fmt::format(", {} taken over by others", count.fenced_off);
   return text;
 }

@@ -100,4 +100,15 @@ Finding check_index(PqConnection& connection, const ResolvedLayout& layout) {
       hint, true};
 }
 
+bool has_key_index(PqConnection& connection, const ResolvedLayout& layout) {
+  if (!layout.data.is_table) return false;
+  const WantedIndex wanted = wanted_index(layout.layout);
+  const PqRows rows =
+      connection.run(historian_statements::kIndexes, {std::to_string(layout.data.oid)});
+  for (int row = 0; row < rows.size(); ++row) {
+    if (starts_with_key(rows.text(row, 0), wanted)) return true;
+  }
+  return false;
+}
+
 }  // namespace loopscope::storage

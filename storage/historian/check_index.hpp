@@ -10,4 +10,7 @@ namespace loopscope::storage {
 /// holds value and quality too; the hint is the statement that makes it. Throws DatabaseError.
 [[nodiscard]] Finding check_index(PqConnection& connection, const ResolvedLayout& layout);
 
+/// Whether an index starts with key and time. Throws DatabaseError.
+[[nodiscard]] bool has_key_index(PqConnection& connection, const ResolvedLayout& layout);
+
 }  // namespace loopscope::storage

@@ -167,6 +167,7 @@ std::vector<RawSeries> HistorianReader::read(std::span<const TagRequest> request
   for (std::size_t k = 0; k < requests.size(); ++k) {
     series[k] = merge_series(std::move(parts[k]), requests[k]);
     if (!places[k].empty()) series[k].hold = places[k].back().hold;
+    if (requests[k].mode) decode_modes(series[k], impl_->layout.layout.modes);
   }
   return series;
 }

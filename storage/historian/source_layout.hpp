@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/signal/raw_series.hpp"
+#include "storage/historian/mode_codes.hpp"
 
 namespace loopscope::storage {
 
@@ -103,6 +104,7 @@ struct SourceLayout {
   std::string tiebreak_column;             ///< of rows with one time the largest counts
   bool null_is_absent = false;             ///< NULL means "not recorded then", not "bad"
   HoldRule hold;
+  ModeCodes modes;
 };
 
 /// Whether the layout judges quality at all.

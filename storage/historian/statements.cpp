@@ -14,6 +14,36 @@ std::string ids_sql(const ResolvedNames& names, const std::string& condition) {
          condition + " ORDER BY request.name" + order + ", n." + names.id;
 }
 
+/// What list_keys() is made of: one entry a part of the key, comma-separated.
+struct Keys {
+  std::string columns;  ///< h."a" AS k0, h."b" AS k1
+  std::string order;    ///< h."a", h."b"
+  std::string found;    ///< found.k0, found.k1
+  std::string present;  ///< h."a" IS NOT NULL AND ...
+  std::string texts;    ///< n0."name"::text, key.k1::text
+  std::string joins;    ///< " JOIN names AS n0 ON n0."id" = key.k0"
+};
+
+Keys keys_of(const ResolvedLayout& layout) {
+  Keys keys;
+  for (std::size_t part = 0; part < layout.key.size(); ++part) {
+    const ResolvedKey& key = layout.key[part];
+    const std::string number = std::to_string(part);
+    const std::string comma = part == 0 ? "" : ", ";
+    keys.columns += comma + key.column + " AS k" + number;
+    keys.order += comma + key.column;
+    keys.found += comma + "found.k" + number;
+    keys.present += (part == 0 ? "" : " AND ") + key.column + " IS NOT NULL";
+    keys.texts += comma + (key.names ? "n" + number + "." + key.names->name + "::text"
+                                     : "key.k" + number + "::text");
+    if (key.names) {
+      keys.joins += " JOIN " + key.names->relation + " AS n" + number + " ON n" + number + "." +
+                    key.names->id + " = key.k" + number;
+    }
+  }
+  return keys;
+}
+
 /// WHERE for one tag in a span given by parameters $1 (tag), $2 and $3.
 std::string span_of_tag(const PlainTable& table, const std::string& tag_type) {
   const std::string type = native_type(table.time_kind);
@@ -81,6 +111,26 @@ Statement list_partitions(const ResolvedPartitions& list, TimeKind kind) {
   return {"list_partitions", "SELECT p." + list.name + "::text, p." + list.start + "::" + type +
                                  ", p." + list.end + "::" + type + " FROM " + list.relation +
                                  " AS p"};
+}
+
+Statement list_names(const ResolvedNames& names) {
+  return {"list_names", "SELECT DISTINCT n." + names.name + "::text FROM " + names.relation +
+                            " AS n WHERE n." + names.name + " IS NOT NULL"};
+}
+
+Statement list_keys(const ResolvedLayout& layout, const std::string& relation, bool loose_scan) {
+  const Keys keys = keys_of(layout);
+  std::string sql =
+      "SELECT DISTINCT " + keys.columns + " FROM " + relation + " AS h WHERE " + keys.present;
+  if (loose_scan) {
+    // PostgreSQL has no skip scan: the recursion looks the next larger key up in the index.
+    const std::string first = "SELECT " + keys.columns + " FROM " + relation + " AS h WHERE ";
+    const std::string one = " ORDER BY " + keys.order + " LIMIT 1";
+    sql = "WITH RECURSIVE found AS ((" + first + keys.present + one + ") UNION ALL SELECT next.*" +
+          " FROM found CROSS JOIN LATERAL (" + first + "(" + keys.order + ") > (" + keys.found +
+          ")" + one + ") AS next) SELECT * FROM found";
+  }
+  return {"list_keys", "SELECT " + keys.texts + " FROM (" + sql + ") AS key" + keys.joins};
 }
 
 Statement explain(const Statement& statement) {

@@ -30,6 +30,14 @@ extern const Statement kFindZone;  ///< name of a time zone -> a row
 /// -> name, first time, last time of every listed table, the times as `kind` counts them.
 [[nodiscard]] Statement list_partitions(const ResolvedPartitions& list, TimeKind kind);
 
+/// Every name of a side table.
+[[nodiscard]] Statement list_names(const ResolvedNames& names);
+
+/// Every key as texts, one column a part, where a part has a table of names by its name: by a loose
+/// scan of the index on (key, time), or by reading the table.
+[[nodiscard]] Statement list_keys(const ResolvedLayout& layout, const std::string& relation,
+                                  bool loose_scan);
+
 /// The plan of `statement` as text, a row a line.
 [[nodiscard]] Statement explain(const Statement& statement);
 

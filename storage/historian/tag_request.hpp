@@ -19,6 +19,7 @@ struct TagRequest {
   std::int64_t to_us = 0;     ///< last time wanted, inclusive
   std::int64_t max_rows = 0;  ///< newest so many rows of the span, > 0
   RowBefore before = RowBefore::no;
+  bool mode = false;  ///< the values are modes: to be read by the layout's ModeCodes
 };
 
 }  // namespace loopscope::storage

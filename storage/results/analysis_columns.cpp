@@ -224,7 +224,8 @@ std::string upsert_sql() {
          "input_revision = stored.input_revision + 1, analysed_at = now()"
          // The fence keeps a late worker from putting older findings over newer ones.
          " WHERE stored.input_digest <> EXCLUDED.input_digest AND stored.fence <= EXCLUDED.fence"
-         " RETURNING loop_id, input_revision, analysis_id";
+         " RETURNING loop_id, (extract(epoch FROM slot_end) * 1000000)::bigint AS slot_end_us,"
+         " input_revision, analysis_id";
 }
 
 }  // namespace

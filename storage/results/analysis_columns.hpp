@@ -9,8 +9,8 @@
 namespace loopscope::storage {
 
 /// Inserts analysis rows, or updates those whose input has changed (another digest), and returns
-/// loop_id, input_revision (1 = inserted) and analysis_id of what it wrote: nothing for a row that
-/// is stored already. Takes what analysis_parameters() makes.
+/// loop_id, slot_end_us, input_revision (1 = inserted) and analysis_id of what it wrote: nothing
+/// for a row that is stored already. Takes what analysis_parameters() makes.
 [[nodiscard]] const Statement& upsert_analyses();
 
 /// One array per column, in the order that the statement expects; every loop has a record.

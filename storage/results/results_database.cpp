@@ -8,6 +8,7 @@
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
 #include "storage/results/statements.hpp"
+#include "storage/results/write_problems.hpp"
 #include "storage/results/write_results.hpp"
 #include "storage/utf8.hpp"
 
@@ -77,19 +78,50 @@ std::size_t set_aside(Transaction& transaction, std::span<const FailedLoop> fail
       .size();
 }
 
+/// The revised analyses of earlier slots, each as a completed loop of its own.
+std::vector<CompletedLoop> earlier_records(const std::vector<const CompletedLoop*>& held) {
+  std::vector<CompletedLoop> earlier;
+  for (const CompletedLoop* loop : held) {
+    for (const AnalysisRecord& record : loop->revised) {
+      CompletedLoop& slot = earlier.emplace_back();
+      slot.loop_id = loop->loop_id;
+      slot.fence = loop->fence;
+      slot.slot_end_us = record.slot_end_us;
+      slot.record = record;
+    }
+  }
+  return earlier;
+}
+
+std::size_t revise_earlier(Transaction& transaction,
+                           const std::vector<const CompletedLoop*>& held) {
+  const std::vector<CompletedLoop> earlier = earlier_records(held);
+  std::vector<const CompletedLoop*> pointers;
+  for (const CompletedLoop& slot : earlier) pointers.push_back(&slot);
+  const WriteCount count = write_records(transaction, pointers);
+  return count.revised + count.inserted;
+}
+
+WriteCount write_completed(Transaction& transaction,
+                           const std::vector<const CompletedLoop*>& held) {
+  std::vector<const CompletedLoop*> with_record = held;
+  std::erase_if(with_record, [](const CompletedLoop* loop) { return !loop->record; });
+  WriteCount count = write_records(transaction, with_record);
+  count.unchanged += held.size() - with_record.size();
+  count.revised_earlier = revise_earlier(transaction, held);
+  count.not_judged = static_cast<std::size_t>(
+      std::ranges::count_if(held, [](const CompletedLoop* loop) { return !loop->judged; }));
+  write_problems(transaction, held);
+  return count;
+}
+
 WriteCount finish_all(Transaction& transaction, std::span<const CompletedLoop> completed,
                       std::span<const FailedLoop> failed) {
-  std::vector<const CompletedLoop*> with_record;
-  std::size_t held = 0;
-  if (!completed.empty()) {
-    with_record = complete(transaction, completed);
-    held = with_record.size();
-    std::erase_if(with_record, [](const CompletedLoop* loop) { return !loop->record; });
-  }
-  WriteCount count = write_records(transaction, with_record);
-  count.unchanged += held - with_record.size();
+  std::vector<const CompletedLoop*> held;
+  if (!completed.empty()) held = complete(transaction, completed);
+  WriteCount count = write_completed(transaction, held);
   count.failed = set_aside(transaction, failed);
-  count.fenced_off = completed.size() - held + failed.size() - count.failed;
+  count.fenced_off = completed.size() - held.size() + failed.size() - count.failed;
   return count;
 }
 
@@ -122,20 +154,23 @@ std::vector<ClaimedLoop> ResultsDatabase::claim_next(const std::string& owner, d
 }
 
 std::vector<StoredDigest> ResultsDatabase::stored_digests(
-    std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision) {
+    std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision,
+    const std::string& settings_json) {
   ArrayLiteral loop_id, slot_end;
   for (const auto& [loop, slot] : loop_and_slot) {
     loop_id.add_integer(loop);
     slot_end.add_time(slot);
   }
   const pqxx::result rows = impl_->session.transact([&](Transaction& transaction) {
-    return transaction.run(statements::kStoredDigests,
-                           {loop_id.text(), slot_end.text(), std::to_string(algorithm_revision)});
+    return transaction.run(
+        statements::kStoredDigests,
+        {loop_id.text(), slot_end.text(), std::to_string(algorithm_revision), settings_json});
   });
   std::vector<StoredDigest> digests;
   for (const pqxx::row& row : rows) {
     digests.push_back({row["loop_id"].as<std::int64_t>(), row["slot_end_us"].as<std::int64_t>(),
-                       row["input_digest"].c_str()});
+                       row["input_digest"].c_str(), row["usable"].as<bool>(),
+                       row["same_settings"].as<bool>()});
   }
   return digests;
 }

@@ -12,6 +12,7 @@
 #include "storage/analysis_record.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/connection_settings.hpp"
+#include "storage/data_problem.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::storage {
@@ -32,6 +33,11 @@ struct CompletedLoop {
   std::int64_t slot_end_us = 0;
   std::int64_t next_due_us = 0;          ///< when it shall be looked at again
   std::optional<AnalysisRecord> record;  ///< nullopt = the stored analysis still holds
+  /// The slot that was the newest one before this; nullopt = none, or this one was.
+  std::optional<std::int64_t> previous_slot_end_us = std::nullopt;
+  bool judged = true;                        ///< false: the verdict is `insufficient_data`
+  std::vector<DataProblem> problems = {};    ///< of the newest slot
+  std::vector<AnalysisRecord> revised = {};  ///< of earlier slots whose input had changed since
 };
 
 /// A claimed loop whose work failed: it is set aside and retried after a pause.
@@ -44,11 +50,13 @@ struct FailedLoop {
 
 /// What a write did.
 struct WriteCount {
-  std::size_t inserted = 0;    ///< new analysis rows
-  std::size_t revised = 0;     ///< rows whose input had changed (input_revision raised)
-  std::size_t unchanged = 0;   ///< completed without a new row
-  std::size_t failed = 0;      ///< set aside
-  std::size_t fenced_off = 0;  ///< the lease had been lost: nothing was written for these
+  std::size_t inserted = 0;         ///< new analysis rows
+  std::size_t revised = 0;          ///< rows whose input had changed (input_revision raised)
+  std::size_t unchanged = 0;        ///< completed without a new row
+  std::size_t failed = 0;           ///< set aside
+  std::size_t fenced_off = 0;       ///< the lease had been lost: nothing was written for these
+  std::size_t not_judged = 0;       ///< of those completed: the newest slot is `insufficient_data`
+  std::size_t revised_earlier = 0;  ///< rows of earlier slots whose input had changed
 };
 
 /// The key of a stored analysis and its digest.
@@ -56,6 +64,8 @@ struct StoredDigest {
   std::int64_t loop_id = 0;
   std::int64_t slot_end_us = 0;
   std::string input_digest;
+  bool usable = true;         ///< whether the loop could be judged
+  bool same_settings = true;  ///< analysed with the settings that were asked with
 };
 
 /// The results schema `loopscope` as the worker sees it. One object = one connection; not shared
@@ -76,9 +86,11 @@ class ResultsDatabase {
   /// not, in the order of loop_id: one pass over the catalogue.
   [[nodiscard]] std::vector<ClaimedLoop> claim_next(const std::string& owner, double lease_s,
                                                     int limit, std::int64_t after);
-  /// Digests of those (loop, slot, revision) that are already stored.
+  /// Digests of those (loop, slot, revision) that are already stored; `settings_json` is compared
+  /// with the settings of each.
   [[nodiscard]] std::vector<StoredDigest> stored_digests(
-      std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision);
+      std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision,
+      const std::string& settings_json = "{}");
   /// Writes results and gives the loops back in ONE transaction. A loop whose fence is no longer
   /// the claimed one is skipped and counted. Repeating the call after a lost commit is harmless.
   WriteCount finish(std::span<const CompletedLoop> completed, std::span<const FailedLoop> failed);

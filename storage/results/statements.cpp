@@ -84,10 +84,11 @@ const Statement kCountEnabled{"count_enabled_loops",
 
 const Statement kStoredDigests{"stored_digests", R"(
     SELECT wanted.loop_id, (extract(epoch FROM wanted.slot_end) * 1000000)::bigint AS slot_end_us,
-           analysis.input_digest
+           analysis.input_digest, analysis.usable, analysis.same_settings
     FROM unnest($1::bigint[], $2::timestamptz[]) AS wanted (loop_id, slot_end)
     CROSS JOIN LATERAL (
-      SELECT stored.input_digest FROM loopscope.analysis AS stored
+      SELECT stored.input_digest, stored.usable, stored.settings = $4::jsonb AS same_settings
+      FROM loopscope.analysis AS stored
       WHERE stored.loop_id = wanted.loop_id AND stored.slot_end = wanted.slot_end
         AND stored.algorithm_revision = $3::integer
       LIMIT 1) AS analysis)"};
@@ -128,6 +129,24 @@ const Statement kInsertSteps{"insert_steps", R"(
       AS row (loop_id, slot_end, algorithm_revision, input_revision, model)
     CROSS JOIN jsonb_array_elements(model::jsonb->'steps') WITH ORDINALITY AS s (taken, number))",
                              Rows::none};
+
+// A problem that stood at the loop's slot before goes on; one that was away begins anew.
+const Statement kNoteProblems{"note_problems", R"(
+    INSERT INTO loopscope.standing_problem AS kept
+      (loop_id, code, role, first_slot, last_slot, previous_slot, slots, last_row, figure)
+    SELECT loop_id, code, role, slot, slot, previous_slot, 1, last_row, figure
+    FROM unnest($1::bigint[], $2::text[], $3::text[], $4::timestamptz[], $5::timestamptz[],
+                $6::timestamptz[], $7::float8[])
+      AS found (loop_id, code, role, slot, previous_slot, last_row, figure)
+    ON CONFLICT (loop_id, code, role) DO UPDATE SET
+      first_slot = CASE WHEN kept.last_slot IN (EXCLUDED.last_slot, EXCLUDED.previous_slot)
+                        THEN kept.first_slot ELSE EXCLUDED.first_slot END,
+      slots = CASE WHEN kept.last_slot = EXCLUDED.last_slot THEN kept.slots
+                   WHEN kept.last_slot = EXCLUDED.previous_slot THEN kept.slots + 1 ELSE 1 END,
+      last_slot = EXCLUDED.last_slot, previous_slot = EXCLUDED.previous_slot,
+      last_row = EXCLUDED.last_row, figure = EXCLUDED.figure
+    WHERE kept.last_slot <= EXCLUDED.last_slot)",
+                              Rows::none};
 
 const Statement kSetParameter{"set_parameter", R"(
     UPDATE loopscope.parameter SET value = $2::float8 WHERE name = $1 RETURNING name)"};
@@ -231,6 +250,7 @@ const Statement kCheckRights{"check_rights", R"(
       ('UPDATE', 'loopscope.analysis', true), ('DELETE', 'loopscope.analysis', false),
       ('INSERT', 'loopscope.bicoherence_peak', true), ('INSERT', 'loopscope.explanation_step', true),
       ('INSERT', 'loopscope.verdict', true), ('DELETE', 'loopscope.verdict', false),
+      ('INSERT', 'loopscope.standing_problem', true), ('UPDATE', 'loopscope.standing_problem', true),
       ('SELECT', 'loopscope.parameter', true), ('UPDATE', 'loopscope.parameter', true),
       ('SELECT', 'loopscope.schema_migration', true),
       ('USAGE', 'sequence loopscope.analysis_id', true)

@@ -16,10 +16,11 @@ extern const Statement kSetAside;   ///< loop_ids, fences, errors, retry_after_s
 extern const Statement kCountEnabled;
 
 // results
-extern const Statement kStoredDigests;   ///< loop_ids, slot_ends, algorithm_revision
+extern const Statement kStoredDigests;   ///< loop_ids, slot_ends, algorithm_revision, settings
 extern const Statement kInsertVerdicts;  ///< keys, analysis_ids, codes, ... (one array per column)
 extern const Statement kInsertPeaks;     ///< keys, ranks, f1, f2, bic2, p
 extern const Statement kInsertSteps;     ///< keys, models as JSON objects with "steps"
+extern const Statement kNoteProblems;    ///< loop_ids, codes, roles, slots, ... (arrays)
 extern const Statement kSetParameter;    ///< name, value
 
 // catalogue

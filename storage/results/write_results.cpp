@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
-#include <unordered_map>
+#include <utility>
 
 #include "storage/array_literal.hpp"
 #include "storage/results/analysis_columns.hpp"
@@ -22,13 +23,13 @@ struct WrittenAnalysis {
 
 std::vector<WrittenAnalysis> upsert(Transaction& transaction,
                                     const std::vector<const CompletedLoop*>& loops) {
-  std::unordered_map<std::int64_t, const CompletedLoop*> by_id;
-  for (const CompletedLoop* loop : loops) by_id[loop->loop_id] = loop;
+  std::map<std::pair<std::int64_t, std::int64_t>, const CompletedLoop*> by_key;
+  for (const CompletedLoop* loop : loops) by_key[{loop->loop_id, loop->record->slot_end_us}] = loop;
   std::vector<WrittenAnalysis> written;
   for (const pqxx::row& row : transaction.run(upsert_analyses(), analysis_parameters(loops))) {
-    written.push_back({by_id.at(row["loop_id"].as<std::int64_t>()),
-                       row["input_revision"].as<std::int64_t>(),
-                       row["analysis_id"].as<std::int64_t>()});
+    written.push_back(
+        {by_key.at({row["loop_id"].as<std::int64_t>(), row["slot_end_us"].as<std::int64_t>()}),
+         row["input_revision"].as<std::int64_t>(), row["analysis_id"].as<std::int64_t>()});
   }
   return written;
 }

@@ -1,5 +1,6 @@
 #include "daemon/service/slot.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace loopscope::daemon {
@@ -19,6 +20,17 @@ TEST(Slot, TheNextLookIsWhenTheNextSlotHasSettled) {
   EXPECT_EQ(next_due(5 * kHour, 3600.0, 60.0), 6 * kHour + 60 * kSecond);
   const std::int64_t due = next_due(5 * kHour, 3600.0, 60.0);
   EXPECT_EQ(floor_to_period(due - 60 * kSecond, 3600.0), 6 * kHour);
+}
+
+TEST(Slot, EarlierOnesBeginWithTheLastThatWasCompleted) {
+  using testing::ElementsAre;
+  EXPECT_THAT(earlier_slots(5 * kHour, 4 * kHour, 3600.0, 2), ElementsAre(4 * kHour, 3 * kHour));
+  EXPECT_THAT(earlier_slots(5 * kHour, 1 * kHour, 3600.0, 2), ElementsAre(1 * kHour, 0))
+      << "the monitor stood still for a while";
+  EXPECT_THAT(earlier_slots(5 * kHour, 5 * kHour, 3600.0, 1), ElementsAre(4 * kHour))
+      << "the same slot is looked at again";
+  EXPECT_THAT(earlier_slots(5 * kHour, std::nullopt, 3600.0, 1), ElementsAre(4 * kHour));
+  EXPECT_THAT(earlier_slots(5 * kHour, 4 * kHour, 3600.0, 0), testing::IsEmpty());
 }
 
 TEST(Slot, PausesDoubleUpToSixHours) {

@@ -61,6 +61,31 @@ TEST_F(FinishTest, UnknownFiguresAreNull) {
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.bicoherence_peak"), "0");
 }
 
+TEST_F(FinishTest, LateRowsReviseEarlierSlotsBesideTheNewestOne) {
+  add_loops({"a", "b"});
+  ResultsDatabase results = connect();
+  std::vector<ClaimedLoop> claimed = claim_all(results);
+  results.finish(
+      std::vector{completed(claimed[0], slot(1), "a1"), completed(claimed[1], slot(1), "b1")}, {});
+  database->execute("UPDATE loopscope.schedule SET visible_at = now()");
+  claimed = claim_all(results);
+  std::vector done{completed(claimed[0], slot(2), "a2"), completed(claimed[1], slot(2), "b2")};
+  done[0].revised.push_back(record_at(slot(1), "a1 late"));
+  done[0].revised[0].diagnosis.verdict.code = core::diagnosis::VerdictCode::healthy;
+  const WriteCount count = results.finish(done, {});
+  EXPECT_EQ(count.inserted, 2u);
+  EXPECT_EQ(count.revised, 0u) << "of newest slots";
+  EXPECT_EQ(count.revised_earlier, 1u);
+  EXPECT_EQ(results.finish(done, {}).revised_earlier, 0u) << "a repeat changes nothing";
+  using Rows = std::vector<std::vector<std::string>>;
+  EXPECT_EQ(database->rows("SELECT loop_name, slot_end, input_revision, former_code, code,"
+                           " code_changed, revised_at >= former_decided_at"
+                           " FROM loopscope.revised_verdict"),
+            (Rows{{"a", "2026-01-01 01:00:00+00", "2", "valve_stiction", "healthy", "t", "t"}}));
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.verdict"), "5");
+  EXPECT_EQ(value("SELECT min(slot_end) FROM loopscope.latest_verdict"), "2026-01-01 02:00:00+00");
+}
+
 TEST_F(FinishTest, RepeatChangesNothing) {
   add_loops({"a", "b"});
   ResultsDatabase results = connect();

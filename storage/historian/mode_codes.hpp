@@ -2,10 +2,9 @@
 
 #include <vector>
 
-#include "config/settings.hpp"
 #include "core/signal/raw_series.hpp"
 
-namespace loopscope::daemon {
+namespace loopscope::storage {
 
 /// What the values of a historian's mode tags mean.
 struct ModeCodes {
@@ -14,10 +13,8 @@ struct ModeCodes {
   std::vector<double> cascade{2.0};
 };
 
-[[nodiscard]] ModeCodes mode_codes(const config::HistorianSettings& historian);
-
 /// A mode tag's values as the numbers of core::signal::ControlMode; a value that has no meaning is
 /// an unknown mode, a missing one stays missing.
 void decode_modes(core::signal::RawSeries& rows, const ModeCodes& codes);
 
-}  // namespace loopscope::daemon
+}  // namespace loopscope::storage

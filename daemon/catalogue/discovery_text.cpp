@@ -1,0 +1,82 @@
+#include "daemon/catalogue/discovery_text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "daemon/catalogue/tag_roles.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using storage::CatalogueEntry;
+
+/// As many of a kind are named; the CSV and the catalogue have the rest.
+constexpr std::size_t kShown = 10;
+
+/// "  5 without pv, cannot be loops: A, B, ...": nothing when there is none.
+std::string line(const std::string& what, const std::vector<std::string>& names) {
+  if (names.empty()) return {};
+  const std::size_t shown = std::min(names.size(), kShown);
+  std::string text = fmt::format("{:>8} {}: ", names.size(), what);
+  for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "" : ", ") + names[k];
+  return text + (shown < names.size() ? ", ...\n" : "\n");
+}
+
+std::string tags_of(const CatalogueEntry& entry) {
+  std::vector<std::string> tags;
+  for (const TagRole& role : kTagRoles) {
+    if (!(entry.*role.tag).empty()) tags.push_back(entry.*role.tag);
+  }
+  return fmt::format("{} ({})", entry.name, fmt::join(tags, ", "));
+}
+
+std::vector<std::string> without(const std::vector<CatalogueEntry>& loops,
+                                 std::string CatalogueEntry::*tag) {
+  std::vector<std::string> names;
+  for (const CatalogueEntry& entry : loops) {
+    if ((entry.*tag).empty()) names.push_back(entry.name);
+  }
+  return names;
+}
+
+std::vector<std::string> ambiguous_roles(const Discovery& discovery) {
+  std::vector<std::string> texts;
+  for (const AmbiguousRole& role : discovery.ambiguous) {
+    texts.push_back(fmt::format("{} {} ({}; {})", role.loop, role.role, fmt::join(role.tags, ", "),
+                                role.taken.empty() ? "none taken" : "taken: " + role.taken));
+  }
+  return texts;
+}
+
+std::string roles_text(const std::vector<CatalogueEntry>& loops) {
+  std::vector<std::string> counts;
+  for (const TagRole& role : kTagRoles) {
+    const auto count = std::ranges::count_if(
+        loops, [&](const CatalogueEntry& entry) { return !(entry.*role.tag).empty(); });
+    counts.push_back(fmt::format("{} {}", role.name, count));
+  }
+  return fmt::format("{}", fmt::join(counts, ", "));
+}
+
+}  // namespace
+
+std::string discovery_text(const DiscoveryReport& report) {
+  const Discovery& found = report.discovery;
+  std::vector<std::string> nameless;
+  for (const CatalogueEntry& entry : found.without_pv) nameless.push_back(tags_of(entry));
+  return fmt::format("historian {}: {} tags, {} loops are new ({}), {} are in the catalogue\n",
+                     report.source, report.tags, found.loops.size(), roles_text(found.loops),
+                     report.known) +
+         line("without pv, left out", nameless) +
+         line("without op, no model and no valve to judge",
+              without(found.loops, &CatalogueEntry::op_tag)) +
+         line("without sp, the mean of pv stands in",
+              without(found.loops, &CatalogueEntry::sp_tag)) +
+         line("roles with several tags", ambiguous_roles(found)) +
+         line("by a word of two roles (MV), look at op and mv", found.by_shared_word) +
+         line("names taken by other loops of the catalogue, left out", report.taken) +
+         line("tags fit no pattern", found.unmatched);
+}
+
+}  // namespace loopscope::daemon

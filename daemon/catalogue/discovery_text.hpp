@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "daemon/catalogue/discover_loops.hpp"
+
+namespace loopscope::daemon {
+
+/// What became of a discovery when it was laid beside the catalogue.
+struct DiscoveryReport {
+  std::string source;
+  std::size_t tags = 0;
+  Discovery discovery;             ///< `loops` are those that are new
+  std::size_t known = 0;           ///< loops whose pv the catalogue has already
+  std::vector<std::string> taken;  ///< names that another loop of the catalogue has
+};
+
+/// The report for a terminal: counts, and the first few of everything that is missing or unclear.
+[[nodiscard]] std::string discovery_text(const DiscoveryReport& report);
+
+}  // namespace loopscope::daemon

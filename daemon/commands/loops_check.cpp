@@ -1,0 +1,84 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <iostream>
+
+#include "config/read_settings.hpp"
+#include "daemon/catalogue/check_tags.hpp"
+#include "daemon/commands/loops_actions.hpp"
+#include "daemon/failure.hpp"
+#include "daemon/output/write_file.hpp"
+#include "daemon/service/storage_settings.hpp"
+#include "storage/historian/historian_reader.hpp"
+#include "storage/results/catalogue.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+struct CheckOptions {
+  std::shared_ptr<const std::string> config;
+  std::string out;
+};
+
+/// As many are listed on a terminal; --out has them all.
+constexpr std::size_t kShown = 50;
+
+std::vector<bool> ask(const config::Settings& settings, const std::string& source,
+                      std::span<const std::string> tags) {
+  const config::HistorianSettings& historian = find_historian(settings, source);
+  storage::HistorianReader reader(historian_connection(historian), historian_layout(historian));
+  std::vector<bool> answer;
+  for (const auto& newest : reader.newest(tags, reader.now_us())) {
+    answer.push_back(newest.has_value());
+  }
+  return answer;
+}
+
+void print(const TagCheck& check) {
+  for (std::size_t k = 0; k < std::min(check.dead_ends.size(), kShown); ++k) {
+    const DeadEnd& end = check.dead_ends[k];
+    std::cout << fmt::format("{:<28} {:<5} {:<32} {}: {}\n", end.loop, end.role, end.tag,
+                             end.source, end.problem);
+  }
+  if (check.dead_ends.size() > kShown) {
+    std::cout << fmt::format("... and {} more: --out FILE.csv has them all\n",
+                             check.dead_ends.size() - kShown);
+  }
+}
+
+void check(const CheckOptions& options) {
+  const config::Settings settings = config::read_settings(*options.config);
+  const auto entries = storage::Catalogue(owner_connection(settings)).list();
+  const TagCheck found =
+      check_tags(entries, [&](const std::string& source, std::span<const std::string> tags) {
+        return ask(settings, source, tags);
+      });
+  if (options.out == "-") {
+    std::cout << dead_ends_csv(found);
+  } else {
+    print(found);
+    if (!options.out.empty()) write_file(options.out, dead_ends_csv(found));
+  }
+  if (!found.dead_ends.empty()) {
+    throw Failure(ExitCode::unusable_data,
+                  fmt::format("{} of {} tags of {} loops do not resolve", found.dead_ends.size(),
+                              found.tags, found.loops),
+                  "correct them with loopscope loops set or load; loops discover shows what the "
+                  "historian has");
+  }
+  if (options.out == "-") return;
+  std::cout << fmt::format("all {} tags of {} loops have rows\n", found.tags, found.loops);
+}
+
+}  // namespace
+
+void add_check(CLI::App& loops, const std::shared_ptr<const std::string>& config) {
+  CLI::App& command = *loops.add_subcommand(
+      "check", "Lists every tag of the catalogue that its historian does not have");
+  command.fallthrough();
+  const auto options = std::make_shared<CheckOptions>();
+  options->config = config;
+  command.add_option("--out", options->out, "CSV to write, - for standard output");
+  command.callback([options] { check(*options); });
+}
+
+}  // namespace loopscope::daemon

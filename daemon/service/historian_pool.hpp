@@ -1,0 +1,100 @@
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/settings.hpp"
+#include "daemon/service/source_gate.hpp"
+#include "storage/historian/historian_reader.hpp"
+
+namespace loopscope::daemon {
+
+/// How long a source that failed is left alone. Its loops are set aside for as long; they are not
+/// at fault, so the pause does not grow and they go on soon after the source is back.
+inline constexpr std::chrono::seconds kSourcePause{30};
+
+/// The connections of this process to its historians, shared by all workers: at most
+/// `max_connections` to each, made when they are needed and kept for the next user. Thread-safe.
+class HistorianPool {
+ public:
+  /// Calls `use(storage::HistorianReader&)` with a connection of its own and returns what it
+  /// returned. Waits for a free one for at most `patience`. A connection that died while it was
+  /// idle says nothing about the server: one new one is tried. Throws storage::DatabaseError.
+  template <typename Use>
+  auto with_reader(const config::HistorianSettings& source, SourceGate::Duration patience,
+                   Use use) {
+    for (bool retried = false;; retried = true) {
+      Loan loan(*this, source, patience);
+      try {
+        auto result = use(loan.reader());
+        loan.give_back();
+        return result;
+      } catch (const storage::DatabaseError& error) {
+        if (retried || !loan.was_idle() || error.remedy() != storage::Remedy::reconnect) {
+          loan.fail(error);
+          throw;
+        }
+      }
+      // Its neighbours were left by the same server.
+      forget_idle(source.name);
+    }
+  }
+
+  /// Whether the last use of the source failed.
+  [[nodiscard]] bool is_down(const std::string& source);
+  /// Connections to the source that are in use now.
+  [[nodiscard]] int in_use(const std::string& source);
+  /// Closes connections that nobody uses, of one source or of all: after a reload they may lead to
+  /// the wrong place.
+  void forget_idle(const std::string& source);
+  void forget_idle();
+
+ private:
+  struct Connection {
+    config::HistorianSettings settings;
+    storage::HistorianReader reader;
+  };
+  struct Source {
+    SourceGate gate{kSourcePause};
+    std::vector<Connection> idle;
+  };
+
+  /// A place inside the gate, with a connection.
+  class Loan {
+   public:
+    Loan(HistorianPool& pool, const config::HistorianSettings& settings,
+         SourceGate::Duration patience);
+    /// Neither given back nor failed: the connection is closed.
+    ~Loan();
+    Loan(const Loan&) = delete;
+    Loan& operator=(const Loan&) = delete;
+
+    [[nodiscard]] storage::HistorianReader& reader() { return connection_->reader; }
+    [[nodiscard]] bool was_idle() const { return was_idle_; }
+    void give_back();
+    void fail(const storage::DatabaseError& error);
+
+   private:
+    void connect(const config::HistorianSettings& settings);
+    HistorianPool& pool_;
+    Source& source_;
+    int limit_;
+    bool inside_ = true;
+    bool was_idle_ = false;
+    std::optional<Connection> connection_;
+  };
+
+  [[nodiscard]] Source& source(const std::string& name);
+  [[nodiscard]] std::optional<Connection> take_idle(Source& source,
+                                                    const config::HistorianSettings& settings);
+
+  std::mutex mutex_;  ///< over `sources_` and their idle connections
+  std::map<std::string, std::unique_ptr<Source>> sources_;
+};
+
+}  // namespace loopscope::daemon

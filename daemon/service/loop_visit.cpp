@@ -1,0 +1,83 @@
+#include "daemon/service/loop_visit.hpp"
+
+#include "daemon/service/analyse_window.hpp"
+#include "daemon/service/data_problems.hpp"
+#include "daemon/service/slot.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using storage::AnalysisRecord;
+using storage::CompletedLoop;
+using storage::StoredDigest;
+
+/// The record of a slot whose input is not the stored one; nullopt = the stored analysis holds.
+std::optional<AnalysisRecord> changed_record(const LoopVisit& visit, const LoopInput& input,
+                                             const StoredDigest* stored,
+                                             const core::AnalysisSettings& settings,
+                                             const std::string& settings_json) {
+  const storage::CatalogueEntry& loop = visit.claim->loop;
+  if (stored != nullptr && digest_of(loop, input, settings_json) == stored->input_digest) {
+    return std::nullopt;
+  }
+  AnalysisRecord record = analyse_window(loop, input, settings, settings_json);
+  record.fetch_ms = visit.fetch_ms;
+  return record;
+}
+
+void add_problems(const LoopVisit& visit, std::size_t max_samples, CompletedLoop& completed) {
+  completed.problems = tag_problems(visit.claim->loop, visit.newest.at_slot, max_samples);
+  if (!completed.record) return;
+  for (storage::DataProblem& problem :
+       flag_problems(completed.record->diagnosis.evidence.data_quality)) {
+    completed.problems.push_back(std::move(problem));
+  }
+}
+
+}  // namespace
+
+StoredAnalyses::StoredAnalyses(const std::vector<StoredDigest>& rows) {
+  for (const StoredDigest& row : rows) rows_[{row.loop_id, row.slot_end_us}] = row;
+}
+
+const StoredDigest* StoredAnalyses::find(std::int64_t loop_id, std::int64_t slot_end_us) const {
+  const auto found = rows_.find({loop_id, slot_end_us});
+  return found == rows_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::int64_t> slots_to_check(const storage::ClaimedLoop& claim,
+                                         std::int64_t newest_end_us, const StoredAnalyses& stored,
+                                         int horizon) {
+  std::vector<std::int64_t> ends;
+  for (const std::int64_t end :
+       earlier_slots(newest_end_us, claim.last_slot_end_us, claim.loop.period_s, horizon)) {
+    const StoredDigest* row = stored.find(claim.loop.loop_id, end);
+    if (row != nullptr && row->same_settings) ends.push_back(end);
+  }
+  return ends;
+}
+
+CompletedLoop complete_visit(const LoopVisit& visit, const StoredAnalyses& stored,
+                             const config::Settings& settings, const std::string& settings_json) {
+  const storage::ClaimedLoop& claim = *visit.claim;
+  const std::int64_t slot_end_us = visit.newest.at_slot.slot_end_us;
+  const StoredDigest* known = stored.find(claim.loop.loop_id, slot_end_us);
+  CompletedLoop completed{
+      claim.loop.loop_id, claim.fence, slot_end_us,
+      next_due(slot_end_us, claim.loop.period_s, settings.schedule.settle_s),
+      changed_record(visit, visit.newest, known, settings.analysis, settings_json)};
+  completed.judged = completed.record ? completed.record->diagnosis.evidence.data_quality.usable
+                                      : known != nullptr && known->usable;
+  if (claim.last_slot_end_us && *claim.last_slot_end_us < slot_end_us) {
+    completed.previous_slot_end_us = claim.last_slot_end_us;
+  }
+  add_problems(visit, settings.analysis.prepare.window_samples, completed);
+  for (const LoopInput& input : visit.earlier) {
+    const StoredDigest* row = stored.find(claim.loop.loop_id, input.at_slot.slot_end_us);
+    auto record = changed_record(visit, input, row, settings.analysis, settings_json);
+    if (record) completed.revised.push_back(std::move(*record));
+  }
+  return completed;
+}
+
+}  // namespace loopscope::daemon

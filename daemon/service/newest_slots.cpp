@@ -1,0 +1,90 @@
+#include "daemon/service/newest_slots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "daemon/catalogue/tag_roles.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using storage::ClaimedLoop;
+using storage::HistorianReader;
+using storage::TagRequest;
+
+constexpr double kMicrosecondsPerSecond = 1e6;
+/// Rows in the future that are counted at most: the sender's clock is wrong, whatever their number.
+constexpr std::int64_t kFutureRows = 100;
+/// As far ahead as a stamp may lie: beyond it the time types of some columns end.
+constexpr std::int64_t kFutureReachUs = std::int64_t{100} * 366 * 86'400 * 1'000'000;
+
+std::int64_t microseconds(double seconds) {
+  return std::llround(seconds * kMicrosecondsPerSecond);
+}
+
+/// All tags of all claims, in the order of the claims and of kTagRoles.
+std::vector<std::string> tags_of(std::span<const ClaimedLoop* const> claims) {
+  std::vector<std::string> tags;
+  for (const ClaimedLoop* claim : claims) {
+    for (const TagRole& role : kTagRoles) {
+      if (!(claim->loop.*role.tag).empty()) tags.push_back(claim->loop.*role.tag);
+    }
+  }
+  return tags;
+}
+
+/// Clocks of sender and server differ a little: what lies within the settling time is not counted.
+std::vector<std::size_t> future_rows(HistorianReader& historian,
+                                     const std::vector<std::string>& tags, std::int64_t now_us,
+                                     const SlotSettings& settings) {
+  const std::int64_t from_us = now_us + microseconds(settings.settle_s) + 1;
+  std::vector<TagRequest> requests;
+  for (const std::string& tag : tags) {
+    requests.push_back(
+        {tag, from_us, now_us + kFutureReachUs, kFutureRows, storage::RowBefore::no});
+  }
+  std::vector<std::size_t> counts;
+  for (const auto& series : historian.read(requests)) counts.push_back(series.time_us.size());
+  return counts;
+}
+
+/// `once` without any sample: the slot of the loop's registration, so that a second pass finds the
+/// same one.
+std::int64_t slot_end(const ClaimedLoop& claim, const TagReadings& tags, std::int64_t now_us,
+                      const SlotSettings& settings) {
+  const std::int64_t settle_us = microseconds(settings.settle_s);
+  std::int64_t end = claim.database_now_us - settle_us;
+  if (settings.rule == SlotRule::newest_sample) {
+    const TagReading* pv = find_reading(tags, "pv");
+    const auto newest = pv == nullptr ? std::nullopt : pv->newest_row_us;
+    end = newest ? std::min(*newest, now_us - settle_us) : claim.loop.registered_us;
+  }
+  return floor_to_period(end, claim.loop.period_s);
+}
+
+}  // namespace
+
+std::vector<LoopSlot> newest_slots(HistorianReader& historian,
+                                   std::span<const ClaimedLoop* const> claims,
+                                   const SlotSettings& settings) {
+  const std::vector<std::string> tags = tags_of(claims);
+  const std::int64_t now_us = historian.now_us();
+  const auto newest = historian.newest(tags, now_us);
+  const std::vector<std::size_t> future = future_rows(historian, tags, now_us, settings);
+  std::vector<LoopSlot> slots;
+  std::size_t next = 0;
+  for (const ClaimedLoop* claim : claims) {
+    LoopSlot& slot = slots.emplace_back();
+    slot.loop = &claim->loop;
+    for (const TagRole& role : kTagRoles) {
+      if ((claim->loop.*role.tag).empty()) continue;
+      slot.tags.push_back({role.name, newest[next], now_us, future[next], 0, 0});
+      ++next;
+    }
+    slot.end_us = slot_end(*claim, slot.tags, now_us, settings);
+  }
+  return slots;
+}
+
+}  // namespace loopscope::daemon

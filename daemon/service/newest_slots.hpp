@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "daemon/service/slot.hpp"
+#include "daemon/service/tag_reading.hpp"
+#include "storage/historian/historian_reader.hpp"
+#include "storage/results/results_database.hpp"
+
+namespace loopscope::daemon {
+
+/// One slot of one loop whose window is wanted.
+struct LoopSlot {
+  const storage::CatalogueEntry* loop = nullptr;
+  std::int64_t end_us = 0;
+  TagReadings tags;  ///< one for each tag of the loop; counts of rows are not known yet
+};
+
+/// How the newest slot of a loop is found.
+struct SlotSettings {
+  double settle_s = 60.0;  ///< rows newer than this are left to settle
+  SlotRule rule = SlotRule::clock;
+};
+
+/// The newest slot of claimed loops of ONE historian, in their order, and what is known of their
+/// tags: three round trips whatever the number of loops. No slot ends later than `settle_s` before
+/// the clock; rows stamped in the future are a fault of their sender's clock and end no slot.
+/// Throws storage::DatabaseError.
+[[nodiscard]] std::vector<LoopSlot> newest_slots(
+    storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
+    const SlotSettings& settings);
+
+}  // namespace loopscope::daemon

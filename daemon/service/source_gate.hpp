@@ -1,0 +1,46 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "storage/error.hpp"
+
+namespace loopscope::daemon {
+
+/// Admission to one source: at most so many users at a time, and after a failure one that tries
+/// while all others are turned away at once, so that a source that is down costs nobody but it
+/// anything. Who is inside waits for no other gate, so nothing can lock up. Thread-safe.
+class SourceGate {
+ public:
+  using Duration = std::chrono::steady_clock::duration;
+
+  /// A source that failed is tried again after `pause`.
+  explicit SourceGate(Duration pause) : pause_(pause) {}
+
+  /// Waits until fewer than `limit` users are inside, then goes in. Throws the standing fault of
+  /// a source that is down, or DatabaseError (retry) when no place came free within `patience`.
+  void enter(const std::string& source, int limit, Duration patience);
+  /// The user leaves; the source worked.
+  void leave();
+  /// The user leaves because the source is down; those who wait are turned away.
+  void leave_down(const storage::DatabaseError& fault);
+
+  [[nodiscard]] bool is_down();
+  [[nodiscard]] int inside();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void throw_if_down();
+
+  const Duration pause_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int inside_ = 0;
+  std::optional<storage::DatabaseError> fault_;
+  Clock::time_point try_again_at_;
+};
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,40 @@
+#include "daemon/catalogue/check_tags.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace loopscope::daemon {
+namespace {
+
+TEST(CheckTags, AsksEachSourceOnceAndNamesEveryDeadEnd) {
+  std::vector<storage::CatalogueEntry> entries(3);
+  entries[0].name = "a, first";
+  entries[0].pv_tag = "A.PV";
+  entries[0].op_tag = "A.OP";
+  entries[1].name = "b";
+  entries[1].pv_tag = "A.PV";
+  entries[1].sp_tag = "A.OP";
+  entries[2].name = "c";
+  entries[2].source = "other";
+  entries[2].pv_tag = "A.OP";
+  std::vector<std::string> asked;
+  const TagCheck check =
+      check_tags(entries, [&](const std::string& source, std::span<const std::string> tags) {
+        std::vector<bool> answer;
+        for (const std::string& tag : tags) {
+          asked.push_back(source + ":" + tag);
+          answer.push_back(source == "other" || tag == "A.PV");
+        }
+        return answer;
+      });
+  EXPECT_THAT(asked, testing::ElementsAre("other:A.OP", "plant:A.OP", "plant:A.PV"));
+  EXPECT_EQ(check.loops, 3u);
+  EXPECT_EQ(check.tags, 5u);
+  EXPECT_EQ(dead_ends_csv(check),
+            "loop,source,role,tag,problem\n"
+            "\"a, first\",plant,op,A.OP,the historian has no row of this tag\n"
+            "b,plant,sp,A.OP,the historian has no row of this tag\n");
+}
+
+}  // namespace
+}  // namespace loopscope::daemon
