@@ -33,6 +33,7 @@ std::vector<std::string> list_tags(const ConnectionSettings& settings, const Nar
                                          ? historian_statements::list_tags(resolved)
                                          : historian_statements::distinct_tags(resolved));
   std::vector<std::string> tags;
+  tags.reserve(static_cast<std::size_t>(rows.size()));
   for (int row = 0; row < rows.size(); ++row) tags.push_back(rows.text(row, 0));
   std::ranges::sort(tags);
   return tags;
