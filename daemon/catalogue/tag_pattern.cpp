@@ -68,11 +68,12 @@ std::size_t TagPattern::read_piece(std::string_view text, std::size_t at) {
 }
 
 void TagPattern::require_both() const {
-  for (const auto& [kind, name] : {std::pair{Kind::loop, kLoop}, std::pair{Kind::role, kRole}}) {
-    const auto count =
-        std::ranges::count_if(pieces_, [kind](const Piece& piece) { return piece.kind == kind; });
+  const auto require_one = [this](Kind kind, std::string_view name) {
+    const auto count = std::ranges::count(pieces_, kind, &Piece::kind);
     if (count != 1) throw std::invalid_argument(fmt::format("{} has to stand in it once", name));
-  }
+  };
+  require_one(Kind::loop, kLoop);
+  require_one(Kind::role, kRole);
 }
 
 /// The longest run first: names of loops may hold the separators themselves.

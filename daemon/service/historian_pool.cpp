@@ -36,8 +36,8 @@ void HistorianPool::Loan::connect(const config::HistorianSettings& settings) {
   connection_ = pool_.take_idle(source_, settings);
   was_idle_ = connection_.has_value();
   if (was_idle_) return;
-  connection_.emplace(settings, storage::HistorianReader(historian_connection(settings),
-                                                         historian_layout(settings)));
+  connection_ = Connection{settings, storage::HistorianReader(historian_connection(settings),
+                                                              historian_layout(settings))};
 }
 
 HistorianPool::Loan::~Loan() {

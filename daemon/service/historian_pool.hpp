@@ -46,12 +46,12 @@ class HistorianPool {
   }
 
   /// Whether the last use of the source failed.
-  [[nodiscard]] bool is_down(const std::string& source);
+  [[nodiscard]] bool is_down(const std::string& name);
   /// Connections to the source that are in use now.
-  [[nodiscard]] int in_use(const std::string& source);
+  [[nodiscard]] int in_use(const std::string& name);
   /// Closes connections that nobody uses, of one source or of all: after a reload they may lead to
   /// the wrong place.
-  void forget_idle(const std::string& source);
+  void forget_idle(const std::string& name);
   void forget_idle();
 
  private:

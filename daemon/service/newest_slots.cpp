@@ -40,6 +40,7 @@ std::vector<std::size_t> future_rows(HistorianReader& historian,
                                      const SlotSettings& settings) {
   const std::int64_t from_us = now_us + microseconds(settings.settle_s) + 1;
   std::vector<TagRequest> requests;
+  requests.reserve(tags.size());
   for (const std::string& tag : tags) {
     requests.push_back(
         {tag, from_us, now_us + kFutureReachUs, kFutureRows, storage::RowBefore::no});

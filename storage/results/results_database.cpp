@@ -97,6 +97,7 @@ std::size_t revise_earlier(Transaction& transaction,
                            const std::vector<const CompletedLoop*>& held) {
   const std::vector<CompletedLoop> earlier = earlier_records(held);
   std::vector<const CompletedLoop*> pointers;
+  pointers.reserve(earlier.size());
   for (const CompletedLoop& slot : earlier) pointers.push_back(&slot);
   const WriteCount count = write_records(transaction, pointers);
   return count.revised + count.inserted;

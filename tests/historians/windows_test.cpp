@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cstdlib>
 #include <gtest/gtest.h>
 
 #include "daemon/service/storage_settings.hpp"
 #include "storage/historian/historian_reader.hpp"
+#include "storage/historian/list_tags.hpp"
 #include "tests/historians/truth.hpp"
 #include "tests/historians/vendor.hpp"
 
@@ -79,6 +81,25 @@ TEST_P(Windows, NewestRowsAreFoundUpToATime) {
     EXPECT_EQ(newest[0], Truth::time_us(last)) << last;
     EXPECT_EQ(newest[1], Truth::time_us(last)) << last;
   }
+}
+
+TEST_P(Windows, TagsOfTheHistorianAreListedAsLoopsReferToThem) {
+  const TestDatabase database;
+  const Truth truth(database, 2, 10);
+  database.execute(GetParam().tables);
+  const auto settings = settings_of(GetParam(), database.conninfo());
+  const auto listed = storage::list_tags(daemon::historian_connection(settings),
+                                         daemon::historian_layout(settings));
+  EXPECT_TRUE(std::ranges::is_sorted(listed));
+  for (int loop = 1; loop <= 2; ++loop) {
+    for (const char* role : {"sp", "pv", "op"}) {
+      std::string tag = tag_of(GetParam(), loop, role);
+      // A path is listed as the historian's own table has it.
+      if (tag.starts_with("[default]")) tag = "area/fic" + std::to_string(loop) + "/" + role;
+      EXPECT_TRUE(std::ranges::binary_search(listed, tag)) << tag;
+    }
+  }
+  EXPECT_LE(listed.size(), 9U) << "hosts and modes besides, nothing else";
 }
 
 INSTANTIATE_TEST_SUITE_P(Vendors, Windows, testing::ValuesIn(vendors()),

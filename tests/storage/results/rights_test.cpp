@@ -67,7 +67,11 @@ TEST_F(RightsTest, WorkerDoesItsWorkAndNoMore) {
   const std::vector<ClaimedLoop> claimed = results.claim_due("w", 60, 10);
   ASSERT_EQ(claimed.size(), 2u);
   const std::vector<FailedLoop> failed{{claimed[1].loop.loop_id, claimed[1].fence, "x", 1}};
-  EXPECT_EQ(results.finish(std::vector{completed(claimed[0], slot(1), "d1")}, failed).inserted, 1u);
+  std::vector done{completed(claimed[0], slot(1), "d1")};
+  done[0].problems.push_back({"op_constant", "", std::nullopt, std::nullopt});
+  EXPECT_EQ(results.finish(done, failed).inserted, 1u);
+  done[0].record->input_digest = "d1 late";
+  EXPECT_EQ(results.finish(done, {}).revised, 1u);
   EXPECT_EQ(results.finish(std::vector{completed(claimed[0], slot(1), "d2")}, {}).revised, 1u);
   EXPECT_EQ(results.extend(claimed, 60), 0u);
   results.release(claimed);
@@ -93,9 +97,10 @@ TEST_F(RightsTest, WorkerDoesItsWorkAndNoMore) {
 }
 
 TEST_F(RightsTest, ReaderOnlyReads) {
-  for (const char* view : {"latest_verdict", "flagged_loop", "loop_history", "data_quality",
-                           "before_after_maintenance", "plant_oscillation_member", "monitor_health",
-                           "verdict_kind", "analysis", "parameter"}) {
+  for (const char* view :
+       {"latest_verdict", "flagged_loop", "loop_history", "data_quality",
+        "before_after_maintenance", "plant_oscillation_member", "monitor_health", "verdict_kind",
+        "analysis", "parameter", "data_problem", "revised_verdict"}) {
     expect_allowed(reader, std::string("SELECT * FROM loopscope.") + view);
   }
   for (const char* sql :
