@@ -63,10 +63,11 @@ std::vector<DataProblem> tag_problems(const storage::CatalogueEntry& loop,
     if (const double share = bad_share(reading); share > kMostlyBad) {
       problems.push_back({"bad_quality", role, std::nullopt, share});
     }
-    if (reading.future_rows > 0) {
-      problems.push_back(
-          {"future_rows", role, std::nullopt, static_cast<double>(reading.future_rows)});
-    }
+    const auto counted = [&](const char* code, std::size_t rows) {
+      if (rows > 0) problems.push_back({code, role, std::nullopt, static_cast<double>(rows)});
+    };
+    counted("unknown_quality", reading.unknown_rows);
+    counted("future_rows", reading.future_rows);
   }
   return problems;
 }

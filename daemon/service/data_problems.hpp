@@ -17,6 +17,7 @@ namespace loopscope::daemon {
 /// | `no_rows` | the tag has no row at all |
 /// | `dead_tag` | no row for two periods, and not for 512 samples (pv) or a window (op, mv) |
 /// | `bad_quality` | more than half of the rows of the window are of bad quality |
+/// | `unknown_quality` | rows of the window have a quality code that the settings do not know |
 /// | `future_rows` | rows are stamped in the future |
 ///
 /// By the historian's clock, so that an archive that has ended is dead whatever slot is looked at.

@@ -13,9 +13,10 @@ struct TagReading {
   std::string_view role;                      ///< sp, pv, op, mv or mode
   std::optional<std::int64_t> newest_row_us;  ///< not in the future; nullopt = no row at all
   std::int64_t asked_us = 0;                  ///< the historian's clock then
-  std::size_t future_rows = 0;  ///< stamped later than the clock allows; never read as data
-  std::size_t rows = 0;         ///< read for the window
-  std::size_t bad_rows = 0;     ///< of those, of bad quality or no number
+  std::size_t future_rows = 0;   ///< stamped later than the clock allows; never read as data
+  std::size_t rows = 0;          ///< read for the window
+  std::size_t bad_rows = 0;      ///< of those, of bad quality or no number
+  std::size_t unknown_rows = 0;  ///< of those, with a quality code that nobody knows
 };
 
 using TagReadings = std::vector<TagReading>;

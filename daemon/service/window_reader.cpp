@@ -105,6 +105,7 @@ void count_rows(const LoopRows& rows, TagReadings& tags) {
     for (TagReading& reading : tags) {
       if (reading.role != slot.role) continue;
       reading.rows = series.value.size();
+      reading.unknown_rows = series.unknown_quality;
       reading.bad_rows = static_cast<std::size_t>(
           std::ranges::count_if(series.value, [](double value) { return std::isnan(value); }));
     }

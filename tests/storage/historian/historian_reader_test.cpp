@@ -47,9 +47,9 @@ TEST_F(ReaderTest, QualityRulesDiffer) {
   EXPECT_THAT(values(QualityRule::opcda, ""), ElementsAre(1.0, 2.0));
 }
 
-TEST_F(ReaderTest, RepeatedTimesAreKeptInTheOrderOfTheirArrival) {
-  insert("a", "2026-01-01 00:00:01+00", "1");
+TEST_F(ReaderTest, RepeatedTimesAreKeptInTheOrderOfTheirValues) {
   insert("a", "2026-01-01 00:00:01+00", "2");
+  insert("a", "2026-01-01 00:00:01+00", "1");
   insert("a", "2026-01-01 00:00:02+00", "3");
   HistorianReader historian = reader();
   EXPECT_THAT(read_one(historian, request("a", 0, 100)).value, ElementsAre(1.0, 2.0, 3.0));
