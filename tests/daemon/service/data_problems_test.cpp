@@ -29,8 +29,8 @@ LoopWindowAtSlot with(const TagReading& reading) {
 /// "code role" of each problem of a tag whose newest row is so many seconds old.
 std::vector<std::string> problems_at_age(std::string_view role, std::int64_t age_s) {
   std::vector<std::string> found;
-  for (const auto& problem :
-       tag_problems(loop_of_10_s(), with({role, kNow - age_s * kSecond, kNow, 0, 100, 0}), 4096)) {
+  for (const auto& problem : tag_problems(
+           loop_of_10_s(), with({role, kNow - age_s * kSecond, kNow, 0, 100, 0, 0}), 4096)) {
     found.push_back(problem.code + " " + problem.role);
   }
   return found;
@@ -60,8 +60,9 @@ TEST(DataProblems, ALongPeriodIsWaitedFor) {
   loop.period_s = 86'400.0;
   EXPECT_THAT(tag_problems(loop, with({"pv", kNow - 170'000 * kSecond, kNow, 0, 1, 0, 0}), 4096),
               IsEmpty());
-  EXPECT_EQ(tag_problems(loop, with({"pv", kNow - 180'000 * kSecond, kNow, 0, 1, 0, 0}), 4096).size(),
-            1u);
+  EXPECT_EQ(
+      tag_problems(loop, with({"pv", kNow - 180'000 * kSecond, kNow, 0, 1, 0, 0}), 4096).size(),
+      1u);
 }
 
 TEST(DataProblems, MostlyBadRowsAndRowsInTheFuture) {
@@ -71,7 +72,8 @@ TEST(DataProblems, MostlyBadRowsAndRowsInTheFuture) {
   EXPECT_DOUBLE_EQ(problems[0].figure.value(), 0.51);
   EXPECT_EQ(problems[1].code, "future_rows");
   EXPECT_DOUBLE_EQ(problems[1].figure.value(), 3.0);
-  EXPECT_THAT(tag_problems(loop_of_10_s(), with({"pv", kNow, kNow, 0, 100, 50, 0}), 4096), IsEmpty());
+  EXPECT_THAT(tag_problems(loop_of_10_s(), with({"pv", kNow, kNow, 0, 100, 50, 0}), 4096),
+              IsEmpty());
 }
 
 TEST(DataProblems, QualityCodesThatNobodyKnowsAreCounted) {
