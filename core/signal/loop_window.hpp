@@ -32,7 +32,8 @@ struct LoopWindow {
   std::int64_t start_us = 0;        ///< first sample, microseconds UTC since 1970
   Samples sp;                       ///< setpoint, pv units
   Samples pv;                       ///< process variable, its own units
-  Samples op;                       ///< controller output, op units
+  Samples pv_rows;  ///< pv where a row lies, else NaN; empty = pv holds nothing between its rows
+  Samples op;       ///< controller output, op units
   Samples mv;                       ///< valve position, op units
   std::vector<ControlMode> mode;    ///< empty = not recorded
   std::optional<OpRange> op_range;  ///< nullopt = the catalogue does not say
