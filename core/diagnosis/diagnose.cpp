@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/diagnosis/archive_null.hpp"
 #include "core/diagnosis/decide.hpp"
 #include "core/diagnosis/loop_model.hpp"
 #include "core/diagnosis/steady_error.hpp"
@@ -45,7 +46,11 @@ void measure_statistics(const signal::PreparedLoop& loop, const AnalysisSettings
   const SteadyError steady = steady_error(loop, settings.hos, seed);
   if (steady.flag != nullptr) add_flag(quality, steady.flag);
   evidence.hos = hos::analyse(steady.error, settings.hos, seed);
-  if (evidence.hos && !quality.refusals.empty()) refuse_tests(*evidence.hos);
+  if (evidence.hos && !quality.refusals.empty()) {
+    refuse_tests(*evidence.hos);
+  } else if (evidence.hos && loop.archive == signal::Archive::swinging_door) {
+    allow_for_door(steady.error, loop.band, settings.hos, seed, *evidence.hos);
+  }
   const std::size_t segments = evidence.hos ? evidence.hos->segments : 0;
   if (segments < kMinSegments) {
     evidence.hos.reset();

@@ -125,12 +125,20 @@ Samples without_long_runs(Samples whole, const Samples& stored) {
   return whole;
 }
 
+/// Half the step of the grid of values where that is coarse, else 0.
+double rounding_of(const Samples& samples) {
+  const std::optional<Spread> spread = measure_spread(samples);
+  const double step = smallest_step(samples).value_or(0.0);
+  return spread && step > kCoarseGrid * spread->std ? 0.5 * step : 0.0;
+}
+
 /// How the archive chose these samples, and the band by which it did.
 void recognise(const Stored& stored, StoredSamples& result) {
   const double step = smallest_step(stored.value).value_or(0.0);
   const std::vector<double> moves = moves_of(stored);
   if (on_change(moves, step)) {
     result.archive = Archive::on_change;
+    result.band = rounding_of(stored.value);
   } else if (const auto band = lower_edge(moves); band && *band > kStepsInBand * step) {
     result.archive = Archive::dead_band;
     result.band = *band;
@@ -156,6 +164,8 @@ std::string_view name(Archive archive) {
       return "dead_band";
     case Archive::swinging_door:
       return "swinging_door";
+    case Archive::rounded:
+      return "rounded";
     case Archive::coarser:
       return "coarser";
   }
@@ -170,7 +180,10 @@ StoredSamples find_stored(const Samples& pv, const Samples& rows) {
   if (hole_share(stored) < kFewHoles) {
     result.value = without_long_runs(given, result.value);
     const bool holes = hole_share(compact(result.value)) > 0.0;
-    result.archive = holes ? Archive::scattered : Archive::complete;
+    result.band = rounding_of(result.value);
+    result.archive = result.band > 0.0 ? Archive::rounded
+                     : holes           ? Archive::scattered
+                                       : Archive::complete;
   } else if (regular(stored)) {
     result.archive = Archive::coarser;
     result.value = pv;

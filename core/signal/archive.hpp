@@ -14,6 +14,7 @@ enum class Archive {
   on_change,      ///< a coarse value stored when it changes: it stayed as it was
   dead_band,      ///< stored when it left a band about the value stored last
   swinging_door,  ///< on the line between two stored ones, within a band
+  rounded,        ///< every sample was stored, on a coarse grid of values
   coarser,        ///< renewed at a regular multiple of the interval: a slower sensor or scan
 };
 
@@ -23,8 +24,12 @@ enum class Archive {
 struct StoredSamples {
   Samples value;  ///< pv units; NaN = not stored, or missing
   Archive archive = Archive::complete;
-  double band = 0.0;  ///< pv units, half width; 0 = no band
+  double band = 0.0;  ///< pv units, half width, of rounding where it is coarse; 0 = no band
 };
+
+/// A grid of values with steps above this share of pv's standard deviation shapes the statistics
+/// (README, "The gate"; Thornhill, Choudhury and Shah 2004).
+inline constexpr double kCoarseGrid = 0.4;
 
 /// A run of samples that were not stored, of this many at most, is a hole in what is known; a
 /// longer one is a gap. With a band: a quarter of what would leave a segment of 64 half unknown

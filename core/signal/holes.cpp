@@ -20,11 +20,18 @@ class Filler {
   Filler(const StoredSamples& stored, Reconstruction& result) : stored_(stored), result_(result) {}
 
   void fill(std::size_t first, std::size_t last) {
-    if (first == 0 || last - first > longest_hole(stored_.archive)) return;
+    if (first == 0 || last == first || last - first > longest_hole(stored_.archive)) return;
     const bool holds =
         stored_.archive == Archive::dead_band || stored_.archive == Archive::on_change;
     if (last == stored_.value.size() && !holds) return;
     for (std::size_t k = first; k < last; ++k) guess(first, last, k);
+  }
+
+  /// What was stored is the value rounded to the grid.
+  void bound_stored() {
+    for (std::size_t k = 0; k < stored_.value.size(); ++k) {
+      if (std::isfinite(stored_.value[k])) bound(k, stored_.value[k], stored_.band);
+    }
   }
 
  private:
@@ -37,6 +44,7 @@ class Filler {
     switch (stored_.archive) {
       case Archive::on_change:
         result_.value[k] = before;
+        if (stored_.band > 0.0) bound(k, before, stored_.band);
         break;
       case Archive::dead_band:
         bound(k, before, stored_.band);
@@ -70,6 +78,8 @@ class Filler {
 Reconstruction reconstruct(const StoredSamples& stored) {
   Reconstruction result{stored.value, {}, {}};
   Filler filler(stored, result);
+  const bool coarse = stored.archive == Archive::rounded || stored.archive == Archive::on_change;
+  if (coarse && stored.band > 0.0) filler.bound_stored();
   std::size_t first = 0;
   for (std::size_t k = 0; k <= stored.value.size(); ++k) {
     if (k < stored.value.size() && std::isnan(stored.value[k])) continue;

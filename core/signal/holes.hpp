@@ -16,7 +16,8 @@ struct Reconstruction {
 /// Guesses what lies in holes: the line between the stored values, held within the band of a dead
 /// band (about the value stored last) or of a swinging door (about that line); a value stored on
 /// change stays. Longer runs than archive.hpp allows, and what lies before the first and behind the
-/// last stored value, stay missing; a dead band goes on behind the last.
+/// last stored value, stay missing; a dead band goes on behind the last. A
+/// value of a coarse grid is a guess as well, known to within half a step.
 [[nodiscard]] Reconstruction reconstruct(const StoredSamples& stored);
 
 }  // namespace loopscope::core::signal

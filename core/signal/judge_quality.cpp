@@ -13,10 +13,6 @@ namespace {
 /// pv that stands still for so many samples while op moves is a dead transmitter or archive.
 constexpr std::size_t kFrozenSamples = 300;
 
-/// A grid step above this share of pv's standard deviation shapes the statistics
-/// (Thornhill, Choudhury and Shah 2004).
-constexpr double kCoarseQuantisation = 0.4;
-
 /// A pv that is renewed less often than every third sample is not the signal that the grid claims;
 /// compressed archives mislead the statistics from 2.5 to 3 on (Thornhill, Choudhury and Shah
 /// 2004).
@@ -126,15 +122,15 @@ std::size_t covered(const PreparedLoop& loop) {
 /// Samples per renewal of pv. A coarse grid repeats values without being stale: nullopt then.
 std::optional<double> compression_factor(const Samples& pv, double quantisation) {
   const double moves = share_of_moves(pv);
-  if (moves <= 0.0 || quantisation > kCoarseQuantisation) return std::nullopt;
+  if (moves <= 0.0 || quantisation > kCoarseGrid) return std::nullopt;
   return 1.0 / moves;
 }
 
 /// Holes are gaps of an archive that stores every sample, and none of one that does not.
 double missing_fraction(const PreparedLoop& loop) {
-  const bool stores_all =
-      loop.archive == Archive::complete || loop.archive == Archive::scattered;
-  return stores_all ? 1.0 - share(loop.pv_recorded, loop.pv.size())
+  const bool by_rule = loop.archive == Archive::dead_band ||
+                       loop.archive == Archive::swinging_door || loop.archive == Archive::on_change;
+  return !by_rule ? 1.0 - share(loop.pv_recorded, loop.pv.size())
                     : share(loop.pv_gaps, loop.pv.size());
 }
 
@@ -182,7 +178,7 @@ void raise_flags(const PreparedLoop& loop, DataQuality& quality) {
   flags.add(far_from_setpoint(loop.error), "sp_not_followed");
   flags.add(loop.spikes > 0, "pv_spikes");
   flags.add(pv && pv->constant(), "pv_constant");
-  flags.add(quality.quantisation_factor.value_or(0.0) > kCoarseQuantisation, "pv_quantised");
+  flags.add(quality.quantisation_factor.value_or(0.0) > kCoarseGrid, "pv_quantised");
   const bool held = !compressed(loop) && quality.compression_factor.value_or(1.0) >= kStaleFactor;
   flags.add(held, "pv_held");
   flags.add(compressed(loop), "pv_compressed");

@@ -60,6 +60,10 @@ void mask_manual(const std::vector<ControlMode>& mode, Samples& error) {
   }
 }
 
+bool stores_all(Archive archive) {
+  return archive == Archive::complete || archive == Archive::rounded;
+}
+
 /// The archive says what lies between the samples that it stored.
 bool archive_known(Archive archive) {
   return archive == Archive::on_change || archive == Archive::dead_band ||
@@ -94,7 +98,7 @@ std::size_t discard_stored_spikes(StoredSamples& stored) {
 /// not what was put between the rows of a record that is not frozen.
 Samples recorded_pv(Samples pv, const StoredSamples& stored, const Samples& whole) {
   for (std::size_t k = 0; k < pv.size(); ++k) {
-    if (std::isnan(whole[k]) || stored.archive == Archive::complete) pv[k] = stored.value[k];
+    if (std::isnan(whole[k]) || stores_all(stored.archive)) pv[k] = stored.value[k];
   }
   return pv;
 }
@@ -108,6 +112,7 @@ void take_pv(const LoopWindow& window, const PrepareSettings& settings, Prepared
   loop.spikes = discard_stored_spikes(stored);
   whole = reconstruct(stored);
   loop.archive = stored.archive;
+  loop.band = stored.band;
   loop.pv_stored = count_recorded(stored.value);
   loop.pv_gaps = pv.size() - count_recorded(whole.value);
   loop.pv = archive_known(stored.archive)

@@ -33,6 +33,7 @@ struct PreparedLoop {
   };
   Drawable drawable;
   Archive archive = Archive::complete;
+  double band = 0.0;  ///< of the archive, pv units, half width; 0 = none
   std::size_t pv_stored = 0;  ///< pv samples that the archive stored; see Archive
   std::size_t pv_frozen = 0;  ///< longest run of equal pv samples as recorded
   std::size_t pv_gaps = 0;    ///< pv samples missing in gaps too long to draw
