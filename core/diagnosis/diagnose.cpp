@@ -91,6 +91,12 @@ void look_slowly(const FirstLook& first, const AnalysisSettings& settings, std::
   }
 }
 
+/// What the archive did to pv reads as load steps and bends where little of it was stored. A slow
+/// sensor is an effect that the model knows.
+bool model_sees_enough(const signal::DataQuality& quality) {
+  return quality.refusals.empty() || quality.archive == signal::Archive::coarser;
+}
+
 }  // namespace
 
 Diagnosis diagnose(const signal::LoopWindow& window, const AnalysisSettings& settings,
@@ -115,7 +121,7 @@ Diagnosis diagnose(const FirstLook& first, const AnalysisSettings& settings, con
     measure_shapes(first, evidence);
     if (evidence.hos) look_slowly(first, settings, facts.seed, long_window, evidence);
     // The segments may have made the window unusable after all.
-    if (evidence.data_quality.usable && settings.fit_model) {
+    if (evidence.data_quality.usable && settings.fit_model && model_sees_enough(loop.quality)) {
       evidence.model = explain_loop(first, facts);
     }
   }
