@@ -25,8 +25,7 @@ SteadyError steady_error(const signal::PreparedLoop& loop, const hos::Settings& 
                          std::uint64_t seed) {
   SteadyError steady = without_steps(loop, settings);
   if (!loop.drawable.low.empty()) {
-    steady.error =
-        hos::draw_missing(steady.error, {loop.drawable.low, loop.drawable.high}, seed);
+    steady.error = hos::draw_missing(steady.error, {loop.drawable.low, loop.drawable.high}, seed);
   }
   return steady;
 }

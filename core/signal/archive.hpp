@@ -40,8 +40,8 @@ inline constexpr std::size_t kLongestHole = 16;
 /// Finds the samples that were stored, and how the archive chose them, from the values alone.
 ///
 /// `pv` on a uniform grid, NaN where nothing was recorded or no row lies; what was put between the
-/// rows shows as repeated values (steps) or as samples on a straight line. `rows` says instead which
-/// samples are rows, where that is known (NaN elsewhere); empty = not known.
+/// rows shows as repeated values (steps) or as samples on a straight line. `rows` says instead
+/// which samples are rows, where that is known (NaN elsewhere); empty = not known.
 ///
 /// A dead band leaves no two successive stored values closer than itself, a swinging door no three
 /// stored in a row closer to a line than twice its width: a sharp lower edge of their distances,

@@ -55,8 +55,8 @@ Grid window_grid(const RawSeries& pv, double sample_interval_s, std::int64_t end
   const double interval_us = sample_interval_s * kMicrosecondsPerSecond;
   const auto within = static_cast<std::size_t>(after - pv.time_us.begin());
   const std::int64_t newest =
-      moved_us(*std::prev(after), usual_phase(std::span(pv.time_us).first(within), interval_us,
-                                              max_samples));
+      moved_us(*std::prev(after),
+               usual_phase(std::span(pv.time_us).first(within), interval_us, max_samples));
   const auto slots_between = [&](std::int64_t from, std::int64_t to, double round) {
     return std::floor(elapsed_us(from, to) / interval_us + round);
   };

@@ -38,8 +38,7 @@ class Filler {
   void guess(std::size_t first, std::size_t last, std::size_t k) {
     const double before = stored_.value[first - 1];
     const double after = last < stored_.value.size() ? stored_.value[last] : before;
-    const double share =
-        static_cast<double>(k - first + 1) / static_cast<double>(last - first + 1);
+    const double share = static_cast<double>(k - first + 1) / static_cast<double>(last - first + 1);
     const double line = before + share * (after - before);
     switch (stored_.archive) {
       case Archive::on_change:

@@ -131,7 +131,7 @@ double missing_fraction(const PreparedLoop& loop) {
   const bool by_rule = loop.archive == Archive::dead_band ||
                        loop.archive == Archive::swinging_door || loop.archive == Archive::on_change;
   return !by_rule ? 1.0 - share(loop.pv_recorded, loop.pv.size())
-                    : share(loop.pv_gaps, loop.pv.size());
+                  : share(loop.pv_gaps, loop.pv.size());
 }
 
 /// Stands still where other samples do not, and is masked.
@@ -205,9 +205,8 @@ DataQuality judge_quality(const PreparedLoop& loop, const PrepareSettings& setti
   quality.drawn_fraction = drawn ? share(covered(loop) - loop.pv_stored, loop.pv.size()) : 0.0;
   quality.quantisation_factor = quantisation_factor(loop.pv);
   quality.compression_factor =
-      compressed(loop)
-          ? std::optional(share(covered(loop), loop.pv_stored))
-          : compression_factor(loop.pv, quality.quantisation_factor.value_or(0.0));
+      compressed(loop) ? std::optional(share(covered(loop), loop.pv_stored))
+                       : compression_factor(loop.pv, quality.quantisation_factor.value_or(0.0));
   quality.refusals = refusals(loop, quality);
   if (loop.op_range_known) quality.saturated_fraction = fraction_at_limit(loop.op_percent);
   raise_flags(loop, quality);

@@ -115,9 +115,8 @@ void take_pv(const LoopWindow& window, const PrepareSettings& settings, Prepared
   loop.band = stored.band;
   loop.pv_stored = count_recorded(stored.value);
   loop.pv_gaps = pv.size() - count_recorded(whole.value);
-  loop.pv = archive_known(stored.archive)
-                ? whole.value
-                : bridged(recorded_pv(pv, stored, whole.value), settings);
+  loop.pv = archive_known(stored.archive) ? whole.value
+                                          : bridged(recorded_pv(pv, stored, whole.value), settings);
 }
 
 /// The error where pv is guessed too, and the bounds of the guesses.

@@ -27,13 +27,14 @@ struct PreparedLoop {
   Samples op_percent;  ///< % of range; op units when `op_range_known` is false; empty = no op
   Samples mv_percent;  ///< likewise
   /// What the higher-order statistics start from: the error with a guess in every sample that may
-  /// be drawn, and the bounds of these; empty bounds = nothing is to be drawn, and error is `error`.
+  /// be drawn, and the bounds of these; empty bounds = nothing is to be drawn, and error is
+  /// `error`.
   struct Drawable {
     Samples error, low, high;
   };
   Drawable drawable;
   Archive archive = Archive::complete;
-  double band = 0.0;  ///< of the archive, pv units, half width; 0 = none
+  double band = 0.0;          ///< of the archive, pv units, half width; 0 = none
   std::size_t pv_stored = 0;  ///< pv samples that the archive stored; see Archive
   std::size_t pv_frozen = 0;  ///< longest run of equal pv samples as recorded
   std::size_t pv_gaps = 0;    ///< pv samples missing in gaps too long to draw

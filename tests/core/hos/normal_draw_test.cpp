@@ -41,7 +41,8 @@ TEST(NormalDraw, WithinLimitsFollowsTheLawBetweenThem) {
     std::mt19937_64 random(1);
     const double tail = 0.5 * std::erfc(low / std::sqrt(2.0));
     const double expected = std::exp(-0.5 * low * low) / std::sqrt(2.0 * M_PI) / tail;
-    const Moments found = moments_of([&] { return normal_draw_within(0.0, 1.0, low, kFree, random); });
+    const Moments found =
+        moments_of([&] { return normal_draw_within(0.0, 1.0, low, kFree, random); });
     EXPECT_NEAR(found.mean, expected, 0.03) << low;
   }
 }

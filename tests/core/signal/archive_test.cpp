@@ -47,8 +47,8 @@ void expect_found(const Samples& samples, const Kept& kept, Archive archive) {
     const StoredSamples found = find_stored(arrived);
     EXPECT_EQ(found.archive, archive);
     // The last of all is not told from its neighbour where values are held or drawn behind it.
-    EXPECT_NEAR(static_cast<double>(count_recorded(found.value)),
-                static_cast<double>(kept.size()), 2.0);
+    EXPECT_NEAR(static_cast<double>(count_recorded(found.value)), static_cast<double>(kept.size()),
+                2.0);
   }
 }
 
@@ -57,7 +57,8 @@ TEST(Archive, AWholeRecordIsComplete) {
     for (const double step : {0.0, 0.01, 0.1, 0.5, 1.0}) {
       const Samples samples = step > 0.0 ? rounded(wandering(seed), step) : wandering(seed);
       const StoredSamples found = find_stored(samples);
-      EXPECT_EQ(found.archive, Archive::complete) << step;
+      EXPECT_EQ(found.archive, step < kCoarseGrid ? Archive::complete : Archive::rounded) << step;
+      EXPECT_NEAR(found.band, step < kCoarseGrid ? 0.0 : 0.5 * step, 1e-9);
       EXPECT_EQ(found.value, samples);
     }
   }

@@ -71,7 +71,8 @@ Kept keep_one_in(double factor, const Samples& samples,
   for (int i = 0; i < 20; ++i) {
     const double band = 0.5 * (low + high);
     kept = keep(samples, band);
-    const bool enough = static_cast<double>(kept.size()) * factor < static_cast<double>(samples.size());
+    const bool enough =
+        static_cast<double>(kept.size()) * factor < static_cast<double>(samples.size());
     (enough ? high : low) = band;
   }
   return kept;

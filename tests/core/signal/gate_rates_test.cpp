@@ -1,6 +1,6 @@
 // How often healthy loops are called nonlinear after their data were damaged on the way, how many
-// are judged at all, and how often nonlinear ones are still found. The tables of the README are what
-// these tests print.
+// are judged at all, and how often nonlinear ones are still found. The tables of the README are
+// what these tests print.
 
 #include <algorithm>
 #include <array>
@@ -112,8 +112,7 @@ TEST_P(GateRates, NonlinearLoopsAreFound) {
   EXPECT_GE(rates.rate(0), 0.4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Damages, GateRates,
-                         testing::Range(std::size_t{0}, all_damages().size()));
+INSTANTIATE_TEST_SUITE_P(Damages, GateRates, testing::Range(std::size_t{0}, all_damages().size()));
 
 }  // namespace
 }  // namespace loopscope::core::signal
