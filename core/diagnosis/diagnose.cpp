@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/diagnosis/archive_null.hpp"
 #include "core/diagnosis/decide.hpp"
 #include "core/diagnosis/loop_model.hpp"
 #include "core/diagnosis/steady_error.hpp"
@@ -29,12 +30,27 @@ void add_flag(signal::DataQuality& quality, const char* flag) {
   }
 }
 
+/// The figures stay, the p-values do not.
+void refuse_tests(hos::Result& result) {
+  result.ngi_p.reset();
+  result.nli_p.reset();
+  result.cubic_p.reset();
+  result.nonlinear_p.reset();
+  result.coupling = hos::Coupling::none_found;
+  for (hos::Peak& peak : result.peaks) peak.p.reset();
+}
+
 void measure_statistics(const signal::PreparedLoop& loop, const AnalysisSettings& settings,
                         std::uint64_t seed, Evidence& evidence) {
   signal::DataQuality& quality = evidence.data_quality;
-  const SteadyError steady = steady_error(loop, settings.hos);
+  const SteadyError steady = steady_error(loop, settings.hos, seed);
   if (steady.flag != nullptr) add_flag(quality, steady.flag);
   evidence.hos = hos::analyse(steady.error, settings.hos, seed);
+  if (evidence.hos && !quality.refusals.empty()) {
+    refuse_tests(*evidence.hos);
+  } else if (evidence.hos && loop.archive == signal::Archive::swinging_door) {
+    allow_for_door(steady.error, loop.band, settings.hos, seed, *evidence.hos);
+  }
   const std::size_t segments = evidence.hos ? evidence.hos->segments : 0;
   if (segments < kMinSegments) {
     evidence.hos.reset();
@@ -53,13 +69,13 @@ void measure_shapes(const FirstLook& first, Evidence& evidence) {
 }
 
 signal::Samples long_error(const signal::LoopWindow& window, double interval_s,
-                           const AnalysisSettings& settings) {
+                           const AnalysisSettings& settings, std::uint64_t seed) {
   if (window.sample_interval_s != interval_s) {
     throw std::invalid_argument("the long window has another sample interval than the window");
   }
   signal::PrepareSettings prepare = settings.prepare;
   prepare.window_samples = window.size();
-  return steady_error(signal::prepare(window, prepare), settings.hos).error;
+  return steady_error(signal::prepare(window, prepare), settings.hos, seed).error;
 }
 
 void look_slowly(const FirstLook& first, const AnalysisSettings& settings, std::uint64_t seed,
@@ -67,9 +83,18 @@ void look_slowly(const FirstLook& first, const AnalysisSettings& settings, std::
   const std::optional<double> period = first.period_samples();
   if (!period || !hos::needs_slow_look(*period, settings.hos)) return;
   const signal::Samples error =
-      long_window ? long_error(*long_window, first.loop.sample_interval_s, settings)
-                  : steady_error(first.loop, settings.hos).error;
+      long_window ? long_error(*long_window, first.loop.sample_interval_s, settings, seed)
+                  : steady_error(first.loop, settings.hos, seed).error;
   evidence.hos_slow = hos::look_slowly(error, *period, settings.hos, seed);
+  if (evidence.hos_slow && !evidence.data_quality.refusals.empty()) {
+    refuse_tests(evidence.hos_slow->result);
+  }
+}
+
+/// What the archive did to pv reads as load steps and bends where little of it was stored. A slow
+/// sensor is an effect that the model knows.
+bool model_sees_enough(const signal::DataQuality& quality) {
+  return quality.refusals.empty() || quality.archive == signal::Archive::coarser;
 }
 
 }  // namespace
@@ -96,7 +121,7 @@ Diagnosis diagnose(const FirstLook& first, const AnalysisSettings& settings, con
     measure_shapes(first, evidence);
     if (evidence.hos) look_slowly(first, settings, facts.seed, long_window, evidence);
     // The segments may have made the window unusable after all.
-    if (evidence.data_quality.usable && settings.fit_model) {
+    if (evidence.data_quality.usable && settings.fit_model && model_sees_enough(loop.quality)) {
       evidence.model = explain_loop(first, facts);
     }
   }

@@ -52,6 +52,14 @@ std::string slow_text(const hos::SlowLook& slow) {
          p_text(slow.result) + ".";
 }
 
+std::string refusal_text(const Evidence& evidence) {
+  std::string text;
+  for (const std::string& reason : evidence.data_quality.refusals) {
+    text += (text.empty() ? "" : "; ") + reason;
+  }
+  return text.empty() ? "they have no p-value" : text;
+}
+
 }  // namespace
 
 double nonlinear_p(const Evidence& evidence) {
@@ -64,6 +72,10 @@ double nonlinear_p(const Evidence& evidence) {
 NonlinearityFinding judge_nonlinearity(const Evidence& evidence, const hos::Settings& settings) {
   const hos::Result& hos = *evidence.hos;
   NonlinearityFinding finding;
+  if (!hos.nonlinear_p) {
+    finding.reason = "The tests for nonlinearity were refused: " + refusal_text(evidence) + ".";
+    return finding;
+  }
   finding.p = nonlinear_p(evidence);
   finding.found = finding.p <= settings.alpha;
   finding.belief = std::clamp(

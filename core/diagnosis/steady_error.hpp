@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "core/hos/settings.hpp"
 #include "core/signal/loop_window.hpp"
@@ -18,8 +19,9 @@ struct SteadyError {
 };
 
 /// The error without the transients of setpoint steps, where that leaves kMinSegments; else the
-/// whole error, and the flag of a setpoint that moves too often.
+/// whole error, and the flag of a setpoint that moves too often. What pv's archive did not store is
+/// drawn (core/hos/draw_missing.hpp); the same seed draws the same.
 [[nodiscard]] SteadyError steady_error(const signal::PreparedLoop& loop,
-                                       const hos::Settings& settings);
+                                       const hos::Settings& settings, std::uint64_t seed);
 
 }  // namespace loopscope::core

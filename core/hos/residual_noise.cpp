@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/hos/uniform_draw.hpp"
+
 namespace loopscope::core::hos {
 namespace {
 
@@ -101,10 +103,8 @@ ResidualNoise::ResidualNoise(std::vector<double> residuals) : values_(std::move(
 }
 
 double ResidualNoise::draw(std::mt19937_64& random) const {
-  // 53 random bits to [0, 1): the same numbers on every platform, unlike the standard library's
-  // distributions.
-  const double uniform = static_cast<double>(random() >> 11U) * 0x1.0p-53;
-  return values_[static_cast<std::size_t>(uniform * static_cast<double>(values_.size()))];
+  const double place = uniform_draw(random) * static_cast<double>(values_.size());
+  return values_[static_cast<std::size_t>(place)];
 }
 
 }  // namespace loopscope::core::hos

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
+#include <span>
 
 namespace loopscope::core::signal {
 namespace {
@@ -22,6 +25,26 @@ std::vector<ControlMode> to_modes(const Samples& numbers) {
   return modes;
 }
 
+/// How much later than the newest row the usual row lies on a grid through the newest, in
+/// microseconds, within half an interval: jitter of the newest row alone would move every slot. 0
+/// where the rows lie on its grid, and where they agree on no grid.
+double usual_phase(std::span<const std::int64_t> times_us, double interval_us,
+                   std::size_t max_rows) {
+  // Rounding of stamps; and less agreement than this is that of times which know no interval.
+  constexpr double kRounding = 0.01;
+  constexpr double kAgreement = 0.1;
+  const std::int64_t newest = times_us.back();
+  const auto rows = times_us.last(std::min(times_us.size(), max_rows));
+  std::complex<double> sum = 0.0;
+  for (const std::int64_t time_us : rows) {
+    const double turns = elapsed_us(newest, time_us) / interval_us;
+    sum += std::polar(1.0, 2.0 * std::numbers::pi * (turns - std::round(turns)));
+  }
+  const double phase = std::arg(sum) / (2.0 * std::numbers::pi);
+  const bool agreed = std::abs(sum) > kAgreement * static_cast<double>(rows.size());
+  return agreed && std::abs(phase) > kRounding ? phase * interval_us : 0.0;
+}
+
 }  // namespace
 
 Grid window_grid(const RawSeries& pv, double sample_interval_s, std::int64_t end_us,
@@ -29,8 +52,11 @@ Grid window_grid(const RawSeries& pv, double sample_interval_s, std::int64_t end
   Grid grid{end_us, sample_interval_s, 0};
   const auto after = std::upper_bound(pv.time_us.begin(), pv.time_us.end(), end_us);
   if (after == pv.time_us.begin()) return grid;
-  const std::int64_t newest = *std::prev(after);
   const double interval_us = sample_interval_s * kMicrosecondsPerSecond;
+  const auto within = static_cast<std::size_t>(after - pv.time_us.begin());
+  const std::int64_t newest =
+      moved_us(*std::prev(after),
+               usual_phase(std::span(pv.time_us).first(within), interval_us, max_samples));
   const auto slots_between = [&](std::int64_t from, std::int64_t to, double round) {
     return std::floor(elapsed_us(from, to) / interval_us + round);
   };
@@ -49,6 +75,7 @@ LoopWindow assemble(const LoopRows& rows, const Grid& grid,
   window.sample_interval_s = grid.sample_interval_s;
   window.start_us = grid.start_us;
   window.pv = align(rows.pv, grid, rows.pv.hold);
+  if (rows.pv.hold != Hold::sample) window.pv_rows = align(rows.pv, grid, Hold::sample);
   window.sp = align_if_recorded(rows.sp, grid, Hold::step);
   window.op = align_if_recorded(rows.op, grid, rows.op.hold);
   window.mv = align_if_recorded(rows.mv, grid, rows.mv.hold);

@@ -17,8 +17,9 @@ struct LoopRows {
 };
 
 /// The grid of a window that ends at `end_us` or less than one interval before it, on the phase of
-/// pv's newest row not after `end_us`; at most `max_samples` slots, none before pv's first row.
-/// Size 0 when pv has no row up to `end_us`.
+/// pv's newest row not after `end_us`, or of its usual row where the stamps jitter (then it may end
+/// up to half an interval behind `end_us`); at most `max_samples` slots, none before pv's first
+/// row. Size 0 when pv has no row up to `end_us`.
 [[nodiscard]] Grid window_grid(const RawSeries& pv, double sample_interval_s, std::int64_t end_us,
                                std::size_t max_samples);
 

@@ -13,10 +13,6 @@ namespace {
 /// pv that stands still for so many samples while op moves is a dead transmitter or archive.
 constexpr std::size_t kFrozenSamples = 300;
 
-/// A grid step above this share of pv's standard deviation shapes the statistics
-/// (Thornhill, Choudhury and Shah 2004).
-constexpr double kCoarseQuantisation = 0.4;
-
 /// A pv that is renewed less often than every third sample is not the signal that the grid claims;
 /// compressed archives mislead the statistics from 2.5 to 3 on (Thornhill, Choudhury and Shah
 /// 2004).
@@ -31,6 +27,15 @@ constexpr double kMovingSetpoint = 0.5;
 
 /// With the loop open for most of the window there is no control to judge.
 constexpr double kMostlyManual = 0.5;
+
+/// Of so many samples one at least has to be stored for the tests: beyond that too much of what
+/// they see is the model's (README, "The gate").
+constexpr double kMostDrawn = 4.0;
+
+std::string decimal(double value) {
+  const auto tenths = std::lround(10.0 * value);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
 
 double share(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
@@ -63,8 +68,7 @@ double manual_fraction(const std::vector<ControlMode>& mode) {
 }
 
 /// Why the window cannot be judged; empty when it can.
-std::string unusable_reason(const PreparedLoop& loop, double missing,
-                            const PrepareSettings& settings) {
+std::string unusable_reason(const PreparedLoop& loop, const PrepareSettings& settings) {
   const std::optional<Spread> pv = measure_spread(loop.pv);
   if (!pv) return "pv has no usable sample";
   if (pv->constant()) return "pv is constant";
@@ -77,6 +81,7 @@ std::string unusable_reason(const PreparedLoop& loop, double missing,
     return std::to_string(usable) + " usable samples, at least " +
            std::to_string(settings.min_usable_samples) + " are needed";
   }
+  const double missing = share(loop.pv_gaps, loop.pv.size());
   if (missing > settings.max_missing_fraction) {
     return percent_text(missing) + " of the pv samples are missing, at most " +
            percent_text(settings.max_missing_fraction) + " may be";
@@ -96,11 +101,61 @@ std::optional<double> quantisation_factor(const Samples& pv) {
   return *step / spread->std;
 }
 
+/// Values were put between the samples that the archive stored, or it left them out by its rule.
+bool compressed(const PreparedLoop& loop) {
+  switch (loop.archive) {
+    case Archive::dead_band:
+    case Archive::swinging_door:
+      return true;
+    case Archive::scattered:
+      return loop.pv_recorded > loop.pv_stored + loop.spikes;
+    default:
+      return false;
+  }
+}
+
+/// Samples outside of gaps, stored or not.
+std::size_t covered(const PreparedLoop& loop) {
+  return loop.pv.size() - loop.pv_gaps;
+}
+
 /// Samples per renewal of pv. A coarse grid repeats values without being stale: nullopt then.
 std::optional<double> compression_factor(const Samples& pv, double quantisation) {
   const double moves = share_of_moves(pv);
-  if (moves <= 0.0 || quantisation > kCoarseQuantisation) return std::nullopt;
+  if (moves <= 0.0 || quantisation > kCoarseGrid) return std::nullopt;
   return 1.0 / moves;
+}
+
+/// Holes are gaps of an archive that stores every sample, and none of one that does not.
+double missing_fraction(const PreparedLoop& loop) {
+  const bool by_rule = loop.archive == Archive::dead_band ||
+                       loop.archive == Archive::swinging_door || loop.archive == Archive::on_change;
+  return !by_rule ? 1.0 - share(loop.pv_recorded, loop.pv.size())
+                  : share(loop.pv_gaps, loop.pv.size());
+}
+
+/// Stands still where other samples do not, and is masked.
+double frozen_fraction(const PreparedLoop& loop) {
+  const std::size_t others = loop.pv_stored + loop.spikes;
+  const bool masked = loop.archive == Archive::complete && loop.pv_recorded > others;
+  return masked ? share(loop.pv_recorded - others, loop.pv.size()) : 0.0;
+}
+
+/// What the tests cannot be asked on these data, in plain words.
+std::vector<std::string> refusals(const PreparedLoop& loop, const DataQuality& quality) {
+  std::vector<std::string> reasons;
+  if (loop.archive == Archive::coarser) {
+    reasons.push_back("pv is renewed only every " + decimal(*quality.compression_factor) +
+                      " samples: the loop's sample interval is too short");
+  }
+  const double factor = quality.drawn_fraction.value_or(0.0) < 1.0
+                            ? 1.0 / (1.0 - quality.drawn_fraction.value_or(0.0))
+                            : kMostDrawn;
+  if (factor > kMostDrawn) {
+    reasons.push_back("only one pv sample in " + decimal(factor) + " was stored, one in " +
+                      decimal(kMostDrawn) + " is needed");
+  }
+  return reasons;
 }
 
 class Flags {
@@ -123,9 +178,14 @@ void raise_flags(const PreparedLoop& loop, DataQuality& quality) {
   flags.add(far_from_setpoint(loop.error), "sp_not_followed");
   flags.add(loop.spikes > 0, "pv_spikes");
   flags.add(pv && pv->constant(), "pv_constant");
-  flags.add(quality.quantisation_factor.value_or(0.0) > kCoarseQuantisation, "pv_quantised");
-  flags.add(quality.compression_factor.value_or(1.0) >= kStaleFactor, "pv_held");
-  flags.add(loop.op_moves && longest_flat_run(loop.pv) >= kFrozenSamples, "pv_frozen");
+  flags.add(quality.quantisation_factor.value_or(0.0) > kCoarseGrid, "pv_quantised");
+  const bool held = !compressed(loop) && quality.compression_factor.value_or(1.0) >= kStaleFactor;
+  flags.add(held, "pv_held");
+  flags.add(compressed(loop), "pv_compressed");
+  flags.add(quality.drawn_fraction.value_or(0.0) > 0.0, "samples_drawn");
+  flags.add(quality.frozen_fraction.value_or(0.0) > 0.0, "pv_frozen_masked");
+  flags.add(!quality.refusals.empty(), "tests_refused");
+  flags.add(loop.op_moves && loop.pv_frozen >= kFrozenSamples, "pv_frozen");
   flags.add(!has_op, "op_missing");
   flags.add(has_op && !loop.op_moves, "op_constant");
   flags.add(has_op && !loop.op_range_known, "op_range_unknown");
@@ -137,15 +197,20 @@ void raise_flags(const PreparedLoop& loop, DataQuality& quality) {
 
 DataQuality judge_quality(const PreparedLoop& loop, const PrepareSettings& settings) {
   DataQuality quality;
-  const double missing = 1.0 - share(loop.pv_recorded, loop.pv.size());
   quality.repeated_times = loop.repeated_times;
-  quality.missing_fraction = missing;
+  quality.archive = loop.archive;
+  quality.missing_fraction = missing_fraction(loop);
+  quality.frozen_fraction = frozen_fraction(loop);
+  const bool drawn = !loop.drawable.error.empty();
+  quality.drawn_fraction = drawn ? share(covered(loop) - loop.pv_stored, loop.pv.size()) : 0.0;
   quality.quantisation_factor = quantisation_factor(loop.pv);
   quality.compression_factor =
-      compression_factor(loop.pv, quality.quantisation_factor.value_or(0.0));
+      compressed(loop) ? std::optional(share(covered(loop), loop.pv_stored))
+                       : compression_factor(loop.pv, quality.quantisation_factor.value_or(0.0));
+  quality.refusals = refusals(loop, quality);
   if (loop.op_range_known) quality.saturated_fraction = fraction_at_limit(loop.op_percent);
   raise_flags(loop, quality);
-  quality.reason = unusable_reason(loop, missing, settings);
+  quality.reason = unusable_reason(loop, settings);
   quality.usable = quality.reason.empty();
   return quality;
 }

@@ -28,12 +28,13 @@ struct OpRange {
 /// `pv` sets the length; each other series is either empty (not recorded) or exactly as long.
 /// Sample k was taken at start_us + k * sample_interval_s.
 struct LoopWindow {
-  double sample_interval_s = 1.0;   ///< seconds, > 0
-  std::int64_t start_us = 0;        ///< first sample, microseconds UTC since 1970
-  Samples sp;                       ///< setpoint, pv units
-  Samples pv;                       ///< process variable, its own units
-  Samples op;                       ///< controller output, op units
-  Samples mv;                       ///< valve position, op units
+  double sample_interval_s = 1.0;  ///< seconds, > 0
+  std::int64_t start_us = 0;       ///< first sample, microseconds UTC since 1970
+  Samples sp;                      ///< setpoint, pv units
+  Samples pv;                      ///< process variable, its own units
+  Samples pv_rows;  ///< pv where a row lies, else NaN; empty = pv holds nothing between its rows
+  Samples op;       ///< controller output, op units
+  Samples mv;       ///< valve position, op units
   std::vector<ControlMode> mode;    ///< empty = not recorded
   std::optional<OpRange> op_range;  ///< nullopt = the catalogue does not say
   std::size_t repeated_times = 0;   ///< rows dropped because a later row had the same time

@@ -1,8 +1,11 @@
 #include "core/signal/prepare.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
+#include "core/signal/archive.hpp"
 #include "core/signal/gaps.hpp"
+#include "core/signal/holes.hpp"
 #include "core/signal/judge_quality.hpp"
 #include "core/signal/op_scale.hpp"
 #include "core/signal/spikes.hpp"
@@ -39,13 +42,13 @@ Samples bridged(Samples samples, const PrepareSettings& settings) {
   return samples;
 }
 
-/// sp - pv, or mean(pv) - pv where no setpoint was recorded.
-Samples control_error(const Samples& sp, const Samples& pv) {
+/// sp - pv, or mean(pv) - pv where no setpoint was recorded; `values` stand in for those of pv.
+Samples control_error(const Samples& sp, const Samples& pv, const Samples& values) {
   const bool has_setpoint = count_recorded(sp) > 0;
   const std::optional<Spread> spread = measure_spread(pv);
-  Samples error(pv.size(), kMissing);
-  for (std::size_t k = 0; k < pv.size() && spread; ++k) {
-    error[k] = (has_setpoint ? sp[k] : spread->mean) - pv[k];
+  Samples error(values.size(), kMissing);
+  for (std::size_t k = 0; k < values.size() && spread; ++k) {
+    error[k] = (has_setpoint ? sp[k] : spread->mean) - values[k];
   }
   return error;
 }
@@ -57,14 +60,76 @@ void mask_manual(const std::vector<ControlMode>& mode, Samples& error) {
   }
 }
 
+bool stores_all(Archive archive) {
+  return archive == Archive::complete || archive == Archive::rounded;
+}
+
+/// The archive says what lies between the samples that it stored.
+bool archive_known(Archive archive) {
+  return archive == Archive::on_change || archive == Archive::dead_band ||
+         archive == Archive::swinging_door;
+}
+
 void scale_output(const LoopWindow& window, const PrepareSettings& settings, PreparedLoop& loop) {
-  const Samples op = bridged(cut(window.op, settings), settings);
+  // An archive that leaves out rows of pv leaves out the same ones of op where a file has both.
+  PrepareSettings rule = settings;
+  if (archive_known(loop.archive)) rule.max_filled_gap = kLongestBandedHole;
+  const Samples op = bridged(cut(window.op, settings), rule);
   const std::optional<OpRange> range = resolve_op_range(op, window.op_range);
   const std::optional<Spread> spread = measure_spread(op);
   loop.op_range_known = range.has_value();
   loop.op_moves = spread && !spread->constant();
   loop.op_percent = to_percent(op, range);
-  loop.mv_percent = to_percent(bridged(cut(window.mv, settings), settings), range);
+  loop.mv_percent = to_percent(bridged(cut(window.mv, settings), rule), range);
+}
+
+/// Outliers are looked for in what the stored samples say of all; returns how many were taken out.
+std::size_t discard_stored_spikes(StoredSamples& stored) {
+  const Samples whole = reconstruct(stored).value;
+  Samples calm = whole;
+  const std::size_t spikes = discard_spikes(calm);
+  for (std::size_t k = 0; k < calm.size() && spikes > 0; ++k) {
+    if (std::isnan(calm[k]) && !std::isnan(whole[k])) stored.value[k] = kMissing;
+  }
+  return spikes;
+}
+
+/// pv as recorded, less what `stored` lacks of its own values: outliers and frozen stretches, but
+/// not what was put between the rows of a record that is not frozen.
+Samples recorded_pv(Samples pv, const StoredSamples& stored, const Samples& whole) {
+  for (std::size_t k = 0; k < pv.size(); ++k) {
+    if (std::isnan(whole[k]) || stores_all(stored.archive)) pv[k] = stored.value[k];
+  }
+  return pv;
+}
+
+void take_pv(const LoopWindow& window, const PrepareSettings& settings, PreparedLoop& loop,
+             Reconstruction& whole) {
+  const Samples pv = cut(window.pv, settings);
+  loop.pv_recorded = count_recorded(pv);
+  loop.pv_frozen = longest_flat_run(pv);
+  StoredSamples stored = find_stored(pv, cut(window.pv_rows, settings));
+  loop.spikes = discard_stored_spikes(stored);
+  whole = reconstruct(stored);
+  loop.archive = stored.archive;
+  loop.band = stored.band;
+  loop.pv_stored = count_recorded(stored.value);
+  loop.pv_gaps = pv.size() - count_recorded(whole.value);
+  loop.pv = archive_known(stored.archive) ? whole.value
+                                          : bridged(recorded_pv(pv, stored, whole.value), settings);
+}
+
+/// The error where pv is guessed too, and the bounds of the guesses.
+PreparedLoop::Drawable drawable_error(const LoopWindow& window, const PrepareSettings& settings,
+                                      const PreparedLoop& loop, const Reconstruction& whole) {
+  if (whole.low.empty()) return {};
+  Samples sp = cut(window.sp, settings);
+  hold_gaps(sp, kLongestBandedHole);
+  PreparedLoop::Drawable drawable{control_error(sp, whole.value, whole.value),
+                                  control_error(sp, whole.value, whole.high),
+                                  control_error(sp, whole.value, whole.low)};
+  mask_manual(loop.mode, drawable.error);
+  return drawable;
 }
 
 }  // namespace
@@ -72,17 +137,16 @@ void scale_output(const LoopWindow& window, const PrepareSettings& settings, Pre
 PreparedLoop prepare(const LoopWindow& window, const PrepareSettings& settings) {
   require_equal_lengths(window);
   PreparedLoop loop;
+  Reconstruction whole;
   loop.sample_interval_s = window.sample_interval_s;
   loop.repeated_times = window.repeated_times;
   loop.mode = last_of(window.mode, settings.window_samples);
-  loop.pv = cut(window.pv, settings);
-  loop.pv_recorded = count_recorded(loop.pv);
-  loop.spikes = discard_spikes(loop.pv);
-  bridge_gaps(loop.pv, settings.max_filled_gap);
+  take_pv(window, settings, loop, whole);
   loop.sp = cut(window.sp, settings);
   hold_gaps(loop.sp, settings.max_filled_gap);
-  loop.error = control_error(loop.sp, loop.pv);
+  loop.error = control_error(loop.sp, loop.pv, loop.pv);
   mask_manual(loop.mode, loop.error);
+  loop.drawable = drawable_error(window, settings, loop, whole);
   scale_output(window, settings, loop);
   loop.quality = judge_quality(loop, settings);
   return loop;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/signal/archive.hpp"
 #include "core/signal/data_quality.hpp"
 #include "core/signal/loop_window.hpp"
 
@@ -25,6 +26,18 @@ struct PreparedLoop {
   Samples pv;          ///< spikes and gaps of up to max_filled_gap bridged, else NaN
   Samples op_percent;  ///< % of range; op units when `op_range_known` is false; empty = no op
   Samples mv_percent;  ///< likewise
+  /// What the higher-order statistics start from: the error with a guess in every sample that may
+  /// be drawn, and the bounds of these; empty bounds = nothing is to be drawn, and error is
+  /// `error`.
+  struct Drawable {
+    Samples error, low, high;
+  };
+  Drawable drawable;
+  Archive archive = Archive::complete;
+  double band = 0.0;          ///< of the archive, pv units, half width; 0 = none
+  std::size_t pv_stored = 0;  ///< pv samples that the archive stored; see Archive
+  std::size_t pv_frozen = 0;  ///< longest run of equal pv samples as recorded
+  std::size_t pv_gaps = 0;    ///< pv samples missing in gaps too long to draw
   std::vector<ControlMode> mode;
   std::size_t pv_recorded = 0;     ///< pv samples before any gap was bridged
   std::size_t repeated_times = 0;  ///< rows dropped because a later row had the same time

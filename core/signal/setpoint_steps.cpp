@@ -133,15 +133,16 @@ ErrorBetweenSteps mask(const Samples& error, const std::vector<SetpointMove>& mo
 }  // namespace
 
 ErrorBetweenSteps error_between_steps(const PreparedLoop& loop) {
+  const Samples& error = loop.drawable.error.empty() ? loop.error : loop.drawable.error;
   const std::vector<SetpointMove> moves = find_setpoint_moves(loop);
-  if (moves.empty()) return {loop.error, 0, 0.0};
-  const std::optional<Usual> usual = usual_error(loop.error);
-  if (!usual) return {loop.error, 0, 0.0};
-  const ErrorBetweenSteps first = mask(loop.error, moves, *usual);
+  if (moves.empty()) return {error, 0, 0.0};
+  const std::optional<Usual> usual = usual_error(error);
+  if (!usual) return {error, 0, 0.0};
+  const ErrorBetweenSteps first = mask(error, moves, *usual);
   if (first.masked_fraction <= 0.0) return first;
   // The transients widened what passed for usual: once more with what is left without them.
   const std::optional<Usual> calm = usual_error(first.error);
-  return calm ? mask(loop.error, moves, *calm) : first;
+  return calm ? mask(error, moves, *calm) : first;
 }
 
 }  // namespace loopscope::core::signal

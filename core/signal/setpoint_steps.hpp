@@ -8,7 +8,8 @@ namespace loopscope::core::signal {
 
 /// The control error with what follows each step of the setpoint taken out.
 struct ErrorBetweenSteps {
-  Samples error;                 ///< pv units; NaN = missing in the loop's error, or masked
+  Samples error;  ///< drawable.error of the loop, or its error; pv units; NaN = missing in the
+                  ///< loop's error, or masked
   std::size_t steps = 0;         ///< steps (and returns from manual) that call for a mask
   double masked_fraction = 0.0;  ///< of the recorded error samples, 0 to 0.6; 0 = nothing masked
 };

@@ -54,6 +54,7 @@ std::string window_digest(const LoopWindow& window, std::string_view settings) {
   hash.add(window.sample_interval_s);
   hash.add(std::bit_cast<std::uint64_t>(window.start_us));
   for (const Samples* series : {&window.sp, &window.pv, &window.op, &window.mv}) hash.add(*series);
+  if (!window.pv_rows.empty()) hash.add(window.pv_rows);
   for (const ControlMode mode : window.mode) hash.add(static_cast<std::uint64_t>(mode));
   hash.add(window.op_range ? window.op_range->low : kMissing);
   hash.add(window.op_range ? window.op_range->high : kMissing);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "config/read_settings.hpp"
-#include "core/signal/grid.hpp"
+#include "core/signal/base_interval.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
@@ -63,7 +63,7 @@ CatalogueEntry entry_for(const ImportOptions& options, const config::Settings& s
     entry.name = options.loop;
     entry.source = settings.historians.front().name;
     entry.period_s = settings.schedule.default_period_s;
-    const double interval_s = core::signal::usual_interval_s(recording.rows.pv);
+    const double interval_s = core::signal::base_interval_s(recording.rows.pv);
     if (interval_s > 0.0) entry.interval_s = interval_s;
   }
   for (const TagColumn& column : kTagColumns) {

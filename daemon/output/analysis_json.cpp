@@ -27,6 +27,10 @@ Json quality_json(const core::signal::DataQuality& quality) {
           {"flags", quality.flags},
           {"repeated_times", quality.repeated_times},
           {"missing_fraction", or_null(quality.missing_fraction)},
+          {"frozen_fraction", or_null(quality.frozen_fraction)},
+          {"drawn_fraction", or_null(quality.drawn_fraction)},
+          {"archive", core::signal::name(quality.archive)},
+          {"refusals", quality.refusals},
           {"compression_factor", or_null(quality.compression_factor)},
           {"quantisation_factor", or_null(quality.quantisation_factor)},
           {"saturated_fraction", or_null(quality.saturated_fraction)}};

@@ -1,5 +1,6 @@
 #include "daemon/recording/recording.hpp"
 
+#include "core/signal/base_interval.hpp"
 #include "daemon/recording/cell_failure.hpp"
 #include "daemon/recording/cells.hpp"
 #include "daemon/recording/columns.hpp"
@@ -67,7 +68,7 @@ core::signal::LoopWindow last_window(const Recording& recording, std::size_t max
                                      const std::optional<core::signal::OpRange>& op_range,
                                      std::optional<double> interval_s) {
   const RawSeries& pv = recording.rows.pv;
-  const double usual = interval_s.value_or(core::signal::usual_interval_s(pv));
+  const double usual = interval_s.value_or(core::signal::base_interval_s(pv));
   const double interval = usual > 0.0 ? usual : 1.0;
   const std::int64_t end = pv.empty() ? 0 : pv.time_us.back();
   return core::signal::assemble(

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/signal/assemble.hpp"
+#include "core/signal/base_interval.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -58,7 +59,7 @@ void find_unknown_intervals(storage::HistorianReader& historian, std::vector<Pla
   if (requests.empty()) return;
   const std::vector<RawSeries> rows = historian.read(requests);
   for (std::size_t k = 0; k < unknown.size(); ++k) {
-    unknown[k]->interval_s = core::signal::usual_interval_s(rows[k]);
+    unknown[k]->interval_s = core::signal::base_interval_s(rows[k]);
   }
 }
 

@@ -147,7 +147,7 @@ TEST(Diagnose, ARecordedValvePositionShowsStiction) {
 TEST(Diagnose, GapsThatLeaveTooFewSegmentsAreNotJudged) {
   signal::LoopWindow window = window_of(simulate::simulate_scenario("healthy_flow", {}, 5));
   for (std::size_t k = 0; k < window.size(); ++k) {
-    if (k % 20 < 4) window.pv[k] = signal::kMissing;
+    if (k % 60 < 20) window.pv[k] = signal::kMissing;
   }
   const Diagnosis diagnosis = diagnose(window, {});
   EXPECT_EQ(diagnosis.verdict.code, VerdictCode::insufficient_data);

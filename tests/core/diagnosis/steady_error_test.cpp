@@ -29,14 +29,14 @@ signal::PreparedLoop stepped_loop(std::size_t every) {
 
 TEST(SteadyError, WithoutStepsItIsTheError) {
   const signal::PreparedLoop loop = stepped_loop(0);
-  const SteadyError steady = steady_error(loop, {});
+  const SteadyError steady = steady_error(loop, {}, 1);
   EXPECT_EQ(steady.flag, nullptr);
   EXPECT_EQ(steady.error, loop.error);
 }
 
 TEST(SteadyError, StepsAreLeftOutAndFlagged) {
   const signal::PreparedLoop loop = stepped_loop(500);
-  const SteadyError steady = steady_error(loop, {});
+  const SteadyError steady = steady_error(loop, {}, 1);
   ASSERT_NE(steady.flag, nullptr);
   EXPECT_EQ(std::string_view(steady.flag), "sp_steps_masked");
   EXPECT_GT(std::ranges::count_if(steady.error, [](double e) { return std::isnan(e); }), 100);
@@ -44,7 +44,7 @@ TEST(SteadyError, StepsAreLeftOutAndFlagged) {
 
 TEST(SteadyError, StepsThatLeaveTooLittleAreKept) {
   const signal::PreparedLoop loop = stepped_loop(60);
-  const SteadyError steady = steady_error(loop, {});
+  const SteadyError steady = steady_error(loop, {}, 1);
   ASSERT_NE(steady.flag, nullptr);
   EXPECT_EQ(std::string_view(steady.flag), "sp_moving");
   EXPECT_EQ(steady.error, loop.error);

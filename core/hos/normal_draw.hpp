@@ -1,0 +1,16 @@
+#pragma once
+
+#include <random>
+
+namespace loopscope::core::hos {
+
+/// One standard normal number (Marsaglia's polar method), the same on every platform.
+[[nodiscard]] double normal_draw(std::mt19937_64& random);
+
+/// One number of the normal law with this mean and standard deviation (> 0), given that it lies
+/// within low to high (low < high; either may be infinite). Far out in a tail, where doubles end,
+/// the exponential law that the tail approaches stands in.
+[[nodiscard]] double normal_draw_within(double mean, double std, double low, double high,
+                                        std::mt19937_64& random);
+
+}  // namespace loopscope::core::hos

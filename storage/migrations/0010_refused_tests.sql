@@ -1,0 +1,5 @@
+-- What the monitor has learnt to see in the data since.
+
+INSERT INTO loopscope.data_problem_kind (code, role, shown, words, remedy) VALUES
+  ('unknown_quality', NULL, true, 'Rows have a quality code that the settings do not know; they count as bad', 'Add the code to good_codes or bad_codes of the historian, or correct quality_rule'),
+  ('tests_refused', 'pv', true, 'Too little of pv was stored for some tests', 'Lower exception and compression deviation of the tag, or scan it faster');
