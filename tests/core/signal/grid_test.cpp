@@ -79,7 +79,7 @@ TEST(Grid, ABadRowBreaksTheLinesOnBothSides) {
   rows.value[1] = kMissing;
   const Samples samples = align(rows, {0, 10.0, 5}, Hold::linear);
   EXPECT_EQ(samples[0], 0.0);
-  for (const std::size_t k : {1, 2, 3}) EXPECT_TRUE(std::isnan(samples[k])) << k;
+  for (const std::size_t k : {1U, 2U, 3U}) EXPECT_TRUE(std::isnan(samples[k])) << k;
   EXPECT_EQ(samples[4], 2.0);
 }
 
