@@ -25,6 +25,16 @@ std::vector<ControlMode> to_modes(const Samples& numbers) {
   return modes;
 }
 
+/// pv where a row lies; empty where every value has a row of its own, so that a record without
+/// holes is the same window under whatever archive.
+Samples rows_unless_whole(const RawSeries& rows, const Grid& grid, const Samples& pv) {
+  Samples at_rows = align(rows, grid, Hold::sample);
+  const bool whole =
+      std::equal(pv.begin(), pv.end(), at_rows.begin(), at_rows.end(),
+                 [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+  return whole ? Samples{} : at_rows;
+}
+
 /// How much later than the newest row the usual row lies on a grid through the newest, in
 /// microseconds, within half an interval: jitter of the newest row alone would move every slot. 0
 /// where the rows lie on its grid, and where they agree on no grid.
@@ -75,7 +85,7 @@ LoopWindow assemble(const LoopRows& rows, const Grid& grid,
   window.sample_interval_s = grid.sample_interval_s;
   window.start_us = grid.start_us;
   window.pv = align(rows.pv, grid, rows.pv.hold);
-  if (rows.pv.hold != Hold::sample) window.pv_rows = align(rows.pv, grid, Hold::sample);
+  if (rows.pv.hold != Hold::sample) window.pv_rows = rows_unless_whole(rows.pv, grid, window.pv);
   window.sp = align_if_recorded(rows.sp, grid, Hold::step);
   window.op = align_if_recorded(rows.op, grid, rows.op.hold);
   window.mv = align_if_recorded(rows.mv, grid, rows.mv.hold);

@@ -97,5 +97,20 @@ TEST(Assemble, EveryTagIsReconstructedAsItsArchiveDemands) {
   EXPECT_EQ(window.sp[1], 0.0) << "a setpoint is never drawn as a line";
 }
 
+TEST(Assemble, ARecordWithoutHolesIsTheSameWindowUnderWhateverArchive) {
+  LoopRows rows;
+  rows.pv = ramp(0, 10, 5);
+  const Grid grid{0, 10.0, 5};
+  for (const Hold hold : {Hold::sample, Hold::step, Hold::linear}) {
+    rows.pv.hold = hold;
+    const LoopWindow window = assemble(rows, grid, std::nullopt);
+    EXPECT_TRUE(window.pv_rows.empty());
+    EXPECT_EQ(window.pv, (Samples{0, 1, 2, 3, 4}));
+  }
+  rows.pv.time_us.erase(rows.pv.time_us.begin() + 2);
+  rows.pv.value.erase(rows.pv.value.begin() + 2);
+  EXPECT_EQ(assemble(rows, grid, std::nullopt).pv_rows.size(), 5U);
+}
+
 }  // namespace
 }  // namespace loopscope::core::signal
