@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
-#include "config/historian_presets.hpp"
+#include "config/historian_setting_table.hpp"
 
 namespace loopscope::config {
 
@@ -19,11 +20,6 @@ using Hos = core::hos::Settings;
 template <auto... Members>
 Slot at(Settings& settings, std::size_t) {
   return &(settings.*....*Members);
-}
-
-template <auto Member>
-Slot in_historian(Settings& settings, std::size_t index) {
-  return &(settings.historians.at(index).*Member);
 }
 
 template <auto Member>
@@ -47,14 +43,6 @@ constexpr auto in_oscillation = at<&Settings::analysis, &AnalysisSettings::oscil
 template <auto Member>
 constexpr auto in_performance = at<&Settings::analysis, &AnalysisSettings::performance, Member>;
 
-constexpr std::string_view kLayouts[] = {"narrow", "loop_row", "wide"};
-constexpr std::string_view kTimeKinds[] = {"timestamptz", "timestamp_utc", "timestamp_local",
-                                           "epoch_s",     "epoch_s_float", "epoch_ms",
-                                           "epoch_us",    "epoch_ns"};
-constexpr std::string_view kQualityRules[] = {"none",   "opcda", "opcda_exact", "opcua",
-                                              "opchda", "zero",  "truth",       "codes"};
-constexpr std::string_view kNullMeanings[] = {"bad", "absent"};
-constexpr std::string_view kInterpolations[] = {"sample", "step", "linear"};
 constexpr std::string_view kLogLevels[] = {"debug", "info", "warning", "error"};
 constexpr std::string_view kDependences[] = {"positive", "arbitrary"};
 constexpr std::string_view kLogFormats[] = {"text", "json"};
@@ -72,7 +60,7 @@ constexpr double kFewestSamples = 512;
 /// A window this long holds a week at one sample in five seconds.
 constexpr double kMostSamples = 131072;
 
-const std::array kTable = {
+constexpr std::array kTable = {
     Setting{"/results/connection", in_results<&ResultsSettings::connection>, any(Form::connection),
             "database of results, catalogue and schedule, as the worker"},
     Setting{"/results/owner_connection", in_results<&ResultsSettings::owner_connection>,
@@ -82,130 +70,6 @@ const std::array kTable = {
     Setting{"/results/retention_months", in_results<&ResultsSettings::retention_months>,
             range(0, 1200, "months"),
             "results older than this are dropped by `maintain`; 0 = none"},
-
-    Setting{"/historians/*/name", in_historian<&HistorianSettings::name>, any(Form::text),
-            "what loops refer to as their source; unique"},
-    Setting{"/historians/*/preset", in_historian<&HistorianSettings::preset>,
-            one_of(preset_names()), "whose tables they are: the defaults of all that follows"},
-    Setting{"/historians/*/connection", in_historian<&HistorianSettings::connection>,
-            any(Form::connection), "database of the historian, as a reader"},
-    Setting{"/historians/*/writer_connection", in_historian<&HistorianSettings::writer_connection>,
-            any(Form::optional_connection),
-            "the same as a writer, for `import` only; empty = `connection`"},
-    Setting{"/historians/*/layout", in_historian<&HistorianSettings::layout>, one_of(kLayouts),
-            "what a row of the table holds: one value of one tag, several values of one loop (a "
-            "column each), or one value of every tag (a column each)"},
-    Setting{"/historians/*/table", in_historian<&HistorianSettings::table>, any(Form::text),
-            "[schema.]table or view of the data"},
-    Setting{"/historians/*/partition_table", in_historian<&HistorianSettings::partition_table>,
-            any(Form::optional_text),
-            "[schema.]table that lists the tables of the data by time; empty = `table` is the "
-            "only one"},
-    Setting{"/historians/*/partition_name_column",
-            in_historian<&HistorianSettings::partition_name_column>, any(Form::optional_text),
-            "column of `partition_table`: names of tables"},
-    Setting{"/historians/*/partition_start_column",
-            in_historian<&HistorianSettings::partition_start_column>, any(Form::optional_text),
-            "likewise: first time, in the unit of `time_kind`"},
-    Setting{"/historians/*/partition_end_column",
-            in_historian<&HistorianSettings::partition_end_column>, any(Form::optional_text),
-            "likewise: last time"},
-    Setting{"/historians/*/tag_column", in_historian<&HistorianSettings::tag_column>,
-            any(Form::optional_text),
-            "column of the tag, or of its first part; a wide table has none"},
-    Setting{"/historians/*/tag_table", in_historian<&HistorianSettings::tag_table>,
-            any(Form::optional_text),
-            "[schema.]table of names for what `tag_column` holds; empty = it holds the names"},
-    Setting{"/historians/*/tag_name_column", in_historian<&HistorianSettings::tag_name_column>,
-            any(Form::optional_text), "column of `tag_table`: names"},
-    Setting{"/historians/*/tag_id_column", in_historian<&HistorianSettings::tag_id_column>,
-            any(Form::optional_text),
-            "likewise: ids, several of them for a name are read together"},
-    Setting{"/historians/*/tag_order_column", in_historian<&HistorianSettings::tag_order_column>,
-            any(Form::optional_text),
-            "likewise: puts the ids of a name in order, the last one wins; empty = by id"},
-    Setting{"/historians/*/tag_ignore_case", in_historian<&HistorianSettings::tag_ignore_case>,
-            any(Form::toggle), "whether the names are compared in any case"},
-    Setting{"/historians/*/subtag_column", in_historian<&HistorianSettings::subtag_column>,
-            any(Form::optional_text),
-            "column of the second part of a tag; empty = tags have one part"},
-    Setting{"/historians/*/subtag_table", in_historian<&HistorianSettings::subtag_table>,
-            any(Form::optional_text),
-            "names of what `subtag_column` holds; empty = it holds the names"},
-    Setting{"/historians/*/subtag_name_column",
-            in_historian<&HistorianSettings::subtag_name_column>, any(Form::optional_text),
-            "column of `subtag_table`: names"},
-    Setting{"/historians/*/subtag_id_column", in_historian<&HistorianSettings::subtag_id_column>,
-            any(Form::optional_text), "likewise: ids"},
-    Setting{"/historians/*/tag_separator", in_historian<&HistorianSettings::tag_separator>,
-            any(Form::text), "between the parts of a tag, and before the column of a loop_row tag"},
-    Setting{"/historians/*/time_column", in_historian<&HistorianSettings::time_column>,
-            any(Form::text), "column of the time"},
-    Setting{"/historians/*/time_kind", in_historian<&HistorianSettings::time_kind>,
-            one_of(kTimeKinds), "how the time column counts; epochs are UTC"},
-    Setting{"/historians/*/time_zone", in_historian<&HistorianSettings::time_zone>,
-            any(Form::optional_text),
-            "of `timestamp_local`, e.g. Europe/Berlin; the hour that the end of summer time "
-            "repeats is bad"},
-    Setting{"/historians/*/nanos_column", in_historian<&HistorianSettings::nanos_column>,
-            any(Form::optional_text),
-            "column of the nanoseconds after the full second; empty = none"},
-    Setting{"/historians/*/value_column", in_historian<&HistorianSettings::value_column>,
-            any(Form::optional_text),
-            "column of the value of a narrow table: a number, a truth or a text"},
-    Setting{"/historians/*/more_value_columns",
-            in_historian<&HistorianSettings::more_value_columns>, any(Form::texts),
-            "asked in turn where `value_column` is NULL"},
-    Setting{"/historians/*/states", in_historian<&HistorianSettings::states>, any(Form::states),
-            "what texts mean; a text that is neither a number nor one of these is bad"},
-    Setting{"/historians/*/null_means", in_historian<&HistorianSettings::null_means>,
-            one_of(kNullMeanings), "a value that is bad, or a row that says nothing of this tag"},
-    Setting{"/historians/*/quality_column", in_historian<&HistorianSettings::quality_column>,
-            any(Form::optional_text), "column of the quality code; empty = none"},
-    Setting{"/historians/*/quality_rule", in_historian<&HistorianSettings::quality_rule>,
-            one_of(kQualityRules),
-            "how the code reads (see below); an unknown code is bad and counted"},
-    Setting{"/historians/*/accept_uncertain", in_historian<&HistorianSettings::accept_uncertain>,
-            any(Form::toggle), "whether uncertain values count as good ones"},
-    Setting{"/historians/*/good_codes", in_historian<&HistorianSettings::good_codes>,
-            any(Form::texts), "of the rule `codes`: numbers, words or names"},
-    Setting{"/historians/*/uncertain_codes", in_historian<&HistorianSettings::uncertain_codes>,
-            any(Form::texts), "likewise"},
-    Setting{"/historians/*/bad_codes", in_historian<&HistorianSettings::bad_codes>,
-            any(Form::texts), "likewise; a code in none of the lists is unknown"},
-    Setting{"/historians/*/quality_table", in_historian<&HistorianSettings::quality_table>,
-            any(Form::optional_text),
-            "[schema.]table of names for the codes; empty = the lists hold the codes themselves"},
-    Setting{"/historians/*/quality_name_column",
-            in_historian<&HistorianSettings::quality_name_column>, any(Form::optional_text),
-            "column of `quality_table`: names"},
-    Setting{"/historians/*/quality_id_column", in_historian<&HistorianSettings::quality_id_column>,
-            any(Form::optional_text), "likewise: codes"},
-    Setting{"/historians/*/tiebreak_column", in_historian<&HistorianSettings::tiebreak_column>,
-            any(Form::optional_text),
-            "of rows with one time the one with the largest counts; empty = the one with the "
-            "largest value"},
-    Setting{"/historians/*/interpolation", in_historian<&HistorianSettings::interpolation>,
-            one_of(kInterpolations),
-            "between two rows: nothing known, the first one holds, or a line (setpoint and mode "
-            "always hold)"},
-    Setting{"/historians/*/interpolation_column",
-            in_historian<&HistorianSettings::interpolation_column>, any(Form::optional_text),
-            "column of `tag_table` that tells it of each tag; empty = all are alike"},
-    Setting{"/historians/*/step_codes", in_historian<&HistorianSettings::step_codes>,
-            any(Form::texts), "what that column says of a tag that holds"},
-    Setting{"/historians/*/linear_codes", in_historian<&HistorianSettings::linear_codes>,
-            any(Form::texts),
-            "likewise of a tag that is drawn as lines; else `interpolation` counts"},
-    Setting{"/historians/*/manual_codes", in_historian<&HistorianSettings::manual_codes>,
-            any(Form::numbers), "values of a mode tag (of texts: their numbers in `states`)"},
-    Setting{"/historians/*/automatic_codes", in_historian<&HistorianSettings::automatic_codes>,
-            any(Form::numbers), "likewise"},
-    Setting{"/historians/*/cascade_codes", in_historian<&HistorianSettings::cascade_codes>,
-            any(Form::numbers), "likewise; any other value is an unknown mode"},
-    Setting{"/historians/*/max_connections", in_historian<&HistorianSettings::max_connections>,
-            range(1, 64, "connections"),
-            "of this process at a time, over all workers; who gets none waits"},
 
     Setting{"/schedule/poll_s", in_schedule<&ScheduleSettings::poll_s>, range(0.1, 3600, "s"),
             "between two looks for due loops"},
@@ -303,10 +167,23 @@ const std::array kTable = {
             range(1, 200, "coefficients"), "order of the error model behind the Harris index"},
 };
 
+/// In the order of the documentation: the historians stand after the results.
+std::vector<Setting> whole_table() {
+  const auto after_results = std::find_if(kTable.begin(), kTable.end(), [](const Setting& setting) {
+    return !setting.path.starts_with("/results");
+  });
+  std::vector<Setting> table(kTable.begin(), after_results);
+  const auto historians = historian_setting_table();
+  table.insert(table.end(), historians.begin(), historians.end());
+  table.insert(table.end(), after_results, kTable.end());
+  return table;
+}
+
 }  // namespace
 
 std::span<const Setting> setting_table() {
-  return kTable;
+  static const std::vector<Setting> table = whole_table();
+  return table;
 }
 
 }  // namespace loopscope::config

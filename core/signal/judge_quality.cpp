@@ -119,6 +119,12 @@ std::size_t covered(const PreparedLoop& loop) {
   return loop.pv.size() - loop.pv_gaps;
 }
 
+double samples_per_stored(const PreparedLoop& loop) {
+  return loop.pv_stored == 0
+             ? 1.0
+             : static_cast<double>(covered(loop)) / static_cast<double>(loop.pv_stored);
+}
+
 /// Samples per renewal of pv. A coarse grid repeats values without being stale: nullopt then.
 std::optional<double> compression_factor(const Samples& pv, double quantisation) {
   const double moves = share_of_moves(pv);
@@ -145,7 +151,8 @@ double frozen_fraction(const PreparedLoop& loop) {
 std::vector<std::string> refusals(const PreparedLoop& loop, const DataQuality& quality) {
   std::vector<std::string> reasons;
   if (loop.archive == Archive::coarser) {
-    reasons.push_back("pv is renewed only every " + decimal(*quality.compression_factor) +
+    reasons.push_back("pv is renewed only every " +
+                      decimal(quality.compression_factor.value_or(samples_per_stored(loop))) +
                       " samples: the loop's sample interval is too short");
   }
   const double factor = quality.drawn_fraction.value_or(0.0) < 1.0

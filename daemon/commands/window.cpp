@@ -64,7 +64,13 @@ void write_window(const WindowOptions& options) {
   RowMemory memory;
   const auto windows =
       read_windows(historian, slots, settings.analysis.prepare.window_samples, memory);
-  const std::string text = window_csv(windows.at(0).window);
+  const core::signal::LoopWindow& window = windows.at(0).window;
+  if (window.size() == 0) {
+    throw Failure(ExitCode::unusable_data,
+                  fmt::format("loop \"{}\": no row of its pv tag in the window", loop->name),
+                  "loopscope loops check --config F lists the tags that lead nowhere");
+  }
+  const std::string text = window_csv(window);
   if (options.out == "-") {
     std::cout << text;
   } else {

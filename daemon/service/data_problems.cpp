@@ -67,6 +67,7 @@ std::vector<DataProblem> tag_problems(const storage::CatalogueEntry& loop,
       if (rows > 0) problems.push_back({code, role, std::nullopt, static_cast<double>(rows)});
     };
     counted("unknown_quality", reading.unknown_rows);
+    counted("rows_too_dense", reading.surplus_rows);
     counted("future_rows", reading.future_rows);
   }
   return problems;

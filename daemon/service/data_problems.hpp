@@ -18,6 +18,7 @@ namespace loopscope::daemon {
 /// | `dead_tag` | no row for two periods, and not for 512 samples (pv) or a window (op, mv) |
 /// | `bad_quality` | more than half of the rows of the window are of bad quality |
 /// | `unknown_quality` | rows of the window have a quality code that the settings do not know |
+/// | `rows_too_dense` | the window was cut off: more than two rows a sample |
 /// | `future_rows` | rows are stamped in the future |
 ///
 /// By the historian's clock, so that an archive that has ended is dead whatever slot is looked at.

@@ -80,7 +80,7 @@ std::vector<LoopSlot> newest_slots(HistorianReader& historian,
     slot.loop = &claim->loop;
     for (const TagRole& role : kTagRoles) {
       if ((claim->loop.*role.tag).empty()) continue;
-      slot.tags.push_back({role.name, newest[next], now_us, future[next], 0, 0, 0});
+      slot.tags.push_back({role.name, newest[next], now_us, future[next], 0, 0, 0, 0});
       ++next;
     }
     slot.end_us = slot_end(*claim, slot.tags, now_us, settings);

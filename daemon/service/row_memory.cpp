@@ -53,7 +53,7 @@ RawSeries join(RawSeries head, const RawSeries& later, std::int64_t later_from_u
 /// Only where the later part is whole: not cut off by its number of rows, and not of an archive
 /// whose lines need the row after the span.
 const RowMemory::Known* RowMemory::later_part(const TagRequest& request) const {
-  const auto found = known_.find(request.tag);
+  const auto found = known_.find({request.tag, request.mode});
   if (found == known_.end()) return nullptr;
   const Known& known = found->second;
   const bool overlaps = request.from_us <= known.request.from_us &&
@@ -67,7 +67,7 @@ const RowMemory::Known* RowMemory::later_part(const TagRequest& request) const {
 }
 
 void RowMemory::remember(const TagRequest& request, const RawSeries& rows) {
-  known_.try_emplace(request.tag, Known{request, rows});
+  known_.try_emplace({request.tag, request.mode}, Known{request, rows});
 }
 
 std::vector<RawSeries> RowMemory::read(std::span<const TagRequest> requests, const Read& read) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/signal/raw_series.hpp"
@@ -32,7 +33,8 @@ class RowMemory {
   [[nodiscard]] const Known* later_part(const storage::TagRequest& request) const;
   void remember(const storage::TagRequest& request, const core::signal::RawSeries& rows);
 
-  std::map<std::string, Known> known_;  ///< by tag: the first read of each
+  /// By tag and whether its values were read as modes: the first read of each.
+  std::map<std::pair<std::string, bool>, Known> known_;
 };
 
 }  // namespace loopscope::daemon

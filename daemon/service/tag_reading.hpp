@@ -16,6 +16,7 @@ struct TagReading {
   std::size_t future_rows = 0;   ///< stamped later than the clock allows; never read as data
   std::size_t rows = 0;          ///< read for the window
   std::size_t bad_rows = 0;      ///< of those, of bad quality or no number
+  std::size_t surplus_rows = 0;  ///< the window was cut off at so many rows; 0 = it was not
   std::size_t unknown_rows = 0;  ///< of those, with a quality code that nobody knows
 };
 

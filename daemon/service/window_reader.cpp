@@ -100,13 +100,14 @@ LoopRows take_rows(const CatalogueEntry& loop, std::vector<RawSeries>& series, s
 }
 
 /// Missing is what is of bad quality, NULL, or no number.
-void count_rows(const LoopRows& rows, TagReadings& tags) {
+void count_rows(const LoopRows& rows, std::size_t max_rows, TagReadings& tags) {
   for (const TagSlot& slot : kTagSlots) {
     const RawSeries& series = rows.*slot.rows;
     for (TagReading& reading : tags) {
       if (reading.role != slot.role) continue;
       reading.rows = series.value.size();
       reading.unknown_rows = series.unknown_quality;
+      reading.surplus_rows = reading.rows >= max_rows ? reading.rows : 0;
       reading.bad_rows = static_cast<std::size_t>(
           std::ranges::count_if(series.value, [](double value) { return std::isnan(value); }));
     }
@@ -139,7 +140,7 @@ std::vector<core::signal::LoopWindow> read_plans(storage::HistorianReader& histo
   for (std::size_t k = 0; k < plans.size(); ++k) {
     if (!readable(plans[k])) continue;
     const LoopRows rows = take_rows(*plans[k].loop, series, next);
-    count_rows(rows, plans[k].tags);
+    count_rows(rows, static_cast<std::size_t>(kRowsPerSlot) * plans[k].max_samples, plans[k].tags);
     windows[k] = make_window(plans[k], rows);
   }
   return windows;

@@ -34,9 +34,9 @@ std::string quoted_list(const PqConnection& connection, const std::vector<std::s
   return list;
 }
 
-std::string plain_list(const std::vector<std::string>& columns) {
+std::string plain_list(const std::vector<std::string>& columns, const std::string& comma = ", ") {
   std::string list;
-  for (const std::string& column : columns) list += (list.empty() ? "" : ", ") + column;
+  for (const std::string& column : columns) list += (list.empty() ? "" : comma) + column;
   return list;
 }
 
@@ -106,7 +106,8 @@ bool has_key_index(PqConnection& connection, const ResolvedLayout& layout) {
   const PqRows rows =
       connection.run(historian_statements::kIndexes, {std::to_string(layout.data.oid)});
   for (int row = 0; row < rows.size(); ++row) {
-    if (starts_with_key(rows.text(row, 0), wanted)) return true;
+    // In this order: the loose scan looks for the next larger key.
+    if ((rows.text(row, 0) + ",").starts_with(plain_list(wanted.key, ",") + ",")) return true;
   }
   return false;
 }

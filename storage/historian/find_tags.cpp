@@ -38,7 +38,8 @@ std::optional<std::vector<std::string>> split_tag(const SourceLayout& layout, st
   return parts;
 }
 
-/// "[provider]path" -> "path": the side table's names have no provider before them.
+/// "[provider]path" -> "path": Ignition's names have no provider before them. Tried only for names
+/// that are not found as they are written.
 std::string without_provider(const std::string& name) {
   const std::size_t end = name.starts_with('[') ? name.find(']') : std::string::npos;
   return end == std::string::npos ? name : name.substr(end + 1);
@@ -75,8 +76,18 @@ class TagFinder {
                const std::vector<std::optional<std::vector<std::string>>>& split) {
     std::set<std::string> names;
     for (const auto& parts : split) {
-      if (parts && is_storable((*parts)[part])) names.insert(without_provider((*parts)[part]));
+      if (parts && is_storable((*parts)[part])) names.insert((*parts)[part]);
     }
+    find_names(part, names);
+    std::set<std::string> paths;
+    for (const std::string& name : names) {
+      const std::string path = without_provider(name);
+      if (path != name && !ids_[part].contains(name)) paths.insert(path);
+    }
+    find_names(part, paths);
+  }
+
+  void find_names(std::size_t part, std::set<std::string> names) {
     ask(part,
         historian_statements::find_ids(*layout_.key[part].names,
                                        layout_.layout.key[part].ignore_case),
@@ -93,7 +104,8 @@ class TagFinder {
     for (const std::string& name : names) wanted.add_text(name);
     const PqRows rows = connection_.run(statement, {wanted.text()});
     for (int row = 0; row < rows.size(); ++row) {
-      ids_[part][rows.text(row, 0)].push_back({rows.text(row, 1), rows.text(row, 2)});
+      const auto id = native_key(rows.text(row, 1), layout_.key[part].type);
+      if (id) ids_[part][rows.text(row, 0)].push_back({*id, rows.text(row, 2)});
     }
   }
 
@@ -101,8 +113,10 @@ class TagFinder {
   std::vector<Id> ids_of(std::size_t part, const std::string& text) const {
     const ResolvedKey& key = layout_.key[part];
     if (key.names) {
-      const auto found = ids_[part].find(without_provider(text));
-      if (found != ids_[part].end()) return found->second;
+      for (const std::string& name : {text, without_provider(text)}) {
+        const auto found = ids_[part].find(name);
+        if (found != ids_[part].end()) return found->second;
+      }
       if (key.type != "int8" && key.type != "uuid") return {};
     }
     const auto native = native_key(text, key.type);

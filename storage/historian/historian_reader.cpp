@@ -59,13 +59,17 @@ struct KeyOfTags {
   std::vector<std::size_t> tags;
 };
 
-std::vector<KeyOfTags> keys_of(const Places& places) {
-  std::map<std::vector<std::string>, std::vector<std::size_t>> tags_of_key;
+/// By the column of their values (empty in narrow tables): a column may be dead while its row
+/// lives.
+std::map<std::string, std::vector<KeyOfTags>> keys_by_column(const Places& places) {
+  std::map<std::pair<std::string, std::vector<std::string>>, std::vector<std::size_t>> tags_of;
   for (std::size_t tag = 0; tag < places.size(); ++tag) {
-    for (const TagPlace& place : places[tag]) tags_of_key[place.key].push_back(tag);
+    for (const TagPlace& place : places[tag]) tags_of[{place.column, place.key}].push_back(tag);
   }
-  std::vector<KeyOfTags> keys;
-  for (auto& [key, tags] : tags_of_key) keys.push_back({key, std::move(tags)});
+  std::map<std::string, std::vector<KeyOfTags>> keys;
+  for (auto& [place, tags] : tags_of) {
+    keys[place.first].push_back({place.second, std::move(tags)});
+  }
   return keys;
 }
 
@@ -143,6 +147,22 @@ struct HistorianReader::Impl {
     });
   }
 
+  /// Raises the entries of `newest` that the batch's keys stand for.
+  void newest_of(const Statement& statement, std::span<const KeyOfTags> batch,
+                 std::int64_t earliest_us, std::int64_t latest_us,
+                 std::vector<std::optional<std::int64_t>>& newest) {
+    const TimeKind kind = layout.layout.time_kind;
+    query(statement, newest_parameters(batch, layout, earliest_us, latest_us),
+          [&](const PqRows& rows) {
+            for (int row = 0; row < rows.size(); ++row) {
+              const std::int64_t time_us = microseconds(kind, decode_value(rows.bytes(row, 1)));
+              for (const std::size_t tag : batch[slot_of(rows, row, batch.size())].tags) {
+                newest[tag] = std::max(newest[tag].value_or(kEarliestTimeUs), time_us);
+              }
+            }
+          });
+  }
+
   PqConnection connection;
   ResolvedLayout layout;
   std::optional<Partitions> partitions;
@@ -180,20 +200,15 @@ std::vector<std::optional<std::int64_t>> HistorianReader::newest(std::span<const
   const std::int64_t earliest_us = clamp_time(not_after_us) - kNewestReachUs;
   const std::vector<std::string> tables = impl_->relations(earliest_us, not_after_us);
   if (tables.empty()) return newest;
-  const Statement statement = historian_statements::newest_rows(impl_->layout, tables);
-  const TimeKind kind = impl_->layout.layout.time_kind;
-  const std::vector<KeyOfTags> keys = keys_of(places);
-  for (std::size_t done = 0; done < keys.size(); done += kMaxNewestKeys) {
-    const auto batch = std::span(keys).subspan(done, std::min(kMaxNewestKeys, keys.size() - done));
-    const auto parameters = newest_parameters(batch, impl_->layout, earliest_us, not_after_us);
-    impl_->query(statement, parameters, [&](const PqRows& rows) {
-      for (int row = 0; row < rows.size(); ++row) {
-        const std::int64_t time_us = microseconds(kind, decode_value(rows.bytes(row, 1)));
-        for (const std::size_t tag : batch[slot_of(rows, row, batch.size())].tags) {
-          newest[tag] = std::max(newest[tag].value_or(kEarliestTimeUs), time_us);
-        }
-      }
-    });
+  for (const auto& [column, keys] : keys_by_column(places)) {
+    if (!column.empty() && !impl_->layout.data.types.contains(column)) continue;
+    const std::string quoted = column.empty() ? "" : "h." + impl_->connection.quote(column);
+    const Statement statement = historian_statements::newest_rows(impl_->layout, tables, quoted);
+    for (std::size_t done = 0; done < keys.size(); done += kMaxNewestKeys) {
+      const auto batch =
+          std::span(keys).subspan(done, std::min(kMaxNewestKeys, keys.size() - done));
+      impl_->newest_of(statement, batch, earliest_us, not_after_us, newest);
+    }
   }
   return newest;
 }

@@ -118,13 +118,16 @@ std::string native_text(TimeKind kind, std::int64_t time_us) {
 
 std::int64_t microseconds(TimeKind kind, std::uint64_t native_bits) {
   if (kind == TimeKind::epoch_s_float) {
-    return std::llround(std::bit_cast<double>(native_bits) * kMicrosecondsPerSecond);
+    const double time_us = std::bit_cast<double>(native_bits) * kMicrosecondsPerSecond;
+    if (!(time_us > static_cast<double>(kEarliestTimeUs))) return kEarliestTimeUs;
+    return time_us < static_cast<double>(kLatestTimeUs) ? std::llround(time_us) : kLatestTimeUs;
   }
   const auto value = std::bit_cast<std::int64_t>(native_bits);
   if (kind == TimeKind::epoch_ns) return divide_down(value, kNanoseconds);
   const std::int64_t unit = unit_us(kind);
-  if (unit == 0) return value + kPostgresEpochUs;
   std::int64_t time_us = 0;
+  if (unit == 0 && !__builtin_add_overflow(value, kPostgresEpochUs, &time_us)) return time_us;
+  if (unit == 0) return kLatestTimeUs;
   // What does not fit lies beyond every calendar: the nearest end of what does.
   if (!__builtin_mul_overflow(value, unit, &time_us)) return time_us;
   return value < 0 ? kEarliestTimeUs : kLatestTimeUs;

@@ -123,7 +123,7 @@ class Resolver {
     if (!layout_.nanos_column.empty()) {
       require_type(layout_, types, layout_.relation, {"nanos_column", layout_.nanos_column},
                    {"int4", "int8"});
-      resolved.nanos = column(layout_.nanos_column);
+      resolved.nanos = "COALESCE(" + column(layout_.nanos_column) + ", 0)";
     }
     if (!layout_.tiebreak_column.empty()) {
       require_columns(layout_, layout_.relation, types,

@@ -18,7 +18,10 @@ constexpr std::int64_t kMaxValues = 786'432;
 // A table has at most 1600 columns, a row of results about 1660.
 constexpr std::size_t kMaxColumns = 256;
 
-using Span = std::tuple<std::vector<std::string>, std::int64_t, std::int64_t, std::int64_t>;
+/// Key, first and last time, largest number of rows; and the column where rows that do not have it
+/// must not count.
+using Span =
+    std::tuple<std::vector<std::string>, std::int64_t, std::int64_t, std::int64_t, std::string>;
 
 bool wants_before(const TagRequest& request, const TagPlace& place) {
   return request.before == RowBefore::yes ||
@@ -33,7 +36,9 @@ class Planner {
   void add(const TagRequest& request, const TagPlace& place, ScanTarget target) {
     const std::string* value = value_sql(place.column);
     if (value == nullptr) return;
-    Scan& scan = scan_of({place.key, request.from_us, request.to_us, request.max_rows}, place);
+    const std::string alone = layout_.layout.null_is_absent ? place.column : "";
+    Scan& scan =
+        scan_of({place.key, request.from_us, request.to_us, request.max_rows, alone}, place);
     ScanColumn& column = column_of(scan, *value);
     column.before = column.before || wants_before(request, place);
     column.targets.push_back(target);
@@ -62,7 +67,7 @@ class Planner {
     const bool full = !first && scans_[known->second].columns.size() >= kMaxColumns;
     if (full) known->second = scans_.size();
     if (first || full) {
-      const auto& [key, from_us, to_us, max_rows] = span;
+      const auto& [key, from_us, to_us, max_rows, alone] = span;
       scans_.push_back({place.key, from_us, to_us, max_rows, {}});
     }
     return scans_[known->second];

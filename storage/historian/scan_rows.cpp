@@ -53,6 +53,16 @@ void settle_ties(RawSeries& series) {
   }
 }
 
+/// The limit may have cut through rows of one time, and which of them came is anybody's guess.
+void drop_oldest_time(RawSeries& series) {
+  const auto end =
+      std::upper_bound(series.time_us.begin(), series.time_us.end(), series.time_us.front());
+  const auto count = end - series.time_us.begin();
+  if (static_cast<std::size_t>(count) == series.time_us.size()) return;
+  series.time_us.erase(series.time_us.begin(), end);
+  series.value.erase(series.value.begin(), series.value.begin() + count);
+}
+
 /// The bits of the rows, newest first on the wire.
 struct Wire {
   std::vector<std::uint64_t> times, values;
@@ -140,7 +150,10 @@ RawSeries read_column(const PqRows& rows, int row, const Scan& scan, std::size_t
     series.time_us.push_back(time_us);
     series.value.push_back(finite_or_missing(wire.values[k]));
   }
-  if (repeated && layout.tiebreak.empty()) settle_ties(series);
+  if (repeated && layout.tiebreak.empty()) {
+    settle_ties(series);
+    if (static_cast<std::int64_t>(wire.times.size()) >= scan.max_rows) drop_oldest_time(series);
+  }
   trim(series, scan, scan.columns[column].before);
   series.unknown_quality = static_cast<std::size_t>(decode_value(rows.bytes(row, kUnknown)));
   return series;

@@ -95,9 +95,11 @@ std::string span_sql(const ResolvedLayout& layout, const std::vector<std::string
     row += ", " + columns[k].value + " AS " + name;
     arrays += ", array_agg(x." + name + ") AS " + name;
   }
-  const std::string within = key_is_requested(layout) + layout.time +
-                             " >= " + bound_sql(layout, "request.from_time") + " AND " +
-                             layout.time + " <= " + bound_sql(layout, "request.to_time");
+  std::string within = key_is_requested(layout) + layout.time +
+                       " >= " + bound_sql(layout, "request.from_time") + " AND " + layout.time +
+                       " <= " + bound_sql(layout, "request.to_time");
+  // Before the limit: rows of other fields must not take its place. Such scans have one column.
+  if (layout.layout.null_is_absent) within += " AND " + columns.front().value + " IS NOT NULL";
   return "SELECT " + arrays + " FROM (SELECT u.* FROM " + all_of(relations, row, within) +
          " AS u ORDER BY " + order.newest_first + " LIMIT request.max_rows) AS x";
 }
@@ -111,8 +113,10 @@ std::string before_sql(const ResolvedLayout& layout, const std::vector<std::stri
                        " < " + bound_sql(layout, "request.from_time");
   if (layout.layout.null_is_absent) within += " AND " + value + " IS NOT NULL";
   const std::string row = order.columns + time_sql(layout) + " AS time, " + value + " AS value";
+  // As in a series: of rows with one time the largest value counts where nothing tells them apart.
+  const std::string ties = layout.tiebreak.empty() ? ", u.value DESC NULLS LAST" : "";
   return "SELECT u.time, u.value FROM " + all_of(relations, row, within) + " AS u ORDER BY " +
-         order.newest_first + " LIMIT 1";
+         order.newest_first + ties + " LIMIT 1";
 }
 
 }  // namespace
@@ -144,7 +148,8 @@ Statement read_scans(const ResolvedLayout& layout, const std::vector<std::string
               span_sql(layout, relations, columns) + ") AS span" + before_joins};
 }
 
-Statement newest_rows(const ResolvedLayout& layout, const std::vector<std::string>& relations) {
+Statement newest_rows(const ResolvedLayout& layout, const std::vector<std::string>& relations,
+                      const std::string& column) {
   const KeyArrays keys = key_arrays(layout);
   const std::size_t next = layout.key.size() + 1;
   const std::string type = native(layout);
@@ -153,9 +158,10 @@ Statement newest_rows(const ResolvedLayout& layout, const std::vector<std::strin
                          : "unnest(" + keys.parameters.substr(0, keys.parameters.size() - 2) +
                                ") WITH ORDINALITY AS request (" + keys.names + "slot)";
   const Order order = order_of(layout);
-  const std::string within = key_is_requested(layout) + layout.time +
-                             " >= " + bound_sql(layout, parameter(next, type)) + " AND " +
-                             layout.time + " <= " + bound_sql(layout, parameter(next + 1, type));
+  std::string within = key_is_requested(layout) + layout.time +
+                       " >= " + bound_sql(layout, parameter(next, type)) + " AND " + layout.time +
+                       " <= " + bound_sql(layout, parameter(next + 1, type));
+  if (!column.empty()) within += " AND " + column + " IS NOT NULL";
   return {"newest_rows",
           "SELECT request.slot, newest.time FROM " + request +
               " CROSS JOIN LATERAL (SELECT u.time" + " FROM " +
@@ -166,6 +172,8 @@ Statement newest_rows(const ResolvedLayout& layout, const std::vector<std::strin
 Statement newest_row(const ResolvedLayout& layout, const std::string& relation) {
   return {"newest_row", "SELECT " + time_sql(layout) + " FROM " + relation + " AS h WHERE " +
                             layout.time + " >= " + bound_sql(layout, parameter(1, native(layout))) +
+                            " AND " + layout.time +
+                            " <= " + bound_sql(layout, parameter(2, native(layout))) +
                             " ORDER BY " + layout.time + " DESC LIMIT 1"};
 }
 

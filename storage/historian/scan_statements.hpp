@@ -20,11 +20,12 @@ namespace loopscope::storage::historian_statements {
                                    const std::vector<ScanColumn>& columns);
 
 /// Time of the newest row of each key: one array per part of the key, lower bound, upper bound ->
-/// slot, time.
+/// slot, time. With a `column` (quoted, h."column") only rows count that have a value there.
 [[nodiscard]] Statement newest_rows(const ResolvedLayout& layout,
-                                    const std::vector<std::string>& relations);
+                                    const std::vector<std::string>& relations,
+                                    const std::string& column);
 
-/// Time of the newest row of a whole table: lower bound.
+/// Time of the newest row of a whole table: lower bound, upper bound.
 [[nodiscard]] Statement newest_row(const ResolvedLayout& layout, const std::string& relation);
 
 /// Reads nothing, needs every right that reading a value needs.

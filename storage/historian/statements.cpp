@@ -11,7 +11,8 @@ std::string ids_sql(const ResolvedNames& names, const std::string& condition) {
   const std::string order = names.order.empty() ? "" : ", n." + names.order;
   return "SELECT request.name, n." + names.id + "::text, " + hold +
          " FROM unnest($1::text[]) AS request (name) JOIN " + names.relation + " AS n ON " +
-         condition + " ORDER BY request.name" + order + ", n." + names.id;
+         condition + " AND n." + names.id + " IS NOT NULL ORDER BY request.name" + order + ", n." +
+         names.id;
 }
 
 /// What list_keys() is made of: one entry a part of the key, comma-separated.
@@ -76,7 +77,10 @@ const Statement kIndexes{"indexes", R"(
             FROM pg_catalog.pg_attribute AS a
             WHERE a.attrelid = i.indrelid AND a.attnum = ANY (i.indkey))
     FROM pg_catalog.pg_index AS i
+    JOIN pg_catalog.pg_class AS c ON c.oid = i.indexrelid
+    JOIN pg_catalog.pg_am AS method ON method.oid = c.relam AND method.amname = 'btree'
     WHERE i.indrelid = $1::oid AND i.indisvalid AND i.indpred IS NULL
+      AND NOT (0 = ANY (i.indkey))
     ORDER BY i.indnatts DESC)"};
 
 const Statement kFindZone{"find_zone",

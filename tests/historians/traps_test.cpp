@@ -224,6 +224,76 @@ TEST_F(Trap, LocalTimesNeedTheirZoneAndTheRepeatedHourIsBad) {
   }
 }
 
+TEST_F(Trap, RowsOfOtherFieldsDoNotTakeTheTagsPlaces) {
+  use("telegraf",
+      "ALTER TABLE control ADD COLUMN a float8; INSERT INTO control (time, loop, a)"
+      " SELECT time + interval '1 ms', loop, 1 FROM control, generate_series(1, 5)");
+  storage::HistorianReader historian = reader();
+  const std::vector<TagRequest> wanted{
+      {"FIC1.pv", Truth::time_us(0), Truth::time_us(kRows - 1), 2 * kRows, RowBefore::no}};
+  EXPECT_EQ(historian.read(wanted).at(0).value.size(), static_cast<std::size_t>(kRows));
+}
+
+TEST_F(Trap, ANameInBracketsIsANameAndOneBadRowOfNamesHurtsNobody) {
+  use("timescale_narrow",
+      "ALTER TABLE tags DROP CONSTRAINT tags_pkey; ALTER TABLE tags ALTER tag_id TYPE text;"
+      "ALTER TABLE tags ALTER tag_id DROP NOT NULL;"
+      "INSERT INTO tags VALUES ('13', '[PLC1]FIC1.pv'), (NULL, 'FIC7.pv'), ('n/a', 'FIC8.pv')");
+  storage::HistorianReader historian = reader();
+  const auto wanted = [](const char* tag) {
+    return TagRequest{tag, Truth::time_us(0), Truth::time_us(0), 9, RowBefore::no};
+  };
+  const auto rows = historian.read(std::vector{wanted("[PLC1]FIC1.pv"), wanted("FIC1.pv"),
+                                               wanted("FIC7.pv"), wanted("FIC8.pv")});
+  EXPECT_THAT(rows[0].value, ElementsAre(value("op", 0))) << "13 is the id of op";
+  EXPECT_THAT(rows[1].value, ElementsAre(value("pv", 0)));
+  EXPECT_TRUE(rows[2].empty() && rows[3].empty());
+}
+
+TEST_F(Trap, EpicsWithoutNanosecondsIsAtTheFullSecond) {
+  use("epics",
+      "ALTER TABLE sample ALTER nanosecs DROP NOT NULL;"
+      "UPDATE sample SET nanosecs = NULL WHERE smpl_time >= '2026-02-27 00:03:00+00'");
+  storage::HistorianReader historian = reader();
+  EXPECT_EQ(read(historian, "pv").value.size(), 20U);
+  EXPECT_EQ(historian.newest(std::vector{tag_of(*chosen, 1, "pv")}, Truth::time_us(kRows))[0],
+            Truth::time_us(kRows - 1) - 125'000);
+}
+
+TEST_F(Trap, OfTwoRowsBeforeTheWindowTheSameOneCountsEveryTime) {
+  use("narrow");
+  for (const char* order : {"(10), (99), (NULL)", "(NULL), (99), (10)"}) {
+    database->execute(std::string("DELETE FROM history WHERE tag = 'twice'; INSERT INTO history"
+                                  " SELECT 'twice', '2026-02-26', v, 192 FROM (VALUES ") +
+                      order + ") AS t (v)");
+    storage::HistorianReader historian = reader();
+    const std::vector<TagRequest> wanted{
+        {"twice", Truth::time_us(0), Truth::time_us(1), 9, RowBefore::yes}};
+    EXPECT_THAT(historian.read(wanted).at(0).value, ElementsAre(99.0)) << order;
+  }
+}
+
+TEST_F(Trap, AColumnThatDoesNotExistOrIsEmptyHasNoNewestRow) {
+  use("wide", "ALTER TABLE wide_history ADD COLUMN dead float8");
+  storage::HistorianReader historian = reader();
+  const std::vector<std::string> tags{"FIC1.pv", "nowhere", "dead"};
+  EXPECT_THAT(historian.newest(tags, Truth::time_us(kRows)),
+              ElementsAre(Truth::time_us(kRows - 1), std::nullopt, std::nullopt));
+}
+
+TEST_F(Trap, AnIndexThatCannotServeIsNone) {
+  use("narrow",
+      "DROP INDEX history_tag_time_value_quality_idx; CREATE INDEX ON history USING brin (tag, "
+      "time);"
+      "CREATE INDEX ON history (lower(tag), tag, time)");
+  bool missing = false;
+  for (const storage::Finding& finding : storage::check_historian(
+           daemon::historian_connection(settings), daemon::historian_layout(settings))) {
+    missing = missing || (!finding.ok && finding.hint.starts_with("CREATE INDEX"));
+  }
+  EXPECT_TRUE(missing);
+}
+
 TEST_F(Trap, HostileNamesAreNamesAndNothingElse) {
   use("wide",
       R"(ALTER TABLE wide_history ADD COLUMN "x"" FROM truth; DROP TABLE truth; --" float8;)"

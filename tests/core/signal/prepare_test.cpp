@@ -201,5 +201,19 @@ TEST(Prepare, SeriesOfDifferentLengthsAreAFault) {
   EXPECT_THROW(static_cast<void>(prepare(window, {})), std::invalid_argument);
 }
 
+TEST(Prepare, OneSampleInSoManyIsJudgedOrRefusedButNeverAFault) {
+  for (std::size_t every = 2; every <= 9; ++every) {
+    LoopWindow window = healthy_window(4096);
+    for (std::size_t k = 0; k < window.pv.size(); ++k) {
+      if (k % every != 0) window.pv[k] = kMissing;
+    }
+    const PreparedLoop loop = prepare(window, {});
+    if (every > 4) {
+      ASSERT_FALSE(loop.quality.refusals.empty()) << every;
+      EXPECT_THAT(loop.quality.refusals.front(), HasSubstr(std::to_string(every) + "."));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace loopscope::core::signal

@@ -30,7 +30,7 @@ LoopWindowAtSlot with(const TagReading& reading) {
 std::vector<std::string> problems_at_age(std::string_view role, std::int64_t age_s) {
   std::vector<std::string> found;
   for (const auto& problem : tag_problems(
-           loop_of_10_s(), with({role, kNow - age_s * kSecond, kNow, 0, 100, 0, 0}), 4096)) {
+           loop_of_10_s(), with({role, kNow - age_s * kSecond, kNow, 0, 100, 0, 0, 0}), 4096)) {
     found.push_back(problem.code + " " + problem.role);
   }
   return found;
@@ -38,7 +38,7 @@ std::vector<std::string> problems_at_age(std::string_view role, std::int64_t age
 
 TEST(DataProblems, ATagWithoutAnyRow) {
   const auto problems =
-      tag_problems(loop_of_10_s(), with({"op", std::nullopt, kNow, 0, 0, 0, 0}), 4096);
+      tag_problems(loop_of_10_s(), with({"op", std::nullopt, kNow, 0, 0, 0, 0, 0}), 4096);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].code, "no_rows");
   EXPECT_EQ(problems[0].role, "op");
@@ -58,26 +58,28 @@ TEST(DataProblems, PvIsDeadAfter512SamplesOpAfterAWindow) {
 TEST(DataProblems, ALongPeriodIsWaitedFor) {
   storage::CatalogueEntry loop = loop_of_10_s();
   loop.period_s = 86'400.0;
-  EXPECT_THAT(tag_problems(loop, with({"pv", kNow - 170'000 * kSecond, kNow, 0, 1, 0, 0}), 4096),
+  EXPECT_THAT(tag_problems(loop, with({"pv", kNow - 170'000 * kSecond, kNow, 0, 1, 0, 0, 0}), 4096),
               IsEmpty());
   EXPECT_EQ(
-      tag_problems(loop, with({"pv", kNow - 180'000 * kSecond, kNow, 0, 1, 0, 0}), 4096).size(),
+      tag_problems(loop, with({"pv", kNow - 180'000 * kSecond, kNow, 0, 1, 0, 0, 0}), 4096).size(),
       1u);
 }
 
 TEST(DataProblems, MostlyBadRowsAndRowsInTheFuture) {
-  const auto problems = tag_problems(loop_of_10_s(), with({"pv", kNow, kNow, 3, 100, 51, 0}), 4096);
+  const auto problems =
+      tag_problems(loop_of_10_s(), with({"pv", kNow, kNow, 3, 100, 51, 0, 0}), 4096);
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_EQ(problems[0].code, "bad_quality");
   EXPECT_DOUBLE_EQ(problems[0].figure.value(), 0.51);
   EXPECT_EQ(problems[1].code, "future_rows");
   EXPECT_DOUBLE_EQ(problems[1].figure.value(), 3.0);
-  EXPECT_THAT(tag_problems(loop_of_10_s(), with({"pv", kNow, kNow, 0, 100, 50, 0}), 4096),
+  EXPECT_THAT(tag_problems(loop_of_10_s(), with({"pv", kNow, kNow, 0, 100, 50, 0, 0}), 4096),
               IsEmpty());
 }
 
 TEST(DataProblems, QualityCodesThatNobodyKnowsAreCounted) {
-  const auto problems = tag_problems(loop_of_10_s(), with({"op", kNow, kNow, 0, 100, 7, 7}), 4096);
+  const auto problems =
+      tag_problems(loop_of_10_s(), with({"op", kNow, kNow, 0, 100, 7, 0, 7}), 4096);
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].code, "unknown_quality");
   EXPECT_EQ(problems[0].role, "op");

@@ -98,6 +98,17 @@ TEST(RowMemory, OtherTagsAndLinesBetweenRowsAreReadWhole) {
   EXPECT_EQ(archive.given, 6u);
 }
 
+TEST(RowMemory, ATagReadAsAModeIsAnotherReading) {
+  Archive archive(rows_at({0, 10, 20, 30, 40}));
+  RowMemory memory;
+  TagRequest request{"a", 20, 40, 100, RowBefore::no};
+  request.mode = true;
+  static_cast<void>(one(memory, archive, request));
+  archive.given = 0;
+  static_cast<void>(one(memory, archive, {"a", 10, 30, 100, RowBefore::no}));
+  EXPECT_EQ(archive.given, 3u);
+}
+
 // Whatever the rows, the spans and the caps: the answer is that of the archive itself.
 TEST(RowMemory, GivesWhatAReadOfTheWholeSpanGives) {
   std::mt19937_64 random(7);

@@ -30,9 +30,15 @@ TEST(MergeSeries, PartsComeInTheOrderOfTimeAndTheLaterIdLast) {
   EXPECT_EQ(merged.unknown_quality, 2U);
 }
 
+TEST(MergeSeries, TwoSignalsUnderOneNameDoNotBecomeOne) {
+  const RawSeries merged =
+      merge_series({rows({15, 25, 35, 45}, 1.0), rows({20, 30, 40}, 2.0)}, kRequest);
+  EXPECT_THAT(merged.time_us, ElementsAre(15, 20, 30, 40, 45));
+}
+
 TEST(MergeSeries, OfTheRowsBeforeTheSpanTheNewestStays) {
-  EXPECT_THAT(merge_series({rows({5, 20}, 1.0), rows({8, 30}, 2.0)}, kRequest).time_us,
-              ElementsAre(8, 20, 30));
+  EXPECT_THAT(merge_series({rows({5, 20}, 1.0), rows({8}, 2.0)}, kRequest).time_us,
+              ElementsAre(8, 20));
 }
 
 TEST(MergeSeries, TheNewestRowsCountWhereTheyAreTooMany) {
