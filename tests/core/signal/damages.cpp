@@ -137,6 +137,18 @@ LoopRecording shifted(LoopRecording whole, std::mt19937_64&) {
   return whole;
 }
 
+/// The loop becomes another one, of the same spread and faster, from `Percent` of the record on.
+template <int Percent>
+LoopRecording another(LoopRecording whole, std::mt19937_64& random) {
+  const auto from = whole.pv.size() * Percent / 100;
+  const Spread spread = *measure_spread(whole.pv);
+  const Samples noise = simulate::coloured_noise(
+      simulate::real_pole(0.5), simulate::Innovation::gaussian, whole.pv.size(), random());
+  const double scale = spread.std / std_of(noise);
+  for (std::size_t k = from; k < whole.pv.size(); ++k) whole.pv[k] = spread.mean + scale * noise[k];
+  return whole;
+}
+
 LoopRecording staircase(LoopRecording whole, std::mt19937_64&) {
   constexpr std::array kPattern = {1.0, 1.0, -1.0, -1.0, 1.0, -1.0};
   const double size = 3.0 * std_of(whole.pv);
@@ -194,6 +206,8 @@ std::vector<Damage> make_damages() {
   list.push_back(changed("5 % of the rows twice", repeated));
   list.push_back(changed("second half three times as loud", louder));
   list.push_back(changed("mean 2 standard deviations up halfway", shifted));
+  list.push_back(changed("another spectrum from halfway on", another<50>));
+  list.push_back(changed("another spectrum from 30 % on", another<30>));
   list.push_back(changed("setpoint staircase of 3 standard deviations", staircase));
   list.push_back(changed("5 % frozen", frozen));
   return list;
