@@ -107,6 +107,10 @@ Verdict decide(const Evidence& evidence, const hos::Settings& settings) {
     verdict.confidence *= kShortRecord;
     verdict.reasons.emplace_back("Short record: fewer than 32 segments.");
   }
+  if (!evidence.data_quality.stretch.empty()) {
+    verdict.reasons.push_back("The loop changed within the window: the tests see only " +
+                              evidence.data_quality.stretch + ".");
+  }
   return verdict;
 }
 

@@ -40,11 +40,21 @@ void refuse_tests(hos::Result& result) {
   for (hos::Peak& peak : result.peaks) peak.p.reset();
 }
 
+/// What was found odd about the error, and what follows from it.
+void note(const SteadyError& steady, signal::DataQuality& quality) {
+  if (steady.flag != nullptr) add_flag(quality, steady.flag);
+  if (!steady.stationary) add_flag(quality, "not_stationary");
+  quality.stretch = steady.stretch;
+  if (steady.refusal.empty()) return;
+  quality.refusals.push_back(steady.refusal);
+  add_flag(quality, "tests_refused");
+}
+
 void measure_statistics(const signal::PreparedLoop& loop, const AnalysisSettings& settings,
                         std::uint64_t seed, Evidence& evidence) {
   signal::DataQuality& quality = evidence.data_quality;
   const SteadyError steady = steady_error(loop, settings.hos, seed);
-  if (steady.flag != nullptr) add_flag(quality, steady.flag);
+  note(steady, quality);
   evidence.hos = hos::analyse(steady.error, settings.hos, seed);
   if (evidence.hos && !quality.refusals.empty()) {
     refuse_tests(*evidence.hos);
@@ -68,25 +78,26 @@ void measure_shapes(const FirstLook& first, Evidence& evidence) {
   evidence.valve_gain = loop::measure_valve_gain(loop.pv, loop.op_percent);
 }
 
-signal::Samples long_error(const signal::LoopWindow& window, double interval_s,
-                           const AnalysisSettings& settings, std::uint64_t seed) {
+SteadyError long_error(const signal::LoopWindow& window, double interval_s,
+                       const AnalysisSettings& settings, std::uint64_t seed) {
   if (window.sample_interval_s != interval_s) {
     throw std::invalid_argument("the long window has another sample interval than the window");
   }
   signal::PrepareSettings prepare = settings.prepare;
   prepare.window_samples = window.size();
-  return steady_error(signal::prepare(window, prepare), settings.hos, seed).error;
+  return steady_error(signal::prepare(window, prepare), settings.hos, seed);
 }
 
 void look_slowly(const FirstLook& first, const AnalysisSettings& settings, std::uint64_t seed,
                  const signal::LoopWindow* long_window, Evidence& evidence) {
   const std::optional<double> period = first.period_samples();
   if (!period || !hos::needs_slow_look(*period, settings.hos)) return;
-  const signal::Samples error =
+  const SteadyError steady =
       long_window ? long_error(*long_window, first.loop.sample_interval_s, settings, seed)
-                  : steady_error(first.loop, settings.hos, seed).error;
-  evidence.hos_slow = hos::look_slowly(error, *period, settings.hos, seed);
-  if (evidence.hos_slow && !evidence.data_quality.refusals.empty()) {
+                  : steady_error(first.loop, settings.hos, seed);
+  evidence.hos_slow = hos::look_slowly(steady.error, *period, settings.hos, seed);
+  const bool refused = !evidence.data_quality.refusals.empty() || !steady.refusal.empty();
+  if (evidence.hos_slow && refused) {
     refuse_tests(evidence.hos_slow->result);
   }
 }

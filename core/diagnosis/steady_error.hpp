@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "core/hos/settings.hpp"
 #include "core/signal/loop_window.hpp"
@@ -16,11 +17,16 @@ inline constexpr std::size_t kMinSegments = 15;
 struct SteadyError {
   signal::Samples error;
   const char* flag = nullptr;  ///< sp_steps_masked or sp_moving; nullptr = sp makes no steps
+  bool stationary = true;      ///< false: see stretch, or refusal
+  std::string stretch;         ///< which samples are left, in plain words; empty = not cut
+  std::string refusal;         ///< why the tests may not be believed; empty = they may
 };
 
 /// The error without the transients of setpoint steps, where that leaves kMinSegments; else the
 /// whole error, and the flag of a setpoint that moves too often. What pv's archive did not store is
-/// drawn (core/hos/draw_missing.hpp); the same seed draws the same.
+/// drawn (core/hos/draw_missing.hpp); the same seed draws the same. Where the loop changes within
+/// the record, all but the longest stationary stretch (core/hos/stationary_stretch.hpp) is masked;
+/// where that leaves fewer than kMinSegments nothing is, and the tests are to be refused.
 [[nodiscard]] SteadyError steady_error(const signal::PreparedLoop& loop,
                                        const hos::Settings& settings, std::uint64_t seed);
 

@@ -12,9 +12,11 @@ namespace loopscope::core::signal {
 /// Whether a window can be judged, and what is odd about it.
 struct DataQuality {
   bool usable = false;
-  std::string reason;                        ///< why not, in plain words; empty when usable
-  std::vector<std::string> flags;            ///< e.g. "short", "sp_missing", "op_range_unknown"
-  std::vector<std::string> refusals;         ///< why tests are refused, in plain words
+  std::string reason;                 ///< why not, in plain words; empty when usable
+  std::vector<std::string> flags;     ///< e.g. "short", "sp_missing", "op_range_unknown"
+  std::vector<std::string> refusals;  ///< why tests are refused, in plain words
+  std::string stretch;  ///< samples that the higher-order statistics see where the record is not
+                        ///< stationary, in plain words; empty = all
   std::size_t repeated_times = 0;            ///< rows dropped because a later row had the same time
   std::optional<double> missing_fraction;    ///< of the pv samples, 0 to 1
   std::optional<double> frozen_fraction;     ///< of the pv samples, standing still, 0 to 1

@@ -3,17 +3,37 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/signal/median.hpp"
+#include "core/signal/neighbour_errors.hpp"
+#include "core/signal/spread.hpp"
+#include "core/signal/tail_law.hpp"
 
 namespace loopscope::core::signal {
 namespace {
 
 constexpr std::size_t kReach = 2;
 constexpr double kFarOff = 10.0;
-constexpr double kMostSpikes = 0.01;
+/// 61 of 4096: room for the 40 that a bad day of a transmitter gives.
+constexpr double kMostSpikes = 0.015;
+
+/// Nothing that the signal does by itself within two samples, but noise, is larger than this many
+/// of its standard deviations: tips and edges of a cycle are not.
+constexpr double kLarge = 2.5;
+
+/// Spikes hide each other in the tail that they lengthen; what is left is as good as settled then.
+constexpr int kRounds = 4;
+
+/// Samples on either side that tell how loud the signal is there, and what is louder than elsewhere
+/// (their median is known within an eighth).
+constexpr std::size_t kAround = 32;
+constexpr double kLoud = 1.5;
+
+/// Share of the outliers that chance may have made (Benjamini and Hochberg 1995).
+constexpr double kByChance = 0.05;
 
 /// Distance of sample k from the median of its five neighbours (itself included); 0 at the ends and
 /// beside gaps, where there is too little to compare with.
@@ -33,21 +53,103 @@ double usual_distance(std::vector<double> distances) {
   return distances.empty() ? 0.0 : kMadToSigma * median(std::move(distances));
 }
 
+/// Sizes of the errors that no sample of `suspect` touches; zeros are no errors.
+std::vector<double> calm_sizes(const std::vector<double>& errors,
+                               const std::vector<bool>& suspect) {
+  std::vector<double> sizes;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (errors[k] != 0.0 && !suspect[k]) sizes.push_back(std::abs(errors[k]));
+  }
+  return sizes;
+}
+
+/// The usual size of the errors around sample k.
+double usual_around(const std::vector<double>& errors, std::size_t k) {
+  const std::size_t first = k > kAround ? k - kAround : 0;
+  const std::size_t last = std::min(errors.size(), k + kAround + 1);
+  std::vector<double> sizes;
+  for (std::size_t i = first; i < last; ++i) sizes.push_back(std::abs(errors[i]));
+  return median(std::move(sizes));
+}
+
+/// Finds spikes in one record.
+class SpikeSearch {
+ public:
+  explicit SpikeSearch(const Samples& samples) : samples_(samples), found_(samples.size(), false) {
+    for (std::size_t k = 0; k < samples.size(); ++k) distances_.push_back(distance_at(samples, k));
+    far_off_ = kFarOff * usual_distance(distances_);
+    const std::optional<Spread> spread = measure_spread(samples);
+    if (spread) large_ = kLarge * spread->std;
+  }
+
+  std::vector<bool> run() {
+    if (!(far_off_ > 0.0)) return found_;
+    for (int round = 0; round < kRounds && look(); ++round) {
+    }
+    return found_;
+  }
+
+ private:
+  /// One more look, given what was found; returns whether it found anything else.
+  bool look() {
+    const std::vector<double> errors = neighbour_errors(samples_, found_);
+    std::vector<double> sizes = calm_sizes(errors, found_);
+    const std::optional<TailLaw> law = TailLaw::of(sizes);
+    const double limit = law ? least_outlier(errors, *law) : HUGE_VAL;
+    const double loud = sizes.empty() ? 0.0 : kLoud * median(std::move(sizes));
+    std::vector<bool> now(found_.size());
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      const bool beyond = sticks_out(errors, k) >= limit && usual_around(errors, k) <= loud;
+      now[k] = distances_[k] > far_off_ || beyond;
+    }
+    std::swap(now, found_);
+    return now != found_;
+  }
+
+  /// Size of the error where neither neighbours nor the whole signal's own size account for it.
+  [[nodiscard]] double sticks_out(const std::vector<double>& errors, std::size_t k) const {
+    return distances_[k] > large_ ? std::abs(errors[k]) : 0.0;
+  }
+
+  /// The smallest size such that at most kByChance of those at or above it are expected by chance.
+  [[nodiscard]] double least_outlier(const std::vector<double>& errors, const TailLaw& law) const {
+    std::vector<double> sizes;
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+      if (const double size = sticks_out(errors, k); size > 0.0) sizes.push_back(size);
+    }
+    std::sort(sizes.begin(), sizes.end());
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      const auto beyond = static_cast<double>(sizes.size() - i);
+      if (law.expected_beyond(sizes[i]) <= kByChance * beyond) return sizes[i];
+    }
+    return HUGE_VAL;
+  }
+
+  const Samples& samples_;
+  std::vector<double> distances_;
+  std::vector<bool> found_;
+  double far_off_ = 0.0;
+  double large_ = 0.0;
+};
+
+std::size_t count_runs(const std::vector<bool>& marked) {
+  std::size_t runs = 0;
+  for (std::size_t k = 0; k < marked.size(); ++k) {
+    if (marked[k] && (k == 0 || !marked[k - 1])) ++runs;
+  }
+  return runs;
+}
+
 }  // namespace
 
 std::size_t discard_spikes(Samples& samples) {
-  std::vector<double> distances(samples.size());
-  for (std::size_t k = 0; k < samples.size(); ++k) distances[k] = distance_at(samples, k);
-  const double limit = kFarOff * usual_distance(distances);
-  if (!(limit > 0.0)) return 0;
-  const auto far_off = [limit](double distance) { return distance > limit; };
-  const auto spikes =
-      static_cast<std::size_t>(std::count_if(distances.begin(), distances.end(), far_off));
-  if (static_cast<double>(spikes) > kMostSpikes * static_cast<double>(samples.size())) return 0;
+  const std::vector<bool> found = SpikeSearch(samples).run();
+  const double most = kMostSpikes * static_cast<double>(samples.size());
+  if (static_cast<double>(count_runs(found)) > most) return 0;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    if (far_off(distances[k])) samples[k] = kMissing;
+    if (found[k]) samples[k] = kMissing;
   }
-  return spikes;
+  return static_cast<std::size_t>(std::count(found.begin(), found.end(), true));
 }
 
 }  // namespace loopscope::core::signal

@@ -12,6 +12,8 @@
 #include <random>
 #include <string>
 
+#include "core/simulate/coloured_noise.hpp"
+#include "core/simulate/innovations.hpp"
 #include "core/simulate/scenario.hpp"
 
 namespace loopscope::core {
@@ -171,6 +173,39 @@ TEST(Diagnose, SetpointStepsAreKeptOutOfTheStatistics) {
   EXPECT_THAT(diagnosis.evidence.data_quality.flags, testing::Contains("sp_steps_masked"));
   EXPECT_LT(diagnosis.evidence.hos->segments, 127U);
   EXPECT_TRUE(diagnosis.evidence.hos->published.gaussian);
+}
+
+/// A resonance and white noise in turns of so many samples.
+signal::LoopWindow changing_flow(std::size_t every) {
+  constexpr auto kGaussian = simulate::Innovation::gaussian;
+  signal::LoopWindow window;
+  window.pv = simulate::coloured_noise(simulate::resonance(20.0, 0.95), kGaussian, 4096, 1);
+  const signal::Samples noise = simulate::innovations(kGaussian, window.size(), 2);
+  for (std::size_t k = 0; k < window.size(); ++k) {
+    if (k / every % 2 == 1) window.pv[k] = noise[k];
+  }
+  return window;
+}
+
+TEST(Diagnose, ALoopThatChangedIsTestedOverItsLongestStretch) {
+  const Diagnosis diagnosis = diagnose(changing_flow(1536), {});
+  const signal::DataQuality& quality = diagnosis.evidence.data_quality;
+  EXPECT_THAT(quality.flags, testing::Contains("not_stationary"));
+  EXPECT_NE(quality.stretch, "");
+  EXPECT_TRUE(quality.refusals.empty());
+  EXPECT_LT(diagnosis.evidence.hos->segments, 60U);
+  EXPECT_TRUE(diagnosis.evidence.hos->nonlinear_p);
+  EXPECT_THAT(diagnosis.verdict.reasons, testing::Contains(testing::HasSubstr(quality.stretch)));
+}
+
+TEST(Diagnose, ALoopThatAlwaysChangesIsNotTested) {
+  const Diagnosis diagnosis = diagnose(changing_flow(512), {});
+  const signal::DataQuality& quality = diagnosis.evidence.data_quality;
+  EXPECT_THAT(quality.flags, testing::IsSupersetOf({"not_stationary", "tests_refused"}));
+  EXPECT_EQ(quality.refusals.size(), 1U);
+  EXPECT_TRUE(quality.usable);
+  ASSERT_TRUE(diagnosis.evidence.hos);
+  EXPECT_FALSE(diagnosis.evidence.hos->nonlinear_p);
 }
 
 TEST(Diagnose, ASetpointSteppedTooOftenIsSaidToMove) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/signal/prepare.hpp"
+#include "core/simulate/coloured_noise.hpp"
 #include "core/simulate/paper_loops.hpp"
 
 namespace loopscope::core {
@@ -47,6 +48,44 @@ TEST(SteadyError, StepsThatLeaveTooLittleAreKept) {
   const SteadyError steady = steady_error(loop, {}, 1);
   ASSERT_NE(steady.flag, nullptr);
   EXPECT_EQ(std::string_view(steady.flag), "sp_moving");
+  EXPECT_EQ(steady.error, loop.error);
+}
+
+/// A loop under white noise whose noise is coloured in turns from sample `at` on, for `length`
+/// samples each time.
+signal::PreparedLoop changing_loop(std::size_t at, std::size_t length) {
+  constexpr auto kGaussian = simulate::Innovation::gaussian;
+  signal::LoopWindow window;
+  window.pv = simulate::coloured_noise(simulate::resonance(20.0, 0.95), kGaussian, 4096, 1);
+  const signal::Samples other =
+      simulate::coloured_noise(simulate::real_pole(0.0), kGaussian, 4096, 2);
+  for (std::size_t k = at; k < other.size(); ++k) {
+    if ((k - at) / length % 2 == 0) window.pv[k] = other[k];
+  }
+  return signal::prepare(window, {});
+}
+
+TEST(SteadyError, OfALoopThatChangesTheLongestStretchIsKept) {
+  const signal::PreparedLoop loop = changing_loop(1536, 4096);
+  const SteadyError steady = steady_error(loop, {}, 1);
+  EXPECT_FALSE(steady.stationary);
+  EXPECT_EQ(steady.stretch, "samples 1665 to 4096 of 4096");
+  EXPECT_TRUE(steady.refusal.empty());
+  for (std::size_t k = 0; k < loop.error.size(); ++k) {
+    if (k < 1664) {
+      EXPECT_TRUE(std::isnan(steady.error[k])) << k;
+    } else {
+      EXPECT_EQ(steady.error[k], loop.error[k]) << k;
+    }
+  }
+}
+
+TEST(SteadyError, OfALoopThatAlwaysChangesNothingIsBelieved) {
+  const signal::PreparedLoop loop = changing_loop(512, 512);
+  const SteadyError steady = steady_error(loop, {}, 1);
+  EXPECT_FALSE(steady.stationary);
+  EXPECT_FALSE(steady.refusal.empty());
+  EXPECT_TRUE(steady.stretch.empty());
   EXPECT_EQ(steady.error, loop.error);
 }
 

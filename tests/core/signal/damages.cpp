@@ -98,11 +98,14 @@ LoopRecording rounded(LoopRecording whole, std::mt19937_64&) {
   return whole;
 }
 
+template <int Count, int Size, int Length>
 LoopRecording with_spikes(LoopRecording whole, std::mt19937_64& random) {
-  const double size = 8.0 * std_of(whole.pv);
-  for (int i = 0; i < 20; ++i) {
-    const auto at = static_cast<std::size_t>(uniform(random) * double(whole.pv.size()));
-    whole.pv[at] += uniform(random) < 0.5 ? -size : size;
+  const double size = Size * std_of(whole.pv);
+  for (int i = 0; i < Count; ++i) {
+    const double room = double(whole.pv.size() - Length + 1);
+    const auto at = static_cast<std::size_t>(uniform(random) * room);
+    const double spike = uniform(random) < 0.5 ? -size : size;
+    for (std::size_t k = at; k < at + Length; ++k) whole.pv[k] += spike;
   }
   return whole;
 }
@@ -131,6 +134,18 @@ LoopRecording louder(LoopRecording whole, std::mt19937_64&) {
 LoopRecording shifted(LoopRecording whole, std::mt19937_64&) {
   const double size = 2.0 * std_of(whole.pv);
   for (std::size_t k = whole.pv.size() / 2; k < whole.pv.size(); ++k) whole.pv[k] += size;
+  return whole;
+}
+
+/// The loop becomes another one, of the same spread and faster, from `Percent` of the record on.
+template <int Percent>
+LoopRecording another(LoopRecording whole, std::mt19937_64& random) {
+  const auto from = whole.pv.size() * Percent / 100;
+  const Spread spread = *measure_spread(whole.pv);
+  const Samples noise = simulate::coloured_noise(
+      simulate::real_pole(0.5), simulate::Innovation::gaussian, whole.pv.size(), random());
+  const double scale = spread.std / std_of(noise);
+  for (std::size_t k = from; k < whole.pv.size(); ++k) whole.pv[k] = spread.mean + scale * noise[k];
   return whole;
 }
 
@@ -176,7 +191,14 @@ std::vector<Damage> make_damages() {
   list.push_back(gaps("one gap of 40 %", 0.4, 1));
   list.push_back(gaps("five gaps, 40 % together", 0.4, 5));
   list.push_back(gaps("twenty gaps, 20 % together", 0.2, 20));
-  list.push_back(changed("20 spikes of 8 standard deviations", with_spikes));
+  list.push_back(changed("one spike of 8 standard deviations", with_spikes<1, 8, 1>));
+  list.push_back(changed("5 spikes of 8 standard deviations", with_spikes<5, 8, 1>));
+  list.push_back(changed("20 spikes of 4 standard deviations", with_spikes<20, 4, 1>));
+  list.push_back(changed("20 spikes of 6 standard deviations", with_spikes<20, 6, 1>));
+  list.push_back(changed("20 spikes of 8 standard deviations", with_spikes<20, 8, 1>));
+  list.push_back(changed("20 spikes of 15 standard deviations", with_spikes<20, 15, 1>));
+  list.push_back(changed("40 spikes of 8 standard deviations", with_spikes<40, 8, 1>));
+  list.push_back(changed("20 pairs of spikes of 8 standard deviations", with_spikes<20, 8, 2>));
   list.push_back(changed("rounded to 0.25 standard deviations", rounded<25>));
   list.push_back(changed("rounded to 0.5 standard deviations", rounded<50>));
   list.push_back(changed("rounded to 1 standard deviation", rounded<100>));
@@ -184,6 +206,8 @@ std::vector<Damage> make_damages() {
   list.push_back(changed("5 % of the rows twice", repeated));
   list.push_back(changed("second half three times as loud", louder));
   list.push_back(changed("mean 2 standard deviations up halfway", shifted));
+  list.push_back(changed("another spectrum from halfway on", another<50>));
+  list.push_back(changed("another spectrum from 30 % on", another<30>));
   list.push_back(changed("setpoint staircase of 3 standard deviations", staircase));
   list.push_back(changed("5 % frozen", frozen));
   return list;
