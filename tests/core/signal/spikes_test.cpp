@@ -47,7 +47,7 @@ Found find_planted(double pole, double size, std::size_t length) {
     }
     all += discard_spikes(samples);
     for (std::size_t i = 0; i < kSpikes * length; ++i) {
-      hit += std::isnan(samples[100 + 200 * (i / length) + i % length]) ? 1 : 0;
+      hit += std::isnan(samples[100 + 200 * (i / length) + i % length]) ? 1U : 0U;
     }
   }
   return {static_cast<double>(hit) / static_cast<double>(kRecords * kSpikes * length),
