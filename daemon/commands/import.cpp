@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <iostream>
 #include <limits>
@@ -9,6 +11,7 @@
 #include "config/read_settings.hpp"
 #include "core/signal/base_interval.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
+#include "daemon/catalogue/tag_roles.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
 #include "daemon/failure.hpp"
@@ -24,7 +27,6 @@ namespace loopscope::daemon {
 namespace {
 
 using core::signal::LoopRows;
-using core::signal::RawSeries;
 using storage::CatalogueEntry;
 
 struct ImportOptions {
@@ -40,19 +42,13 @@ struct ImportOptions {
   bool replace = false;
 };
 
-struct TagColumn {
-  std::string CatalogueEntry::*tag;
-  RawSeries LoopRows::*rows;
-  const char* suffix;
-};
-
-constexpr TagColumn kTagColumns[] = {
-    {&CatalogueEntry::sp_tag, &LoopRows::sp, ".SP"},
-    {&CatalogueEntry::pv_tag, &LoopRows::pv, ".PV"},
-    {&CatalogueEntry::op_tag, &LoopRows::op, ".OP"},
-    {&CatalogueEntry::mv_tag, &LoopRows::mv, ".MV"},
-    {&CatalogueEntry::mode_tag, &LoopRows::mode, ".MODE"},
-};
+/// ".PV" for pv: what follows the loop's name in a tag that import makes.
+std::string suffix_of(const TagRole& role) {
+  std::string suffix = "." + std::string(role.name);
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  return suffix;
+}
 
 /// The catalogue's entry brought up to what the command line says; a new one gets tags NAME.PV and
 /// so on for the columns that the file has.
@@ -66,9 +62,9 @@ CatalogueEntry entry_for(const ImportOptions& options, const config::Settings& s
     const double interval_s = core::signal::base_interval_s(recording.rows.pv);
     if (interval_s > 0.0) entry.interval_s = interval_s;
   }
-  for (const TagColumn& column : kTagColumns) {
-    const bool recorded = !(recording.rows.*column.rows).empty();
-    if (recorded && (entry.*column.tag).empty()) entry.*column.tag = entry.name + column.suffix;
+  for (const TagRole& role : kTagRoles) {
+    const bool recorded = !(recording.rows.*role.rows).empty();
+    if (recorded && (entry.*role.tag).empty()) entry.*role.tag = entry.name + suffix_of(role);
   }
   if (!options.source.empty()) entry.source = options.source;
   if (!options.type.empty()) entry.loop_type = options.type;
@@ -92,8 +88,8 @@ std::int64_t end_time(const ImportOptions& options, const CatalogueEntry& entry,
 }
 
 void shift(LoopRows& rows, std::int64_t by_us) {
-  for (const TagColumn& column : kTagColumns) {
-    for (std::int64_t& time : (rows.*column.rows).time_us) time += by_us;
+  for (const TagRole& role : kTagRoles) {
+    for (std::int64_t& time : (rows.*role.rows).time_us) time += by_us;
   }
 }
 
@@ -138,9 +134,9 @@ void require_sound(const CatalogueEntry& entry) {
 
 std::vector<storage::TagRows> tag_rows(const CatalogueEntry& entry, LoopRows& rows) {
   std::vector<storage::TagRows> tags;
-  for (const TagColumn& column : kTagColumns) {
-    if ((rows.*column.rows).empty()) continue;
-    tags.push_back({entry.*column.tag, std::move(rows.*column.rows)});
+  for (const TagRole& role : kTagRoles) {
+    if ((rows.*role.rows).empty()) continue;
+    tags.push_back({entry.*role.tag, std::move(rows.*role.rows)});
   }
   return tags;
 }

@@ -6,6 +6,7 @@
 
 #include "core/signal/assemble.hpp"
 #include "core/signal/base_interval.hpp"
+#include "daemon/catalogue/tag_roles.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using core::signal::LoopRows;
 using core::signal::RawSeries;
 using storage::CatalogueEntry;
+using storage::RowBefore;
 using storage::TagRequest;
 
 constexpr double kMicrosecondsPerSecond = 1e6;
@@ -54,7 +56,7 @@ void find_unknown_intervals(storage::HistorianReader& historian, std::vector<Pla
     if (!plan.has_rows || plan.interval_s > 0.0) continue;
     unknown.push_back(&plan);
     requests.push_back({plan.loop->pv_tag, plan.slot_end_us - microseconds(kIntervalLookBack_s),
-                        plan.slot_end_us, kIntervalRows, storage::RowBefore::no});
+                        plan.slot_end_us, kIntervalRows, RowBefore::no});
   }
   if (requests.empty()) return;
   const std::vector<RawSeries> rows = historian.read(requests);
@@ -63,48 +65,34 @@ void find_unknown_intervals(storage::HistorianReader& historian, std::vector<Pla
   }
 }
 
-struct TagSlot {
-  std::string_view role;
-  const std::string CatalogueEntry::*tag;
-  RawSeries LoopRows::*rows;
-  storage::RowBefore before;  ///< what is recorded on change has its value from before the window
-};
-
-constexpr TagSlot kTagSlots[] = {
-    {"sp", &CatalogueEntry::sp_tag, &LoopRows::sp, storage::RowBefore::yes},
-    {"pv", &CatalogueEntry::pv_tag, &LoopRows::pv, storage::RowBefore::if_held},
-    {"op", &CatalogueEntry::op_tag, &LoopRows::op, storage::RowBefore::if_held},
-    {"mv", &CatalogueEntry::mv_tag, &LoopRows::mv, storage::RowBefore::if_held},
-    {"mode", &CatalogueEntry::mode_tag, &LoopRows::mode, storage::RowBefore::yes},
-};
-
 std::vector<TagRequest> requests_of(const Plan& plan) {
   std::vector<TagRequest> requests;
   const auto slots = static_cast<std::int64_t>(plan.max_samples);
   const auto span_us = microseconds(plan.interval_s * static_cast<double>(plan.max_samples));
-  for (const TagSlot& slot : kTagSlots) {
-    const std::string& tag = plan.loop->*slot.tag;
+  for (const TagRole& role : kTagRoles) {
+    const std::string& tag = plan.loop->*role.tag;
     if (tag.empty()) continue;
     requests.push_back({tag, plan.slot_end_us - span_us, plan.slot_end_us, kRowsPerSlot * slots,
-                        slot.before, slot.rows == &LoopRows::mode});
+                        role.on_change ? RowBefore::yes : RowBefore::if_held,
+                        role.rows == &LoopRows::mode});
   }
   return requests;
 }
 
 LoopRows take_rows(const CatalogueEntry& loop, std::vector<RawSeries>& series, std::size_t& next) {
   LoopRows rows;
-  for (const TagSlot& slot : kTagSlots) {
-    if (!(loop.*slot.tag).empty()) rows.*slot.rows = std::move(series[next++]);
+  for (const TagRole& role : kTagRoles) {
+    if (!(loop.*role.tag).empty()) rows.*role.rows = std::move(series[next++]);
   }
   return rows;
 }
 
 /// Missing is what is of bad quality, NULL, or no number.
 void count_rows(const LoopRows& rows, std::size_t max_rows, TagReadings& tags) {
-  for (const TagSlot& slot : kTagSlots) {
-    const RawSeries& series = rows.*slot.rows;
+  for (const TagRole& role : kTagRoles) {
+    const RawSeries& series = rows.*role.rows;
     for (TagReading& reading : tags) {
-      if (reading.role != slot.role) continue;
+      if (reading.role != role.name) continue;
       reading.rows = series.value.size();
       reading.unknown_rows = series.unknown_quality;
       reading.surplus_rows = reading.rows >= max_rows ? reading.rows : 0;

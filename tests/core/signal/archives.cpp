@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/signal/spread.hpp"
+#include "core/signal/swinging_door.hpp"
 
 namespace loopscope::core::signal {
 namespace {
@@ -28,19 +29,11 @@ Kept keep_dead_band(const Samples& samples, double band) {
 }
 
 Kept keep_swinging_door(const Samples& samples, double band) {
-  Kept kept{0};
-  Door door;
-  for (std::size_t k = 1; k < samples.size(); ++k) {
-    const auto slope = [&](double offset) {
-      return (samples[k] + offset - samples[kept.back()]) / static_cast<double>(k - kept.back());
-    };
-    if (slope(0.0) < door.lowest || slope(0.0) > door.highest) {
-      kept.push_back(k - 1);
-      door = {};
-    }
-    door = {std::max(door.lowest, slope(-band)), std::min(door.highest, slope(band))};
+  const Samples stored = swinging_door(samples, band);
+  Kept kept;
+  for (std::size_t k = 0; k < stored.size(); ++k) {
+    if (std::isfinite(stored[k])) kept.push_back(k);
   }
-  kept.push_back(samples.size() - 1);
   return kept;
 }
 
