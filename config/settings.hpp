@@ -81,11 +81,16 @@ struct ScheduleSettings {
   int batch_loops = 16;              ///< loops per claim, 1 to 256
   double default_period_s = 3600.0;  ///< analysis period of a loop that is added without one
   int revise_slots = 1;              ///< earlier slots that are checked for late rows, 0 to 48
+  int model_all_up_to = 500;         ///< enabled loops, 0 to 1000000; see model_every_slots
+  /// With more loops than that, a loop that gives no cause gets a loop model in every so many slots
+  /// only, 1 to 1000.
+  int model_every_slots = 10;
 };
 
 /// The process itself.
 struct DaemonSettings {
-  int workers = 0;                  ///< threads; 0 = one per core; 0 to 256
+  int workers = 0;                  ///< threads that analyse at a time; 0 = one per core; 0 to 256
+  int batches_in_flight = 0;        ///< 0 = twice the workers; 0 to 1024
   std::string log_level = "info";   ///< debug, info, warning, error
   std::string log_format = "text";  ///< text or json
 };

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/diagnosis/diagnose.hpp"
@@ -20,7 +21,10 @@ struct AnalysisRecord {
   std::string program_version;
   std::string settings_json;  ///< the analysis settings in force, as a JSON object
   double fetch_ms = 0.0;      ///< share of the batch's reading time
-  double analyse_ms = 0.0;    ///< core::diagnose
+  double analyse_ms = 0.0;    ///< all of the analysis: the next three and the verdict
+  double prepare_ms = 0.0;    ///< masks, gaps, archive, oscillation
+  double statistics_ms = 0.0;  ///< higher-order statistics, shapes, performance
+  std::optional<double> model_ms;  ///< the loop model; nullopt = none was fitted
   core::Diagnosis diagnosis;
   std::string hos_slow_json;  ///< the slow look as a JSON object; empty = there is none
   /// The loop model's story as the JSON object "model" of `analyze --json`; empty = there is none.

@@ -1,8 +1,22 @@
 #include "core/diagnosis/loop_model.hpp"
 
+#include "core/diagnosis/decide.hpp"
 #include "core/model/explain.hpp"
 
 namespace loopscope::core {
+
+bool can_be_modelled(const FirstLook& first, const Evidence& evidence) {
+  const signal::DataQuality& prepared = first.loop.quality;
+  const bool sees_enough =
+      prepared.refusals.empty() || prepared.archive == signal::Archive::coarser;
+  return evidence.data_quality.usable && sees_enough;
+}
+
+bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& settings) {
+  using diagnosis::VerdictCode;
+  const VerdictCode code = diagnosis::decide(evidence, settings).code;
+  return code != VerdictCode::healthy && code != VerdictCode::insufficient_data;
+}
 
 std::optional<model::Explanation> explain_loop(const FirstLook& first, const LoopFacts& facts) {
   const signal::PreparedLoop& loop = first.loop;

@@ -2,13 +2,23 @@
 
 #include <optional>
 
+#include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/first_look.hpp"
 #include "core/diagnosis/loop_facts.hpp"
+#include "core/hos/settings.hpp"
 #include "core/model/explanation.hpp"
 
 namespace loopscope::core {
 
-/// What the loop model (core/model) makes of a window that was judged usable; nullopt = no model
+/// Whether the data allow a loop model. What the archive did to pv reads as load steps and bends
+/// where little of it was stored. A slow sensor is an effect that the model knows.
+[[nodiscard]] bool can_be_modelled(const FirstLook& first, const Evidence& evidence);
+
+/// Whether the evidence without a model gives cause to fit one: by it alone the loop is anything
+/// but healthy. For those who cannot afford a model for every loop of a plant.
+[[nodiscard]] bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& settings);
+
+/// What the loop model (core/model) makes of a window that can be modelled; nullopt = no model
 /// was fitted. A pure function of the window, the settings behind `first` and the facts.
 [[nodiscard]] std::optional<model::Explanation> explain_loop(const FirstLook& first,
                                                              const LoopFacts& facts);

@@ -1,6 +1,7 @@
 #include "core/hos/error_moments.hpp"
 
 #include <cmath>
+#include <iterator>
 
 namespace loopscope::core::hos {
 namespace {
@@ -19,11 +20,16 @@ double one_over_mean_square(std::span<const double> errors) {
 
 }  // namespace
 
-void ErrorMoments::Moment::add(double value) {
-  if (!std::isfinite(value)) return;
-  sum += value;
-  squares += value * value;
-  count += 1.0;
+void ErrorMoments::Moment::set(Eigen::ArrayXd values) {
+  if (!values.isFinite().all()) {
+    const auto present = values.isFinite();
+    count = static_cast<double>(present.count());
+    values = present.select(values, 0.0).eval();
+  } else {
+    count = static_cast<double>(values.size());
+  }
+  sum = values.sum();
+  squares = values.square().sum();
 }
 
 double ErrorMoments::Moment::variance_of_mean() const {
@@ -32,12 +38,11 @@ double ErrorMoments::Moment::variance_of_mean() const {
 
 ErrorMoments::ErrorMoments(std::span<const double> errors) {
   const double scale = one_over_mean_square(errors);
-  const double root = std::sqrt(scale);
-  for (std::size_t t = 0; t < errors.size(); ++t) {
-    moments_[0].add(root * errors[t]);
-    for (std::size_t lag = 1; lag <= kLags && lag <= t; ++lag) {
-      moments_[lag].add(scale * errors[t] * errors[t - lag]);
-    }
+  const Eigen::Map<const Eigen::ArrayXd> e(errors.data(), std::ssize(errors));
+  moments_[0].set(std::sqrt(scale) * e);
+  for (Eigen::Index lag = 1; lag <= static_cast<Eigen::Index>(kLags) && lag < e.size(); ++lag) {
+    const Eigen::Index pairs = e.size() - lag;
+    moments_[static_cast<std::size_t>(lag)].set(scale * e.tail(pairs) * e.head(pairs));
   }
 }
 

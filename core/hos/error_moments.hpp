@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -34,7 +35,8 @@ class ErrorMoments {
     double sum = 0.0;
     double squares = 0.0;
     double count = 0.0;
-    void add(double value);
+    /// Of these values; what is not finite is missing.
+    void set(Eigen::ArrayXd values);
     [[nodiscard]] double mean() const { return sum / count; }
     [[nodiscard]] double variance_of_mean() const;
   };

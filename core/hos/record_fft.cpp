@@ -15,7 +15,8 @@ fftw_complex* as_complex(std::complex<double>* values) {
 }  // namespace
 
 struct RecordFft::Plan {
-  fftw_plan handle = nullptr;
+  fftw_plan forward = nullptr;
+  fftw_plan backward = nullptr;
 };
 
 const RecordFft& RecordFft::of_length(std::size_t length) {
@@ -27,21 +28,32 @@ RecordFft::RecordFft(std::size_t length) : length_(length), plan_(std::make_uniq
   std::vector<std::complex<double>> output(length / 2 + 1);
   // Estimated, so that two runs on one processor give the same digits; unaligned, since the records
   // are ordinary vectors.
-  plan_->handle =
-      fftw_plan_dft_r2c_1d(static_cast<int>(length), input.data(), as_complex(output.data()),
-                           FFTW_ESTIMATE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT);
-  if (plan_->handle == nullptr) throw std::bad_alloc();
+  const int samples = static_cast<int>(length);
+  plan_->forward = fftw_plan_dft_r2c_1d(samples, input.data(), as_complex(output.data()),
+                                        FFTW_ESTIMATE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT);
+  plan_->backward = fftw_plan_dft_c2r_1d(samples, as_complex(output.data()), input.data(),
+                                         FFTW_ESTIMATE | FFTW_UNALIGNED);
+  if (plan_->forward == nullptr || plan_->backward == nullptr) throw std::bad_alloc();
 }
 
 RecordFft::~RecordFft() {
-  if (plan_->handle != nullptr) fftw_destroy_plan(plan_->handle);
+  for (const fftw_plan plan : {plan_->forward, plan_->backward}) {
+    if (plan != nullptr) fftw_destroy_plan(plan);
+  }
 }
 
 std::vector<std::complex<double>> RecordFft::transform(std::vector<double> record) const {
   record.resize(length_, 0.0);
   std::vector<std::complex<double>> result(length_ / 2 + 1);
-  fftw_execute_dft_r2c(plan_->handle, record.data(), as_complex(result.data()));
+  fftw_execute_dft_r2c(plan_->forward, record.data(), as_complex(result.data()));
   return result;
+}
+
+std::vector<double> RecordFft::inverse(std::vector<std::complex<double>> spectrum) const {
+  std::vector<double> record(length_);
+  fftw_execute_dft_c2r(plan_->backward, as_complex(spectrum.data()), record.data());
+  for (double& value : record) value /= static_cast<double>(length_);
+  return record;
 }
 
 }  // namespace loopscope::core::hos

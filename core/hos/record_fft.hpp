@@ -7,7 +7,7 @@
 
 namespace loopscope::core::hos {
 
-/// DFT of one real record, X(k) = sum x(n) exp(-2 pi i k n / length), k = 0 .. length / 2.
+/// DFT of one real record, X(k) = sum x(n) exp(-2 pi i k n / length), k = 0 .. length / 2, and back.
 /// Plans are kept per length and shared by all threads (plan_cache.hpp).
 class RecordFft {
  public:
@@ -21,6 +21,8 @@ class RecordFft {
 
   /// `record` is padded with zeros to the length.
   [[nodiscard]] std::vector<std::complex<double>> transform(std::vector<double> record) const;
+  /// The record of `length` samples with this transform (length / 2 + 1 values, which are used up).
+  [[nodiscard]] std::vector<double> inverse(std::vector<std::complex<double>> spectrum) const;
 
  private:
   struct Plan;

@@ -1,7 +1,9 @@
 #include "core/hos/stationary_stretch.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -24,6 +26,8 @@ constexpr double kDiffers = 34.6;
 /// Less does not raise the bicoherence, however sure it is: a long cycle is cut for nothing.
 constexpr double kMatters = 0.15;
 
+using ConstSeries = Eigen::Map<const Eigen::VectorXd>;
+
 double mean_of(std::span<const double> signal) {
   double sum = 0.0;
   double count = 0.0;
@@ -38,11 +42,13 @@ double mean_of(std::span<const double> signal) {
 /// What the model does not predict; NaN where a sample or one that it needs is missing.
 std::vector<double> prediction_errors(std::span<const double> signal, const LinearModel& model) {
   const std::vector<double>& a = model.coefficients();
-  const double mean = mean_of(signal);
+  const Eigen::VectorXd backwards = ConstSeries(a.data(), std::ssize(a)).reverse();
+  const Eigen::VectorXd centred =
+      ConstSeries(signal.data(), std::ssize(signal)).array() - mean_of(signal);
   std::vector<double> errors(signal.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t t = a.size(); t < signal.size(); ++t) {
-    errors[t] = signal[t] - mean;
-    for (std::size_t i = 0; i < a.size(); ++i) errors[t] -= a[i] * (signal[t - 1 - i] - mean);
+  for (Eigen::Index t = backwards.size(); t < centred.size(); ++t) {
+    const double predicted = backwards.dot(centred.segment(t - backwards.size(), backwards.size()));
+    errors[static_cast<std::size_t>(t)] = centred[t] - predicted;
   }
   return errors;
 }

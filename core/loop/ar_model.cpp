@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/signal/spread.hpp"
 
@@ -15,6 +14,8 @@ namespace {
 constexpr double kRowsPerCoefficient = 5.0;
 /// Keeps the equations of a noise-free sinusoid (rank 2) solvable; far below any measured noise.
 constexpr double kRidge = 1e-10;
+
+using ConstSeries = Eigen::Map<const Eigen::VectorXd>;
 
 /// Normal equations of the regression; entry (i, j) is sum_t x(t - i) x(t - j), i, j = 0 .. p.
 struct Products {
@@ -29,8 +30,9 @@ void add_run(const double* x, std::size_t length, std::size_t order, Products& p
   const auto size = static_cast<Eigen::Index>(order + 1);
   Eigen::MatrixXd run(size, size);
   for (std::size_t j = 0; j <= order; ++j) {
+    const auto rows = static_cast<Eigen::Index>(length - order);
     run(0, static_cast<Eigen::Index>(j)) =
-        std::inner_product(x + order, x + length, x + order - j, 0.0);
+        ConstSeries(x + order, rows).dot(ConstSeries(x + order - j, rows));
   }
   for (Eigen::Index i = 1; i < size; ++i) {
     for (Eigen::Index j = i; j < size; ++j) {
@@ -88,12 +90,16 @@ std::optional<ArModel> fit_ar(std::span<const double> series, std::size_t order)
 }
 
 std::vector<double> impulse_response(const ArModel& model, std::size_t count) {
-  std::vector<double> psi(count, 0.0);
-  if (count > 0) psi[0] = 1.0;
+  const std::size_t order = model.coefficients.size();
+  const std::vector<double> backwards(model.coefficients.rbegin(), model.coefficients.rend());
+  const auto terms = static_cast<Eigen::Index>(order);
+  // At rest before the impulse.
+  std::vector<double> psi(order + count, 0.0);
+  if (count > 0) psi[order] = 1.0;
   for (std::size_t k = 1; k < count; ++k) {
-    const std::size_t terms = std::min(k, model.coefficients.size());
-    for (std::size_t i = 1; i <= terms; ++i) psi[k] += model.coefficients[i - 1] * psi[k - i];
+    psi[order + k] = ConstSeries(backwards.data(), terms).dot(ConstSeries(&psi[k], terms));
   }
+  psi.erase(psi.begin(), psi.begin() + static_cast<std::ptrdiff_t>(order));
   return psi;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "core/signal/spread.hpp"
 
@@ -34,9 +35,13 @@ Standardised standardise(std::span<const double> x, const signal::Spread& spread
 std::vector<double> lagged_products(const std::vector<double>& x, const std::vector<double>& y,
                                     RealTransform& transform) {
   RealTransform::Spectrum product = transform.forward(x);
-  const RealTransform::Spectrum other = &x == &y ? product : transform.forward(y);
-  for (std::size_t i = 0; i < product.size(); ++i) product[i] = std::conj(product[i]) * other[i];
-  return transform.inverse(product);
+  if (&x == &y) {
+    for (std::complex<double>& value : product) value = std::norm(value);
+  } else {
+    const RealTransform::Spectrum other = transform.forward(y);
+    for (std::size_t i = 0; i < product.size(); ++i) product[i] = std::conj(product[i]) * other[i];
+  }
+  return transform.inverse(std::move(product));
 }
 
 /// Number of pairs per lag; without gaps it is known and needs no transform.
@@ -64,8 +69,9 @@ Correlation divide(const std::vector<double>& products, const std::vector<double
                    double least, std::size_t max_lag) {
   const auto enough = [&](std::size_t lag) {
     const auto signed_lag = static_cast<std::ptrdiff_t>(lag);
-    return std::min(pairs[index_of(signed_lag, pairs.size())],
-                    pairs[index_of(-signed_lag, pairs.size())]) > least - 0.5;
+    // Counts out of a transform are whole numbers but for rounding.
+    return std::round(std::min(pairs[index_of(signed_lag, pairs.size())],
+                               pairs[index_of(-signed_lag, pairs.size())])) > least - 0.5;
   };
   Correlation result;
   if (!enough(0)) return result;

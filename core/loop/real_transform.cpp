@@ -1,6 +1,7 @@
 #include "core/loop/real_transform.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace loopscope::core::loop {
 
@@ -14,17 +15,12 @@ std::size_t fast_length(std::size_t least) {
   return best;
 }
 
-RealTransform::Spectrum RealTransform::forward(std::vector<double> series) {
-  series.resize(length_, 0.0);
-  Spectrum spectrum(length_ / 2 + 1);
-  fft_.fwd(spectrum.data(), series.data(), static_cast<Eigen::Index>(length_));
-  return spectrum;
+RealTransform::Spectrum RealTransform::forward(std::vector<double> series) const {
+  return fft_->transform(std::move(series));
 }
 
-std::vector<double> RealTransform::inverse(const Spectrum& spectrum) {
-  std::vector<double> series(length_);
-  fft_.inv(series.data(), spectrum.data(), static_cast<Eigen::Index>(length_));
-  return series;
+std::vector<double> RealTransform::inverse(Spectrum spectrum) const {
+  return fft_->inverse(std::move(spectrum));
 }
 
 }  // namespace loopscope::core::loop

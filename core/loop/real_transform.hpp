@@ -2,8 +2,9 @@
 
 #include <complex>
 #include <cstddef>
-#include <unsupported/Eigen/FFT>
 #include <vector>
+
+#include "core/hos/record_fft.hpp"
 
 namespace loopscope::core::loop {
 
@@ -11,7 +12,7 @@ namespace loopscope::core::loop {
 /// Lengths like these keep the transform at n log n; a prime such as 751 would cost n^2.
 [[nodiscard]] std::size_t fast_length(std::size_t least);
 
-/// Discrete Fourier transform of real series of one length, keeping its twiddle factors.
+/// Discrete Fourier transform of real series of one length.
 ///
 /// forward: X(i) = sum_k x(k) exp(-2 pi j i k / m), i = 0 .. m/2. inverse undoes forward exactly.
 class RealTransform {
@@ -19,19 +20,18 @@ class RealTransform {
   using Spectrum = std::vector<std::complex<double>>;  ///< m/2 + 1 values
 
   /// `length` as returned by fast_length.
-  explicit RealTransform(std::size_t length) : length_(length) {
-    fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  }
+  explicit RealTransform(std::size_t length)
+      : length_(length), fft_(&hos::RecordFft::of_length(length)) {}
 
   [[nodiscard]] std::size_t length() const { return length_; }
 
   /// `series` is padded with zeros to the length.
-  [[nodiscard]] Spectrum forward(std::vector<double> series);
-  [[nodiscard]] std::vector<double> inverse(const Spectrum& spectrum);
+  [[nodiscard]] Spectrum forward(std::vector<double> series) const;
+  [[nodiscard]] std::vector<double> inverse(Spectrum spectrum) const;
 
  private:
   std::size_t length_;
-  Eigen::FFT<double> fft_;
+  const hos::RecordFft* fft_;
 };
 
 }  // namespace loopscope::core::loop

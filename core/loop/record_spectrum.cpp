@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/signal/gaps.hpp"
 
@@ -102,7 +103,7 @@ signal::Samples RecordSpectrum::component(Band band, std::size_t longest_bridge)
   for (std::size_t i = first; i < last; ++i) {
     filtered[i] = spectrum_[i] * gain(static_cast<double>(i) * bin_width(), band);
   }
-  signal::Samples result = transform_.inverse(filtered);
+  signal::Samples result = transform_.inverse(std::move(filtered));
   signal::Samples mask = recorded_;
   signal::bridge_gaps(mask, longest_bridge);
   result.resize(mask.size());

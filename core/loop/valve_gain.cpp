@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/signal/sort_values.hpp"
+
 namespace loopscope::core::loop {
 namespace {
 
@@ -13,9 +15,10 @@ constexpr double kUpperShare = 0.99;
 
 std::vector<double> sorted_recorded(std::span<const double> samples) {
   std::vector<double> values;
+  values.reserve(samples.size());
   std::copy_if(samples.begin(), samples.end(), std::back_inserter(values),
                [](double v) { return std::isfinite(v); });
-  std::sort(values.begin(), values.end());
+  signal::sort_values(values);
   return values;
 }
 

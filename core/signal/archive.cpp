@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/signal/between_rows.hpp"
+#include "core/signal/sort_values.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
@@ -61,7 +62,7 @@ double hole_share(const Stored& stored) {
 /// The sharp lower edge of the magnitudes, if there is one.
 std::optional<double> lower_edge(std::vector<double> sizes) {
   if (sizes.empty()) return std::nullopt;
-  std::sort(sizes.begin(), sizes.end());
+  sort_values(sizes);
   const auto count = static_cast<double>(sizes.size());
   const double exceptions = std::floor(kExceptions * count);
   const double edge = sizes[static_cast<std::size_t>(exceptions)];
@@ -128,8 +129,11 @@ Samples without_long_runs(Samples whole, const Samples& stored) {
 /// Half the step of the grid of values where that is coarse, else 0.
 double rounding_of(const Samples& samples) {
   const std::optional<Spread> spread = measure_spread(samples);
+  const auto coarse = [&](double step) { return spread && step > kCoarseGrid * spread->std; };
+  const std::optional<double> between_neighbours = smallest_neighbour_step(samples);
+  if (between_neighbours && !coarse(*between_neighbours)) return 0.0;
   const double step = smallest_step(samples).value_or(0.0);
-  return spread && step > kCoarseGrid * spread->std ? 0.5 * step : 0.0;
+  return coarse(step) ? 0.5 * step : 0.0;
 }
 
 /// How the archive chose these samples, and the band by which it did.

@@ -38,6 +38,11 @@ double median_of(std::vector<double> values) {
   return values.empty() ? 0.0 : median(std::move(values));
 }
 
+/// Whether there are more marks than chance alone may explain, at whatever resolution.
+bool worth_a_look(const Marks& marks) {
+  return static_cast<double>(marks.count) > kChance * static_cast<double>(marks.asked);
+}
+
 /// More marks than values rounded to steps of `resolution` would show.
 bool beyond_chance(const Marks& marks, double resolution) {
   const double usual = median_of(marks.others);
@@ -77,6 +82,7 @@ class Limits {
 
 Marks mark_repeats(const Samples& pv, const Limits& limits) {
   Marks marks{std::vector<bool>(pv.size(), false), 0, 0, {}};
+  marks.others.reserve(pv.size());
   for (std::size_t k = 1; k < pv.size(); ++k) {
     if (!std::isfinite(pv[k]) || !std::isfinite(pv[k - 1]) || limits.at(pv[k])) continue;
     ++marks.asked;
@@ -92,6 +98,7 @@ Marks mark_repeats(const Samples& pv, const Limits& limits) {
 
 Marks mark_collinear(const Samples& pv, const Limits& limits, double tolerance) {
   Marks marks{std::vector<bool>(pv.size(), false), 0, 0, {}};
+  marks.others.reserve(pv.size());
   for (std::size_t k = 1; k + 1 < pv.size(); ++k) {
     const double bend = std::abs(pv[k + 1] - 2.0 * pv[k] + pv[k - 1]);
     if (!std::isfinite(bend) || limits.at(pv[k])) continue;
@@ -112,18 +119,24 @@ Samples without_repeats(const Samples& pv) {
   const std::optional<Spread> spread = measure_spread(pv);
   if (!spread || spread->constant()) return pv;
   const Marks marks = mark_repeats(pv, Limits(pv, *spread));
-  if (!beyond_chance(marks, smallest_step(pv).value_or(0.0))) return pv;
+  if (!worth_a_look(marks) || !beyond_chance(marks, smallest_step(pv).value_or(0.0))) return pv;
   return without(pv, marks.marked);
 }
 
 Samples without_collinear(const Samples& pv) {
   const std::optional<Spread> spread = measure_spread(pv);
   if (!spread || spread->constant()) return pv;
-  const double step = smallest_step(pv).value_or(0.0);
+  const Limits limits(pv, *spread);
   const double size = std::max(std::abs(spread->low), std::abs(spread->high));
-  const double tolerance = kRoundingSteps * step + kRelativeRounding * size;
-  const Marks marks = mark_collinear(pv, Limits(pv, *spread), tolerance);
-  if (!beyond_chance(marks, tolerance)) return pv;
+  const auto tolerance_of = [size](std::optional<double> step) {
+    return kRoundingSteps * step.value_or(0.0) + kRelativeRounding * size;
+  };
+  // A tolerance that is too wide marks more: where even so there are too few, none is looked for.
+  const std::optional<double> at_most = smallest_neighbour_step(pv);
+  if (at_most && !worth_a_look(mark_collinear(pv, limits, tolerance_of(at_most)))) return pv;
+  const double tolerance = tolerance_of(smallest_step(pv));
+  const Marks marks = mark_collinear(pv, limits, tolerance);
+  if (!worth_a_look(marks) || !beyond_chance(marks, tolerance)) return pv;
   return without(pv, marks.marked);
 }
 

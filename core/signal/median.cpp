@@ -1,14 +1,11 @@
 #include "core/signal/median.hpp"
 
-#include <algorithm>
-#include <cstddef>
+#include "core/signal/order_statistic.hpp"
 
 namespace loopscope::core::signal {
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+double median(std::span<const double> values) {
+  return order_statistic(values, values.size() / 2);
 }
 
 }  // namespace loopscope::core::signal

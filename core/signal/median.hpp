@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 namespace loopscope::core::signal {
 
@@ -9,6 +9,6 @@ inline constexpr double kMadToSigma = 1.4826;
 
 /// The upper median: the value with half of the others at or below it. `values` holds at least one
 /// and no NaN.
-[[nodiscard]] double median(std::vector<double> values);
+[[nodiscard]] double median(std::span<const double> values);
 
 }  // namespace loopscope::core::signal

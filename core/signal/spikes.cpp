@@ -1,7 +1,6 @@
 #include "core/signal/spikes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -35,15 +34,30 @@ constexpr double kLoud = 1.5;
 /// Share of the outliers that chance may have made (Benjamini and Hochberg 1995).
 constexpr double kByChance = 0.05;
 
+/// The larger and the smaller of two, without a branch.
+double larger(double a, double b) {
+  return a > b ? a : b;
+}
+double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
+/// Of five values the third: what is left when the least of one half and the most of the other are
+/// dropped in turn. Anything when one is NaN.
+double median_of_five(const double* v) {
+  const double low = larger(smaller(v[0], v[1]), smaller(v[3], v[4]));
+  const double high = smaller(larger(v[0], v[1]), larger(v[3], v[4]));
+  return larger(smaller(v[2], low), smaller(larger(v[2], low), high));
+}
+
 /// Distance of sample k from the median of its five neighbours (itself included); 0 at the ends and
 /// beside gaps, where there is too little to compare with.
 double distance_at(const Samples& samples, std::size_t k) {
   if (k < kReach || k + kReach >= samples.size()) return 0.0;
-  std::array<double, 2 * kReach + 1> near{};
-  std::copy_n(samples.begin() + static_cast<std::ptrdiff_t>(k - kReach), near.size(), near.begin());
-  if (std::any_of(near.begin(), near.end(), [](double v) { return std::isnan(v); })) return 0.0;
-  std::nth_element(near.begin(), near.begin() + kReach, near.end());
-  return std::abs(samples[k] - near[kReach]);
+  const double* const near = &samples[k - kReach];
+  const double middle = median_of_five(near);
+  const double sum = near[0] + near[1] + near[2] + near[3] + near[4];
+  return std::isnan(sum) ? 0.0 : std::abs(samples[k] - middle);
 }
 
 double usual_distance(std::vector<double> distances) {

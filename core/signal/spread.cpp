@@ -1,8 +1,12 @@
 #include "core/signal/spread.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
+
+#include "core/signal/sort_values.hpp"
 
 namespace loopscope::core::signal {
 namespace {
@@ -12,11 +16,80 @@ namespace {
 constexpr double kRelativeRounding = 1e-12;
 
 std::vector<double> recorded(std::span<const double> samples) {
-  std::vector<double> values;
-  values.reserve(samples.size());
-  std::copy_if(samples.begin(), samples.end(), std::back_inserter(values),
-               [](double v) { return std::isfinite(v); });
+  std::vector<double> values(samples.size());
+  std::size_t count = 0;
+  for (const double value : samples) {
+    values[count] = value;
+    count += std::isfinite(value) ? 1 : 0;
+  }
+  values.resize(count);
   return values;
+}
+
+/// Partial results side by side: no sum or comparison waits for the one before it.
+constexpr std::size_t kLanes = 8;
+
+/// Calls use(lane, value) for every value, the lanes in turn.
+template <typename Use>
+void in_lanes(std::span<const double> values, Use use) {
+  const std::size_t whole = values.size() / kLanes * kLanes;
+  for (std::size_t k = 0; k < whole; k += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) use(lane, values[k + lane]);
+  }
+  for (std::size_t k = whole; k < values.size(); ++k) use(k - whole, values[k]);
+}
+
+using Lanes = std::array<double, kLanes>;
+
+Lanes all_lanes(double value) {
+  Lanes lanes;
+  lanes.fill(value);
+  return lanes;
+}
+
+double sum_of(const Lanes& lanes) {
+  return std::accumulate(lanes.begin(), lanes.end(), 0.0);
+}
+
+bool all_finite(std::span<const double> samples) {
+  // x - x is NaN for what is not finite, and NaN stays in a sum.
+  Lanes sum{};
+  in_lanes(samples, [&](std::size_t lane, double value) { sum[lane] += value - value; });
+  return sum_of(sum) == 0.0;
+}
+
+double std_about(double mean, double largest, std::span<const double> values) {
+  // Deviations relative to the largest one: values near the limits of double must not overflow.
+  const double scale = 1.0 / largest;
+  if (!std::isfinite(scale)) return 0.0;
+  Lanes squares{};
+  in_lanes(values, [&](std::size_t lane, double value) {
+    const double deviation = (value - mean) * scale;
+    squares[lane] += deviation * deviation;
+  });
+  return largest * std::sqrt(sum_of(squares) / static_cast<double>(values.size()));
+}
+
+Spread spread_of(std::span<const double> values) {
+  const double weight = 1.0 / static_cast<double>(values.size());
+  Lanes mean{};
+  Lanes low = all_lanes(values[0]);
+  Lanes high = low;
+  in_lanes(values, [&](std::size_t lane, double value) {
+    mean[lane] += value * weight;
+    low[lane] = value < low[lane] ? value : low[lane];
+    high[lane] = value > high[lane] ? value : high[lane];
+  });
+  Spread spread{sum_of(mean), 0.0, *std::ranges::min_element(low), *std::ranges::max_element(high)};
+  const double largest = std::max(spread.high - spread.mean, spread.mean - spread.low);
+  if (largest > 0.0) spread.std = std_about(spread.mean, largest, values);
+  return spread;
+}
+
+/// Distance of two values, 0 where it is no more than their rounding.
+double step_between(double low, double high) {
+  const double rounding = kRelativeRounding * std::max(std::abs(high), std::abs(low));
+  return high - low > rounding ? high - low : 0.0;
 }
 
 }  // namespace
@@ -26,34 +99,31 @@ bool Spread::constant() const {
 }
 
 std::optional<Spread> measure_spread(std::span<const double> samples) {
+  if (!samples.empty() && all_finite(samples)) return spread_of(samples);
   const std::vector<double> values = recorded(samples);
   if (values.empty()) return std::nullopt;
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  Spread spread{0.0, 0.0, *low, *high};
-  const auto count = static_cast<double>(values.size());
-  for (const double v : values) spread.mean += v / count;
-  // Deviations relative to the largest one: values near the limits of double must not overflow.
-  const double largest = std::max(spread.high - spread.mean, spread.mean - spread.low);
-  if (largest > 0.0) {
-    double sum = 0.0;
-    for (const double v : values)
-      sum += ((v - spread.mean) / largest) * ((v - spread.mean) / largest);
-    spread.std = largest * std::sqrt(sum / count);
-  }
-  return spread;
+  return spread_of(values);
 }
 
 std::optional<double> smallest_step(std::span<const double> samples) {
   std::vector<double> values = recorded(samples);
-  std::sort(values.begin(), values.end());
-  std::optional<double> step;
+  sort_values(values);
+  double smallest = HUGE_VAL;
   for (std::size_t k = 1; k < values.size(); ++k) {
-    const double difference = values[k] - values[k - 1];
-    const double rounding =
-        kRelativeRounding * std::max(std::abs(values[k]), std::abs(values[k - 1]));
-    if (difference > rounding && (!step || difference < *step)) step = difference;
+    const double step = step_between(values[k - 1], values[k]);
+    if (step > 0.0 && step < smallest) smallest = step;
   }
-  return step;
+  return smallest < HUGE_VAL ? std::optional(smallest) : std::nullopt;
+}
+
+std::optional<double> smallest_neighbour_step(std::span<const double> samples) {
+  double smallest = HUGE_VAL;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const auto [low, high] = std::minmax(samples[k - 1], samples[k]);
+    const double step = step_between(low, high);
+    if (step > 0.0 && step < smallest) smallest = step;
+  }
+  return smallest < HUGE_VAL ? std::optional(smallest) : std::nullopt;
 }
 
 std::size_t longest_flat_run(std::span<const double> samples) {

@@ -24,6 +24,10 @@ struct Spread {
 /// some tiny number for a continuous one. nullopt when fewer than two values differ.
 [[nodiscard]] std::optional<double> smallest_step(std::span<const double> samples);
 
+/// Smallest distance between two different values that stand next to each other: at least the
+/// smallest step, and at hand without sorting. nullopt when no two neighbours differ.
+[[nodiscard]] std::optional<double> smallest_neighbour_step(std::span<const double> samples);
+
 /// Longest run of identical recorded values, in samples.
 [[nodiscard]] std::size_t longest_flat_run(std::span<const double> samples);
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+
+#include "core/signal/order_statistic.hpp"
 
 namespace loopscope::core::signal {
 namespace {
@@ -12,16 +13,14 @@ constexpr double kInner = 0.2;
 constexpr double kOuter = 0.05;
 
 /// The value that a share of `values` exceeds.
-double exceeded_by(double share, std::vector<double>& values) {
-  const auto rank = static_cast<std::ptrdiff_t>((1.0 - share) * static_cast<double>(values.size()));
-  const auto at = values.begin() + std::min(rank, std::ssize(values) - 1);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+double exceeded_by(double share, std::span<const double> values) {
+  const auto rank = static_cast<std::size_t>((1.0 - share) * static_cast<double>(values.size()));
+  return order_statistic(values, std::min(rank, values.size() - 1));
 }
 
 }  // namespace
 
-std::optional<TailLaw> TailLaw::of(std::vector<double> sizes) {
+std::optional<TailLaw> TailLaw::of(std::span<const double> sizes) {
   if (sizes.empty()) return std::nullopt;
   TailLaw law;
   law.count_ = static_cast<double>(sizes.size());

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
+#include <span>
 
 namespace loopscope::core::signal {
 
@@ -15,7 +15,7 @@ class TailLaw {
  public:
   /// `sizes` are at or above 0. nullopt where no tail can be told: no size, 80 % of them 0, or
   /// 15 % of them equal.
-  [[nodiscard]] static std::optional<TailLaw> of(std::vector<double> sizes);
+  [[nodiscard]] static std::optional<TailLaw> of(std::span<const double> sizes);
 
   /// How many of the sizes are expected beyond `size`.
   [[nodiscard]] double expected_beyond(double size) const;

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <spdlog/spdlog.h>
 #include <string>
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
+#include "daemon/service/cost_text.hpp"
 #include "daemon/service/log.hpp"
 #include "daemon/service/pass.hpp"
 #include "daemon/service/workforce.hpp"
@@ -33,6 +35,10 @@ void once(const std::string& config_file) {
   set_up_log(settings->daemon);
   const PassResult pass = run_pass(settings);
   std::cout << pass_text(pass) << std::endl;
+  if (pass.cost.loops > 0) {
+    spdlog::info("{:.1f} s, {:.0f} loops/s; {}", pass.elapsed_s,
+                 static_cast<double>(pass.cost.loops) / pass.elapsed_s, cost_text(pass.cost));
+  }
   if (pass.signal != 0) {
     // Whoever waits for this program learns from its end that the pass is not whole.
     std::signal(pass.signal, SIG_DFL);

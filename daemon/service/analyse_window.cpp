@@ -1,13 +1,15 @@
 #include "daemon/service/analyse_window.hpp"
 
-#include <chrono>
-
+#include "core/diagnosis/decide.hpp"
+#include "core/diagnosis/gather_evidence.hpp"
+#include "core/diagnosis/loop_model.hpp"
 #include "core/hos/triple_sums.hpp"
 #include "core/signal/grid.hpp"
 #include "core/signal/window_digest.hpp"
 #include "daemon/commands/option_values.hpp"
 #include "daemon/output/analysis_json.hpp"
 #include "daemon/output/model_json.hpp"
+#include "daemon/service/stopwatch.hpp"
 
 namespace loopscope::daemon {
 
@@ -15,11 +17,27 @@ namespace {
 
 using core::signal::LoopWindow;
 
-core::Diagnosis diagnose(const LoopInput& input, const core::AnalysisSettings& settings,
-                         const core::LoopFacts& facts) {
+bool wants_model(const core::FirstLook& first, const core::Evidence& evidence,
+                 const core::AnalysisSettings& settings, ModelWish wish) {
+  if (!settings.fit_model || !core::can_be_modelled(first, evidence)) return false;
+  return wish == ModelWish::always || core::gives_cause_for_a_model(evidence, settings.hos);
+}
+
+/// The stages of core::diagnose(), timed, and the model where it is wished.
+void diagnose(const LoopInput& input, const core::AnalysisSettings& settings,
+              const core::LoopFacts& facts, ModelWish wish, storage::AnalysisRecord& record) {
+  const core::FirstLook first =
+      input.first ? *input.first : core::first_look(input.at_slot.window, settings);
   const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
-  return input.first ? core::diagnose(*input.first, settings, facts, longer)
-                     : core::diagnose(input.at_slot.window, settings, facts, longer);
+  core::Evidence& evidence = record.diagnosis.evidence;
+  Stopwatch watch;
+  evidence = core::gather_evidence(first, settings, facts, longer);
+  record.statistics_ms = watch.lap_ms();
+  if (wants_model(first, evidence, settings, wish)) {
+    evidence.model = core::explain_loop(first, facts);
+    record.model_ms = watch.lap_ms();
+  }
+  record.diagnosis.verdict = core::diagnosis::decide(evidence, settings.hos);
 }
 
 void describe_window(const LoopWindowAtSlot& at_slot, storage::AnalysisRecord& record) {
@@ -43,8 +61,8 @@ std::string digest_of(const storage::CatalogueEntry& loop, const LoopInput& inpu
 
 storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, const LoopInput& input,
                                        const core::AnalysisSettings& settings,
-                                       const std::string& settings_json) {
-  using Milliseconds = std::chrono::duration<double, std::milli>;
+                                       const std::string& settings_json, ModelWish wish) {
+  Stopwatch watch;
   storage::AnalysisRecord record;
   describe_window(input.at_slot, record);
   record.input_digest = digest_of(loop, input, settings_json);
@@ -52,18 +70,18 @@ storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, cons
   record.program_version =
       std::string(LOOPSCOPE_VERSION " ") + std::string(core::hos::processor_path());
   record.settings_json = settings_json;
-  const auto start = std::chrono::steady_clock::now();
-  record.diagnosis = diagnose(input, settings,
-                              {.integrating = is_integrating_type(loop.loop_type),
-                               .seed = core::signal::window_seed(input.at_slot.window)});
-  record.analyse_ms =
-      input.first_look_ms + Milliseconds(std::chrono::steady_clock::now() - start).count();
+  diagnose(input, settings,
+           {.integrating = is_integrating_type(loop.loop_type),
+            .seed = core::signal::window_seed(input.at_slot.window)},
+           wish, record);
   if (const auto& slow = record.diagnosis.evidence.hos_slow) {
     record.hos_slow_json = slow_look_json(*slow).dump();
   }
   if (record.diagnosis.evidence.model) {
     record.model_json = json_text(model_json(record.diagnosis.evidence.model));
   }
+  record.prepare_ms = input.first_look_ms;
+  record.analyse_ms = input.first_look_ms + watch.lap_ms();
   return record;
 }
 

@@ -2,6 +2,7 @@
 
 #include "daemon/service/analyse_window.hpp"
 #include "daemon/service/data_problems.hpp"
+#include "daemon/service/model_turns.hpp"
 #include "daemon/service/slot.hpp"
 
 namespace loopscope::daemon {
@@ -14,13 +15,16 @@ using storage::StoredDigest;
 /// The record of a slot whose input is not the stored one; nullopt = the stored analysis holds.
 std::optional<AnalysisRecord> changed_record(const LoopVisit& visit, const LoopInput& input,
                                              const StoredDigest* stored,
-                                             const core::AnalysisSettings& settings,
-                                             const std::string& settings_json) {
+                                             const AnalysisOrders& orders) {
   const storage::CatalogueEntry& loop = visit.claim->loop;
-  if (stored != nullptr && digest_of(loop, input, settings_json) == stored->input_digest) {
+  if (stored != nullptr && digest_of(loop, input, orders.settings_json) == stored->input_digest) {
     return std::nullopt;
   }
-  AnalysisRecord record = analyse_window(loop, input, settings, settings_json);
+  const config::Settings& settings = orders.settings;
+  const ModelWish wish = model_wish(settings.schedule, orders.enabled_loops, *visit.claim,
+                                    input.at_slot.slot_end_us);
+  AnalysisRecord record =
+      analyse_window(loop, input, settings.analysis, orders.settings_json, wish);
   record.fetch_ms = visit.fetch_ms;
   return record;
 }
@@ -58,14 +62,15 @@ std::vector<std::int64_t> slots_to_check(const storage::ClaimedLoop& claim,
 }
 
 CompletedLoop complete_visit(const LoopVisit& visit, const StoredAnalyses& stored,
-                             const config::Settings& settings, const std::string& settings_json) {
+                             const AnalysisOrders& orders) {
+  const config::Settings& settings = orders.settings;
   const storage::ClaimedLoop& claim = *visit.claim;
   const std::int64_t slot_end_us = visit.newest.at_slot.slot_end_us;
   const StoredDigest* known = stored.find(claim.loop.loop_id, slot_end_us);
   CompletedLoop completed{
       claim.loop.loop_id, claim.fence, slot_end_us,
       next_due(slot_end_us, claim.loop.period_s, settings.schedule.settle_s),
-      changed_record(visit, visit.newest, known, settings.analysis, settings_json)};
+      changed_record(visit, visit.newest, known, orders)};
   completed.judged = completed.record ? completed.record->diagnosis.evidence.data_quality.usable
                                       : known != nullptr && known->usable;
   if (claim.last_slot_end_us && *claim.last_slot_end_us < slot_end_us) {
@@ -74,7 +79,7 @@ CompletedLoop complete_visit(const LoopVisit& visit, const StoredAnalyses& store
   add_problems(visit, settings.analysis.prepare.window_samples, completed);
   for (const LoopInput& input : visit.earlier) {
     const StoredDigest* row = stored.find(claim.loop.loop_id, input.at_slot.slot_end_us);
-    auto record = changed_record(visit, input, row, settings.analysis, settings_json);
+    auto record = changed_record(visit, input, row, orders);
     if (record) completed.revised.push_back(std::move(*record));
   }
   return completed;

@@ -41,11 +41,17 @@ class StoredAnalyses {
                                                        std::int64_t newest_end_us,
                                                        const StoredAnalyses& stored, int horizon);
 
+/// How loops are to be analysed.
+struct AnalysisOrders {
+  const config::Settings& settings;
+  const std::string& settings_json;  ///< those of the analysis: provenance and part of the digest
+  std::size_t enabled_loops = 0;     ///< in the catalogue: decides whether models take turns
+};
+
 /// Analyses every slot of the visit whose digest is not the stored one and says what to write.
 /// Throws what core/ throws.
 [[nodiscard]] storage::CompletedLoop complete_visit(const LoopVisit& visit,
                                                     const StoredAnalyses& stored,
-                                                    const config::Settings& settings,
-                                                    const std::string& settings_json);
+                                                    const AnalysisOrders& orders);
 
 }  // namespace loopscope::daemon

@@ -10,25 +10,27 @@
 #include <mutex>
 #include <vector>
 
+#include "daemon/service/lane.hpp"
 #include "daemon/service/progress_bar.hpp"
-#include "daemon/service/worker.hpp"
+#include "daemon/service/stopwatch.hpp"
 #include "daemon/service/workforce.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-/// Workers run on a thread pool; everything that is shared (bar, sum, end) is touched by the main
+/// Lanes run on a thread pool; everything that is shared (bar, sum, end) is touched by the main
 /// thread's io_context alone.
 class Pass {
  public:
   explicit Pass(std::shared_ptr<const config::Settings> settings)
       : settings_(std::move(settings)),
+        tools_(worker_count(settings_->daemon)),
         signals_(context_, SIGINT, SIGTERM),
-        workers_left_(worker_count(settings_->daemon)),
-        pool_(workers_left_) {}
+        lanes_left_(lane_count(settings_->daemon)),
+        pool_(lanes_left_) {}
 
   PassResult run() {
-    Worker scout(settings_, worker_name(0), SlotRule::newest_sample, faults_, historians_);
+    Lane scout(settings_, 0, SlotRule::newest_sample, tools_);
     result_.enabled = scout.with_results(
         [](storage::ResultsDatabase& database) { return database.count_enabled_loops(); });
     ProgressBar bar(result_.enabled);
@@ -38,28 +40,32 @@ class Pass {
       stopping_ = true;
       result_.signal = signal;
     });
-    for (std::size_t index = 0; index < workers_left_; ++index) {
+    Stopwatch watch;
+    for (std::size_t index = 0; index < lanes_left_; ++index) {
       asio::post(pool_, [this, index] { work(index); });
     }
     context_.run();
     pool_.join();
-    // After a signal the context may have run out of work before the workers' last words.
+    // After a signal the context may have run out of work before the lanes' last words.
     context_.restart();
     context_.run();
     if (error_) std::rethrow_exception(error_);
+    result_.elapsed_s = watch.lap_s();
     return result_;
   }
 
  private:
   void work(std::size_t index) {
     try {
-      Worker worker(settings_, worker_name(index), SlotRule::newest_sample, faults_, historians_);
-      for (auto claims = next_claims(worker); !claims.empty(); claims = next_claims(worker)) {
-        const storage::WriteCount count = worker.process(claims);
+      Lane lane(settings_, index, SlotRule::newest_sample, tools_);
+      for (auto claims = next_claims(lane); !claims.empty(); claims = next_claims(lane)) {
+        const storage::WriteCount count = lane.process(claims);
         asio::post(context_, [this, count, loops = claims.size()] { account(count, loops); });
       }
-      asio::post(context_, [this, failure = worker.first_failure()] {
+      lane.store_cost();
+      asio::post(context_, [this, failure = lane.first_failure(), cost = lane.cost()] {
         if (!result_.first_failure) result_.first_failure = failure;
+        storage::add(result_.cost, cost);
       });
     } catch (...) {
       stopping_ = true;
@@ -68,15 +74,15 @@ class Pass {
       });
     }
     asio::post(context_, [this] {
-      if (--workers_left_ == 0) signals_.cancel();
+      if (--lanes_left_ == 0) signals_.cancel();
     });
   }
 
-  /// Claims are taken one worker at a time, so that all walk through the catalogue together.
-  std::vector<storage::ClaimedLoop> next_claims(Worker& worker) {
+  /// Claims are taken one lane at a time, so that all walk through the catalogue together.
+  std::vector<storage::ClaimedLoop> next_claims(Lane& lane) {
     const std::lock_guard lock(cursor_mutex_);
     if (stopping_) return {};
-    auto claims = worker.claim_next(cursor_);
+    auto claims = lane.claim_next(cursor_);
     for (const storage::ClaimedLoop& claim : claims) {
       cursor_ = std::max(cursor_, claim.loop.loop_id);
     }
@@ -90,11 +96,10 @@ class Pass {
   }
 
   std::shared_ptr<const config::Settings> settings_;
-  FaultLog faults_;
-  HistorianPool historians_;
+  LaneTools tools_;
   asio::io_context context_;
   asio::signal_set signals_;
-  std::size_t workers_left_;
+  std::size_t lanes_left_;
   asio::thread_pool pool_;
   std::mutex cursor_mutex_;
   std::int64_t cursor_ = 0;

@@ -7,6 +7,7 @@
 #include "config/settings.hpp"
 #include "daemon/failure.hpp"
 #include "storage/results/results_database.hpp"
+#include "storage/stage_cost.hpp"
 
 namespace loopscope::daemon {
 
@@ -17,9 +18,11 @@ struct PassResult {
   std::size_t enabled = 0;               ///< in the catalogue when it began
   int signal = 0;                        ///< SIGTERM or SIGINT that ended it early; 0 = none
   std::optional<Failure> first_failure;  ///< why loops were set aside; nullopt = none was
+  storage::StageCost cost;               ///< summed over the lanes
+  double elapsed_s = 0.0;                ///< from the first claim to the last write
 };
 
-/// One full pass over all enabled loops on all workers, with a progress bar on a terminal. Loops
+/// One full pass over all enabled loops on all cores, with a progress bar on a terminal. Loops
 /// that another worker holds are left to it. SIGTERM or SIGINT finishes what is in hand and ends
 /// early. Throws the first storage::DatabaseError of the results database after every worker has
 /// stopped.

@@ -13,34 +13,37 @@
 #include <vector>
 
 #include "config/read_settings.hpp"
+#include "daemon/service/lane.hpp"
 #include "daemon/service/log.hpp"
-#include "daemon/service/worker.hpp"
+#include "daemon/service/work_report.hpp"
 #include "daemon/service/workforce.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-/// State is touched by the io_context's thread alone; a busy worker belongs to its pool thread
+/// State is touched by the io_context's thread alone; a busy lane belongs to its pool thread
 /// until that posts it back.
 class Service {
  public:
   explicit Service(std::filesystem::path file)
       : file_(std::move(file)),
         settings_(std::make_shared<config::Settings>(config::read_settings(file_))),
+        tools_(worker_count(settings_->daemon)),
         signals_(context_, SIGINT, SIGTERM, SIGHUP),
         timer_(context_),
-        seats_(worker_count(settings_->daemon)),
+        seats_(lane_count(settings_->daemon)),
         pool_(seats_.size()) {
     set_up_log(settings_->daemon);
   }
 
   void run() {
-    spdlog::info("started: {} workers, settings {}", seats_.size(), file_.string());
+    spdlog::info("started: {} workers, {} batches in flight, settings {}",
+                 worker_count(settings_->daemon), seats_.size(), file_.string());
     await_signal();
     tick();
     context_.run();
     pool_.join();
-    // After a signal the context may have run out of work before the workers' last words.
+    // After a signal the context may have run out of work before the lanes' last words.
     context_.restart();
     context_.run();
     spdlog::info("stopped: {}", count_text(sum_));
@@ -48,7 +51,7 @@ class Service {
 
  private:
   struct Seat {
-    std::optional<Worker> worker;
+    std::optional<Lane> lane;
     bool busy = false;
   };
 
@@ -74,14 +77,14 @@ class Service {
     try {
       settings_ = std::make_shared<config::Settings>(config::read_settings(file_));
       set_up_log(settings_->daemon);
-      historians_.forget_idle();
+      tools_.historians.forget_idle();
       spdlog::info("settings read again: {}", file_.string());
     } catch (const config::SettingsError& error) {
       spdlog::error("the old settings stay in force: {}", error.what());
     }
   }
 
-  /// Sends every idle worker to look for due loops, now and after each poll.
+  /// Sends every idle lane to look for due loops, now and after each poll.
   void tick() {
     if (stopping_) return;
     for (std::size_t index = 0; index < seats_.size(); ++index) {
@@ -96,12 +99,12 @@ class Service {
 
   void dispatch(std::size_t index) {
     Seat& seat = seats_[index];
-    if (!seat.worker || seat.worker->settings() != settings_) {
-      seat.worker.emplace(settings_, worker_name(index), SlotRule::clock, faults_, historians_);
+    if (!seat.lane || seat.lane->settings() != settings_) {
+      seat.lane.emplace(settings_, index, SlotRule::clock, tools_);
     }
     seat.busy = true;
     asio::post(pool_, [this, &seat] {
-      const storage::WriteCount count = drain(*seat.worker);
+      const storage::WriteCount count = drain(*seat.lane);
       asio::post(context_, [this, &seat, count] {
         seat.busy = false;
         add(sum_, count);
@@ -110,31 +113,33 @@ class Service {
   }
 
   /// Works until nothing is due. Runs on a pool thread.
-  storage::WriteCount drain(Worker& worker) {
+  storage::WriteCount drain(Lane& lane) {
     storage::WriteCount sum;
     try {
-      for (auto claims = next_claims(worker); !claims.empty(); claims = next_claims(worker)) {
-        const storage::WriteCount count = worker.process(claims);
-        spdlog::info("{}", count_text(count));
+      WorkReport report(lane.cost());
+      for (auto claims = next_claims(lane); !claims.empty(); claims = next_claims(lane)) {
+        const storage::WriteCount count = lane.process(claims);
+        report.add(count, lane.cost());
         add(sum, count);
       }
-      faults_.recovered("results database");
+      lane.store_cost();
+      report.say();
+      tools_.faults.recovered("results database");
     } catch (const storage::DatabaseError& error) {
-      faults_.fault("results database", std::string(error.what()) + " HINT: " + error.hint());
+      tools_.faults.fault("results database", std::string(error.what()) + " HINT: " + error.hint());
     } catch (const std::exception& error) {
-      faults_.fault("worker", error.what());
+      tools_.faults.fault("worker", error.what());
     }
     return sum;
   }
 
-  std::vector<storage::ClaimedLoop> next_claims(Worker& worker) {
-    return stopping_ ? std::vector<storage::ClaimedLoop>{} : worker.claim_due();
+  std::vector<storage::ClaimedLoop> next_claims(Lane& lane) {
+    return stopping_ ? std::vector<storage::ClaimedLoop>{} : lane.claim_due();
   }
 
   std::filesystem::path file_;
   std::shared_ptr<const config::Settings> settings_;
-  FaultLog faults_;
-  HistorianPool historians_;
+  LaneTools tools_;
   asio::io_context context_;
   asio::signal_set signals_;
   asio::steady_timer timer_;

@@ -9,17 +9,25 @@
 namespace loopscope::daemon {
 namespace {
 
+constexpr std::size_t kLanesPerWorker = 2;
+
+}  // namespace
+
 std::string host_name() {
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
   return name.data();
 }
 
-}  // namespace
-
 std::size_t worker_count(const config::DaemonSettings& settings) {
   if (settings.workers > 0) return static_cast<std::size_t>(settings.workers);
   return std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
+}
+
+std::size_t lane_count(const config::DaemonSettings& settings) {
+  const std::size_t workers = worker_count(settings);
+  if (settings.batches_in_flight == 0) return kLanesPerWorker * workers;
+  return std::max(static_cast<std::size_t>(settings.batches_in_flight), workers);
 }
 
 std::string worker_name(std::size_t index) {

@@ -11,7 +11,12 @@ namespace loopscope::daemon {
 /// Threads to work with: the setting, or one per core.
 [[nodiscard]] std::size_t worker_count(const config::DaemonSettings& settings);
 
-/// The name that worker `index` of this process signs its claims with: host/pid/index.
+/// Lanes that share them: the setting, or two for each, so that one fetches and writes while the
+/// other analyses. Never fewer than the workers.
+[[nodiscard]] std::size_t lane_count(const config::DaemonSettings& settings);
+
+[[nodiscard]] std::string host_name();
+/// The name that lane `index` of this process signs its claims with: host/pid/index.
 [[nodiscard]] std::string worker_name(std::size_t index);
 
 /// `sum` grown by `more`.

@@ -5,11 +5,6 @@
 namespace loopscope::storage {
 namespace {
 
-/// NULL reads as "": the catalogue's word for "not recorded".
-std::string read_text(const pqxx::field& field) {
-  return field.is_null() ? "" : field.c_str();
-}
-
 std::optional<core::signal::OpRange> read_op_range(const pqxx::row& row) {
   const std::optional<double> low = read_number(row["op_low"]);
   const std::optional<double> high = read_number(row["op_high"]);
@@ -18,6 +13,10 @@ std::optional<core::signal::OpRange> read_op_range(const pqxx::row& row) {
 }
 
 }  // namespace
+
+std::string read_text(const pqxx::field& field) {
+  return field.is_null() ? "" : field.c_str();
+}
 
 std::optional<std::int64_t> read_integer(const pqxx::field& field) {
   if (field.is_null()) return std::nullopt;

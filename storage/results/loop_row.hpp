@@ -3,10 +3,14 @@
 #include <cstdint>
 #include <optional>
 #include <pqxx/pqxx>
+#include <string>
 
 #include "storage/catalogue_entry.hpp"
 
 namespace loopscope::storage {
+
+/// A text; "" for NULL, the catalogue's word for "not recorded".
+[[nodiscard]] std::string read_text(const pqxx::field& field);
 
 /// A whole number; nullopt for NULL.
 [[nodiscard]] std::optional<std::int64_t> read_integer(const pqxx::field& field);

@@ -23,7 +23,8 @@ std::vector<ClaimedLoop> claim(Session& session, const Statement& statement,
   claimed.reserve(rows.size());
   for (const pqxx::row& row : rows) {
     claimed.push_back({read_loop(row), row["fence"].as<std::int64_t>(), row["attempts"].as<int>(),
-                       row["now_us"].as<std::int64_t>(), read_integer(row["last_slot_end_us"])});
+                       row["now_us"].as<std::int64_t>(), read_integer(row["last_slot_end_us"]),
+                       read_text(row["last_verdict"])});
   }
   return claimed;
 }
@@ -209,6 +210,20 @@ void ResultsDatabase::set_parameter(const std::string& name, double value) {
                           "SELECT name, description FROM loopscope.parameter lists them",
                           Remedy::give_up);
     }
+  });
+}
+
+void ResultsDatabase::add_stage_cost(const CostBearer& bearer, const StageCost& cost) {
+  std::vector<std::string> parameters{make_storable(bearer.host), std::to_string(bearer.lane)};
+  for (const std::size_t count : {cost.loops, cost.analysed, cost.modelled, cost.values}) {
+    parameters.push_back(std::to_string(count));
+  }
+  for (const double seconds : {cost.claim_s, cost.fetch_s, cost.prepare_s, cost.statistics_s,
+                               cost.model_s, cost.decide_s, cost.write_s, cost.wait_s}) {
+    parameters.push_back(number_text(seconds));
+  }
+  impl_->session.transact([&](Transaction& transaction) {
+    transaction.run(statements::kAddStageCost, parameters);
   });
 }
 

@@ -14,6 +14,7 @@
 #include "storage/connection_settings.hpp"
 #include "storage/data_problem.hpp"
 #include "storage/error.hpp"
+#include "storage/stage_cost.hpp"
 
 namespace loopscope::storage {
 
@@ -24,6 +25,7 @@ struct ClaimedLoop {
   int attempts = 0;                  ///< failures in a row before this claim, lost leases included
   std::int64_t database_now_us = 0;  ///< the database's clock at the claim
   std::optional<std::int64_t> last_slot_end_us;  ///< newest slot that was completed
+  std::string last_verdict = "";                 ///< code of the newest one; empty = none yet
 };
 
 /// A claimed loop that was brought to its end: give it back, with or without a new row.
@@ -103,6 +105,8 @@ class ResultsDatabase {
   [[nodiscard]] std::size_t count_enabled_loops();
   /// Stores the settings that the views compute with (table loopscope.parameter).
   void set_parameter(const std::string& name, double value);
+  /// Adds to the bearer's cost of the running hour (table loopscope.stage_cost).
+  void add_stage_cost(const CostBearer& bearer, const StageCost& cost);
 
  private:
   struct Impl;

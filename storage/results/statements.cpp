@@ -24,11 +24,15 @@ namespace {
   "                      ELSE 'the lease of ' || s.owner || ' ended without a result' END"      \
   "  WHERE s.loop_id = ANY (ARRAY(" CHOICE                                                      \
   "))"                                                                                          \
-  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end) "                               \
+  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end, s.result_slot_end) "                               \
   "SELECT " LOOPSCOPE_LOOP_COLUMNS                                                              \
   ","                                                                                           \
   "  claimed.fence, claimed.attempts, (extract(epoch FROM now()) * 1000000)::bigint AS now_us," \
-  "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us "        \
+  "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us,"        \
+  "  (SELECT verdict.code FROM loopscope.verdict"                                               \
+  "   WHERE verdict.loop_id = claimed.loop_id AND verdict.slot_end = claimed.result_slot_end"   \
+  "   ORDER BY verdict.algorithm_revision DESC, verdict.input_revision DESC LIMIT 1)"           \
+  "  AS last_verdict "                                                                          \
   "FROM claimed JOIN loopscope.loop USING (loop_id) ORDER BY loop_id"
 
 }  // namespace
@@ -148,6 +152,24 @@ const Statement kNoteProblems{"note_problems", R"(
     WHERE kept.last_slot <= EXCLUDED.last_slot)",
                               Rows::none};
 
+const Statement kAddStageCost{"add_stage_cost", R"(
+    INSERT INTO loopscope.stage_cost AS kept
+      (hour, host, lane, loops, analysed, modelled, sample_values, claim_s, fetch_s, prepare_s,
+       statistics_s, model_s, decide_s, write_s, wait_s)
+    VALUES (date_trunc('hour', now()), $1, $2::integer, $3::bigint, $4::bigint, $5::bigint,
+            $6::bigint, $7::float8, $8::float8, $9::float8, $10::float8, $11::float8, $12::float8,
+            $13::float8, $14::float8)
+    ON CONFLICT (hour, host, lane) DO UPDATE SET
+      loops = kept.loops + EXCLUDED.loops, analysed = kept.analysed + EXCLUDED.analysed,
+      modelled = kept.modelled + EXCLUDED.modelled,
+      sample_values = kept.sample_values + EXCLUDED.sample_values,
+      claim_s = kept.claim_s + EXCLUDED.claim_s, fetch_s = kept.fetch_s + EXCLUDED.fetch_s,
+      prepare_s = kept.prepare_s + EXCLUDED.prepare_s,
+      statistics_s = kept.statistics_s + EXCLUDED.statistics_s,
+      model_s = kept.model_s + EXCLUDED.model_s, decide_s = kept.decide_s + EXCLUDED.decide_s,
+      write_s = kept.write_s + EXCLUDED.write_s, wait_s = kept.wait_s + EXCLUDED.wait_s)",
+                               Rows::none};
+
 const Statement kSetParameter{"set_parameter", R"(
     UPDATE loopscope.parameter SET value = $2::float8 WHERE name = $1 RETURNING name)"};
 
@@ -251,6 +273,7 @@ const Statement kCheckRights{"check_rights", R"(
       ('INSERT', 'loopscope.bicoherence_peak', true), ('INSERT', 'loopscope.explanation_step', true),
       ('INSERT', 'loopscope.verdict', true), ('DELETE', 'loopscope.verdict', false),
       ('INSERT', 'loopscope.standing_problem', true), ('UPDATE', 'loopscope.standing_problem', true),
+      ('INSERT', 'loopscope.stage_cost', true), ('UPDATE', 'loopscope.stage_cost', true),
       ('SELECT', 'loopscope.parameter', true), ('UPDATE', 'loopscope.parameter', true),
       ('SELECT', 'loopscope.schema_migration', true),
       ('USAGE', 'sequence loopscope.analysis_id', true)

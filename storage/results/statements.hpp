@@ -22,6 +22,7 @@ extern const Statement kInsertPeaks;     ///< keys, ranks, f1, f2, bic2, p
 extern const Statement kInsertSteps;     ///< keys, models as JSON objects with "steps"
 extern const Statement kNoteProblems;    ///< loop_ids, codes, roles, slots, ... (arrays)
 extern const Statement kSetParameter;    ///< name, value
+extern const Statement kAddStageCost;    ///< host, lane, then StageCost member by member
 
 // catalogue
 extern const Statement kListLoops;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/diagnosis/diagnose.hpp"
+#include "core/diagnosis/gather_evidence.hpp"
+#include "core/simulate/scenario.hpp"
 
 namespace loopscope::core {
 namespace {
@@ -22,6 +24,24 @@ TEST(LoopModel, TheSwitchLeavesItOut) {
   AnalysisSettings settings;
   settings.fit_model = false;
   EXPECT_FALSE(diagnose(window(), settings).evidence.model.has_value());
+}
+
+TEST(LoopModel, CauseIsWhateverTheStatisticsCallUnhealthy) {
+  const auto cause = [](std::string_view scenario) {
+    const simulate::LoopRecord record = simulate::simulate_scenario(scenario, {}, 3);
+    signal::LoopWindow loop;
+    loop.sp = record.sp;
+    loop.pv = record.pv;
+    loop.op = record.op;
+    loop.op_range = signal::OpRange{0.0, 100.0};
+    const Evidence evidence = gather_evidence(first_look(loop, {}), {}, {});
+    return gives_cause_for_a_model(evidence, {});
+  };
+  EXPECT_FALSE(cause("healthy_flow"));
+  EXPECT_FALSE(cause("paper_5_1"));
+  EXPECT_TRUE(cause("sticking_valve"));
+  EXPECT_TRUE(cause("outside_oscillation"));
+  EXPECT_TRUE(cause("sluggish_tuning"));
 }
 
 TEST(LoopModel, NoModelOfDataThatCannotBeJudged) {

@@ -9,9 +9,9 @@ namespace loopscope::core::signal {
 namespace {
 
 TEST(Median, IsTheMiddleWhateverTheOrder) {
-  EXPECT_EQ(median({3.0, 1.0, 2.0}), 2.0);
-  EXPECT_EQ(median({7.0}), 7.0);
-  EXPECT_EQ(median({4.0, 1.0, 3.0, 2.0}), 3.0);
+  EXPECT_EQ(median(std::vector<double>{3.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(median(std::vector<double>{7.0}), 7.0);
+  EXPECT_EQ(median(std::vector<double>{4.0, 1.0, 3.0, 2.0}), 3.0);
 }
 
 TEST(Median, DeviationGivesTheSpreadOfGaussianValues) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <random>
 
 namespace loopscope::daemon {
 namespace {
@@ -67,6 +68,52 @@ TEST(AnalyseWindow, WithoutASlowLookNothingIsStoredOfOne) {
 TEST(AnalyseWindow, TheModelIsStoredWhereThereIsOne) {
   const storage::AnalysisRecord record = analyse_window({}, input_of(0), {}, "{}");
   EXPECT_EQ(record.model_json.empty(), !record.diagnosis.evidence.model.has_value());
+}
+
+/// A slow wave gives cause; white noise does not.
+LoopInput noise_input() {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  LoopInput input;
+  core::signal::LoopWindow& window = input.at_slot.window;
+  for (int k = 0; k < 4096; ++k) {
+    window.pv.push_back(50.0 + normal(random));
+    window.op.push_back(50.0 + normal(random));
+  }
+  window.sp.assign(4096, 50.0);
+  input.first = core::first_look(window, {});
+  return input;
+}
+
+TEST(AnalyseWindow, AModelOnlyWhereThereIsCauseWhenThatIsTheWish) {
+  const LoopInput quiet = noise_input();
+  const storage::AnalysisRecord always = analyse_window({}, quiet, {}, "{}", ModelWish::always);
+  const storage::AnalysisRecord spared =
+      analyse_window({}, quiet, {}, "{}", ModelWish::where_there_is_cause);
+  EXPECT_TRUE(always.model_ms.has_value());
+  EXPECT_FALSE(spared.model_ms.has_value());
+  EXPECT_TRUE(spared.model_json.empty());
+  EXPECT_EQ(always.diagnosis.verdict.code, core::diagnosis::VerdictCode::healthy);
+  EXPECT_EQ(spared.diagnosis.verdict.code, core::diagnosis::VerdictCode::healthy);
+  EXPECT_EQ(always.input_digest, spared.input_digest);
+
+  LoopInput waving = noise_input();
+  for (std::size_t k = 0; k < 4096; ++k) {
+    waving.at_slot.window.pv[k] += 8.0 * std::sin(0.1 * static_cast<double>(k));
+  }
+  waving.first = core::first_look(waving.at_slot.window, {});
+  EXPECT_TRUE(
+      analyse_window({}, waving, {}, "{}", ModelWish::where_there_is_cause).model_ms.has_value());
+}
+
+TEST(AnalyseWindow, TheStagesAreTimed) {
+  LoopInput input = noise_input();
+  input.first_look_ms = 1.5;
+  const storage::AnalysisRecord record = analyse_window({}, input, {}, "{}");
+  EXPECT_EQ(record.prepare_ms, 1.5);
+  EXPECT_GT(record.statistics_ms, 0.0);
+  EXPECT_GT(*record.model_ms, 0.0);
+  EXPECT_GE(record.analyse_ms, record.prepare_ms + record.statistics_ms + *record.model_ms);
 }
 
 /// What a first look throws, the analysis of that loop throws.

@@ -100,6 +100,9 @@ TEST_F(AnalysisColumnsTest, EveryFigureLandsInItsOwnColumn) {
   Numberer number;
   number("fetch_ms", record.fetch_ms);
   number("analyse_ms", record.analyse_ms);
+  number("prepare_ms", record.prepare_ms);
+  number("statistics_ms", record.statistics_ms);
+  number("model_ms", record.model_ms);
   number("samples", record.samples);
   number("interval_s", record.sample_interval_s);
   number("missing_fraction", evidence.data_quality.missing_fraction);

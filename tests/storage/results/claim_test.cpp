@@ -58,7 +58,27 @@ TEST_F(ClaimTest, BringsTheWholeCatalogueEntry) {
   EXPECT_EQ(claimed[0].fence, 1);
   EXPECT_EQ(claimed[0].attempts, 0);
   EXPECT_EQ(claimed[0].last_slot_end_us, std::nullopt);
+  EXPECT_EQ(claimed[0].last_verdict, "");
   EXPECT_NEAR(static_cast<double>(claimed[0].database_now_us - loop.registered_us), 0.0, 60e6);
+}
+
+/// The newest slot's, as it was revised last, and not that of an older slot.
+TEST_F(ClaimTest, BringsTheLastVerdict) {
+  add_loops({"a"});
+  ResultsDatabase results = connect();
+  const auto finish = [&](int hour, const char* digest, core::diagnosis::VerdictCode code) {
+    CompletedLoop loop = completed(claim_all(results).at(0), slot(hour), digest);
+    loop.record->diagnosis.verdict.code = code;
+    results.finish(std::vector{loop}, {});
+    database->execute("UPDATE loopscope.schedule SET visible_at = now() - interval '1 second'");
+  };
+  using enum core::diagnosis::VerdictCode;
+  finish(1, "d1", valve_stiction);
+  finish(2, "d2", healthy);
+  EXPECT_EQ(claim_all(results).at(0).last_verdict, "healthy");
+  database->execute("UPDATE loopscope.schedule SET visible_at = now() - interval '1 second'");
+  finish(2, "d3", tight_tuning);
+  EXPECT_EQ(claim_all(results).at(0).last_verdict, "tight_tuning");
 }
 
 TEST_F(ClaimTest, TakesOnlyEnabledLoopsThatAreDue) {

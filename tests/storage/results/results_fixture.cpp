@@ -35,6 +35,9 @@ AnalysisRecord record_at(std::int64_t slot_end_us, const std::string& digest) {
   record.settings_json = R"({"hos": {"segment_length": 64}})";
   record.fetch_ms = 1.5;
   record.analyse_ms = 2.5;
+  record.prepare_ms = 0.25;
+  record.statistics_ms = 0.5;
+  record.model_ms = 1.75;
   core::Evidence& evidence = record.diagnosis.evidence;
   evidence.data_quality.usable = true;
   evidence.data_quality.flags = {"sp_missing", "a \"quoted\", odd {flag}\\"};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,22 +10,28 @@
 
 #include "config/settings.hpp"
 #include "daemon/failure.hpp"
-#include "daemon/service/fault_log.hpp"
-#include "daemon/service/historian_pool.hpp"
+#include "daemon/service/cost_book.hpp"
+#include "daemon/service/lane_tools.hpp"
 #include "daemon/service/read_visits.hpp"
 #include "daemon/service/slot.hpp"
 #include "storage/results/results_database.hpp"
+#include "storage/stage_cost.hpp"
 
 namespace loopscope::daemon {
 
-/// One worker: its own connection to the results, used by one thread at a time; those to the
-/// historians are lent by a pool that all workers share. Claims loops, fetches their windows,
-/// analyses them and writes the results back; a fault of one loop or one historian sets those loops
-/// aside and stops nothing else. A dead connection is thrown away and made anew at the next use.
-class Worker {
+/// One lane of work: claims a batch of loops, fetches their windows, analyses them and writes the
+/// results back, then the next batch. There are more lanes than cores, so that some fetch and write
+/// while others analyse; as many as there are cores analyse at a time (CoreGate), and memory holds
+/// one batch a lane, whatever the number of loops.
+///
+/// Each has its own connection to the results, used by one thread at a time; those to the
+/// historians are lent by a pool. A fault of one loop or one historian sets those loops aside and
+/// stops nothing else. A dead connection is thrown away and made anew at the next use.
+class Lane {
  public:
-  Worker(std::shared_ptr<const config::Settings> settings, std::string owner, SlotRule slot_rule,
-         FaultLog& faults, HistorianPool& historians);
+  /// `index` tells the lanes of a process apart.
+  Lane(std::shared_ptr<const config::Settings> settings, std::size_t index, SlotRule slot_rule,
+       LaneTools& tools);
 
   /// Claims loops that are due. Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
@@ -37,6 +44,10 @@ class Worker {
   [[nodiscard]] const std::shared_ptr<const config::Settings>& settings() const {
     return settings_;
   }
+  /// Where the time went since this lane was made.
+  [[nodiscard]] const storage::StageCost& cost() const { return costs_.sum(); }
+  /// Stores what of that is not stored yet. Throws storage::DatabaseError.
+  void store_cost();
   /// Why loops were set aside, the first time that any was; nullopt = none was.
   [[nodiscard]] const std::optional<Failure>& first_failure() const { return first_failure_; }
   /// Calls `use(storage::ResultsDatabase&)`, connecting when there is no connection; a dead one is
@@ -52,6 +63,7 @@ class Worker {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
   using Claims = std::vector<const storage::ClaimedLoop*>;
   struct Batch {
     std::vector<LoopVisit> visits;
@@ -59,31 +71,43 @@ class Worker {
     StoredAnalyses stored;
     std::vector<storage::CompletedLoop> completed;
     std::vector<storage::FailedLoop> failed;
+    storage::StageCost cost = {};
   };
 
   storage::ResultsDatabase& results();
   [[nodiscard]] std::vector<std::pair<std::string, Claims>> by_source(
       const std::vector<storage::ClaimedLoop>& claims);
+  template <typename Claim>
+  std::vector<storage::ClaimedLoop> timed_claim(Claim claim);
   storage::WriteCount process_source(const std::string& source, const Claims& claims);
+  /// Reads all that the batch needs; false when that failed and the loops were set aside.
+  bool fetch(const std::string& source, const Claims& claims, Batch& batch);
   /// Runs `read` on a connection to the source; false when that failed and the loops were set
   /// aside.
   template <typename Read>
   bool with_source(const std::string& source, const Claims& claims, Batch& batch, Read read);
   bool read_newest(const std::string& source, const Claims& claims, Batch& batch);
   bool read_earlier(const std::string& source, const Claims& claims, Batch& batch);
+  [[nodiscard]] std::size_t enabled_loops();
   [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopVisit>& visits);
   void set_aside(const std::string& source, const Failure& failure, const Claims& claims,
                  Batch& batch);
   void analyse(Batch& batch);
+  void complete(const LoopVisit& visit, const AnalysisOrders& orders, Batch& batch);
+  storage::WriteCount write(Batch& batch);
+  void store_cost(bool at_once);
 
   std::shared_ptr<const config::Settings> settings_;
   std::string settings_json_;  ///< provenance of every analysis
+  std::size_t index_;
   std::string owner_;
   SlotRule slot_rule_;
-  FaultLog& faults_;
+  LaneTools& tools_;
   std::optional<Failure> first_failure_;
-  HistorianPool& historians_;
   std::optional<storage::ResultsDatabase> results_;
+  CostBook costs_;
+  std::size_t enabled_loops_ = 0;
+  std::optional<Clock::time_point> counted_at_;
 };
 
 }  // namespace loopscope::daemon

@@ -1,0 +1,124 @@
+#include "core/diagnosis/gather_evidence.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "core/diagnosis/archive_null.hpp"
+#include "core/diagnosis/steady_error.hpp"
+#include "core/signal/spread.hpp"
+
+namespace loopscope::core {
+namespace {
+
+/// Findings on fewer segments carry the flag `short`.
+constexpr std::size_t kShortSegments = 32;
+
+std::string unusable_segments(std::size_t segments, const signal::PreparedLoop& loop) {
+  const auto spread = signal::measure_spread(loop.error);
+  if (spread && spread->constant()) return "the error does not vary";
+  return "the gaps leave " + std::to_string(segments) + " unbroken segments, at least " +
+         std::to_string(kMinSegments) + " are needed";
+}
+
+void add_flag(signal::DataQuality& quality, const char* flag) {
+  if (std::ranges::find(quality.flags, flag) == quality.flags.end()) {
+    quality.flags.emplace_back(flag);
+  }
+}
+
+/// The figures stay, the p-values do not.
+void refuse_tests(hos::Result& result) {
+  result.ngi_p.reset();
+  result.nli_p.reset();
+  result.cubic_p.reset();
+  result.nonlinear_p.reset();
+  result.coupling = hos::Coupling::none_found;
+  for (hos::Peak& peak : result.peaks) peak.p.reset();
+}
+
+/// What was found odd about the error, and what follows from it.
+void note(const SteadyError& steady, signal::DataQuality& quality) {
+  if (steady.flag != nullptr) add_flag(quality, steady.flag);
+  if (!steady.stationary) add_flag(quality, "not_stationary");
+  quality.stretch = steady.stretch;
+  if (steady.refusal.empty()) return;
+  quality.refusals.push_back(steady.refusal);
+  add_flag(quality, "tests_refused");
+}
+
+void measure_statistics(const signal::PreparedLoop& loop, const AnalysisSettings& settings,
+                        std::uint64_t seed, Evidence& evidence) {
+  signal::DataQuality& quality = evidence.data_quality;
+  const SteadyError steady = steady_error(loop, settings.hos, seed);
+  note(steady, quality);
+  evidence.hos = hos::analyse(steady.error, settings.hos, seed);
+  if (evidence.hos && !quality.refusals.empty()) {
+    refuse_tests(*evidence.hos);
+  } else if (evidence.hos && loop.archive == signal::Archive::swinging_door) {
+    allow_for_door(steady.error, loop.band, settings.hos, seed, *evidence.hos);
+  }
+  const std::size_t segments = evidence.hos ? evidence.hos->segments : 0;
+  if (segments < kMinSegments) {
+    evidence.hos.reset();
+    quality.usable = false;
+    quality.reason = unusable_segments(segments, loop);
+  } else if (segments < kShortSegments) {
+    add_flag(quality, "short");
+  }
+}
+
+void measure_shapes(const FirstLook& first, Evidence& evidence) {
+  const signal::PreparedLoop& loop = first.loop;
+  evidence.shape = loop::measure_shape({loop.error, loop.pv, loop.op_percent, loop.mv_percent,
+                                        first.period_samples(), evidence.integrating});
+  evidence.valve_gain = loop::measure_valve_gain(loop.pv, loop.op_percent);
+}
+
+SteadyError long_error(const signal::LoopWindow& window, double interval_s,
+                       const AnalysisSettings& settings, std::uint64_t seed) {
+  if (window.sample_interval_s != interval_s) {
+    throw std::invalid_argument("the long window has another sample interval than the window");
+  }
+  signal::PrepareSettings prepare = settings.prepare;
+  prepare.window_samples = window.size();
+  return steady_error(signal::prepare(window, prepare), settings.hos, seed);
+}
+
+void look_slowly(const FirstLook& first, const AnalysisSettings& settings, std::uint64_t seed,
+                 const signal::LoopWindow* long_window, Evidence& evidence) {
+  const std::optional<double> period = first.period_samples();
+  if (!period || !hos::needs_slow_look(*period, settings.hos)) return;
+  const SteadyError steady =
+      long_window ? long_error(*long_window, first.loop.sample_interval_s, settings, seed)
+                  : steady_error(first.loop, settings.hos, seed);
+  evidence.hos_slow = hos::look_slowly(steady.error, *period, settings.hos, seed);
+  const bool refused = !evidence.data_quality.refusals.empty() || !steady.refusal.empty();
+  if (evidence.hos_slow && refused) {
+    refuse_tests(evidence.hos_slow->result);
+  }
+}
+
+}  // namespace
+
+Evidence gather_evidence(const FirstLook& first, const AnalysisSettings& settings,
+                         const LoopFacts& facts, const signal::LoopWindow* long_window) {
+  const signal::PreparedLoop& loop = first.loop;
+  Evidence evidence;
+  evidence.data_quality = loop.quality;
+  evidence.integrating = facts.integrating;
+  evidence.oscillation = first.oscillation;
+  evidence.slow_span_samples = first.slow_span_samples;
+  evidence.performance =
+      loop::measure_performance(loop.error, loop.op_percent, loop.mode, loop.sample_interval_s,
+                                loop.op_range_known, settings.performance);
+  if (evidence.data_quality.usable) {
+    measure_statistics(loop, settings, facts.seed, evidence);
+    measure_shapes(first, evidence);
+    if (evidence.hos) look_slowly(first, settings, facts.seed, long_window, evidence);
+  }
+  return evidence;
+}
+
+}  // namespace loopscope::core

@@ -1,0 +1,30 @@
+#include "daemon/service/work_report.hpp"
+
+#include <spdlog/spdlog.h>
+#include <utility>
+
+#include "daemon/service/cost_text.hpp"
+#include "daemon/service/workforce.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+constexpr std::chrono::minutes kSayEvery{1};
+
+}  // namespace
+
+void WorkReport::add(const storage::WriteCount& count, const storage::StageCost& cost) {
+  daemon::add(count_, count);
+  cost_ = cost;
+  if (Clock::now() - said_at_ >= kSayEvery) say();
+}
+
+void WorkReport::say() {
+  said_at_ = Clock::now();
+  const storage::StageCost since = difference(cost_, told_);
+  if (since.loops == 0) return;
+  spdlog::info("{}; {}", count_text(std::exchange(count_, {})), cost_text(since));
+  told_ = cost_;
+}
+
+}  // namespace loopscope::daemon

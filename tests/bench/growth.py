@@ -1,0 +1,198 @@
+"""What an analysis slot costs with more and more loops, and what that says for a million.
+
+Every catalogue gets two slots a day apart. The first, by `once`, finds empty tables; the second, by
+the daemon (`run`), is what every later slot costs: rows of a day more in the historian, the slot
+before checked for late rows, models for the flagged loops and for a tenth of the others.
+"""
+
+import argparse
+import json
+import sys
+import time
+
+import plant
+from measure import PROGRAM, RunningProgram, run_program, stage_breakdown
+
+MILLION = 1_000_000
+SECONDS_A_DAY = 86400
+# Larger catalogues than this share of the costs are their loops' own: the law is fitted to them.
+LARGE = 1000
+TODAY = "date_trunc('day', now())"
+
+
+def say(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+def database_bytes(results):
+    return int(results.sql("SELECT pg_database_size(current_database())")[0][0])
+
+
+def wal_position(server):
+    return int(server.sql("SELECT pg_wal_lsn_diff(pg_current_wal_lsn(), '0/0')::bigint")[0][0])
+
+
+class Meter:
+    """What a slot takes from the two servers."""
+
+    def __init__(self, historian, results):
+        self.historian, self.results = historian, results
+        self.start = self._now()
+
+    def _now(self):
+        server = self.results.server
+        return (self.historian.cpu_s(), server.cpu_s(), database_bytes(self.results),
+                wal_position(server))
+
+    def read(self):
+        names = ("historian_cpu_s", "results_cpu_s", "results_bytes", "wal_bytes")
+        return {name: now - then for name, now, then in zip(names, self._now(), self.start)}
+
+
+def first_slot(historian, results):
+    meter = Meter(historian, results)
+    done = run_program("once", "--config", results.settings)
+    results.sql("VACUUM ANALYZE")
+    return done | meter.read()
+
+
+def left_to_do(results):
+    return int(results.sql(f"SELECT count(*) FROM loopscope.schedule WHERE last_slot_end < {TODAY}")
+               [0][0])
+
+
+def later_slot(historian, results, loops):
+    """The daemon from its start until every loop has today's slot, then told to stop."""
+    results.sql("UPDATE loopscope.schedule SET visible_at = now();"
+                " TRUNCATE loopscope.stage_cost")
+    meter = Meter(historian, results)
+    daemon = RunningProgram("run", "--config", results.settings)
+    while left_to_do(results) > 0:
+        daemon.look()
+        time.sleep(max(0.2, loops / 20000))
+    daemon.stop()
+    done = daemon.wait()
+    elapsed = results.sql("SELECT extract(epoch FROM max(analysed_at) - min(analysed_at))"
+                          f" FROM loopscope.analysis WHERE slot_end = {TODAY}")[0][0]
+    return done | {"elapsed_s": float(elapsed), "stages": stage_breakdown(results)} | meter.read()
+
+
+def per_loop(slot, loops):
+    """Milliseconds of CPU and bytes, a loop."""
+    cpu = {key.replace("cpu_s", "cpu_ms"): 1e3 * slot[key] / loops
+           for key in ("cpu_s", "historian_cpu_s", "results_cpu_s")}
+    return {**cpu, "all_cpu_ms": sum(cpu.values()),
+            "results_bytes": slot["results_bytes"] / loops, "wal_bytes": slot["wal_bytes"] / loops}
+
+
+def fit_law(points):
+    """Least squares of cost = fixed + each * loops, every point's relative error alike."""
+    weight = [1.0 / cost ** 2 for _, cost in points]
+    s = sum(weight)
+    sx = sum(w * n for w, (n, _) in zip(weight, points))
+    sy = sum(w * y for w, (_, y) in zip(weight, points))
+    sxx = sum(w * n * n for w, (n, _) in zip(weight, points))
+    sxy = sum(w * n * y for w, (n, y) in zip(weight, points))
+    each = (s * sxy - sx * sy) / (s * sxx - sx * sx) if len(points) > 1 else sy / sx
+    fixed = (sy - each * sx) / s if len(points) > 1 else 0.0
+    return {"fixed": fixed, "each": each,
+            "largest_error": max(abs(fixed + each * n - y) / y for n, y in points)}
+
+
+def laws_of(sizes):
+    laws = {}
+    for key, cost in (("cpu_s", lambda slot: slot["cpu_s"]),
+                      ("historian_cpu_s", lambda slot: slot["historian_cpu_s"]),
+                      ("results_cpu_s", lambda slot: slot["results_cpu_s"]),
+                      ("all_cpu_s", lambda slot: slot["cpu_s"] + slot["historian_cpu_s"]
+                       + slot["results_cpu_s"]),
+                      ("results_bytes", lambda slot: slot["results_bytes"])):
+        laws[key] = fit_law([(size["loops"], cost(size["later"])) for size in sizes])
+    return laws
+
+
+def for_a_million(laws, period_s):
+    """Cores that are busy all the time, and what the results grow by in a year."""
+    slots_a_day = SECONDS_A_DAY / period_s
+    cores = {key.replace("_cpu_s", "_cores").replace("cpu_s", "program_cores"):
+             laws[key]["each"] * MILLION / period_s
+             for key in ("cpu_s", "historian_cpu_s", "results_cpu_s")}
+    return {"period_s": period_s, **cores,
+            "results_gb_a_year": laws["results_bytes"]["each"] * MILLION * slots_a_day * 365 / 1e9}
+
+
+def flatness(sizes):
+    """Largest over smallest cost a loop, less one, over the catalogues that are large."""
+    costs = [per_loop(size["later"], size["loops"])["all_cpu_ms"] for size in sizes
+             if size["loops"] >= LARGE]
+    return max(costs) / min(costs) - 1.0 if costs else None
+
+
+def measure(counts):
+    schedule = {"model_all_up_to": 0}  # turns at every size, so that sizes can be compared
+    with plant.Workshop() as shop:
+        historian, server = shop.server(), shop.server()
+        plant.load_recordings(historian, PROGRAM, plant.WINDOW + plant.ROWS_A_DAY)
+        plant.make_history(historian)
+        yesterday = f"({TODAY} - interval '1 day')"
+        plant.add_history(historian, plant.RECORDINGS, 0, plant.WINDOW - 1, yesterday)
+        plant.index_history(historian, covering=True)
+        sizes, catalogues = [], []
+        for loops in counts:
+            say(f"{loops} loops, first slot ...")
+            results = plant.Results(server, PROGRAM, historian, shop.folder, loops,
+                                    plant.RECORDINGS, schedule)
+            catalogues.append(results)
+            sizes.append({"loops": loops, "first": first_slot(historian, results)})
+        plant.add_history(historian, plant.RECORDINGS, plant.WINDOW,
+                          plant.WINDOW + plant.ROWS_A_DAY - 1, TODAY)
+        plant.index_history(historian, covering=True)
+        for size, results in zip(sizes, catalogues):
+            say(f"{size['loops']} loops, a later slot ...")
+            size["later"] = later_slot(historian, results, size["loops"])
+            results.drop()
+    laws = laws_of(sizes)
+    return {"sizes": sizes, "laws": laws, "flatness": flatness(sizes),
+            "peak_rss_mb": max(size[slot]["rss_mb"] for size in sizes for slot in ("first", "later")),
+            "million": [for_a_million(laws, period) for period in (SECONDS_A_DAY, 3600)]}
+
+
+def table(found):
+    lines = ["| loops | slot | s | loops/s | program ms | historian ms | results ms | all ms |"
+             " kB stored | kB of log | peak MB |", "|" + "---|" * 11]
+    for size in found["sizes"]:
+        for name in ("first", "later"):
+            slot, each = size[name], per_loop(size[name], size["loops"])
+            lines.append(
+                f"| {size['loops']} | {name} | {slot['elapsed_s']:.1f} |"
+                f" {size['loops'] / slot['elapsed_s']:.0f} | {each['cpu_ms']:.2f} |"
+                f" {each['historian_cpu_ms']:.2f} | {each['results_cpu_ms']:.2f} |"
+                f" {each['all_cpu_ms']:.2f} | {each['results_bytes'] / 1e3:.1f} |"
+                f" {each['wal_bytes'] / 1e3:.1f} | {slot['rss_mb']:.0f} |")
+    if found["flatness"] is not None:
+        lines += ["", f"Cost a loop from {LARGE} loops on: flat within {found['flatness']:.1%}"]
+    lines += ["", "| a later slot | fixed | a loop | largest error of the law |", "|---|---|---|---|"]
+    for key, law in found["laws"].items():
+        lines.append(f"| {key} | {law['fixed']:.3g} | {law['each']:.3g} |"
+                     f" {law['largest_error']:.1%} |")
+    for answer in found["million"]:
+        cores = ", ".join(f"{answer[key]:.2f} {key.replace('_', ' ')}" for key in
+                          ("program_cores", "historian_cores", "results_cores"))
+        lines.append(f"\nA million loops every {answer['period_s']} s: {cores};"
+                     f" results {answer['results_gb_a_year']:.0f} GB a year")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="tests/bench/growth", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--json", action="store_true", help="one JSON object")
+    parser.add_argument("--loops", default="100,1000,10000,100000",
+                        help="sizes of the catalogue (100,1000,10000,100000)")
+    options = parser.parse_args()
+    found = measure([int(count) for count in options.loops.split(",")])
+    print(json.dumps(found) if options.json else table(found))
+
+
+if __name__ == "__main__":
+    main()
