@@ -28,9 +28,27 @@ struct LaggedProducts {
   double pairs = 0.0;
 };
 
-LaggedProducts lagged_products(const CoherencePair& pair, std::size_t lag) {
-  LaggedProducts found;
+/// Segments without a gap among them: the one `lag` hops on is `lag` places on.
+LaggedProducts lagged_neighbours(const CoherencePair& pair, std::size_t lag) {
   const std::size_t count = pair.products.size();
+  Complex even;
+  Complex odd;
+  std::size_t s = 0;
+  for (; s + 1 + lag < count; s += 2) {
+    add_product(pair.products[s], pair.products[s + lag], even);
+    add_product(pair.products[s + 1], pair.products[s + 1 + lag], odd);
+  }
+  if (s + lag < count) add_product(pair.products[s], pair.products[s + lag], even);
+  return {even + odd, count > lag ? static_cast<double>(count - lag) : 0.0};
+}
+
+LaggedProducts lagged_products(const CoherencePair& pair, std::size_t lag) {
+  const std::size_t count = pair.products.size();
+  if (count == 0) return {};
+  if (pair.positions.back() - pair.positions.front() + 1 == count) {
+    return lagged_neighbours(pair, lag);
+  }
+  LaggedProducts found;
   for (std::size_t s = 0; s < count; ++s) {
     // Positions increase, so that t is never more than `lag` places on.
     std::size_t t = std::min(s + lag, count - 1);

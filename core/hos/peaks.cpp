@@ -20,6 +20,15 @@ bool is_local_maximum(std::span<const double> bic2, const PrincipalDomain& domai
   return true;
 }
 
+/// Values looked at together: hardly any exceeds the level.
+constexpr std::size_t kBlock = 16;
+
+bool none_above(double level, const double* values) {
+  unsigned above = 0;
+  for (std::size_t i = 0; i < kBlock; ++i) above |= values[i] > level ? 1U : 0U;
+  return above == 0;
+}
+
 double distance(std::size_t a, std::size_t b) {
   return std::abs(static_cast<double>(a) - static_cast<double>(b));
 }
@@ -58,6 +67,10 @@ std::span<const Peak> PeakFinder::find(std::span<const double> bic2, std::size_t
 void PeakFinder::find_candidates(std::span<const double> bic2, double level) {
   candidates_.clear();
   for (std::size_t i = 0; i < bic2.size(); ++i) {
+    if (i % kBlock == 0 && i + kBlock <= bic2.size() && none_above(level, &bic2[i])) {
+      i += kBlock - 1;
+      continue;
+    }
     if (!(bic2[i] > level)) continue;
     const Bifrequency at = domain_.at(i);
     if (is_local_maximum(bic2, domain_, at)) candidates_.push_back({i, at, bic2[i]});
