@@ -12,8 +12,8 @@ inline constexpr std::size_t kAlignment = 64;
 /// Doubles in one cache line; rows are padded to a multiple of it.
 inline constexpr std::size_t kLanes = kAlignment / sizeof(double);
 
-/// Not initialised unless a value is given. Allocates on cache lines: FFTW plans made for one aligned buffer may then run on any other, and
-/// no vector load straddles two lines.
+/// Allocates on cache lines: FFTW plans made for one aligned buffer may then run on any other, and
+/// no vector load straddles two lines. Numbers are not initialised unless a value is given.
 template <typename T>
 struct AlignedAllocator {
   using value_type = T;

@@ -12,8 +12,8 @@ using Complex = std::complex<double>;
 
 /// Adds a* b.
 void add_product(Complex a, Complex b, Complex& sum) {
-  sum += Complex(a.real() * b.real() + a.imag() * b.imag(),
-                 a.real() * b.imag() - a.imag() * b.real());
+  sum +=
+      Complex(a.real() * b.real() + a.imag() * b.imag(), a.real() * b.imag() - a.imag() * b.real());
 }
 
 /// Sums over all ordered pairs of segments that share samples (and each with itself).

@@ -64,8 +64,8 @@ struct Key {
 struct Kept {
   explicit Kept(const Key& key)
       : overlap({.segment_length = key.segment_length,
-                 .overlap = 1.0 - static_cast<double>(key.hop) /
-                                      static_cast<double>(key.segment_length),
+                 .overlap =
+                     1.0 - static_cast<double>(key.hop) / static_cast<double>(key.segment_length),
                  .window = key.window,
                  .dft_length = key.dft_length}) {}
   Overlap overlap;

@@ -72,9 +72,8 @@ std::vector<double> tapered(std::span<const double> signal, std::size_t length,
   line.first = first_finite(signal) * line.factor;
   const TrendSums sums = kernels.sum_trend(signal, line);
   const double determinant = sums.count * sums.place_square - sums.place * sums.place;
-  line.slope = determinant > 0.0
-                   ? (sums.count * sums.moment - sums.place * sums.value) / determinant
-                   : 0.0;
+  line.slope =
+      determinant > 0.0 ? (sums.count * sums.moment - sums.place * sums.value) / determinant : 0.0;
   line.centre = (sums.value - line.slope * sums.place) / std::max(sums.count, 1.0);
   std::vector<double> result(length, 0.0);
   kernels.taper_record(signal, line, result.data());
@@ -122,8 +121,7 @@ double refined(const Periodogram& periodogram, double frequency) {
 
 }  // namespace
 
-std::optional<double> dominant_period(std::span<const double> signal,
-                                      const Kernels& kernels) {
+std::optional<double> dominant_period(std::span<const double> signal, const Kernels& kernels) {
   const auto count = static_cast<double>(signal.size());
   if (count < kFewestCycles * kShortestPeriod) return std::nullopt;
   const std::size_t length = std::bit_ceil(signal.size());

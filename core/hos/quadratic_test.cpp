@@ -17,7 +17,8 @@ namespace {
 using Complex = std::complex<double>;
 
 /// The standard deviation of the mean over the cells, measured over the one of Overlap: its
-/// normalisation by the cells' own powers takes some of the variation away (README, "The triangle").
+/// normalisation by the cells' own powers takes some of the variation away (README, "The
+/// triangle").
 constexpr double kSpreadOfRatio = 0.97;
 /// Cells looked at one by one: the largest conditional evidence is among the largest bic2.
 constexpr std::size_t kExamined = 16;
@@ -105,8 +106,7 @@ double QuadraticTest::evidence(const Bicoherence& bicoherence, Bifrequency at,
                       static_cast<double>(settings_.dft_length);
   segments.correlation.resize(overlap_->lags() + 1);
   for (std::size_t d = 0; d < segments.correlation.size(); ++d) {
-    segments.correlation[d] =
-        std::polar(overlap_->correlation()[d], turn * static_cast<double>(d));
+    segments.correlation[d] = std::polar(overlap_->correlation()[d], turn * static_cast<double>(d));
   }
   return coherence_evidence(
       {segments.products, segments.values, spectra.positions(), segments.correlation});

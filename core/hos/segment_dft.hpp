@@ -67,7 +67,7 @@ struct SegmentBatch {
   double factor;                               ///< what every sample is multiplied by
   const double* window;                        ///< the taper
   double* scratch;                             ///< SegmentDft::scratch_size(), on a cache line
-  double* rows;  ///< the real row of frequency 0 at the first of the segments, on a cache line
+  double* rows;       ///< the real row of frequency 0 at the first of the segments, on a cache line
   std::size_t pitch;  ///< from row to row, as in SpectrumRows
 };
 

@@ -43,14 +43,13 @@ std::vector<double> running_median(const std::vector<double>& values) {
   std::size_t count = 0;
   for (std::size_t next = 0, s = 0; s < values.size(); ++s) {
     if (s > kReach) {
-      auto* const oldest = std::lower_bound(sorted.begin(), sorted.begin() + count,
-                                            values[s - kReach - 1]);
+      auto* const oldest =
+          std::lower_bound(sorted.begin(), sorted.begin() + count, values[s - kReach - 1]);
       std::copy(oldest + 1, sorted.begin() + count, oldest);
       --count;
     }
     for (; next < std::min(values.size(), s + kReach + 1); ++next, ++count) {
-      auto* const place =
-          std::upper_bound(sorted.begin(), sorted.begin() + count, values[next]);
+      auto* const place = std::upper_bound(sorted.begin(), sorted.begin() + count, values[next]);
       std::copy_backward(place, sorted.begin() + count, sorted.begin() + count + 1);
       *place = values[next];
     }

@@ -74,7 +74,7 @@ Found first_pass(const TestedSpectra& tested, const QuadraticTest& test, Signifi
 void second_pass(const TestedSpectra& tested, const QuadraticTest& test, const Found& found,
                  std::uint64_t seed, Significance& result) {
   // The model's squares would overflow or vanish for samples of 1e300 or 1e-300.
-  const std::optional<LinearModel> model = 
+  const std::optional<LinearModel> model =
       LinearModel::fit(scaled_to_unit(tested.signal()), tested.kernels());
   if (!model || model->noise().core() == ResidualNoise::Core::gaussian) return;
   const Replicates drawn(*model, tested, test, result.period_samples, seed);

@@ -81,8 +81,8 @@ void Spectra::resize_rows(std::size_t row_length) {
 }
 
 void Spectra::transform_batch(std::span<const double> signal, std::size_t first) {
-  SegmentBatch batch{{},           1.0 / scale_,         window_.data(), scratch_.data(),
-                     rows_.data() + first, pitch_};
+  SegmentBatch batch{{},    1.0 / scale_, window_.data(), scratch_.data(), rows_.data() + first,
+                     pitch_};
   const std::size_t hop = segment_hop(settings_);
   for (std::size_t i = 0; i < kLanes; ++i) {
     const bool present = first + i < segments_;

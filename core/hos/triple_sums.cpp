@@ -9,8 +9,8 @@ void sum_triples(const Spectra& spectra, TripleSums& sums) {
   sums.real.resize(domain.size());
   sums.imaginary.resize(domain.size());
   sums.power12.resize(domain.size());
-  spectra.kernels().sum_triples(
-      spectra.rows(), {sums.real.data(), sums.imaginary.data(), sums.power12.data()});
+  spectra.kernels().sum_triples(spectra.rows(),
+                                {sums.real.data(), sums.imaginary.data(), sums.power12.data()});
 }
 
 }  // namespace loopscope::core::hos

@@ -2,10 +2,9 @@
 
 #if defined(__x86_64__)
 
-#include <immintrin.h>
-
 #include <algorithm>
 #include <cmath>
+#include <immintrin.h>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -55,20 +54,11 @@ LOOPSCOPE_TARGET inline Vector subtract_product(Vector a, Vector b, Vector c) {
 
 }  // namespace
 
-const Kernels kAvx512Kernels{"avx512",
-                              scan_magnitude,
-                              transform_segments,
-                              sum_each_row,
-                              sum_all_triples,
-                              sum_powers,
-                              sum_trend,
-                              taper_record,
-                              sum_differences,
-                              sum_pairs,
-                              predict_each_other,
-                              subtract_predictions,
-                              apply_taps,
-                              weigh_rows};
+const Kernels kAvx512Kernels{"avx512",     scan_magnitude,     transform_segments,
+                             sum_each_row, sum_all_triples,    sum_powers,
+                             sum_trend,    taper_record,       sum_differences,
+                             sum_pairs,    predict_each_other, subtract_predictions,
+                             apply_taps,   weigh_rows};
 
 }  // namespace loopscope::core::hos
 

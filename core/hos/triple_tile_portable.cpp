@@ -1,5 +1,3 @@
-#include "core/hos/triple_tile.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 
 #include "core/hos/kernels.hpp"
 #include "core/hos/principal_domain.hpp"
+#include "core/hos/triple_tile.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -54,19 +53,10 @@ inline Vector subtract_product(Vector a, Vector b, Vector c) {
 
 }  // namespace
 
-const Kernels kPortableKernels{"portable",
-                              scan_magnitude,
-                              transform_segments,
-                              sum_each_row,
-                              sum_all_triples,
-                              sum_powers,
-                              sum_trend,
-                              taper_record,
-                              sum_differences,
-                              sum_pairs,
-                              predict_each_other,
-                              subtract_predictions,
-                              apply_taps,
-                              weigh_rows};
+const Kernels kPortableKernels{"portable",   scan_magnitude,     transform_segments,
+                               sum_each_row, sum_all_triples,    sum_powers,
+                               sum_trend,    taper_record,       sum_differences,
+                               sum_pairs,    predict_each_other, subtract_predictions,
+                               apply_taps,   weigh_rows};
 
 }  // namespace loopscope::core::hos

@@ -136,8 +136,7 @@ using Job = void (*)(benchmark::State&, const Kernels&);
 
 benchmark::internal::Benchmark* add(const char* stage, Job job, const Kernels& kernels) {
   const std::string name = std::string(stage) + '/' + std::string(kernels.name);
-  return benchmark::RegisterBenchmark(name.c_str(), job, kernels)
-      ->Unit(benchmark::kMicrosecond);
+  return benchmark::RegisterBenchmark(name.c_str(), job, kernels)->Unit(benchmark::kMicrosecond);
 }
 
 const bool kRegistered = [] {

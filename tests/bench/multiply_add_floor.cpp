@@ -16,10 +16,10 @@ constexpr double kFactor = 0.998;
 constexpr double kTerm = 0.001;
 
 // An empty statement that may change the chains: without it they would be computed ahead.
-#define LOOPSCOPE_KEEP(chains)                                                                  \
-  asm volatile(""                                                                               \
-               : "+x"(chains[0]), "+x"(chains[1]), "+x"(chains[2]), "+x"(chains[3]),            \
-                 "+x"(chains[4]), "+x"(chains[5]), "+x"(chains[6]), "+x"(chains[7]),            \
+#define LOOPSCOPE_KEEP(chains)                                                       \
+  asm volatile(""                                                                    \
+               : "+x"(chains[0]), "+x"(chains[1]), "+x"(chains[2]), "+x"(chains[3]), \
+                 "+x"(chains[4]), "+x"(chains[5]), "+x"(chains[6]), "+x"(chains[7]), \
                  "+x"(chains[8]), "+x"(chains[9]), "+x"(chains[10]), "+x"(chains[11]))
 
 #if defined(__x86_64__)

@@ -27,8 +27,8 @@ TEST(HosPairedSpectra, FillsTheRowsByTheDefinition) {
       std::complex<double> sum;
       for (std::size_t n = 0; n < kLength; ++n) {
         const double turn = static_cast<double>(k * n) / kDft;
-        sum += 0.5 * window[n] * (segment[n] - mean) *
-               std::polar(1.0, -2.0 * std::numbers::pi * turn);
+        sum +=
+            0.5 * window[n] * (segment[n] - mean) * std::polar(1.0, -2.0 * std::numbers::pi * turn);
       }
       const double* const row = rows.data() + k * SpectrumRows::kRows * kLanes + i;
       EXPECT_NEAR(row[0], sum.real(), 1e-13);
