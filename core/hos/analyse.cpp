@@ -73,15 +73,15 @@ void add_indices(std::span<const double> bic2, std::size_t segments, const Setti
 }  // namespace
 
 std::optional<Result> analyse(std::span<const double> signal, const Settings& settings,
-                              std::uint64_t seed) {
-  Bicoherence bicoherence(settings);
+                              std::uint64_t seed, const Kernels& kernels) {
+  Bicoherence bicoherence(settings, kernels);
   const std::span<const double> bic2 = bicoherence.estimate(signal);
   if (bic2.empty()) {
     return std::nullopt;
   }
   Result result;
   add_indices(bic2, bicoherence.segments(), settings, result);
-  const Moments shape = moments(signal);
+  const Moments shape = moments(signal, kernels);
   result.skewness = shape.skewness;
   result.excess_kurtosis = shape.excess_kurtosis;
   result.peaks = find_peaks(bic2, bicoherence.segments(), settings);

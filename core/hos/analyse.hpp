@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/hos/kernels.hpp"
 #include "core/hos/settings.hpp"
 
 namespace loopscope::core::hos {
@@ -64,7 +65,9 @@ struct Result {
 /// `seed` drives the simulations of the second pass (significance.hpp): the same seed gives the
 /// same result. May be called from many threads at once.
 /// Throws std::invalid_argument for settings out of range.
+/// `kernels` are those of this processor unless a test or a benchmark asks for others.
 [[nodiscard]] std::optional<Result> analyse(std::span<const double> signal,
-                                            const Settings& settings, std::uint64_t seed = 0);
+                                            const Settings& settings, std::uint64_t seed = 0,
+                                            const Kernels& kernels = best_kernels());
 
 }  // namespace loopscope::core::hos

@@ -19,11 +19,11 @@ namespace loopscope::core::hos {
 /// Other normalisations travel under the same name; this one alone has the null that eq. 9 uses.
 ///
 /// Made once per settings, then used for many signals (replicates of a bootstrap) in the same
-/// buffers; one object per thread.
+/// buffers; one object per thread. No estimate after the first of a length allocates.
 class Bicoherence {
  public:
   /// Throws std::invalid_argument for settings out of range.
-  explicit Bicoherence(const Settings& settings);
+  explicit Bicoherence(const Settings& settings, const Kernels& kernels = best_kernels());
 
   /// Squared bicoherence over domain(), valid until the next call. A bifrequency whose denominator
   /// is no more than rounding noise has 0. Empty when fewer than two segments are complete (bic2
@@ -42,12 +42,14 @@ class Bicoherence {
 
  private:
   std::span<const double> average();
-  /// Says whether any denominator was above zero.
-  bool normalise();
+  /// Of every bifrequency; 0 where a bin has no power. Says whether any is above zero.
+  bool find_denominators();
+  void normalise();
 
   Spectra spectra_;
   PrincipalDomain domain_;
   TripleSums sums_;
+  std::vector<double> has_power_;  // of every bin: 1 or 0
   std::vector<double> bic2_;
 };
 

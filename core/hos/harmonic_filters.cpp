@@ -67,20 +67,25 @@ HarmonicFilters::HarmonicFilters(double period) {
   taps_ = weighted * normal.ldlt().solve(wanted);
 }
 
-HarmonicFilters::Amplitudes HarmonicFilters::apply(std::span<const double> signal) const {
+HarmonicFilters::Amplitudes HarmonicFilters::apply(std::span<const double> signal,
+                                                   const Kernels& kernels) const {
+  static_assert(FilterTaps::kColumns == 2 * kHarmonics);
   Amplitudes result;
-  std::size_t checked = 0;
+  const std::size_t most = signal.size() / hop_ + 1;
+  for (std::vector<Complex>& harmonic : result.harmonics) harmonic.reserve(most);
+  result.positions.reserve(most);
+  const bool complete = kernels.scan(signal).complete;
+  std::size_t checked = complete ? signal.size() : 0;
   std::size_t after_gap = 0;  // one past the last missing sample so far
   for (std::size_t start = 0; start + length() <= signal.size(); start += hop_) {
     for (; checked < start + length(); ++checked) {
       if (!std::isfinite(signal[checked])) after_gap = checked + 1;
     }
     if (start < after_gap) continue;
-    const Eigen::Map<const Eigen::VectorXd> segment(signal.data() + start, taps_.rows());
-    const Eigen::Matrix<double, 6, 1> amplitudes = taps_.transpose() * segment;
+    std::array<double, FilterTaps::kColumns> amplitudes{};
+    kernels.apply_taps({taps_.data(), length()}, signal.data() + start, amplitudes.data());
     for (std::size_t h = 0; h < result.harmonics.size(); ++h) {
-      const auto column = static_cast<Eigen::Index>(2 * h);
-      result.harmonics[h].emplace_back(amplitudes(column), amplitudes(column + 1));
+      result.harmonics[h].emplace_back(amplitudes[2 * h], amplitudes[2 * h + 1]);
     }
     result.positions.push_back(start / hop_);
   }
@@ -90,14 +95,14 @@ HarmonicFilters::Amplitudes HarmonicFilters::apply(std::span<const double> signa
 std::vector<Complex> HarmonicFilters::noise_correlation(std::size_t harmonic) const {
   std::vector<Complex> correlation;
   const auto column = static_cast<Eigen::Index>(2 * (harmonic - 1));
-  const auto tap = [this, column](std::size_t n) {
-    const auto row = static_cast<Eigen::Index>(n);
-    return Complex(taps_(row, column), taps_(row, column + 1));
-  };
   for (std::size_t shift = 0; shift < length(); shift += hop_) {
-    Complex sum;
-    for (std::size_t n = shift; n < length(); ++n) sum += tap(n) * std::conj(tap(n - shift));
-    correlation.push_back(sum);
+    const auto count = static_cast<Eigen::Index>(length() - shift);
+    const auto late_re = taps_.col(column).tail(count);
+    const auto late_im = taps_.col(column + 1).tail(count);
+    const auto early_re = taps_.col(column).head(count);
+    const auto early_im = taps_.col(column + 1).head(count);
+    correlation.emplace_back(late_re.dot(early_re) + late_im.dot(early_im),
+                             late_im.dot(early_re) - late_re.dot(early_im));
   }
   const double power = correlation.front().real();
   for (Complex& value : correlation) value /= power;

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/hos/kernels.hpp"
+
 namespace loopscope::core::hos {
 
 /// Amplitudes of an oscillation's first three harmonics in every segment, by least squares.
@@ -25,7 +27,8 @@ class HarmonicFilters {
     std::array<std::vector<std::complex<double>>, 3> harmonics;  ///< f, 2f, 3f
     std::vector<std::size_t> positions;  ///< of the segments, in hops from the start
   };
-  [[nodiscard]] Amplitudes apply(std::span<const double> signal) const;
+  [[nodiscard]] Amplitudes apply(std::span<const double> signal,
+                                 const Kernels& kernels = best_kernels()) const;
 
   /// The sample in the middle of the segment at a position.
   [[nodiscard]] std::size_t centre(std::size_t position) const {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/hos/coherence_test.hpp"
-#include "core/hos/harmonic_filters.hpp"
 #include "core/hos/magnitude.hpp"
 
 namespace loopscope::core::hos {
@@ -24,29 +23,54 @@ void divide_by(const SegmentLevels& levels, const HarmonicFilters& filters,
   }
 }
 
-/// Of the fundamental to the power `order` in the harmonic `order`.
-double evidence_of(const HarmonicFilters& filters, const HarmonicFilters::Amplitudes& amplitudes,
-                   std::size_t order) {
-  std::vector<Complex> powers = amplitudes.harmonics[0];
-  for (std::size_t s = 0; s < powers.size(); ++s) {
-    for (std::size_t i = 1; i < order; ++i) powers[s] *= amplitudes.harmonics[0][s];
+/// Of the signal over a power of two, since cubes of samples near the limits of double would
+/// overflow. Sums of them do not, but for the last of those limits: the division can wait.
+HarmonicFilters::Amplitudes amplitudes_of(std::span<const double> signal,
+                                          const HarmonicFilters& filters, const Kernels& kernels) {
+  constexpr double kFar = 0x1p900;
+  const double scale = power_of_two_below(kernels.scan(signal).largest);
+  if (scale > kFar || scale < 1.0 / kFar) return filters.apply(scaled_to_unit(signal), kernels);
+  HarmonicFilters::Amplitudes amplitudes = filters.apply(signal, kernels);
+  for (std::vector<Complex>& harmonic : amplitudes.harmonics) {
+    for (Complex& value : harmonic) value /= scale;
   }
-  return coherence_evidence({powers, amplitudes.harmonics[order - 1], amplitudes.positions,
-                             filters.noise_correlation(order)});
+  return amplitudes;
+}
+
+/// Of the fundamental to the power `order` in the harmonic `order`.
+double evidence_of(const HarmonicFilters::Amplitudes& amplitudes, std::size_t order,
+                   std::span<const Complex> correlation) {
+  const std::vector<Complex>& fundamental = amplitudes.harmonics[0];
+  std::vector<Complex> powers = fundamental;
+  for (std::size_t s = 0; s < powers.size(); ++s) {
+    for (std::size_t i = 1; i < order; ++i) powers[s] *= fundamental[s];
+  }
+  return coherence_evidence(
+      {powers, amplitudes.harmonics[order - 1], amplitudes.positions, correlation});
 }
 
 }  // namespace
 
-std::optional<HarmonicStatistics> harmonic_statistics(std::span<const double> signal, double period,
-                                                      const SegmentLevels* levels) {
-  // Cubes of samples near the limits of double would overflow.
-  const std::vector<double> scaled = scaled_to_unit(signal);
-  const HarmonicFilters filters(period);
-  HarmonicFilters::Amplitudes amplitudes = filters.apply(scaled);
+HarmonicTest::HarmonicTest(double period)
+    : period_(period),
+      filters_(period),
+      second_correlation_(filters_.noise_correlation(2)),
+      third_correlation_(filters_.noise_correlation(3)) {}
+
+std::optional<HarmonicStatistics> HarmonicTest::measure(std::span<const double> signal,
+                                                        const SegmentLevels* levels,
+                                                        const Kernels& kernels) const {
+  HarmonicFilters::Amplitudes amplitudes = amplitudes_of(signal, filters_, kernels);
   if (amplitudes.positions.size() < kFewestSegments) return std::nullopt;
-  if (levels != nullptr) divide_by(*levels, filters, amplitudes);
-  return HarmonicStatistics{period, evidence_of(filters, amplitudes, 2),
-                            evidence_of(filters, amplitudes, 3)};
+  if (levels != nullptr) divide_by(*levels, filters_, amplitudes);
+  return HarmonicStatistics{period_, evidence_of(amplitudes, 2, second_correlation_),
+                            evidence_of(amplitudes, 3, third_correlation_)};
+}
+
+std::optional<HarmonicStatistics> harmonic_statistics(std::span<const double> signal, double period,
+                                                      const SegmentLevels* levels,
+                                                      const Kernels& kernels) {
+  return HarmonicTest(period).measure(signal, levels, kernels);
 }
 
 }  // namespace loopscope::core::hos

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <complex>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "core/hos/harmonic_filters.hpp"
 #include "core/hos/segment_levels.hpp"
 
 namespace loopscope::core::hos {
@@ -19,9 +22,28 @@ struct HarmonicStatistics {
 };
 
 /// Coherence of the fundamental's amplitude squared (cubed) with the second (third) harmonic's,
-/// over segments of 1.75 periods. `period` in samples; `levels`, if any, of the signal: each
-/// segment is divided by the level at its centre. nullopt with fewer than four complete segments.
+/// over segments of 1.75 periods. Made once per period and used for many records.
+class HarmonicTest {
+ public:
+  /// `period` in samples.
+  explicit HarmonicTest(double period);
+
+  /// `levels`, if any, of the signal: each segment is divided by the level at its centre. nullopt
+  /// with fewer than four complete segments.
+  [[nodiscard]] std::optional<HarmonicStatistics> measure(
+      std::span<const double> signal, const SegmentLevels* levels = nullptr,
+      const Kernels& kernels = best_kernels()) const;
+
+ private:
+  double period_;
+  HarmonicFilters filters_;
+  std::vector<std::complex<double>> second_correlation_;  // of noise in the second harmonic
+  std::vector<std::complex<double>> third_correlation_;
+};
+
+/// The same, once.
 [[nodiscard]] std::optional<HarmonicStatistics> harmonic_statistics(
-    std::span<const double> signal, double period, const SegmentLevels* levels = nullptr);
+    std::span<const double> signal, double period, const SegmentLevels* levels = nullptr,
+    const Kernels& kernels = best_kernels());
 
 }  // namespace loopscope::core::hos

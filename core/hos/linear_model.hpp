@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/hos/kernels.hpp"
 #include "core/hos/residual_noise.hpp"
 
 namespace loopscope::core::hos {
@@ -20,7 +21,8 @@ class LinearModel {
  public:
   /// NaN and infinity are missing. nullopt when the record has no variance, or fewer than
   /// kFewestResiduals samples that follow their predecessors without a gap.
-  [[nodiscard]] static std::optional<LinearModel> fit(std::span<const double> signal);
+  [[nodiscard]] static std::optional<LinearModel> fit(std::span<const double> signal,
+                                                      const Kernels& kernels = best_kernels());
   static constexpr std::size_t kFewestResiduals = 100;
 
   [[nodiscard]] const std::vector<double>& coefficients() const { return coefficients_; }
@@ -30,6 +32,9 @@ class LinearModel {
   /// its length. The process has mean 0.
   [[nodiscard]] std::vector<double> draw(std::span<const double> like,
                                          std::mt19937_64& random) const;
+  /// The same into `record`, which keeps its memory.
+  void draw(std::span<const double> like, std::mt19937_64& random,
+            std::vector<double>& record) const;
 
  private:
   LinearModel(std::vector<double> coefficients, ResidualNoise noise)

@@ -1,6 +1,5 @@
 #include "core/hos/locked_line.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -42,20 +41,20 @@ double expected_lock(const std::vector<double>& pairs, double turn_per_hop) {
 }  // namespace
 
 double line_lock(const Spectra& spectra) {
-  using Row = Eigen::Map<const Eigen::VectorXd>;
-  const auto row = static_cast<Eigen::Index>(spectra.row_length());
   const std::vector<double> pairs = correlated_pairs(spectra);
   const double turn = 2.0 * std::numbers::pi *
                       static_cast<double>(segment_hop(spectra.settings())) /
                       static_cast<double>(spectra.settings().dft_length);
+  const std::vector<double> real = spectra.sums(0);
+  const std::vector<double> imaginary = spectra.sums(1);
   double largest = 0.0;
   for (std::size_t k = 1; k < spectra.frequencies(); ++k) {
     const double power = spectra.total_power(k);
-    if (!(power > 0.0)) continue;
-    const double real = Row(spectra.real(k), row).sum();
-    const double imaginary = Row(spectra.imaginary(k), row).sum();
+    const double coherent = real[k] * real[k] + imaginary[k] * imaginary[k];
+    // What is expected is at least 1 and takes a cosine: most bins are out without.
+    if (!(power > 0.0) || coherent <= largest * power) continue;
     const double expected = expected_lock(pairs, turn * static_cast<double>(k));
-    largest = std::max(largest, (real * real + imaginary * imaginary) / (power * expected));
+    largest = std::max(largest, coherent / (power * expected));
   }
   return largest;
 }

@@ -12,6 +12,12 @@ inline constexpr double kRoundingUnits = 16.0;
 /// Largest magnitude among the finite samples; 0 when there is none.
 [[nodiscard]] double largest_magnitude(std::span<const double> signal);
 
+/// What one look along a record tells.
+struct MagnitudeScan {
+  double largest = 0.0;  ///< largest_magnitude()
+  bool complete = true;  ///< no sample is missing
+};
+
 /// First sample that is not missing, 0 when all are: a constant less it leaves exact zeros,
 /// whatever its length.
 [[nodiscard]] double first_finite(std::span<const double> signal);

@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "core/hos/kernels.hpp"
+
 namespace loopscope::core::hos {
 
 /// Standardised moments of the finite samples of a record.
@@ -12,6 +14,7 @@ struct Moments {
 
 /// Zeros when no sample is finite or all are equal up to rounding. Missing samples are NaN or
 /// infinity.
-[[nodiscard]] Moments moments(std::span<const double> signal);
+[[nodiscard]] Moments moments(std::span<const double> signal,
+                              const Kernels& kernels = best_kernels());
 
 }  // namespace loopscope::core::hos

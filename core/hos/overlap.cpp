@@ -1,8 +1,10 @@
 #include "core/hos/overlap.hpp"
 
 #include <cmath>
+#include <compare>
 #include <numbers>
 
+#include "core/hos/plan_cache.hpp"
 #include "core/hos/segments.hpp"
 #include "core/hos/window.hpp"
 
@@ -52,7 +54,31 @@ double triple_correlation(const std::vector<std::vector<Complex>>& lags, std::pt
   return std::abs(sum);
 }
 
+/// The settings that an Overlap depends on.
+struct Key {
+  std::size_t segment_length, hop, dft_length;
+  WindowShape window;
+  friend auto operator<=>(const Key&, const Key&) = default;
+};
+
+struct Kept {
+  explicit Kept(const Key& key)
+      : overlap({.segment_length = key.segment_length,
+                 .overlap =
+                     1.0 - static_cast<double>(key.hop) / static_cast<double>(key.segment_length),
+                 .window = key.window,
+                 .dft_length = key.dft_length}) {}
+  Overlap overlap;
+};
+
 }  // namespace
+
+const Overlap& Overlap::of(const Settings& settings) {
+  validate(settings);
+  return cached_plan<Kept>(Key{settings.segment_length, segment_hop(settings), settings.dft_length,
+                               settings.window})
+      .overlap;
+}
 
 std::vector<double> segment_correlation(const std::vector<double>& window, std::size_t hop) {
   std::vector<double> result;

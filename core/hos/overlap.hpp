@@ -29,6 +29,10 @@ class Overlap {
   /// Throws std::invalid_argument for settings out of range.
   explicit Overlap(const Settings& settings);
 
+  /// The same, made at its first use and kept (plan_cache.hpp): it depends on few of the settings,
+  /// and takes as long as a tenth of a bicoherence.
+  [[nodiscard]] static const Overlap& of(const Settings& settings);
+
   /// Hops after which two segments no longer share a sample, less one.
   [[nodiscard]] std::size_t lags() const { return correlation_.size() - 1; }
   /// segment_correlation() of the settings: g_d(0) of d = 0 .. lags().

@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/hos/principal_domain.hpp"
 #include "core/hos/window.hpp"
 
 namespace loopscope::core::hos {
 namespace {
-
-struct Candidate {
-  Bifrequency at;
-  double bic2;
-};
 
 bool is_local_maximum(std::span<const double> bic2, const PrincipalDomain& domain, Bifrequency at) {
   const double value = bic2[domain.index(at)];
@@ -26,17 +20,13 @@ bool is_local_maximum(std::span<const double> bic2, const PrincipalDomain& domai
   return true;
 }
 
-std::vector<Candidate> candidates(std::span<const double> bic2, const PrincipalDomain& domain,
-                                  double level) {
-  std::vector<Candidate> found;
-  for (std::size_t i = 0; i < bic2.size(); ++i) {
-    if (bic2[i] > level && is_local_maximum(bic2, domain, domain.at(i))) {
-      found.push_back({domain.at(i), bic2[i]});
-    }
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.bic2 > b.bic2; });
-  return found;
+/// Values looked at together: hardly any exceeds the level.
+constexpr std::size_t kBlock = 16;
+
+bool none_above(double level, const double* values) {
+  unsigned above = 0;
+  for (std::size_t i = 0; i < kBlock; ++i) above |= values[i] > level ? 1U : 0U;
+  return above == 0;
 }
 
 double distance(std::size_t a, std::size_t b) {
@@ -49,29 +39,59 @@ double peak_level(std::size_t segments, std::size_t bifrequencies, double alpha)
   return std::log(static_cast<double>(bifrequencies) / alpha) / static_cast<double>(segments);
 }
 
+PeakFinder::PeakFinder(const Settings& settings)
+    : settings_(settings),
+      domain_(settings.dft_length),
+      lobe_(main_lobe_half_width(settings.window) * static_cast<double>(settings.dft_length) /
+            static_cast<double>(settings.segment_length)) {
+  candidates_.reserve(domain_.rows());
+  kept_.reserve(settings.max_peaks);
+  peaks_.reserve(settings.max_peaks);
+}
+
+std::span<const Peak> PeakFinder::find(std::span<const double> bic2, std::size_t segments) {
+  find_candidates(bic2, peak_level(segments, domain_.size(), settings_.alpha));
+  kept_.clear();
+  peaks_.clear();
+  const auto bins = static_cast<double>(settings_.dft_length);
+  for (const Candidate& next : candidates_) {
+    if (kept_.size() == settings_.max_peaks) break;
+    if (!is_distinct(next)) continue;
+    kept_.push_back(next);
+    peaks_.push_back({static_cast<double>(next.at.k1) / bins,
+                      static_cast<double>(next.at.k2) / bins, next.bic2, std::nullopt});
+  }
+  return peaks_;
+}
+
+void PeakFinder::find_candidates(std::span<const double> bic2, double level) {
+  candidates_.clear();
+  for (std::size_t i = 0; i < bic2.size(); ++i) {
+    if (i % kBlock == 0 && i + kBlock <= bic2.size() && none_above(level, &bic2[i])) {
+      i += kBlock - 1;
+      continue;
+    }
+    if (!(bic2[i] > level)) continue;
+    const Bifrequency at = domain_.at(i);
+    if (is_local_maximum(bic2, domain_, at)) candidates_.push_back({i, at, bic2[i]});
+  }
+  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+    return a.bic2 > b.bic2 || (a.bic2 == b.bic2 && a.index < b.index);
+  });
+}
+
+bool PeakFinder::is_distinct(const Candidate& next) const {
+  return std::none_of(kept_.begin(), kept_.end(), [&](const Candidate& stronger) {
+    return distance(next.at.k1, stronger.at.k1) <= lobe_ &&
+           distance(next.at.k2, stronger.at.k2) <= lobe_;
+  });
+}
+
 std::vector<Peak> find_peaks(std::span<const double> bic2, std::size_t segments,
                              const Settings& settings) {
-  const PrincipalDomain domain(settings.dft_length);
-  const auto bins = static_cast<double>(settings.dft_length);
-  const double lobe =
-      main_lobe_half_width(settings.window) * bins / static_cast<double>(settings.segment_length);
-  std::vector<Candidate> kept;
-  for (const Candidate& next :
-       candidates(bic2, domain, peak_level(segments, domain.size(), settings.alpha))) {
-    const bool distinct = std::none_of(kept.begin(), kept.end(), [&](const Candidate& stronger) {
-      return distance(next.at.k1, stronger.at.k1) <= lobe &&
-             distance(next.at.k2, stronger.at.k2) <= lobe;
-    });
-    if (distinct && kept.size() < settings.max_peaks) {
-      kept.push_back(next);
-    }
-  }
-  std::vector<Peak> peaks;
-  for (const Candidate& peak : kept) {
-    peaks.push_back({static_cast<double>(peak.at.k1) / bins, static_cast<double>(peak.at.k2) / bins,
-                     peak.bic2, std::nullopt});
-  }
-  return peaks;
+  PeakFinder finder(settings);
+  const std::span<const Peak> peaks = finder.find(bic2, segments);
+  return {peaks.begin(), peaks.end()};
 }
 
 }  // namespace loopscope::core::hos

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/hos/analyse.hpp"
+#include "core/hos/principal_domain.hpp"
 #include "core/hos/settings.hpp"
 
 namespace loopscope::core::hos {
@@ -15,12 +16,40 @@ namespace loopscope::core::hos {
 /// spite of correlated neighbours (README, false alarms).
 [[nodiscard]] double peak_level(std::size_t segments, std::size_t bifrequencies, double alpha);
 
-/// The strongest distinct peaks of `bic2` (values over the principal domain of
-/// settings.dft_length), strongest first, at most settings.max_peaks.
+/// The strongest distinct peaks of a squared bicoherence over the principal domain of
+/// settings.dft_length, strongest first, at most settings.max_peaks.
 ///
 /// A peak exceeds all its neighbours and peak_level(), and lies outside the window's main lobe
 /// around every stronger one: within that lobe a single coupled triple of lines is seen several
 /// times. Frequencies are bin centres, k / dft_length cycles per sample. `p` is not computed.
+///
+/// Made once per settings and used for many estimates; takes memory only where it finds more
+/// candidates than ever before. One object per thread.
+class PeakFinder {
+ public:
+  explicit PeakFinder(const Settings& settings);
+
+  /// `bic2` from `segments` (K) segments; the peaks are valid until the next call.
+  std::span<const Peak> find(std::span<const double> bic2, std::size_t segments);
+
+ private:
+  struct Candidate {
+    std::size_t index;  // in the domain
+    Bifrequency at;
+    double bic2;
+  };
+  void find_candidates(std::span<const double> bic2, double level);
+  [[nodiscard]] bool is_distinct(const Candidate& next) const;
+
+  Settings settings_;
+  PrincipalDomain domain_;
+  double lobe_;  // half width, bins
+  std::vector<Candidate> candidates_;
+  std::vector<Candidate> kept_;
+  std::vector<Peak> peaks_;
+};
+
+/// The same, once.
 [[nodiscard]] std::vector<Peak> find_peaks(std::span<const double> bic2, std::size_t segments,
                                            const Settings& settings);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "core/hos/magnitude.hpp"
@@ -65,43 +64,24 @@ class Periodogram {
   std::size_t length_;
 };
 
-/// Mean and slow drift removed, ends tapered, gaps left at zero.
-std::vector<double> tapered(std::span<const double> signal) {
-  const auto count = static_cast<double>(signal.size());
-  const double middle = (count - 1.0) / 2.0;
-  const double first = first_finite(signal);
-  double present = 0.0;
-  double sum = 0.0;
-  double moment = 0.0;
-  double square = 0.0;
-  double position = 0.0;
-  for (std::size_t n = 0; n < signal.size(); ++n) {
-    if (!std::isfinite(signal[n])) continue;
-    const double x = static_cast<double>(n) - middle;
-    present += 1.0;
-    sum += signal[n] - first;
-    position += x;
-    square += x * x;
-    moment += x * (signal[n] - first);
-  }
-  const double determinant = present * square - position * position;
-  const double slope = determinant > 0.0 ? (present * moment - position * sum) / determinant : 0.0;
-  const double mean = (sum - slope * position) / std::max(present, 1.0);
-  std::vector<double> result(signal.size());
-  // One turn over the record, carried on by multiplication: 4096 cosines would take longer than the
-  // transform.
-  const std::complex<double> step = std::polar(1.0, 2.0 * std::numbers::pi / count);
-  std::complex<double> turn = std::polar(1.0, std::numbers::pi / count);
-  for (std::size_t n = 0; n < signal.size(); ++n, turn *= step) {
-    if (!std::isfinite(signal[n])) continue;
-    const double x = static_cast<double>(n) - middle;
-    result[n] = (signal[n] - first - mean - slope * x) * (0.5 - 0.5 * turn.real());
-  }
+/// Mean and slow drift removed, ends tapered, gaps left at zero; `length` values, zeros at the end.
+std::vector<double> tapered(std::span<const double> signal, std::size_t length,
+                            const Kernels& kernels) {
+  Centring line;
+  line.factor = 1.0 / power_of_two_below(kernels.scan(signal).largest);
+  line.first = first_finite(signal) * line.factor;
+  const TrendSums sums = kernels.sum_trend(signal, line);
+  const double determinant = sums.count * sums.place_square - sums.place * sums.place;
+  line.slope =
+      determinant > 0.0 ? (sums.count * sums.moment - sums.place * sums.value) / determinant : 0.0;
+  line.centre = (sums.value - line.slope * sums.place) / std::max(sums.count, 1.0);
+  std::vector<double> result(length, 0.0);
+  kernels.taper_record(signal, line, result.data());
   return result;
 }
 
 struct BandScore {
-  double score = -std::numeric_limits<double>::infinity();
+  double score = 0.0;  ///< power per octave
   bool clear = false;
   double frequency = 0.0;
 
@@ -120,7 +100,7 @@ BandScore score_band(const Periodogram& periodogram, double frequency, double in
       (std::log(mean) - background) * std::sqrt(static_cast<double>(last - first) * independent);
   const bool clear = deviation > kClear;
   const double excess = clear ? mean - std::exp(background) : mean;
-  return {std::log(excess * frequency), clear, frequency};
+  return {excess * frequency, clear, frequency};
 }
 
 /// Centre of power around the highest bin of a band.
@@ -141,12 +121,12 @@ double refined(const Periodogram& periodogram, double frequency) {
 
 }  // namespace
 
-std::optional<double> dominant_period(std::span<const double> signal) {
+std::optional<double> dominant_period(std::span<const double> signal, const Kernels& kernels) {
   const auto count = static_cast<double>(signal.size());
   if (count < kFewestCycles * kShortestPeriod) return std::nullopt;
   const std::size_t length = std::bit_ceil(signal.size());
   const Periodogram periodogram(
-      RecordFft::of_length(length).transform(tapered(scaled_to_unit(signal))), length);
+      RecordFft::of_length(length).transform(tapered(signal, length, kernels)), length);
   BandScore best;
   for (double f = kFewestCycles / count; f <= 1.0 / kShortestPeriod; f *= kStep) {
     const BandScore next = score_band(periodogram, f, count / static_cast<double>(length));

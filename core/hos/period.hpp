@@ -3,6 +3,8 @@
 #include <optional>
 #include <span>
 
+#include "core/hos/kernels.hpp"
+
 namespace loopscope::core::hos {
 
 /// Shortest period, in samples, that leaves room for a third harmonic below half the sampling rate.
@@ -17,6 +19,7 @@ inline constexpr double kFewestCycles = 9.0;
 /// The choice looks at powers only, never at phases, so that a test of phase coupling made at the
 /// period keeps its null. NaN and infinity are missing samples. nullopt when the record is too
 /// short for any period or has no variance.
-[[nodiscard]] std::optional<double> dominant_period(std::span<const double> signal);
+[[nodiscard]] std::optional<double> dominant_period(std::span<const double> signal,
+                                                    const Kernels& kernels = best_kernels());
 
 }  // namespace loopscope::core::hos

@@ -11,14 +11,14 @@ namespace loopscope::core::hos {
 /// thing in core that all threads share.
 [[nodiscard]] std::mutex& planner_lock();
 
-/// The plan of one kind for one length, made at its first use and kept for the life of the program
-/// (a few kilobytes each). `Plan` is made from a length.
-template <class Plan>
-const Plan& cached_plan(std::size_t length) {
-  static std::map<std::size_t, std::unique_ptr<const Plan>> plans;
+/// The plan of one kind for one key (a length), made from it at its first use and kept for the life
+/// of the program (a few kilobytes each).
+template <class Plan, class Key = std::size_t>
+const Plan& cached_plan(const Key& key) {
+  static std::map<Key, std::unique_ptr<const Plan>> plans;
   const std::lock_guard lock(planner_lock());
-  std::unique_ptr<const Plan>& plan = plans[length];
-  if (!plan) plan = std::make_unique<const Plan>(length);
+  std::unique_ptr<const Plan>& plan = plans[key];
+  if (!plan) plan = std::make_unique<const Plan>(key);
   return *plan;
 }
 

@@ -43,11 +43,13 @@ class QuadraticTest {
   [[nodiscard]] std::optional<double> peak_p(const Bicoherence& bicoherence, Bifrequency at) const;
 
  private:
-  [[nodiscard]] double evidence(const Bicoherence& bicoherence, Bifrequency at) const;
+  struct Segments;
+  [[nodiscard]] double evidence(const Bicoherence& bicoherence, Bifrequency at,
+                                Segments& segments) const;
   [[nodiscard]] double independent_cells() const;
 
   Settings settings_;
-  Overlap overlap_;
+  const Overlap* overlap_;
   TestableCells cells_;
 };
 

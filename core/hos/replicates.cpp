@@ -51,13 +51,23 @@ Replicates::Replicates(const LinearModel& model, const TestedSpectra& tested,
                        const QuadraticTest& test, std::optional<double> period,
                        std::uint64_t seed) {
   std::mt19937_64 random(seed);
+  // All records are of one length and miss the same samples: what the first one takes serves all.
+  std::optional<HarmonicTest> harmonic_test;
+  if (period) harmonic_test.emplace(*period);
+  std::vector<double> record;
+  std::optional<TestedSpectra> spectra;
   for (std::size_t i = 0; i < kRecords; ++i) {
-    const std::vector<double> record = model.draw(tested.signal(), random);
-    const TestedSpectra spectra(record, tested.precautions(), tested.settings());
-    const auto harmonics = period ? harmonic_statistics(record, *period) : std::nullopt;
+    model.draw(tested.signal(), random, record);
+    if (spectra) {
+      spectra->look_at(record);
+    } else {
+      spectra.emplace(record, tested.precautions(), tested.settings(), tested.kernels());
+    }
+    std::optional<HarmonicStatistics> harmonics;
+    if (harmonic_test) harmonics = harmonic_test->measure(record, nullptr, tested.kernels());
     QuadraticStatistics quadratic;
-    if (!spectra.bic2().empty()) {
-      quadratic = test.measure(spectra.bicoherence(), spectra.bic2());
+    if (!spectra->bic2().empty()) {
+      quadratic = test.measure(spectra->bicoherence(), spectra->bic2());
       mean_.push_back(quadratic.mean);
     }
     nli_.push_back(evidence_of(hos::nli_p(test, quadratic, harmonics)));

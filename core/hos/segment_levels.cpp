@@ -1,6 +1,7 @@
 #include "core/hos/segment_levels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,29 +20,40 @@ std::vector<double> relative_powers(const Spectra& spectra) {
   const auto first = static_cast<std::size_t>(
       std::ceil(main_lobe_half_width(settings.window) * static_cast<double>(settings.dft_length) /
                 static_cast<double>(settings.segment_length)));
-  std::vector<double> result(spectra.segments(), 0.0);
+  std::vector<double> weights(spectra.frequencies() - first, 0.0);
   double bins = 0.0;
-  for (std::size_t k = first; k < spectra.frequencies(); ++k) {
-    if (!(spectra.total_power(k) > 0.0)) continue;
-    const double scale = static_cast<double>(spectra.segments()) / spectra.total_power(k);
-    for (std::size_t s = 0; s < result.size(); ++s) result[s] += scale * spectra.power(k)[s];
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (!(spectra.total_power(first + i) > 0.0)) continue;
+    weights[i] = static_cast<double>(spectra.segments()) / spectra.total_power(first + i);
     bins += 1.0;
   }
+  const SpectrumRows rows = spectra.rows();
+  std::vector<double> result(spectra.row_length());
+  spectra.kernels().weigh_rows(
+      {spectra.power(first), rows.stride(), rows.row_length, weights.size()}, weights.data(),
+      result.data());
+  result.resize(spectra.segments());
   for (double& value : result) value = bins > 0.0 ? value / bins : 1.0;
   return result;
 }
 
 std::vector<double> running_median(const std::vector<double>& values) {
   std::vector<double> result(values.size());
-  std::vector<double> nearby;
-  for (std::size_t s = 0; s < values.size(); ++s) {
-    const std::size_t first = s > kReach ? s - kReach : 0;
-    const std::size_t last = std::min(values.size(), s + kReach + 1);
-    nearby.assign(values.begin() + static_cast<std::ptrdiff_t>(first),
-                  values.begin() + static_cast<std::ptrdiff_t>(last));
-    const auto middle = nearby.begin() + static_cast<std::ptrdiff_t>(nearby.size() / 2);
-    std::nth_element(nearby.begin(), middle, nearby.end());
-    result[s] = *middle;
+  std::array<double, 2 * kReach + 1> sorted{};
+  std::size_t count = 0;
+  for (std::size_t next = 0, s = 0; s < values.size(); ++s) {
+    if (s > kReach) {
+      auto* const oldest =
+          std::lower_bound(sorted.begin(), sorted.begin() + count, values[s - kReach - 1]);
+      std::copy(oldest + 1, sorted.begin() + count, oldest);
+      --count;
+    }
+    for (; next < std::min(values.size(), s + kReach + 1); ++next, ++count) {
+      auto* const place = std::upper_bound(sorted.begin(), sorted.begin() + count, values[next]);
+      std::copy_backward(place, sorted.begin() + count, sorted.begin() + count + 1);
+      *place = values[next];
+    }
+    result[s] = sorted[count / 2];
   }
   return result;
 }
@@ -106,6 +118,8 @@ SegmentLevels::SegmentLevels(const Spectra& spectra) {
   for (double& level : levels) level = std::max(level, kQuietest);
   vary_ = log_spread(levels) > largest_spread(spectra.settings());
   const std::size_t hop = segment_hop(spectra.settings());
+  factors_.reserve(levels.size());
+  centres_.reserve(levels.size());
   for (std::size_t s = 0; s < levels.size(); ++s) {
     factors_.push_back(1.0 / std::sqrt(levels[s]));
     centres_.push_back(spectra.positions()[s] * hop + spectra.settings().segment_length / 2);

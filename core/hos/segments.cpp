@@ -12,20 +12,25 @@ std::size_t segment_hop(const Settings& settings) {
 }
 
 std::vector<std::size_t> segment_starts(std::span<const double> signal, const Settings& settings) {
+  std::vector<std::size_t> starts;
+  find_segments(signal, false, settings, starts);
+  for (std::size_t& start : starts) start *= segment_hop(settings);
+  return starts;
+}
+
+void find_segments(std::span<const double> signal, bool complete, const Settings& settings,
+                   std::vector<std::size_t>& positions) {
   const std::size_t length = settings.segment_length;
   const std::size_t hop = segment_hop(settings);
-  std::vector<std::size_t> starts;
-  std::size_t checked = 0;    // samples before this one have been looked at
-  std::size_t after_gap = 0;  // one past the last missing sample among them
+  positions.clear();
+  std::size_t checked = complete ? signal.size() : 0;  // samples before this one are known
+  std::size_t after_gap = 0;                           // one past the last missing one among them
   for (std::size_t start = 0; start + length <= signal.size(); start += hop) {
     for (; checked < start + length; ++checked) {
       after_gap = std::isfinite(signal[checked]) ? after_gap : checked + 1;
     }
-    if (start >= after_gap) {
-      starts.push_back(start);
-    }
+    if (start >= after_gap) positions.push_back(start / hop);
   }
-  return starts;
 }
 
 }  // namespace loopscope::core::hos

@@ -19,4 +19,9 @@ namespace loopscope::core::hos {
 [[nodiscard]] std::vector<std::size_t> segment_starts(std::span<const double> signal,
                                                       const Settings& settings);
 
+/// The same as places on the grid, in hops, into `positions`: no memory is taken once that has been
+/// as long. `complete` says that no sample is missing, so that none has to be looked at.
+void find_segments(std::span<const double> signal, bool complete, const Settings& settings,
+                   std::vector<std::size_t>& positions);
+
 }  // namespace loopscope::core::hos

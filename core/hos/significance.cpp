@@ -40,10 +40,11 @@ double settle(double gaussian_p, double noise_p, ResidualNoise::Core core) {
 }
 
 std::optional<HarmonicStatistics> harmonics_of(const TestedSpectra& tested) {
-  const std::optional<double> period = dominant_period(tested.signal());
+  const Kernels& kernels = tested.kernels();
+  const std::optional<double> period = dominant_period(tested.signal(), kernels);
   if (!period) return std::nullopt;
   return harmonic_statistics(tested.signal(), *period,
-                             tested.levels() ? &*tested.levels() : nullptr);
+                             tested.levels() ? &*tested.levels() : nullptr, kernels);
 }
 
 /// What the first pass found, for the second.
@@ -73,7 +74,8 @@ Found first_pass(const TestedSpectra& tested, const QuadraticTest& test, Signifi
 void second_pass(const TestedSpectra& tested, const QuadraticTest& test, const Found& found,
                  std::uint64_t seed, Significance& result) {
   // The model's squares would overflow or vanish for samples of 1e300 or 1e-300.
-  const std::optional<LinearModel> model = LinearModel::fit(scaled_to_unit(tested.signal()));
+  const std::optional<LinearModel> model =
+      LinearModel::fit(scaled_to_unit(tested.signal()), tested.kernels());
   if (!model || model->noise().core() == ResidualNoise::Core::gaussian) return;
   const Replicates drawn(*model, tested, test, result.period_samples, seed);
   const ResidualNoise::Core core = model->noise().core();

@@ -1,6 +1,5 @@
 #include "core/hos/testable_cells.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/hos/window.hpp"
@@ -13,7 +12,8 @@ TestableCells::TestableCells(const Settings& settings)
                                                static_cast<double>(settings.segment_length)))),
       half_(settings.dft_length / 2) {
   for (std::size_t k2 = lobe_; 2 * k2 <= half_; ++k2) {
-    for (std::size_t k1 = std::max(k2, 2 * lobe_ + 1); contains({k1, k2}); ++k1) ++count_;
+    const Range k1 = row(k2);
+    if (k1.end > k1.begin) count_ += k1.end - k1.begin;
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "core/hos/principal_domain.hpp"
@@ -19,6 +20,15 @@ class TestableCells {
 
   [[nodiscard]] bool contains(Bifrequency at) const {
     return at.k2 >= lobe_ && at.k1 > 2 * lobe_ && at.k1 + at.k2 + lobe_ <= half_;
+  }
+  /// The k1 that go with a k2: `begin` to `end` - 1; none when end <= begin.
+  struct Range {
+    std::size_t begin;
+    std::size_t end;
+  };
+  [[nodiscard]] Range row(std::size_t k2) const {
+    if (k2 < lobe_ || k2 + lobe_ > half_) return {0, 0};
+    return {std::max(k2, 2 * lobe_ + 1), half_ - lobe_ - k2 + 1};
   }
   /// How many there are; 0 when segments are so short that none is left.
   [[nodiscard]] std::size_t count() const { return count_; }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "core/hos/locked_line.hpp"
@@ -14,25 +13,16 @@ namespace {
 /// Overlaps that move a line which keeps its phase at 0.5: hops of 28, 26 and 22 of 64 samples.
 constexpr std::array kOtherOverlaps = {0.5625, 0.59375, 0.65625};
 
-std::vector<double> differences(std::span<const double> signal) {
-  std::vector<double> result(signal.size());
+void take_differences(std::span<const double> signal, std::vector<double>& result) {
+  result.resize(signal.size());
   for (std::size_t n = 1; n < signal.size(); ++n) result[n] = signal[n] - signal[n - 1];
-  if (result.size() > 1) result[0] = result[1];
-  return result;
+  if (!result.empty()) result[0] = result.size() > 1 ? result[1] : 0.0;
 }
 
 /// Lag-one correlation of the differences, whose mean is close to zero; missing samples left out.
-double smoothness(std::span<const double> signal) {
-  double product = 0.0;
-  double power = 0.0;
-  for (std::size_t n = 2; n < signal.size(); ++n) {
-    const double now = signal[n] - signal[n - 1];
-    const double before = signal[n - 1] - signal[n - 2];
-    if (!std::isfinite(now + before)) continue;
-    product += now * before;
-    power += 0.5 * (now * now + before * before);
-  }
-  return power > 0.0 ? product / power : 0.0;
+double smoothness(std::span<const double> signal, const Kernels& kernels) {
+  const PairSums sums = kernels.sum_differences(signal);
+  return sums.power > 0.0 ? 2.0 * sums.product / sums.power : 0.0;
 }
 
 /// Above this the differences themselves wander like a random walk, and the record like an
@@ -45,7 +35,8 @@ TestedSpectra::TestedSpectra(std::span<const double> signal, const Bicoherence& 
                              std::span<const double> published_bic2, const Settings& settings)
     : signal_(signal),
       settings_(settings),
-      precautions_{smoothness(signal) > kSteep, settings.overlap},
+      kernels_(&published.spectra().kernels()),
+      precautions_{smoothness(signal, *kernels_) > kSteep, settings.overlap},
       published_(&published),
       bic2_(published_bic2) {
   if (precautions_.differenced) estimate();
@@ -64,16 +55,23 @@ TestedSpectra::TestedSpectra(std::span<const double> signal, const Bicoherence& 
 }
 
 TestedSpectra::TestedSpectra(std::span<const double> signal, const Precautions& precautions,
-                             const Settings& settings)
-    : signal_(signal), settings_(settings), precautions_(precautions) {
+                             const Settings& settings, const Kernels& kernels)
+    : settings_(settings), kernels_(&kernels), precautions_(precautions) {
+  look_at(signal);
+}
+
+void TestedSpectra::look_at(std::span<const double> signal) {
+  signal_ = signal;
   estimate();
 }
 
 void TestedSpectra::estimate() {
   settings_.overlap = precautions_.overlap;
-  own_.emplace(settings_);
-  bic2_ =
-      precautions_.differenced ? own_->estimate(differences(signal())) : own_->estimate(signal());
+  if (!own_ || own_->spectra().settings().overlap != settings_.overlap) {
+    own_.emplace(settings_, *kernels_);
+  }
+  if (precautions_.differenced) take_differences(signal(), differences_);
+  bic2_ = own_->estimate(precautions_.differenced ? differences_ : signal());
 }
 
 /// Takes the first overlap at which no line keeps its phase, the last one if none does.

@@ -28,7 +28,10 @@ class TestedSpectra {
 
   /// For a replicate of a record whose precautions are known; its variance is taken as constant.
   TestedSpectra(std::span<const double> signal, const Precautions& precautions,
-                const Settings& settings);
+                const Settings& settings, const Kernels& kernels = best_kernels());
+
+  /// Turns to the next replicate, in the same memory; of one made for a replicate only.
+  void look_at(std::span<const double> signal);
 
   /// The record, single upsets marked missing (NaN).
   [[nodiscard]] std::span<const double> signal() const {
@@ -43,6 +46,7 @@ class TestedSpectra {
   [[nodiscard]] const Precautions& precautions() const { return precautions_; }
   /// `settings` with the overlap of the precautions.
   [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] const Kernels& kernels() const { return *kernels_; }
   /// Set when the variance changes along the record.
   [[nodiscard]] const std::optional<SegmentLevels>& levels() const { return levels_; }
 
@@ -53,7 +57,9 @@ class TestedSpectra {
 
   std::span<const double> signal_;
   std::vector<double> steady_;  // empty = signal_
+  std::vector<double> differences_;
   Settings settings_;
+  const Kernels* kernels_;
   Precautions precautions_;
   const Bicoherence* published_ = nullptr;
   std::optional<Bicoherence> own_;

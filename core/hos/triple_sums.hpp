@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/hos/kernels.hpp"
 #include "core/hos/spectra.hpp"
-#include "core/hos/triple_tile.hpp"
 
 namespace loopscope::core::hos {
 
@@ -17,13 +17,13 @@ struct TripleSums {
 };
 
 /// Fills `sums` (resized to the domain) from `spectra`: the one hot loop of the room.
-void sum_triples(const Spectra& spectra, TripleSums& sums,
-                 const TileKernel& kernel = best_tile_kernel());
+/// With the kernels of `spectra`.
+void sum_triples(const Spectra& spectra, TripleSums& sums);
 
 /// Which arithmetic this processor gets: "avx512", "avx2" or "portable". Results on different paths
 /// agree to rounding, on one path to the last digit.
 [[nodiscard]] inline std::string_view processor_path() {
-  return best_tile_kernel().name;
+  return best_kernels().name;
 }
 
 }  // namespace loopscope::core::hos

@@ -1,47 +1,32 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <string_view>
 
 namespace loopscope::core::hos {
 
-/// Rows of a 2 x 2 tile of bifrequencies (k1 + i, k2 + j): each pointer is a frequency's real row,
-/// followed by its imaginary and its power row (layout of Spectra).
-struct TileRows {
-  std::array<const double*, 2> k1;   ///< k1, k1 + 1
-  std::array<const double*, 2> k2;   ///< k2, k2 + 1
-  std::array<const double*, 3> sum;  ///< k1 + k2, k1 + k2 + 1, k1 + k2 + 2
-  std::size_t row_length;            ///< doubles, a multiple of kLanes
+/// Spectra of a batch of segments as Spectra keeps them: for every frequency a real, an imaginary
+/// and a power row over segments, padded with zeros.
+struct SpectrumRows {
+  const double* first;     ///< the real row of frequency 0, on a cache line
+  std::size_t row_length;  ///< doubles, a multiple of kLanes
+  std::size_t pitch;       ///< doubles from row to row, a multiple of kLanes
+  std::size_t dft_length;  ///< M, even; frequencies 0 .. M / 2 and kZeroFrequencies of zeros above
+
+  [[nodiscard]] std::size_t stride() const { return kRows * pitch; }
+  [[nodiscard]] const double* real(std::size_t k) const { return first + k * stride(); }
+
+  static constexpr std::size_t kRows = 3;
+  /// Frequencies above M / 2 that are read as well and hold zeros, so that a tile of bifrequencies
+  /// may stick out of the domain.
+  static constexpr std::size_t kZeroFrequencies = 4;
 };
 
-/// Sums over segments at one bifrequency; see TripleSums.
-struct TripleSum {
-  double real = 0.0;
-  double imaginary = 0.0;
-  double power12 = 0.0;
+/// Where the sums over segments go: one double per bifrequency, in the order of PrincipalDomain.
+/// What the sums are is said at TripleSums.
+struct TripleOutputs {
+  double* real;
+  double* imaginary;
+  double* power12;
 };
-
-/// Sums at (k1, k2), (k1 + 1, k2), (k1, k2 + 1), (k1 + 1, k2 + 1).
-using TileSums = std::array<TripleSum, 4>;
-
-/// One way to compute a tile, for one kind of processor. Two bifrequencies in each direction share
-/// the rows of their sum frequency, and twelve running sums hide the latency of the multiply-adds.
-struct TileKernel {
-  std::string_view name;
-  void (*sum)(const TileRows& rows, TileSums& sums);
-};
-
-/// Runs everywhere; multiplies and adds round separately.
-extern const TileKernel kPortableTile;
-#if defined(__x86_64__)
-/// Need AVX2 with FMA, and AVX-512F. Fused multiply-adds round once, so that their last digits
-/// differ from the portable ones.
-extern const TileKernel kAvx2Tile;
-extern const TileKernel kAvx512Tile;
-#endif
-
-/// The fastest of them on this processor, chosen once.
-[[nodiscard]] const TileKernel& best_tile_kernel();
 
 }  // namespace loopscope::core::hos

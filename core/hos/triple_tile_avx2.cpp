@@ -2,7 +2,15 @@
 
 #if defined(__x86_64__)
 
+#include <algorithm>
+#include <cmath>
 #include <immintrin.h>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "core/hos/kernels.hpp"
+#include "core/hos/principal_domain.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -12,8 +20,24 @@ namespace {
 constexpr std::size_t kWidth = 4;
 using Vector = __m256d;
 
+/// Nine running sums: what 16 registers hold besides their operands.
+constexpr std::size_t kTileWide = 1;
+constexpr std::size_t kPowerTileWide = 3;
+
 LOOPSCOPE_TARGET inline Vector load(const double* values) {
   return _mm256_load_pd(values);
+}
+LOOPSCOPE_TARGET inline Vector load_anywhere(const double* values) {
+  return _mm256_loadu_pd(values);
+}
+LOOPSCOPE_TARGET inline void store(double* values, Vector v) {
+  _mm256_store_pd(values, v);
+}
+LOOPSCOPE_TARGET inline void store_anywhere(double* values, Vector v) {
+  _mm256_storeu_pd(values, v);
+}
+LOOPSCOPE_TARGET inline Vector broadcast(double value) {
+  return _mm256_set1_pd(value);
 }
 LOOPSCOPE_TARGET inline Vector multiply_add(Vector a, Vector b, Vector c) {
   return _mm256_fmadd_pd(a, b, c);
@@ -21,16 +45,20 @@ LOOPSCOPE_TARGET inline Vector multiply_add(Vector a, Vector b, Vector c) {
 LOOPSCOPE_TARGET inline Vector subtract_product(Vector a, Vector b, Vector c) {
   return _mm256_fnmadd_pd(a, b, c);
 }
-LOOPSCOPE_TARGET inline double total(Vector v) {
-  const __m128d pairs = _mm_add_pd(_mm256_castpd256_pd128(v), _mm256_extractf128_pd(v, 1));
-  return pairs[0] + pairs[1];
-}
 
+#include "core/hos/lanes.inc"
+#include "core/hos/record_sums.inc"
+#include "core/hos/row_scans.inc"
+#include "core/hos/segment_dft.inc"
 #include "core/hos/triple_tile.inc"
 
 }  // namespace
 
-const TileKernel kAvx2Tile{"avx2", sum_tile};
+const Kernels kAvx2Kernels{"avx2",       scan_magnitude,     transform_segments,
+                           sum_each_row, sum_all_triples,    sum_powers,
+                           sum_trend,    taper_record,       sum_differences,
+                           sum_pairs,    predict_each_other, subtract_predictions,
+                           apply_taps,   weigh_rows};
 
 }  // namespace loopscope::core::hos
 

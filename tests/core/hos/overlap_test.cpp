@@ -96,5 +96,17 @@ TEST(HosOverlap, GivesMeanAndSpreadOfWhiteNoise) {
   }
 }
 
+TEST(HosOverlap, IsKeptPerWhatItDependsOn) {
+  const Settings settings{.overlap = 0.59375};
+  const Overlap& kept = Overlap::of(settings);
+  const Overlap fresh(settings);
+  EXPECT_EQ(kept.mean(), fresh.mean());
+  EXPECT_EQ(kept.correlated_cells(), fresh.correlated_cells());
+  EXPECT_EQ(kept.correlation(), fresh.correlation());
+  EXPECT_EQ(&Overlap::of({.overlap = 0.59375, .alpha = 0.01}), &kept);
+  EXPECT_NE(&Overlap::of({.overlap = 0.5}), &kept);
+  EXPECT_THROW((void)Overlap::of({.dft_length = 7}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace loopscope::core::hos

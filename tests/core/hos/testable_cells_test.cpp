@@ -34,6 +34,20 @@ TEST(HosTestableCells, CountIsWhatTheDomainContains) {
   }
 }
 
+TEST(HosTestableCells, RowsAreWhatIsContained) {
+  for (const Settings& settings :
+       {Settings{}, Settings{.dft_length = 64}, Settings{.window = WindowShape::rectangular},
+        Settings{.segment_length = 48}, Settings{.segment_length = 16, .dft_length = 16}}) {
+    const TestableCells cells(settings);
+    const PrincipalDomain domain(settings.dft_length);
+    for (std::size_t i = 0; i < domain.size(); ++i) {
+      const Bifrequency at = domain.at(i);
+      const TestableCells::Range k1 = cells.row(at.k2);
+      EXPECT_EQ(at.k1 >= k1.begin && at.k1 < k1.end, cells.contains(at)) << at.k1 << ' ' << at.k2;
+    }
+  }
+}
+
 TEST(HosTestableCells, NoneIsLeftOfVeryShortSegments) {
   EXPECT_EQ((TestableCells{{.segment_length = 16, .dft_length = 16}}.count()), 0U);
 }

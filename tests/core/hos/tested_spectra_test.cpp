@@ -128,6 +128,19 @@ TEST(HosTestedSpectra, ALimitCyclesJumpsAreNotMasked) {
   EXPECT_LE(share("square_64", records, masked), tests::four_errors(0.01, records));
 }
 
+TEST(HosTestedSpectra, TheNextReplicateIsAsIfItWereTheFirst) {
+  const auto first = tests::exponential_noise(21);
+  const auto second = tests::white_noise(22);
+  for (const bool differenced : {false, true}) {
+    const Precautions precautions{differenced, 0.5625};
+    TestedSpectra used(first, precautions, Settings{});
+    used.look_at(second);
+    const TestedSpectra fresh(second, precautions, Settings{});
+    EXPECT_TRUE(std::equal(used.bic2().begin(), used.bic2().end(), fresh.bic2().begin(),
+                           fresh.bic2().end()));
+  }
+}
+
 TEST(HosTestedSpectra, AReplicateTakesThePrecautionsItIsGiven) {
   const auto record = tests::white_noise(3);
   const TestedSpectra plain(record, Precautions{}, Settings{});

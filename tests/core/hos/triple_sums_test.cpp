@@ -14,9 +14,9 @@ std::complex<double> bin(const Spectra& spectra, std::size_t k, std::size_t segm
 }
 
 /// Every bifrequency of the domain against the formula.
-void expect_by_definition(const Spectra& spectra, const TileKernel& kernel) {
+void expect_by_definition(const Spectra& spectra) {
   TripleSums sums;
-  sum_triples(spectra, sums, kernel);
+  sum_triples(spectra, sums);
   const PrincipalDomain domain(spectra.settings().dft_length);
   ASSERT_EQ(sums.real.size(), domain.size());
   for (std::size_t i = 0; i < domain.size(); ++i) {
@@ -31,39 +31,25 @@ void expect_by_definition(const Spectra& spectra, const TileKernel& kernel) {
       magnitude += std::abs(product * bin(spectra, k1 + k2, s));
     }
     const double tolerance = 1e-14 * magnitude;
-    EXPECT_NEAR(sums.real[i], triple.real(), tolerance) << kernel.name;
-    EXPECT_NEAR(sums.imaginary[i], triple.imag(), tolerance) << kernel.name;
-    EXPECT_NEAR(sums.power12[i], power12, 1e-14 * power12) << kernel.name;
+    EXPECT_NEAR(sums.real[i], triple.real(), tolerance) << spectra.kernels().name;
+    EXPECT_NEAR(sums.imaginary[i], triple.imag(), tolerance) << spectra.kernels().name;
+    EXPECT_NEAR(sums.power12[i], power12, 1e-14 * power12) << spectra.kernels().name;
   }
-}
-
-/// The kernels that this processor can run.
-std::vector<TileKernel> runnable() {
-  std::vector<TileKernel> kernels = {kPortableTile};
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    kernels.push_back(kAvx2Tile);
-  }
-  if (__builtin_cpu_supports("avx512f")) {
-    kernels.push_back(kAvx512Tile);
-  }
-#endif
-  return kernels;
 }
 
 TEST(HosTripleSums, EveryKernelSumsByTheDefinition) {
   // DFT lengths with both parities of rows and of their lengths.
   for (const std::size_t dft_length : {16U, 18U, 20U, 22U, 64U}) {
-    Spectra spectra({.segment_length = 16, .dft_length = dft_length});
-    spectra.compute(tests::white_noise(dft_length, 16 * 11));
-    for (const TileKernel& kernel : runnable()) {
-      expect_by_definition(spectra, kernel);
+    for (const Kernels* kernels : runnable_kernels()) {
+      Spectra spectra({.segment_length = 16, .dft_length = dft_length}, *kernels);
+      spectra.compute(tests::white_noise(dft_length, 16 * 11));
+      expect_by_definition(spectra);
     }
   }
 }
 
-TEST(HosTripleSums, TheBestKernelIsTheLastThatRuns) {
-  EXPECT_EQ(processor_path(), runnable().back().name);
+TEST(HosTripleSums, ThePathIsThatOfTheBestKernels) {
+  EXPECT_EQ(processor_path(), best_kernels().name);
 }
 
 }  // namespace
