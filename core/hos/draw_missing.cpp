@@ -96,13 +96,11 @@ class Drawing {
     Eigen::VectorXd gradient(run.count);
     Eigen::MatrixXd curvature(run.count, run.count);
     errors.expand(run.first, gradient, curvature);
-    const Eigen::LLT<Eigen::MatrixXd> factor(curvature);
-    if (factor.info() != Eigen::Success || !(curvature.diagonal().minCoeff() > 0.0)) return;
-    Eigen::VectorXd change = draw_freely(factor, gradient, std);
-    for (int i = 1; i < kFreeDraws && !within_bounds(run, change); ++i) {
-      change = draw_freely(factor, gradient, std);
-    }
-    if (!within_bounds(run, change)) {
+    if (!(curvature.diagonal().minCoeff() > 0.0)) return;
+    Eigen::VectorXd change;
+    // A whole piece at once is never within its bounds by chance.
+    const bool whole_piece = run.count == static_cast<Eigen::Index>(kLongestRun);
+    if (whole_piece || !draw_freely(run, curvature, gradient, std, change)) {
       change = draw_within(run, curvature.selfadjointView<Eigen::Lower>(), gradient, std);
     }
     for (Eigen::Index i = 0; i < run.count; ++i) {
@@ -111,12 +109,19 @@ class Drawing {
     errors.change(run.first, change);
   }
 
-  /// About the most probable values, with the covariance std^2 curvature^-1.
-  Eigen::VectorXd draw_freely(const Eigen::LLT<Eigen::MatrixXd>& factor,
-                              const Eigen::VectorXd& gradient, double std) {
+  /// About the most probable values, with the covariance std^2 curvature^-1; false when no draw lay
+  /// within the bounds.
+  bool draw_freely(const Run& run, const Eigen::MatrixXd& curvature,
+                   const Eigen::VectorXd& gradient, double std, Eigen::VectorXd& change) {
+    const Eigen::LLT<Eigen::MatrixXd> factor(curvature);
+    if (factor.info() != Eigen::Success) return false;
     Eigen::VectorXd noise(gradient.size());
-    for (double& value : noise) value = std * normal_draw(random_);
-    return factor.matrixU().solve(noise) - factor.solve(gradient);
+    for (int i = 0; i < kFreeDraws; ++i) {
+      for (double& value : noise) value = std * normal_draw(random_);
+      change = factor.matrixU().solve(noise) - factor.solve(gradient);
+      if (within_bounds(run, change)) return true;
+    }
+    return false;
   }
 
   /// One sample after the other, each given the others (Gibbs).

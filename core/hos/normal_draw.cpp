@@ -38,6 +38,21 @@ double invert(double share, double low, double high) {
   return 0.5 * (low + high);
 }
 
+/// Whether the density changes by less than a factor of e between the limits.
+bool nearly_flat(double from, double to) {
+  return (to - from) * std::max(std::abs(from), std::abs(to)) <= 1.0;
+}
+
+/// Even draws between the limits, kept as often as the density there is a share of the largest: a
+/// third of them at least (Robert 1995).
+double draw_nearly_flat(double from, double to, std::mt19937_64& random) {
+  const double densest = std::clamp(0.0, from, to);
+  for (;;) {
+    const double value = from + (to - from) * uniform_draw(random);
+    if (uniform_draw(random) <= std::exp(0.5 * (densest * densest - value * value))) return value;
+  }
+}
+
 }  // namespace
 
 double normal_draw(std::mt19937_64& random) {
@@ -51,6 +66,11 @@ double normal_draw(std::mt19937_64& random) {
 
 double normal_draw_within(double mean, double std, double low, double high,
                           std::mt19937_64& random) {
+  const double near = (low - mean) / std;
+  const double far = (high - mean) / std;
+  if (nearly_flat(near, far)) {
+    return std::clamp(mean + std * draw_nearly_flat(near, far, random), low, high);
+  }
   for (int i = 0; i < kTries; ++i) {
     const double value = mean + std * normal_draw(random);
     if (value >= low && value <= high) return value;

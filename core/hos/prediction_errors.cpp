@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace loopscope::core::hos {
 namespace {
@@ -27,6 +28,10 @@ PredictionErrors::PredictionErrors(std::span<const double> record,
                                    std::span<const double> coefficients, double mean)
     : weights_{1.0}, forward_(record.size(), kNone), backward_(record.size(), kNone) {
   for (const double a : coefficients) weights_.push_back(-a);
+  for (std::size_t lag = 0; lag <= order(); ++lag) {
+    products_.push_back(std::inner_product(weights_.begin() + static_cast<std::ptrdiff_t>(lag),
+                                           weights_.end(), weights_.begin(), 0.0));
+  }
   std::size_t start = 0;
   for (std::size_t t = 0; t < record.size(); ++t) {
     if (!std::isfinite(record[t])) start = t + 1;
@@ -71,8 +76,37 @@ void PredictionErrors::visit_rows(std::size_t first, std::size_t count, Visit vi
   }
 }
 
+bool PredictionErrors::is_inside(std::size_t first, std::size_t count) const {
+  const std::size_t end = first + count + order();
+  if (end > forward_.size()) return false;
+  const auto finite = [](double error) { return std::isfinite(error); };
+  const auto at = [](const std::vector<double>& errors, std::size_t k) {
+    return errors.begin() + static_cast<std::ptrdiff_t>(k);
+  };
+  const std::size_t before = first > order() ? first - order() : 0;
+  return std::all_of(at(forward_, first), at(forward_, end), finite) &&
+         std::none_of(at(backward_, before), at(backward_, first + count), finite);
+}
+
+/// Every sample enters order + 1 errors: the second derivatives depend on the lag alone.
+void PredictionErrors::expand_inside(std::size_t first, Eigen::VectorXd& gradient,
+                                     Eigen::MatrixXd& curvature) const {
+  const auto terms = static_cast<Eigen::Index>(weights_.size());
+  const Eigen::Map<const Eigen::VectorXd> weights(weights_.data(), terms);
+  for (Eigen::Index i = 0; i < gradient.size(); ++i) {
+    const double* const errors = &forward_[first + static_cast<std::size_t>(i)];
+    gradient[i] = weights.dot(Eigen::Map<const Eigen::VectorXd>(errors, terms));
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      curvature(i, j) = i - j < terms ? products_[static_cast<std::size_t>(i - j)] : 0.0;
+    }
+  }
+}
+
 void PredictionErrors::expand(std::size_t first, Eigen::VectorXd& gradient,
                               Eigen::MatrixXd& curvature) const {
+  if (is_inside(first, static_cast<std::size_t>(gradient.size()))) {
+    return expand_inside(first, gradient, curvature);
+  }
   gradient.setZero();
   curvature.setZero();
   const auto place = [first](std::size_t i) { return static_cast<Eigen::Index>(i - first); };

@@ -33,9 +33,15 @@ class PredictionErrors {
   struct Row;
   template <typename Visit>
   void visit_rows(std::size_t first, std::size_t count, Visit visit) const;
+  /// Whether the samples lie deep inside an unbroken piece: every error that they enter is one of
+  /// prediction from the samples before.
+  [[nodiscard]] bool is_inside(std::size_t first, std::size_t count) const;
+  void expand_inside(std::size_t first, Eigen::VectorXd& gradient,
+                     Eigen::MatrixXd& curvature) const;
   [[nodiscard]] std::size_t order() const { return weights_.size() - 1; }
 
   std::vector<double> weights_;   // 1, -a_1, -a_2, ...
+  std::vector<double> products_;  // sum over i of weight i times weight i + lag
   std::vector<double> forward_;   // NaN = no prediction
   std::vector<double> backward_;  // NaN = no prediction, or the forward one exists
 };
