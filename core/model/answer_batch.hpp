@@ -1,22 +1,18 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
-#include <array>
-#include <span>
-#include <vector>
-
 #include "core/model/answer_lanes.hpp"
 #include "core/model/answer_sums.hpp"
-#include "core/model/valve_answers.hpp"
+#include "core/model/lane_basis.hpp"
 #include "core/model/valve_batch.hpp"
 
 namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
 
 /// Numbers side by side: they hide what each of them waits for. Of 2, 3 and 4 the last is fastest.
+template <typename Number>
 inline constexpr std::size_t kVectorsAtOnce = 4;
 template <typename Number>
-inline constexpr std::size_t kLanes = kElements<Number>* kVectorsAtOnce;
+inline constexpr std::size_t kLanes = kElements<Number>* kVectorsAtOnce<Number>;
 
 /// What every batch shares, in the digits of its numbers.
 template <typename Element>
@@ -56,7 +52,7 @@ class AnswerBatch {
   void run() {
     Numbers start;
     move_on(1, &start);
-    AnswerLanes<Number, kVectorsAtOnce> answers(poles_, shared_.noise, start);
+    AnswerLanes<Number, kVectorsAtOnce<Number>> answers(poles_, shared_.noise, start);
     // The sample before a stretch stands in front of it: the second tap is a sample later.
     std::array<Numbers, kStretch + 1> x;
     for (std::size_t first = 0; first < shared_.samples(); first += kStretch) {
@@ -109,10 +105,11 @@ class AnswerBatch {
   const BatchRecord<Element>& shared_;
   std::size_t delay_;
   Batch valves_;
-  PoleLanes<Number, kVectorsAtOnce> poles_;
-  AnswerSums<Number, kVectorsAtOnce> sums_;
+  PoleLanes<Number, kVectorsAtOnce<Number>> poles_;
+  AnswerSums<Number, kVectorsAtOnce<Number>> sums_;
   std::vector<LaneRestart> restarts_;
   std::size_t restart_ = 0, now_ = 0;
 };
 
+}  // namespace LOOPSCOPE_PATH
 }  // namespace loopscope::core::model

@@ -1,0 +1,7 @@
+#include "core/model/lane_kernels.hpp"
+
+namespace loopscope::core::model {
+
+const LaneKernel kPortableLanes = lane_kernel<ShortNumbers, NumberPair, ShortNumbers>("portable");
+
+}  // namespace loopscope::core::model
