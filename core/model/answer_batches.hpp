@@ -20,22 +20,26 @@ std::vector<OpStep<Element>> steps_of(std::span<const double> op, double directi
   return steps;
 }
 
-/// What valves have in common that go side by side.
-inline auto company(const ValveAndProcess& one) {
-  const Valve& valve = one.valve->valve();
-  const bool sampled = valve.acts_at_samples();
-  // Where a stem begins is a lane's own; the steps of op depend on it.
-  const double direction = sampled ? valve.start_direction : 0.0;
-  return std::tuple(sampled, valve.law, direction, one.process->delay_samples);
-}
+/// What valves have in common that go side by side, and what they had better have.
+struct Company {
+  bool sampled;
+  ValveLaw law;
+  double direction;  ///< of a stem none: where it begins is a lane's own; the steps of op depend on it
+  std::size_t delay_samples;
+  double band;  ///< stems of about the same one rest together
 
-/// The places of the valves, those of one company one after the other.
-inline std::vector<std::size_t> by_company(std::span<const ValveAndProcess> valves) {
-  std::vector<std::size_t> places(valves.size());
-  std::iota(places.begin(), places.end(), 0U);
-  std::ranges::stable_sort(places, {}, [&](std::size_t i) { return company(valves[i]); });
-  return places;
-}
+  explicit Company(const ValveAndProcess& one)
+      : sampled(one.valve->valve().acts_at_samples()),
+        law(one.valve->valve().law),
+        direction(sampled ? one.valve->valve().start_direction : 0.0),
+        delay_samples(one.process->delay_samples),
+        band(sampled ? 0.0 : one.valve->valve().stickband_percent) {}
+  [[nodiscard]] auto shared() const { return std::tie(sampled, law, direction, delay_samples); }
+  [[nodiscard]] bool operator<(const Company& other) const {
+    return std::tuple_cat(shared(), std::tie(band)) <
+           std::tuple_cat(other.shared(), std::tie(other.band));
+  }
+};
 
 /// A record's valves, as many together as there are lanes of Number.
 template <typename Number>
@@ -48,11 +52,13 @@ class Batches {
       : shared_(std::move(shared)), op_(op), valves_(valves), products_(valves.size()) {}
 
   std::vector<Eigen::MatrixXd> run() {
-    const std::vector<std::size_t> places = by_company(valves_);
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < valves_.size(); ++i) places.emplace_back(Company(valves_[i]), i);
+    std::ranges::sort(places);
     for (std::size_t at = 0; at < places.size();) {
       std::size_t count = 1;
       while (count < kLanes<Number> && at + count < places.size() &&
-             company(valves_[places[at + count]]) == company(valves_[places[at]]))
+             places[at + count].first.shared() == places[at].first.shared())
         ++count;
       run_together(std::span(places).subspan(at, count));
       at += count;
@@ -61,18 +67,17 @@ class Batches {
   }
 
  private:
-  void run_together(std::span<const std::size_t> places) {
-    const Valve& valve = valves_[places.front()].valve->valve();
-    if (valve.acts_at_samples()) {
-      see_steps(valve.start_direction);
-      with_law(valve.law, [&]<ValveLaw law>() {
-        put_products<SampledBatch<Number, kVectorsAtOnce<Number>, law>>(places);
-      });
-    } else if (valve.law == ValveLaw::he) {
-      put_products<StemBatch<Number, kVectorsAtOnce<Number>, ValveLaw::he>>(places);
-    } else {
-      put_products<StemBatch<Number, kVectorsAtOnce<Number>, ValveLaw::kano>>(places);
-    }
+  using Place = std::pair<Company, std::size_t>;  ///< of a valve among all
+
+  void run_together(std::span<const Place> places) {
+    const Valve& valve = valves_[places.front().second].valve->valve();
+    if (valve.acts_at_samples()) see_steps(valve.start_direction);
+    with_law(valve.law, [&]<ValveLaw law>() {
+      constexpr std::size_t kOne = kElements<Number>;
+      if (places.size() <= kOne) return put_products<1, law>(places);
+      if (places.size() <= 2 * kOne) return put_products<2, law>(places);
+      put_products<kVectorsAtOnce, law>(places);
+    });
   }
 
   void see_steps(double direction) {
@@ -81,14 +86,23 @@ class Batches {
     shared_.seen.steps = steps_of<Element>(op_, direction);
   }
 
-  template <typename Batch>
-  void put_products(std::span<const std::size_t> places) {
+  /// In as many vectors as they fill.
+  template <std::size_t vectors, ValveLaw law>
+  void put_products(std::span<const Place> places) {
+    if (places.front().first.sampled)
+      put_products_of<vectors, SampledBatch<Number, vectors, law>>(places);
+    else if constexpr (law != ValveLaw::choudhury)
+      put_products_of<vectors, StemBatch<Number, vectors, law>>(places);
+  }
+
+  template <std::size_t vectors, typename Batch>
+  void put_products_of(std::span<const Place> places) {
     std::vector<ValveAndProcess> together;
-    for (const std::size_t place : places) together.push_back(valves_[place]);
-    AnswerBatch<Number, Batch> batch(shared_, together);
+    for (const Place& place : places) together.push_back(valves_[place.second]);
+    AnswerBatch<Number, vectors, Batch> batch(shared_, together);
     batch.run();
     for (std::size_t lane = 0; lane < places.size(); ++lane)
-      products_[places[lane]] = batch.products(lane);
+      products_[places[lane].second] = batch.products(lane);
   }
 
   BatchRecord<Element> shared_;

@@ -5,11 +5,11 @@
 namespace loopscope::core::model {
 inline namespace LOOPSCOPE_PATH {
 
-constexpr std::size_t kTarget = kLaggedColumns;  ///< pv(k) stands after the columns
-constexpr std::size_t kConstant = kOutputLags;
-constexpr std::size_t kFirstInput = kOutputLags + 1;
+inline constexpr std::size_t kTarget = kLaggedColumns;  ///< pv(k) stands after the columns
+inline constexpr std::size_t kConstant = kOutputLags;
+inline constexpr std::size_t kFirstInput = kOutputLags + 1;
 /// Of a column's own sum of squares: less than this left is rounding, not information.
-constexpr double kNegligible = 1e-9;
+inline constexpr double kNegligible = 1e-9;
 
 /// Lower triangle of the products of all columns and the target.
 using Products = std::array<std::array<double, kLaggedColumns + 1>, kLaggedColumns + 1>;
@@ -21,33 +21,48 @@ struct InputProducts {
   std::array<double, kInputLags + 1> sums{};
 };
 
+/// Products of a value with the `lags` values before a row, the farthest first, and sums of such.
+/// They stand side by side by lag, so that no order of adding depends on the vectors.
+template <typename Number, std::size_t lags>
+class SumsByLag {
+ public:
+  void add(double value, const double* farthest) {
+    for (std::size_t i = 0; i < kVectors; ++i) {
+      Number past;
+      std::memcpy(&past, farthest + i * kElements<Number>, sizeof(past));
+      sums_[i] += value * past;
+    }
+  }
+  [[nodiscard]] double at(std::size_t lag) const {
+    return sums_[(lags - lag) / kElements<Number>][(lags - lag) % kElements<Number>];
+  }
+
+ private:
+  static constexpr std::size_t kVectors = lags / kElements<Number>;
+  NumberRow<Number, kVectors> sums_{};
+};
+
 /// The products that start each diagonal: y(k) u(k-j), u(k-1) u(k-j), y(k-i) u(k-1).
+template <typename Number>
 void first_products(const LaggedRows& rows, const double* u, InputProducts& products) {
-  std::array<double, kInputLags> output{}, input{};
-  std::array<double, kOutputLags> past{};
+  constexpr std::size_t kWhole = 8;  // as many lags of pv as fill vectors
+  const double* y = rows.output.data();
+  SumsByLag<Number, kInputLags> output, input;
+  SumsByLag<Number, kWhole> past;
   double sum = 0.0;
   for (const auto [begin, end] : rows.runs) {
     for (std::size_t k = begin; k < end; ++k) {
-      const double y = rows.output[k];
-      const double before = u[k - 1];
-      // Sums stand side by side by lag, so they are vectors without changing any order of adding.
-      for (std::size_t lag = 0; lag < kInputLags; ++lag) {
-        output[lag] += y * u[k - kInputLags + lag];
-        input[lag] += before * u[k - kInputLags + lag];
-      }
-      for (std::size_t lag = 0; lag < kOutputLags; ++lag) {
-        past[lag] += before * rows.output[k - kOutputLags + lag];
-      }
-      sum += before;
+      output.add(y[k], &u[k - kInputLags]);
+      input.add(u[k - 1], &u[k - kInputLags]);
+      past.add(u[k - 1], &y[k - kWhole]);
+      sum += u[k - 1];
     }
   }
   for (std::size_t lag = 1; lag <= kInputLags; ++lag) {
-    products.by_output[0][lag] = output[kInputLags - lag];
-    products.by_input[1][lag] = input[kInputLags - lag];
+    products.by_output[0][lag] = output.at(lag);
+    products.by_input[1][lag] = input.at(lag);
   }
-  for (std::size_t lag = 1; lag <= kOutputLags; ++lag) {
-    products.by_output[lag][1] = past[kOutputLags - lag];
-  }
+  for (std::size_t lag = 1; lag <= kOutputLags; ++lag) products.by_output[lag][1] = past.at(lag);
   products.sums[1] = sum;
 }
 
@@ -69,7 +84,7 @@ struct Before {
   std::array<double, kInputLags> input;
 };
 
-Edges edges_of(const LaggedRows& rows, const double* u) {
+inline Edges edges_of(const LaggedRows& rows, const double* u) {
   Edges edges;
   for (const auto [begin, end] : rows.runs) {
     const Before more(rows, u, begin);
@@ -90,9 +105,10 @@ Edges edges_of(const LaggedRows& rows, const double* u) {
   return edges;
 }
 
+template <typename Number>
 InputProducts input_products(const LaggedRows& rows, const double* u) {
   InputProducts products;
-  first_products(rows, u, products);
+  first_products<Number>(rows, u, products);
   const Edges edges = edges_of(rows, u);
   for (std::size_t j = 1; j < kInputLags; ++j) {
     for (std::size_t i = 0; i < kOutputLags; ++i) {
@@ -106,7 +122,7 @@ InputProducts input_products(const LaggedRows& rows, const double* u) {
   return products;
 }
 
-void place_outputs(const LaggedRows& rows, Products& all) {
+inline void place_outputs(const LaggedRows& rows, Products& all) {
   for (std::size_t i = 0; i < kOutputLags; ++i) {
     std::copy_n(&rows.products[i + 1][1], i + 1, all[i].begin());
     all[kConstant][i] = rows.sums[i + 1];
@@ -117,7 +133,7 @@ void place_outputs(const LaggedRows& rows, Products& all) {
   all[kTarget][kTarget] = rows.products[0][0];
 }
 
-void place_inputs(const InputProducts& products, Products& all) {
+inline void place_inputs(const InputProducts& products, Products& all) {
   for (std::size_t j = 1; j <= kInputLags; ++j) {
     auto& row = all[kFirstInput + j - 1];
     for (std::size_t i = 1; i <= kOutputLags; ++i) {
@@ -133,7 +149,7 @@ void place_inputs(const InputProducts& products, Products& all) {
 
 /// Cholesky factor in place; a diagonal entry becomes its reciprocal, 0 for a column that adds
 /// nothing.
-void factorise(Products& all) {
+inline void factorise(Products& all) {
   for (std::size_t j = 0; j < kLaggedColumns; ++j) {
     double left = all[j][j];
     for (std::size_t l = 0; l < j; ++l) {
@@ -150,7 +166,7 @@ void factorise(Products& all) {
   }
 }
 
-LaggedModel solve(const Products& factor) {
+inline LaggedModel solve(const Products& factor) {
   LaggedModel model;
   const double total = factor[kTarget][kTarget];
   model.residual = total;
@@ -167,11 +183,12 @@ LaggedModel solve(const Products& factor) {
   return model;
 }
 
-/// fit_lagged().
-inline LaggedModel fitted(const LaggedRows& rows, std::span<const double> input) {
+/// fit_lagged(), so many sums at a time. Number is of two or four doubles.
+template <typename Number>
+LaggedModel fitted(const LaggedRows& rows, std::span<const double> input) {
   Products all{};
   place_outputs(rows, all);
-  place_inputs(input_products(rows, input.data()), all);
+  place_inputs(input_products<Number>(rows, input.data()), all);
   factorise(all);
   return solve(all);
 }

@@ -14,11 +14,12 @@ namespace {
 
 typedef float Singles __attribute__((vector_size(64)));
 typedef double Doubles __attribute__((vector_size(64)));
-typedef float Tracked __attribute__((vector_size(32)));
+typedef float FewSingles __attribute__((vector_size(32)));
+typedef double FewDoubles __attribute__((vector_size(32)));
 
 }  // namespace
 
-const LaneKernel kAvx512Lanes = lane_kernel<Singles, Doubles, Tracked>("avx512");
+const LaneKernel kAvx512Lanes = lane_kernel<Singles, Doubles, FewSingles, FewDoubles>("avx512");
 
 }  // namespace loopscope::core::model
 

@@ -2,6 +2,7 @@
 
 namespace loopscope::core::model {
 
-const LaneKernel kPortableLanes = lane_kernel<ShortNumbers, NumberPair, ShortNumbers>("portable");
+const LaneKernel kPortableLanes = 
+    lane_kernel<ShortNumbers, NumberPair, ShortNumbers, NumberPair>("portable");
 
 }  // namespace loopscope::core::model

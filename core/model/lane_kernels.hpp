@@ -8,11 +8,12 @@
 namespace loopscope::core::model {
 inline namespace LOOPSCOPE_PATH {
 
-/// A kernel in vectors of `Singles` and `Doubles`, the eight valves that are tracked at a time in
-/// vectors of `Tracked`.
-template <typename Singles, typename Doubles, typename Tracked>
+/// A kernel in vectors of `Singles` and `Doubles`; where there are no more than eight floats or four
+/// doubles to go side by side, in vectors of `FewSingles` and `FewDoubles`.
+template <typename Singles, typename Doubles, typename FewSingles, typename FewDoubles>
 constexpr LaneKernel lane_kernel(std::string_view name) {
-  return {name, products_in<Singles>, products_in<Doubles>, tracked<Tracked>, fitted};
+  return {name, products_in<Singles>, products_in<Doubles>, tracked<FewSingles>,
+          fitted<FewDoubles>};
 }
 
 }  // namespace LOOPSCOPE_PATH

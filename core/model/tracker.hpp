@@ -117,50 +117,74 @@ class Tracker {
     return chosen_.position;
   }
 
-  /// mv of every lane by row, from `begin` to `seen`; `at_end` is where the lanes are at `end`.
+  /// Squared errors of every lane on the counted rows from `begin` to `seen`; `at_end` is where the
+  /// lanes are at `end`.
   template <ValveLaw law>
   LaneValues run_stretch(std::size_t begin, std::size_t end, std::size_t seen, Lanes& at_end) {
     Lanes lanes = chosen_;
-    LaneValues costs{};
+    LaneValues* mv = move_on<law>(begin, end, lanes, &mv_[kInputLags]);
+    at_end = lanes;
+    move_on<law>(end, seen, lanes, mv);
+    return costs_of(begin, seen);
+  }
+
+  /// mv of every lane by row; returns where that of row `end` stands.
+  template <ValveLaw law>
+  LaneValues* move_on(std::size_t begin, std::size_t end, Lanes& moving, LaneValues* mv) const {
+    Lanes lanes = moving;
     const typename Lanes::Friction friction = friction_;
     const std::size_t steps = record_.steps_per_row;
     const Number share = all(1.0 / static_cast<double>(steps));
     const OpStep<float>* op = &record_.steps[begin * steps];
-    LaneValues* mv = &mv_[kInputLags];
-    for (std::size_t row = begin; row < seen; ++row, ++mv) {
-      if (record_.rows.counted[row] != 0) {
-        add_costs(rest_[row], mv, costs);
-      }
+    for (std::size_t row = begin; row < end; ++row, ++mv) {
       LaneValues sum{};
       for (std::size_t step = 0; step < steps; ++step) {
         lanes.template step<law>(friction, *op++);
-        for (std::size_t v = 0; v < kVectors; ++v) {
-          sum[v] += lanes.position[v];
-        }
+        for (std::size_t v = 0; v < kVectors; ++v) sum[v] += lanes.position[v];
       }
-      for (std::size_t v = 0; v < kVectors; ++v) {
-        (*mv)[v] = sum[v] * share;
-      }
-      if (row + 1 == end) {
-        at_end = lanes;
+      for (std::size_t v = 0; v < kVectors; ++v) (*mv)[v] = sum[v] * share;
+    }
+    moving = lanes;
+    return mv;
+  }
+
+  /// An error waits for itself at every lag: those of a few rows side by side.
+  LaneValues costs_of(std::size_t begin, std::size_t seen) const {
+    constexpr std::size_t kRows = 4;
+    LaneValues costs{};
+    for (std::size_t row = begin; row < seen;) {
+      const std::size_t counted = counted_from(row, std::min(seen, row + kRows));
+      const LaneValues* mv = &mv_[kInputLags + (row - begin)];
+      if (counted == kRows) {
+        add_costs<kRows>(&rest_[row], mv, costs);
+        row += kRows;
+      } else {
+        if (counted > 0) add_costs<1>(&rest_[row], mv, costs);
+        ++row;
       }
     }
     return costs;
   }
 
-  /// Adds the squared errors of a row; `mv` points to that row.
-  void add_costs(float rest, const LaneValues* mv, LaneValues& costs) const {
-    LaneValues error;
-    error.fill(Number{} + rest);
+  /// How many rows from the first on are counted without a gap.
+  std::size_t counted_from(std::size_t first, std::size_t end) const {
+    std::size_t row = first;
+    while (row < end && record_.rows.counted[row] != 0) ++row;
+    return row - first;
+  }
+
+  /// Adds the squared errors of so many rows; `mv` points to the first one.
+  template <std::size_t rows>
+  void add_costs(const float* rest, const LaneValues* mv, LaneValues& costs) const {
+    NumberRow<Number, rows * kVectors> errors;
+    for (std::size_t i = 0; i < rows * kVectors; ++i) errors[i] = Number{} + rest[i / kVectors];
     for (std::size_t lag = 0; lag < kInputLags; ++lag) {
       --mv;
-      for (std::size_t v = 0; v < kVectors; ++v) {
-        error[v] -= weights_[lag] * (*mv)[v];
-      }
+      for (std::size_t i = 0; i < rows * kVectors; ++i)
+        errors[i] -= weights_[lag] * mv[i / kVectors][i % kVectors];
     }
-    for (std::size_t v = 0; v < kVectors; ++v) {
-      costs[v] += error[v] * error[v];
-    }
+    for (std::size_t i = 0; i < rows * kVectors; ++i)
+      costs[i % kVectors] += errors[i] * errors[i];
   }
 
   void choose(std::size_t begin, std::size_t end, const LaneValues& starts, const LaneValues& costs,

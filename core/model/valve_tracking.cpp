@@ -16,7 +16,7 @@ std::vector<OpStep<float>> op_steps(std::span<const double> op) {
 
 TrackedValve track_valve(const TrackedRecord& record, const Valve& valve, const LaggedModel& model,
                          std::size_t rows_per_stretch) {
-  return best_lane_kernel().track(record, valve, model, rows_per_stretch);
+  return best_tracking_kernel().track(record, valve, model, rows_per_stretch);
 }
 
 LaggedModel fit_untracked(const TrackedRecord& record, const Valve& valve) {
