@@ -41,6 +41,9 @@ struct LaneKernel {
   TrackedValve (*track)(const TrackedRecord& record, const Valve& valve, const LaggedModel& model,
                         std::size_t rows_per_stretch);  ///< track_valve()
   LaggedModel (*fit_lagged)(const LaggedRows& rows, std::span<const double> input);
+  /// whiten() of four signals of that length.
+  void (*whiten_by_fours)(const NoiseModel& noise, const Signal* signals, double* const* whitened,
+                      std::size_t samples);
   void (*fill_products)(const ProductTask& task, Eigen::MatrixXd& all);
 };
 

@@ -5,6 +5,7 @@
 #include "core/model/lane_basis.hpp"
 #include "core/model/product_table.hpp"
 #include "core/model/tracker.hpp"
+#include "core/model/whitening_lanes.hpp"
 
 namespace loopscope::core::model {
 inline namespace LOOPSCOPE_PATH {
@@ -17,7 +18,7 @@ template <typename Singles, typename Doubles, typename FewSingles, typename FewD
 constexpr LaneKernel lane_kernel(std::string_view name) {
   return {name, products_in<Singles>, products_in<Doubles>, tracked<FewSingles>,
           fitted<FewDoubles>,
-          fill_products<FewDoubles, tile>};
+          whiten_by_fours<FewDoubles>,   fill_products<FewDoubles, tile>};
 }
 
 }  // namespace LOOPSCOPE_PATH
