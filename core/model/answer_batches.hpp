@@ -34,10 +34,13 @@ struct Company {
         direction(sampled ? one.valve->valve().start_direction : 0.0),
         delay_samples(one.process->delay_samples),
         band(sampled ? 0.0 : one.valve->valve().stickband_percent) {}
-  [[nodiscard]] auto shared() const { return std::tie(sampled, law, direction, delay_samples); }
+  [[nodiscard]] bool goes_with(const Company& other) const {
+    return sampled == other.sampled && law == other.law && direction == other.direction &&
+           delay_samples == other.delay_samples;
+  }
   [[nodiscard]] bool operator<(const Company& other) const {
-    return std::tuple_cat(shared(), std::tie(band)) <
-           std::tuple_cat(other.shared(), std::tie(other.band));
+    return std::tie(delay_samples, band, sampled, law, direction) <
+           std::tie(other.delay_samples, other.band, other.sampled, other.law, other.direction);
   }
 };
 
@@ -58,7 +61,7 @@ class Batches {
     for (std::size_t at = 0; at < places.size();) {
       std::size_t count = 1;
       while (count < kLanes<Number> && at + count < places.size() &&
-             places[at + count].first.shared() == places[at].first.shared())
+             places[at + count].first.goes_with(places[at].first))
         ++count;
       run_together(std::span(places).subspan(at, count));
       at += count;

@@ -107,9 +107,11 @@ class Tracker {
   /// counts from op, not from the position: there it has no limit but op's own reach.
   LaneValues spread_widely() {
     const double op = record_.op[0];
-    const auto [low, high] = std::ranges::minmax(record_.op);
-    const bool printed = valve_.law == ValveLaw::choudhury;
-    const double limit = printed ? std::max(-low, high) : static_cast<double>(friction_.breakaway);
+    double limit = static_cast<double>(friction_.breakaway);
+    if (valve_.law == ValveLaw::choudhury) {
+      const auto [low, high] = std::ranges::minmax(record_.op);
+      limit = std::max(-low, high);
+    }
     for (std::size_t lane = 1; lane < kTrackers; ++lane) {
       const double share = (2.0 * static_cast<double>(lane) - 1.0) / (kTrackers - 1.0) - 1.0;
       put(chosen_.position, lane, op - share * limit);
