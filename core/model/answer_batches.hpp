@@ -24,7 +24,8 @@ std::vector<OpStep<Element>> steps_of(std::span<const double> op, double directi
 struct Company {
   bool sampled;
   ValveLaw law;
-  double direction;  ///< of a stem none: where it begins is a lane's own; the steps of op depend on it
+  double
+      direction;  ///< of a stem none: where it begins is a lane's own; the steps of op depend on it
   std::size_t delay_samples;
   double band;  ///< stems of about the same one rest together
 

@@ -60,7 +60,8 @@ class AnswerSums {
         add_to(at++, samples, answer, [&](std::size_t k, std::size_t) { return column[row + k]; });
       }
       for (std::size_t j = 0; j <= tap; ++j) {
-        // By reference: a lambda does not belong to the kind of processor, and must pass no vectors.
+        // By reference: a lambda does not belong to the kind of processor, and must pass no
+        // vectors.
         add_to(at++, samples, answer,
                [&](std::size_t k, std::size_t i) -> const Number& { return (x - j)[k][i]; });
       }

@@ -43,7 +43,7 @@ struct LaneKernel {
   LaggedModel (*fit_lagged)(const LaggedRows& rows, std::span<const double> input);
   /// whiten() of four signals of that length.
   void (*whiten_by_fours)(const NoiseModel& noise, const Signal* signals, double* const* whitened,
-                      std::size_t samples);
+                          std::size_t samples);
   void (*fill_products)(const ProductTask& task, Eigen::MatrixXd& all);
 };
 

@@ -2,7 +2,7 @@
 
 namespace loopscope::core::model {
 
-const LaneKernel kPortableLanes = 
+const LaneKernel kPortableLanes =
     lane_kernel<ShortNumbers, NumberPair, ShortNumbers, NumberPair, 2>("portable");
 
 }  // namespace loopscope::core::model

@@ -10,8 +10,8 @@ struct LongsOf {
   typedef long long type __attribute__((vector_size(bytes)));
 };
 
-/// Copies of memory: what returns a vector has to belong to the kind of processor, and std::bit_cast
-/// does not.
+/// Copies of memory: what returns a vector has to belong to the kind of processor, and
+/// std::bit_cast does not.
 template <std::size_t bytes, typename Bits>
 bool all_bits(const Bits& bits) {
   if constexpr (bytes == 2 * sizeof(long long)) {

@@ -185,8 +185,7 @@ class Tracker {
       for (std::size_t i = 0; i < rows * kVectors; ++i)
         errors[i] -= weights_[lag] * mv[i / kVectors][i % kVectors];
     }
-    for (std::size_t i = 0; i < rows * kVectors; ++i)
-      costs[i % kVectors] += errors[i] * errors[i];
+    for (std::size_t i = 0; i < rows * kVectors; ++i) costs[i % kVectors] += errors[i] * errors[i];
   }
 
   void choose(std::size_t begin, std::size_t end, const LaneValues& starts, const LaneValues& costs,

@@ -12,7 +12,8 @@ std::vector<Eigen::MatrixXd> ValveAnswers::products(std::span<const ValveAndProc
                                                     Digits digits) const {
   const AnswerTask task{op_, structure_.noise, structure_.two_taps ? 2U : 1U, steady_, rows_};
   const LaneKernel& kernel = best_lane_kernel();
-  return digits == Digits::full ? kernel.full_answers(task, valves) : kernel.single_answers(task, valves);
+  return digits == Digits::full ? kernel.full_answers(task, valves)
+                                : kernel.single_answers(task, valves);
 }
 
 }  // namespace loopscope::core::model

@@ -34,7 +34,7 @@ struct ValveLanes {
   using Numbers = NumberRow<Number, count>;
   using Frictions = std::array<FrictionIn<Number>, count>;
   Numbers position{};
-  Numbers turn{};                    ///< choudhury: op where counting starts
+  Numbers turn{};                   ///< choudhury: op where counting starts
   NumberRow<Mask, count> moving{};  ///< choudhury, kano
 
   /// All at rest at `op` after a motion in that direction.

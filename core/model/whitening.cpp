@@ -37,8 +37,7 @@ void Whitening::run(const NoiseModel& noise) const {
   };
   for (std::size_t at = 0; at < from_.size();) {
     const std::size_t left = from_.size() - at;
-    const bool four =
-        left >= 4 && same(at, at + 1) && same(at, at + 2) && same(at, at + 3);
+    const bool four = left >= 4 && same(at, at + 1) && same(at, at + 2) && same(at, at + 3);
     const std::size_t count = four ? 4 : std::min<std::size_t>(2, left);
     const Range& a = heard_in[at];
     const Range& b = heard_in[at + count - 1];

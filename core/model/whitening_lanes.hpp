@@ -60,7 +60,7 @@ void whiten_abreast(const NoiseModel& noise, const Signal* signals, double* cons
 /// Four signals of that length, as many at a time as a Number has.
 template <typename Number>
 void whiten_by_fours(const NoiseModel& noise, const Signal* signals, double* const* whitened,
-                 std::size_t samples) {
+                     std::size_t samples) {
   for (std::size_t i = 0; i < 4; i += kElements<Number>)
     whiten_abreast<Number>(noise, signals + i, whitened + i, samples);
 }

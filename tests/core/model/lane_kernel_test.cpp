@@ -27,8 +27,8 @@ std::vector<const LaneKernel*> others() {
 /// that begin and end anywhere.
 struct Setting {
   tests::Series op = tests::stepping_op(kSamples, 3);
-  tests::Series pv = tests::process_record(tests::one_lag(0.8, 3), 1.5, op,
-                                           tests::white_noise(kSamples, 8, 0.2));
+  tests::Series pv =
+      tests::process_record(tests::one_lag(0.8, 3), 1.5, op, tests::white_noise(kSamples, 8, 0.2));
   std::vector<tests::Series> columns;
   std::vector<Signal> signals;
   std::vector<Range> rows{{40, 63}, {64, 65}, {130, 301}, {302, 306}, {500, kSamples}};

@@ -102,7 +102,7 @@ TEST(StemLanes, RestWhereOpLeavesThem) {
   for (std::size_t lane = 0; lane < 4; ++lane)
     lanes.put_in(lane, {ValveLaw::kano, 4.0, 1.0, 1.0, {0.2, 0.1, 0.0}}, 50.0);
   const std::vector<float> op = {50.0F, 50.9F, 46.1F, 50.5F};
-  std::vector<std::array<ShortNumbers, 1>> places(op.size());
+  std::vector<NumberRow<ShortNumbers, 1>> places(op.size());
   lanes.run<ValveLaw::kano>(op, places.data());
   for (const auto& at : places) EXPECT_EQ(at[0][3], 48.5F);
 }
