@@ -14,11 +14,18 @@ template <typename Number, std::size_t height, std::size_t width>
 class ProductTile {
  public:
   void add(const Signal* left, const Signal* right, const Range& rows) {
+    // Copies of its own: a sum that could be one of the rows would go through memory every time.
+    Sums sums = sums_;
+    std::array<Signal, height> a;
+    std::array<Signal, width> b;
+    std::copy_n(left, height, a.begin());
+    std::copy_n(right, width, b.begin());
     std::size_t k = rows.first;
-    for (; k + kRowsAtOnce <= rows.end; k += kRowsAtOnce) add_rows(left, right, k);
+    for (; k + kRowsAtOnce <= rows.end; k += kRowsAtOnce) add_rows(a, b, k, sums);
+    sums_ = sums;
     for (; k < rows.end; ++k) {
       for (std::size_t i = 0; i < height; ++i) {
-        for (std::size_t j = 0; j < width; ++j) single_[i][j] += left[i][k] * right[j][k];
+        for (std::size_t j = 0; j < width; ++j) single_[i][j] += a[i][k] * b[j][k];
       }
     }
   }
@@ -32,6 +39,7 @@ class ProductTile {
  private:
   static constexpr std::size_t kVectors = kRowsAtOnce / kElements<Number>;
   using Rows = NumberRow<Number, kVectors>;
+  using Sums = NumberRow<Rows, height * width>;
 
   static Rows load(const double* values) {
     Rows rows;
@@ -39,18 +47,20 @@ class ProductTile {
     return rows;
   }
 
-  void add_rows(const Signal* left, const Signal* right, std::size_t k) {
+  [[gnu::always_inline]] static inline void add_rows(const std::array<Signal, height>& left,
+                                                     const std::array<Signal, width>& right,
+                                                     std::size_t k, Sums& sums) {
     NumberRow<Rows, width> b;
     for (std::size_t j = 0; j < width; ++j) b[j] = load(right[j] + k);
     for (std::size_t i = 0; i < height; ++i) {
       const Rows a = load(left[i] + k);
       for (std::size_t j = 0; j < width; ++j) {
-        for (std::size_t v = 0; v < kVectors; ++v) sums_[i * width + j][v] += a[v] * b[j][v];
+        for (std::size_t v = 0; v < kVectors; ++v) sums[i * width + j][v] += a[v] * b[j][v];
       }
     }
   }
 
-  std::array<Rows, height * width> sums_{};
+  Sums sums_{};
   std::array<std::array<double, width>, height> single_{};
 };
 

@@ -137,7 +137,7 @@ class Tracker {
     const typename Lanes::Friction friction = friction_;
     const std::size_t steps = record_.steps_per_row;
     const Number share = all(1.0 / static_cast<double>(steps));
-    const OpStep<float>* op = &record_.steps[begin * steps];
+    const OpStep<float>* op = record_.steps.data() + begin * steps;
     for (std::size_t row = begin; row < end; ++row, ++mv) {
       LaneValues sum{};
       for (std::size_t step = 0; step < steps; ++step) {
