@@ -1,17 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
-#include <array>
-#include <span>
-#include <vector>
-
 #include "core/model/answer_lanes.hpp"
 #include "core/model/answer_sums.hpp"
-#include "core/model/valve_answers.hpp"
+#include "core/model/lane_basis.hpp"
 #include "core/model/valve_batch.hpp"
 
 namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
 
 /// Numbers side by side: they hide what each of them waits for. Of 2, 3 and 4 the last is fastest.
 inline constexpr std::size_t kVectorsAtOnce = 4;
@@ -31,8 +26,8 @@ struct BatchRecord {
 
 /// Valves and processes side by side, from op to their sums; dead time and integrator are those of
 /// the first one. As few as there are: what is left of the lanes repeats the last one. `Batch` is
-/// SampledBatch or StemBatch of kVectorsAtOnce Numbers.
-template <typename Number, typename Batch>
+/// SampledBatch or StemBatch of `vectors` Numbers.
+template <typename Number, std::size_t vectors, typename Batch>
 class AnswerBatch {
  public:
   using Element = typename ElementOf<Number>::type;
@@ -43,7 +38,7 @@ class AnswerBatch {
         delay_(std::min(all.front().process->delay_samples, shared.samples())),
         valves_(shared.seen),
         sums_(shared.rows, shared.columns, shared.taps) {
-    for (std::size_t lane = 0; lane < kLanes<Number>; ++lane) {
+    for (std::size_t lane = 0; lane < vectors * kElements<Number>; ++lane) {
       const ValveAndProcess& one = all[std::min(lane, all.size() - 1)];
       valves_.put_in(lane, one.valve->valve());
       poles_.put(lane, *one.process);
@@ -56,7 +51,7 @@ class AnswerBatch {
   void run() {
     Numbers start;
     move_on(1, &start);
-    AnswerLanes<Number, kVectorsAtOnce> answers(poles_, shared_.noise, start);
+    AnswerLanes<Number, vectors> answers(poles_, shared_.noise, start);
     // The sample before a stretch stands in front of it: the second tap is a sample later.
     std::array<Numbers, kStretch + 1> x;
     for (std::size_t first = 0; first < shared_.samples(); first += kStretch) {
@@ -109,10 +104,11 @@ class AnswerBatch {
   const BatchRecord<Element>& shared_;
   std::size_t delay_;
   Batch valves_;
-  PoleLanes<Number, kVectorsAtOnce> poles_;
-  AnswerSums<Number, kVectorsAtOnce> sums_;
+  PoleLanes<Number, vectors> poles_;
+  AnswerSums<Number, vectors> sums_;
   std::vector<LaneRestart> restarts_;
   std::size_t restart_ = 0, now_ = 0;
 };
 
+}  // namespace LOOPSCOPE_PATH
 }  // namespace loopscope::core::model

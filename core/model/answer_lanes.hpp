@@ -1,19 +1,15 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-
-#include "core/model/noise_model.hpp"
-#include "core/model/process_shape.hpp"
+#include "core/model/lane_basis.hpp"
 #include "core/model/valve_lanes.hpp"
 
 namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
 
 /// Poles of processes side by side, that of an integrator 1.
 template <typename Number, std::size_t count>
 struct PoleLanes {
-  std::array<Number, count> pole{}, second_pole{};
+  NumberRow<Number, count> pole{}, second_pole{};
   std::array<double, count * kElements<Number>> gain{};  ///< (1 - pole) (1 - second pole), or that
                                                          ///< of the second
   bool integrating = false;                              ///< all of them
@@ -42,7 +38,7 @@ template <typename Number, std::size_t count>
 class AnswerLanes {
  public:
   using Element = typename ElementOf<Number>::type;
-  using Numbers = std::array<Number, count>;
+  using Numbers = NumberRow<Number, count>;
 
   /// `first`: the signals' first values, which they had before the record too. The dead time is the
   /// caller's: as many times the first value before the signals.
@@ -137,4 +133,5 @@ class AnswerLanes {
   bool begun_ = false;
 };
 
+}  // namespace LOOPSCOPE_PATH
 }  // namespace loopscope::core::model

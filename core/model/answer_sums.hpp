@@ -1,15 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
-#include <array>
-#include <span>
-#include <vector>
-
-#include "core/model/loop_data.hpp"
+#include "core/model/lane_basis.hpp"
 #include "core/model/valve_lanes.hpp"
 
 namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
 
 /// Sums over the rows of a fit of whitened answers, side by side, with columns that they share and
 /// with themselves, while the answers come by in stretches. Rows are added up in the digits of
@@ -18,7 +13,7 @@ template <typename Number, std::size_t count>
 class AnswerSums {
  public:
   using Element = typename ElementOf<Number>::type;
-  using Numbers = std::array<Number, count>;
+  using Numbers = NumberRow<Number, count>;
 
   /// `rows`, ascending, and `columns` have to outlive this; one or two taps, the second a sample
   /// later.
@@ -65,7 +60,10 @@ class AnswerSums {
         add_to(at++, samples, answer, [&](std::size_t k, std::size_t) { return column[row + k]; });
       }
       for (std::size_t j = 0; j <= tap; ++j) {
-        add_to(at++, samples, answer, [&](std::size_t k, std::size_t i) { return (x - j)[k][i]; });
+        // By reference: a lambda does not belong to the kind of processor, and must pass no
+        // vectors.
+        add_to(at++, samples, answer,
+               [&](std::size_t k, std::size_t i) -> const Number& { return (x - j)[k][i]; });
       }
     }
   }
@@ -97,4 +95,5 @@ class AnswerSums {
   std::size_t range_ = 0;
 };
 
+}  // namespace LOOPSCOPE_PATH
 }  // namespace loopscope::core::model

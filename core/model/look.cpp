@@ -139,8 +139,10 @@ Explanation tell_story(Look look) {
   continue_story(story, look.answers);
   explanation.steps = report_steps(story);
   const Fit& last = story.last().fit;
-  if (!story.chapters.empty()) explanation.baseline.process = report_process(story.data, last);
-  const std::vector<Answer> left = question(look.at_rows, story.data, last, Depth::full);
+  const bool changed = !story.chapters.empty();
+  if (changed) explanation.baseline.process = report_process(story.data, last);
+  const std::vector<Answer> left = question(look.at_rows, story.data, last, Depth::full,
+                                            changed ? std::vector<Answer>() : look.answers);
   const std::size_t op_turns = judge_loop(look, last, explanation);
   report_rest(story, left, explanation);
   // Behind a held sensor the shape of a cycle proves nothing: there it accused the valves of 5 in

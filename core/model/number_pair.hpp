@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -50,16 +49,16 @@ void put_element(Number& numbers, std::size_t at, double value) {
 template <typename Number>
 using MaskOf = decltype(Number{} > Number{});
 
-/// Whether the condition holds for each of the numbers side by side.
-template <typename Mask>
-bool holds_for_all(Mask mask) {
-  if constexpr (std::is_same_v<Mask, bool>) {
-    return mask;
-  } else {
-    typedef long long Halves __attribute__((vector_size(sizeof(Mask))));
-    const auto halves = std::bit_cast<Halves>(mask);
-    return (halves[0] & halves[1]) == -1;
+/// Some Numbers in a row. Not std::array: how a vector of more than 16 bytes is aligned depends on
+/// what the code around it is compiled for, and here it stands written.
+template <typename Number, std::size_t count>
+struct alignas(sizeof(Number)) NumberRow {
+  Number numbers[count];
+  [[nodiscard]] Number& operator[](std::size_t i) { return numbers[i]; }
+  [[nodiscard]] const Number& operator[](std::size_t i) const { return numbers[i]; }
+  void fill(const Number& number) {
+    for (Number& each : numbers) each = number;
   }
-}
+};
 
 }  // namespace loopscope::core::model

@@ -31,7 +31,7 @@ std::vector<double> response_of(const LoopData& data, const Fit& fit) {
 }
 
 std::vector<Answer> question(const ModelInput& input, const LoopData& data, const Fit& fit,
-                             Depth depth) {
+                             Depth depth, const std::vector<Answer>& known) {
   const std::vector<double> residual = residual_of(data, fit);
   const std::vector<double> direction = op_direction(input.op);
   const std::vector<double> response = response_of(data, fit);
@@ -39,7 +39,7 @@ std::vector<Answer> question(const ModelInput& input, const LoopData& data, cons
                           response, input.pv, input.sample_interval_s};
   if (depth == Depth::first) return question_residual_first(view);
   return depth == Depth::quick ? question_residual_quickly(view)
-                               : question_residual(view, input.seed);
+                               : question_residual(view, input.seed, known);
 }
 
 double p_of_op_direction(const LoopData& data, const Fit& fit) {

@@ -16,8 +16,10 @@ enum class Depth { first, quick, full };
 [[nodiscard]] std::vector<double> response_of(const LoopData& data, const Fit& fit);
 
 /// What the one-step errors of a fit still hold. `data` and `fit` are of the record in `input`.
+/// `known`: of Depth::first about the same fit, not asked again at full depth.
 [[nodiscard]] std::vector<Answer> question(const ModelInput& input, const LoopData& data,
-                                           const Fit& fit, Depth depth);
+                                           const Fit& fit, Depth depth,
+                                           const std::vector<Answer>& known = {});
 
 /// p of the question op_direction alone, put to the one-step errors of a fit; 1 where it cannot be
 /// asked.

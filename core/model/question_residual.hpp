@@ -15,8 +15,10 @@ namespace loopscope::core::model {
 ///
 /// Each p is that of its own question; the questions are not corrected for each other. `seed`
 /// drives the simulations of core/hos. Throws std::invalid_argument when the spans differ in length
-/// or the sample interval is not positive.
-[[nodiscard]] std::vector<Answer> question_residual(const ResidualView& view, std::uint64_t seed);
+/// or the sample interval is not positive. `known`: of question_residual_first() on the same view,
+/// not asked again.
+[[nodiscard]] std::vector<Answer> question_residual(const ResidualView& view, std::uint64_t seed,
+                                                    const std::vector<Answer>& known = {});
 
 /// All but the last two, which cost more than the others together.
 [[nodiscard]] std::vector<Answer> question_residual_quickly(const ResidualView& view);

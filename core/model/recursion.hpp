@@ -1,11 +1,12 @@
 #pragma once
 
-#include <cstddef>
+#include "core/model/lane_basis.hpp"
 
 namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
 
-/// y(k) = root y(k-1) + x(k), y(-1) = `before`. Number is double or NumberPair: two recursions side
-/// by side. `read(k)` gives x(k) and is asked once for each k, in order, before `write(k, y)`.
+/// y(k) = root y(k-1) + x(k), y(-1) = `before`. Number is double, or some of them: recursions
+/// side by side. `read(k)` gives x(k) and is asked once for each k, in order, before `write(k, y)`.
 ///
 /// Four samples at a time: each waits for the state four samples back only, so that the processor
 /// is not idle for the time of a product and a sum at every sample.
@@ -32,4 +33,5 @@ inline void run_recursion(Number root, Number before, std::size_t count, Read re
   }
 }
 
+}  // namespace LOOPSCOPE_PATH
 }  // namespace loopscope::core::model

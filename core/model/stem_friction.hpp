@@ -15,14 +15,14 @@ inline constexpr int kLooks = 8;
 /// Where a stem that moves on all along is after some looks: the sum of shares of where it was, of
 /// where the pressure was, of op and of how far it stays behind.
 template <typename Number>
-struct StemCourse {
+struct alignas(sizeof(Number)) StemCourse {
   Number own{}, pressure{}, op{}, behind{};
 };
 
 /// What a valve that is looked at between the samples is made of, % of op and shares. Of one
 /// (double), or of as many as a Number has.
 template <typename Number>
-struct StemFriction {
+struct alignas(sizeof(Number)) StemFriction {
   Number breakaway{};       ///< how far from the pressure it breaks loose
   Number behind{};          ///< how far a moving stem stays behind the pressure
   Number least_gap{};       ///< to the pressure; with a smaller one a moving stem is too slow

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <span>
-
+#include "core/model/lane_basis.hpp"
 #include "core/model/stems.hpp"
 
 namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
 
 /// `count` Numbers of stems side by side, a stretch of op at a time. A guess of a stem rests nine
 /// samples of ten, and as long as op stays where it moves none of them only the pressures pass on.
@@ -16,7 +12,7 @@ template <typename Number, std::size_t count>
 class StemLanes {
  public:
   using Element = typename ElementOf<Number>::type;
-  using Numbers = std::array<Number, count>;
+  using Numbers = NumberRow<Number, count>;
 
   void put_in(std::size_t lane, const Valve& valve, double op) {
     stems_[lane / kElements<Number>].put_in(lane % kElements<Number>, valve, op);
@@ -80,4 +76,5 @@ class StemLanes {
   Element lowest_ = 0, highest_ = 0;  ///< op that leaves all of them at rest
 };
 
+}  // namespace LOOPSCOPE_PATH
 }  // namespace loopscope::core::model

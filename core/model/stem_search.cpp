@@ -83,6 +83,7 @@ class Evolution {
   void rate(std::vector<StemGenes>& guesses, const FitVariants& variants) const {
     std::vector<ValveEffect> valves;
     std::vector<ProcessShape> processes;
+    valves.reserve(guesses.size());
     for (const StemGenes& guess : guesses) {
       valves.push_back(valve_of(guess, law_, data_.op.front()));
       processes.push_back(process_of(guess, start_.process));
@@ -97,9 +98,15 @@ class Evolution {
     }
   }
 
+  /// Of those that leave the same error the first ones.
   void keep_best() {
-    std::ranges::stable_sort(guesses_, {}, &StemGenes::fit_error);
-    if (guesses_.size() > parents_) guesses_.resize(parents_);
+    std::vector<std::pair<double, std::size_t>> ranked;
+    for (std::size_t i = 0; i < guesses_.size(); ++i) ranked.emplace_back(guesses_[i].fit_error, i);
+    const std::size_t count = std::min(parents_, ranked.size());
+    std::ranges::partial_sort(ranked, ranked.begin() + static_cast<std::ptrdiff_t>(count));
+    std::vector<StemGenes> best;
+    for (std::size_t i = 0; i < count; ++i) best.push_back(guesses_[ranked[i].second]);
+    guesses_ = std::move(best);
   }
 
   [[nodiscard]] Fit fitted(const LoopData& seen, int iterations) const {

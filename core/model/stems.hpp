@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <limits>
-
-#include "core/model/stem_friction.hpp"
+#include "core/model/lane_basis.hpp"
+#include "core/model/lane_masks.hpp"
 
 namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
 
 /// A pressure after a sample in which so much of its way to op is left: what waits for the one
 /// before is a product and a sum.
@@ -18,7 +17,7 @@ Number passed_on(Number pressure, Number left, Number op) {
 /// under the same op. Choices instead of branches, but for what all of them do: mostly all of them
 /// rest.
 template <typename Number>
-class Stems {
+class alignas(sizeof(Number)) Stems {
  public:
   using Element = typename ElementOf<Number>::type;
   using Mask = MaskOf<Number>;
@@ -99,7 +98,7 @@ class Stems {
   }
 
   /// What changes from look to look.
-  struct Moment {
+  struct alignas(sizeof(Number)) Moment {
     Number pressure, place;
     Mask up, down;  ///< where a moving stem moves
   };
@@ -151,4 +150,5 @@ class Stems {
   Number direction_{};  ///< of a moving stem; 0 = it rests
 };
 
+}  // namespace LOOPSCOPE_PATH
 }  // namespace loopscope::core::model

@@ -37,10 +37,6 @@ class ValveAnswers {
                                                       Digits digits) const;
 
  private:
-  template <typename Number>
-  [[nodiscard]] std::vector<Eigen::MatrixXd> products_in(
-      std::span<const ValveAndProcess> valves) const;
-
   std::span<const double> op_;
   const Structure& structure_;
   std::span<const Signal> steady_;

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <span>
-#include <vector>
-
+#include "core/model/lane_basis.hpp"
 #include "core/model/stem_lanes.hpp"
 #include "core/model/valve_lanes.hpp"
 
 namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
 
 /// op as all valves see it, in the digits of their numbers.
 template <typename Element>
@@ -23,7 +20,7 @@ template <typename Number, std::size_t count, ValveLaw law>
 class SampledBatch {
  public:
   using Element = typename ElementOf<Number>::type;
-  using Numbers = std::array<Number, count>;
+  using Numbers = NumberRow<Number, count>;
 
   explicit SampledBatch(const SeenOp<Element>& seen) : steps_(seen.steps) {}
 
@@ -65,7 +62,7 @@ template <typename Number, std::size_t count, ValveLaw law>
 class StemBatch {
  public:
   using Element = typename ElementOf<Number>::type;
-  using Numbers = std::array<Number, count>;
+  using Numbers = NumberRow<Number, count>;
 
   explicit StemBatch(const SeenOp<Element>& seen) : op_(seen.op) {}
 
@@ -82,4 +79,5 @@ class StemBatch {
   StemLanes<Number, count> stems_;
 };
 
+}  // namespace LOOPSCOPE_PATH
 }  // namespace loopscope::core::model

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-
-#include "core/model/number_pair.hpp"
-#include "core/model/valve_law.hpp"
+#include "core/model/lane_basis.hpp"
 
 namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
 
 /// Half widths: where the resting valve breaks loose, and how far a moving one lags behind op. Of
 /// one valve (an Element), or of as many as a Number has (see put()).
 template <typename Element>
-struct FrictionIn {
+struct alignas(sizeof(Element)) FrictionIn {
   FrictionIn() = default;
   explicit FrictionIn(const Valve& valve)
       : band(static_cast<Element>(valve.stickband_percent)),
@@ -25,36 +22,6 @@ struct FrictionIn {
 };
 using Friction = FrictionIn<double>;
 
-/// What op does at a sample, as valves see it.
-template <typename Element>
-struct OpStep {
-  Element op;
-  Element before;     ///< op a sample earlier
-  Element direction;  ///< of op's last motion, +1 or -1
-  Element kept;       ///< 0 = op turned, or stood still for the second time: a moving valve stops
-  Element turned;     ///< 0 or 1
-};
-
-/// Follows op, the same for every valve that sees it.
-template <typename Element>
-struct OpMotion {
-  Element previous = 0;
-  Element direction = 1;  ///< of op's last motion
-  bool stood_still = true;
-
-  OpStep<Element> take(Element op) {
-    const Element slope = op - previous;
-    const bool still = slope == 0;
-    const bool turned = slope * direction < 0;
-    const bool stopped = turned || (still && stood_still);
-    direction = turned ? -direction : direction;
-    stood_still = still;
-    const Element before = previous;
-    previous = op;
-    return {op, before, direction, Element(stopped ? 0 : 1), Element(turned ? 1 : 0)};
-  }
-};
-
 /// Some valves of one law, side by side under the same op: they differ in where they are, and in
 /// their friction where step() is given one FrictionIn<Number> for each Number instead of one for
 /// all. Number is double, NumberPair or ShortNumbers, and there are `count` of them. Choices only,
@@ -64,11 +31,11 @@ struct ValveLanes {
   using Element = typename ElementOf<Number>::type;
   using Friction = FrictionIn<Element>;
   using Mask = MaskOf<Number>;
-  using Numbers = std::array<Number, count>;
+  using Numbers = NumberRow<Number, count>;
   using Frictions = std::array<FrictionIn<Number>, count>;
   Numbers position{};
-  Numbers turn{};                    ///< choudhury: op where counting starts
-  std::array<Mask, count> moving{};  ///< choudhury, kano
+  Numbers turn{};                   ///< choudhury: op where counting starts
+  NumberRow<Mask, count> moving{};  ///< choudhury, kano
 
   /// All at rest at `op` after a motion in that direction.
   void start(const Friction& friction, Element direction, Element op) {
@@ -147,4 +114,5 @@ void with_law(ValveLaw law, Function&& f) {
   }
 }
 
+}  // namespace LOOPSCOPE_PATH
 }  // namespace loopscope::core::model

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/model/op_step.hpp"
 #include "core/model/valve_between_samples.hpp"
 #include "core/model/valve_lanes.hpp"
 

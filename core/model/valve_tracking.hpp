@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/model/lagged_fit.hpp"
-#include "core/model/valve_lanes.hpp"
+#include "core/model/op_step.hpp"
 #include "core/model/valve_law.hpp"
 
 namespace loopscope::core::model {

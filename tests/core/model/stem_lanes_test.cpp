@@ -38,7 +38,7 @@ std::vector<Series> side_by_side(const Series& op, std::size_t put_at) {
   constexpr std::size_t kLanes = kVectors * kElements<Number>;
   for (std::size_t lane = 0; lane < kLanes; ++lane) lanes.put_in(lane, stem(law, lane), op.front());
   const std::vector<Element> seen(op.begin(), op.end());
-  std::vector<std::array<Number, kVectors>> places(op.size());
+  std::vector<NumberRow<Number, kVectors>> places(op.size());
   for (std::size_t k = 0; k < op.size();) {
     if (k == put_at) lanes.put(1, op[k] - 0.2);
     const std::size_t end = k < put_at ? put_at : op.size();
@@ -102,7 +102,7 @@ TEST(StemLanes, RestWhereOpLeavesThem) {
   for (std::size_t lane = 0; lane < 4; ++lane)
     lanes.put_in(lane, {ValveLaw::kano, 4.0, 1.0, 1.0, {0.2, 0.1, 0.0}}, 50.0);
   const std::vector<float> op = {50.0F, 50.9F, 46.1F, 50.5F};
-  std::vector<std::array<ShortNumbers, 1>> places(op.size());
+  std::vector<NumberRow<ShortNumbers, 1>> places(op.size());
   lanes.run<ValveLaw::kano>(op, places.data());
   for (const auto& at : places) EXPECT_EQ(at[0][3], 48.5F);
 }

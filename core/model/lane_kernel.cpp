@@ -1,0 +1,15 @@
+#include "core/model/lane_kernel.hpp"
+
+#include "core/model/processor_choice.hpp"
+
+namespace loopscope::core::model {
+
+const LaneKernel& best_lane_kernel() {
+  return LOOPSCOPE_BEST_KERNEL(kPortableLanes, kAvx2Lanes, kAvx512Lanes);
+}
+
+const LaneKernel& best_tracking_kernel() {
+  return LOOPSCOPE_BEST_KERNEL(kPortableLanes, kAvx2Lanes, kAvx2Lanes);
+}
+
+}  // namespace loopscope::core::model

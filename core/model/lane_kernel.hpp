@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/model/loop_data.hpp"
+#include "core/model/noise_model.hpp"
+#include "core/model/products.hpp"
+#include "core/model/valve_answers.hpp"
+#include "core/model/valve_tracking.hpp"
+
+namespace loopscope::core::model {
+
+/// What valves answer to, and what their answers are multiplied by; see ValveAnswers.
+struct AnswerTask {
+  std::span<const double> op;
+  const NoiseModel& noise;
+  std::size_t taps;
+  std::span<const Signal> steady;
+  std::span<const Range> rows;
+};
+
+/// Signals to be multiplied with one another; see products.hpp.
+struct ProductTask {
+  std::span<const Signal> left;
+  std::span<const Signal> right;
+  std::span<const Range> rows;
+  bool among_themselves;  ///< right is left, and the lower triangle will do
+};
+
+/// What goes side by side in vectors, for one kind of processor. The digits of a lane do not depend
+/// on how many there are, and sums are added in one order: all kinds give the same results.
+struct LaneKernel {
+  using Products = std::vector<Eigen::MatrixXd> (*)(const AnswerTask& task,
+                                                    std::span<const ValveAndProcess> valves);
+  std::string_view name;
+  Products single_answers;  ///< ValveAnswers::products(), Digits::single
+  Products full_answers;    ///< the same, Digits::full
+  TrackedValve (*track)(const TrackedRecord& record, const Valve& valve, const LaggedModel& model,
+                        std::size_t rows_per_stretch);  ///< track_valve()
+  LaggedModel (*fit_lagged)(const LaggedRows& rows, std::span<const double> input);
+  /// whiten() of four signals of that length.
+  void (*whiten_by_fours)(const NoiseModel& noise, const Signal* signals, double* const* whitened,
+                          std::size_t samples);
+  void (*fill_products)(const ProductTask& task, Eigen::MatrixXd& all);
+};
+
+/// Runs everywhere.
+extern const LaneKernel kPortableLanes;
+#if defined(__x86_64__)
+/// Need AVX2, and AVX-512 F, DQ, BW and VL.
+extern const LaneKernel kAvx2Lanes;
+extern const LaneKernel kAvx512Lanes;
+#endif
+
+/// The fastest of them on this processor.
+[[nodiscard]] const LaneKernel& best_lane_kernel();
+/// The one that tracks fastest: eight valves fill a vector of AVX2, and each waits for its own
+/// choice of the sample before, which takes a third longer by the mask registers of AVX-512.
+[[nodiscard]] const LaneKernel& best_tracking_kernel();
+
+}  // namespace loopscope::core::model

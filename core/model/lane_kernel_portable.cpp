@@ -1,0 +1,8 @@
+#include "core/model/lane_kernels.hpp"
+
+namespace loopscope::core::model {
+
+const LaneKernel kPortableLanes =
+    lane_kernel<ShortNumbers, NumberPair, ShortNumbers, NumberPair, 2>("portable");
+
+}  // namespace loopscope::core::model

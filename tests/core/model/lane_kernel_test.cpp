@@ -1,0 +1,137 @@
+#include "core/model/lane_kernel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <gtest/gtest.h>
+
+#include "core/model/lagged_rows.hpp"
+#include "core/model/processor_choice.hpp"
+#include "tests/core/model/model_records.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr std::size_t kSamples = 1500;
+
+/// The kernels that this processor can run beside the portable one.
+std::vector<const LaneKernel*> others() {
+  std::vector<const LaneKernel*> kernels;
+#if defined(__x86_64__)
+  if (processor_kind() != ProcessorKind::portable) kernels.push_back(&kAvx2Lanes);
+  if (processor_kind() == ProcessorKind::avx512) kernels.push_back(&kAvx512Lanes);
+#endif
+  return kernels;
+}
+
+/// op about its mean, what pv answers, whitened columns, one of them silent at both ends, and rows
+/// that begin and end anywhere.
+struct Setting {
+  tests::Series op = tests::stepping_op(kSamples, 3);
+  tests::Series pv =
+      tests::process_record(tests::one_lag(0.8, 3), 1.5, op, tests::white_noise(kSamples, 8, 0.2));
+  std::vector<tests::Series> columns;
+  std::vector<Signal> signals;
+  std::vector<Range> rows{{40, 63}, {64, 65}, {130, 301}, {302, 306}, {500, kSamples}};
+
+  Setting() {
+    for (double& value : op) value -= 50.0;
+    for (std::uint64_t seed = 4; seed < 11; ++seed)
+      columns.push_back(tests::white_noise(kSamples, seed));
+    std::fill_n(columns[2].begin(), 400, 0.0);
+    for (const tests::Series& column : columns) signals.push_back(column.data());
+  }
+};
+
+TEST(LaneKernel, TheBestOneIsAmongThem) {
+  const std::vector<const LaneKernel*> kernels = others();
+  const LaneKernel* best = kernels.empty() ? &kPortableLanes : kernels.back();
+  EXPECT_EQ(best_lane_kernel().name, best->name);
+}
+
+/// As many valves as leave some lanes idle, of every law, at the samples and between them.
+std::vector<ValveEffect> valves() {
+  std::vector<ValveEffect> result;
+  for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
+    for (int i = 0; i < 37; ++i) {
+      const double band = 0.3 + 0.2 * i;
+      result.emplace_back(Valve{law, band, 0.02 * i * band, 1.0});
+      const BetweenSamples between{0.03 + 0.02 * i, 0.03 * (i % 5), 0.002 * (i % 3)};
+      if (law != ValveLaw::choudhury)
+        result.emplace_back(Valve{law, band, 0.02 * i * band, 1.0, between},
+                            std::vector<ValveRestart>{{0, 0.1 * i}, {700, 4.0}});
+    }
+  }
+  return result;
+}
+
+TEST(LaneKernel, AnswersOfValvesAreTheSame) {
+  const Setting setting;
+  const NoiseModel noise{2, {0.97, 0.4, 0.0}, {-0.6, 0.1, 0.0}};
+  const AnswerTask task{setting.op, noise, 2, setting.signals, setting.rows};
+  const std::vector<ValveEffect> all = valves();
+  const ProcessShape process = tests::two_lags(0.9, 0.5, 4);
+  std::vector<ValveAndProcess> pairs;
+  for (const ValveEffect& valve : all) pairs.push_back({&valve, &process});
+  const auto single = kPortableLanes.single_answers(task, pairs);
+  const auto full = kPortableLanes.full_answers(task, pairs);
+  for (const LaneKernel* kernel : others()) {
+    EXPECT_EQ(kernel->single_answers(task, pairs), single) << kernel->name;
+    EXPECT_EQ(kernel->full_answers(task, pairs), full) << kernel->name;
+  }
+}
+
+TEST(LaneKernel, TrackedValvesAreTheSame) {
+  const Setting setting;
+  const std::vector<std::uint8_t> every(kSamples, 1);
+  TrackedRecord record;
+  record.rows = lagged_rows(setting.pv, every, every, 1);
+  record.op = setting.op;
+  record.steps = op_steps(setting.op);
+  record.linear = kPortableLanes.fit_lagged(record.rows, setting.op);
+  record.linear_residual = record.linear.residual;
+  for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
+    const Valve valve{law, 3.0, 1.0, 1.0};
+    const TrackedValve portable = kPortableLanes.track(record, valve, record.linear, 24);
+    for (const LaneKernel* kernel : others()) {
+      const TrackedValve tracked = kernel->track(record, valve, record.linear, 24);
+      EXPECT_EQ(tracked.evidence, portable.evidence) << kernel->name;
+      EXPECT_EQ(tracked.corrections, portable.corrections) << kernel->name;
+      EXPECT_EQ(kernel->fit_lagged(record.rows, setting.op).weights, record.linear.weights);
+    }
+  }
+}
+
+TEST(LaneKernel, ProductsAreTheSame) {
+  const Setting setting;
+  for (const bool among_themselves : {false, true}) {
+    const ProductTask task{setting.signals, setting.signals, setting.rows, among_themselves};
+    Eigen::MatrixXd portable = Eigen::MatrixXd::Zero(7, 7);
+    kPortableLanes.fill_products(task, portable);
+    for (const LaneKernel* kernel : others()) {
+      Eigen::MatrixXd other = Eigen::MatrixXd::Zero(7, 7);
+      kernel->fill_products(task, other);
+      const Eigen::MatrixXd lower = other.triangularView<Eigen::Lower>();
+      EXPECT_EQ(lower, Eigen::MatrixXd(portable.triangularView<Eigen::Lower>())) << kernel->name;
+    }
+  }
+}
+
+TEST(LaneKernel, WhitenedSignalsAreTheSame) {
+  const Setting setting;
+  for (const std::size_t order : {1U, 2U, 3U}) {
+    NoiseModel noise;
+    for (std::size_t i = 1; i < order; ++i) noise = extended(noise, 0.6, 0.4);
+    tests::Series alone(kSamples);
+    whiten(noise, setting.columns[1], alone);
+    for (const LaneKernel* kernel : others()) {
+      std::vector<tests::Series> whitened(4, tests::Series(kSamples));
+      const std::array out{whitened[0].data(), whitened[1].data(), whitened[2].data(),
+                           whitened[3].data()};
+      kernel->whiten_by_fours(noise, setting.signals.data(), out.data(), kSamples);
+      EXPECT_EQ(whitened[1], alone) << kernel->name << " order " << order;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::core::model
