@@ -88,17 +88,19 @@ constexpr std::array kTable = {
     Setting{"/schedule/model_all_up_to", in_schedule<&ScheduleSettings::model_all_up_to>,
             range(0, 1e6, "loops"),
             "enabled, up to which every loop gets a loop model in every slot"},
-    Setting{"/schedule/model_every_slots", in_schedule<&ScheduleSettings::model_every_slots>,
-            range(1, 1000, "slots"),
-            "with more loops: how often one that gives no cause (healthy by its statistics and by "
-            "its last verdict) gets a loop model; the others always do"},
+    Setting{
+        "/schedule/model_every_slots", in_schedule<&ScheduleSettings::model_every_slots>,
+        range(1, 1000, "slots"),
+        "with more loops: how often one that would not be flagged, neither by its statistics nor "
+        "by its last verdict, gets a loop model; the others always do"},
 
     Setting{"/daemon/workers", in_daemon<&DaemonSettings::workers>, range(0, 256, "threads"),
             "that analyse; 0 = one per core"},
-    Setting{"/daemon/batches_in_flight", in_daemon<&DaemonSettings::batches_in_flight>,
-            range(0, 1024, "batches"),
-            "that are fetched, analysed or written at a time, so that no core waits for a database; "
-            "each holds a connection to the results; 0 = two for each worker"},
+    Setting{
+        "/daemon/batches_in_flight", in_daemon<&DaemonSettings::batches_in_flight>,
+        range(0, 1024, "batches"),
+        "that are fetched, analysed or written at a time, so that no core waits for a database; "
+        "each holds a connection to the results; 0 = two for each worker, eight at most"},
     Setting{"/daemon/log_level", in_daemon<&DaemonSettings::log_level>, one_of(kLogLevels),
             "least severe messages that are logged"},
     Setting{"/daemon/log_format", in_daemon<&DaemonSettings::log_format>, one_of(kLogFormats),

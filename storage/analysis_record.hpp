@@ -19,11 +19,11 @@ struct AnalysisRecord {
   double sample_interval_s = 0.0;    ///< 0 = unknown (no rows)
   std::string input_digest;          ///< 16 hexadecimal digits over all samples read, and settings
   std::string program_version;
-  std::string settings_json;  ///< the analysis settings in force, as a JSON object
-  double fetch_ms = 0.0;      ///< share of the batch's reading time
-  double analyse_ms = 0.0;    ///< all of the analysis: the next three and the verdict
-  double prepare_ms = 0.0;    ///< masks, gaps, archive, oscillation
-  double statistics_ms = 0.0;  ///< higher-order statistics, shapes, performance
+  std::string settings_json;       ///< the analysis settings in force, as a JSON object
+  double fetch_ms = 0.0;           ///< share of the batch's reading time
+  double analyse_ms = 0.0;         ///< all of the analysis: the next three and the verdict
+  double prepare_ms = 0.0;         ///< masks, gaps, archive, oscillation
+  double statistics_ms = 0.0;      ///< higher-order statistics, shapes, performance
   std::optional<double> model_ms;  ///< the loop model; nullopt = none was fitted
   core::Diagnosis diagnosis;
   std::string hos_slow_json;  ///< the slow look as a JSON object; empty = there is none

@@ -9,11 +9,11 @@ namespace loopscope::storage {
 /// it brought to their end. The work on the rows takes a core; fetching and writing wait for the
 /// databases most of the time.
 struct StageCost {
-  std::size_t loops = 0;      ///< brought to their end, unchanged ones included
+  std::size_t loops = 0;      ///< brought to their end, unchanged and set aside ones included
   std::size_t analysed = 0;   ///< windows that were analysed anew
   std::size_t modelled = 0;   ///< of those, with a loop model
   std::size_t values = 0;     ///< values in the windows that were read
-  double claim_s = 0.0;       ///< taking loops from the schedule
+  double claim_s = 0.0;       ///< taking loops from the schedule, asking what is stored of them
   double fetch_s = 0.0;       ///< rows out of the historian, waiting for a connection included
   double prepare_s = 0.0;     ///< masks, gaps, archive, oscillation
   double statistics_s = 0.0;  ///< higher-order statistics, shapes, performance
@@ -31,7 +31,7 @@ void add(StageCost& sum, const StageCost& more);
 /// Who the cost belongs to: a row of loopscope.stage_cost per hour.
 struct CostBearer {
   std::string host;
-  int lane = 0;  ///< of the process: costs of two lanes never wait for each other
+  int lane = 0;  ///< of its process: costs of two lanes of one do not wait for each other
 };
 
 }  // namespace loopscope::storage

@@ -12,10 +12,17 @@ bool can_be_modelled(const FirstLook& first, const Evidence& evidence) {
   return evidence.data_quality.usable && sees_enough;
 }
 
-bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& settings) {
+bool ModelCause::given_by(diagnosis::VerdictCode code, double confidence,
+                          std::optional<double> p) const {
   using diagnosis::VerdictCode;
-  const VerdictCode code = diagnosis::decide(evidence, settings).code;
-  return code != VerdictCode::healthy && code != VerdictCode::insufficient_data;
+  return code != VerdictCode::healthy && code != VerdictCode::insufficient_data &&
+         p.value_or(0.0) <= largest_p && confidence >= least_confidence;
+}
+
+bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& settings,
+                             const ModelCause& cause) {
+  const diagnosis::Verdict verdict = diagnosis::decide(evidence, settings);
+  return cause.given_by(verdict.code, verdict.confidence, verdict.p);
 }
 
 std::optional<model::Explanation> explain_loop(const FirstLook& first, const LoopFacts& facts) {

@@ -5,6 +5,7 @@
 #include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/first_look.hpp"
 #include "core/diagnosis/loop_facts.hpp"
+#include "core/diagnosis/verdict.hpp"
 #include "core/hos/settings.hpp"
 #include "core/model/explanation.hpp"
 
@@ -14,9 +15,19 @@ namespace loopscope::core {
 /// where little of it was stored. A slow sensor is an effect that the model knows.
 [[nodiscard]] bool can_be_modelled(const FirstLook& first, const Evidence& evidence);
 
-/// Whether the evidence without a model gives cause to fit one: by it alone the loop is anything
-/// but healthy. For those who cannot afford a model for every loop of a plant.
-[[nodiscard]] bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& settings);
+/// What has to be shown before a loop model is fitted by those who cannot afford one for every loop
+/// of a plant.
+struct ModelCause {
+  double largest_p = 0.05;        ///< of the test behind a verdict that rests on one
+  double least_confidence = 0.0;  ///< of the verdict
+  /// Whether a verdict with this confidence, and this p where it rests on a test, is one.
+  [[nodiscard]] bool given_by(diagnosis::VerdictCode code, double confidence,
+                              std::optional<double> p) const;
+};
+
+/// Whether the evidence without a model gives cause to fit one.
+[[nodiscard]] bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& settings,
+                                           const ModelCause& cause = {});
 
 /// What the loop model (core/model) makes of a window that can be modelled; nullopt = no model
 /// was fitted. A pure function of the window, the settings behind `first` and the facts.

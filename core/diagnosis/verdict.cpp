@@ -39,6 +39,13 @@ std::string_view name(VerdictCode code) {
   return "insufficient_data";
 }
 
+std::optional<VerdictCode> verdict_code(std::string_view name) {
+  for (const auto& [code, text] : kNames) {
+    if (text == name) return code;
+  }
+  return std::nullopt;
+}
+
 std::span<const VerdictCode> all_verdict_codes() {
   return kCodes;
 }

@@ -28,6 +28,8 @@ enum class VerdictCode {
 };
 
 [[nodiscard]] std::string_view name(VerdictCode code);
+/// The code of that name; nullopt = there is none.
+[[nodiscard]] std::optional<VerdictCode> verdict_code(std::string_view name);
 
 /// Every code, in the order above.
 [[nodiscard]] std::span<const VerdictCode> all_verdict_codes();

@@ -83,6 +83,15 @@ class Drawing {
     return sum / std::max(count, 1.0);
   }
 
+  /// A whole piece between bounds, which a free draw never meets with all its samples.
+  [[nodiscard]] bool is_bounded_piece(const Run& run) const {
+    if (run.count < static_cast<Eigen::Index>(kLongestRun)) return false;
+    for (std::size_t k = run.first; k < run.first + kLongestRun; ++k) {
+      if (!std::isfinite(holes_.low[k]) || !std::isfinite(holes_.high[k])) return false;
+    }
+    return true;
+  }
+
   [[nodiscard]] bool within_bounds(const Run& run, const Eigen::VectorXd& change) const {
     for (Eigen::Index i = 0; i < run.count; ++i) {
       const std::size_t k = run.first + static_cast<std::size_t>(i);
@@ -98,10 +107,14 @@ class Drawing {
     errors.expand(run.first, gradient, curvature);
     if (!(curvature.diagonal().minCoeff() > 0.0)) return;
     Eigen::VectorXd change;
-    // A whole piece at once is never within its bounds by chance.
-    const bool whole_piece = run.count == static_cast<Eigen::Index>(kLongestRun);
-    if (whole_piece || !draw_freely(run, curvature, gradient, std, change)) {
+    if (is_bounded_piece(run)) {
       change = draw_within(run, curvature.selfadjointView<Eigen::Lower>(), gradient, std);
+    } else {
+      const Eigen::LLT<Eigen::MatrixXd> factor(curvature);
+      if (factor.info() != Eigen::Success) return;
+      if (!draw_freely(run, factor, gradient, std, change)) {
+        change = draw_within(run, curvature.selfadjointView<Eigen::Lower>(), gradient, std);
+      }
     }
     for (Eigen::Index i = 0; i < run.count; ++i) {
       record_[run.first + static_cast<std::size_t>(i)] += change[i];
@@ -111,10 +124,8 @@ class Drawing {
 
   /// About the most probable values, with the covariance std^2 curvature^-1; false when no draw lay
   /// within the bounds.
-  bool draw_freely(const Run& run, const Eigen::MatrixXd& curvature,
+  bool draw_freely(const Run& run, const Eigen::LLT<Eigen::MatrixXd>& factor,
                    const Eigen::VectorXd& gradient, double std, Eigen::VectorXd& change) {
-    const Eigen::LLT<Eigen::MatrixXd> factor(curvature);
-    if (factor.info() != Eigen::Success) return false;
     Eigen::VectorXd noise(gradient.size());
     for (int i = 0; i < kFreeDraws; ++i) {
       for (double& value : noise) value = std * normal_draw(random_);

@@ -40,7 +40,9 @@ double invert(double share, double low, double high) {
 
 /// Whether the density changes by less than a factor of e between the limits.
 bool nearly_flat(double from, double to) {
-  return (to - from) * std::max(std::abs(from), std::abs(to)) <= 1.0;
+  constexpr double kFarthest = 1e6;  // squares of more lose the difference that counts
+  const double farthest = std::max(std::abs(from), std::abs(to));
+  return farthest <= kFarthest && (to - from) * farthest <= 1.0;
 }
 
 /// Even draws between the limits, kept as often as the density there is a share of the largest: a

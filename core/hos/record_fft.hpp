@@ -7,8 +7,8 @@
 
 namespace loopscope::core::hos {
 
-/// DFT of one real record, X(k) = sum x(n) exp(-2 pi i k n / length), k = 0 .. length / 2, and back.
-/// Plans are kept per length and shared by all threads (plan_cache.hpp).
+/// DFT of one real record, X(k) = sum x(n) exp(-2 pi i k n / length), k = 0 .. length / 2, and
+/// back. Plans are kept per length and shared by all threads (plan_cache.hpp).
 class RecordFft {
  public:
   /// The plan for `length` (even), made at its first use.

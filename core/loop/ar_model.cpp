@@ -99,8 +99,7 @@ std::vector<double> impulse_response(const ArModel& model, std::size_t count) {
   for (std::size_t k = 1; k < count; ++k) {
     psi[order + k] = ConstSeries(backwards.data(), terms).dot(ConstSeries(&psi[k], terms));
   }
-  psi.erase(psi.begin(), psi.begin() + static_cast<std::ptrdiff_t>(order));
-  return psi;
+  return {psi.end() - static_cast<std::ptrdiff_t>(count), psi.end()};
 }
 
 }  // namespace loopscope::core::loop

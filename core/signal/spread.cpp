@@ -20,7 +20,7 @@ std::vector<double> recorded(std::span<const double> samples) {
   std::size_t count = 0;
   for (const double value : samples) {
     values[count] = value;
-    count += std::isfinite(value) ? 1 : 0;
+    if (std::isfinite(value)) ++count;
   }
   values.resize(count);
   return values;

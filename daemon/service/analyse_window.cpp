@@ -18,16 +18,19 @@ namespace {
 using core::signal::LoopWindow;
 
 bool wants_model(const core::FirstLook& first, const core::Evidence& evidence,
-                 const core::AnalysisSettings& settings, ModelWish wish) {
+                 const core::AnalysisSettings& settings, const ModelWish& wish) {
   if (!settings.fit_model || !core::can_be_modelled(first, evidence)) return false;
-  return wish == ModelWish::always || core::gives_cause_for_a_model(evidence, settings.hos);
+  return !wish.cause || core::gives_cause_for_a_model(evidence, settings.hos, *wish.cause);
 }
 
 /// The stages of core::diagnose(), timed, and the model where it is wished.
 void diagnose(const LoopInput& input, const core::AnalysisSettings& settings,
-              const core::LoopFacts& facts, ModelWish wish, storage::AnalysisRecord& record) {
-  const core::FirstLook first =
-      input.first ? *input.first : core::first_look(input.at_slot.window, settings);
+              const core::LoopFacts& facts, const ModelWish& wish,
+              storage::AnalysisRecord& record) {
+  // What a first look threw, it throws again.
+  const std::optional<core::FirstLook> again =
+      input.first ? std::nullopt : std::optional(core::first_look(input.at_slot.window, settings));
+  const core::FirstLook& first = input.first ? *input.first : *again;
   const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
   core::Evidence& evidence = record.diagnosis.evidence;
   Stopwatch watch;
@@ -35,7 +38,7 @@ void diagnose(const LoopInput& input, const core::AnalysisSettings& settings,
   record.statistics_ms = watch.lap_ms();
   if (wants_model(first, evidence, settings, wish)) {
     evidence.model = core::explain_loop(first, facts);
-    record.model_ms = watch.lap_ms();
+    if (evidence.model) record.model_ms = watch.lap_ms();
   }
   record.diagnosis.verdict = core::diagnosis::decide(evidence, settings.hos);
 }
@@ -61,7 +64,7 @@ std::string digest_of(const storage::CatalogueEntry& loop, const LoopInput& inpu
 
 storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, const LoopInput& input,
                                        const core::AnalysisSettings& settings,
-                                       const std::string& settings_json, ModelWish wish) {
+                                       const std::string& settings_json, const ModelWish& wish) {
   Stopwatch watch;
   storage::AnalysisRecord record;
   describe_window(input.at_slot, record);

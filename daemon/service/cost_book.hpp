@@ -15,6 +15,8 @@ class CostBook {
   /// What is to be stored now, taken out of the book: nothing before a minute has passed since the
   /// last time, unless `at_once`; nothing where no loop was done.
   [[nodiscard]] std::optional<storage::StageCost> take(bool at_once);
+  /// What was taken could not be stored: it will be given out again.
+  void put_back(const storage::StageCost& cost) { storage::add(untaken_, cost); }
 
  private:
   using Clock = std::chrono::steady_clock;

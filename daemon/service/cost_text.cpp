@@ -16,7 +16,8 @@ std::string cost_text(const storage::StageCost& cost) {
   };
   std::string models;
   if (cost.modelled > 0) {
-    const double of_one = kMillisecondsPerSecond * cost.model_s / static_cast<double>(cost.modelled);
+    const double of_one =
+        kMillisecondsPerSecond * cost.model_s / static_cast<double>(cost.modelled);
     models = fmt::format(" ({:.1f} each of {})", of_one, cost.modelled);
   }
   return fmt::format(

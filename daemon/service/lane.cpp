@@ -57,7 +57,7 @@ template <typename Claim>
 std::vector<ClaimedLoop> Lane::timed_claim(Claim claim) {
   Stopwatch watch;
   std::vector<ClaimedLoop> claims = with_results(claim);
-  costs_.add({.claim_s = watch.lap_s()});
+  if (!claims.empty()) costs_.add({.claim_s = watch.lap_s()});
   return claims;
 }
 
@@ -83,7 +83,8 @@ std::vector<std::pair<std::string, Lane::Claims>> Lane::by_source(
   for (const ClaimedLoop& claim : claims) groups[claim.loop.source].push_back(&claim);
   std::multimap<std::pair<bool, int>, std::string> by_burden;
   for (const auto& [source, group] : groups) {
-    by_burden.insert({{tools_.historians.is_down(source), tools_.historians.in_use(source)}, source});
+    by_burden.insert(
+        {{tools_.historians.is_down(source), tools_.historians.in_use(source)}, source});
   }
   std::vector<std::pair<std::string, Claims>> ordered;
   for (const auto& [burden, source] : by_burden) {
@@ -95,6 +96,7 @@ std::vector<std::pair<std::string, Lane::Claims>> Lane::by_source(
 storage::WriteCount Lane::process(const std::vector<ClaimedLoop>& claims) {
   storage::WriteCount sum;
   for (const auto& [source, loops] : by_source(claims)) add(sum, process_source(source, loops));
+  store_cost(costs_.take(false));
   return sum;
 }
 
@@ -108,12 +110,15 @@ storage::WriteCount Lane::process_source(const std::string& source, const Claims
 bool Lane::fetch(const std::string& source, const Claims& claims, Batch& batch) {
   Stopwatch watch;
   bool fetched = read_newest(source, claims, batch);
+  double reading_s = watch.lap_s();
   if (fetched) {
     batch.stored = stored_analyses(batch.visits);
+    batch.cost.claim_s += watch.lap_s();
     fetched = read_earlier(source, claims, batch);
+    reading_s += watch.lap_s();
   }
   batch.rows = {};  // the windows hold what is needed of them
-  add_reading(watch.lap_s(), batch.visits, batch.cost);
+  add_reading(reading_s, batch.visits, batch.cost);
   return fetched;
 }
 
@@ -134,7 +139,7 @@ bool Lane::with_source(const std::string& source, const Claims& claims, Batch& b
 
 bool Lane::read_newest(const std::string& source, const Claims& claims, Batch& batch) {
   return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    return visit_newest(historian, claims, *settings_, slot_rule_, batch.rows);
+    return visit_newest(historian, claims, *settings_, slot_rule_, batch.rows, tools_.cores);
   });
 }
 
@@ -145,7 +150,7 @@ bool Lane::read_earlier(const std::string& source, const Claims& claims, Batch& 
   const EarlierSlots earlier = earlier_slots_to_check(batch.visits, batch.stored, horizon);
   if (earlier.slots.empty()) return true;
   return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    visit_earlier(historian, earlier, *settings_, batch.rows, batch.visits);
+    visit_earlier(historian, earlier, *settings_, batch.rows, tools_.cores, batch.visits);
     return std::move(batch.visits);
   });
 }
@@ -158,8 +163,9 @@ StoredAnalyses Lane::stored_analyses(const std::vector<LoopVisit>& visits) {
 }
 
 void Lane::set_aside(const std::string& source, const Failure& failure, const Claims& claims,
-                       Batch& batch) {
-  tools_.faults.fault("historian " + source, std::string(failure.what()) + " HINT: " + failure.hint());
+                     Batch& batch) {
+  tools_.faults.fault("historian " + source,
+                      std::string(failure.what()) + " HINT: " + failure.hint());
   if (!first_failure_) first_failure_ = failure;
   constexpr std::chrono::duration<double> kPause = kSourcePause;
   for (const ClaimedLoop* claim : claims) {
@@ -199,7 +205,6 @@ storage::WriteCount Lane::write(Batch& batch) {
   });
   batch.cost.write_s += watch.lap_s();
   costs_.add(batch.cost);
-  store_cost(false);
   return count;
 }
 
@@ -215,15 +220,21 @@ std::size_t Lane::enabled_loops() {
 }
 
 void Lane::store_cost() {
-  store_cost(true);
+  store_cost(costs_.take(true));
 }
 
-void Lane::store_cost(bool at_once) {
-  const std::optional<storage::StageCost> cost = costs_.take(at_once);
+/// The record of costs is worth less than the work: without it, that goes on.
+void Lane::store_cost(const std::optional<storage::StageCost>& cost) {
   if (!cost) return;
-  with_results([&](storage::ResultsDatabase& database) {
-    database.add_stage_cost({host_name(), static_cast<int>(index_)}, *cost);
-  });
+  try {
+    with_results([&](storage::ResultsDatabase& database) {
+      database.add_stage_cost({host_name(), static_cast<int>(index_)}, *cost);
+    });
+    tools_.faults.recovered("record of costs");
+  } catch (const storage::DatabaseError& error) {
+    costs_.put_back(*cost);
+    tools_.faults.fault("record of costs", std::string(error.what()) + " HINT: " + error.hint());
+  }
 }
 
 }  // namespace loopscope::daemon

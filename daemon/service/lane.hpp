@@ -46,7 +46,7 @@ class Lane {
   }
   /// Where the time went since this lane was made.
   [[nodiscard]] const storage::StageCost& cost() const { return costs_.sum(); }
-  /// Stores what of that is not stored yet. Throws storage::DatabaseError.
+  /// Stores what of that is not stored yet; a database that fails is a fault for the log.
   void store_cost();
   /// Why loops were set aside, the first time that any was; nullopt = none was.
   [[nodiscard]] const std::optional<Failure>& first_failure() const { return first_failure_; }
@@ -95,7 +95,7 @@ class Lane {
   void analyse(Batch& batch);
   void complete(const LoopVisit& visit, const AnalysisOrders& orders, Batch& batch);
   storage::WriteCount write(Batch& batch);
-  void store_cost(bool at_once);
+  void store_cost(const std::optional<storage::StageCost>& cost);
 
   std::shared_ptr<const config::Settings> settings_;
   std::string settings_json_;  ///< provenance of every analysis

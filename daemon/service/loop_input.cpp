@@ -36,13 +36,16 @@ void read_long_windows(storage::HistorianReader& historian, std::span<const Loop
 
 std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
                                    std::span<const LoopSlot> slots,
-                                   const core::AnalysisSettings& settings, RowMemory& memory) {
+                                   const core::AnalysisSettings& settings, RowMemory& memory,
+                                   CoreGate& cores) {
   std::vector<LoopInput> inputs;
   for (LoopWindowAtSlot& at_slot :
        read_windows(historian, slots, settings.prepare.window_samples, memory)) {
-    LoopInput& input = inputs.emplace_back();
-    input.at_slot = std::move(at_slot);
-    look_first(input, settings);
+    inputs.emplace_back().at_slot = std::move(at_slot);
+  }
+  {
+    const CoreGate::Permit core(cores);
+    for (LoopInput& input : inputs) look_first(input, settings);
   }
   read_long_windows(historian, slots, memory, inputs);
   return inputs;

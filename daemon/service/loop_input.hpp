@@ -6,6 +6,7 @@
 
 #include "core/diagnosis/diagnose.hpp"
 #include "core/signal/loop_window.hpp"
+#include "daemon/service/core_gate.hpp"
 #include "daemon/service/window_reader.hpp"
 #include "storage/historian/historian_reader.hpp"
 
@@ -23,11 +24,11 @@ struct LoopInput {
 
 /// Reads the windows of slots of loops of ONE historian, takes a first look at each, and reads the
 /// longer spans that slow oscillations want, all of them in one batch; in the order of `slots`;
-/// what `memory` holds is not read again.
-/// Throws storage::DatabaseError.
+/// what `memory` holds is not read again. The looks
+/// wait for a core. Throws storage::DatabaseError.
 [[nodiscard]] std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
                                                  std::span<const LoopSlot> slots,
                                                  const core::AnalysisSettings& settings,
-                                                 RowMemory& memory);
+                                                 RowMemory& memory, CoreGate& cores);
 
 }  // namespace loopscope::daemon

@@ -21,8 +21,11 @@ std::optional<AnalysisRecord> changed_record(const LoopVisit& visit, const LoopI
     return std::nullopt;
   }
   const config::Settings& settings = orders.settings;
-  const ModelWish wish = model_wish(settings.schedule, orders.enabled_loops, *visit.claim,
-                                    input.at_slot.slot_end_us);
+  // What was judged with a model is judged anew with one.
+  const ModelWish wish =
+      stored != nullptr && stored->modelled
+          ? ModelWish{}
+          : model_wish(settings, orders.enabled_loops, *visit.claim, input.at_slot.slot_end_us);
   AnalysisRecord record =
       analyse_window(loop, input, settings.analysis, orders.settings_json, wish);
   record.fetch_ms = visit.fetch_ms;
@@ -67,10 +70,9 @@ CompletedLoop complete_visit(const LoopVisit& visit, const StoredAnalyses& store
   const storage::ClaimedLoop& claim = *visit.claim;
   const std::int64_t slot_end_us = visit.newest.at_slot.slot_end_us;
   const StoredDigest* known = stored.find(claim.loop.loop_id, slot_end_us);
-  CompletedLoop completed{
-      claim.loop.loop_id, claim.fence, slot_end_us,
-      next_due(slot_end_us, claim.loop.period_s, settings.schedule.settle_s),
-      changed_record(visit, visit.newest, known, orders)};
+  CompletedLoop completed{claim.loop.loop_id, claim.fence, slot_end_us,
+                          next_due(slot_end_us, claim.loop.period_s, settings.schedule.settle_s),
+                          changed_record(visit, visit.newest, known, orders)};
   completed.judged = completed.record ? completed.record->diagnosis.evidence.data_quality.usable
                                       : known != nullptr && known->usable;
   if (claim.last_slot_end_us && *claim.last_slot_end_us < slot_end_us) {

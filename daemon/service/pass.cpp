@@ -30,9 +30,10 @@ class Pass {
         pool_(lanes_left_) {}
 
   PassResult run() {
-    Lane scout(settings_, 0, SlotRule::newest_sample, tools_);
-    result_.enabled = scout.with_results(
-        [](storage::ResultsDatabase& database) { return database.count_enabled_loops(); });
+    result_.enabled = Lane(settings_, 0, SlotRule::newest_sample, tools_)
+                          .with_results([](storage::ResultsDatabase& database) {
+                            return database.count_enabled_loops();
+                          });
     ProgressBar bar(result_.enabled);
     bar_ = &bar;
     signals_.async_wait([this](const auto& error, int signal) {

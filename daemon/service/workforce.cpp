@@ -10,6 +10,8 @@ namespace loopscope::daemon {
 namespace {
 
 constexpr std::size_t kLanesPerWorker = 2;
+/// A batch that waits for its core behind more others may outlast its lease.
+constexpr std::size_t kMostLanesPerWorker = 8;
 
 }  // namespace
 
@@ -27,7 +29,8 @@ std::size_t worker_count(const config::DaemonSettings& settings) {
 std::size_t lane_count(const config::DaemonSettings& settings) {
   const std::size_t workers = worker_count(settings);
   if (settings.batches_in_flight == 0) return kLanesPerWorker * workers;
-  return std::max(static_cast<std::size_t>(settings.batches_in_flight), workers);
+  return std::clamp(static_cast<std::size_t>(settings.batches_in_flight), workers,
+                    kMostLanesPerWorker * workers);
 }
 
 std::string worker_name(std::size_t index) {

@@ -12,7 +12,8 @@ namespace loopscope::daemon {
 [[nodiscard]] std::size_t worker_count(const config::DaemonSettings& settings);
 
 /// Lanes that share them: the setting, or two for each, so that one fetches and writes while the
-/// other analyses. Never fewer than the workers.
+/// other analyses. Never fewer than the workers, nor
+/// more than eight for each.
 [[nodiscard]] std::size_t lane_count(const config::DaemonSettings& settings);
 
 [[nodiscard]] std::string host_name();

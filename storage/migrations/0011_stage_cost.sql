@@ -45,12 +45,12 @@ CREATE TABLE loopscope.stage_cost (
 COMMENT ON TABLE loopscope.stage_cost IS 'Where the time of the workers went, per hour, host and lane (a lane fetches, analyses and writes one batch of loops after the other)';
 COMMENT ON COLUMN loopscope.stage_cost.hour IS 'Start of the hour, by the database''s clock';
 COMMENT ON COLUMN loopscope.stage_cost.host IS 'Host of the workers';
-COMMENT ON COLUMN loopscope.stage_cost.lane IS 'Number of the lane in its process';
-COMMENT ON COLUMN loopscope.stage_cost.loops IS 'Loops brought to their end, unchanged ones included';
+COMMENT ON COLUMN loopscope.stage_cost.lane IS 'Number of the lane in its process; processes of one host share the rows';
+COMMENT ON COLUMN loopscope.stage_cost.loops IS 'Loops brought to their end, unchanged and set aside ones included';
 COMMENT ON COLUMN loopscope.stage_cost.analysed IS 'Windows that were analysed anew';
 COMMENT ON COLUMN loopscope.stage_cost.modelled IS 'Of those, windows with a loop model';
 COMMENT ON COLUMN loopscope.stage_cost.sample_values IS 'Values in the windows that were read';
-COMMENT ON COLUMN loopscope.stage_cost.claim_s IS 'Seconds for taking loops from the schedule';
+COMMENT ON COLUMN loopscope.stage_cost.claim_s IS 'Seconds for taking loops from the schedule and asking what is stored of them';
 COMMENT ON COLUMN loopscope.stage_cost.fetch_s IS 'Seconds for rows out of the historians, waiting for a connection included';
 COMMENT ON COLUMN loopscope.stage_cost.prepare_s IS 'Seconds for masks, gaps, archive and oscillation';
 COMMENT ON COLUMN loopscope.stage_cost.statistics_s IS 'Seconds for the higher-order statistics, shapes and performance';
@@ -76,7 +76,7 @@ COMMENT ON VIEW loopscope.stage_breakdown IS 'Milliseconds a loop in each stage,
 COMMENT ON COLUMN loopscope.stage_breakdown.hour IS 'Start of the hour, by the database''s clock';
 COMMENT ON COLUMN loopscope.stage_breakdown.host IS 'Host of the workers';
 COMMENT ON COLUMN loopscope.stage_breakdown.lanes IS 'Lanes that worked in this hour';
-COMMENT ON COLUMN loopscope.stage_breakdown.loops IS 'Loops brought to their end, unchanged ones included';
+COMMENT ON COLUMN loopscope.stage_breakdown.loops IS 'Loops brought to their end, unchanged and set aside ones included';
 COMMENT ON COLUMN loopscope.stage_breakdown.analysed IS 'Windows that were analysed anew';
 COMMENT ON COLUMN loopscope.stage_breakdown.modelled IS 'Of those, windows with a loop model';
 COMMENT ON COLUMN loopscope.stage_breakdown.claim_ms IS 'Milliseconds a loop for taking it from the schedule';

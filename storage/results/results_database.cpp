@@ -15,6 +15,12 @@
 namespace loopscope::storage {
 namespace {
 
+std::optional<LastVerdict> read_last_verdict(const pqxx::row& row) {
+  const auto code = core::diagnosis::verdict_code(read_text(row["last_code"]));
+  if (!code) return std::nullopt;
+  return LastVerdict{*code, row["last_confidence"].as<double>(), read_number(row["last_p"])};
+}
+
 std::vector<ClaimedLoop> claim(Session& session, const Statement& statement,
                                const std::vector<std::string>& parameters) {
   const pqxx::result rows = session.transact(
@@ -24,7 +30,7 @@ std::vector<ClaimedLoop> claim(Session& session, const Statement& statement,
   for (const pqxx::row& row : rows) {
     claimed.push_back({read_loop(row), row["fence"].as<std::int64_t>(), row["attempts"].as<int>(),
                        row["now_us"].as<std::int64_t>(), read_integer(row["last_slot_end_us"]),
-                       read_text(row["last_verdict"])});
+                       read_last_verdict(row)});
   }
   return claimed;
 }
@@ -172,7 +178,7 @@ std::vector<StoredDigest> ResultsDatabase::stored_digests(
   for (const pqxx::row& row : rows) {
     digests.push_back({row["loop_id"].as<std::int64_t>(), row["slot_end_us"].as<std::int64_t>(),
                        row["input_digest"].c_str(), row["usable"].as<bool>(),
-                       row["same_settings"].as<bool>()});
+                       row["same_settings"].as<bool>(), row["modelled"].as<bool>()});
   }
   return digests;
 }
@@ -222,9 +228,8 @@ void ResultsDatabase::add_stage_cost(const CostBearer& bearer, const StageCost& 
                                cost.model_s, cost.decide_s, cost.write_s, cost.wait_s}) {
     parameters.push_back(number_text(seconds));
   }
-  impl_->session.transact([&](Transaction& transaction) {
-    transaction.run(statements::kAddStageCost, parameters);
-  });
+  impl_->session.transact(
+      [&](Transaction& transaction) { transaction.run(statements::kAddStageCost, parameters); });
 }
 
 }  // namespace loopscope::storage

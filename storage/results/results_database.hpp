@@ -18,14 +18,21 @@
 
 namespace loopscope::storage {
 
+/// What was said of a loop last.
+struct LastVerdict {
+  core::diagnosis::VerdictCode code = core::diagnosis::VerdictCode::healthy;
+  double confidence = 0.0;
+  std::optional<double> p;  ///< of the test behind it; nullopt = it rests on none
+};
+
 /// A loop that this worker holds until its lease ends.
 struct ClaimedLoop {
   CatalogueEntry loop;
   std::int64_t fence = 0;            ///< rises with every claim
   int attempts = 0;                  ///< failures in a row before this claim, lost leases included
   std::int64_t database_now_us = 0;  ///< the database's clock at the claim
-  std::optional<std::int64_t> last_slot_end_us;  ///< newest slot that was completed
-  std::string last_verdict = "";                 ///< code of the newest one; empty = none yet
+  std::optional<std::int64_t> last_slot_end_us;            ///< newest slot that was completed
+  std::optional<LastVerdict> last_verdict = std::nullopt;  ///< the newest one; nullopt = none yet
 };
 
 /// A claimed loop that was brought to its end: give it back, with or without a new row.
@@ -68,6 +75,7 @@ struct StoredDigest {
   std::string input_digest;
   bool usable = true;         ///< whether the loop could be judged
   bool same_settings = true;  ///< analysed with the settings that were asked with
+  bool modelled = false;      ///< with a loop model
 };
 
 /// The results schema `loopscope` as the worker sees it. One object = one connection; not shared

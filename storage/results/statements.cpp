@@ -24,16 +24,17 @@ namespace {
   "                      ELSE 'the lease of ' || s.owner || ' ended without a result' END"      \
   "  WHERE s.loop_id = ANY (ARRAY(" CHOICE                                                      \
   "))"                                                                                          \
-  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end, s.result_slot_end) "                               \
+  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end, s.result_slot_end) "            \
   "SELECT " LOOPSCOPE_LOOP_COLUMNS                                                              \
   ","                                                                                           \
   "  claimed.fence, claimed.attempts, (extract(epoch FROM now()) * 1000000)::bigint AS now_us," \
   "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us,"        \
-  "  (SELECT verdict.code FROM loopscope.verdict"                                               \
-  "   WHERE verdict.loop_id = claimed.loop_id AND verdict.slot_end = claimed.result_slot_end"   \
-  "   ORDER BY verdict.algorithm_revision DESC, verdict.input_revision DESC LIMIT 1)"           \
-  "  AS last_verdict "                                                                          \
-  "FROM claimed JOIN loopscope.loop USING (loop_id) ORDER BY loop_id"
+  "  said.code AS last_code, said.confidence AS last_confidence, said.p AS last_p "             \
+  "FROM claimed JOIN loopscope.loop USING (loop_id) LEFT JOIN LATERAL ("                        \
+  "  SELECT verdict.code, verdict.confidence, verdict.p FROM loopscope.verdict"                 \
+  "  WHERE verdict.loop_id = claimed.loop_id AND verdict.slot_end = claimed.result_slot_end"    \
+  "  ORDER BY verdict.algorithm_revision DESC, verdict.input_revision DESC LIMIT 1"             \
+  ") AS said ON true ORDER BY loop_id"
 
 }  // namespace
 
@@ -88,10 +89,12 @@ const Statement kCountEnabled{"count_enabled_loops",
 
 const Statement kStoredDigests{"stored_digests", R"(
     SELECT wanted.loop_id, (extract(epoch FROM wanted.slot_end) * 1000000)::bigint AS slot_end_us,
-           analysis.input_digest, analysis.usable, analysis.same_settings
+           analysis.input_digest, analysis.usable, analysis.same_settings,
+           analysis.modelled
     FROM unnest($1::bigint[], $2::timestamptz[]) AS wanted (loop_id, slot_end)
     CROSS JOIN LATERAL (
-      SELECT stored.input_digest, stored.usable, stored.settings = $4::jsonb AS same_settings
+      SELECT stored.input_digest, stored.usable, stored.settings = $4::jsonb AS same_settings,
+             stored.model IS NOT NULL AS modelled
       FROM loopscope.analysis AS stored
       WHERE stored.loop_id = wanted.loop_id AND stored.slot_end = wanted.slot_end
         AND stored.algorithm_revision = $3::integer
@@ -168,7 +171,7 @@ const Statement kAddStageCost{"add_stage_cost", R"(
       statistics_s = kept.statistics_s + EXCLUDED.statistics_s,
       model_s = kept.model_s + EXCLUDED.model_s, decide_s = kept.decide_s + EXCLUDED.decide_s,
       write_s = kept.write_s + EXCLUDED.write_s, wait_s = kept.wait_s + EXCLUDED.wait_s)",
-                               Rows::none};
+                              Rows::none};
 
 const Statement kSetParameter{"set_parameter", R"(
     UPDATE loopscope.parameter SET value = $2::float8 WHERE name = $1 RETURNING name)"};

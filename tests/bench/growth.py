@@ -2,10 +2,12 @@
 
 Every catalogue gets two slots a day apart. The first, by `once`, finds empty tables; the second, by
 the daemon (`run`), is what every later slot costs: rows of a day more in the historian, the slot
-before checked for late rows, models for the flagged loops and for a tenth of the others.
+before checked for late rows, models for the flagged loops and for a tenth of the others. The
+largest catalogues get their first slot only, by the daemon.
 """
 
 import argparse
+import datetime
 import json
 import sys
 import time
@@ -15,9 +17,14 @@ from measure import PROGRAM, RunningProgram, run_program, stage_breakdown
 
 MILLION = 1_000_000
 SECONDS_A_DAY = 86400
+# Larger catalogues than this get one slot: two would take an hour.
+TWO_SLOTS_UP_TO = 10_000
 # Larger catalogues than this share of the costs are their loops' own: the law is fitted to them.
 LARGE = 1000
-TODAY = "date_trunc('day', now())"
+LEAST_COST = 1e-3  # a clock tick of CPU time and less
+SLOTS = ("first", "later")
+# The slots of both phases end at a midnight of UTC; a run may last beyond the next one.
+TODAY = f"timestamptz '{datetime.datetime.now(datetime.timezone.utc):%Y-%m-%d} 00:00:00+00'"
 
 
 def say(text):
@@ -57,11 +64,12 @@ def first_slot(historian, results):
 
 
 def left_to_do(results):
-    return int(results.sql(f"SELECT count(*) FROM loopscope.schedule WHERE last_slot_end < {TODAY}")
+    return int(results.sql("SELECT count(*) FROM loopscope.schedule"
+                           f" WHERE last_slot_end IS DISTINCT FROM {TODAY}")
                [0][0])
 
 
-def later_slot(historian, results, loops):
+def daemon_slot(historian, results, loops):
     """The daemon from its start until every loop has today's slot, then told to stop."""
     results.sql("UPDATE loopscope.schedule SET visible_at = now();"
                 " TRUNCATE loopscope.stage_cost")
@@ -69,6 +77,8 @@ def later_slot(historian, results, loops):
     daemon = RunningProgram("run", "--config", results.settings)
     while left_to_do(results) > 0:
         daemon.look()
+        if daemon.ended():
+            raise RuntimeError("loopscope run ended by itself")
         time.sleep(max(0.2, loops / 20000))
     daemon.stop()
     done = daemon.wait()
@@ -87,6 +97,7 @@ def per_loop(slot, loops):
 
 def fit_law(points):
     """Least squares of cost = fixed + each * loops, every point's relative error alike."""
+    points = [(loops, max(cost, LEAST_COST)) for loops, cost in points]
     weight = [1.0 / cost ** 2 for _, cost in points]
     s = sum(weight)
     sx = sum(w * n for w, (n, _) in zip(weight, points))
@@ -99,7 +110,7 @@ def fit_law(points):
             "largest_error": max(abs(fixed + each * n - y) / y for n, y in points)}
 
 
-def laws_of(sizes):
+def laws_of(sizes, slot):
     laws = {}
     for key, cost in (("cpu_s", lambda slot: slot["cpu_s"]),
                       ("historian_cpu_s", lambda slot: slot["historian_cpu_s"]),
@@ -107,7 +118,7 @@ def laws_of(sizes):
                       ("all_cpu_s", lambda slot: slot["cpu_s"] + slot["historian_cpu_s"]
                        + slot["results_cpu_s"]),
                       ("results_bytes", lambda slot: slot["results_bytes"])):
-        laws[key] = fit_law([(size["loops"], cost(size["later"])) for size in sizes])
+        laws[key] = fit_law([(size["loops"], cost(size[slot])) for size in sizes if slot in size])
     return laws
 
 
@@ -123,7 +134,7 @@ def for_a_million(laws, period_s):
 
 def flatness(sizes):
     """Largest over smallest cost a loop, less one, over the catalogues that are large."""
-    costs = [per_loop(size["later"], size["loops"])["all_cpu_ms"] for size in sizes
+    costs = [per_loop(size["first"], size["loops"])["all_cpu_ms"] for size in sizes
              if size["loops"] >= LARGE]
     return max(costs) / min(costs) - 1.0 if costs else None
 
@@ -139,29 +150,33 @@ def measure(counts):
         plant.index_history(historian, covering=True)
         sizes, catalogues = [], []
         for loops in counts:
-            say(f"{loops} loops, first slot ...")
+            say(f"{loops} loops ...")
             results = plant.Results(server, PROGRAM, historian, shop.folder, loops,
                                     plant.RECORDINGS, schedule)
             catalogues.append(results)
-            sizes.append({"loops": loops, "first": first_slot(historian, results)})
+            sizes.append({"loops": loops})
+            if loops <= TWO_SLOTS_UP_TO:
+                sizes[-1]["first"] = first_slot(historian, results)
         plant.add_history(historian, plant.RECORDINGS, plant.WINDOW,
                           plant.WINDOW + plant.ROWS_A_DAY - 1, TODAY)
         plant.index_history(historian, covering=True)
         for size, results in zip(sizes, catalogues):
-            say(f"{size['loops']} loops, a later slot ...")
-            size["later"] = later_slot(historian, results, size["loops"])
+            say(f"{size['loops']} loops, by the daemon ...")
+            slot = "later" if "first" in size else "first"
+            size[slot] = daemon_slot(historian, results, size["loops"])
             results.drop()
-    laws = laws_of(sizes)
+    laws = {slot: laws_of(sizes, slot) for slot in SLOTS if any(slot in size for size in sizes)}
     return {"sizes": sizes, "laws": laws, "flatness": flatness(sizes),
-            "peak_rss_mb": max(size[slot]["rss_mb"] for size in sizes for slot in ("first", "later")),
-            "million": [for_a_million(laws, period) for period in (SECONDS_A_DAY, 3600)]}
+            "peak_rss_mb": max(size[slot]["rss_mb"] for size in sizes for slot in SLOTS
+                               if slot in size),
+            "million": [for_a_million(laws.get("later", laws.get("first")), period) for period in (SECONDS_A_DAY, 3600)]}
 
 
 def table(found):
     lines = ["| loops | slot | s | loops/s | program ms | historian ms | results ms | all ms |"
              " kB stored | kB of log | peak MB |", "|" + "---|" * 11]
     for size in found["sizes"]:
-        for name in ("first", "later"):
+        for name in (slot for slot in SLOTS if slot in size):
             slot, each = size[name], per_loop(size[name], size["loops"])
             lines.append(
                 f"| {size['loops']} | {name} | {slot['elapsed_s']:.1f} |"
@@ -171,10 +186,11 @@ def table(found):
                 f" {each['wal_bytes'] / 1e3:.1f} | {slot['rss_mb']:.0f} |")
     if found["flatness"] is not None:
         lines += ["", f"Cost a loop from {LARGE} loops on: flat within {found['flatness']:.1%}"]
-    lines += ["", "| a later slot | fixed | a loop | largest error of the law |", "|---|---|---|---|"]
-    for key, law in found["laws"].items():
-        lines.append(f"| {key} | {law['fixed']:.3g} | {law['each']:.3g} |"
-                     f" {law['largest_error']:.1%} |")
+    lines += ["", "| slot | cost | fixed | a loop | largest error of the law |", "|" + "---|" * 5]
+    for slot, laws in found["laws"].items():
+        for key, law in laws.items():
+            lines.append(f"| {slot} | {key} | {law['fixed']:.3g} | {law['each']:.3g} |"
+                         f" {law['largest_error']:.1%} |")
     for answer in found["million"]:
         cores = ", ".join(f"{answer[key]:.2f} {key.replace('_', ' ')}" for key in
                           ("program_cores", "historian_cores", "results_cores"))

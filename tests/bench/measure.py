@@ -126,6 +126,9 @@ class RunningProgram:
         except (FileNotFoundError, TypeError):
             pass  # it has just ended
 
+    def ended(self):
+        return self.process.poll() is not None
+
     def stop(self):
         self.look()
         self.process.send_signal(signal.SIGTERM)

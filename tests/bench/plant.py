@@ -26,6 +26,8 @@ RECORDINGS = 160
 
 
 def run(command, **options):
+    # Slots are counted in UTC, and so are the days of the statements here.
+    options["env"] = {**options.get("env", os.environ), "PGTZ": "UTC"}
     done = subprocess.run(command, text=True, capture_output=True, check=False, **options)
     if done.returncode != 0:
         raise RuntimeError(f"{shlex.join(map(str, command))}: exit code {done.returncode}\n"

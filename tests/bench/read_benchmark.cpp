@@ -38,8 +38,8 @@ void fill(const TestDatabase& database, int tags) {
       std::to_string(kRowsOfTag - 1) + ") AS k, generate_series(1, " + std::to_string(tags) +
       ") AS tag ORDER BY k;"
       "CREATE INDEX ON history (tag, time) INCLUDE (value, quality)");
-  // Pages become all-visible only once their commits are on disk, which the throw-away server leaves
-  // for later: without them an index-only scan looks into the table for every row.
+  // Pages become all-visible only once their commits are on disk, which the throw-away server
+  // leaves for later: without them an index-only scan looks into the table for every row.
   database.execute("CHECKPOINT");
   database.execute("VACUUM ANALYZE history");
 }

@@ -79,7 +79,8 @@ TEST_F(LayoutsAgree, OnIndicesAndVerdicts) {
     // Everything that an analysis says, but whose it is, when it was made and how long it took.
     const auto answers = database->rows(
         "SELECT DISTINCT (to_jsonb(a) - "
-        "'{loop_id,analysis_id,analysed_at,fetch_ms,analyse_ms,prepare_ms,statistics_ms,model_ms}'::text[])::text,"
+        "'{loop_id,analysis_id,analysed_at,fetch_ms,analyse_ms,prepare_ms,statistics_ms,model_ms}':"
+        ":text[])::text,"
         " (to_jsonb(v) - '{loop_id,analysis_id,decided_at}'::text[])::text"
         " FROM loopscope.analysis AS a JOIN loopscope.verdict AS v USING (loop_id)"
         " JOIN loopscope.loop USING (loop_id) WHERE loop.name LIKE '% " +

@@ -44,6 +44,17 @@ TEST(LoopModel, CauseIsWhateverTheStatisticsCallUnhealthy) {
   EXPECT_TRUE(cause("sluggish_tuning"));
 }
 
+TEST(LoopModel, ACauseIsAVerdictThatIsSureEnough) {
+  using enum diagnosis::VerdictCode;
+  const ModelCause cause{0.005, 0.3};
+  EXPECT_TRUE(cause.given_by(nonlinear_unexplained, 0.5, 0.001));
+  EXPECT_FALSE(cause.given_by(nonlinear_unexplained, 0.5, 0.02));
+  EXPECT_FALSE(cause.given_by(nonlinear_unexplained, 0.2, 0.001));
+  EXPECT_TRUE(cause.given_by(valve_saturation, 0.5, std::nullopt)) << "a fact needs no test";
+  EXPECT_FALSE(cause.given_by(healthy, 0.6, std::nullopt));
+  EXPECT_FALSE(cause.given_by(insufficient_data, 1.0, std::nullopt));
+}
+
 TEST(LoopModel, NoModelOfDataThatCannotBeJudged) {
   signal::LoopWindow constant = window();
   constant.pv.assign(1000, 1.0);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <utility>
 
 namespace loopscope::core::hos {
 namespace {
@@ -44,6 +45,20 @@ TEST(NormalDraw, WithinLimitsFollowsTheLawBetweenThem) {
     const Moments found =
         moments_of([&] { return normal_draw_within(0.0, 1.0, low, kFree, random); });
     EXPECT_NEAR(found.mean, expected, 0.03) << low;
+  }
+}
+
+/// Mean of the normal law between two limits: difference of the densities over the share between.
+TEST(NormalDraw, BetweenNearLimitsFollowsTheLawToo) {
+  const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * M_PI); };
+  const auto below = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); };
+  for (const auto& [low, high] : {std::pair{0.5, 1.2}, std::pair{-0.9, 0.1}, std::pair{3.0, 3.3}}) {
+    std::mt19937_64 random(1);
+    const double expected = (density(low) - density(high)) / (below(high) - below(low));
+    const Moments found =
+        moments_of([&] { return normal_draw_within(0.0, 1.0, low, high, random); });
+    // Even draws would have the middle, 0.02 to 0.07 away.
+    EXPECT_NEAR(found.mean, expected, 0.01) << low << " to " << high;
   }
 }
 

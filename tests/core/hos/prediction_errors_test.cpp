@@ -41,6 +41,13 @@ TEST(PredictionErrors, ExpandIsTheDerivativeOfTheSumOfSquares) {
     x[first] += 0.5;
     const double after = half_sum(x, first, first + count - 1);
     EXPECT_NEAR(after - before, 0.5 * gradient[0] + 0.125 * curvature(0, 0), 1e-12) << first;
+    if (count == 1) continue;
+    // From there the second sample too: its own terms, and the one that both share.
+    x[first + 1] -= 0.25;
+    const double both = half_sum(x, first, first + count - 1);
+    EXPECT_NEAR(both - after,
+                -0.25 * (gradient[1] + 0.5 * curvature(1, 0)) + 0.03125 * curvature(1, 1), 1e-12)
+        << first;
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 TEST(OrderStatistic, IsTheValueAtItsRank) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    for (const std::size_t count : {1, 2, 99, 100, 101, 1000, 4096}) {
+    for (const std::size_t count : {1U, 2U, 99U, 100U, 101U, 1000U, 4096U}) {
       const std::vector<double> values = mixed_values(count, seed);
       std::vector<double> sorted = values;
       std::sort(sorted.begin(), sorted.end());

@@ -12,7 +12,7 @@ namespace {
 
 TEST(SortValues, IsWhatComparisonsGive) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    for (const std::size_t count : {0, 1, 2, 199, 200, 201, 1000, 4096, 65537}) {
+    for (const std::size_t count : {0U, 1U, 2U, 199U, 200U, 201U, 1000U, 4096U, 65537U}) {
       std::vector<double> values = mixed_values(count, seed);
       std::vector<double> expected = values;
       std::sort(expected.begin(), expected.end());

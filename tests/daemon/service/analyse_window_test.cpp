@@ -87,9 +87,8 @@ LoopInput noise_input() {
 
 TEST(AnalyseWindow, AModelOnlyWhereThereIsCauseWhenThatIsTheWish) {
   const LoopInput quiet = noise_input();
-  const storage::AnalysisRecord always = analyse_window({}, quiet, {}, "{}", ModelWish::always);
-  const storage::AnalysisRecord spared =
-      analyse_window({}, quiet, {}, "{}", ModelWish::where_there_is_cause);
+  const storage::AnalysisRecord always = analyse_window({}, quiet, {}, "{}");
+  const storage::AnalysisRecord spared = analyse_window({}, quiet, {}, "{}", {core::ModelCause{}});
   EXPECT_TRUE(always.model_ms.has_value());
   EXPECT_FALSE(spared.model_ms.has_value());
   EXPECT_TRUE(spared.model_json.empty());
@@ -102,8 +101,7 @@ TEST(AnalyseWindow, AModelOnlyWhereThereIsCauseWhenThatIsTheWish) {
     waving.at_slot.window.pv[k] += 8.0 * std::sin(0.1 * static_cast<double>(k));
   }
   waving.first = core::first_look(waving.at_slot.window, {});
-  EXPECT_TRUE(
-      analyse_window({}, waving, {}, "{}", ModelWish::where_there_is_cause).model_ms.has_value());
+  EXPECT_TRUE(analyse_window({}, waving, {}, "{}", {core::ModelCause{}}).model_ms.has_value());
 }
 
 TEST(AnalyseWindow, TheStagesAreTimed) {

@@ -58,7 +58,7 @@ TEST_F(ClaimTest, BringsTheWholeCatalogueEntry) {
   EXPECT_EQ(claimed[0].fence, 1);
   EXPECT_EQ(claimed[0].attempts, 0);
   EXPECT_EQ(claimed[0].last_slot_end_us, std::nullopt);
-  EXPECT_EQ(claimed[0].last_verdict, "");
+  EXPECT_FALSE(claimed[0].last_verdict);
   EXPECT_NEAR(static_cast<double>(claimed[0].database_now_us - loop.registered_us), 0.0, 60e6);
 }
 
@@ -75,10 +75,14 @@ TEST_F(ClaimTest, BringsTheLastVerdict) {
   using enum core::diagnosis::VerdictCode;
   finish(1, "d1", valve_stiction);
   finish(2, "d2", healthy);
-  EXPECT_EQ(claim_all(results).at(0).last_verdict, "healthy");
+  EXPECT_EQ(claim_all(results).at(0).last_verdict->code, healthy);
   database->execute("UPDATE loopscope.schedule SET visible_at = now() - interval '1 second'");
   finish(2, "d3", tight_tuning);
-  EXPECT_EQ(claim_all(results).at(0).last_verdict, "tight_tuning");
+  const auto last = claim_all(results).at(0).last_verdict;
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->code, tight_tuning);
+  EXPECT_EQ(last->confidence, 0.875);
+  EXPECT_EQ(last->p, std::nullopt);
 }
 
 TEST_F(ClaimTest, TakesOnlyEnabledLoopsThatAreDue) {

@@ -50,9 +50,10 @@ TEST_F(StageCostTest, TheViewTellsMillisecondsALoop) {
 TEST_F(StageCostTest, OldHoursAreDroppedWithTheResults) {
   ResultsDatabase results = connect();
   results.add_stage_cost({"a", 0}, kCost);
-  database->execute("INSERT INTO loopscope.stage_cost SELECT hour - interval '3 years', host, lane,"
-                    " loops, analysed, modelled, sample_values, claim_s, fetch_s, prepare_s,"
-                    " statistics_s, model_s, decide_s, write_s, wait_s FROM loopscope.stage_cost");
+  database->execute(
+      "INSERT INTO loopscope.stage_cost SELECT hour - interval '3 years', host, lane,"
+      " loops, analysed, modelled, sample_values, claim_s, fetch_s, prepare_s,"
+      " statistics_s, model_s, decide_s, write_s, wait_s FROM loopscope.stage_cost");
   database->execute("SELECT loopscope.delete_old_rows(now() - interval '2 years')");
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.stage_cost"), "1");
 }
