@@ -136,7 +136,8 @@ TEST(FitVariants, TheBestIsTakenAndOfEqualOnesTheFirst) {
     BestVariant found = best;
     EXPECT_TRUE(found.take(variants, equal, digits));
     EXPECT_EQ(found.effect, equal[1]);
-    EXPECT_DOUBLE_EQ(found.error, linear);
+    // Many side by side and one by itself add the same rows in another order.
+    EXPECT_NEAR(found.error, linear, 1e-12 * linear);
   }
 }
 
