@@ -199,14 +199,21 @@ def table(found):
     return "\n".join(lines)
 
 
+def sizes_of(text):
+    sizes = [int(count) for count in text.split(",")]
+    if min(sizes) < 1:
+        raise ValueError(text)
+    return sizes
+
+
 def main():
     parser = argparse.ArgumentParser(prog="tests/bench/growth", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--json", action="store_true", help="one JSON object")
-    parser.add_argument("--loops", default="100,1000,10000,100000",
-                        help="sizes of the catalogue (100,1000,10000,100000)")
+    parser.add_argument("--loops", type=sizes_of, default=[100, 1000, 10_000, 100_000],
+                        metavar="N,N,...", help="sizes of the catalogue (100,1000,10000,100000)")
     options = parser.parse_args()
-    found = measure([int(count) for count in options.loops.split(",")])
+    found = measure(options.loops)
     print(json.dumps(found) if options.json else table(found))
 
 
