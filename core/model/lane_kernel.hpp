@@ -22,14 +22,6 @@ struct AnswerTask {
   std::span<const Range> rows;
 };
 
-/// Signals to be multiplied with one another; see products.hpp.
-struct ProductTask {
-  std::span<const Signal> left;
-  std::span<const Signal> right;
-  std::span<const Range> rows;
-  bool among_themselves;  ///< right is left, and the lower triangle will do
-};
-
 /// What goes side by side in vectors, for one kind of processor. The digits of a lane do not depend
 /// on how many there are, and sums are added in one order: all kinds give the same results.
 struct LaneKernel {
@@ -41,10 +33,6 @@ struct LaneKernel {
   TrackedValve (*track)(const TrackedRecord& record, const Valve& valve, const LaggedModel& model,
                         std::size_t rows_per_stretch);  ///< track_valve()
   LaggedModel (*fit_lagged)(const LaggedRows& rows, std::span<const double> input);
-  /// whiten() of four signals of that length.
-  void (*whiten_by_fours)(const NoiseModel& noise, const Signal* signals, double* const* whitened,
-                          std::size_t samples);
-  void (*fill_products)(const ProductTask& task, Eigen::MatrixXd& all);
 };
 
 /// Runs everywhere.

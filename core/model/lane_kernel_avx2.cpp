@@ -19,7 +19,7 @@ typedef double FewDoubles __attribute__((vector_size(32)));
 
 }  // namespace
 
-const LaneKernel kAvx2Lanes = lane_kernel<Singles, Doubles, FewSingles, FewDoubles, 2>("avx2");
+const LaneKernel kAvx2Lanes = lane_kernel<Singles, Doubles, FewSingles, FewDoubles>("avx2");
 
 }  // namespace loopscope::core::model
 

@@ -19,7 +19,7 @@ typedef double FewDoubles __attribute__((vector_size(32)));
 
 }  // namespace
 
-const LaneKernel kAvx512Lanes = lane_kernel<Singles, Doubles, FewSingles, FewDoubles, 4>("avx512");
+const LaneKernel kAvx512Lanes = lane_kernel<Singles, Doubles, FewSingles, FewDoubles>("avx512");
 
 }  // namespace loopscope::core::model
 

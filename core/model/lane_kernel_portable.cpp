@@ -3,6 +3,6 @@
 namespace loopscope::core::model {
 
 const LaneKernel kPortableLanes =
-    lane_kernel<ShortNumbers, NumberPair, ShortNumbers, NumberPair, 2>("portable");
+    lane_kernel<ShortNumbers, NumberPair, ShortNumbers, NumberPair>("portable");
 
 }  // namespace loopscope::core::model

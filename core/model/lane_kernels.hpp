@@ -3,26 +3,17 @@
 #include "core/model/answer_batches.hpp"
 #include "core/model/lagged_solution.hpp"
 #include "core/model/lane_basis.hpp"
-#include "core/model/product_table.hpp"
 #include "core/model/tracker.hpp"
-#include "core/model/whitening_lanes.hpp"
 
 namespace loopscope::core::model {
 inline namespace LOOPSCOPE_PATH {
 
 /// A kernel in vectors of `Singles` and `Doubles`; where there are no more than eight floats or
-/// four doubles to go side by side, in vectors of `FewSingles` and `FewDoubles`. Products in tiles
-/// of so many signals by as many.
-template <typename Singles, typename Doubles, typename FewSingles, typename FewDoubles,
-          std::size_t tile>
+/// four doubles to go side by side, in vectors of `FewSingles` and `FewDoubles`.
+template <typename Singles, typename Doubles, typename FewSingles, typename FewDoubles>
 constexpr LaneKernel lane_kernel(std::string_view name) {
-  return {name,
-          products_in<Singles>,
-          products_in<Doubles>,
-          tracked<FewSingles>,
-          fitted<FewDoubles>,
-          whiten_by_fours<FewDoubles>,
-          fill_products<FewDoubles, tile>};
+  return {name, products_in<Singles>, products_in<Doubles>, tracked<FewSingles>,
+          fitted<FewDoubles>};
 }
 
 }  // namespace LOOPSCOPE_PATH

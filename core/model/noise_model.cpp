@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/model/lane_kernel.hpp"
-#include "core/model/whitening_lanes.hpp"
+#include "core/model/number_pair.hpp"
+#include "core/model/recursion.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -26,6 +26,41 @@ bool within(const Coefficients& zeros, double radius) {
     c = lower;
   }
   return true;
+}
+
+/// y(k) = x(k) + sum a x(k-i) - sum c y(k-i), at rest at the first value. Number is double or
+/// NumberPair; x(k) is read before y(k) is written.
+template <typename Number, typename Read, typename Write>
+void whiten_signal(const NoiseModel& noise, std::size_t count, Read read, Write write) {
+  if (count == 0) return;
+  const Coefficients a = autoregression(noise);
+  const Coefficients& c = noise.zeros;
+  Number x1 = read(0);
+  const Number rest = x1 * whitened_level(noise);
+  if (noise.order == 1) {
+    const auto moves = [&](std::size_t k) {
+      const Number value = read(k);
+      const Number move = value + a[0] * x1;
+      x1 = value;
+      return move;
+    };
+    run_recursion(Number{} - c[0], rest, count, moves, write);
+    return;
+  }
+  Number x2 = x1, x3 = x1, y1 = rest, y2 = rest, y3 = rest;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Number x = read(k);
+    // The newest y last: what waits for it is one product and one difference.
+    const Number known = x + a[0] * x1 + a[1] * x2 + a[2] * x3 - c[1] * y2 - c[2] * y3;
+    const Number y = known - c[0] * y1;
+    write(k, y);
+    x3 = x2;
+    x2 = x1;
+    x1 = x;
+    y3 = y2;
+    y2 = y1;
+    y1 = y;
+  }
 }
 
 }  // namespace
@@ -82,16 +117,15 @@ void whiten(const NoiseModel& noise, std::span<const double> v, std::span<double
 
 void whiten(const NoiseModel& noise, std::array<std::span<const double>, 2> v,
             std::array<std::span<double>, 2> w) {
-  const std::array signals{v[0].data(), v[1].data()};
-  const std::array whitened{w[0].data(), w[1].data()};
-  whiten_abreast<NumberPair>(noise, signals.data(), whitened.data(), v[0].size());
-}
-
-void whiten_four(const NoiseModel& noise, std::array<std::span<const double>, 4> v,
-                 std::array<std::span<double>, 4> w) {
-  const std::array signals{v[0].data(), v[1].data(), v[2].data(), v[3].data()};
-  const std::array whitened{w[0].data(), w[1].data(), w[2].data(), w[3].data()};
-  best_lane_kernel().whiten_by_fours(noise, signals.data(), whitened.data(), v[0].size());
+  whiten_signal<NumberPair>(
+      noise, v[0].size(),
+      [&](std::size_t k) {
+        return NumberPair{v[0][k], v[1][k]};
+      },
+      [&](std::size_t k, NumberPair value) {
+        w[0][k] = value[0];
+        w[1][k] = value[1];
+      });
 }
 
 }  // namespace loopscope::core::model

@@ -39,9 +39,6 @@ void whiten(const NoiseModel& noise, std::span<const double> v, std::span<double
 /// Two signals at the time of one.
 void whiten(const NoiseModel& noise, std::array<std::span<const double>, 2> v,
             std::array<std::span<double>, 2> w);
-/// Four, the same.
-void whiten_four(const NoiseModel& noise, std::array<std::span<const double>, 4> v,
-                 std::array<std::span<double>, 4> w);
 
 /// After so many samples whitening has forgotten a signal that ended, but for rounding; the largest
 /// number where it remembers longer than is worth knowing.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/model/loop_data.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
@@ -30,42 +32,27 @@ void Whitening::add(std::span<const double> signal, std::span<double> whitened) 
 }
 
 void Whitening::run(const NoiseModel& noise) const {
-  std::vector<Range> heard_in;
-  for (const auto& signal : from_) heard_in.push_back(heard(signal));
-  const auto same = [&](std::size_t a, std::size_t b) {
-    return heard_in[a].first == heard_in[b].first && heard_in[a].end == heard_in[b].end;
-  };
-  for (std::size_t at = 0; at < from_.size();) {
-    const std::size_t left = from_.size() - at;
-    const bool four = left >= 4 && same(at, at + 1) && same(at, at + 2) && same(at, at + 3);
-    const std::size_t count = four ? 4 : std::min<std::size_t>(2, left);
-    const Range& a = heard_in[at];
-    const Range& b = heard_in[at + count - 1];
-    run(noise, at, count, {std::min(a.first, b.first), std::max(a.end, b.end)});
-    at += count;
+  for (std::size_t at = 0; at < from_.size(); at += 2) {
+    run(noise, at, std::min<std::size_t>(2, from_.size() - at));
   }
 }
 
-/// One, two or four signals, heard in that stretch.
-void Whitening::run(const NoiseModel& noise, std::size_t first, std::size_t count,
-                    Range stretch) const {
+/// One or two signals.
+void Whitening::run(const NoiseModel& noise, std::size_t first, std::size_t count) const {
+  const std::size_t other = first + count - 1;
   const std::size_t samples = from_[first].size();
+  const Range a = heard(from_[first]), b = heard(from_[other]);
+  Range stretch{std::min(a.first, b.first), std::max(a.end, b.end)};
   if (stretch.end < samples)
     stretch.end += std::min(samples - stretch.end, whitening_memory(noise));
-  const auto from = [&](std::size_t i) {
-    return from_[first + i].subspan(stretch.first, stretch.size());
-  };
-  const auto to = [&](std::size_t i) {
-    return to_[first + i].subspan(stretch.first, stretch.size());
-  };
-  if (count == 4) {
-    whiten_four(noise, {from(0), from(1), from(2), from(3)}, {to(0), to(1), to(2), to(3)});
-  } else if (count == 2) {
-    whiten(noise, {from(0), from(1)}, {to(0), to(1)});
+  const auto from = [&](std::size_t i) { return from_[i].subspan(stretch.first, stretch.size()); };
+  const auto to = [&](std::size_t i) { return to_[i].subspan(stretch.first, stretch.size()); };
+  if (count == 2) {
+    whiten(noise, {from(first), from(other)}, {to(first), to(other)});
   } else {
-    whiten(noise, from(0), to(0));
+    whiten(noise, from(first), to(first));
   }
-  for (std::size_t i = first; i < first + count; ++i) silence(to_[i], stretch);
+  for (std::size_t i = first; i <= other; ++i) silence(to_[i], stretch);
 }
 
 void put_later(std::span<const double> signal, std::span<double> later) {

@@ -3,14 +3,13 @@
 #include <span>
 #include <vector>
 
-#include "core/model/loop_data.hpp"
 #include "core/model/noise_model.hpp"
 
 namespace loopscope::core::model {
 
-/// Signals to be whitened, taken two or four at a time, and no longer than they are heard: a signal
-/// that sits in one place is zero before it and, up to rounding, soon after it. Equal lengths; the
-/// spans have to outlive run().
+/// Signals to be whitened, taken two at a time, and no longer than they are heard: a signal that
+/// sits in one place is zero before it and, up to rounding, soon after it. Equal lengths; the spans
+/// have to outlive run().
 class Whitening {
  public:
   void add(std::span<const double> signal, std::span<double> whitened);
@@ -18,7 +17,7 @@ class Whitening {
   void run(const NoiseModel& noise) const;
 
  private:
-  void run(const NoiseModel& noise, std::size_t first, std::size_t count, Range stretch) const;
+  void run(const NoiseModel& noise, std::size_t first, std::size_t count) const;
 
   std::vector<std::span<const double>> from_;
   std::vector<std::span<double>> to_;

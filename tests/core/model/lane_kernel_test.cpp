@@ -101,37 +101,5 @@ TEST(LaneKernel, TrackedValvesAreTheSame) {
   }
 }
 
-TEST(LaneKernel, ProductsAreTheSame) {
-  const Setting setting;
-  for (const bool among_themselves : {false, true}) {
-    const ProductTask task{setting.signals, setting.signals, setting.rows, among_themselves};
-    Eigen::MatrixXd portable = Eigen::MatrixXd::Zero(7, 7);
-    kPortableLanes.fill_products(task, portable);
-    for (const LaneKernel* kernel : others()) {
-      Eigen::MatrixXd other = Eigen::MatrixXd::Zero(7, 7);
-      kernel->fill_products(task, other);
-      const Eigen::MatrixXd lower = other.triangularView<Eigen::Lower>();
-      EXPECT_EQ(lower, Eigen::MatrixXd(portable.triangularView<Eigen::Lower>())) << kernel->name;
-    }
-  }
-}
-
-TEST(LaneKernel, WhitenedSignalsAreTheSame) {
-  const Setting setting;
-  for (const std::size_t order : {1U, 2U, 3U}) {
-    NoiseModel noise;
-    for (std::size_t i = 1; i < order; ++i) noise = extended(noise, 0.6, 0.4);
-    tests::Series alone(kSamples);
-    whiten(noise, setting.columns[1], alone);
-    for (const LaneKernel* kernel : others()) {
-      std::vector<tests::Series> whitened(4, tests::Series(kSamples));
-      const std::array out{whitened[0].data(), whitened[1].data(), whitened[2].data(),
-                           whitened[3].data()};
-      kernel->whiten_by_fours(noise, setting.signals.data(), out.data(), kSamples);
-      EXPECT_EQ(whitened[1], alone) << kernel->name << " order " << order;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace loopscope::core::model
