@@ -56,6 +56,11 @@ std::size_t take_header(Reader& reader, ElementType type) {
 
 }  // namespace
 
+std::size_t array_length(std::span<const std::byte> bytes, ElementType type) {
+  Reader reader(bytes);
+  return take_header(reader, type);
+}
+
 std::vector<std::uint64_t> decode_array(std::span<const std::byte> bytes, ElementType type,
                                         std::uint64_t null_bits) {
   Reader reader(bytes);

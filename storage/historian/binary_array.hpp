@@ -31,6 +31,9 @@ class MalformedArray : public std::runtime_error {
 [[nodiscard]] std::vector<std::uint64_t> decode_array(std::span<const std::byte> bytes,
                                                       ElementType type, std::uint64_t null_bits);
 
+/// How many elements such an array has; they are not looked at. Throws MalformedArray.
+[[nodiscard]] std::size_t array_length(std::span<const std::byte> bytes, ElementType type);
+
 /// A single eight-byte value in binary form. Throws MalformedArray.
 [[nodiscard]] std::uint64_t decode_value(std::span<const std::byte> bytes);
 

@@ -10,6 +10,8 @@
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
+#include "storage/historian/run_decoded.hpp"
+#include "storage/historian/scan_reader.hpp"
 #include "storage/historian/scan_rows.hpp"
 #include "storage/historian/scan_statements.hpp"
 #include "storage/historian/statements.hpp"
@@ -38,19 +40,6 @@ std::vector<std::vector<RawSeries>> empty_parts(const Places& places) {
   std::vector<std::vector<RawSeries>> parts;
   for (const auto& of_tag : places) parts.emplace_back(of_tag.size());
   return parts;
-}
-
-/// The span of a batch of scans, and what lies before it.
-std::pair<std::int64_t, std::int64_t> reach_of(const std::vector<Scan>& batch) {
-  std::int64_t from = kLatestTimeUs;
-  std::int64_t to = kEarliestTimeUs;
-  for (const Scan& scan : batch) {
-    const bool before = std::any_of(scan.columns.begin(), scan.columns.end(),
-                                    [](const ScanColumn& column) { return column.before; });
-    from = std::min(from, clamp_time(scan.from_us) - (before ? kReachBefore_us : 0));
-    to = std::max(to, scan.to_us);
-  }
-  return {from, to};
 }
 
 /// A key and the tags whose rows stand under it.
@@ -92,26 +81,13 @@ std::vector<std::string> newest_parameters(std::span<const KeyOfTags> batch,
 
 struct HistorianReader::Impl {
   Impl(const ConnectionSettings& settings, const SourceLayout& source)
-      : connection(as_reader(settings)), layout(resolve_layout(connection, source)) {
+      : connection(as_reader(settings)),
+        layout(resolve_layout(connection, source)),
+        scans(connection, layout) {
     if (layout.partitions) partitions.emplace(connection, layout);
     if (source.shape != Shape::narrow) return;
     connection.run(
         historian_statements::try_read(layout, value_of(connection, layout, "").value()));
-  }
-
-  /// Runs `read(rows)` on the answer and turns bytes that make no sense into a database error.
-  template <typename Read>
-  void query(const Statement& statement, const std::vector<std::string>& parameters, Read read) {
-    const PqRows rows = connection.run(statement, parameters, ResultFormat::binary);
-    try {
-      read(rows);
-    } catch (const MalformedArray& error) {
-      throw DatabaseError(
-          std::string(error.what()) + ", statement " + statement.name + ", " + connection.target(),
-          "the server answered in a form that this program does not know: report "
-          "this with the server's version",
-          Remedy::give_up);
-    }
   }
 
   std::vector<std::string> relations(std::int64_t from_us, std::int64_t to_us) {
@@ -128,44 +104,27 @@ struct HistorianReader::Impl {
     if (!all_known) layout = resolve_layout(connection, layout.layout);
   }
 
-  void read_batch(const std::vector<Scan>& batch, std::vector<std::vector<RawSeries>>& parts) {
-    const auto [from, to] = reach_of(batch);
-    const std::vector<std::string> tables = relations(from, to);
-    if (tables.empty()) return;
-    const Statement statement =
-        historian_statements::read_scans(layout, tables, batch.front().columns);
-    query(statement, scan_parameters(batch, layout), [&](const PqRows& rows) {
-      for (int row = 0; row < rows.size(); ++row) {
-        const Scan& scan = batch[slot_of(rows, row, batch.size())];
-        for (std::size_t column = 0; column < scan.columns.size(); ++column) {
-          const RawSeries series = read_column(rows, row, scan, column, layout);
-          for (const ScanTarget& target : scan.columns[column].targets) {
-            parts[target.request][target.place] = series;
-          }
-        }
-      }
-    });
-  }
-
   /// Raises the entries of `newest` that the batch's keys stand for.
   void newest_of(const Statement& statement, std::span<const KeyOfTags> batch,
                  std::int64_t earliest_us, std::int64_t latest_us,
                  std::vector<std::optional<std::int64_t>>& newest) {
     const TimeKind kind = layout.layout.time_kind;
-    query(statement, newest_parameters(batch, layout, earliest_us, latest_us),
-          [&](const PqRows& rows) {
-            for (int row = 0; row < rows.size(); ++row) {
-              const std::int64_t time_us = microseconds(kind, decode_value(rows.bytes(row, 1)));
-              for (const std::size_t tag : batch[slot_of(rows, row, batch.size())].tags) {
-                newest[tag] = std::max(newest[tag].value_or(kEarliestTimeUs), time_us);
-              }
-            }
-          });
+    run_decoded(connection, statement, newest_parameters(batch, layout, earliest_us, latest_us),
+                [&](const PqRows& rows) {
+                  for (int row = 0; row < rows.size(); ++row) {
+                    const std::int64_t time_us =
+                        microseconds(kind, decode_value(rows.bytes(row, 1)));
+                    for (const std::size_t tag : batch[slot_of(rows, row, batch.size())].tags) {
+                      newest[tag] = std::max(newest[tag].value_or(kEarliestTimeUs), time_us);
+                    }
+                  }
+                });
   }
 
   PqConnection connection;
   ResolvedLayout layout;
   std::optional<Partitions> partitions;
+  ScanReader scans;
 };
 
 HistorianReader::HistorianReader(const ConnectionSettings& settings, const SourceLayout& layout)
@@ -180,8 +139,11 @@ std::vector<RawSeries> HistorianReader::read(std::span<const TagRequest> request
   const Places places = find_tags(impl_->connection, impl_->layout, tags);
   impl_->look_again(places);
   std::vector<std::vector<RawSeries>> parts = empty_parts(places);
+  const auto tables_of = [this](std::int64_t from_us, std::int64_t to_us) {
+    return impl_->relations(from_us, to_us);
+  };
   for (const auto& batch : plan_scans(impl_->connection, impl_->layout, requests, places)) {
-    impl_->read_batch(batch, parts);
+    impl_->scans.read(batch, tables_of, parts);
   }
   std::vector<RawSeries> series(requests.size());
   for (std::size_t k = 0; k < requests.size(); ++k) {
@@ -215,7 +177,7 @@ std::vector<std::optional<std::int64_t>> HistorianReader::newest(std::span<const
 
 std::int64_t HistorianReader::now_us() {
   std::int64_t now = 0;
-  impl_->query(historian_statements::kNow, {}, [&](const PqRows& rows) {
+  run_decoded(impl_->connection, historian_statements::kNow, {}, [&](const PqRows& rows) {
     now = static_cast<std::int64_t>(decode_value(rows.bytes(0, 0)));
   });
   return now;

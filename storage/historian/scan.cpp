@@ -81,7 +81,11 @@ class Planner {
     return scan.columns.back();
   }
 
+  /// Scans of one column go together, whether they want the row before or not: one pass over a
+  /// table serves all of them (heap_order.hpp), and looking into an empty span costs next to
+  /// nothing.
   static std::string signature(const Scan& scan) {
+    if (scan.columns.size() == 1) return scan.columns.front().value;
     std::string text;
     for (const ScanColumn& column : scan.columns) {
       text += column.value + (column.before ? "\1" : "\2");
@@ -114,6 +118,21 @@ class Planner {
 };
 
 }  // namespace
+
+bool wants_before(const Scan& scan) {
+  return std::ranges::any_of(scan.columns, &ScanColumn::before);
+}
+
+std::vector<ScanColumn> columns_of(const std::vector<Scan>& batch) {
+  std::vector<ScanColumn> columns;
+  for (const ScanColumn& column : batch.front().columns)
+    columns.push_back({column.value, column.before, {}});
+  for (const Scan& scan : batch) {
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      columns[k].before = columns[k].before || scan.columns[k].before;
+  }
+  return columns;
+}
 
 std::vector<std::vector<Scan>> plan_scans(const PqConnection& connection,
                                           const ResolvedLayout& layout,

@@ -34,6 +34,13 @@ struct Scan {
   std::vector<ScanColumn> columns;
 };
 
+/// Whether the row before is wanted of any of the columns.
+[[nodiscard]] bool wants_before(const Scan& scan);
+
+/// What the statement of a batch reads: the columns of its scans, each with the row before where
+/// any of them wants it.
+[[nodiscard]] std::vector<ScanColumn> columns_of(const std::vector<Scan>& batch);
+
 /// Scans that one statement reads: all of them have the same columns. `places` are those of
 /// `requests` (find_tags). Every request's places are in some batch, unless its column holds no
 /// values. Batches keep to what a round trip should carry (rows and columns).

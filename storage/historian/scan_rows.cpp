@@ -25,9 +25,9 @@ constexpr int kFirstValues = 3;
 constexpr std::uint64_t kNullBits = 0x7FF8'0000'0000'0A55;
 
 /// Position of a column's row before among the answer's columns.
-int before_column(const Scan& scan, std::size_t column) {
-  int position = kFirstValues + static_cast<int>(scan.columns.size());
-  for (std::size_t k = 0; k < column; ++k) position += scan.columns[k].before ? 2 : 0;
+int before_column(const std::vector<ScanColumn>& asked, std::size_t column) {
+  int position = kFirstValues + static_cast<int>(asked.size());
+  for (std::size_t k = 0; k < column; ++k) position += asked[k].before ? 2 : 0;
   return position;
 }
 
@@ -63,12 +63,30 @@ void drop_oldest_time(RawSeries& series) {
   series.value.erase(series.value.begin(), series.value.begin() + count);
 }
 
-/// The bits of the rows, newest first on the wire.
+/// The bits of the rows, newest first.
 struct Wire {
   std::vector<std::uint64_t> times, values;
 };
 
-Wire take_wire(const PqRows& rows, int row, const Scan& scan, std::size_t column, TimeKind kind) {
+/// The rows not before a time. A table mostly has its rows oldest first, but for those that came
+/// late.
+Wire newest_first(const Wire& wire, TimeKind kind, std::int64_t from_us) {
+  std::vector<std::pair<std::int64_t, std::size_t>> places;
+  for (std::size_t k = wire.times.size(); k-- > 0;) {
+    const std::int64_t time_us = microseconds(kind, wire.times[k]);
+    if (time_us >= from_us) places.emplace_back(time_us, k);
+  }
+  if (!std::ranges::is_sorted(places, std::ranges::greater()))
+    std::ranges::sort(places, std::ranges::greater());
+  Wire sorted;
+  for (const auto& [time_us, place] : places) {
+    sorted.times.push_back(wire.times[place]);
+    sorted.values.push_back(wire.values[place]);
+  }
+  return sorted;
+}
+
+Wire take_wire(const PqRows& rows, int row, std::size_t column, TimeKind kind) {
   Wire wire;
   const int values = kFirstValues + static_cast<int>(column);
   if (!rows.is_null(row, kTimes)) {
@@ -78,13 +96,15 @@ Wire take_wire(const PqRows& rows, int row, const Scan& scan, std::size_t column
   if (wire.times.size() != wire.values.size()) {
     throw MalformedArray("times and values differ in number");
   }
-  const int before = before_column(scan, column);
-  if (scan.columns[column].before && !rows.is_null(row, before)) {
-    wire.times.push_back(decode_value(rows.bytes(row, before)));
-    wire.values.push_back(
-        rows.is_null(row, before + 1) ? kNullBits : decode_value(rows.bytes(row, before + 1)));
-  }
   return wire;
+}
+
+/// The row before, where the scan wants one and there is one: the oldest of all.
+void add_row_before(const PqRows& rows, int row, int column, Wire& wire) {
+  if (rows.is_null(row, column)) return;
+  wire.times.push_back(decode_value(rows.bytes(row, column)));
+  wire.values.push_back(rows.is_null(row, column + 1) ? kNullBits
+                                                      : decode_value(rows.bytes(row, column + 1)));
 }
 
 /// What the statement's bounds let through that the span does not: whole seconds beside
@@ -114,6 +134,12 @@ std::int64_t first_time(const Scan& scan, const ResolvedLayout& layout) {
 
 }  // namespace
 
+std::string bound_before(const Scan& scan, const ResolvedLayout& layout) {
+  const std::int64_t time =
+      wants_before(scan) ? clamp_time(scan.from_us) - kReachBefore_us : first_time(scan, layout);
+  return native_bound(layout.layout.time_kind, time, Bound::lower);
+}
+
 std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
                                          const ResolvedLayout& layout) {
   const TimeKind kind = layout.layout.time_kind;
@@ -128,7 +154,7 @@ std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
     from.add_text(native_bound(kind, first_time(scan, layout), Bound::lower));
     to.add_text(native_bound(kind, scan.to_us, Bound::upper));
     max_rows.add_integer(std::max<std::int64_t>(scan.max_rows, 0));
-    before.add_text(native_bound(kind, clamp_time(scan.from_us) - kReachBefore_us, Bound::lower));
+    before.add_text(bound_before(scan, layout));
   }
   for (const ArrayLiteral* array : {&from, &to, &max_rows, &before})
     parameters.push_back(array->text());
@@ -136,9 +162,12 @@ std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
 }
 
 RawSeries read_column(const PqRows& rows, int row, const Scan& scan, std::size_t column,
-                      const ResolvedLayout& layout) {
+                      const std::vector<ScanColumn>& asked, const ResolvedLayout& layout,
+                      RowOrder order) {
   const TimeKind kind = layout.layout.time_kind;
-  const Wire wire = take_wire(rows, row, scan, column, kind);
+  Wire wire = take_wire(rows, row, column, kind);
+  if (order == RowOrder::any) wire = newest_first(wire, kind, scan.from_us);
+  if (scan.columns[column].before) add_row_before(rows, row, before_column(asked, column), wire);
   RawSeries series;
   series.time_us.reserve(wire.times.size());
   series.value.reserve(wire.times.size());
@@ -157,6 +186,11 @@ RawSeries read_column(const PqRows& rows, int row, const Scan& scan, std::size_t
   trim(series, scan, scan.columns[column].before);
   series.unknown_quality = static_cast<std::size_t>(decode_value(rows.bytes(row, kUnknown)));
   return series;
+}
+
+std::size_t rows_of_span(const PqRows& rows, int row, const ResolvedLayout& layout) {
+  if (rows.is_null(row, kTimes)) return 0;
+  return array_length(rows.bytes(row, kTimes), native_element(layout.layout.time_kind));
 }
 
 std::size_t slot_of(const PqRows& rows, int row, std::size_t slots) {

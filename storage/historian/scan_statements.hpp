@@ -19,6 +19,18 @@ namespace loopscope::storage::historian_statements {
                                    const std::vector<std::string>& relations,
                                    const std::vector<ScanColumn>& columns);
 
+/// One pass over the table for all of many keys that ask for the same span, and what the planner
+/// makes of that. Of the parameters the plan takes the first four.
+struct HeapOrderStatements {
+  Statement plan;
+  Statement read;
+};
+/// Array of the keys (of one part), lower bound, upper bound, rows of all together at most, array
+/// of lower bounds of the row before -> as read_scans(), the rows in the table's order.
+[[nodiscard]] HeapOrderStatements read_in_heap_order(const ResolvedLayout& layout,
+                                                     const std::vector<std::string>& relations,
+                                                     const std::vector<ScanColumn>& columns);
+
 /// Time of the newest row of each key: one array per part of the key, lower bound, upper bound ->
 /// slot, time. With a `column` (quoted, h."column") only rows count that have a value there.
 [[nodiscard]] Statement newest_rows(const ResolvedLayout& layout,

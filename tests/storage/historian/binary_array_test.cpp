@@ -46,6 +46,13 @@ TEST(BinaryArray, EmptyArrayHasNoDimension) {
   EXPECT_TRUE(decode_array(numbers({0, 0, 701}), ElementType::float8, 0).empty());
 }
 
+TEST(BinaryArray, LengthIsThatOfTheHeader) {
+  EXPECT_EQ(array_length(three_elements(), ElementType::int8), 3u);
+  EXPECT_EQ(array_length(numbers({0, 0, 701}), ElementType::float8), 0u);
+  EXPECT_THROW((void)array_length(numbers({1, 0, 20, 0x7FFFFFFF, 1, 8}), ElementType::int8),
+               MalformedArray);
+}
+
 TEST(BinaryArray, RefusesAnotherElementType) {
   EXPECT_THROW(decode_array(three_elements(), ElementType::float8, 0), MalformedArray);
 }

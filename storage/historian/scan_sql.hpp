@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/historian/resolve_layout.hpp"
+#include "storage/historian/scan.hpp"
+
+/// What the statements that read rows are made of; all names in it are quoted.
+namespace loopscope::storage::historian_statements {
+
+/// The eight-byte type that native_time reads.
+[[nodiscard]] std::string native(const ResolvedLayout& layout);
+/// The time as that type.
+[[nodiscard]] std::string time_sql(const ResolvedLayout& layout);
+/// A bound in the column's own type: a conversion of the column would keep its index from use.
+[[nodiscard]] std::string bound_sql(const ResolvedLayout& layout, const std::string& bound);
+/// $number::type
+[[nodiscard]] std::string parameter(std::size_t number, const std::string& type);
+/// "h"."key" = request.k0 AND ...
+[[nodiscard]] std::string key_is_requested(const ResolvedLayout& layout);
+
+/// SELECT `what` of every relation, put together; " AS u" still has to follow.
+[[nodiscard]] std::string all_of(const std::vector<std::string>& relations, const std::string& what,
+                                 const std::string& condition);
+
+/// The columns that rows are ordered by, as they are: o0, o1, ...
+struct Order {
+  std::string columns;       ///< "h.time AS o0, h.id AS o1, "
+  std::string newest_first;  ///< "u.o0 DESC, u.o1 DESC"
+};
+[[nodiscard]] Order order_of(const ResolvedLayout& layout);
+
+/// A row of a scan, and what many of them are put together to.
+struct ScanRow {
+  std::string columns;  ///< time, known (where the quality tells), v0, v1, ...
+  std::string arrays;   ///< times, unknown, v0, v1, ... of rows x
+};
+[[nodiscard]] ScanRow scan_row(const ResolvedLayout& layout,
+                               const std::vector<ScanColumn>& columns);
+
+/// AND ...: rows of other fields must not take the place of a scan's own. Such scans have one
+/// column.
+[[nodiscard]] std::string has_value(const ResolvedLayout& layout, const std::string& value);
+
+/// The newest row of each column that wants it before each request's span.
+struct RowsBefore {
+  std::string columns;  ///< ", b0.time, b0.value, ..."
+  std::string joins;
+};
+[[nodiscard]] RowsBefore rows_before(const ResolvedLayout& layout,
+                                     const std::vector<std::string>& relations,
+                                     const std::vector<ScanColumn>& columns);
+
+}  // namespace loopscope::storage::historian_statements
