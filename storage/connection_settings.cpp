@@ -32,8 +32,7 @@ constexpr const char* kSession =
     " -c lock_timeout=5s -c idle_in_transaction_session_timeout=60s";
 
 // Memory for the bitmap and the arrays of one batch (heap_order.hpp): with the usual 4 MB the
-// bitmap forgets rows and whole pages are looked through, 47 ms a loop instead of 12 (16 loops:
-// 100).
+// bitmap forgets rows and whole pages are looked through, 17 ms a loop instead of 12.
 constexpr const char* kReading = " -c default_transaction_read_only=on -c work_mem=32MB";
 
 bool may_hold_secret(const std::string& conninfo) {
@@ -71,7 +70,7 @@ std::string application_name(const std::string& purpose) {
 std::string session_options(const ConnectionSettings& settings) {
   std::string options = kSession;
   options += " -c statement_timeout=" + std::to_string(settings.statement_timeout_s) + "s";
-  if (settings.read_only) options += std::string(kReading);
+  if (settings.read_only) options += kReading;
   return options;
 }
 

@@ -50,6 +50,13 @@ bool goes_by_bitmaps(const PqRows& plan, double rows_wanted) {
   return bitmaps && keys && expected <= rows_wanted;
 }
 
+/// Rows that the scans of a batch want at most.
+std::int64_t rows_wanted(const std::vector<Scan>& batch) {
+  std::int64_t rows = 0;
+  for (const Scan& scan : batch) rows += std::clamp<std::int64_t>(scan.max_rows, 0, kMostRows);
+  return rows;
+}
+
 }  // namespace
 
 std::vector<std::vector<Scan>> by_span(std::vector<Scan> scans) {
@@ -93,12 +100,6 @@ std::vector<std::string> heap_order_parameters(const std::vector<Scan>& batch,
   return {keys.text(), native_bound(kind, batch.front().from_us, Bound::lower),
           native_bound(kind, batch.front().to_us, Bound::upper),
           std::to_string(rows_wanted(batch) + 1), before.text()};
-}
-
-std::int64_t rows_wanted(const std::vector<Scan>& batch) {
-  std::int64_t rows = 0;
-  for (const Scan& scan : batch) rows += std::clamp<std::int64_t>(scan.max_rows, 0, kMostRows);
-  return rows;
 }
 
 }  // namespace loopscope::storage

@@ -48,7 +48,4 @@ class HeapOrder {
 [[nodiscard]] std::vector<std::string> heap_order_parameters(const std::vector<Scan>& batch,
                                                              const ResolvedLayout& layout);
 
-/// Rows that the scans of a batch want at most.
-[[nodiscard]] std::int64_t rows_wanted(const std::vector<Scan>& batch);
-
 }  // namespace loopscope::storage

@@ -200,10 +200,11 @@ def table(found):
 
 
 def sizes_of(text):
-    sizes = [int(count) for count in text.split(",")]
-    if min(sizes) < 1:
-        raise ValueError(text)
-    return sizes
+    sizes = text.split(",")
+    if not all(count.isdecimal() and int(count) > 0 for count in sizes):
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is no list of numbers of loops above 0. HINT: --loops 100,1000")
+    return [int(count) for count in sizes]
 
 
 def main():
