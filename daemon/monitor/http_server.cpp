@@ -23,7 +23,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::size_t kThreads = 4;
-constexpr std::size_t kMostWaiting = 64;
+constexpr int kMostWaiting = 64;
 constexpr std::size_t kMostRequestBytes = std::size_t{32} * 1024;
 /// For the whole request, and for the whole answer, of a client that nobody else waits behind.
 constexpr milliseconds kPatience{5000};
@@ -69,12 +69,16 @@ class Protocol : public httplib::Server {
   /// The port, or nullopt with errno.
   std::optional<int> bind(const config::HttpAddress& address) {
     errno = 0;
-    if (address.port == 0) {
-      const int port = bind_to_any_port(address.host, AI_NUMERICHOST);
-      return port > 0 ? std::optional(port) : std::nullopt;
+    int port = address.port;
+    if (port == 0) {
+      port = bind_to_any_port(address.host, AI_NUMERICHOST);
+      if (port <= 0) return std::nullopt;
+    } else if (!bind_to_port(address.host, port, AI_NUMERICHOST)) {
+      return std::nullopt;
     }
-    return bind_to_port(address.host, address.port, AI_NUMERICHOST) ? std::optional(address.port)
-                                                                    : std::nullopt;
+    // Of the library's own queue of five every sixth client at a time waits a second to try again.
+    ::listen(svr_sock_, kMostWaiting);
+    return port;
   }
 
   /// Lets listen_after_bind() return, whether it has begun or not: to be called until it has.

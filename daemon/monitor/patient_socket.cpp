@@ -15,8 +15,8 @@ using std::chrono::milliseconds;
 
 /// How often the patience is asked for while nothing comes.
 constexpr milliseconds kSlice{50};
-/// What finish() allows a client that goes on sending.
-constexpr milliseconds kMostFinishing{250};
+/// The share of the patience that finish() has with a client that goes on sending.
+constexpr int kFinishingShare = 20;
 constexpr std::size_t kMostFinishingBytes = std::size_t{64} * 1024;
 
 }  // namespace
@@ -36,10 +36,10 @@ void PatientSocket::enter(Phase phase) {
 
 bool PatientSocket::await(short event) {
   for (;;) {
-    const milliseconds patience =
-        phase_ == Phase::finishing ? std::min(patience_(), kMostFinishing) : patience_();
+    const milliseconds patience = patience_() / (phase_ == Phase::finishing ? kFinishingShare : 1);
     const Clock::duration left = phase_start_ + patience - Clock::now();
-    if (left <= Clock::duration::zero()) return false;
+    given_up_ = left <= Clock::duration::zero();
+    if (given_up_) return false;
     const milliseconds wait = std::min(std::chrono::ceil<milliseconds>(left), kSlice);
     pollfd poll_request{descriptor_, event, 0};
     const int ready = poll(&poll_request, 1, static_cast<int>(wait.count()));
@@ -79,6 +79,7 @@ bool PatientSocket::write(std::string_view text) {
 }
 
 void PatientSocket::finish() {
+  if (given_up_) return;
   enter(Phase::finishing);
   bytes_left_ = kMostFinishingBytes;
   shutdown(descriptor_, SHUT_WR);

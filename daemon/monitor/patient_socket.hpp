@@ -28,7 +28,8 @@ class PatientSocket {
   /// Whether the whole text went out.
   bool write(std::string_view text);
   /// Says that nothing more comes, and takes for a moment what the client still sends: closing at
-  /// once would reset the connection, and the client might lose the answer.
+  /// once would reset the connection, and the client might lose the answer. Nothing is done for a
+  /// client that was too slow before.
   void finish();
 
  private:
@@ -49,6 +50,7 @@ class PatientSocket {
   std::array<char, 4096> buffer_{};
   std::size_t buffer_at_ = 0;
   std::size_t buffer_end_ = 0;
+  bool given_up_ = false;
 };
 
 }  // namespace loopscope::daemon

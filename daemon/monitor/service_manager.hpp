@@ -7,8 +7,8 @@
 namespace loopscope::daemon {
 
 /// What the daemon tells systemd (Type=notify). Without a service manager (no NOTIFY_SOCKET) every
-/// call does nothing; one that does not listen is never waited for, nor is it an error. May be
-/// called from several threads.
+/// call does nothing, and one that has gone away is no error. A call waits while the manager's
+/// queue is full. May be made from several threads.
 class ServiceManager {
  public:
   /// The service has started, or has read its settings again. `status` is shown by
