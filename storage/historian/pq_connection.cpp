@@ -52,6 +52,9 @@ PqConnection::PqConnection(const ConnectionSettings& settings)
                   place_);
   }
   place_.user = PQuser(connection_.get());
+  // What the server remarks beside its answers would go to standard error.
+  PQsetNoticeProcessor(
+      connection_.get(), [](void*, const char*) {}, nullptr);
   patience_ = patience(settings);
   PQsetnonblocking(connection_.get(), 1);
 }
