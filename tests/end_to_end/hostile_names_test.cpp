@@ -16,17 +16,6 @@ using testing::HasSubstr;
 
 constexpr const char* kQuick = R"("analysis": {"fit_model": false}, "daemon": {"workers": 2})";
 
-std::string hex(const std::string& text) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string digits;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    digits += kDigits[byte / 16];
-    digits += kDigits[byte % 16];
-  }
-  return digits;
-}
-
 /// Every hostile name with this after it.
 std::set<std::string> hex_of_names(const std::string& suffix = "") {
   std::set<std::string> names;
@@ -63,11 +52,10 @@ class HostilePlant : public testing::Test {
     plant_.import_loop("seed", 600);
     std::string values;
     for (const HostileName& hostile : hostile_names())
-      values += (values.empty() ? "('" : ", ('") + hex(hostile.name) + "')";
+      values += (values.empty() ? "(" : ", (") + sql_text(hostile.name) + ")";
     plant_.sql(
-        "with names as (select convert_from(decode(digits, 'hex'), 'UTF8') as name from (values " +
-        values +
-        ") as v (digits)), rows as (insert into history select name || substr(tag, 5), time, value,"
+        "with names (name) as (values " + values +
+        "), rows as (insert into history select name || substr(tag, 5), time, value,"
         " quality from history, names) insert into loopscope.loop (name, source, sp_tag, pv_tag,"
         " op_tag, period_s) select name, 'plant', name || '.SP', name || '.PV', name || '.OP', 3600"
         " from names");

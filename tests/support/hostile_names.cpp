@@ -128,6 +128,27 @@ std::vector<HostileName> hostile_identifiers() {
   return names;
 }
 
+std::string hex(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string digits;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    digits += kDigits[byte / 16];
+    digits += kDigits[byte % 16];
+  }
+  return digits;
+}
+
+std::string sql_text(std::string_view text) {
+  return "convert_from('\\x" + hex(text) + "', 'UTF8')";
+}
+
+std::string sql_identifier(std::string_view name) {
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + '"';
+}
+
 bool is_harmless_on_a_terminal(std::string_view text) {
   const auto byte = [&](std::size_t k) {
     return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;

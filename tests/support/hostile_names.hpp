@@ -23,6 +23,15 @@ struct HostileName {
 /// Those of hostile_names() that can name a table or a column: at most 63 bytes.
 [[nodiscard]] std::vector<HostileName> hostile_identifiers();
 
+/// The bytes of `text` as hexadecimal digits.
+[[nodiscard]] std::string hex(std::string_view text);
+
+/// SQL of `text` (UTF-8 without zero bytes) that no quote or backslash in it can leave.
+[[nodiscard]] std::string sql_text(std::string_view text);
+
+/// `name` as SQL names a table or a column.
+[[nodiscard]] std::string sql_identifier(std::string_view name);
+
 /// Whether `text`, but for line breaks, has nothing that a terminal obeys, that turns the direction
 /// of writing around or that breaks lines otherwise.
 [[nodiscard]] bool is_harmless_on_a_terminal(std::string_view text);
