@@ -23,8 +23,10 @@
 #include "daemon/service/lane.hpp"
 #include "daemon/service/log.hpp"
 #include "daemon/service/service_watch.hpp"
+#include "daemon/service/storage_settings.hpp"
 #include "daemon/service/work_report.hpp"
 #include "daemon/service/workforce.hpp"
+#include "storage/check_connection.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -63,6 +65,7 @@ class Service {
     spdlog::info("started: {} workers, {} batches in flight, settings {}",
                  worker_count(settings_->daemon), seats_.size(), file_.string());
     tell_sources();
+    warn_of_connections();
     heartbeat_.emplace(settings_, tools_);
     watch_.emplace(settings_, tools_, *heartbeat_);
     await_signal();
@@ -137,6 +140,19 @@ class Service {
     std::vector<std::string> sources;
     for (const auto& historian : settings_->historians) sources.push_back(historian.name);
     tools_.metrics.set_sources(sources);
+  }
+
+  /// What leaves the machine unprotected, or passwords that are ignored or shown.
+  void warn_of_connections() {
+    std::vector<storage::ConnectionSettings> connections{results_connection(*settings_)};
+    for (const auto& historian : settings_->historians) {
+      connections.push_back(historian_connection(historian));
+    }
+    for (const storage::ConnectionSettings& connection : connections) {
+      for (const storage::Finding& finding : check_connection(connection)) {
+        spdlog::warn("{} HINT: {}", finding.what, finding.hint);
+      }
+    }
   }
 
   void reload() {

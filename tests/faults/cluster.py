@@ -70,7 +70,7 @@ class Cluster:
         database = "reference"
         settings = self.folder / "reference.json"
         plant.write_settings(settings, self.loops, self.primary.conninfo(database),
-                             self.historian.conninfo(plant.HISTORIAN), lanes=4)
+                             self.historian.conninfo(plant.HISTORIAN), workers=2)
         plant.make_results(self.primary, self.program, settings, SOURCE_DIR, self.loops, database)
         values = ",".join(f"('{name}', {first - period}, {last})"
                           for name, (first, last, period) in found.items())

@@ -77,7 +77,7 @@ def make_results(server, program, settings, source_dir, loops, database=RESULTS)
         FROM generate_series(0, {loops - 1}) AS i""", database)
 
 
-def write_settings(file, loops, results, historian, lanes=2):
+def write_settings(file, loops, results, historian, workers=1):
     settings = {
         "results": {"connection": results},
         "historians": [{"name": "plant", "connection": historian, "table": "public.history"}],
@@ -85,6 +85,6 @@ def write_settings(file, loops, results, historian, lanes=2):
                      "batch_loops": BATCH_LOOPS, 
                      "revise_slots": 1 + math.ceil(LATEST_S / periods_s(loops)[0]),
                      "catch_up_slots": 1000, "model_all_up_to": 1000000},
-        "daemon": {"workers": 1, "batches_in_flight": lanes},
+        "daemon": {"workers": workers, "http_address": "127.0.0.1:9470"},
         "analysis": {"window_samples": WINDOW}}
     file.write_text(json.dumps(settings, indent=1), encoding="utf-8")
