@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # The life of an installed package, step by step. Source this file after proof_plant.sh.
 #
-#   proof_install, proof_by_hand, proof_units, proof_secrets, proof_upgrade, proof_remove, proof_purge
+#   proof_install, proof_by_hand, proof_upgrade, proof_remove, proof_purge
 
 _REPORT=/srv/proof
 
@@ -88,74 +88,10 @@ proof_by_hand() {
   expect "run ends in peace when told to" _by_hand_for_3_s
 }
 
-_verdict_newer_than() {
-  [ "$(proof_sql loopscope "SELECT count(*) FROM loopscope.analysis WHERE created_at > '$1'")" -gt 0 ]
-}
-
 _new_main_pid() {
   local now
   now=$(_main_pid "$1")
   [ "$now" != 0 ] && [ "$now" != "$2" ] && _active "$1"
-}
-
-_second_loop_is_judged() {
-  [ "$(proof_sql loopscope "SELECT count(DISTINCT loop_id) FROM loopscope.analysis")" = 2 ]
-}
-
-proof_units() {
-  local pid
-  expect "systemctl start, READY=1" booted_root_run systemctl start loopscope.service
-  booted_root_run loopscope simulate deadband --seed 2 --out "$_REPORT/TIC301.csv"
-  proof_as_owner loopscope import --loop TIC301 "$_REPORT/TIC301.csv" >/dev/null
-  expect "the unit judges a new loop, with the password from its credential" _soon _second_loop_is_judged
-  expect "systemctl reload" booted_root_run systemctl reload loopscope.service
-  pid=$(_main_pid loopscope.service)
-  booted_root_run kill -KILL "$pid"
-  expect "killed, it comes back" _soon _new_main_pid loopscope.service "$pid"
-  expect "a second instance runs beside it" booted_root_run systemctl start loopscope@north.service
-  expect "maintain runs under the owner" booted_root_run systemctl start loopscope-maintain.service
-  expect "the timer can be enabled" booted_root_run systemctl enable --quiet --now loopscope-maintain.timer
-}
-
-# The worker's unit, but reading one file is all that its instance `probe` does.
-_worker_reads() {
-  put /etc/loopscope/probe.json 0640 loopscope </dev/null
-  put '/etc/systemd/system/loopscope@probe.service.d/probe.conf' 0644 root <<EOT
-[Service]
-Type=oneshot
-Restart=no
-ExecPaths=/usr/bin/cat
-ExecStart=
-ExecStart=/usr/bin/cat $1
-StandardOutput=null
-EOT
-  booted_root_run systemctl daemon-reload
-  booted_root_run systemctl start loopscope@probe.service
-}
-
-_forget_probe() {
-  booted_root_run rm -r /etc/loopscope/probe.json '/etc/systemd/system/loopscope@probe.service.d'
-  booted_root_run systemctl reset-failed 'loopscope@probe.service' || true
-}
-
-# Root, but where the worker is.
-_starts_a_shell() {
-  booted_root_run nsenter --target "$(_main_pid loopscope.service)" --mount /bin/sh -c true
-}
-
-proof_secrets() {
-  expect "the worker reads its settings" _worker_reads /etc/loopscope/loopscope.json
-  expect "and its passwords" _worker_reads /run/credentials/loopscope@probe.service/pgpass
-  refuse "but not their source" _worker_reads /etc/loopscope/pgpass
-  refuse "nor the owner's" _worker_reads /etc/loopscope/owner/pgpass
-  booted_root_run mv /etc/loopscope/pgpass /etc/loopscope/pgpass.away
-  expect "without a file of passwords it starts as well" _worker_reads /run/credentials/loopscope@probe.service/pgpass
-  booted_root_run mv /etc/loopscope/pgpass.away /etc/loopscope/pgpass
-  _forget_probe
-  refuse "no program can be started there" _starts_a_shell
-  refuse "no password stands in the environment or the command line" booted_root_run sh -c \
-    "cat /proc/$(_main_pid loopscope.service)/environ /proc/$(_main_pid loopscope.service)/cmdline | grep -a secret"
-  refuse "nor in the journal" booted_root_run sh -c 'journalctl --no-pager | grep secret'
 }
 
 _settings_sum() {
