@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # The life of an installed package, step by step. Source this file after proof_plant.sh.
 #
-#   proof_install, proof_by_hand, proof_upgrade, proof_remove, proof_purge
+#   proof_install, proof_by_hand, proof_side_by_side, proof_upgrade, proof_remove, proof_purge
 
 _REPORT=/srv/proof
 
@@ -92,6 +92,22 @@ _new_main_pid() {
   local now
   now=$(_main_pid "$1")
   [ "$now" != 0 ] && [ "$now" != "$2" ] && _active "$1"
+}
+
+_oldest_program_is() {
+  proof_sql loopscope "CREATE OR REPLACE FUNCTION loopscope.oldest_program() RETURNS integer IMMUTABLE LANGUAGE sql RETURN $1"
+}
+
+# As a later release would leave the schema: expanded first, contracted afterwards.
+proof_side_by_side() {
+  local oldest
+  oldest=$(proof_sql loopscope "SELECT loopscope.oldest_program()")
+  proof_sql loopscope "INSERT INTO loopscope.schema_migration (version, name, sha256) VALUES (999, 'later', repeat('0', 64))"
+  expect "a worker works on a later schema that was only added to" proof_as_worker loopscope once
+  _oldest_program_is 999
+  refuse "not on one that has taken away what it uses" proof_as_worker loopscope once
+  _oldest_program_is "$oldest"
+  proof_sql loopscope "DELETE FROM loopscope.schema_migration WHERE version = 999"
 }
 
 _settings_sum() {
