@@ -11,6 +11,7 @@
 #include "daemon/failure.hpp"
 #include "daemon/output/analysis_json.hpp"
 #include "daemon/output/analysis_text.hpp"
+#include "daemon/output/printable.hpp"
 #include "daemon/recording/recording.hpp"
 #include "daemon/recording/time_text.hpp"
 
@@ -74,8 +75,8 @@ void analyze(const AnalyzeOptions& options) {
   if (options.json) {
     std::cout << json_text(analysis_json(facts_of(recording, window), diagnosis)) << '\n';
   } else {
-    const auto title = fmt::format("{}: {} samples every {:.6g} s", options.file, window.size(),
-                                   window.sample_interval_s);
+    const auto title = fmt::format("{}: {} samples every {:.6g} s", printable(options.file),
+                                   window.size(), window.sample_interval_s);
     std::cout << analysis_text(title, window.sample_interval_s, diagnosis);
   }
 }

@@ -8,6 +8,7 @@
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/output/printable.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "storage/check.hpp"
 
@@ -19,9 +20,10 @@ int print_findings(const std::string& about, const std::vector<storage::Finding>
   int problems = 0;
   for (const storage::Finding& finding : findings) {
     const char* judgement = !finding.ok ? "PROBLEM" : finding.warning ? "warning" : "ok";
-    std::cout << fmt::format("{:<8} {}: {}\n", judgement, about, finding.what);
+    std::cout << fmt::format("{:<8} {}: {}\n", judgement, printable(about),
+                             printable(finding.what));
     if (!finding.ok) ++problems;
-    if (!finding.hint.empty()) std::cout << "         HINT: " << finding.hint << '\n';
+    if (!finding.hint.empty()) std::cout << "         HINT: " << printable(finding.hint) << '\n';
   }
   return problems;
 }

@@ -112,9 +112,13 @@ class Protocol : public httplib::Server {
     Stream stream(socket);
     bool closed = false;
     // A page asked for in a thousand overlapping ranges would be sent a thousand times.
-    process_request(stream, true, closed,
-                    [](httplib::Request& request) { request.ranges.clear(); });
-    socket.finish();
+    const auto forget_ranges = [](httplib::Request& request) { request.ranges.clear(); };
+    try {
+      process_request(stream, true, closed, forget_ranges);
+      socket.finish();
+    } catch (const std::exception& error) {  // out of memory, and whatever the library throws
+      spdlog::error("HTTP: a request was dropped: {}", error.what());
+    }
     return true;
   }
 
@@ -126,31 +130,6 @@ class Protocol : public httplib::Server {
 
 struct HttpServer::Impl {
   explicit Impl(config::HttpAddress where) : address(std::move(where)) {}
-
-  [[nodiscard]] const Handler* handler_of(const std::string& path) const {
-    if (const auto found = exact.find(path); found != exact.end()) return &found->second;
-    const Handler* longest = nullptr;
-    for (const auto& [prefix, handler] : below) {  // shorter prefixes of a path come first
-      if (path.starts_with(prefix)) longest = &handler;
-    }
-    return longest;
-  }
-
-  [[nodiscard]] HttpAnswer answer(const httplib::Request& request) const {
-    if (request.method != "GET" && request.method != "HEAD") {
-      HttpAnswer refusal{405, "only GET and HEAD\n"};
-      refusal.headers.emplace("Allow", "GET, HEAD");
-      return refusal;
-    }
-    const Handler* handler = handler_of(request.path);
-    if (handler == nullptr) return {404, "there is nothing here\n"};
-    try {
-      return (*handler)({request.path, request.params});
-    } catch (const std::exception& error) {
-      spdlog::error("HTTP: {}: {}", request.path, error.what());
-      return {500, "this failed: the log says why\n"};
-    }
-  }
 
   [[noreturn]] void refuse() const {
     const int error = errno;
@@ -165,16 +144,18 @@ struct HttpServer::Impl {
   /// Until stop(). The library gives up listening after a few errors that pass by themselves
   /// (ECONNABORTED, ENFILE, ENOBUFS): a daemon without supervision has to begin again.
   void serve() {
+    constexpr milliseconds kPause{500};
     while (!protocol.listen_after_bind() && !stopping) {
       spdlog::warn("HTTP: stopped listening, begins again");
-      while (!stopping && !protocol.bind(address)) std::this_thread::sleep_for(milliseconds(100));
+      do {
+        std::this_thread::sleep_for(kPause);
+      } while (!stopping && !protocol.bind(address));
     }
     finished = true;
   }
 
   config::HttpAddress address;
-  std::map<std::string, Handler> exact;
-  std::map<std::string, Handler> below;
+  HttpRoutes routes;
   Protocol protocol;
   std::atomic<bool> stopping = false;
   std::atomic<bool> finished = false;
@@ -183,26 +164,26 @@ struct HttpServer::Impl {
 
 HttpServer::HttpServer(config::HttpAddress address)
     : impl_(std::make_unique<Impl>(std::move(address))) {
-  impl_->protocol.set_pre_routing_handler(
-      [impl = impl_.get()](const httplib::Request& request, httplib::Response& response) {
-        const HttpAnswer answer = impl->answer(request);
-        response.status = answer.status;
-        for (const auto& [name, value] : answer.headers) response.set_header(name, value);
-        response.set_content(answer.body, answer.content_type);
-        return httplib::Server::HandlerResponse::Handled;
-      });
+  impl_->protocol.set_pre_routing_handler([impl = impl_.get()](const httplib::Request& request,
+                                                               httplib::Response& response) {
+    const HttpAnswer answer = impl->routes.answer(request.method, {request.path, request.params});
+    response.status = answer.status;
+    for (const auto& [name, value] : answer.headers) response.set_header(name, value);
+    response.set_content(answer.body, answer.content_type);
+    return httplib::Server::HandlerResponse::Handled;
+  });
 }
 
 HttpServer::~HttpServer() {
   stop();
 }
 
-void HttpServer::handle(const std::string& path, Handler handler) {
-  impl_->exact[path] = std::move(handler);
+void HttpServer::handle(const std::string& path, HttpHandler handler) {
+  impl_->routes.add(path, std::move(handler));
 }
 
-void HttpServer::handle_below(const std::string& prefix, Handler handler) {
-  impl_->below[prefix] = std::move(handler);
+void HttpServer::handle_below(const std::string& prefix, HttpHandler handler) {
+  impl_->routes.add_below(prefix, std::move(handler));
 }
 
 void HttpServer::start() {
