@@ -85,6 +85,10 @@ constexpr std::array kTable = {
     Setting{"/schedule/revise_slots", in_schedule<&ScheduleSettings::revise_slots>,
             range(0, 48, "slots"),
             "before the newest one that are checked for late rows at each visit of a loop"},
+    Setting{"/schedule/catch_up_slots", in_schedule<&ScheduleSettings::catch_up_slots>,
+            range(0, 1000, "slots"),
+            "that passed while nobody worked and are made up for by `run`, oldest first; older ones "
+            "are left out"},
     Setting{"/schedule/model_all_up_to", in_schedule<&ScheduleSettings::model_all_up_to>,
             range(0, 1e6, "loops"),
             "enabled, up to which every loop gets a loop model in every slot"},

@@ -3,12 +3,17 @@
 #include <spdlog/spdlog.h>
 
 namespace loopscope::daemon {
+namespace {
+
+/// An outage is met while connecting, while waiting and while writing: three sides of one thing.
+constexpr std::size_t kMostMessages = 3;
+
+}  // namespace
 
 void FaultLog::fault(const std::string& subject, const std::string& message) {
   const std::lock_guard lock(mutex_);
-  std::string& standing = standing_[subject];
-  if (standing == message) return;
-  standing = message;
+  std::set<std::string>& said = standing_[subject];
+  if (said.size() >= kMostMessages || !said.insert(message).second) return;
   spdlog::error("{}: {}", subject, message);
 }
 

@@ -14,22 +14,24 @@
 
 namespace loopscope::daemon {
 
-/// How long a source that failed is left alone. Its loops are set aside for as long; they are not
-/// at fault, so the pause does not grow and they go on soon after the source is back.
-inline constexpr std::chrono::seconds kSourcePause{30};
+/// What a user of a source puts up with.
+struct SourceTerms {
+  SourceGate::Duration patience;  ///< longest wait for a free connection
+  SourceGate::Duration pause;     ///< for which a source that failed is left alone
+  double lease_s = 300.0;         ///< of the loops that wait for it: bounds every wait
+};
 
 /// The connections of this process to its historians, shared by all workers: at most
 /// `max_connections` to each, made when they are needed and kept for the next user. Thread-safe.
 class HistorianPool {
  public:
   /// Calls `use(storage::HistorianReader&)` with a connection of its own and returns what it
-  /// returned. Waits for a free one for at most `patience`. A connection that died while it was
-  /// idle says nothing about the server: one new one is tried. Throws storage::DatabaseError.
+  /// returned. Waits for a free one for at most `terms.patience`. A connection that died while it
+  /// was idle says nothing about the server: one new one is tried. Throws storage::DatabaseError.
   template <typename Use>
-  auto with_reader(const config::HistorianSettings& source, SourceGate::Duration patience,
-                   Use use) {
+  auto with_reader(const config::HistorianSettings& source, const SourceTerms& terms, Use use) {
     for (bool retried = false;; retried = true) {
-      Loan loan(*this, source, patience);
+      Loan loan(*this, source, terms);
       try {
         auto result = use(loan.reader());
         loan.give_back();
@@ -60,15 +62,14 @@ class HistorianPool {
     storage::HistorianReader reader;
   };
   struct Source {
-    SourceGate gate{kSourcePause};
+    SourceGate gate;
     std::vector<Connection> idle;
   };
 
   /// A place inside the gate, with a connection.
   class Loan {
    public:
-    Loan(HistorianPool& pool, const config::HistorianSettings& settings,
-         SourceGate::Duration patience);
+    Loan(HistorianPool& pool, const config::HistorianSettings& settings, const SourceTerms& terms);
     /// Neither given back nor failed: the connection is closed.
     ~Loan();
     Loan(const Loan&) = delete;
@@ -83,6 +84,7 @@ class HistorianPool {
     void connect(const config::HistorianSettings& settings);
     HistorianPool& pool_;
     Source& source_;
+    SourceTerms terms_;
     int limit_;
     bool inside_ = true;
     bool was_idle_ = false;

@@ -68,6 +68,7 @@ PqRows PqConnection::run(const Statement& statement, const std::vector<std::stri
   flush();
   PqRows rows = finish();
   check_rows(statement, static_cast<std::size_t>(rows.size()));
+  if (told_) told_();
   return rows;
 }
 
@@ -134,18 +135,22 @@ PqRows PqConnection::finish() {
   return rows;
 }
 
-PGresult* PqConnection::next_result() {
+PGresult* PqConnection::await_result() {
   while (PQisBusy(connection_.get()) != 0) {
     wait(POLLIN);
     if (PQconsumeInput(connection_.get()) == 0) fail_connection();
   }
-  PGresult* result = PQgetResult(connection_.get());
+  return PQgetResult(connection_.get());
+}
+
+PGresult* PqConnection::next_result() {
+  PGresult* result = await_result();
   if (result != nullptr && is_error(result)) {
     const PqRows owner(result);
     const std::string message = result_message(result);
     const std::string sqlstate = result_sqlstate(result);
     // Leaves the connection ready for the next statement.
-    while (PGresult* rest = PQgetResult(connection_.get())) PQclear(rest);
+    while (PGresult* rest = await_result()) PQclear(rest);
     fail(message, sqlstate);
   }
   return result;

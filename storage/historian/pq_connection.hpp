@@ -2,12 +2,14 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <libpq-fe.h>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "storage/connection_settings.hpp"
@@ -64,6 +66,10 @@ class PqConnection {
     return end_copy();
   }
 
+  /// Calls `told` after every statement that was answered: whoever waits for many learns that they
+  /// get on.
+  void on_statement(std::function<void()> told) { told_ = std::move(told); }
+
   /// `name` quoted as an identifier.
   [[nodiscard]] std::string quote(const std::string& name) const;
   /// `text` quoted as a value: for what cannot travel as a parameter.
@@ -79,6 +85,7 @@ class PqConnection {
   void start(const Statement& statement);
   void flush();
   PqRows finish();
+  [[nodiscard]] PGresult* await_result();
   [[nodiscard]] PGresult* next_result();
   /// Waits until the socket is ready for `events` (poll); throws when the deadline has passed.
   void wait(short events);
@@ -89,6 +96,7 @@ class PqConnection {
   ErrorPlace place_;
   std::optional<std::chrono::seconds> patience_;
   Clock::time_point deadline_;
+  std::function<void()> told_;
 };
 
 }  // namespace loopscope::storage
