@@ -119,7 +119,11 @@ HistorianAnswer make_answer(ByteSource& source) {
   layout.layout.time_kind = kKinds[source.byte() % kKinds.size()];
   layout.layout.null_is_absent = source.truth();
   if (!sane && source.truth()) layout.tiebreak = "h.\"n\"";
-  const storage::Scan scan = make_scan(source, sane);
+  // Beside nanoseconds the time column holds full seconds.
+  if (!sane && source.truth()) layout.nanos = "h.\"ns\"";
+  layout.key.push_back({"h.\"tag\"", "text", std::nullopt});
+  storage::Scan scan = make_scan(source, sane);
+  if (!sane) scan.key.front() = source.text(30);
   std::vector<std::vector<Cell>> rows(1 + source.byte() % 3);
   for (std::vector<Cell>& row : rows) {
     const TimeKind kind = layout.layout.time_kind;

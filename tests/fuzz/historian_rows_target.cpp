@@ -9,6 +9,8 @@
 #include "core/signal/base_interval.hpp"
 #include "storage/historian/merge_series.hpp"
 #include "storage/historian/mode_codes.hpp"
+#include "storage/historian/native_time.hpp"
+#include "tests/fuzz/array_reader.hpp"
 #include "tests/fuzz/historian_answer.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/target.hpp"
@@ -57,8 +59,25 @@ void check_use(const std::vector<RawSeries>& parts, const storage::Scan& scan) {
   require(window.size() == grid.size, "the window fills its grid");
 }
 
+/// What the statement is sent: an array of one element for each part of the key and each bound.
+void check_question(const HistorianAnswer& made) {
+  const auto parameters = storage::scan_parameters({made.scan}, made.layout);
+  require(parameters.size() == made.layout.key.size() + 4, "key, span, rows, row before");
+  for (const std::string& parameter : parameters)
+    require(read_array(parameter).size() == 1, "one element for one scan");
+  const storage::TimeKind kind = made.layout.layout.time_kind;
+  const auto from = storage::native_bound(kind, made.scan.from_us, storage::Bound::lower);
+  require(read_array(parameters.at(made.layout.key.size())).front() == from ||
+              !made.layout.nanos.empty(),
+          "a span begins where it was asked to");
+  require(!storage::native_text(kind, made.scan.to_us).empty(), "every time has its text");
+}
+
 void check_row(const HistorianAnswer& made, int row, std::vector<RawSeries>& parts) {
-  const auto& [layout, scan, rows, sane] = made;
+  // Not a structured binding: clang 14 does not let lambdas capture one.
+  const storage::ResolvedLayout& layout = made.layout;
+  const storage::Scan& scan = made.scan;
+  const storage::PqRows& rows = made.rows;
   (void)storage::slot_of(rows, row, 1);
   (void)storage::rows_of_span(rows, row, layout);
   for (std::size_t column = 0; column < scan.columns.size(); ++column) {
@@ -69,7 +88,7 @@ void check_row(const HistorianAnswer& made, int row, std::vector<RawSeries>& par
     check_values(series);
     const RawSeries any = read(RowOrder::any);
     check_values(any);
-    if (!sane) continue;
+    if (!made.sane) continue;
     const bool before = scan.columns[column].before;
     check_span(series, scan, before);
     check_span(any, scan, before);
@@ -86,6 +105,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tests::fuzz;
   ByteSource source(data, size);
   const HistorianAnswer made = make_answer(source);
+  check_question(made);
   std::vector<core::signal::RawSeries> parts;
   for (int row = 0; row < made.rows.size(); ++row) {
     try {

@@ -10,7 +10,7 @@ FUZZ_OUT=build/fuzz/runs
 # One input. The loop model takes seconds under the sanitizers, more where cores are shared.
 FUZZ_HANG_S=60
 FUZZ_MEMORY_MB=2048
-FUZZ_TARGETS=(settings recording catalogue discovery binary_array array_literal historian_rows analyze window)
+FUZZ_TARGETS=(window analyze historian_rows recording settings catalogue discovery array_literal binary_array)
 
 is_fuzz_target() {
   local target
@@ -37,12 +37,16 @@ fuzz_sources() {
 
 # Percentage of lines reached of the files that the target is about, or "-".
 fuzz_line_coverage() {
-  local target=$1 raw=$FUZZ_OUT/$1.profraw data=$FUZZ_OUT/$1.profdata sources
+  local target=$1 raw=$FUZZ_OUT/$1.profraw data=$FUZZ_OUT/$1.profdata
   [ -s "$raw" ] || { printf -- '-' && return; }
   llvm-profdata merge -sparse "$raw" -o "$data"
-  mapfile -t sources < <(fuzz_sources "$target")
-  llvm-cov report "build/fuzz/tests/fuzz/fuzz_$target" -instr-profile="$data" "${sources[@]/#/$PWD/}" 2>/dev/null |
-    awk '$1 == "TOTAL" { sub("%", "", $10); print $10 }'
+  # Columns of the report: name, then regions, functions, lines and branches, each as how many there
+  # are, how many were missed, per cent.
+  llvm-cov report "build/fuzz/tests/fuzz/fuzz_$target" -instr-profile="$data" |
+    awk -v sources="$(fuzz_sources "$target" | paste -sd ' ')" '
+      BEGIN { count = split(sources, prefix, " ") }
+      { for (k = 1; k <= count; k++) if (index($1, prefix[k]) == 1) { lines += $8; missed += $9; break } }
+      END { if (lines > 0) printf "%.1f", 100 * (lines - missed) / lines; else printf "-" }'
 }
 
 fuzz_target() {

@@ -64,12 +64,13 @@ void choose_series(LoopWindow& window, ByteSource& source) {
 
 void choose_settings(MadeWindow& made, ByteSource& source) {
   const std::uint8_t bits = source.byte();
-  made.settings.fit_model = (bits & 1U) == 0;
-  made.integrating = (bits & 2U) != 0;
-  if ((bits & 12U) == 12U) made.settings.hos.segment_length = 32;
-  if ((bits & 48U) == 48U) made.settings.prepare.max_missing_fraction = 1.0;
-  if ((bits & 64U) != 0) made.settings.prepare.min_usable_samples = 64;
-  if ((bits & 128U) != 0) made.settings.hos.window = core::hos::WindowShape::rectangular;
+  // A model takes many times what the rest takes.
+  made.settings.fit_model = (bits & 3U) == 0;
+  made.integrating = (bits & 4U) != 0;
+  if ((bits & 24U) == 24U) made.settings.hos.segment_length = 32;
+  if ((bits & 96U) == 96U) made.settings.prepare.max_missing_fraction = 1.0;
+  if ((bits & 160U) == 160U) made.settings.prepare.min_usable_samples = 64;
+  if ((bits & 144U) == 144U) made.settings.hos.window = core::hos::WindowShape::rectangular;
 }
 
 void choose_interval(MadeWindow& made, ByteSource& source) {
