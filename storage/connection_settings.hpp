@@ -6,13 +6,13 @@ namespace loopscope::storage {
 
 /// How to reach one database. Secrets stay in ~/.pgpass or pg_service.conf.
 struct ConnectionSettings {
-  std::string conninfo;           ///< libpq keyword/value string or URI
-  std::string purpose;            ///< shown in application_name and messages: "results", ...
-  int connect_timeout_s = 5;      ///< seconds
-  int statement_timeout_s = 60;   ///< seconds; 0 = none
-  bool read_only = false;         ///< historian readers never write
-  bool keep_search_path = false;  ///< else pg_catalog alone, so that no schema can put its own
-                                  ///< now() or operator into the place of PostgreSQL's
+  std::string conninfo;          ///< libpq keyword/value string or URI
+  std::string purpose;           ///< shown in application_name and messages: "results", ...
+  int connect_timeout_s = 5;     ///< seconds
+  int statement_timeout_s = 60;  ///< seconds; 0 = none
+  bool read_only = false;        ///< historian readers never write
+  /// Else pg_catalog alone: no schema can put a now() of its own into the place of PostgreSQL's.
+  bool keep_search_path = false;
 };
 
 /// `settings.conninfo` completed with time-outs, keepalives, application_name

@@ -168,6 +168,10 @@ TEST_F(Secrets, WorkFromPgpassAndServiceFilesAndAreNeverShown) {
   expect_failure("service=worker port=1", 4, "port=1");
   expect_failure("service=worker port=70000", 4, "70000");
   expect_failure("service=worker host=no-such-host.invalid", 4, "no-such-host.invalid");
+  write_settings("service=worker host=no-such-host.invalid sslmode=require", "service=historian");
+  EXPECT_THAT(loopscope("check-config").out,
+              HasSubstr("warning  results database: the connection to the remote host"
+                        " no-such-host.invalid has sslmode=require: anybody on the way can pose"));
   expect_failure("service=worker dbname=nothing", 4, "nothing");
   expect_failure("service=worker user=nobody", 4, "nobody");
   expect_failure("service=none", 4, "definition of service \"none\" not found");
