@@ -85,6 +85,10 @@ constexpr std::array kTable = {
     Setting{"/schedule/revise_slots", in_schedule<&ScheduleSettings::revise_slots>,
             range(0, 48, "slots"),
             "before the newest one that are checked for late rows at each visit of a loop"},
+    Setting{"/schedule/catch_up_slots", in_schedule<&ScheduleSettings::catch_up_slots>,
+            range(0, 1000, "slots"),
+            "that passed while nobody worked and are made up for by `run`, oldest first; older ones "
+            "are left out"},
     Setting{"/schedule/model_all_up_to", in_schedule<&ScheduleSettings::model_all_up_to>,
             range(0, 1e6, "loops"),
             "enabled, up to which every loop gets a loop model in every slot"},
@@ -105,6 +109,12 @@ constexpr std::array kTable = {
             "least severe messages that are logged"},
     Setting{"/daemon/log_format", in_daemon<&DaemonSettings::log_format>, one_of(kLogFormats),
             "lines for people or for machines"},
+    Setting{"/daemon/http_address", in_daemon<&DaemonSettings::http_address>,
+            any(Form::optional_text),
+            "of `/livez`, `/readyz` and `/metrics`: `127.0.0.1:PORT` or `[::1]:PORT`; addresses, "
+            "no names; port 0 = any free one; empty = none"},
+    Setting{"/daemon/max_lag_s", in_daemon<&DaemonSettings::max_lag_s>, range(1, 2592000, "s"),
+            "that the most overdue loop may be late before `/readyz` says no"},
 
     Setting{"/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
             range(0.0001, 0.5), "share of the flags that may be false"},

@@ -81,6 +81,7 @@ struct ScheduleSettings {
   int batch_loops = 32;              ///< loops per claim, 1 to 256
   double default_period_s = 3600.0;  ///< analysis period of a loop that is added without one
   int revise_slots = 1;              ///< earlier slots that are checked for late rows, 0 to 48
+  int catch_up_slots = 6;            ///< missed slots that are made up for, 0 to 1000
   int model_all_up_to = 500;         ///< enabled loops, 0 to 1000000; see model_every_slots
   /// With more loops than that, a loop that gives no cause gets a loop model in every so many slots
   /// only, 1 to 1000.
@@ -93,6 +94,9 @@ struct DaemonSettings {
   int batches_in_flight = 0;        ///< 0 = twice the workers; 0 to 1024
   std::string log_level = "info";   ///< debug, info, warning, error
   std::string log_format = "text";  ///< text or json
+  std::string http_address = "127.0.0.1:9470";  ///< see http_address.hpp; empty = no HTTP
+  /// Seconds that the most overdue loop may be late before /readyz says no, 1 to 2592000.
+  double max_lag_s = 3600.0;
 };
 
 /// Which loops are shown as flagged.

@@ -14,23 +14,23 @@ namespace {
 
 using Options = std::map<std::string, std::string>;
 
-// A dead peer is noticed after idle + interval * count = 25 s while we wait, and after 20 s while
-// we send: well within the shortest lease that is of use. The kernel's defaults are hours.
-constexpr std::array<std::pair<const char*, const char*>, 5> kNetwork{{
-    {"keepalives", "1"},
-    {"keepalives_idle", "10"},
-    {"keepalives_interval", "5"},
-    {"keepalives_count", "3"},
-    {"tcp_user_timeout", "20000"},
-}};
+/// A peer that is gone is given up after network_timeout_s while we send, and after a quarter more
+/// while we wait. The kernel's defaults are hours.
+struct Keepalive {
+  explicit Keepalive(int network_timeout_s)
+      : idle_s(std::max(1, network_timeout_s / 2)),
+        interval_s(std::max(1, network_timeout_s / 4)) {}
+  int idle_s;
+  int interval_s;
+  static constexpr int kCount = 3;
+};
 
 // Custom plans: a generic one takes LIMIT $n for a tenth of the table and scans it all. The time
 // zone and the float digits make results independent of the server's configuration. Locks are
 // waited for briefly, because whoever waits holds a lease that runs out.
 constexpr const char* kSession =
     "-c TimeZone=UTC -c DateStyle=ISO -c extra_float_digits=1 -c client_min_messages=warning"
-    " -c jit=off -c plan_cache_mode=force_custom_plan"
-    " -c lock_timeout=5s -c idle_in_transaction_session_timeout=60s";
+    " -c jit=off -c plan_cache_mode=force_custom_plan -c lock_timeout=5s";
 
 // Statements name the schemas of their tables; what they leave open are functions and operators.
 constexpr const char* kSearchPath = " -c search_path=pg_catalog,pg_temp";
@@ -79,9 +79,30 @@ std::string application_name(const std::string& purpose) {
          std::to_string(getpid());
 }
 
+void add_network_options(const ConnectionSettings& settings, Options& options) {
+  const Keepalive keepalive(settings.network_timeout_s);
+  options.try_emplace("keepalives", "1");
+  options.try_emplace("keepalives_idle", std::to_string(keepalive.idle_s));
+  options.try_emplace("keepalives_interval", std::to_string(keepalive.interval_s));
+  options.try_emplace("keepalives_count", std::to_string(Keepalive::kCount));
+  options.try_emplace("tcp_user_timeout", std::to_string(1000 * settings.network_timeout_s));
+}
+
+/// The server has to notice our end as well: what it holds for a session whose client is gone (row
+/// locks above all) is held against everybody else.
+std::string server_side_network_options(const ConnectionSettings& settings) {
+  const Keepalive keepalive(settings.network_timeout_s);
+  return " -c tcp_keepalives_idle=" + std::to_string(keepalive.idle_s) +
+         " -c tcp_keepalives_interval=" + std::to_string(keepalive.interval_s) +
+         " -c tcp_keepalives_count=" + std::to_string(Keepalive::kCount) +
+         " -c tcp_user_timeout=" + std::to_string(1000 * settings.network_timeout_s);
+}
+
 std::string session_options(const ConnectionSettings& settings) {
   std::string options = kSession;
   options += " -c statement_timeout=" + std::to_string(settings.statement_timeout_s) + "s";
+  options += " -c idle_in_transaction_session_timeout=" + std::to_string(settings.idle_timeout_s) +
+             "s" + server_side_network_options(settings);
   if (!settings.keep_search_path) options += kSearchPath;
   if (settings.read_only) options += kReading;
   return options;
@@ -105,7 +126,7 @@ std::string join(const Options& options) {
 
 std::string complete_conninfo(const ConnectionSettings& settings) {
   Options options = parse(settings);
-  for (const auto& [key, value] : kNetwork) options.try_emplace(key, value);
+  add_network_options(settings, options);
   options.try_emplace("connect_timeout", std::to_string(settings.connect_timeout_s));
   options.try_emplace("application_name", application_name(settings.purpose));
   // The one thing that the user cannot choose: all text in the program is UTF-8.

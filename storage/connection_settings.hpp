@@ -10,7 +10,9 @@ struct ConnectionSettings {
   std::string purpose;           ///< shown in application_name and messages: "results", ...
   int connect_timeout_s = 5;     ///< seconds
   int statement_timeout_s = 60;  ///< seconds; 0 = none
-  bool read_only = false;        ///< historian readers never write
+  int network_timeout_s = 20;    ///< seconds after which an unreachable peer is given up, >= 2
+  int idle_timeout_s = 60;  ///< seconds that the server keeps an idle transaction, 0 = for ever
+  bool read_only = false;   ///< historian readers never write
   /// Else pg_catalog alone: no schema can put a now() of its own into the place of PostgreSQL's.
   bool keep_search_path = false;
 };

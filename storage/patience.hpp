@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
@@ -14,9 +15,10 @@ namespace loopscope::storage {
 /// neither that nor any keepalive would ever end the wait.
 [[nodiscard]] inline std::optional<std::chrono::seconds> patience(
     const ConnectionSettings& settings) {
-  constexpr std::chrono::seconds kGrace{5};
+  constexpr int kLongestGrace_s = 5;
   if (settings.statement_timeout_s <= 0) return std::nullopt;
-  return std::chrono::seconds(settings.statement_timeout_s) + kGrace;
+  const int grace_s = std::clamp(settings.statement_timeout_s / 3, 1, kLongestGrace_s);
+  return std::chrono::seconds(settings.statement_timeout_s + grace_s);
 }
 
 }  // namespace loopscope::storage

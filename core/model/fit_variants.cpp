@@ -49,9 +49,9 @@ FitVariants::FitVariants(const LoopData& data, const Structure& structure)
   for (const EffectPtr& effect : structure_.effects) effect->shape_flow(flow_);
   std::vector<EffectPtr> steady = structure_.effects;
   if (bends_) {
-    const auto moving = std::ranges::stable_partition(steady, goes_by_time);
-    following_.assign(moving.begin(), moving.end());
-    steady.erase(moving.begin(), moving.end());
+    const auto moving = std::stable_partition(steady.begin(), steady.end(), goes_by_time);
+    following_.assign(moving, steady.end());
+    steady.erase(moving, steady.end());
   } else {
     answered_ = answer(structure_.process, flow_);
   }

@@ -40,7 +40,7 @@ void repeat_last(Samples& samples, std::size_t first, std::size_t last) {
 
 void discard_infinite(Samples& samples) {
   for (double& value : samples) {
-    if (std::isinf(value)) value = kMissing;
+    if (std::abs(value) > kLargestValue) value = kMissing;
   }
 }
 

@@ -6,7 +6,11 @@
 
 namespace loopscope::core::signal {
 
-/// Infinite values become missing ones.
+/// No quantity of a plant is larger: fourth powers of such values, summed over a record, still fit
+/// into a double.
+inline constexpr double kLargestValue = 1e60;
+
+/// Values beyond +-kLargestValue, infinite ones among them, become missing ones.
 void discard_infinite(Samples& samples);
 
 /// Bridges runs of at most `longest` missing samples between two recorded ones by a straight line.

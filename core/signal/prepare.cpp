@@ -23,11 +23,11 @@ Values last_of(const Values& values, std::size_t count) {
 void require_equal_lengths(const LoopWindow& window) {
   const auto fits = [&](std::size_t size) { return size == 0 || size == window.pv.size(); };
   if (!fits(window.sp.size()) || !fits(window.op.size()) || !fits(window.mv.size()) ||
-      !fits(window.mode.size())) {
+      !fits(window.mode.size()) || !fits(window.pv_rows.size())) {
     throw std::invalid_argument("LoopWindow: series of different lengths");
   }
-  if (!(window.sample_interval_s > 0.0)) {
-    throw std::invalid_argument("LoopWindow: sample_interval_s is not above 0");
+  if (!(window.sample_interval_s > 0.0) || !std::isfinite(window.sample_interval_s)) {
+    throw std::invalid_argument("LoopWindow: sample_interval_s is not above 0 or not finite");
   }
 }
 

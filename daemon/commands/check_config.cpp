@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "config/http_address.hpp"
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/failure.hpp"
@@ -27,9 +28,21 @@ int print_findings(const std::string& about, const std::vector<storage::Finding>
   return problems;
 }
 
+/// The pages need no login: whoever reaches the address reads them.
+std::vector<storage::Finding> check_http(const std::string& address) {
+  const auto parsed = config::parse_http_address(address);
+  if (!parsed) return {{true, "none", "", false}};
+  if (parsed->loopback) return {{true, address + ", for this host alone", "", false}};
+  return {{true, address + " is not of the loopback: anyone who reaches it can read the pages",
+           "write 127.0.0.1 or [::1] and let a proxy with a login stand before it, or guard the "
+           "port by a firewall",
+           true}};
+}
+
 void check_config(const std::string& file) {
   const config::Settings settings = config::read_settings(file);
   std::cout << fmt::format("{:<8} {}: no problem in the file\n", "ok", file);
+  print_findings("HTTP", check_http(settings.daemon.http_address));
   int problems =
       print_findings("results database", storage::check_results(results_connection(settings)));
   for (const config::HistorianSettings& historian : settings.historians) {

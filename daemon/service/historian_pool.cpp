@@ -18,13 +18,16 @@ bool speaks_of_the_source(const storage::DatabaseError& error) {
 }  // namespace
 
 HistorianPool::Loan::Loan(HistorianPool& pool, const config::HistorianSettings& settings,
-                          SourceGate::Duration patience)
-    : pool_(pool), source_(pool.source(settings.name)), limit_(settings.max_connections) {
-  source_.gate.enter(settings.name, limit_, patience);
+                          const SourceTerms& terms)
+    : pool_(pool),
+      source_(pool.source(settings.name)),
+      terms_(terms),
+      limit_(settings.max_connections) {
+  source_.gate.enter(settings.name, limit_, terms_.patience);
   try {
     connect(settings);
   } catch (const storage::DatabaseError& error) {
-    source_.gate.leave_down(error);
+    source_.gate.leave_down(error, terms_.pause);
     throw;
   } catch (...) {
     source_.gate.leave();
@@ -36,8 +39,9 @@ void HistorianPool::Loan::connect(const config::HistorianSettings& settings) {
   connection_ = pool_.take_idle(source_, settings);
   was_idle_ = connection_.has_value();
   if (was_idle_) return;
-  connection_ = Connection{settings, storage::HistorianReader(historian_connection(settings),
-                                                              historian_layout(settings))};
+  connection_ =
+      Connection{settings, storage::HistorianReader(historian_connection(settings, terms_.lease_s),
+                                                    historian_layout(settings))};
 }
 
 HistorianPool::Loan::~Loan() {
@@ -60,7 +64,7 @@ void HistorianPool::Loan::give_back() {
 void HistorianPool::Loan::fail(const storage::DatabaseError& error) {
   connection_.reset();
   inside_ = false;
-  speaks_of_the_source(error) ? source_.gate.leave_down(error) : source_.gate.leave();
+  speaks_of_the_source(error) ? source_.gate.leave_down(error, terms_.pause) : source_.gate.leave();
 }
 
 HistorianPool::Source& HistorianPool::source(const std::string& name) {

@@ -9,27 +9,32 @@
 #include <vector>
 
 #include "config/settings.hpp"
+#include "daemon/monitor/metrics.hpp"
 #include "daemon/service/source_gate.hpp"
 #include "storage/historian/historian_reader.hpp"
 
 namespace loopscope::daemon {
 
-/// How long a source that failed is left alone. Its loops are set aside for as long; they are not
-/// at fault, so the pause does not grow and they go on soon after the source is back.
-inline constexpr std::chrono::seconds kSourcePause{30};
+/// What a user of a source puts up with.
+struct SourceTerms {
+  SourceGate::Duration patience;  ///< longest wait for a free connection
+  SourceGate::Duration pause;     ///< for which a source that failed is left alone
+  double lease_s = 300.0;         ///< of the loops that wait for it: bounds every wait
+};
 
 /// The connections of this process to its historians, shared by all workers: at most
 /// `max_connections` to each, made when they are needed and kept for the next user. Thread-safe.
 class HistorianPool {
  public:
+  explicit HistorianPool(Metrics& metrics) : metrics_(metrics) {}
+
   /// Calls `use(storage::HistorianReader&)` with a connection of its own and returns what it
-  /// returned. Waits for a free one for at most `patience`. A connection that died while it was
-  /// idle says nothing about the server: one new one is tried. Throws storage::DatabaseError.
+  /// returned. Waits for a free one for at most `terms.patience`. A connection that died while it
+  /// was idle says nothing about the server: one new one is tried. Throws storage::DatabaseError.
   template <typename Use>
-  auto with_reader(const config::HistorianSettings& source, SourceGate::Duration patience,
-                   Use use) {
+  auto with_reader(const config::HistorianSettings& source, const SourceTerms& terms, Use use) {
     for (bool retried = false;; retried = true) {
-      Loan loan(*this, source, patience);
+      Loan loan(*this, source, terms);
       try {
         auto result = use(loan.reader());
         loan.give_back();
@@ -40,6 +45,7 @@ class HistorianPool {
           throw;
         }
       }
+      metrics_.reconnected("historian " + source.name);
       // Its neighbours were left by the same server.
       forget_idle(source.name);
     }
@@ -60,15 +66,14 @@ class HistorianPool {
     storage::HistorianReader reader;
   };
   struct Source {
-    SourceGate gate{kSourcePause};
+    SourceGate gate;
     std::vector<Connection> idle;
   };
 
   /// A place inside the gate, with a connection.
   class Loan {
    public:
-    Loan(HistorianPool& pool, const config::HistorianSettings& settings,
-         SourceGate::Duration patience);
+    Loan(HistorianPool& pool, const config::HistorianSettings& settings, const SourceTerms& terms);
     /// Neither given back nor failed: the connection is closed.
     ~Loan();
     Loan(const Loan&) = delete;
@@ -83,6 +88,7 @@ class HistorianPool {
     void connect(const config::HistorianSettings& settings);
     HistorianPool& pool_;
     Source& source_;
+    SourceTerms terms_;
     int limit_;
     bool inside_ = true;
     bool was_idle_ = false;
@@ -93,6 +99,7 @@ class HistorianPool {
   [[nodiscard]] std::optional<Connection> take_idle(Source& source,
                                                     const config::HistorianSettings& settings);
 
+  Metrics& metrics_;
   std::mutex mutex_;  ///< over `sources_` and their idle connections
   std::map<std::string, std::unique_ptr<Source>> sources_;
 };

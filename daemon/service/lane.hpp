@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,7 +27,7 @@ namespace loopscope::daemon {
 ///
 /// Each has its own connection to the results, used by one thread at a time; those to the
 /// historians are lent by a pool. A fault of one loop or one historian sets those loops aside and
-/// stops nothing else. A dead connection is thrown away and made anew at the next use.
+/// stops nothing else; work that is done is kept until the results database takes it.
 class Lane {
  public:
   /// `index` tells the lanes of a process apart.
@@ -35,11 +36,15 @@ class Lane {
 
   /// Claims loops that are due. Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
+  /// Claims one loop that may be what kills the workers, if no other lane has one in hand.
+  [[nodiscard]] std::vector<storage::ClaimedLoop> claim_suspect();
   /// Claims the next loops after `after` in the order of the catalogue.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_next(std::int64_t after);
   /// Brings claimed loops to their end. Throws storage::DatabaseError when the results cannot be
   /// written; the leases then run out and another worker takes over.
   storage::WriteCount process(const std::vector<storage::ClaimedLoop>& claims);
+  /// Seconds until a loop is due; nullopt = there is no enabled loop.
+  [[nodiscard]] std::optional<double> next_due_in_s();
 
   [[nodiscard]] const std::shared_ptr<const config::Settings>& settings() const {
     return settings_;
@@ -50,21 +55,15 @@ class Lane {
   void store_cost();
   /// Why loops were set aside, the first time that any was; nullopt = none was.
   [[nodiscard]] const std::optional<Failure>& first_failure() const { return first_failure_; }
-  /// Calls `use(storage::ResultsDatabase&)`, connecting when there is no connection; a dead one is
-  /// forgotten before its error goes on.
-  template <typename Use>
-  auto with_results(Use use) {
-    try {
-      return use(results());
-    } catch (const storage::DatabaseError& error) {
-      if (error.remedy() == storage::Remedy::reconnect) results_.reset();
-      throw;
-    }
-  }
 
  private:
   using Clock = std::chrono::steady_clock;
   using Claims = std::vector<const storage::ClaimedLoop*>;
+  enum class Fetched {
+    all,
+    nothing,  ///< the loops were set aside
+    apart,    ///< one of the loops is at fault: to be tried one by one
+  };
   struct Batch {
     std::vector<LoopVisit> visits;
     RowMemory rows;
@@ -74,27 +73,34 @@ class Lane {
     storage::StageCost cost = {};
   };
 
-  storage::ResultsDatabase& results();
   [[nodiscard]] std::vector<std::pair<std::string, Claims>> by_source(
       const std::vector<storage::ClaimedLoop>& claims);
   template <typename Claim>
   std::vector<storage::ClaimedLoop> timed_claim(Claim claim);
+  template <typename Use>
+  auto persistently(Use use);
   storage::WriteCount process_source(const std::string& source, const Claims& claims);
-  /// Reads all that the batch needs; false when that failed and the loops were set aside.
-  bool fetch(const std::string& source, const Claims& claims, Batch& batch);
-  /// Runs `read` on a connection to the source; false when that failed and the loops were set
-  /// aside.
+  /// Reads all that the batch needs.
+  Fetched fetch(const std::string& source, const Claims& claims, Batch& batch);
+  /// Runs `read` on a connection to the source.
   template <typename Read>
-  bool with_source(const std::string& source, const Claims& claims, Batch& batch, Read read);
-  bool read_newest(const std::string& source, const Claims& claims, Batch& batch);
-  bool read_earlier(const std::string& source, const Claims& claims, Batch& batch);
+  Fetched with_source(const std::string& source, const Claims& claims, Batch& batch, Read read);
+  Fetched read_newest(const std::string& source, const Claims& claims, Batch& batch);
+  Fetched read_earlier(const std::string& source, const Claims& claims, Batch& batch);
   [[nodiscard]] std::size_t enabled_loops();
   [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopVisit>& visits);
-  void set_aside(const std::string& source, const Failure& failure, const Claims& claims,
-                 Batch& batch);
-  void analyse(Batch& batch);
+  /// The source is away: its loops wait, without blame.
+  void postpone(const std::string& source, const Failure& failure, const Claims& claims,
+                Batch& batch);
+  /// The loop cannot be brought to its end: it waits, longer each time.
+  void set_aside(const storage::ClaimedLoop& claim, const Failure& failure, Batch& batch);
+  /// Returns how many were left out because others have claimed them since.
+  std::size_t analyse(Batch& batch);
   void complete(const LoopVisit& visit, const AnalysisOrders& orders, Batch& batch);
-  storage::WriteCount write(Batch& batch);
+  storage::WriteCount write(const Claims& claims, Batch& batch);
+  storage::WriteCount write_one_by_one(const Claims& claims, Batch& batch);
+  storage::WriteCount finish(const std::vector<storage::CompletedLoop>& completed,
+                             const std::vector<storage::FailedLoop>& failed);
   void store_cost(const std::optional<storage::StageCost>& cost);
 
   std::shared_ptr<const config::Settings> settings_;
@@ -103,8 +109,10 @@ class Lane {
   std::string owner_;
   SlotRule slot_rule_;
   LaneTools& tools_;
+  ProgressBoard::Desk& desk_;
+  ResultsLink results_;
+  std::unique_lock<std::mutex> suspect_turn_;
   std::optional<Failure> first_failure_;
-  std::optional<storage::ResultsDatabase> results_;
   CostBook costs_;
   std::size_t enabled_loops_ = 0;
   std::optional<Clock::time_point> counted_at_;

@@ -37,15 +37,18 @@ void read_long_windows(storage::HistorianReader& historian, std::span<const Loop
 std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
                                    std::span<const LoopSlot> slots,
                                    const core::AnalysisSettings& settings, RowMemory& memory,
-                                   CoreGate& cores) {
+                                   const Workplace& place) {
   std::vector<LoopInput> inputs;
   for (LoopWindowAtSlot& at_slot :
        read_windows(historian, slots, settings.prepare.window_samples, memory)) {
     inputs.emplace_back().at_slot = std::move(at_slot);
   }
   {
-    const CoreGate::Permit core(cores);
-    for (LoopInput& input : inputs) look_first(input, settings);
+    const CoreGate::Permit core = take_core(place);
+    for (LoopInput& input : inputs) {
+      look_first(input, settings);
+      place.desk.step();
+    }
   }
   read_long_windows(historian, slots, memory, inputs);
   return inputs;

@@ -6,8 +6,8 @@
 
 #include "core/diagnosis/diagnose.hpp"
 #include "core/signal/loop_window.hpp"
-#include "daemon/service/core_gate.hpp"
 #include "daemon/service/window_reader.hpp"
+#include "daemon/service/workplace.hpp"
 #include "storage/historian/historian_reader.hpp"
 
 namespace loopscope::daemon {
@@ -29,6 +29,6 @@ struct LoopInput {
 [[nodiscard]] std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
                                                  std::span<const LoopSlot> slots,
                                                  const core::AnalysisSettings& settings,
-                                                 RowMemory& memory, CoreGate& cores);
+                                                 RowMemory& memory, const Workplace& place);
 
 }  // namespace loopscope::daemon

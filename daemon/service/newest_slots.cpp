@@ -61,7 +61,9 @@ std::int64_t slot_end(const ClaimedLoop& claim, const TagReadings& tags, std::in
     const auto newest = pv == nullptr ? std::nullopt : pv->newest_row_us;
     end = newest ? std::min(*newest, now_us - settle_us) : claim.loop.registered_us;
   }
-  return floor_to_period(end, claim.loop.period_s);
+  const std::int64_t newest = floor_to_period(end, claim.loop.period_s);
+  if (settings.rule == SlotRule::newest_sample) return newest;
+  return slot_to_analyse(newest, claim.last_slot_end_us, claim.loop.period_s, settings.catch_up);
 }
 
 }  // namespace

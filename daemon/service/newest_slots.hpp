@@ -22,12 +22,13 @@ struct LoopSlot {
 struct SlotSettings {
   double settle_s = 60.0;  ///< rows newer than this are left to settle
   SlotRule rule = SlotRule::clock;
+  int catch_up = 0;  ///< slots before the newest that are made up for at most (rule clock)
 };
 
-/// The newest slot of claimed loops of ONE historian, in their order, and what is known of their
-/// tags: three round trips whatever the number of loops. No slot ends later than `settle_s` before
-/// the clock; rows stamped in the future are a fault of their sender's clock and end no slot.
-/// Throws storage::DatabaseError.
+/// The slot to analyse of claimed loops of ONE historian, in their order, and what is known of
+/// their tags: three round trips whatever the number of loops. No slot ends later than `settle_s`
+/// before the clock; rows stamped in the future are a fault of their sender's clock and end no
+/// slot. Throws storage::DatabaseError.
 [[nodiscard]] std::vector<LoopSlot> newest_slots(
     storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
     const SlotSettings& settings);

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <vector>
 
+#include "daemon/service/heartbeat.hpp"
 #include "daemon/service/lane.hpp"
 #include "daemon/service/progress_bar.hpp"
 #include "daemon/service/stopwatch.hpp"
@@ -24,21 +25,23 @@ class Pass {
  public:
   explicit Pass(std::shared_ptr<const config::Settings> settings)
       : settings_(std::move(settings)),
-        tools_(worker_count(settings_->daemon)),
+        tools_(worker_count(settings_->daemon), Perseverance::one_lease),
         signals_(context_, SIGINT, SIGTERM),
         lanes_left_(lane_count(settings_->daemon)),
         pool_(lanes_left_) {}
 
   PassResult run() {
-    result_.enabled = Lane(settings_, 0, SlotRule::newest_sample, tools_)
-                          .with_results([](storage::ResultsDatabase& database) {
+    result_.enabled = ResultsLink(settings_, tools_.faults, tools_.metrics, tools_.bell)
+                          .with([](storage::ResultsDatabase& database) {
                             return database.count_enabled_loops();
                           });
+    const Heartbeat heartbeat(settings_, tools_);
     ProgressBar bar(result_.enabled);
     bar_ = &bar;
     signals_.async_wait([this](const auto& error, int signal) {
       if (error) return;
       stopping_ = true;
+      tools_.bell.ring();
       result_.signal = signal;
     });
     Stopwatch watch;

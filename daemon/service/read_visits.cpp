@@ -9,11 +9,12 @@ namespace loopscope::daemon {
 std::vector<LoopVisit> visit_newest(storage::HistorianReader& historian,
                                     std::span<const storage::ClaimedLoop* const> claims,
                                     const config::Settings& settings, SlotRule slot_rule,
-                                    RowMemory& memory, CoreGate& cores) {
+                                    RowMemory& memory, const Workplace& place) {
   using Milliseconds = std::chrono::duration<double, std::milli>;
   const auto start = std::chrono::steady_clock::now();
-  const auto slots = newest_slots(historian, claims, {settings.schedule.settle_s, slot_rule});
-  std::vector<LoopInput> inputs = read_inputs(historian, slots, settings.analysis, memory, cores);
+  const auto slots = newest_slots(
+      historian, claims, {settings.schedule.settle_s, slot_rule, settings.schedule.catch_up_slots});
+  std::vector<LoopInput> inputs = read_inputs(historian, slots, settings.analysis, memory, place);
   double reading_ms = Milliseconds(std::chrono::steady_clock::now() - start).count();
   for (const LoopInput& input : inputs) reading_ms -= input.first_look_ms;
   std::vector<LoopVisit> visits;
@@ -54,10 +55,10 @@ EarlierSlots earlier_slots_to_check(std::span<const LoopVisit> visits, const Sto
 }
 
 void visit_earlier(storage::HistorianReader& historian, const EarlierSlots& earlier,
-                   const config::Settings& settings, RowMemory& memory, CoreGate& cores,
+                   const config::Settings& settings, RowMemory& memory, const Workplace& place,
                    std::span<LoopVisit> visits) {
   std::vector<LoopInput> inputs =
-      read_inputs(historian, earlier.slots, settings.analysis, memory, cores);
+      read_inputs(historian, earlier.slots, settings.analysis, memory, place);
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     visits[earlier.visit[k]].earlier.push_back(std::move(inputs[k]));
   }

@@ -17,7 +17,8 @@ namespace loopscope::daemon {
 /// Throws storage::DatabaseError.
 [[nodiscard]] std::vector<LoopVisit> visit_newest(
     storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
-    const config::Settings& settings, SlotRule slot_rule, RowMemory& memory, CoreGate& cores);
+    const config::Settings& settings, SlotRule slot_rule, RowMemory& memory,
+    const Workplace& place);
 
 /// Loop and slot of everything that the visits may find stored: the newest slots and `horizon`
 /// earlier ones of each loop.
@@ -34,7 +35,7 @@ struct EarlierSlots {
 
 /// Reads those slots into their visits. Throws storage::DatabaseError and leaves them as they were.
 void visit_earlier(storage::HistorianReader& historian, const EarlierSlots& earlier,
-                   const config::Settings& settings, RowMemory& memory, CoreGate& cores,
+                   const config::Settings& settings, RowMemory& memory, const Workplace& place,
                    std::span<LoopVisit> visits);
 
 }  // namespace loopscope::daemon

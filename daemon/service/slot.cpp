@@ -24,6 +24,15 @@ std::int64_t floor_to_period(std::int64_t time_us, double period_s) {
   return time_us - (remainder < 0 ? remainder + period_us : remainder);
 }
 
+std::int64_t slot_to_analyse(std::int64_t newest_us, std::optional<std::int64_t> last_completed_us,
+                             double period_s, int catch_up) {
+  if (!last_completed_us || *last_completed_us >= newest_us) return newest_us;
+  const std::int64_t period_us = std::max<std::int64_t>(microseconds(period_s), 1);
+  // The last one may lie off the grid: the period may have been another then.
+  const std::int64_t next_us = floor_to_period(*last_completed_us, period_s) + period_us;
+  return std::clamp(next_us, newest_us - catch_up * period_us, newest_us);
+}
+
 std::vector<std::int64_t> earlier_slots(std::int64_t slot_end_us,
                                         std::optional<std::int64_t> last_completed_us,
                                         double period_s, int count) {

@@ -15,6 +15,14 @@ enum class SlotRule {
 /// The last whole multiple of `period_s` since 1970 that is not after `time_us`.
 [[nodiscard]] std::int64_t floor_to_period(std::int64_t time_us, double period_s);
 
+/// The slot to analyse next when `newest_us` is the newest one that has settled: the one after
+/// `last_completed_us`, so that slots which passed while nobody worked are made up for, oldest
+/// first, but none that lies more than `catch_up` slots before the newest. nullopt = none was
+/// completed.
+[[nodiscard]] std::int64_t slot_to_analyse(std::int64_t newest_us,
+                                           std::optional<std::int64_t> last_completed_us,
+                                           double period_s, int catch_up);
+
 /// Ends of up to `count` slots before `slot_end_us`, newest first, whose rows may have come late:
 /// the slot that was completed last (`last_completed_us`; a period earlier where that is unknown or
 /// is this very slot), and those before it, a period apart.

@@ -41,11 +41,11 @@ void SourceGate::leave() {
   changed_.notify_all();
 }
 
-void SourceGate::leave_down(const storage::DatabaseError& fault) {
+void SourceGate::leave_down(const storage::DatabaseError& fault, Duration pause) {
   const std::lock_guard lock(mutex_);
   --inside_;
   fault_ = fault;
-  try_again_at_ = Clock::now() + pause_;
+  try_again_at_ = Clock::now() + pause;
   changed_.notify_all();
 }
 

@@ -17,16 +17,14 @@ class SourceGate {
  public:
   using Duration = std::chrono::steady_clock::duration;
 
-  /// A source that failed is tried again after `pause`.
-  explicit SourceGate(Duration pause) : pause_(pause) {}
-
   /// Waits until fewer than `limit` users are inside, then goes in. Throws the standing fault of
   /// a source that is down, or DatabaseError (retry) when no place came free within `patience`.
   void enter(const std::string& source, int limit, Duration patience);
   /// The user leaves; the source worked.
   void leave();
-  /// The user leaves because the source is down; those who wait are turned away.
-  void leave_down(const storage::DatabaseError& fault);
+  /// The user leaves because the source is down; those who wait are turned away, and so is
+  /// everybody for as long as `pause`.
+  void leave_down(const storage::DatabaseError& fault, Duration pause);
 
   [[nodiscard]] bool is_down();
   [[nodiscard]] int inside();
@@ -35,7 +33,6 @@ class SourceGate {
   using Clock = std::chrono::steady_clock;
   void throw_if_down();
 
-  const Duration pause_;
   std::mutex mutex_;
   std::condition_variable changed_;
   int inside_ = 0;

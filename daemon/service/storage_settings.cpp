@@ -1,5 +1,6 @@
 #include "daemon/service/storage_settings.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <optional>
@@ -129,10 +130,22 @@ storage::ConnectionSettings connection(const std::string& conninfo, const std::s
   return settings;
 }
 
+/// Whatever a worker waits for ends in time for the loops that it holds meanwhile: no wait takes
+/// more than a third of the lease, which is also how often leases are extended.
+storage::ConnectionSettings within_lease(storage::ConnectionSettings settings, double lease_s) {
+  const int third_s = std::max(2, static_cast<int>(lease_s / 3.0));
+  settings.connect_timeout_s = std::min(settings.connect_timeout_s, third_s);
+  settings.statement_timeout_s = std::min(settings.statement_timeout_s, third_s);
+  settings.network_timeout_s = std::min(settings.network_timeout_s, third_s);
+  settings.idle_timeout_s = std::min(settings.idle_timeout_s, third_s);
+  return settings;
+}
+
 }  // namespace
 
 storage::ConnectionSettings results_connection(const config::Settings& settings) {
-  return connection(settings.results.connection, "results", false);
+  return within_lease(connection(settings.results.connection, "results", false),
+                      settings.schedule.lease_s);
 }
 
 storage::ConnectionSettings owner_connection(const config::Settings& settings) {
@@ -142,6 +155,11 @@ storage::ConnectionSettings owner_connection(const config::Settings& settings) {
 
 storage::ConnectionSettings historian_connection(const config::HistorianSettings& historian) {
   return connection(historian.connection, "historian " + historian.name, true);
+}
+
+storage::ConnectionSettings historian_connection(const config::HistorianSettings& historian,
+                                                 double lease_s) {
+  return within_lease(historian_connection(historian), lease_s);
 }
 
 storage::ConnectionSettings historian_writer_connection(

@@ -33,8 +33,12 @@ std::size_t lane_count(const config::DaemonSettings& settings) {
                     kMostLanesPerWorker * workers);
 }
 
+std::string process_name() {
+  return fmt::format("{}/{}", host_name(), getpid());
+}
+
 std::string worker_name(std::size_t index) {
-  return fmt::format("{}/{}/{}", host_name(), getpid(), index);
+  return fmt::format("{}/{}", process_name(), index);
 }
 
 void add(storage::WriteCount& sum, const storage::WriteCount& more) {

@@ -17,6 +17,8 @@ namespace loopscope::daemon {
 [[nodiscard]] std::size_t lane_count(const config::DaemonSettings& settings);
 
 [[nodiscard]] std::string host_name();
+/// What this process signs with: host/pid.
+[[nodiscard]] std::string process_name();
 /// The name that lane `index` of this process signs its claims with: host/pid/index.
 [[nodiscard]] std::string worker_name(std::size_t index);
 

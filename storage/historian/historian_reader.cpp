@@ -175,6 +175,10 @@ std::vector<std::optional<std::int64_t>> HistorianReader::newest(std::span<const
   return newest;
 }
 
+void HistorianReader::on_statement(std::function<void()> told) {
+  impl_->connection.on_statement(std::move(told));
+}
+
 std::int64_t HistorianReader::now_us() {
   std::int64_t now = 0;
   run_decoded(impl_->connection, historian_statements::kNow, {}, [&](const PqRows& rows) {

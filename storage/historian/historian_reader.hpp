@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -31,6 +32,8 @@ class HistorianReader {
   /// Time of each tag's newest row not after `not_after_us`; nullopt for a tag without rows.
   [[nodiscard]] std::vector<std::optional<std::int64_t>> newest(std::span<const std::string> tags,
                                                                 std::int64_t not_after_us);
+  /// Calls `told` after every statement that was answered.
+  void on_statement(std::function<void()> told);
   /// The database's clock, microseconds UTC.
   [[nodiscard]] std::int64_t now_us();
 

@@ -68,6 +68,9 @@ PqConnection::PqConnection(const ConnectionSettings& settings)
                   place_);
   }
   place_.user = PQuser(connection_.get());
+  // What the server remarks beside its answers would go to standard error.
+  PQsetNoticeProcessor(
+      connection_.get(), [](void*, const char*) {}, nullptr);
   patience_ = patience(settings);
   PQsetnonblocking(connection_.get(), 1);
   take_search_path();
@@ -92,6 +95,7 @@ PqRows PqConnection::run(const Statement& statement, const std::vector<std::stri
   flush();
   PqRows rows = finish();
   check_rows(statement, static_cast<std::size_t>(rows.size()));
+  if (told_) told_();
   return rows;
 }
 
@@ -164,18 +168,22 @@ PqRows PqConnection::finish() {
   return rows;
 }
 
-PGresult* PqConnection::next_result() {
+PGresult* PqConnection::await_result() {
   while (PQisBusy(connection_.get()) != 0) {
     wait(POLLIN);
     if (PQconsumeInput(connection_.get()) == 0) fail_connection();
   }
-  PGresult* result = PQgetResult(connection_.get());
+  return PQgetResult(connection_.get());
+}
+
+PGresult* PqConnection::next_result() {
+  PGresult* result = await_result();
   if (result != nullptr && is_error(result)) {
     const PqRows owner(result);
     const std::string message = result_message(result);
     const std::string sqlstate = result_sqlstate(result);
     // Leaves the connection ready for the next statement.
-    while (PGresult* rest = PQgetResult(connection_.get())) PQclear(rest);
+    while (PGresult* rest = await_result()) PQclear(rest);
     fail(message, sqlstate);
   }
   return result;

@@ -2,12 +2,14 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <libpq-fe.h>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "storage/connection_settings.hpp"
@@ -69,6 +71,10 @@ class PqConnection {
     return end_copy();
   }
 
+  /// Calls `told` after every statement that was answered: whoever waits for many learns that they
+  /// get on.
+  void on_statement(std::function<void()> told) { told_ = std::move(told); }
+
   /// `name` quoted as an identifier. Throws DatabaseError for one that the server would not take
   /// as it is.
   [[nodiscard]] std::string quote(const std::string& name) const;
@@ -88,6 +94,7 @@ class PqConnection {
   void start(const Statement& statement);
   void flush();
   PqRows finish();
+  [[nodiscard]] PGresult* await_result();
   [[nodiscard]] PGresult* next_result();
   /// Waits until the socket is ready for `events` (poll); throws when the deadline has passed.
   void wait(short events);
@@ -99,6 +106,7 @@ class PqConnection {
   std::string own_schemas_;
   std::optional<std::chrono::seconds> patience_;
   Clock::time_point deadline_;
+  std::function<void()> told_;
 };
 
 }  // namespace loopscope::storage

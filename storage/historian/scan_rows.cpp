@@ -36,11 +36,14 @@ double finite_or_missing(std::uint64_t bits) {
   return std::isfinite(value) ? value : kMissing;
 }
 
-/// Puts rows with the same time into the order of their values, missing ones first.
+/// Missing values first, then by size; -0.0 before 0.0, which compare as equal but are other bits.
+bool comes_before(double a, double b) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && !std::isnan(b);
+  return a < b || (a == b && std::signbit(a) && !std::signbit(b));
+}
+
+/// Puts rows with the same time into the order of their values.
 void settle_ties(RawSeries& series) {
-  const auto before = [](double a, double b) {
-    return std::isnan(a) ? !std::isnan(b) : !std::isnan(b) && a < b;
-  };
   for (std::size_t first = 0, end = 0; first < series.time_us.size(); first = end) {
     for (end = first + 1;
          end < series.time_us.size() && series.time_us[end] == series.time_us[first];) {
@@ -49,7 +52,7 @@ void settle_ties(RawSeries& series) {
     if (end - first == 1) continue;
     const auto begin = series.value.begin();
     std::sort(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(end),
-              before);
+              comes_before);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "storage/array_literal.hpp"
 #include "storage/results/loop_row.hpp"
+#include "storage/results/schedule_statements.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
 #include "storage/results/statements.hpp"

@@ -5,6 +5,7 @@
 
 #include "storage/array_literal.hpp"
 #include "storage/results/loop_row.hpp"
+#include "storage/results/schedule_statements.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
 #include "storage/results/statements.hpp"
@@ -21,10 +22,7 @@ std::optional<LastVerdict> read_last_verdict(const pqxx::row& row) {
   return LastVerdict{*code, row["last_confidence"].as<double>(), read_number(row["last_p"])};
 }
 
-std::vector<ClaimedLoop> claim(Session& session, const Statement& statement,
-                               const std::vector<std::string>& parameters) {
-  const pqxx::result rows = session.transact(
-      [&](Transaction& transaction) { return transaction.run(statement, parameters); });
+std::vector<ClaimedLoop> read_claims(const pqxx::result& rows) {
   std::vector<ClaimedLoop> claimed;
   claimed.reserve(rows.size());
   for (const pqxx::row& row : rows) {
@@ -33,6 +31,12 @@ std::vector<ClaimedLoop> claim(Session& session, const Statement& statement,
                        read_last_verdict(row)});
   }
   return claimed;
+}
+
+std::vector<ClaimedLoop> claim(Session& session, const Statement& statement,
+                               const std::vector<std::string>& parameters) {
+  return read_claims(session.transact(
+      [&](Transaction& transaction) { return transaction.run(statement, parameters); }));
 }
 
 /// The two arrays that name claims.
@@ -72,16 +76,17 @@ std::vector<const CompletedLoop*> complete(Transaction& transaction,
 /// Returns how many leases still held.
 std::size_t set_aside(Transaction& transaction, std::span<const FailedLoop> failed) {
   if (failed.empty()) return 0;
-  ArrayLiteral loop_id, fence, error, retry_after_s;
+  ArrayLiteral loop_id, fence, error, retry_after_s, at_fault;
   for (const FailedLoop& loop : failed) {
     loop_id.add_integer(loop.loop_id);
     fence.add_integer(loop.fence);
     error.add_text(loop.error);
     retry_after_s.add_number(loop.retry_after_s);
+    at_fault.add_boolean(loop.at_fault);
   }
   return transaction
       .run(statements::kSetAside,
-           {loop_id.text(), fence.text(), error.text(), retry_after_s.text()})
+           {loop_id.text(), fence.text(), error.text(), retry_after_s.text(), at_fault.text()})
       .size();
 }
 
@@ -154,6 +159,14 @@ std::vector<ClaimedLoop> ResultsDatabase::claim_due(const std::string& owner, do
                {make_storable(owner), number_text(lease_s), std::to_string(limit)});
 }
 
+std::vector<ClaimedLoop> ResultsDatabase::claim_suspect(const std::string& owner, double lease_s) {
+  const std::vector<std::string> parameters{make_storable(owner), number_text(lease_s)};
+  return read_claims(impl_->session.transact([&](Transaction& transaction) {
+    transaction.run(statements::kRestSuspects);
+    return transaction.run(statements::kClaimSuspect, parameters);
+  }));
+}
+
 std::vector<ClaimedLoop> ResultsDatabase::claim_next(const std::string& owner, double lease_s,
                                                      int limit, std::int64_t after) {
   return claim(
@@ -195,11 +208,30 @@ void ResultsDatabase::release(std::span<const ClaimedLoop> claimed) {
   });
 }
 
-std::size_t ResultsDatabase::extend(std::span<const ClaimedLoop> claimed, double lease_s) {
-  std::vector<std::string> parameters = claim_keys(claimed);
-  parameters.push_back(number_text(lease_s));
-  return impl_->session.transact([&](Transaction& transaction) {
-    return static_cast<std::size_t>(transaction.run(statements::kExtend, parameters).size());
+std::vector<std::int64_t> ResultsDatabase::extend(std::span<const ClaimedLoop> claimed,
+                                                  double lease_s) {
+  const std::vector<std::string> keys = claim_keys(claimed);
+  const pqxx::result rows = impl_->session.transact([&](Transaction& transaction) {
+    transaction.run(statements::kExtend, {keys[0], keys[1], number_text(lease_s)});
+    return transaction.run(statements::kLostClaims, keys);
+  });
+  std::vector<std::int64_t> lost;
+  for (const pqxx::row& row : rows) lost.push_back(row["loop_id"].as<std::int64_t>());
+  return lost;
+}
+
+void ResultsDatabase::see_worker(const WorkerSign& sign) {
+  impl_->session.transact([&](Transaction& transaction) {
+    transaction.run(
+        statements::kSeeWorker,
+        {make_storable(sign.worker), sign.program_version, std::to_string(sign.algorithm_revision),
+         std::to_string(sign.held_loops), std::to_string(sign.lost_leases)});
+  });
+}
+
+std::optional<double> ResultsDatabase::next_due_in_s() {
+  return impl_->session.transact([](Transaction& transaction) {
+    return read_number(transaction.run(statements::kNextDue)[0][0]);
   });
 }
 
@@ -207,6 +239,10 @@ std::size_t ResultsDatabase::count_enabled_loops() {
   return impl_->session.transact([](Transaction& transaction) {
     return transaction.run(statements::kCountEnabled)[0][0].as<std::size_t>();
   });
+}
+
+ScheduleHealth ResultsDatabase::schedule_health() {
+  return storage::schedule_health(impl_->session);
 }
 
 void ResultsDatabase::set_parameter(const std::string& name, double value) {

@@ -14,6 +14,7 @@
 #include "storage/connection_settings.hpp"
 #include "storage/data_problem.hpp"
 #include "storage/error.hpp"
+#include "storage/results/schedule_health.hpp"
 #include "storage/stage_cost.hpp"
 
 namespace loopscope::storage {
@@ -55,6 +56,16 @@ struct FailedLoop {
   std::int64_t fence = 0;
   std::string error;
   double retry_after_s = 60.0;
+  bool at_fault = true;  ///< false: its historian is away; counts as no failure of the loop
+};
+
+/// What a process says of itself while it works.
+struct WorkerSign {
+  std::string worker;  ///< host/pid
+  std::string program_version;
+  int algorithm_revision = 0;
+  std::size_t held_loops = 0;
+  std::uint64_t lost_leases = 0;  ///< since its start
 };
 
 /// What a write did.
@@ -89,9 +100,14 @@ class ResultsDatabase {
   ResultsDatabase(ResultsDatabase&&) noexcept;
   ResultsDatabase& operator=(ResultsDatabase&&) noexcept;
 
-  /// Claims up to `limit` enabled loops that are due, oldest first, for `lease_s` seconds.
+  /// Claims up to `limit` enabled loops that are due, oldest first, for `lease_s` seconds; no
+  /// suspects.
   [[nodiscard]] std::vector<ClaimedLoop> claim_due(const std::string& owner, double lease_s,
                                                    int limit);
+  /// Claims one loop whose lease would have ended without a result three times in a row, if one is
+  /// due: it may be what kills the workers. One that was held alone then is first given a pause of
+  /// its own, a minute up to six hours.
+  [[nodiscard]] std::vector<ClaimedLoop> claim_suspect(const std::string& owner, double lease_s);
   /// Claims up to `limit` enabled loops with loop_id > `after` that no living lease holds, due or
   /// not, in the order of loop_id: one pass over the catalogue.
   [[nodiscard]] std::vector<ClaimedLoop> claim_next(const std::string& owner, double lease_s,
@@ -106,11 +122,18 @@ class ResultsDatabase {
   WriteCount finish(std::span<const CompletedLoop> completed, std::span<const FailedLoop> failed);
   /// Gives claimed loops back untouched (shutdown): they are due at once.
   void release(std::span<const ClaimedLoop> claimed);
-  /// Seconds that the lease of these loops is extended by from now; returns how many are still
-  /// held.
-  std::size_t extend(std::span<const ClaimedLoop> claimed, double lease_s);
+  /// Lets the leases of these loops end `lease_s` seconds from now; returns the loops that others
+  /// have claimed since. What is being given back in this moment is left alone.
+  std::vector<std::int64_t> extend(std::span<const ClaimedLoop> claimed, double lease_s);
+  /// Notes that the process is at work (table loopscope.worker).
+  void see_worker(const WorkerSign& sign);
+  /// Seconds until the next enabled loop is due, or the lease of one that is held ends; negative =
+  /// overdue; nullopt = there is none.
+  [[nodiscard]] std::optional<double> next_due_in_s();
 
   [[nodiscard]] std::size_t count_enabled_loops();
+  /// How far the work as a whole is behind.
+  [[nodiscard]] ScheduleHealth schedule_health();
   /// Stores the settings that the views compute with (table loopscope.parameter).
   void set_parameter(const std::string& name, double value);
   /// Adds to the bearer's cost of the running hour (table loopscope.stage_cost).

@@ -12,10 +12,24 @@ int schema_version(Transaction& transaction) {
   return transaction.run(statements::kSchemaVersion)[0][0].as<int>();
 }
 
-void require_schema_version(Session& session) {
+namespace {
+
+/// The lowest schema version whose programs the schema found still serves.
+int oldest_program(Session& session) {
+  return session.transact([](Transaction& transaction) {
+    return transaction.run(statements::kOldestProgram)[0][0].as<int>();
+  });
+}
+
+}  // namespace
+
+void require_schema_version(Session& session, Newer newer) {
   const int found = session.transact(schema_version);
   const int required = required_schema_version();
   if (found == required) return;
+  if (found > required && newer == Newer::if_compatible && oldest_program(session) <= required) {
+    return;
+  }
   if (found > required) {
     throw DatabaseError("the schema loopscope has version " + std::to_string(found) +
                             ", newer than this program's " + std::to_string(required),

@@ -1,91 +1,8 @@
 #include "storage/results/statements.hpp"
 
+#include "storage/results/loop_columns.hpp"
+
 namespace loopscope::storage::statements {
-namespace {
-
-// What read_loop() (loop_row.hpp) takes from a row. Times travel as whole microseconds: extract()
-// is exact, because it is numeric since PostgreSQL 14.
-#define LOOPSCOPE_LOOP_COLUMNS                                                                 \
-  "loop.loop_id, loop.name, loop.source, loop.sp_tag, loop.pv_tag, loop.op_tag, loop.mv_tag,"  \
-  " loop.mode_tag, loop.interval_s, loop.period_s, loop.op_low, loop.op_high, loop.loop_type," \
-  " loop.importance, loop.enabled,"                                                            \
-  " (extract(epoch FROM loop.registered_at) * 1000000)::bigint AS registered_us"
-
-// A claim is ONE statement. ANY (ARRAY (...)) makes the planner fetch the few chosen rows by key;
-// joined as a subquery they cost a scan of the whole table under an unlucky plan. A claim that
-// finds an owner takes over from a worker that was lost: that counts as a failure, so that a loop
-// which kills its workers is noticed. Only the database's clock is used.
-#define LOOPSCOPE_CLAIM(CHOICE)                                                                 \
-  "WITH claimed AS ("                                                                           \
-  "  UPDATE loopscope.schedule AS s SET"                                                        \
-  "    owner = $1, fence = s.fence + 1, visible_at = now() + $2::float8 * interval '1 second'," \
-  "    attempts = s.attempts + (s.owner IS NOT NULL)::integer,"                                 \
-  "    last_error = CASE WHEN s.owner IS NULL THEN s.last_error"                                \
-  "                      ELSE 'the lease of ' || s.owner || ' ended without a result' END"      \
-  "  WHERE s.loop_id = ANY (ARRAY(" CHOICE                                                      \
-  "))"                                                                                          \
-  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end, s.result_slot_end) "            \
-  "SELECT " LOOPSCOPE_LOOP_COLUMNS                                                              \
-  ","                                                                                           \
-  "  claimed.fence, claimed.attempts, (extract(epoch FROM now()) * 1000000)::bigint AS now_us," \
-  "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us,"        \
-  "  said.code AS last_code, said.confidence AS last_confidence, said.p AS last_p "             \
-  "FROM claimed JOIN loopscope.loop USING (loop_id) LEFT JOIN LATERAL ("                        \
-  "  SELECT verdict.code, verdict.confidence, verdict.p FROM loopscope.verdict"                 \
-  "  WHERE verdict.loop_id = claimed.loop_id AND verdict.slot_end = claimed.result_slot_end"    \
-  "  ORDER BY verdict.algorithm_revision DESC, verdict.input_revision DESC LIMIT 1"             \
-  ") AS said ON true ORDER BY loop_id"
-
-}  // namespace
-
-const Statement kClaimDue{"claim_due", LOOPSCOPE_CLAIM(R"(
-    SELECT due.loop_id FROM loopscope.schedule AS due
-    WHERE due.enabled AND due.visible_at <= now()
-    ORDER BY due.visible_at LIMIT $3::bigint FOR UPDATE SKIP LOCKED)")};
-
-const Statement kClaimNext{"claim_next", LOOPSCOPE_CLAIM(R"(
-    SELECT free.loop_id FROM loopscope.schedule AS free
-    WHERE free.enabled AND free.loop_id > $4::bigint
-      AND (free.owner IS NULL OR free.visible_at <= now())
-    ORDER BY free.loop_id LIMIT $3::bigint FOR UPDATE SKIP LOCKED)")};
-
-const Statement kExtend{"extend_leases", R"(
-    UPDATE loopscope.schedule AS s SET visible_at = now() + $3::float8 * interval '1 second'
-    FROM unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
-    WHERE s.loop_id = held.loop_id AND s.fence = held.fence AND s.owner IS NOT NULL
-    RETURNING s.loop_id)"};
-
-const Statement kRelease{"release", R"(
-    UPDATE loopscope.schedule AS s SET owner = NULL, visible_at = now()
-    FROM unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
-    WHERE s.loop_id = held.loop_id AND s.fence = held.fence AND s.owner IS NOT NULL)",
-                         Rows::none};
-
-// The owner is not asked for: a repeat after a commit in doubt finds it gone and must still count
-// as this worker's, which the fence proves.
-const Statement kComplete{"complete", R"(
-    UPDATE loopscope.schedule AS s SET
-      owner = NULL, visible_at = done.next_due, attempts = 0, last_error = NULL,
-      last_slot_end = greatest(s.last_slot_end, done.slot_end),
-      result_slot_end = CASE WHEN done.has_record THEN greatest(s.result_slot_end, done.slot_end)
-                             ELSE s.result_slot_end END
-    FROM unnest($1::bigint[], $2::bigint[], $3::timestamptz[], $4::timestamptz[], $5::boolean[])
-      AS done (loop_id, fence, slot_end, next_due, has_record)
-    WHERE s.loop_id = done.loop_id AND s.fence = done.fence
-    RETURNING s.loop_id)"};
-
-// A repeat finds no owner and counts no second failure.
-const Statement kSetAside{"set_aside", R"(
-    UPDATE loopscope.schedule AS s SET
-      owner = NULL, visible_at = now() + failed.retry_after_s * interval '1 second',
-      attempts = s.attempts + (s.owner IS NOT NULL)::integer, last_error = failed.error
-    FROM unnest($1::bigint[], $2::bigint[], $3::text[], $4::float8[])
-      AS failed (loop_id, fence, error, retry_after_s)
-    WHERE s.loop_id = failed.loop_id AND s.fence = failed.fence
-    RETURNING s.loop_id)"};
-
-const Statement kCountEnabled{"count_enabled_loops",
-                              "SELECT count(*) FROM loopscope.schedule WHERE enabled", Rows::one};
 
 const Statement kStoredDigests{"stored_digests", R"(
     SELECT wanted.loop_id, (extract(epoch FROM wanted.slot_end) * 1000000)::bigint AS slot_end_us,
@@ -203,12 +120,6 @@ const Statement kSaveLoops{"save_loops", R"(
       importance = EXCLUDED.importance, enabled = EXCLUDED.enabled, changed_at = now()
     RETURNING kept.loop_id, kept.xmax = 0 AS is_new)"};
 
-// A loop that a worker holds becomes due when the worker is done with it.
-const Statement kMakeDue{"make_due", R"(
-    UPDATE loopscope.schedule SET visible_at = now()
-    WHERE loop_id = ANY ($1::bigint[]) AND owner IS NULL)",
-                         Rows::none};
-
 const Statement kSetEnabled{"set_enabled", R"(
     UPDATE loopscope.loop SET enabled = $2::boolean, changed_at = now()
     WHERE name = ANY ($1::text[]) RETURNING loop_id)"};
@@ -219,6 +130,8 @@ const Statement kHasSchema{
 const Statement kSchemaVersion{"schema_version",
                                "SELECT coalesce(max(version), 0) FROM loopscope.schema_migration",
                                Rows::one};
+
+const Statement kOldestProgram{"oldest_program", "SELECT loopscope.oldest_program()", Rows::one};
 
 // Several logins may be members of loopscope_owner: what one makes, all can change. Where that role
 // may not create the schema (roles.sql was run in another database) the login itself becomes owner.

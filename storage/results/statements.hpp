@@ -2,18 +2,10 @@
 
 #include "storage/statement.hpp"
 
-/// The closed list of statements on the results database. (The one that writes analysis rows is
-/// made from the table of columns: analysis_columns.hpp. Migrations are files.)
+/// The closed list of statements on the results database, those on the schedule apart
+/// (schedule_statements.hpp). (The one that writes analysis rows is made from the table of columns:
+/// analysis_columns.hpp. Migrations are files.)
 namespace loopscope::storage::statements {
-
-// schedule: arrays of loop_id and fence name the claims
-extern const Statement kClaimDue;   ///< owner, lease_s, limit
-extern const Statement kClaimNext;  ///< owner, lease_s, limit, after loop_id
-extern const Statement kExtend;     ///< loop_ids, fences, lease_s
-extern const Statement kRelease;    ///< loop_ids, fences
-extern const Statement kComplete;   ///< loop_ids, fences, slot_ends, next_dues, has_records
-extern const Statement kSetAside;   ///< loop_ids, fences, errors, retry_after_s
-extern const Statement kCountEnabled;
 
 // results
 extern const Statement kStoredDigests;   ///< loop_ids, slot_ends, algorithm_revision, settings
@@ -28,12 +20,12 @@ extern const Statement kAddStageCost;    ///< host, lane, then StageCost member 
 extern const Statement kListLoops;
 extern const Statement kFindLoop;    ///< name
 extern const Statement kSaveLoops;   ///< one array per column
-extern const Statement kMakeDue;     ///< loop_ids
 extern const Statement kSetEnabled;  ///< names, enabled
 
 // schema
 extern const Statement kHasSchema;
 extern const Statement kSchemaVersion;
+extern const Statement kOldestProgram;
 extern const Statement kBecomeOwner;
 extern const Statement kLockMigrations;
 extern const Statement kAppliedMigrations;

@@ -68,6 +68,18 @@ TEST(Prepare, InfinityCountsAsMissing) {
   EXPECT_NEAR(*prepare(window, {}).quality.missing_fraction, 0.01, 1e-12);
 }
 
+TEST(Prepare, ValuesThatNoQuantityHasCountAsMissing) {
+  LoopWindow window = healthy_window();
+  for (std::size_t k = 100; k < 110; ++k) {
+    window.pv[k] = 1e300;
+    window.op[k] = -std::numeric_limits<double>::max();
+  }
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_NEAR(*loop.quality.missing_fraction, 0.01, 1e-12);
+  EXPECT_TRUE(std::isnan(loop.op_percent[105]));
+  EXPECT_EQ(*loop.quality.saturated_fraction, 0.0);
+}
+
 TEST(Prepare, TooFewSamplesAreNotJudged) {
   const PreparedLoop loop = prepare(healthy_window(511), {});
   EXPECT_FALSE(loop.quality.usable);
@@ -197,8 +209,17 @@ TEST(Prepare, SeriesOfDifferentLengthsAreAFault) {
   window.op.pop_back();
   EXPECT_THROW(static_cast<void>(prepare(window, {})), std::invalid_argument);
   window = healthy_window();
-  window.sample_interval_s = 0.0;
+  window.pv_rows = window.pv;
+  window.pv_rows.pop_back();
   EXPECT_THROW(static_cast<void>(prepare(window, {})), std::invalid_argument);
+}
+
+TEST(Prepare, AnIntervalThatIsNoTimeIsAFault) {
+  LoopWindow window = healthy_window();
+  for (const double interval : {0.0, -1.0, HUGE_VAL, kMissing}) {
+    window.sample_interval_s = interval;
+    EXPECT_THROW(static_cast<void>(prepare(window, {})), std::invalid_argument) << interval;
+  }
 }
 
 TEST(Prepare, OneSampleInSoManyIsJudgedOrRefusedButNeverAFault) {

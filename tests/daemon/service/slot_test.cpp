@@ -22,6 +22,24 @@ TEST(Slot, TheNextLookIsWhenTheNextSlotHasSettled) {
   EXPECT_EQ(floor_to_period(due - 60 * kSecond, 3600.0), 6 * kHour);
 }
 
+TEST(Slot, MissedOnesAreMadeUpForOldestFirst) {
+  EXPECT_EQ(slot_to_analyse(9 * kHour, std::nullopt, 3600.0, 6), 9 * kHour);
+  EXPECT_EQ(slot_to_analyse(9 * kHour, 8 * kHour, 3600.0, 6), 9 * kHour);
+  EXPECT_EQ(slot_to_analyse(9 * kHour, 5 * kHour, 3600.0, 6), 6 * kHour);
+  EXPECT_EQ(slot_to_analyse(9 * kHour, 9 * kHour, 3600.0, 6), 9 * kHour);
+  EXPECT_EQ(slot_to_analyse(9 * kHour, 10 * kHour, 3600.0, 6), 9 * kHour)
+      << "a clock that went back";
+}
+
+TEST(Slot, NoneIsMadeUpForThatIsTooOld) {
+  EXPECT_EQ(slot_to_analyse(9 * kHour, 1 * kHour, 3600.0, 6), 3 * kHour);
+  EXPECT_EQ(slot_to_analyse(9 * kHour, 1 * kHour, 3600.0, 0), 9 * kHour);
+}
+
+TEST(Slot, AfterAChangeOfPeriodTheyLieOnTheNewGrid) {
+  EXPECT_EQ(slot_to_analyse(9 * kHour, 6 * kHour + 600 * kSecond, 3600.0, 6), 7 * kHour);
+}
+
 TEST(Slot, EarlierOnesBeginWithTheLastThatWasCompleted) {
   using testing::ElementsAre;
   EXPECT_THAT(earlier_slots(5 * kHour, 4 * kHour, 3600.0, 2), ElementsAre(4 * kHour, 3 * kHour));

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 const DatabaseError kDown("connection refused, historian plant", "start it", Remedy::reconnect);
 
 TEST(SourceGate, LetsNoMoreInsideThanTheLimit) {
-  SourceGate gate(30s);
+  SourceGate gate;
   std::atomic<int> inside = 0;
   std::atomic<int> most = 0;
   {
@@ -40,7 +40,7 @@ TEST(SourceGate, LetsNoMoreInsideThanTheLimit) {
 }
 
 TEST(SourceGate, WhoGetsNoPlaceIsToldAfterItsPatience) {
-  SourceGate gate(30s);
+  SourceGate gate;
   gate.enter("plant", 1, 1s);
   try {
     gate.enter("plant", 1, 20ms);
@@ -55,7 +55,7 @@ TEST(SourceGate, WhoGetsNoPlaceIsToldAfterItsPatience) {
 }
 
 TEST(SourceGate, ASourceThatIsDownTurnsEverybodyAwayAtOnce) {
-  SourceGate gate(30s);
+  SourceGate gate;
   gate.enter("plant", 1, 1s);
   std::string said;
   std::jthread waiting([&] {
@@ -66,7 +66,7 @@ TEST(SourceGate, ASourceThatIsDownTurnsEverybodyAwayAtOnce) {
     }
   });
   std::this_thread::sleep_for(20ms);
-  gate.leave_down(kDown);
+  gate.leave_down(kDown, 30s);
   waiting.join();
   EXPECT_EQ(said, kDown.what()) << "and it does not wait for its patience";
   EXPECT_TRUE(gate.is_down());
@@ -74,9 +74,9 @@ TEST(SourceGate, ASourceThatIsDownTurnsEverybodyAwayAtOnce) {
 }
 
 TEST(SourceGate, AfterThePauseOneTriesAndItsLuckCountsForAll) {
-  SourceGate gate(0s);
+  SourceGate gate;
   gate.enter("plant", 4, 1s);
-  gate.leave_down(kDown);
+  gate.leave_down(kDown, 0s);
   gate.enter("plant", 4, 1s);
   EXPECT_THROW(gate.enter("plant", 4, 1s), DatabaseError) << "one tries";
   gate.leave();

@@ -55,6 +55,20 @@ TEST_F(ReaderTest, RepeatedTimesAreKeptInTheOrderOfTheirValues) {
   EXPECT_THAT(read_one(historian, request("a", 0, 100)).value, ElementsAre(1.0, 2.0, 3.0));
 }
 
+TEST_F(ReaderTest, ZerosOfBothSignsAtOneTimeComeInOneOrder) {
+  for (const std::string tag : {"a", "b"}) {
+    const bool negative_first = tag == "a";
+    insert(tag, "2026-01-01 00:00:00+00", negative_first ? "'-0'" : "'0'");
+    insert(tag, "2026-01-01 00:00:00+00", negative_first ? "'0'" : "'-0'");
+  }
+  HistorianReader historian = reader();
+  for (const std::string tag : {"a", "b"}) {
+    const auto values = read_one(historian, request(tag, 0, 10)).value;
+    ASSERT_EQ(values.size(), 2U) << tag;
+    EXPECT_TRUE(std::signbit(values[0]) && !std::signbit(values[1])) << tag;
+  }
+}
+
 TEST_F(ReaderTest, UnknownTagIsEmptyAndDoesNotShiftTheOthers) {
   insert("a", "2026-01-01 00:00:01+00", "1");
   insert("b", "2026-01-01 00:00:01+00", "2");

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <pqxx/pqxx>
 #include <set>
 #include <thread>
 
@@ -177,16 +178,101 @@ TEST_F(ClaimTest, ReleaseMakesDueAtOnce) {
   EXPECT_EQ(again[0].attempts, 0) << "giving back is no failure";
 }
 
-TEST_F(ClaimTest, ExtendCountsWhatIsStillHeld) {
+TEST_F(ClaimTest, ExtendNamesWhatOthersHave) {
   add_loops({"a", "b"});
   ResultsDatabase results = connect();
   const std::vector<ClaimedLoop> claimed = claim_all(results, 5);
   database->execute("UPDATE loopscope.schedule SET fence = fence + 1 WHERE loop_id = " +
                     std::to_string(claimed[0].loop.loop_id));
-  EXPECT_EQ(results.extend(claimed, 1000), 1u);
+  EXPECT_THAT(results.extend(claimed, 1000), testing::ElementsAre(claimed[0].loop.loop_id));
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.schedule"
                   " WHERE visible_at > now() + interval '900 seconds'"),
             "1");
+}
+
+/// Its row is locked while it is given back: to wait for it could end in a deadlock.
+TEST_F(ClaimTest, ExtendLeavesAloneWhatIsBeingGivenBack) {
+  add_loops({"a", "b"});
+  ResultsDatabase results = connect();
+  const std::vector<ClaimedLoop> claimed = claim_all(results, 5);
+  pqxx::connection other(database->conninfo());
+  pqxx::work finishing(other);
+  finishing.exec("SELECT FROM loopscope.schedule WHERE loop_id = " +
+                 std::to_string(claimed[0].loop.loop_id) + " FOR UPDATE");
+  EXPECT_TRUE(results.extend(claimed, 1000).empty());
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.schedule"
+                  " WHERE visible_at > now() + interval '900 seconds'"),
+            "1");
+}
+
+/// Claims all and lets the leases end, as a worker that dies does.
+void die_with_all(ResultsDatabase& results, const tests::TestDatabase& database) {
+  static_cast<void>(results.claim_due("worker", 100, 10));
+  database.execute(kEndLeases);
+}
+
+TEST_F(ClaimTest, WhatWasLostTwiceInARowIsClaimedAlone) {
+  add_loops({"a", "b"});
+  ResultsDatabase results = connect();
+  EXPECT_TRUE(results.claim_suspect("worker", 100).empty());
+  die_with_all(results, *database);
+  die_with_all(results, *database);
+  EXPECT_EQ(claim_all(results).size(), 2u) << "twice may be chance: still together";
+  database->execute(kEndLeases);
+  EXPECT_TRUE(claim_all(results).empty()) << "a third time is not";
+  EXPECT_EQ(results.claim_suspect("worker", 100).size(), 1u);
+  EXPECT_EQ(results.claim_suspect("worker", 100).size(), 1u);
+  EXPECT_TRUE(results.claim_suspect("worker", 100).empty());
+}
+
+TEST_F(ClaimTest, OneThatDiesAloneRestsLongerEachTime) {
+  add_loops({"a"});
+  ResultsDatabase results = connect();
+  for (int k = 0; k < 3; ++k) die_with_all(results, *database);
+  for (const char* minutes : {"1", "2", "4", "8"}) {
+    ASSERT_EQ(results.claim_suspect("worker", 100).size(), 1u);
+    database->execute(kEndLeases);
+    EXPECT_TRUE(results.claim_suspect("worker", 100).empty());
+    EXPECT_EQ(value("SELECT round(extract(epoch FROM visible_at - now()) / 60) FROM"
+                    " loopscope.schedule"),
+              minutes);
+    EXPECT_EQ(value("SELECT owner IS NULL FROM loopscope.schedule"), "t");
+    database->execute(kEndLeases);
+    EXPECT_TRUE(claim_all(results).empty()) << "it stays a suspect";
+  }
+  EXPECT_THAT(value("SELECT last_error FROM loopscope.schedule"), HasSubstr("alone"));
+}
+
+TEST_F(ClaimTest, OneThatDidNotKillItsWorkerIsCleared) {
+  add_loops({"a", "b"});
+  ResultsDatabase results = connect();
+  for (int k = 0; k < 3; ++k) die_with_all(results, *database);
+  const ClaimedLoop survived = results.claim_suspect("worker", 100).at(0);
+  results.finish(std::vector{completed(survived, slot(1), "d")}, {});
+  const ClaimedLoop failed = results.claim_suspect("worker", 100).at(0);
+  results.finish({}, std::vector{FailedLoop{failed.loop.loop_id, failed.fence, "no", 1.0}});
+  EXPECT_EQ(value("SELECT sum(lost_leases) FROM loopscope.schedule"), "0");
+  database->execute(kEndLeases);
+  EXPECT_EQ(claim_all(results).size(), 2u);
+}
+
+TEST_F(ClaimTest, TellsWhenTheNextLoopIsDue) {
+  ResultsDatabase results = connect();
+  EXPECT_EQ(results.next_due_in_s(), std::nullopt);
+  add_loops({"a", "b"});
+  EXPECT_LE(results.next_due_in_s().value(), 0.0);
+  static_cast<void>(claim_all(results, 60.0));
+  EXPECT_NEAR(results.next_due_in_s().value(), 60.0, 5.0) << "when a lease ends";
+}
+
+TEST_F(ClaimTest, WorkersAreSeen) {
+  ResultsDatabase results = connect();
+  results.see_worker({"host/1", "0.1.0", 8, 32, 0});
+  const std::string first = value("SELECT started_at FROM loopscope.worker");
+  results.see_worker({"host/1", "0.1.0", 8, 16, 3});
+  EXPECT_EQ(value("SELECT held_loops || ' ' || lost_leases FROM loopscope.worker"), "16 3");
+  EXPECT_EQ(value("SELECT started_at FROM loopscope.worker"), first);
+  EXPECT_EQ(value("SELECT last_seen > started_at FROM loopscope.worker"), "t");
 }
 
 }  // namespace

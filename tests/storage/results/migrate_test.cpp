@@ -86,9 +86,26 @@ TEST_F(MigrateTest, EverythingHasAComment) {
               IsEmpty());
 }
 
+/// Makes the schema one of a later program, which served the programs from `oldest` on.
+void migrate_further(const tests::TestDatabase& database, int oldest) {
+  database.execute("INSERT INTO loopscope.schema_migration VALUES (9999, '9999_future', 'x')");
+  database.execute(
+      "CREATE OR REPLACE FUNCTION loopscope.oldest_program() RETURNS integer IMMUTABLE"
+      " LANGUAGE sql RETURN " +
+      std::to_string(oldest));
+}
+
+TEST_F(MigrateTest, NewerSchemaThatWasOnlyAddedToServes) {
+  migrate(settings_for(*database));
+  migrate_further(*database, required_schema_version());
+  EXPECT_EQ(error_of_connecting(), "");
+  EXPECT_THROW(migrate(settings_for(*database)), DatabaseError);
+  EXPECT_THROW(maintain(settings_for(*database), 0), DatabaseError) << "the newer one's affair";
+}
+
 TEST_F(MigrateTest, NewerSchemaIsRefused) {
   migrate(settings_for(*database));
-  database->execute("INSERT INTO loopscope.schema_migration VALUES (9999, '9999_future', 'x')");
+  migrate_further(*database, required_schema_version() + 1);
   EXPECT_THAT(error_of_connecting(), HasSubstr("newer than this program's"));
   EXPECT_THROW(migrate(settings_for(*database)), DatabaseError);
   EXPECT_THROW(maintain(settings_for(*database), 0), DatabaseError);

@@ -73,7 +73,7 @@ TEST_F(RightsTest, WorkerDoesItsWorkAndNoMore) {
   done[0].record->input_digest = "d1 late";
   EXPECT_EQ(results.finish(done, {}).revised, 1u);
   EXPECT_EQ(results.finish(std::vector{completed(claimed[0], slot(1), "d2")}, {}).revised, 1u);
-  EXPECT_EQ(results.extend(claimed, 60), 0u);
+  EXPECT_TRUE(results.extend(claimed, 60).empty());
   results.release(claimed);
   results.set_parameter("min_confidence", 0.5);
   EXPECT_EQ(Catalogue(settings_for(*database, worker)).list().size(), 2u);

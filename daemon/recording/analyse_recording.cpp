@@ -1,0 +1,47 @@
+#include "daemon/recording/analyse_recording.hpp"
+
+#include "core/signal/grid.hpp"
+#include "core/signal/window_digest.hpp"
+#include "daemon/recording/time_text.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using core::signal::LoopWindow;
+
+nlohmann::ordered_json time_json(std::int64_t time_us, bool absolute) {
+  constexpr double kSecondsPerMicrosecond = 1e-6;
+  if (absolute) return format_time(time_us);
+  return static_cast<double>(time_us) * kSecondsPerMicrosecond;
+}
+
+InputFacts facts_of(const Recording& recording, const LoopWindow& window) {
+  InputFacts facts{recording.name, window.size(), std::nullopt, nullptr, nullptr};
+  if (window.size() == 0) return facts;
+  const core::signal::Grid grid{window.start_us, window.sample_interval_s, window.size()};
+  if (window.size() > 1) facts.interval_s = window.sample_interval_s;
+  facts.start = time_json(grid.start_us, recording.absolute_time);
+  facts.end = time_json(grid.time_us(window.size() - 1), recording.absolute_time);
+  return facts;
+}
+
+}  // namespace
+
+RecordingAnalysis analyse_recording(const Recording& recording,
+                                    const core::AnalysisSettings& settings,
+                                    const std::optional<core::signal::OpRange>& op_range,
+                                    core::LoopFacts facts) {
+  RecordingAnalysis analysis;
+  analysis.window = last_window(recording, settings.prepare.window_samples, op_range);
+  analysis.input = facts_of(recording, analysis.window);
+  const core::FirstLook first = core::first_look(analysis.window, settings);
+  std::optional<LoopWindow> longer;
+  if (first.slow_span_samples > 0) {
+    longer = last_window(recording, first.slow_span_samples, op_range);
+  }
+  facts.seed = core::signal::window_seed(analysis.window);
+  analysis.diagnosis = core::diagnose(first, settings, facts, longer ? &*longer : nullptr);
+  return analysis;
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "core/diagnosis/diagnose.hpp"
+#include "daemon/output/analysis_json.hpp"
+#include "daemon/recording/recording.hpp"
+
+namespace loopscope::daemon {
+
+/// A recording's window, what is said of it as input, and its diagnosis.
+struct RecordingAnalysis {
+  core::signal::LoopWindow window;
+  InputFacts input;
+  core::Diagnosis diagnosis;
+};
+
+/// The last window of the recording, diagnosed with what the file holds before it where a slow
+/// oscillation asks for more. The seed of `facts` is that of the window. Throws as
+/// core::diagnose().
+[[nodiscard]] RecordingAnalysis analyse_recording(
+    const Recording& recording, const core::AnalysisSettings& settings,
+    const std::optional<core::signal::OpRange>& op_range, core::LoopFacts facts = {});
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "storage/results/results_database.hpp"
+
+namespace loopscope::daemon {
+
+/// Where the lanes show that they get on, and what they hold: the heartbeat extends the leases of
+/// those that do, the watchdog and /livez look for those that do not. A step is shown after each
+/// thing that may take long (a statement, an analysis), so a lane that hangs shows none, however
+/// well its process is otherwise. Who waits for a core gets on as long as anybody does.
+/// Thread-safe.
+class ProgressBoard {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// One lane's place. Lives as long as the board.
+  class Desk {
+   public:
+    /// The lane has claimed these loops.
+    void hold(const std::vector<storage::ClaimedLoop>& claims);
+    /// They are given back.
+    void drop();
+    /// The lane got on.
+    void step();
+    /// Others have claimed the loop since: work on it would be refused.
+    [[nodiscard]] bool lost(std::int64_t loop_id);
+
+    /// The lane waits for its turn as long as this lives.
+    class Wait {
+     public:
+      explicit Wait(Desk& desk) : desk_(desk) { desk_.wait(true); }
+      ~Wait() { desk_.wait(false); }
+      Wait(const Wait&) = delete;
+      Wait& operator=(const Wait&) = delete;
+
+     private:
+      Desk& desk_;
+    };
+
+    explicit Desk(ProgressBoard& board) : board_(board) {}
+
+   private:
+    friend class ProgressBoard;
+    void wait(bool waiting);
+    ProgressBoard& board_;
+    bool waiting_ = false;
+    Clock::time_point last_step_ = Clock::now();
+    std::vector<storage::ClaimedLoop> claims_;
+    std::set<std::int64_t> lost_;
+  };
+
+  /// A place of its own.
+  [[nodiscard]] Desk& desk();
+
+  /// Claims of all lanes that got on since renewed() was called last.
+  [[nodiscard]] std::vector<storage::ClaimedLoop> proven_claims();
+  /// Leases were extended for all that had got on by `seen`.
+  void renewed(Clock::time_point seen);
+  /// Others have claimed these since; returns how many were still held here.
+  std::size_t lose(const std::vector<std::int64_t>& loop_ids);
+  [[nodiscard]] std::size_t held_loops();
+
+  /// Why the process should not be trusted to work any more: a lane that holds loops and has shown
+  /// nothing for longer than `limit`; nullopt = all is well.
+  [[nodiscard]] std::optional<std::string> standstill(Clock::duration limit,
+                                                      Clock::time_point now = Clock::now());
+  /// Since the lane that is longest without a step, of those that hold loops, showed its last one.
+  [[nodiscard]] Clock::duration longest_silence(Clock::time_point now = Clock::now());
+
+ private:
+  std::mutex mutex_;
+  std::deque<Desk> desks_;  // their addresses stay
+  Clock::time_point renewed_ = Clock::time_point::min();
+};
+
+}  // namespace loopscope::daemon

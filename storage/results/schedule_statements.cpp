@@ -1,0 +1,145 @@
+#include "storage/results/schedule_statements.hpp"
+
+#include "storage/results/loop_columns.hpp"
+
+namespace loopscope::storage::statements {
+namespace {
+
+// A claim is ONE statement. ANY (ARRAY (...)) makes the planner fetch the few chosen rows by key;
+// joined as a subquery they cost a scan of the whole table under an unlucky plan. A claim that
+// finds an owner takes over from a worker that was lost: that counts as a failure and as a lost
+// lease, so that a loop which kills its workers is noticed. Only the database's clock is used.
+#define LOOPSCOPE_CLAIM(CHOICE)                                                                 \
+  "WITH claimed AS ("                                                                           \
+  "  UPDATE loopscope.schedule AS s SET"                                                        \
+  "    owner = $1, fence = s.fence + 1, visible_at = now() + $2::float8 * interval '1 second'," \
+  "    attempts = s.attempts + (s.owner IS NOT NULL)::integer,"                                 \
+  "    lost_leases = s.lost_leases + (s.owner IS NOT NULL)::integer,"                           \
+  "    last_error = CASE WHEN s.owner IS NULL THEN s.last_error"                                \
+  "                      ELSE 'the lease of ' || s.owner || ' ended without a result' END"      \
+  "  WHERE s.loop_id = ANY (ARRAY(" CHOICE                                                      \
+  "))"                                                                                          \
+  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end, s.result_slot_end) "            \
+  "SELECT " LOOPSCOPE_LOOP_COLUMNS                                                              \
+  ","                                                                                           \
+  "  claimed.fence, claimed.attempts, (extract(epoch FROM now()) * 1000000)::bigint AS now_us," \
+  "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us,"        \
+  "  said.code AS last_code, said.confidence AS last_confidence, said.p AS last_p "             \
+  "FROM claimed JOIN loopscope.loop USING (loop_id) LEFT JOIN LATERAL ("                        \
+  "  SELECT verdict.code, verdict.confidence, verdict.p FROM loopscope.verdict"                 \
+  "  WHERE verdict.loop_id = claimed.loop_id AND verdict.slot_end = claimed.result_slot_end"    \
+  "  ORDER BY verdict.algorithm_revision DESC, verdict.input_revision DESC LIMIT 1"             \
+  ") AS said ON true ORDER BY loop_id"
+
+}  // namespace
+
+// What would be the third lost lease in a row makes a loop a suspect: it may be what kills the
+// workers, and is left out of the batches.
+#define LOOPSCOPE_SUSPECT "due.lost_leases + (due.owner IS NOT NULL)::integer >= 3"
+
+const Statement kClaimDue{
+    "claim_due",
+    LOOPSCOPE_CLAIM("SELECT due.loop_id FROM loopscope.schedule AS due "
+                    "WHERE due.enabled AND due.visible_at <= now() AND NOT (" LOOPSCOPE_SUSPECT ") "
+                    "ORDER BY due.visible_at LIMIT $3::bigint FOR UPDATE SKIP LOCKED")};
+
+const Statement kClaimSuspect{
+    "claim_suspect",
+    LOOPSCOPE_CLAIM("SELECT due.loop_id FROM loopscope.schedule AS due "
+                    "WHERE due.enabled AND due.visible_at <= now() AND " LOOPSCOPE_SUSPECT " "
+                    "ORDER BY due.visible_at LIMIT 1 FOR UPDATE SKIP LOCKED")};
+
+// A suspect that was alone when its worker died is left alone for a minute, then two, up to six
+// hours.
+const Statement kRestSuspects{"rest_suspects", R"(
+    UPDATE loopscope.schedule AS s SET
+      owner = NULL, attempts = s.attempts + 1, lost_leases = s.lost_leases + 1,
+      visible_at = now() + least(60 * 2 ^ least(s.lost_leases - 3, 9), 21600) * interval '1 second',
+      last_error = 'the lease of ' || s.owner || ' ended without a result, alone'
+    WHERE s.loop_id = ANY (ARRAY(
+      SELECT due.loop_id FROM loopscope.schedule AS due
+      WHERE due.enabled AND due.visible_at <= now() AND due.owner IS NOT NULL
+        AND due.lost_leases >= 3
+      FOR UPDATE SKIP LOCKED)))",
+                              Rows::none};
+
+// Of enabled loops, held ones included: then their lease ends.
+const Statement kNextDue{"next_due", R"(
+    SELECT extract(epoch FROM min(visible_at) - now())::float8 AS due_in_s
+    FROM loopscope.schedule WHERE enabled)",
+                         Rows::one};
+
+const Statement kClaimNext{"claim_next", LOOPSCOPE_CLAIM(R"(
+    SELECT free.loop_id FROM loopscope.schedule AS free
+    WHERE free.enabled AND free.loop_id > $4::bigint
+      AND (free.owner IS NULL OR free.visible_at <= now())
+    ORDER BY free.loop_id LIMIT $3::bigint FOR UPDATE SKIP LOCKED)")};
+
+// Rows that are locked are being given back in this moment: to wait for them could end in a
+// deadlock.
+const Statement kExtend{"extend_leases", R"(
+    UPDATE loopscope.schedule AS s SET visible_at = now() + $3::float8 * interval '1 second'
+    WHERE s.loop_id = ANY (ARRAY(
+      SELECT free.loop_id FROM loopscope.schedule AS free
+      JOIN unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
+        ON free.loop_id = held.loop_id AND free.fence = held.fence
+      WHERE free.owner IS NOT NULL
+      FOR UPDATE OF free SKIP LOCKED)))",
+                        Rows::none};
+
+const Statement kLostClaims{"lost_claims", R"(
+    SELECT held.loop_id FROM unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
+    LEFT JOIN loopscope.schedule AS s ON s.loop_id = held.loop_id
+    WHERE s.fence IS DISTINCT FROM held.fence)"};
+
+const Statement kSeeWorker{"see_worker", R"(
+    INSERT INTO loopscope.worker AS kept (worker, program_version, algorithm_revision, held_loops,
+                                          lost_leases)
+    VALUES ($1, $2, $3::integer, $4::integer, $5::bigint)
+    ON CONFLICT (worker) DO UPDATE SET
+      program_version = EXCLUDED.program_version,
+      algorithm_revision = EXCLUDED.algorithm_revision, last_seen = now(),
+      held_loops = EXCLUDED.held_loops, lost_leases = EXCLUDED.lost_leases)",
+                           Rows::none};
+
+const Statement kRelease{"release", R"(
+    UPDATE loopscope.schedule AS s SET owner = NULL, visible_at = now()
+    FROM unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
+    WHERE s.loop_id = held.loop_id AND s.fence = held.fence AND s.owner IS NOT NULL)",
+                         Rows::none};
+
+// The owner is not asked for: a repeat after a commit in doubt finds it gone and must still count
+// as this worker's, which the fence proves.
+const Statement kComplete{"complete", R"(
+    UPDATE loopscope.schedule AS s SET
+      owner = NULL, visible_at = done.next_due, attempts = 0, lost_leases = 0,
+      last_error = NULL,
+      last_slot_end = greatest(s.last_slot_end, done.slot_end),
+      result_slot_end = CASE WHEN done.has_record THEN greatest(s.result_slot_end, done.slot_end)
+                             ELSE s.result_slot_end END
+    FROM unnest($1::bigint[], $2::bigint[], $3::timestamptz[], $4::timestamptz[], $5::boolean[])
+      AS done (loop_id, fence, slot_end, next_due, has_record)
+    WHERE s.loop_id = done.loop_id AND s.fence = done.fence
+    RETURNING s.loop_id)"};
+
+// A repeat finds no owner and counts no second failure. The worker lived to tell: no lease is lost.
+const Statement kSetAside{"set_aside", R"(
+    UPDATE loopscope.schedule AS s SET
+      owner = NULL, visible_at = now() + failed.retry_after_s * interval '1 second',
+      attempts = s.attempts + (s.owner IS NOT NULL AND failed.at_fault)::integer, lost_leases = 0,
+      last_error = failed.error
+    FROM unnest($1::bigint[], $2::bigint[], $3::text[], $4::float8[], $5::boolean[])
+      AS failed (loop_id, fence, error, retry_after_s, at_fault)
+    WHERE s.loop_id = failed.loop_id AND s.fence = failed.fence
+    RETURNING s.loop_id)"};
+
+const Statement kCountEnabled{"count_enabled_loops",
+                              "SELECT count(*) FROM loopscope.schedule WHERE enabled", Rows::one};
+
+// A loop that a worker holds becomes due when the worker is done with it.
+const Statement kMakeDue{"make_due", R"(
+    UPDATE loopscope.schedule SET visible_at = now()
+    WHERE loop_id = ANY ($1::bigint[]) AND owner IS NULL)",
+                         Rows::none};
+
+}  // namespace loopscope::storage::statements

@@ -1,0 +1,57 @@
+// The whole path of `loopscope analyze`: bytes to CSV to window to diagnosis to JSON. The first
+// byte holds the options, the rest is the file.
+
+#include "daemon/failure.hpp"
+#include "daemon/recording/analyse_recording.hpp"
+#include "tests/fuzz/check_diagnosis.hpp"
+#include "tests/fuzz/require.hpp"
+#include "tests/fuzz/target.hpp"
+
+namespace loopscope::tests::fuzz {
+namespace {
+
+struct Options {
+  core::AnalysisSettings settings;
+  std::optional<core::signal::OpRange> op_range;
+  bool integrating = false;
+};
+
+Options options_of(std::uint8_t bits) {
+  Options options;
+  options.settings.fit_model = (bits & 1U) != 0;
+  if ((bits & 2U) != 0) options.op_range = core::signal::OpRange{0.0, 100.0};
+  options.integrating = (bits & 4U) != 0;
+  if ((bits & 8U) != 0) options.settings.prepare.window_samples = 512;
+  return options;
+}
+
+std::string analyse(const daemon::Recording& recording, const Options& options) {
+  const auto analysis = daemon::analyse_recording(recording, options.settings, options.op_range,
+                                                  {.integrating = options.integrating});
+  return check_diagnosis(analysis.input, analysis.diagnosis);
+}
+
+void check_text(const Options& options, std::string_view text) {
+  const daemon::Recording recording =
+      daemon::parse_recording(daemon::parse_csv(text, "recording.csv"));
+  const std::string once = analyse(recording, options);
+  // A model takes many times what the rest takes: most of these are not made twice.
+  const bool twice = !options.settings.fit_model || text.size() % 4 == 0;
+  if (twice) require(analyse(recording, options) == once, "the same bytes, the same result");
+}
+
+}  // namespace
+}  // namespace loopscope::tests::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace loopscope;
+  if (size == 0) return 0;
+  try {
+    tests::fuzz::check_text(tests::fuzz::options_of(data[0]),
+                            {reinterpret_cast<const char*>(data) + 1, size - 1});
+  } catch (const daemon::Failure& failure) {
+    tests::fuzz::require(failure.exit_code() == daemon::ExitCode::unusable_data,
+                         "a file that cannot be used has its own exit code");
+  }
+  return 0;
+}

@@ -1,0 +1,37 @@
+// Loops for the catalogue as CSV: any text is refused with a place and a hint, or becomes entries
+// that come back when they are written.
+
+#include "daemon/catalogue/catalogue_csv.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
+#include "daemon/failure.hpp"
+#include "tests/fuzz/require.hpp"
+#include "tests/fuzz/target.hpp"
+
+namespace loopscope::tests::fuzz {
+namespace {
+
+void check_text(std::string_view text) {
+  const auto entries = daemon::parse_catalogue(daemon::parse_csv(text, "loops.csv"), {}, {});
+  for (const storage::CatalogueEntry& entry : entries) daemon::check_entry(entry);
+  const std::string written = daemon::catalogue_csv(entries);
+  const auto again = daemon::parse_catalogue(daemon::parse_csv(written, "again"), {}, {});
+  require(again.size() == entries.size(), "every loop comes back");
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    for (const daemon::EntryField& field : daemon::entry_fields())
+      require(field.read(again[k]) == field.read(entries[k]), "every field comes back");
+}
+
+}  // namespace
+}  // namespace loopscope::tests::fuzz
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace loopscope;
+  try {
+    tests::fuzz::check_text({reinterpret_cast<const char*>(data), size});
+  } catch (const daemon::Failure& failure) {
+    tests::fuzz::require(failure.exit_code() == daemon::ExitCode::unusable_data,
+                         "a file that cannot be used has its own exit code");
+    tests::fuzz::require(!failure.hint().empty(), "a refusal says how to mend it");
+  }
+  return 0;
+}

@@ -1,0 +1,68 @@
+# shellcheck shell=bash
+# The runs of tests/sanitize/run. Source this file from the top of the checkout, after
+# deploy/lib/build.sh.
+#
+#   sanitize_asan, sanitize_asan_short, sanitize_tsan   build and run; 1 when a test failed
+#   sanitize_table                                      what was run, with figures
+
+# A report ends the test, so that none is overlooked.
+export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:detect_stack_use_after_return=1
+export UBSAN_OPTIONS=print_stacktrace=1
+export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1:suppressions=$PWD/tests/sanitize/tsan.supp
+
+_SANITIZE_ROWS=()
+
+# NAME PRESET TARGETS -- CTEST OPTION...: the targets are built, then ctest runs what is selected.
+_sanitize() {
+  local name=$1 preset=$2 targets=() log code=0 built
+  shift 2
+  while [ "$1" != -- ]; do
+    targets+=("$1")
+    shift
+  done
+  shift
+  log=build/$preset/sanitize-$name.log
+  built=$SECONDS
+  build "$preset" "${targets[@]}"
+  built=$((SECONDS - built))
+  step "running $name"
+  ctest --preset "$preset" --parallel "$(nproc)" --no-tests=error "$@" >"$log" 2>&1 || code=$?
+  [ "$code" -eq 0 ] || sed -n '/tests passed/,$p' "$log" >&2
+  _SANITIZE_ROWS+=("$name $(_sanitize_figures "$log") $built")
+  [ "$code" -eq 0 ] || printf 'error: %s found something\nHINT: see %s\n' "$name" "$log" >&2
+  return "$code"
+}
+
+# "tests failed skipped seconds" out of ctest's words.
+_sanitize_figures() {
+  awk '/tests failed out of/ { failed = $4; tests = $NF }
+       /\*\*\*Skipped/ { skipped++ }
+       /Total Test time/ { seconds = $6 }
+       END { printf "%d %d %d %d", tests, failed, skipped, seconds }' "$1"
+}
+
+sanitize_asan() {
+  _sanitize asan asan core_tests config_tests daemon_tests storage_tests effects_tests fuzz_targets -- \
+    --tests-regex '^(core|config|daemon|storage|effects|fuzz|postgres)\.'
+}
+
+# Without the server the tests that need one are skipped, and counted as such in the table.
+sanitize_asan_short() {
+  local long
+  long=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' tests/sanitize/long_tests | paste -sd '|')
+  _sanitize asan-short asan core_tests config_tests daemon_tests storage_tests fuzz_targets -- \
+    --tests-regex '^(core|config|daemon|storage|fuzz)\.' --fixture-exclude-any postgres \
+    ${long:+--exclude-regex "^($long)\$"}
+}
+
+sanitize_tsan() {
+  _sanitize tsan tsan daemon_tests storage_tests end_to_end_tests -- \
+    --tests-regex '^(daemon|storage|end_to_end|postgres)\.'
+}
+
+sanitize_table() {
+  {
+    printf 'run tests failed skipped test_s build_s\n'
+    printf '%s\n' "${_SANITIZE_ROWS[@]}"
+  } | column -t
+}

@@ -1,0 +1,304 @@
+// The lease protocol as a state machine: workers claim, extend, complete, fail, release, stall and
+// come back late in any order, on a real server; a model in memory says what has to be there after
+// every step.
+
+#include <gmock/gmock.h>
+#include <rapidcheck.h>
+
+#include "storage/results/results_database.hpp"
+#include "tests/storage/results/lease_model.hpp"
+#include "tests/storage/results/results_fixture.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+constexpr std::size_t kWorkers = 3;
+/// No lease ends and no pause passes by itself during a test.
+constexpr double kLease_s = 100'000.0;
+
+enum class Deed {
+  claim,
+  claim_next,
+  claim_suspect,
+  complete,
+  complete_without_row,
+  fail,
+  release,
+  extend,
+  repeat,  ///< the last finish once more, as after an answer that was lost
+  stall,   ///< a lease ends; the worker does not know
+  be_due,
+};
+
+struct Step {
+  Deed deed = Deed::claim;
+  std::size_t worker = 0;
+  std::size_t which = 0;  ///< among the loops, or among those that the worker believes to hold
+};
+
+std::ostream& operator<<(std::ostream& out, const Step& step) {
+  return out << "{" << static_cast<int>(step.deed) << ", " << step.worker << ", " << step.which
+             << "}";
+}
+
+rc::Gen<Step> any_step() {
+  using rc::gen::just;
+  const auto deed = rc::gen::weightedElement<Deed>({{6, Deed::claim},
+                                                    {3, Deed::claim_next},
+                                                    {3, Deed::claim_suspect},
+                                                    {6, Deed::complete},
+                                                    {1, Deed::complete_without_row},
+                                                    {3, Deed::fail},
+                                                    {2, Deed::release},
+                                                    {2, Deed::extend},
+                                                    {3, Deed::repeat},
+                                                    {8, Deed::stall},
+                                                    {4, Deed::be_due}});
+  return rc::gen::construct<Step>(deed, rc::gen::inRange<std::size_t>(0, kWorkers),
+                                  rc::gen::inRange<std::size_t>(0, 12));
+}
+
+/// A process: its connection, what it believes to hold, what it wrote last.
+struct Worker {
+  std::string name;
+  ResultsDatabase results;
+  std::vector<ClaimedLoop> believes;
+  std::vector<CompletedLoop> last_completed;
+  std::vector<FailedLoop> last_failed;
+};
+
+class LeaseProtocol : public ResultsTest {
+ protected:
+  void SetUp() override {
+    ResultsTest::SetUp();
+    if (IsSkipped()) return;
+    add_loops({"a", "b", "c", "d"});
+    for (std::size_t k = 0; k < kWorkers; ++k)
+      workers_.push_back({"worker" + std::to_string(k), connect(), {}, {}, {}});
+  }
+
+  /// Everything as it was before the first claim.
+  void begin() {
+    database->execute(
+        "TRUNCATE loopscope.analysis, loopscope.verdict, loopscope.bicoherence_peak,"
+        " loopscope.explanation_step;"
+        "UPDATE loopscope.schedule SET fence = 0, owner = NULL, visible_at = now() - interval '1 "
+        "s',"
+        " attempts = 0, lost_leases = 0, last_error = NULL, last_slot_end = NULL,"
+        " result_slot_end = NULL");
+    loops_.clear();
+    for (const auto& row : database->rows("SELECT loop_id FROM loopscope.schedule"))
+      loops_[std::stoll(row.at(0))] = {};
+    for (Worker& worker : workers_) {
+      worker.believes.clear();
+      worker.last_completed.clear();
+      worker.last_failed.clear();
+    }
+    number_ = 0;
+  }
+
+  void take(const Step& step) {
+    Worker& worker = workers_.at(step.worker);
+    switch (step.deed) {
+      case Deed::claim:
+        return claim(worker);
+      case Deed::claim_next:
+        return claim_next(worker, step.which);
+      case Deed::claim_suspect:
+        return claim_suspect(worker);
+      case Deed::complete:
+      case Deed::complete_without_row:
+        return complete(worker, step.which, step.deed == Deed::complete);
+      case Deed::fail:
+        return fail(worker, step.which);
+      case Deed::release:
+        return release(worker, step.which);
+      case Deed::extend:
+        return extend(worker);
+      case Deed::repeat:
+        return finish(worker);
+      case Deed::stall:
+      case Deed::be_due:
+        return end_wait(step.which, step.deed == Deed::stall);
+    }
+  }
+
+  /// The database shows what the model says, and what holds of every history.
+  void check() {
+    RC_ASSERT(
+        database->rows("SELECT loop_id, fence, owner, visible_at <= now(), attempts, lost_leases,"
+                       " (extract(epoch FROM last_slot_end) * 1000000)::bigint"
+                       " FROM loopscope.schedule ORDER BY 1") == schedule_rows(loops_));
+    RC_ASSERT(
+        database->rows("SELECT a.loop_id, (extract(epoch FROM slot_end) * 1000000)::bigint,"
+                       " input_digest, input_revision, (SELECT count(*) FROM loopscope.verdict AS v"
+                       "   WHERE v.loop_id = a.loop_id AND v.slot_end = a.slot_end),"
+                       " a.fence <= s.fence FROM loopscope.analysis AS a"
+                       " JOIN loopscope.schedule AS s USING (loop_id) ORDER BY 1, 2") ==
+        analysis_rows(loops_));
+    check_holders();
+  }
+
+ private:
+  /// At most one worker's claim carries the fence that writes.
+  void check_holders() {
+    for (const auto& [loop_id, loop] : loops_) {
+      int holders = 0;
+      for (const Worker& worker : workers_)
+        for (const ClaimedLoop& claim : worker.believes)
+          holders += claim.loop.loop_id == loop_id && claim.fence == loop.fence ? 1 : 0;
+      RC_ASSERT(holders <= 1);
+    }
+  }
+
+  void take_claims(Worker& worker, const std::vector<ClaimedLoop>& claimed,
+                   const std::vector<std::int64_t>& expected) {
+    std::vector<std::int64_t> ids;
+    for (const ClaimedLoop& claim : claimed) {
+      LeaseModel& loop = loops_.at(claim.loop.loop_id);
+      RC_ASSERT(!loop.is_held());
+      loop.claim(worker.name);
+      RC_ASSERT(claim.fence == loop.fence);
+      RC_ASSERT(claim.attempts == loop.attempts);
+      RC_ASSERT(claim.last_slot_end_us == loop.last_slot_us);
+      worker.believes.push_back(claim);
+      ids.push_back(claim.loop.loop_id);
+    }
+    RC_ASSERT(ids == expected);
+  }
+
+  void claim(Worker& worker) {
+    std::vector<std::int64_t> due;
+    for (const auto& [loop_id, loop] : loops_)
+      if (loop.visible && !loop.is_suspect()) due.push_back(loop_id);
+    take_claims(worker, worker.results.claim_due(worker.name, kLease_s, 100), due);
+  }
+
+  void claim_next(Worker& worker, std::size_t which) {
+    const std::int64_t after = id_of(which);
+    std::vector<std::int64_t> next;
+    for (const auto& [loop_id, loop] : loops_)
+      if (next.empty() && loop_id > after && (loop.owner.empty() || loop.visible))
+        next.push_back(loop_id);
+    take_claims(worker, worker.results.claim_next(worker.name, kLease_s, 1, after), next);
+  }
+
+  void claim_suspect(Worker& worker) {
+    const auto claimed = worker.results.claim_suspect(worker.name, kLease_s);
+    RC_ASSERT(claimed.size() <= 1U);
+    bool is_there = false;
+    for (auto& [loop_id, loop] : loops_) {
+      const bool was_alone = loop.visible && !loop.owner.empty() && loop.lost_leases >= 3;
+      if (was_alone) loop.rest();
+      is_there = is_there || (loop.visible && loop.is_suspect());
+    }
+    RC_ASSERT(claimed.empty() != is_there);
+    if (claimed.empty()) return;
+    const std::int64_t loop_id = claimed.front().loop.loop_id;
+    RC_ASSERT(loops_.at(loop_id).visible);
+    RC_ASSERT(loops_.at(loop_id).is_suspect());
+    take_claims(worker, claimed, {loop_id});
+  }
+
+  void complete(Worker& worker, std::size_t which, bool with_row) {
+    if (worker.believes.empty()) return;
+    const ClaimedLoop claim = drop(worker, which);
+    // The newest slot or the one before it, as late rows bring about; a digest of few.
+    const int hour = 1 + static_cast<int>(which % 3);
+    CompletedLoop done = completed(claim, slot(hour), "digest" + std::to_string(number_++ % 2));
+    done.next_due_us = kNever_us;
+    if (!with_row) done.record.reset();
+    worker.last_completed = {done};
+    worker.last_failed.clear();
+    finish(worker);
+  }
+
+  void fail(Worker& worker, std::size_t which) {
+    if (worker.believes.empty()) return;
+    const ClaimedLoop claim = drop(worker, which);
+    worker.last_completed.clear();
+    worker.last_failed = {{claim.loop.loop_id, claim.fence, "no rows", kLease_s}};
+    finish(worker);
+  }
+
+  void finish(Worker& worker) {
+    if (worker.last_completed.empty() && worker.last_failed.empty()) return;
+    const WriteCount count = worker.results.finish(worker.last_completed, worker.last_failed);
+    WriteCount expected;
+    for (const CompletedLoop& done : worker.last_completed)
+      loops_.at(done.loop_id).complete(done, expected);
+    for (const FailedLoop& failed : worker.last_failed)
+      loops_.at(failed.loop_id).fail(failed.fence, expected);
+    RC_ASSERT(count.inserted == expected.inserted);
+    RC_ASSERT(count.revised == expected.revised);
+    RC_ASSERT(count.unchanged == expected.unchanged);
+    RC_ASSERT(count.failed == expected.failed);
+    RC_ASSERT(count.fenced_off == expected.fenced_off);
+  }
+
+  void release(Worker& worker, std::size_t which) {
+    if (worker.believes.empty()) return;
+    const ClaimedLoop claim = drop(worker, which);
+    worker.results.release(std::vector{claim});
+    loops_.at(claim.loop.loop_id).release(claim.fence);
+  }
+
+  void extend(Worker& worker) {
+    std::vector<std::int64_t> lost;
+    for (const ClaimedLoop& claim : worker.believes) {
+      LeaseModel& loop = loops_.at(claim.loop.loop_id);
+      if (loop.fence != claim.fence) {
+        lost.push_back(claim.loop.loop_id);
+      } else if (!loop.owner.empty()) {
+        loop.visible = false;
+      }
+    }
+    const auto said = worker.results.extend(worker.believes, kLease_s);
+    RC_ASSERT(std::multiset(said.begin(), said.end()) == std::multiset(lost.begin(), lost.end()));
+  }
+
+  /// The time of a lease, or until a loop is due, passes.
+  void end_wait(std::size_t which, bool is_lease) {
+    const std::int64_t loop_id = id_of(which);
+    LeaseModel& loop = loops_.at(loop_id);
+    if (loop.owner.empty() == is_lease) return;
+    database->execute(
+        "UPDATE loopscope.schedule SET visible_at = now() - interval '1 second'"
+        " WHERE loop_id = " +
+        std::to_string(loop_id));
+    loop.visible = true;
+  }
+
+  [[nodiscard]] std::int64_t id_of(std::size_t which) const {
+    return std::next(loops_.begin(), static_cast<std::ptrdiff_t>(which % loops_.size()))->first;
+  }
+
+  /// What the worker lets go of with the operation that follows.
+  static ClaimedLoop drop(Worker& worker, std::size_t which) {
+    const auto place =
+        worker.believes.begin() + static_cast<std::ptrdiff_t>(which % worker.believes.size());
+    const ClaimedLoop claim = *place;
+    worker.believes.erase(place);
+    return claim;
+  }
+
+  static constexpr std::int64_t kNever_us = 4'102'444'800'000'000;  // 2100-01-01
+  std::vector<Worker> workers_;
+  LeaseModels loops_;
+  int number_ = 0;
+};
+
+TEST_F(LeaseProtocol, EveryHistoryIsTheModels) {
+  const bool holds = rc::check("any order of deeds", [this] {
+    const auto steps = *rc::gen::container<std::vector<Step>>(any_step());
+    begin();
+    for (const Step& step : steps) {
+      take(step);
+      check();
+    }
+  });
+  EXPECT_TRUE(holds);
+}
+
+}  // namespace
+}  // namespace loopscope::storage
