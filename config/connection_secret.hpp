@@ -9,4 +9,8 @@ namespace loopscope::config {
 /// is libpq's to say when it connects.
 [[nodiscard]] bool holds_secret(std::string_view connection);
 
+/// Whether a URI has a text where a port should be, as in "postgresql://user:secret/db", where the
+/// host was forgotten: libpq would take the password for the port, and show it.
+[[nodiscard]] bool has_text_for_port(std::string_view connection);
+
 }  // namespace loopscope::config

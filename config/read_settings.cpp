@@ -1,14 +1,12 @@
 #include "config/read_settings.hpp"
 
-#include <cerrno>
 #include <cstddef>
-#include <fstream>
-#include <system_error>
 #include <utility>
 
 #include "config/cross_rules.hpp"
 #include "config/document.hpp"
 #include "config/problem_list.hpp"
+#include "config/read_bounded.hpp"
 #include "config/read_tree.hpp"
 
 namespace loopscope::config {
@@ -18,6 +16,7 @@ namespace {
 /// Some thousand historians fit in; a device or a recording given by mistake is not read to its
 /// end.
 constexpr std::size_t kLargestFile = std::size_t{256} * 1024;
+constexpr int kPatience_s = 10;
 
 std::string lines(const std::string& file, const std::vector<Problem>& problems) {
   std::string text;
@@ -36,15 +35,11 @@ std::string lines(const std::string& file, const std::vector<Problem>& problems)
 }
 
 std::string content(const std::filesystem::path& file) {
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(kLargestFile + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!stream.is_open() || stream.bad())
-    refuse_file(file.string(), "cannot be read: " + std::generic_category().message(errno),
-                "does the file exist, and may this user read it?");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return text;
+  try {
+    return read_bounded(file, kLargestFile, kPatience_s);
+  } catch (const UnreadableFile& error) {
+    refuse_file(file.string(), error.what(), error.hint());
+  }
 }
 
 }  // namespace

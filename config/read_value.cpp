@@ -81,6 +81,9 @@ std::optional<Problem> refuse_text(const std::string& text, const std::string& p
   if (is_connection(limits.form) && holds_secret(text))
     return Problem{path, "holds a password",
                    "move it to ~/.pgpass, or to pg_service.conf and write \"service=NAME\""};
+  if (is_connection(limits.form) && has_text_for_port(text))
+    return Problem{path, "has a text where a port should be",
+                   "postgresql://USER@HOST:PORT/DATABASE, and a password belongs to ~/.pgpass"};
   return std::nullopt;
 }
 

@@ -152,7 +152,13 @@ bool can_be_empty(const EntryField& field) {
 }
 
 void check_entry(const CatalogueEntry& entry) {
+  // An entry of the index on names has no room for more than some 2700 bytes.
+  constexpr std::size_t kLongestName = 1000;
   if (entry.name.empty()) throw std::invalid_argument("the name is empty");
+  if (entry.name.size() > kLongestName) {
+    throw std::invalid_argument(
+        fmt::format("the name has {} bytes, {} are the most", entry.name.size(), kLongestName));
+  }
   if (entry.pv_tag.empty()) throw std::invalid_argument("the pv tag is empty");
   static_cast<void>(limited_number_in(fmt::format("{}", entry.period_s), kPeriod));
   if (entry.interval_s) {

@@ -1,15 +1,21 @@
 #include "daemon/recording/csv_table.hpp"
 
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
 
+#include "config/read_bounded.hpp"
 #include "daemon/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// A recording of ten million samples fits in.
+constexpr std::size_t kLargestFile = std::size_t{512} * 1024 * 1024;
+/// A cell takes 32 bytes of memory and may have no more than a comma in the file.
+constexpr std::size_t kMostCells = 60'000'000;
+/// Whoever writes into a pipe may have to ask a database first.
+constexpr int kPatience_s = 600;
 
 /// Splits text into records; keeps the line in which each starts.
 class Splitter {
@@ -31,11 +37,20 @@ class Splitter {
   void read_record(std::vector<std::string>& cells) {
     bool more = true;
     while (more) {
+      count_cell();
       cells.push_back(at_ < text_.size() && text_[at_] == '"' ? quoted_cell() : plain_cell());
       more = at_ < text_.size() && text_[at_] == ',';
       if (more) ++at_;
     }
     end_line();
+  }
+
+  /// Here, because a single line may hold all of them.
+  void count_cell() {
+    if (++cells_ <= kMostCells) return;
+    throw Failure(ExitCode::unusable_data,
+                  fmt::format("{}, line {}: more than {} cells", name_, line_, kMostCells),
+                  "split the file, or leave out the columns that are not needed");
   }
 
   std::string plain_cell() {
@@ -72,6 +87,7 @@ class Splitter {
   const std::string& name_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
+  std::size_t cells_ = 0;
 };
 
 void require_width(const CsvTable& table, const CsvTable::Row& row) {
@@ -102,19 +118,12 @@ CsvTable parse_csv(std::string_view text, const std::string& name) {
 }
 
 CsvTable read_csv(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || std::filesystem::is_directory(file) || !(text << stream.rdbuf())) {
-    // An empty file makes operator<< fail as well: tell the two apart.
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(file, ignored) &&
-        std::filesystem::file_size(file, ignored) == 0) {
-      return parse_csv("", file.string());
-    }
-    throw Failure(ExitCode::unusable_data, file.string() + ": the file cannot be read",
-                  "check the path and the permissions");
+  try {
+    return parse_csv(config::read_bounded(file, kLargestFile, kPatience_s), file.string());
+  } catch (const config::UnreadableFile& error) {
+    throw Failure(ExitCode::unusable_data, file.string() + ": the file " + error.what(),
+                  error.hint());
   }
-  return parse_csv(text.str(), file.string());
 }
 
 std::string csv_cell(std::string_view text) {

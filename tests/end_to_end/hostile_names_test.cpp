@@ -158,5 +158,25 @@ TEST_F(HostilePlant, ATagThatStopsIsNamedOnceInTheLogAndTheViews) {
   expect_harmless(plant_.loopscope("loops", {"disable", "no\nsuch\x1b[2J loop"}));
 }
 
+TEST(ImpossibleNames, AreRefusedInWordsAndNothingIsStored) {
+  const Plant plant;
+  for (const HostileName& bad : impossible_names()) {
+    const std::string file = plant.folder() / "loops.csv";
+    std::ofstream(file) << "name,pv_tag\n\"" << bad.name << "\",x\n";
+    const ProgramResult loaded = plant.loopscope("loops", {"load", file});
+    EXPECT_THAT(loaded.exit_code, testing::AnyOf(4, 5)) << bad.about;
+    EXPECT_THAT(loaded.err, HasSubstr("UTF-8")) << bad.about;
+    EXPECT_TRUE(is_harmless_on_a_terminal(loaded.err)) << loaded.err;
+  }
+  const ProgramResult longest =
+      plant.loopscope("loops", {"add", std::string(1000, 'n'), "--pv-tag=x"});
+  EXPECT_EQ(longest.exit_code, 0) << longest.err;
+  const ProgramResult longer =
+      plant.loopscope("loops", {"add", std::string(1001, 'n'), "--pv-tag=x"});
+  EXPECT_EQ(longer.exit_code, 2);
+  EXPECT_THAT(longer.err, HasSubstr("1000 are the most"));
+  EXPECT_EQ(plant.sql("select count(*) from loopscope.loop"), "1");
+}
+
 }  // namespace
 }  // namespace loopscope::tests

@@ -4,8 +4,10 @@
 #include <libpq-fe.h>
 #include <map>
 #include <memory>
+#include <unistd.h>
 
 #include "storage/error.hpp"
+#include "tests/support/hostile_names.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -63,6 +65,29 @@ TEST(ConnectionSettings, LeavesWhatTheUserSays) {
   EXPECT_EQ(options.at("client_encoding"), "UTF8") << "all text in the program is UTF-8";
   EXPECT_THAT(options.at("options"), EndsWith(" -c statement_timeout=5s"));
   EXPECT_THAT(options.at("options"), HasSubstr("jit=off"));
+}
+
+TEST(ConnectionSettings, NoNameHidesTheProcessOrGetsIntoTheOptions) {
+  const std::string pid = "/" + std::to_string(getpid());
+  for (const tests::HostileName& hostile : tests::hostile_names()) {
+    ConnectionSettings named = settings("host=db1");
+    named.purpose = "historian " + hostile.name;
+    const auto options = options_of(named);
+    const std::string& name = options.at("application_name");
+    EXPECT_LE(name.size(), 63U) << name;
+    EXPECT_THAT(name, EndsWith(pid));
+    for (const char c : name) EXPECT_TRUE(c >= ' ' && c <= '~') << hostile.about;
+    EXPECT_EQ(options.at("host"), "db1");
+    EXPECT_EQ(options.at("options"), options_of(settings("host=db1")).at("options"));
+  }
+}
+
+TEST(ConnectionSettings, SessionsLookIntoPgCatalogAlone) {
+  EXPECT_THAT(options_of(settings("host=db1")).at("options"),
+              HasSubstr("-c search_path=pg_catalog,pg_temp"));
+  ConnectionSettings own = settings("host=db1");
+  own.keep_search_path = true;
+  EXPECT_THAT(options_of(own).at("options"), Not(HasSubstr("search_path")));
 }
 
 TEST(ConnectionSettings, TakesUrisAndOddCharacters) {

@@ -33,17 +33,22 @@ class HostileIdentifiers : public HistorianTest {
 TEST_F(HostileIdentifiers, SchemasTablesAndColumnsOfTheseNamesAreReadAndNoOthers) {
   const std::vector<HostileName> names = tests::hostile_identifiers();
   const auto name = [&](std::size_t k) { return names[k % names.size()].name; };
+  std::string schemas;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const bool ends_at_dot = name(k).find('.') != std::string::npos;
+    if (!ends_at_dot) schemas += "CREATE SCHEMA " + tests::sql_identifier(name(k)) + ";";
+  }
+  database->execute("CREATE SCHEMA dotted;" + schemas);
   // Every name comes to every place.
   for (std::size_t k = 0; k < names.size(); ++k) {
     SCOPED_TRACE(std::string(names[k].about) + ": " + names[k].name);
     const bool ends_at_dot = name(k).find('.') != std::string::npos;
-    const std::string schema = ends_at_dot ? "schema " + std::to_string(k) : name(k);
+    const std::string schema = ends_at_dot ? "dotted" : name(k);
     layout.relation = schema + "." + name(k + 1);
     layout.key.front().column = name(k + 2);
     layout.time_column = name(k + 3);
     layout.value_columns = {name(k + 4)};
     layout.quality_column = name(k + 5);
-    if (schema != "public") database->execute("CREATE SCHEMA " + tests::sql_identifier(schema));
     ASSERT_TRUE(create_historian_table(settings(), layout));
     import_rows(settings(), layout, std::vector{rows_of(name(k), {1, 2})}, false);
     HistorianReader historian = reader();
@@ -83,24 +88,32 @@ TEST_F(HostileIdentifiers, ColumnsOfATableThatHoldsEveryTag) {
   EXPECT_EQ(list_tags(settings(), layout), names);
 }
 
+/// A table of data whose only tag 7 has a name, and whose codes have some, in a table of that name
+/// with a column of that name.
+std::string side_tables_sql(const std::string& schema, const std::string& name) {
+  const std::string quoted = tests::sql_identifier(name), names = schema + "." + quoted;
+  return "CREATE SCHEMA " + schema + "; CREATE TABLE " + names + " (" + quoted +
+         " text, i int); CREATE TABLE " + schema +
+         ".d (tag int, time timestamptz, value real, quality int); INSERT INTO " + names +
+         " VALUES (" + tests::sql_text(name) + ", 7); INSERT INTO " + schema +
+         ".d VALUES (7, '2026-01-01 00:00:01+00', 1.5, 7), (7, '2026-01-01 00:00:02+00', 2.5, 8);";
+}
+
 TEST_F(HostileIdentifiers, TablesOfNamesAndOfCodes) {
-  int number = 0;
-  for (const HostileName& hostile : tests::hostile_identifiers()) {
-    SCOPED_TRACE(hostile.name);
-    const std::string n = std::to_string(++number), q = tests::sql_identifier(hostile.name);
-    database->execute("CREATE SCHEMA s" + n + "; CREATE TABLE s" + n + "." + q + " (" + q +
-                      " text, i int); CREATE TABLE s" + n +
-                      ".d (tag int, time timestamptz, value real, quality int)");
-    database->execute("INSERT INTO s" + n + "." + q + " VALUES (" + tests::sql_text(hostile.name) +
-                      ", 7); INSERT INTO s" + n +
-                      ".d VALUES (7, '2026-01-01 00:00:01+00', 1.5, 7),"
-                      " (7, '2026-01-01 00:00:02+00', 2.5, 8)");
-    const SideTable side{"s" + n + "." + hostile.name, hostile.name, "i"};
-    layout.relation = "s" + n + ".d";
+  const std::vector<HostileName> names = tests::hostile_identifiers();
+  std::string sql;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    sql += side_tables_sql("s" + std::to_string(k), names[k].name);
+  database->execute(sql);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    SCOPED_TRACE(names[k].name);
+    const std::string schema = "s" + std::to_string(k);
+    const SideTable side{schema + "." + names[k].name, names[k].name, "i"};
+    layout.relation = schema + ".d";
     layout.key.front().names = side;
-    layout.quality = {QualityRule::codes, false, {hostile.name}, {}, {}, side};
+    layout.quality = {QualityRule::codes, false, {names[k].name}, {}, {}, side};
     HistorianReader historian = reader();
-    const auto rows = read_one(historian, request(hostile.name, 0, 9));
+    const auto rows = read_one(historian, request(names[k].name, 0, 9));
     ASSERT_EQ(rows.value.size(), 2U);
     EXPECT_EQ(rows.value[0], 1.5);
     EXPECT_NE(rows.value[1], 2.5) << "its code has another name";

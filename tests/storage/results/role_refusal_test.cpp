@@ -1,100 +1,14 @@
 #include <gmock/gmock.h>
 
 #include "storage/historian/pq_connection.hpp"
-#include "storage/results/migrate.hpp"
-#include "tests/storage/results/documented_rights.hpp"
-#include "tests/storage/results/results_fixture.hpp"
-#include "tests/support/login_session.hpp"
+#include "tests/storage/results/role_fixture.hpp"
 
 namespace loopscope::storage {
 namespace {
 
-using testing::AnyOf;
-using testing::IsEmpty;
 using tests::LoginSession;
 
-constexpr const char* kRefused = "42501";
-constexpr const char* kNotUpdatable = "55000";  // what a view says before rights are looked at
-
-/// Every role tries everything: what storage/README.md does not list has to be refused, and what it
-/// lists has to be allowed. The objects come from the catalogue, so that a new one is tried too.
-class RoleRefusalTest : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
-    database = std::make_unique<tests::TestDatabase>();
-    database->make_roles();
-    owner = database->make_login("loopscope_owner");
-    worker = database->make_login("loopscope_worker");
-    reader = database->make_login("loopscope_reader");
-    historian = database->make_login("loopscope_historian");
-    stranger = database->make_login("");
-    migrate(settings_for(*database, owner));
-    Catalogue(settings_for(*database, owner)).save(std::vector{loop_named("a")});
-    database->execute(
-        "CREATE SCHEMA site; CREATE TABLE site.history (tag text, time timestamptz, value real,"
-        " quality int); CREATE TABLE site.payroll (name text, pay int);"
-        "CREATE TABLE public.other (x int); CREATE SEQUENCE site.numbers;"
-        "CREATE FUNCTION site.secret() RETURNS int LANGUAGE sql AS 'SELECT 1';"
-        "REVOKE ALL ON FUNCTION site.secret() FROM PUBLIC;"
-        "GRANT USAGE ON SCHEMA site TO loopscope_historian;"
-        "GRANT SELECT ON site.history TO loopscope_historian");
-  }
-
-  [[nodiscard]] LoginSession log_in(const std::string& user) const {
-    return LoginSession(database->conninfo(user));
-  }
-
-  void expect_state(const LoginSession& session, const std::string& command, bool allowed) const {
-    const std::string state = session.state_of(command);
-    if (allowed) {
-      EXPECT_NE(state, kRefused) << command;
-    } else {
-      EXPECT_THAT(state, AnyOf(kRefused, kNotUpdatable)) << command;
-    }
-  }
-
-  /// Tables, views and partitions of a schema: name, whether a view, whether a partition.
-  [[nodiscard]] std::vector<std::vector<std::string>> relations(const std::string& schema) const {
-    return database->rows(
-        "SELECT relname, relkind = 'v', relispartition FROM pg_class WHERE relkind IN"
-        " ('r', 'p', 'v', 'm', 'f') AND relnamespace = '" +
-        schema + "'::regnamespace ORDER BY relname");
-  }
-
-  [[nodiscard]] std::vector<std::string> columns(const std::string& relation) const {
-    std::vector<std::string> names;
-    for (const auto& row :
-         database->rows("SELECT attname FROM pg_attribute WHERE attrelid = '" + relation +
-                        "'::regclass AND attnum > 0 AND NOT attisdropped"))
-      names.push_back(row[0]);
-    return names;
-  }
-
-  std::unique_ptr<tests::TestDatabase> database;
-  std::string owner, worker, reader, historian, stranger;
-};
-
-/// Commands that change what a table is; nobody but its owner may.
-std::vector<std::string> ddl_on(const std::string& relation, bool view) {
-  const std::string kind = view ? "VIEW " : "TABLE ";
-  std::vector<std::string> commands{
-      "DROP " + kind + relation, "ALTER " + kind + relation + " RENAME TO stolen",
-      "ALTER " + kind + relation + " OWNER TO CURRENT_USER",
-      "COMMENT ON " + kind + relation + " IS 'x'",
-      "CREATE RULE r AS ON INSERT TO " + relation + " DO INSTEAD NOTHING"};
-  if (view) return commands;
-  for (const char* command :
-       {"TRUNCATE %", "ALTER TABLE % ADD COLUMN planted int", "ALTER TABLE % DISABLE TRIGGER ALL",
-        "ALTER TABLE % ENABLE ROW LEVEL SECURITY", "CREATE POLICY p ON % USING (true)",
-        "CREATE INDEX ON % ((1))", "REINDEX TABLE %", "LOCK TABLE % IN ACCESS EXCLUSIVE MODE",
-        "CREATE TRIGGER t BEFORE INSERT ON % EXECUTE FUNCTION"
-        " suppress_redundant_updates_trigger()"}) {
-    std::string text = command;
-    commands.push_back(text.replace(text.find('%'), 1, relation));
-  }
-  return commands;
-}
+class RoleRefusalTest : public RoleTest {};
 
 /// What is outside of every role's task, whatever the schema.
 std::vector<std::string> never_allowed() {
@@ -172,73 +86,6 @@ std::vector<std::string> never_allowed_bare() {
           "CREATE SUBSCRIPTION planted CONNECTION 'dbname=x' PUBLICATION y", "CHECKPOINT"};
 }
 
-TEST_F(RoleRefusalTest, EveryTableOfTheSchemaIsReadAndWrittenAsDocumentedAndNoOtherWay) {
-  for (const auto& [role, user] : {std::pair{"worker", worker},
-                                   {"reader", reader},
-                                   {"historian", historian},
-                                   {"stranger", stranger}}) {
-    SCOPED_TRACE(role);
-    const DocumentedRights rights(role);
-    const LoginSession session = log_in(user);
-    for (const auto& relation : relations("loopscope")) {
-      const std::string name = "loopscope." + relation[0];
-      const bool view = relation[1] == "t", partition = relation[2] == "t";
-      // Partitions are reached through their tables; those that are older than the last migrate
-      // can be read by themselves.
-      if (!partition)
-        expect_state(session, "TABLE " + name, rights.on_table("SELECT", relation[0]));
-      expect_state(session, "INSERT INTO " + name + " DEFAULT VALUES",
-                   rights.on_table("INSERT", relation[0]));
-      expect_state(session, "DELETE FROM " + name, false);
-      for (const std::string& command : ddl_on(name, view)) expect_state(session, command, false);
-    }
-  }
-}
-
-TEST_F(RoleRefusalTest, EveryColumnIsUpdatedAsDocumentedAndNoOther) {
-  for (const auto& [role, user] : {std::pair{"worker", worker}, {"reader", reader}}) {
-    const DocumentedRights rights(role);
-    const LoginSession session = log_in(user);
-    for (const auto& relation : relations("loopscope")) {
-      for (const std::string& column : columns("loopscope." + relation[0]))
-        expect_state(session,
-                     "UPDATE loopscope." + relation[0] + " SET " + column +
-                         " = DEFAULT"
-                         " WHERE false",
-                     rights.update_of(relation[0], column));
-    }
-  }
-}
-
-TEST_F(RoleRefusalTest, SequencesAndFunctionsAreUsedAsDocumented) {
-  for (const auto& [role, user] : {std::pair{"worker", worker},
-                                   {"reader", reader},
-                                   {"historian", historian},
-                                   {"stranger", stranger}}) {
-    SCOPED_TRACE(role);
-    const DocumentedRights rights(role);
-    const LoginSession session = log_in(user);
-    for (const auto& row :
-         database->rows("SELECT relname FROM pg_class WHERE relkind = 'S' AND relnamespace ="
-                        " 'loopscope'::regnamespace")) {
-      const std::string literal = "'loopscope." + row[0] + "'";
-      expect_state(session, "SELECT nextval(" + literal + ")", rights.on_sequence(row[0]));
-      expect_state(session, "SELECT setval(" + literal + ", 1)", false);
-      expect_state(session, "ALTER SEQUENCE loopscope." + row[0] + " RESTART", false);
-    }
-    for (const auto& row : database->rows(
-             "SELECT oid::regprocedure, proname || '(' || (SELECT coalesce(string_agg('NULL::' ||"
-             " format_type(t, NULL), ', '), '') FROM unnest(proargtypes) AS t) || ')',"
-             " prorettype = 'trigger'::regtype, proname || '()' FROM pg_proc"
-             " WHERE pronamespace = 'loopscope'::regnamespace")) {
-      const bool trigger = row[2] == "t";
-      if (!trigger) expect_state(session, "SELECT loopscope." + row[1], rights.on_function(row[3]));
-      expect_state(session, "DROP FUNCTION " + row[0], false);
-      expect_state(session, "ALTER FUNCTION " + row[0] + " SECURITY DEFINER", false);
-    }
-  }
-}
-
 TEST_F(RoleRefusalTest, NobodyLeavesHisTask) {
   const std::string launcher = database->value(
       "SELECT pid FROM pg_stat_activity WHERE backend_type = 'autovacuum launcher'");
@@ -293,37 +140,6 @@ TEST_F(RoleRefusalTest, NobodyBecomesSomebodyElse) {
   }
 }
 
-TEST_F(RoleRefusalTest, NothingCanBePassedOn) {
-  EXPECT_EQ(database->value(
-                "SELECT count(*) FROM (SELECT relacl AS acl FROM pg_class UNION ALL SELECT attacl"
-                " FROM pg_attribute UNION ALL SELECT proacl FROM pg_proc UNION ALL SELECT nspacl"
-                " FROM pg_namespace) AS a CROSS JOIN aclexplode(acl) AS granted WHERE is_grantable"
-                " AND grantee::regrole::text LIKE 'loopscope%' AND grantee <> grantor"),
-            "0");
-}
-
-TEST_F(RoleRefusalTest, PublicHasNothingInTheSchema) {
-  EXPECT_EQ(database->value(
-                "SELECT count(*) FROM ("
-                " SELECT relacl AS acl, relnamespace AS n FROM pg_class UNION ALL"
-                " SELECT attacl, relnamespace FROM pg_attribute JOIN pg_class ON"
-                "  pg_class.oid = attrelid UNION ALL"
-                // NULL stands for the usual: EXECUTE for everybody.
-                " SELECT coalesce(proacl, acldefault('f', proowner)), pronamespace FROM pg_proc"
-                " UNION ALL SELECT nspacl, oid FROM pg_namespace) AS a"
-                " CROSS JOIN aclexplode(acl) AS granted"
-                " WHERE grantee = 0 AND n = 'loopscope'::regnamespace"),
-            "0");
-}
-
-TEST_F(RoleRefusalTest, FunctionsOfTheSchemaLookIntoPgCatalogAndRunWithTheCallersRights) {
-  EXPECT_THAT(
-      database->rows("SELECT oid::regprocedure FROM pg_proc WHERE pronamespace ="
-                     " 'loopscope'::regnamespace AND (prosecdef OR prosqlbody IS NULL AND NOT"
-                     " coalesce(proconfig, '{}')::text LIKE '%search_path=pg_catalog%')"),
-      IsEmpty());
-}
-
 TEST_F(RoleRefusalTest, HistorianReaderReadsWhatIsGrantedAndNothingElse) {
   const LoginSession session = log_in(historian);
   EXPECT_EQ(session.state_of("TABLE site.history"), "");
@@ -354,41 +170,6 @@ TEST_F(RoleRefusalTest, SessionsOnAHistorianWriteNothingWhateverTheLoginMay) {
       EXPECT_EQ(error.sqlstate(), "25006") << command;
     }
   }
-}
-
-TEST_F(RoleRefusalTest, MigrateTakesBackWhatIsNotDocumented) {
-  database->execute(
-      "GRANT ALL ON ALL TABLES IN SCHEMA loopscope TO loopscope_worker, loopscope_reader, PUBLIC;"
-      "GRANT ALL ON ALL FUNCTIONS IN SCHEMA loopscope TO loopscope_historian, PUBLIC;"
-      "GRANT ALL ON SCHEMA loopscope TO loopscope_historian, PUBLIC;"
-      "GRANT UPDATE (slot_end) ON loopscope.verdict TO loopscope_reader;"
-      "GRANT INSERT ON loopscope.annotation TO " +
-      stranger);
-  migrate(settings_for(*database, owner));
-  EXPECT_EQ(log_in(worker).state_of("DELETE FROM loopscope.verdict"), kRefused);
-  EXPECT_EQ(log_in(worker).state_of("UPDATE loopscope.analysis SET loop_id = 1"), kRefused);
-  EXPECT_EQ(log_in(reader).state_of("INSERT INTO loopscope.annotation DEFAULT VALUES"), kRefused);
-  EXPECT_EQ(log_in(reader).state_of("UPDATE loopscope.verdict SET slot_end = now()"), kRefused);
-  EXPECT_EQ(log_in(historian).state_of("SELECT loopscope.partitioned_tables()"), kRefused);
-  EXPECT_EQ(database->value("SELECT has_table_privilege('" + stranger +
-                            "', 'loopscope.annotation', 'INSERT')"),
-            "t")
-      << "persons keep theirs";
-}
-
-TEST_F(RoleRefusalTest, TheOwnerNeedsTheDatabaseOnlyForTheFirstMigrate) {
-  database->execute("REVOKE CREATE ON DATABASE " + database->name() + " FROM loopscope_owner");
-  EXPECT_TRUE(migrate(settings_for(*database, owner)).empty());
-  EXPECT_NO_THROW(static_cast<void>(maintain(settings_for(*database, owner), 12)));
-  EXPECT_EQ(log_in(owner).state_of("CREATE SCHEMA planted"), kRefused);
-}
-
-TEST_F(RoleRefusalTest, ASharedDatabaseKeepsWhatItsOtherUsersNeed) {
-  tests::TestDatabase shared;
-  shared.execute("CREATE TABLE public.of_somebody (x int)");
-  shared.make_roles();
-  const std::string somebody = shared.make_login("");
-  EXPECT_EQ(LoginSession(shared.conninfo(somebody)).state_of("CREATE TEMP TABLE t (x int)"), "");
 }
 
 }  // namespace
