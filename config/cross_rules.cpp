@@ -5,6 +5,7 @@
 #include <string>
 
 #include "config/check_historian.hpp"
+#include "config/http_address.hpp"
 #include "config/number_text.hpp"
 
 namespace loopscope::config {
@@ -52,6 +53,13 @@ void check_schedule(const ScheduleSettings& schedule, ProblemList& problems) {
         {"/schedule/default_period_s", "/schedule/poll_s"},
         seconds(schedule.default_period_s) + " is less than poll_s, " + seconds(schedule.poll_s),
         "no loop is analysed more often than the daemon looks");
+}
+
+void check_http_address(const std::string& address, ProblemList& problems) {
+  if (address.empty() || parse_http_address(address)) return;
+  problems.add_unless_refused(
+      {"/daemon/http_address"}, "is no address with a port",
+      R"(write "127.0.0.1:9470" or "[::1]:9470", an address and no name; "" = no HTTP)");
 }
 
 void check_window(const core::signal::PrepareSettings& prepare, ProblemList& problems) {
@@ -120,6 +128,7 @@ void check_performance(const core::loop::PerformanceSettings& performance, Probl
 void check_cross_rules(const Settings& settings, ProblemList& problems) {
   check_historians(settings, problems);
   check_schedule(settings.schedule, problems);
+  check_http_address(settings.daemon.http_address, problems);
   check_window(settings.analysis.prepare, problems);
   check_segments(settings.analysis, problems);
   check_overlap(settings.analysis.hos, problems);

@@ -50,7 +50,7 @@ std::string content(const std::filesystem::path& file) {
 }  // namespace
 
 SettingsError::SettingsError(const std::string& file, std::vector<Problem> problems)
-    : std::runtime_error(lines(file, problems)), problems_(std::move(problems)) {}
+    : std::runtime_error(lines(file, problems)), file_(file), problems_(std::move(problems)) {}
 
 Settings read_settings(const std::filesystem::path& file) {
   return parse_settings(content(file), file.string());

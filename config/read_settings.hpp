@@ -18,9 +18,11 @@ namespace loopscope::config {
 class SettingsError : public std::runtime_error {
  public:
   SettingsError(const std::string& file, std::vector<Problem> problems);
+  [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
 
  private:
+  std::string file_;
   std::vector<Problem> problems_;
 };
 

@@ -109,6 +109,12 @@ constexpr std::array kTable = {
             "least severe messages that are logged"},
     Setting{"/daemon/log_format", in_daemon<&DaemonSettings::log_format>, one_of(kLogFormats),
             "lines for people or for machines"},
+    Setting{"/daemon/http_address", in_daemon<&DaemonSettings::http_address>,
+            any(Form::optional_text),
+            "of `/livez`, `/readyz` and `/metrics`: `127.0.0.1:PORT` or `[::1]:PORT`; addresses, "
+            "no names; port 0 = any free one; empty = none"},
+    Setting{"/daemon/max_lag_s", in_daemon<&DaemonSettings::max_lag_s>, range(1, 2592000, "s"),
+            "that the most overdue loop may be late before `/readyz` says no"},
 
     Setting{"/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
             range(0.0001, 0.5), "share of the flags that may be false"},

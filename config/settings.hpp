@@ -94,6 +94,9 @@ struct DaemonSettings {
   int batches_in_flight = 0;        ///< 0 = twice the workers; 0 to 1024
   std::string log_level = "info";   ///< debug, info, warning, error
   std::string log_format = "text";  ///< text or json
+  std::string http_address = "127.0.0.1:9470";  ///< see http_address.hpp; empty = no HTTP
+  /// Seconds that the most overdue loop may be late before /readyz says no, 1 to 2592000.
+  double max_lag_s = 3600.0;
 };
 
 /// Which loops are shown as flagged.

@@ -9,6 +9,7 @@
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/output/printable.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::daemon {
@@ -16,20 +17,25 @@ namespace {
 
 int report(ExitCode code, const std::string& what, const std::string& hint) {
   std::cout.flush();
-  std::cerr << "error: " << what << '\n';
-  if (!hint.empty()) std::cerr << "HINT: " << hint << '\n';
+  std::cerr << "error: " << printable(what) << '\n';
+  if (!hint.empty()) std::cerr << "HINT: " << printable(hint) << '\n';
   return static_cast<int>(code);
 }
 
+/// All problems, a line each, then all hints.
 int report_settings(const config::SettingsError& error) {
+  std::cout.flush();
   std::string hints;
   for (const config::Problem& problem : error.problems()) {
-    if (problem.hint.empty()) continue;
-    hints += hints.empty() ? "" : "\nHINT: ";
-    hints += problem.path.empty() ? problem.hint : problem.path + ": " + problem.hint;
+    const std::string place = problem.path.empty() ? "" : printable(problem.path) + ": ";
+    const char* start = &problem == &error.problems().front() ? "error: " : "";
+    std::cerr << start << printable(error.file()) << ": " << place << printable(problem.message)
+              << '\n';
+    if (!problem.hint.empty()) hints += "HINT: " + place + printable(problem.hint) + '\n';
   }
-  if (hints.empty()) hints = "loopscope check-config --describe lists every setting";
-  return report(ExitCode::configuration, error.what(), hints);
+  if (hints.empty()) hints = "HINT: loopscope check-config --describe lists every setting\n";
+  std::cerr << hints;
+  return static_cast<int>(ExitCode::configuration);
 }
 
 /// CLI11 also ends --help and --version by an exception: those print and leave with 0.

@@ -9,6 +9,10 @@
 --   loopscope_historian  reads the historian; its tables belong to the site, so the site grants them:
 --                        GRANT USAGE ON SCHEMA public TO loopscope_historian;
 --                        GRANT SELECT ON public.history TO loopscope_historian;
+--
+-- Where the database holds no tables but Loopscope's, PUBLIC loses what PostgreSQL gives to everybody who may
+-- connect: temporary tables, large objects, and (clusters that are older than PostgreSQL 15) tables in the schema
+-- public. A database that is shared is left as it is: its other users may need that.
 
 DO $$
 DECLARE role record;
@@ -28,5 +32,23 @@ BEGIN
       END;
     END IF;
   END LOOP;
+  -- For the schema itself; it may be taken back after the first migrate.
   EXECUTE format('GRANT CREATE ON DATABASE %I TO loopscope_owner', current_database());
+END $$;
+
+DO $$
+BEGIN
+  IF EXISTS (
+    SELECT FROM pg_catalog.pg_class AS class
+    JOIN pg_catalog.pg_namespace AS namespace ON namespace.oid = class.relnamespace
+    WHERE class.relkind IN ('r', 'p', 'v', 'm', 'f')
+      AND namespace.nspname NOT IN ('pg_catalog', 'information_schema', 'loopscope')
+      AND namespace.nspname !~ '^pg_(toast|temp)') THEN
+    RAISE NOTICE 'the database is shared: PUBLIC keeps temporary tables and large objects';
+  ELSE
+    EXECUTE format('REVOKE TEMPORARY ON DATABASE %I FROM PUBLIC', current_database());
+    REVOKE CREATE ON SCHEMA public FROM PUBLIC;
+    REVOKE EXECUTE ON FUNCTION pg_catalog.lo_create(oid), pg_catalog.lo_creat(integer),
+      pg_catalog.lo_from_bytea(oid, bytea) FROM PUBLIC;
+  END IF;
 END $$;

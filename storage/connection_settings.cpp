@@ -32,6 +32,9 @@ constexpr const char* kSession =
     "-c TimeZone=UTC -c DateStyle=ISO -c extra_float_digits=1 -c client_min_messages=warning"
     " -c jit=off -c plan_cache_mode=force_custom_plan -c lock_timeout=5s";
 
+// Statements name the schemas of their tables; what they leave open are functions and operators.
+constexpr const char* kSearchPath = " -c search_path=pg_catalog,pg_temp";
+
 // Memory for the bitmap and the arrays of one batch (heap_order.hpp): with the usual 4 MB the
 // bitmap forgets rows and whole pages are looked through, 17 ms a loop instead of 12.
 constexpr const char* kReading = " -c default_transaction_read_only=on -c work_mem=32MB";
@@ -60,11 +63,19 @@ Options parse(const ConnectionSettings& settings) {
   return options;
 }
 
+/// As the server would show it: beyond printable ASCII it puts question marks.
+std::string ascii_name(std::string text, std::size_t most_bytes) {
+  text.resize(std::min(text.size(), most_bytes));
+  std::ranges::replace_if(
+      text, [](char c) { return c < ' ' || c > '~'; }, '?');
+  return text;
+}
+
 std::string application_name(const std::string& purpose) {
   std::array<char, 256> host{};
   if (gethostname(host.data(), host.size() - 1) != 0) host[0] = '\0';
-  // The server cuts the whole at 63 bytes: shorten the host, so that the pid survives.
-  return "loopscope/" + purpose + "/" + std::string(host.data()).substr(0, 24) + "/" +
+  // The server cuts the whole at 63 bytes: shorten the names, so that the pid survives.
+  return "loopscope/" + ascii_name(purpose, 20) + "/" + ascii_name(host.data(), 23) + "/" +
          std::to_string(getpid());
 }
 
@@ -92,6 +103,7 @@ std::string session_options(const ConnectionSettings& settings) {
   options += " -c statement_timeout=" + std::to_string(settings.statement_timeout_s) + "s";
   options += " -c idle_in_transaction_session_timeout=" + std::to_string(settings.idle_timeout_s) +
              "s" + server_side_network_options(settings);
+  if (!settings.keep_search_path) options += kSearchPath;
   if (settings.read_only) options += kReading;
   return options;
 }

@@ -13,6 +13,8 @@ struct ConnectionSettings {
   int network_timeout_s = 20;    ///< seconds after which an unreachable peer is given up, >= 2
   int idle_timeout_s = 60;  ///< seconds that the server keeps an idle transaction, 0 = for ever
   bool read_only = false;   ///< historian readers never write
+  bool keep_search_path = false;  ///< else pg_catalog alone, so that no schema can put its own
+                                  ///< now() or operator into the place of PostgreSQL's
 };
 
 /// `settings.conninfo` completed with time-outs, keepalives, application_name

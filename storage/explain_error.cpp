@@ -107,6 +107,23 @@ constexpr char kMemory[] = "the server is out of memory: lower schedule.batch_lo
 constexpr char kConnections[] =
     "raise max_connections on the server or lower daemon.workers in the settings";
 constexpr char kPassword[] = "check the user in the connection string and ~/.pgpass (mode 0600)";
+constexpr char kNoPassword[] =
+    "put HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass (or the file that passfile= or PGPASSFILE "
+    "names) and chmod 0600 it: one that others may read is ignored";
+constexpr char kOtherName[] =
+    "connect by a name that stands in the server's certificate (host=NAME, hostaddr= for the "
+    "address beside it), or have a certificate made for this one";
+constexpr char kNotVerified[] =
+    "another authority signed the server's certificate than sslrootcert is, or one of the two has "
+    "run out: `openssl s_client -starttls postgres -connect HOST:PORT -CAfile SSLROOTCERT` says "
+    "which";
+constexpr char kPlainServer[] =
+    "let the server's administrator set ssl = on: with less than sslmode=verify-full anybody on "
+    "the "
+    "way could read along";
+constexpr char kRootCertificate[] =
+    "name the certificate of the authority that signed the server's: sslrootcert=FILE";
+constexpr char kPrivateKey[] = "chmod 0600 the file of sslkey=, and let this user own it";
 constexpr char kDatabase[] = "check dbname in the connection string, or create the database";
 constexpr char kConstraint[] = "the value breaks a rule of the schema: see the detail above";
 constexpr char kServerFault[] = "a fault of the server: read its log";
@@ -139,7 +156,13 @@ constexpr std::array<StateRule, 25> kStates{{
     {"", Remedy::give_up, fixed<kServerFault>},
 }};
 
-constexpr std::array<WordsRule, 13> kConnecting{{
+constexpr std::array<WordsRule, 19> kConnecting{{
+    {"does not match host name", Remedy::give_up, kOtherName},
+    {"certificate verify failed", Remedy::give_up, kNotVerified},
+    {"server does not support SSL", Remedy::give_up, kPlainServer},
+    {"root certificate file", Remedy::give_up, kRootCertificate},
+    {"private key file", Remedy::give_up, kPrivateKey},
+    {"no password supplied", Remedy::give_up, kNoPassword},
     {"role \"", Remedy::give_up,
      "check user= in the connection string, or create the login: CREATE ROLE name LOGIN IN ROLE "
      "loopscope_worker (deploy/roles.sql makes the group roles)"},
@@ -160,10 +183,20 @@ constexpr std::array<WordsRule, 13> kConnecting{{
 constexpr const char* kUnreachable =
     "check that the server runs and that host= and port= in the connection string are right";
 
-/// "ERROR:  what" without the severity, with the server's detail in brackets.
-std::string primary_message(const RawError& error) {
-  std::string_view line = error.message;
-  line = line.substr(0, line.find('\n'));
+/// The line that has these words in it, else the first one.
+std::string_view line_with(std::string_view words, std::string_view message) {
+  const std::size_t at = message.find(words);
+  if (at != std::string_view::npos && at > 0) {
+    const std::size_t before = message.rfind('\n', at);
+    if (before != std::string_view::npos) message.remove_prefix(before + 1);
+  }
+  return message.substr(0, message.find('\n'));
+}
+
+/// "ERROR:  what" without the severity, with the server's detail in brackets. Several hosts have a
+/// line each: `words` choose one.
+std::string primary_message(const RawError& error, std::string_view words = {}) {
+  std::string_view line = line_with(words, error.message);
   for (const std::string_view severity : {"ERROR:  ", "FATAL:  ", "PANIC:  "}) {
     if (line.starts_with(severity)) line.remove_prefix(severity.size());
   }
@@ -179,13 +212,16 @@ std::string place_text(const ErrorPlace& place) {
 }
 
 DatabaseError explain_connecting(const RawError& error, const ErrorPlace& place) {
-  const std::string what = primary_message(error) + ", " + place_text(place);
+  const auto what_of = [&](std::string_view words) {
+    return primary_message(error, words) + ", " + place_text(place);
+  };
   // Several hosts give several lines: the words may stand in any of them.
   for (const WordsRule& rule : kConnecting) {
     if (error.message.find(rule.words) != std::string::npos) {
-      return {what, rule.hint, rule.remedy};
+      return {what_of(rule.words), rule.hint, rule.remedy};
     }
   }
+  const std::string what = what_of({});
   const bool no_database = error.message.find("database \"") != std::string::npos &&
                            error.message.find("does not exist") != std::string::npos;
   if (no_database) return {what, kDatabase, Remedy::give_up};

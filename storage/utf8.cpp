@@ -32,7 +32,8 @@ bool in_range(char character, std::uint8_t low, std::uint8_t high) {
   return byte >= low && byte <= high;
 }
 
-/// Bytes of the valid character that `text` starts with; 0 = none.
+}  // namespace
+
 std::size_t character_length(std::string_view text) {
   const Lead lead = classify(static_cast<std::uint8_t>(text.front()));
   if (lead.length == 0 || text.size() < lead.length) return 0;
@@ -42,8 +43,6 @@ std::size_t character_length(std::string_view text) {
   }
   return lead.length;
 }
-
-}  // namespace
 
 bool is_storable(std::string_view text) {
   while (!text.empty()) {

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace loopscope::storage {
+
+/// Bytes of the valid character of UTF-8 that `text` (not empty) starts with; 0 = none, or a zero
+/// byte.
+[[nodiscard]] std::size_t character_length(std::string_view text);
 
 /// Whether PostgreSQL takes `text` as it is: valid UTF-8 without a zero byte.
 [[nodiscard]] bool is_storable(std::string_view text);

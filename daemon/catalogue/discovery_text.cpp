@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "daemon/catalogue/tag_roles.hpp"
+#include "daemon/output/printable.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -19,7 +20,7 @@ std::string line(const std::string& what, const std::vector<std::string>& names)
   if (names.empty()) return {};
   const std::size_t shown = std::min(names.size(), kShown);
   std::string text = fmt::format("{:>8} {}: ", names.size(), what);
-  for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "" : ", ") + names[k];
+  for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "" : ", ") + printable(names[k]);
   return text + (shown < names.size() ? ", ...\n" : "\n");
 }
 

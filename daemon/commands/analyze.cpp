@@ -8,6 +8,7 @@
 #include "daemon/commands/option_values.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/output/analysis_text.hpp"
+#include "daemon/output/printable.hpp"
 #include "daemon/recording/analyse_recording.hpp"
 
 namespace loopscope::daemon {
@@ -35,8 +36,8 @@ void analyze(const AnalyzeOptions& options) {
   if (options.json) {
     std::cout << json_text(analysis_json(input, diagnosis)) << '\n';
   } else {
-    const auto title = fmt::format("{}: {} samples every {:.6g} s", options.file, window.size(),
-                                   window.sample_interval_s);
+    const auto title = fmt::format("{}: {} samples every {:.6g} s", printable(options.file),
+                                   window.size(), window.sample_interval_s);
     std::cout << analysis_text(title, window.sample_interval_s, diagnosis);
   }
 }

@@ -4,9 +4,11 @@
 #include <memory>
 #include <string>
 
+#include "config/http_address.hpp"
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/output/printable.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "storage/check.hpp"
 
@@ -18,16 +20,29 @@ int print_findings(const std::string& about, const std::vector<storage::Finding>
   int problems = 0;
   for (const storage::Finding& finding : findings) {
     const char* judgement = !finding.ok ? "PROBLEM" : finding.warning ? "warning" : "ok";
-    std::cout << fmt::format("{:<8} {}: {}\n", judgement, about, finding.what);
+    std::cout << fmt::format("{:<8} {}: {}\n", judgement, printable(about),
+                             printable(finding.what));
     if (!finding.ok) ++problems;
-    if (!finding.hint.empty()) std::cout << "         HINT: " << finding.hint << '\n';
+    if (!finding.hint.empty()) std::cout << "         HINT: " << printable(finding.hint) << '\n';
   }
   return problems;
+}
+
+/// The pages need no login: whoever reaches the address reads them.
+std::vector<storage::Finding> check_http(const std::string& address) {
+  const auto parsed = config::parse_http_address(address);
+  if (!parsed) return {{true, "none", "", false}};
+  if (parsed->loopback) return {{true, address + ", for this host alone", "", false}};
+  return {{true, address + " is not of the loopback: anyone who reaches it can read the pages",
+           "write 127.0.0.1 or [::1] and let a proxy with a login stand before it, or guard the "
+           "port by a firewall",
+           true}};
 }
 
 void check_config(const std::string& file) {
   const config::Settings settings = config::read_settings(file);
   std::cout << fmt::format("{:<8} {}: no problem in the file\n", "ok", file);
+  print_findings("HTTP", check_http(settings.daemon.http_address));
   int problems =
       print_findings("results database", storage::check_results(results_connection(settings)));
   for (const config::HistorianSettings& historian : settings.historians) {

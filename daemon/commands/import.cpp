@@ -15,6 +15,7 @@
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/output/printable.hpp"
 #include "daemon/recording/recording.hpp"
 #include "daemon/recording/time_text.hpp"
 #include "daemon/service/slot.hpp"
@@ -163,7 +164,7 @@ void import_recording(const ImportOptions& options) {
   const std::size_t rows =
       storage::import_rows(writer, layout, tag_rows(entry, recording.rows), options.replace);
   catalogue.save(std::vector{entry});
-  std::cout << fmt::format("{}: {} rows imported\n", entry.name, rows);
+  std::cout << fmt::format("{}: {} rows imported\n", printable(entry.name), rows);
 }
 
 }  // namespace

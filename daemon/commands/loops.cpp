@@ -12,7 +12,8 @@
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/loops_actions.hpp"
 #include "daemon/failure.hpp"
-#include "daemon/output/write_file.hpp"
+#include "daemon/output/printable.hpp"
+#include "daemon/output/write_csv.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "storage/results/catalogue.hpp"
 
@@ -56,20 +57,16 @@ void list(const LoopsOptions& options) {
   for (const CatalogueEntry& entry : opened.catalogue.list()) {
     const std::string interval =
         entry.interval_s ? fmt::format("{:g} s", *entry.interval_s) : std::string("found");
-    std::cout << fmt::format("{:<28} {:<9} {:<12} {:>9} {:>7} s {:>10}  {}\n", entry.name,
-                             entry.enabled ? "yes" : "no", entry.loop_type, interval,
-                             fmt::format("{:g}", entry.period_s), entry.importance, entry.pv_tag);
+    std::cout << fmt::format(
+        "{:<28} {:<9} {:<12} {:>9} {:>7} s {:>10}  {}\n", printable(entry.name),
+        entry.enabled ? "yes" : "no", printable(entry.loop_type), interval,
+        fmt::format("{:g}", entry.period_s), entry.importance, printable(entry.pv_tag));
   }
 }
 
 void export_csv(const LoopsOptions& options) {
   Opened opened = open(options);
-  const std::string text = catalogue_csv(opened.catalogue.list());
-  if (options.file == "-") {
-    std::cout << text;
-    return;
-  }
-  write_file(options.file, text);
+  write_csv(options.file, catalogue_csv(opened.catalogue.list()));
 }
 
 void require_known_sources(const Opened& opened, const std::vector<CatalogueEntry>& entries) {
@@ -120,7 +117,7 @@ void add_loop(const LoopsOptions& options) {
   apply_fields(options, entry);
   require_known_sources(opened, {entry});
   opened.catalogue.save(std::vector{entry});
-  std::cout << fmt::format("added {}\n", entry.name);
+  std::cout << fmt::format("added {}\n", printable(entry.name));
 }
 
 Failure no_such_loop(const std::string& name) {
@@ -135,7 +132,7 @@ void set_fields(const LoopsOptions& options) {
   apply_fields(options, *entry);
   require_known_sources(opened, {*entry});
   opened.catalogue.save(std::vector{*entry});
-  std::cout << fmt::format("changed {}\n", entry->name);
+  std::cout << fmt::format("changed {}\n", printable(entry->name));
 }
 
 void switch_loops(const LoopsOptions& options, bool enabled) {

@@ -6,7 +6,8 @@
 #include "daemon/catalogue/check_tags.hpp"
 #include "daemon/commands/loops_actions.hpp"
 #include "daemon/failure.hpp"
-#include "daemon/output/write_file.hpp"
+#include "daemon/output/printable.hpp"
+#include "daemon/output/write_csv.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "storage/historian/historian_reader.hpp"
 #include "storage/results/catalogue.hpp"
@@ -36,8 +37,8 @@ std::vector<bool> ask(const config::Settings& settings, const std::string& sourc
 void print(const TagCheck& check) {
   for (std::size_t k = 0; k < std::min(check.dead_ends.size(), kShown); ++k) {
     const DeadEnd& end = check.dead_ends[k];
-    std::cout << fmt::format("{:<28} {:<5} {:<32} {}: {}\n", end.loop, end.role, end.tag,
-                             end.source, end.problem);
+    std::cout << fmt::format("{:<28} {:<5} {:<32} {}: {}\n", printable(end.loop), end.role,
+                             printable(end.tag), end.source, end.problem);
   }
   if (check.dead_ends.size() > kShown) {
     std::cout << fmt::format("... and {} more: --out FILE.csv has them all\n",
@@ -52,12 +53,8 @@ void check(const CheckOptions& options) {
       check_tags(entries, [&](const std::string& source, std::span<const std::string> tags) {
         return ask(settings, source, tags);
       });
-  if (options.out == "-") {
-    std::cout << dead_ends_csv(found);
-  } else {
-    print(found);
-    if (!options.out.empty()) write_file(options.out, dead_ends_csv(found));
-  }
+  if (options.out != "-") print(found);
+  if (!options.out.empty()) write_csv(options.out, dead_ends_csv(found));
   if (!found.dead_ends.empty()) {
     throw Failure(ExitCode::unusable_data,
                   fmt::format("{} of {} tags of {} loops do not resolve", found.dead_ends.size(),

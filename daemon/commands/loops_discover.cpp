@@ -9,7 +9,8 @@
 #include "daemon/catalogue/discovery_text.hpp"
 #include "daemon/commands/loops_actions.hpp"
 #include "daemon/failure.hpp"
-#include "daemon/output/write_file.hpp"
+#include "daemon/output/printable.hpp"
+#include "daemon/output/write_csv.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "storage/historian/list_tags.hpp"
 #include "storage/results/catalogue.hpp"
@@ -73,12 +74,11 @@ void put_out(const DiscoverOptions& options, const DiscoveryReport& report,
   require_something(report);
   if (options.add) {
     std::cout << fmt::format("{} loops added\n", catalogue.save(loops));
-  } else if (options.out == "-") {
-    std::cout << catalogue_csv(loops);
   } else if (!options.out.empty()) {
-    write_file(options.out, catalogue_csv(loops));
+    write_csv(options.out, catalogue_csv(loops));
+    if (options.out == "-") return;
     std::cout << fmt::format("look through {0}, then: loopscope loops --config {1} load {0}\n",
-                             options.out, *options.config);
+                             printable(options.out), printable(*options.config));
   } else {
     std::cout << "nothing written: --out FILE.csv for a look first, --add for the catalogue\n";
   }

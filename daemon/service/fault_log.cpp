@@ -12,6 +12,7 @@ constexpr std::size_t kMostMessages = 3;
 
 void FaultLog::fault(const std::string& subject, const std::string& message) {
   const std::lock_guard lock(mutex_);
+  metrics_.fault(subject);
   std::set<std::string>& said = standing_[subject];
   if (said.size() >= kMostMessages || !said.insert(message).second) return;
   spdlog::error("{}: {}", subject, message);
@@ -19,7 +20,9 @@ void FaultLog::fault(const std::string& subject, const std::string& message) {
 
 void FaultLog::recovered(const std::string& subject) {
   const std::lock_guard lock(mutex_);
-  if (standing_.erase(subject) > 0) spdlog::info("{}: works again", subject);
+  if (standing_.erase(subject) == 0) return;
+  metrics_.recovered(subject);
+  spdlog::info("{}: works again", subject);
 }
 
 }  // namespace loopscope::daemon

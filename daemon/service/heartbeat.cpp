@@ -53,7 +53,7 @@ double Heartbeat::beat() {
     settings = settings_;
   }
   if (settings != linked_with_) {
-    link_.emplace(settings, tools_.faults, tools_.bell);
+    link_.emplace(settings, tools_.faults, tools_.metrics, tools_.bell);
     linked_with_ = settings;
     pause_ = RetryPause(settings->schedule.poll_s);
   }
@@ -83,6 +83,7 @@ void Heartbeat::extend(storage::ResultsDatabase& database, double lease_s) {
     lost += tools_.progress.lose(database.extend(some, lease_s));
   }
   tools_.progress.renewed(seen);
+  tools_.metrics.leases_lost(lost);
   if (lost > 0)
     spdlog::warn("{} leases have ended before the work on them: others have those loops", lost);
   std::uint64_t lost_so_far = 0;

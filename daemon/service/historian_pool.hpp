@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/settings.hpp"
+#include "daemon/monitor/metrics.hpp"
 #include "daemon/service/source_gate.hpp"
 #include "storage/historian/historian_reader.hpp"
 
@@ -25,6 +26,8 @@ struct SourceTerms {
 /// `max_connections` to each, made when they are needed and kept for the next user. Thread-safe.
 class HistorianPool {
  public:
+  explicit HistorianPool(Metrics& metrics) : metrics_(metrics) {}
+
   /// Calls `use(storage::HistorianReader&)` with a connection of its own and returns what it
   /// returned. Waits for a free one for at most `terms.patience`. A connection that died while it
   /// was idle says nothing about the server: one new one is tried. Throws storage::DatabaseError.
@@ -42,6 +45,7 @@ class HistorianPool {
           throw;
         }
       }
+      metrics_.reconnected("historian " + source.name);
       // Its neighbours were left by the same server.
       forget_idle(source.name);
     }
@@ -95,6 +99,7 @@ class HistorianPool {
   [[nodiscard]] std::optional<Connection> take_idle(Source& source,
                                                     const config::HistorianSettings& settings);
 
+  Metrics& metrics_;
   std::mutex mutex_;  ///< over `sources_` and their idle connections
   std::map<std::string, std::unique_ptr<Source>> sources_;
 };

@@ -10,6 +10,7 @@
 #include "daemon/failure.hpp"
 #include "daemon/service/batch_cost.hpp"
 #include "daemon/service/blame.hpp"
+#include "daemon/service/data_age.hpp"
 #include "daemon/service/stopwatch.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "daemon/service/workforce.hpp"
@@ -62,14 +63,18 @@ Lane::Lane(std::shared_ptr<const config::Settings> settings, std::size_t index, 
       slot_rule_(slot_rule),
       tools_(tools),
       desk_(tools.progress.desk()),
-      results_(settings_, tools.faults, tools.bell) {}
+      results_(settings_, tools.faults, tools.metrics, tools.bell) {}
 
 template <typename Claim>
 std::vector<ClaimedLoop> Lane::timed_claim(Claim claim) {
   Stopwatch watch;
   std::vector<ClaimedLoop> claims = results_.with(claim);
   desk_.hold(claims);
-  if (!claims.empty()) costs_.add({.claim_s = watch.lap_s()});
+  const storage::StageCost cost{.claim_s = watch.lap_s()};
+  if (!claims.empty()) {
+    costs_.add(cost);
+    tools_.metrics.add(cost);
+  }
   return claims;
 }
 
@@ -133,8 +138,11 @@ storage::WriteCount Lane::process(const std::vector<ClaimedLoop>& claims) {
       lane.suspect_turn_ = {};
     }
   } const clear{*this};
+  Stopwatch watch;
   storage::WriteCount sum;
   for (const auto& [source, loops] : by_source(claims)) add(sum, process_source(source, loops));
+  tools_.metrics.count(sum);
+  tools_.metrics.observe_batch(watch.lap_s());
   store_cost(costs_.take(false));
   return sum;
 }
@@ -200,10 +208,13 @@ Lane::Fetched Lane::with_source(const std::string& source, const Claims& claims,
 }
 
 Lane::Fetched Lane::read_newest(const std::string& source, const Claims& claims, Batch& batch) {
-  return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    return visit_newest(historian, claims, *settings_, slot_rule_, batch.rows,
-                        {tools_.cores, desk_});
-  });
+  const Fetched fetched =
+      with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
+        return visit_newest(historian, claims, *settings_, slot_rule_, batch.rows,
+                            {tools_.cores, desk_});
+      });
+  if (fetched == Fetched::all) note_data(source, batch.visits, tools_.metrics);
+  return fetched;
 }
 
 /// Rows that came late for a slot that is stored change its window: a few earlier slots of each
@@ -282,6 +293,7 @@ storage::WriteCount Lane::write(const Claims& claims, Batch& batch) {
   }
   batch.cost.write_s += watch.lap_s();
   costs_.add(batch.cost);
+  tools_.metrics.add(batch.cost);
   return count;
 }
 

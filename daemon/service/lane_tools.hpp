@@ -14,10 +14,11 @@ namespace loopscope::daemon {
 
 /// What all lanes of the process share. Thread-safe.
 struct LaneTools {
-  LaneTools(std::size_t workers, Perseverance how_long) : cores(workers), perseverance(how_long) {}
+  LaneTools(std::size_t workers, Perseverance how_long);
   StopBell bell;
-  FaultLog faults;
-  HistorianPool historians;
+  Metrics metrics;
+  FaultLog faults{metrics};
+  HistorianPool historians{metrics};
   CoreGate cores;
   ProgressBoard progress;
   /// Held by the one lane that works on a suspect: two that kill their worker cannot be told apart.

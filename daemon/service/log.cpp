@@ -7,35 +7,50 @@
 #include <spdlog/spdlog.h>
 #include <string>
 
+#include "daemon/output/printable.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
-/// The message as a JSON string: names of loops and tags may hold quotes and line breaks.
-class JsonMessage : public spdlog::custom_flag_formatter {
+using ShowMessage = std::string (*)(const std::string&);
+
+/// The message as a JSON string, which reads back as it was. What would steer a terminal is written
+/// as \uXXXX, and then everything beyond ASCII is.
+std::string as_json(const std::string& text) {
+  const bool ascii_only = printable(text) != text;
+  return nlohmann::json(text).dump(-1, ' ', ascii_only, nlohmann::json::error_handler_t::replace);
+}
+
+/// The message as one line, whatever names of loops and tags are in it.
+std::string as_line(const std::string& text) {
+  return printable(text);
+}
+
+template <ShowMessage show>
+class Message : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&,
               spdlog::memory_buf_t& destination) override {
-    const std::string text(message.payload.begin(), message.payload.end());
-    const std::string quoted =
-        nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    destination.append(quoted.data(), quoted.data() + quoted.size());
+    const std::string shown = show(std::string(message.payload.begin(), message.payload.end()));
+    destination.append(shown.data(), shown.data() + shown.size());
   }
 
   [[nodiscard]] std::unique_ptr<custom_flag_formatter> clone() const override {
-    return std::make_unique<JsonMessage>();
+    return std::make_unique<Message>();
   }
 };
 
 std::unique_ptr<spdlog::formatter> json_formatter() {
   auto formatter = std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
-  formatter->add_flag<JsonMessage>('*').set_pattern(
+  formatter->add_flag<Message<as_json>>('*').set_pattern(
       R"({"ts":"%Y-%m-%dT%H:%M:%S.%eZ","level":"%l","pid":%P,"thread":%t,"message":%*})");
   return formatter;
 }
 
 std::unique_ptr<spdlog::formatter> text_formatter() {
-  return std::make_unique<spdlog::pattern_formatter>("%Y-%m-%dT%H:%M:%SZ %l: %v",
-                                                     spdlog::pattern_time_type::utc);
+  auto formatter = std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
+  formatter->add_flag<Message<as_line>>('*').set_pattern("%Y-%m-%dT%H:%M:%SZ %l: %*");
+  return formatter;
 }
 
 }  // namespace

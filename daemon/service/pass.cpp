@@ -31,7 +31,7 @@ class Pass {
         pool_(lanes_left_) {}
 
   PassResult run() {
-    result_.enabled = ResultsLink(settings_, tools_.faults, tools_.bell)
+    result_.enabled = ResultsLink(settings_, tools_.faults, tools_.metrics, tools_.bell)
                           .with([](storage::ResultsDatabase& database) {
                             return database.count_enabled_loops();
                           });

@@ -21,8 +21,9 @@ enum class Perseverance {
 /// made anew at the next use. For one thread at a time.
 class ResultsLink {
  public:
-  ResultsLink(std::shared_ptr<const config::Settings> settings, FaultLog& faults, StopBell& bell)
-      : settings_(std::move(settings)), faults_(faults), bell_(bell) {}
+  ResultsLink(std::shared_ptr<const config::Settings> settings, FaultLog& faults, Metrics& metrics,
+              StopBell& bell)
+      : settings_(std::move(settings)), faults_(faults), metrics_(metrics), bell_(bell) {}
 
   /// Calls `use(storage::ResultsDatabase&)`; a second time, on a new connection, when the one from
   /// before turns out to be dead, which says nothing about the server. So `use` has to bear a
@@ -34,6 +35,7 @@ class ResultsLink {
       return try_once(use);
     } catch (const storage::DatabaseError& error) {
       if (!was_connected || error.remedy() != storage::Remedy::reconnect) throw;
+      metrics_.reconnected("results");
       return try_once(use);
     }
   }
@@ -81,6 +83,7 @@ class ResultsLink {
 
   std::shared_ptr<const config::Settings> settings_;
   FaultLog& faults_;
+  Metrics& metrics_;
   StopBell& bell_;
   std::optional<storage::ResultsDatabase> database_;
 };

@@ -18,14 +18,20 @@
 #include <vector>
 
 #include "config/read_settings.hpp"
+#include "daemon/monitor/service_manager.hpp"
 #include "daemon/service/heartbeat.hpp"
 #include "daemon/service/lane.hpp"
 #include "daemon/service/log.hpp"
+#include "daemon/service/service_watch.hpp"
+#include "daemon/service/storage_settings.hpp"
 #include "daemon/service/work_report.hpp"
 #include "daemon/service/workforce.hpp"
+#include "storage/check_connection.hpp"
 
 namespace loopscope::daemon {
 namespace {
+
+constexpr std::chrono::seconds kPulseEvery{1};
 
 /// A lane that found nothing looks again when the next loop falls due or the next lease ends, but
 /// after a poll at the latest: other loops may be added. At least a little later, because what is
@@ -47,6 +53,7 @@ class Service {
         settings_(std::make_shared<config::Settings>(config::read_settings(file_))),
         tools_(worker_count(settings_->daemon), Perseverance::endless),
         signals_(context_, SIGINT, SIGTERM, SIGHUP),
+        pulse_timer_(context_),
         pool_(lane_count(settings_->daemon)) {
     set_up_log(settings_->daemon);
     for (std::size_t index = 0; index < lane_count(settings_->daemon); ++index) {
@@ -57,12 +64,17 @@ class Service {
   void run() {
     spdlog::info("started: {} workers, {} batches in flight, settings {}",
                  worker_count(settings_->daemon), seats_.size(), file_.string());
+    tell_sources();
+    warn_of_connections();
     heartbeat_.emplace(settings_, tools_);
+    watch_.emplace(settings_, tools_, *heartbeat_);
     await_signal();
+    pulse();
     for (std::size_t index = 0; index < seats_.size(); ++index) dispatch(index);
     // Until the lanes have said their last words: a second signal is awaited as long.
     context_.run();
     pool_.join();
+    watch_.reset();
     heartbeat_.reset();
     spdlog::info("stopped: {}", count_text(sum_));
   }
@@ -98,6 +110,7 @@ class Service {
   void stop() {
     spdlog::info("stopping: finishing what is in hand");
     stopping_ = true;
+    watch_->stopping();
     tools_.bell.ring();
     for (Seat& seat : seats_) seat.timer.cancel();
     end_when_idle();
@@ -110,19 +123,55 @@ class Service {
   }
 
   void end_when_idle() {
-    if (stopping_ && busy_ == 0) signals_.cancel();
+    if (!stopping_ || busy_ > 0) return;
+    signals_.cancel();
+    pulse_timer_.cancel();
+  }
+
+  void pulse() {
+    watch_->pulse();
+    pulse_timer_.expires_after(kPulseEvery);
+    pulse_timer_.async_wait([this](const auto& error) {
+      if (!error) pulse();
+    });
+  }
+
+  void tell_sources() {
+    std::vector<std::string> sources;
+    for (const auto& historian : settings_->historians) sources.push_back(historian.name);
+    tools_.metrics.set_sources(sources);
+  }
+
+  /// What leaves the machine unprotected, or passwords that are ignored or shown.
+  void warn_of_connections() {
+    std::vector<storage::ConnectionSettings> connections{results_connection(*settings_)};
+    for (const auto& historian : settings_->historians) {
+      connections.push_back(historian_connection(historian));
+    }
+    for (const storage::ConnectionSettings& connection : connections) {
+      for (const storage::Finding& finding : check_connection(connection)) {
+        spdlog::warn("{} HINT: {}", finding.what, finding.hint);
+      }
+    }
   }
 
   void reload() {
+    ServiceManager::reloading();
     try {
       settings_ = std::make_shared<config::Settings>(config::read_settings(file_));
       set_up_log(settings_->daemon);
       tools_.historians.forget_idle();
       heartbeat_->use(settings_);
+      watch_->use(settings_);
+      tell_sources();
       for (Seat& seat : seats_) seat.pause = RetryPause(settings_->schedule.poll_s);
       spdlog::info("settings read again: {}", file_.string());
+      tools_.metrics.settings_reload(true);
+      ServiceManager::ready("settings read again");
     } catch (const config::SettingsError& error) {
       spdlog::error("the old settings stay in force: {}", error.what());
+      tools_.metrics.settings_reload(false);
+      ServiceManager::ready("the old settings stay in force: the file has problems");
     }
   }
 
@@ -191,11 +240,13 @@ class Service {
   LaneTools tools_;
   asio::io_context context_;
   asio::signal_set signals_;
+  asio::steady_timer pulse_timer_;
   std::deque<Seat> seats_;
   std::size_t busy_ = 0;  ///< lanes on the pool
   asio::thread_pool pool_;
   std::atomic<bool> stopping_ = false;
   std::optional<Heartbeat> heartbeat_;
+  std::optional<ServiceWatch> watch_;
   storage::WriteCount sum_;
 };
 

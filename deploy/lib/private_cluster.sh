@@ -11,6 +11,7 @@
 # root) can enter, so every connection that reaches it may be trusted. Nothing of the system's
 # PostgreSQL is touched except its programs. The server refuses to run as root, so under root it
 # runs as the user postgres, which has to be able to reach FOLDER.
+# PRIVATE_CLUSTER_MORE_OPTIONS: further options of the server (" -c name=value"), for tests.
 # `volatile` trades safety against power loss for speed: for tests only.
 
 # The kernel's sockaddr_un holds 107 bytes; the socket's name takes "/.s.PGSQL.5432" of them.
@@ -106,6 +107,7 @@ _private_cluster_options() {
   if [ "$2" = volatile ]; then
     printf '%s' " -c fsync=off -c full_page_writes=off -c synchronous_commit=off"
   fi
+  printf '%s' " ${PRIVATE_CLUSTER_MORE_OPTIONS:-}"
 }
 
 private_cluster_start() {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "storage/check_connection.hpp"
 #include "storage/historian/check_index.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
@@ -113,6 +114,7 @@ std::vector<Finding> check_historian(const ConnectionSettings& settings,
   reader.statement_timeout_s = kPatience_s;
   std::vector<Finding> findings;
   try {
+    findings = check_connection(reader);
     PqConnection connection(reader);
     findings.push_back({true, "connected to the " + connection.target(), "", false});
     const ResolvedLayout resolved = resolve_layout(connection, layout);

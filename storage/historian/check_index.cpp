@@ -1,8 +1,10 @@
 #include "storage/historian/check_index.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "storage/historian/statements.hpp"
@@ -14,6 +16,22 @@ namespace {
 struct WantedIndex {
   std::vector<std::string> key, include;
 };
+
+/// As kIndexes writes names, so that commas separate nothing else.
+std::string hex(const std::string& name) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string digits;
+  for (const char character : name) {
+    const auto byte = static_cast<std::uint8_t>(character);
+    digits += {kDigits[byte / kDigits.size()], kDigits[byte % kDigits.size()]};
+  }
+  return digits;
+}
+
+std::vector<std::string> hex(std::vector<std::string> names) {
+  for (std::string& name : names) name = hex(name);
+  return names;
+}
 
 WantedIndex wanted_index(const SourceLayout& layout) {
   WantedIndex wanted;
@@ -51,19 +69,20 @@ std::string advice(const PqConnection& connection, const std::string& relation,
 /// Whether a comma-separated list starts with the wanted columns: the time last, the parts of the
 /// key before it in any order.
 bool starts_with_key(const std::string& columns, const WantedIndex& wanted) {
+  const std::vector<std::string> key = hex(wanted.key);
   std::vector<std::string> first;
   std::istringstream rest(columns);
-  for (std::string name; first.size() < wanted.key.size() && std::getline(rest, name, ',');) {
+  for (std::string name; first.size() < key.size() && std::getline(rest, name, ',');) {
     first.push_back(name);
   }
-  return first.size() == wanted.key.size() && first.back() == wanted.key.back() &&
-         std::is_permutation(first.begin(), first.end(), wanted.key.begin());
+  return first.size() == key.size() && first.back() == key.back() &&
+         std::is_permutation(first.begin(), first.end(), key.begin());
 }
 
 bool holds_all(const std::string& columns, const std::vector<std::string>& wanted) {
   const std::string list = "," + columns + ",";
   return std::all_of(wanted.begin(), wanted.end(), [&list](const std::string& column) {
-    return list.find("," + column + ",") != std::string::npos;
+    return list.find("," + hex(column) + ",") != std::string::npos;
   });
 }
 
@@ -107,7 +126,7 @@ bool has_key_index(PqConnection& connection, const ResolvedLayout& layout) {
       connection.run(historian_statements::kIndexes, {std::to_string(layout.data.oid)});
   for (int row = 0; row < rows.size(); ++row) {
     // In this order: the loose scan looks for the next larger key.
-    if ((rows.text(row, 0) + ",").starts_with(plain_list(wanted.key, ",") + ",")) return true;
+    if ((rows.text(row, 0) + ",").starts_with(plain_list(hex(wanted.key), ",") + ",")) return true;
   }
   return false;
 }

@@ -32,9 +32,11 @@ RelationName split_relation(const std::string& relation) {
 }
 
 std::optional<FoundRelation> find_relation(PqConnection& connection, const RelationName& name) {
-  if (!is_storable(name.schema) || !is_storable(name.table)) return std::nullopt;
-  const PqRows rows =
-      connection.run(historian_statements::kFindRelation, {name.schema, name.table});
+  for (const std::string* part : {&name.schema, &name.table}) {
+    if (!is_storable(*part) || part->size() > kLongestIdentifier) return std::nullopt;
+  }
+  const PqRows rows = connection.run(historian_statements::kFindRelation,
+                                     {name.schema, name.table, connection.own_schemas()});
   if (rows.size() == 0) return std::nullopt;
   FoundRelation found;
   found.oid = static_cast<std::uint32_t>(std::stoul(rows.text(0, 0)));

@@ -11,7 +11,7 @@ namespace loopscope::storage {
 
 /// A relation name from the settings, split at its first dot.
 struct RelationName {
-  std::string schema;  ///< empty = found through the search path
+  std::string schema;  ///< empty = found through the login's own search path
   std::string table;   ///< may hold dots
 };
 [[nodiscard]] RelationName split_relation(const std::string& relation);

@@ -7,6 +7,7 @@
 #include <poll.h>
 
 #include "storage/patience.hpp"
+#include "storage/utf8.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -24,6 +25,21 @@ bool is_error(const PGresult* result) {
   const ExecStatusType status = PQresultStatus(result);
   return status == PGRES_FATAL_ERROR || status == PGRES_BAD_RESPONSE;
 }
+
+std::string conninfo_of(ConnectionSettings settings) {
+  // It is taken over once the login's own one is known.
+  settings.keep_search_path = true;
+  return complete_conninfo(settings);
+}
+
+// Both are written so that no schema in the login's search path has a say in them.
+const Statement kSearchPath{"search_path", R"(
+    SELECT pg_catalog.current_schemas(false)::pg_catalog.text, source
+    FROM pg_catalog.pg_settings WHERE name OPERATOR(pg_catalog.=) 'search_path')",
+                            Rows::one};
+const Statement kTakeSearchPath{
+    "take_search_path", "SELECT pg_catalog.set_config('search_path', 'pg_catalog, pg_temp', false)",
+    Rows::one};
 
 }  // namespace
 
@@ -46,14 +62,25 @@ std::size_t PqRows::affected() const {
 
 PqConnection::PqConnection(const ConnectionSettings& settings)
     : place_{DatabaseKind::historian, describe_target(settings), "", ""} {
-  connection_.reset(PQconnectdb(complete_conninfo(settings).c_str()));
+  connection_.reset(PQconnectdb(conninfo_of(settings).c_str()));
   if (!connection_ || PQstatus(connection_.get()) != CONNECTION_OK) {
     throw explain({connection_ ? PQerrorMessage(connection_.get()) : "out of memory", "", true},
                   place_);
   }
   place_.user = PQuser(connection_.get());
+  // What the server remarks beside its answers would go to standard error.
+  PQsetNoticeProcessor(
+      connection_.get(), [](void*, const char*) {}, nullptr);
   patience_ = patience(settings);
   PQsetnonblocking(connection_.get(), 1);
+  take_search_path();
+}
+
+void PqConnection::take_search_path() {
+  const PqRows own = run(kSearchPath);
+  own_schemas_ = own.text(0, 0);
+  const bool chosen_by_settings = own.text(0, 1) == "client";
+  if (!chosen_by_settings) run(kTakeSearchPath);
 }
 
 PqRows PqConnection::run(const Statement& statement, const std::vector<std::string>& parameters,
@@ -96,6 +123,12 @@ std::size_t PqConnection::end_copy() {
 }
 
 std::string PqConnection::quote(const std::string& name) const {
+  if (!is_storable(name) || name.size() > kLongestIdentifier) {
+    throw DatabaseError(
+        "not a name of a table or a column: " + make_storable(name) + ", " + place_.target,
+        "names are UTF-8 text of at most " + std::to_string(kLongestIdentifier) + " bytes",
+        Remedy::give_up);
+  }
   const std::unique_ptr<char, PqDelete> quoted(
       PQescapeIdentifier(connection_.get(), name.data(), name.size()));
   if (!quoted) {
@@ -107,7 +140,7 @@ std::string PqConnection::quote(const std::string& name) const {
 std::string PqConnection::quote_literal(const std::string& text) const {
   const std::unique_ptr<char, PqDelete> quoted(
       PQescapeLiteral(connection_.get(), text.data(), text.size()));
-  if (!quoted) {
+  if (!quoted || !is_storable(text)) {
     throw DatabaseError("not a text, " + place_.target, "texts are UTF-8", Remedy::give_up);
   }
   return quoted.get();

@@ -44,8 +44,13 @@ class PqRows {
 
 enum class ResultFormat { text = 0, binary = 1 };
 
+/// The longest name of a table or a column in bytes (PostgreSQL's NAMEDATALEN - 1). A longer one
+/// would be cut, and another table be meant.
+inline constexpr std::size_t kLongestIdentifier = 63;
+
 /// One libpq connection to a historian: binary results, COPY, and a deadline of our own
-/// (patience.hpp).
+/// (patience.hpp). Its search path is pg_catalog alone, unless `options` in the connection string
+/// sets another one.
 class PqConnection {
  public:
   explicit PqConnection(const ConnectionSettings& settings);
@@ -70,15 +75,19 @@ class PqConnection {
   /// get on.
   void on_statement(std::function<void()> told) { told_ = std::move(told); }
 
-  /// `name` quoted as an identifier.
+  /// `name` quoted as an identifier. Throws DatabaseError for one that the server would not take
+  /// as it is.
   [[nodiscard]] std::string quote(const std::string& name) const;
   /// `text` quoted as a value: for what cannot travel as a parameter.
   [[nodiscard]] std::string quote_literal(const std::string& text) const;
   [[nodiscard]] const std::string& target() const { return place_.target; }
+  /// The login's own search path as an array of names, for tables without a schema.
+  [[nodiscard]] const std::string& own_schemas() const { return own_schemas_; }
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  void take_search_path();
   void begin_copy(const Statement& statement);
   void send_copy(std::string_view chunk);
   std::size_t end_copy();
@@ -94,6 +103,7 @@ class PqConnection {
 
   std::unique_ptr<PGconn, PqDelete> connection_;
   ErrorPlace place_;
+  std::string own_schemas_;
   std::optional<std::chrono::seconds> patience_;
   Clock::time_point deadline_;
   std::function<void()> told_;

@@ -1,7 +1,5 @@
 #include "storage/historian/quality_sql.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <vector>
@@ -44,10 +42,12 @@ bool is_whole_number(const std::string& text) {
   return error == std::errc{} && stop == end;
 }
 
-std::string in_list(const PqConnection& connection, const std::string& q, const Codes& codes) {
+/// `function` is what the database makes of every code: "lower", or "" for the code itself.
+std::string in_list(const PqConnection& connection, const std::string& q, const Codes& codes,
+                    const std::string& function = "") {
   std::string list;
   for (const std::string& code : codes) {
-    list += (list.empty() ? "" : ", ") + connection.quote_literal(code);
+    list += (list.empty() ? "" : ", ") + function + "(" + connection.quote_literal(code) + ")";
   }
   return list.empty() ? "false" : q + " IN (" + list + ")";
 }
@@ -69,14 +69,6 @@ Codes ids_of(PqConnection& connection, const SourceLayout& layout, const SideTab
   Codes ids;
   for (int row = 0; row < rows.size(); ++row) ids.push_back(rows.text(row, 0));
   return ids;
-}
-
-Codes lower(Codes words) {
-  for (std::string& word : words) {
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  }
-  return words;
 }
 
 QualitySql listed(PqConnection& connection, const SourceLayout& layout, const std::string& column,
@@ -105,7 +97,7 @@ QualitySql listed(PqConnection& connection, const SourceLayout& layout, const st
   }
   if (numbers) return {in_list(connection, column, good), in_list(connection, column, known)};
   const std::string word = "lower(btrim(" + column + "::text))";
-  return {in_list(connection, word, lower(good)), in_list(connection, word, lower(known))};
+  return {in_list(connection, word, good, "lower"), in_list(connection, word, known, "lower")};
 }
 
 }  // namespace

@@ -57,9 +57,10 @@ std::string span_of_tag(const PlainTable& table, const std::string& tag_type) {
 const Statement kFindRelation{"find_relation", R"(
     SELECT c.oid, n.nspname, c.relname, c.relkind IN ('r', 'p', 'm')
     FROM pg_catalog.pg_class AS c JOIN pg_catalog.pg_namespace AS n ON n.oid = c.relnamespace
+    LEFT JOIN unnest($3::name[]) WITH ORDINALITY AS own (schema, place) ON own.schema = n.nspname
     WHERE c.relname = $2::name AND c.relkind IN ('r', 'p', 'v', 'm', 'f')
-      AND CASE WHEN $1::name = '' THEN pg_catalog.pg_table_is_visible(c.oid)
-               ELSE n.nspname = $1::name END)"};
+      AND CASE WHEN $1::name = '' THEN own.place IS NOT NULL ELSE n.nspname = $1::name END
+    ORDER BY own.place LIMIT 1)"};
 
 const Statement kColumns{"columns", R"(
     SELECT a.attname, CASE WHEN t.typtype = 'd' THEN base.typname ELSE t.typname END
@@ -69,11 +70,11 @@ const Statement kColumns{"columns", R"(
     WHERE a.attrelid = $1::oid AND a.attnum > 0 AND NOT a.attisdropped)"};
 
 const Statement kIndexes{"indexes", R"(
-    SELECT (SELECT string_agg(a.attname, ',' ORDER BY place)
+    SELECT (SELECT string_agg(encode(convert_to(a.attname, 'UTF8'), 'hex'), ',' ORDER BY place)
             FROM unnest(i.indkey) WITH ORDINALITY AS k (number, place)
             JOIN pg_catalog.pg_attribute AS a ON a.attrelid = i.indrelid AND a.attnum = k.number
             WHERE place <= i.indnkeyatts),
-           (SELECT string_agg(a.attname, ',')
+           (SELECT string_agg(encode(convert_to(a.attname, 'UTF8'), 'hex'), ',')
             FROM pg_catalog.pg_attribute AS a
             WHERE a.attrelid = i.indrelid AND a.attnum = ANY (i.indkey))
     FROM pg_catalog.pg_index AS i

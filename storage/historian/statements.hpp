@@ -9,9 +9,11 @@
 /// whose names were found in the catalogue and quoted.
 namespace loopscope::storage::historian_statements {
 
-extern const Statement kFindRelation;  ///< schema, table -> oid, schema, table, is_table
-extern const Statement kColumns;       ///< relation oid -> name, type
-extern const Statement kIndexes;  ///< relation oid -> key columns, all columns, comma-separated
+/// schema, table, schemas to look in where none is named -> oid, schema, table, is_table
+extern const Statement kFindRelation;
+extern const Statement kColumns;  ///< relation oid -> name, type
+/// relation oid -> key columns, all columns: names in hexadecimal digits, comma-separated
+extern const Statement kIndexes;
 extern const Statement kNow;
 extern const Statement kBegin;
 extern const Statement kCommit;

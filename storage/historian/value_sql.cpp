@@ -1,8 +1,5 @@
 #include "storage/historian/value_sql.hpp"
 
-#include <algorithm>
-#include <cctype>
-
 #include "storage/array_literal.hpp"
 #include "storage/historian/column_types.hpp"
 
@@ -14,19 +11,14 @@ namespace {
 constexpr const char* kNumberPattern =
     R"('^[+-]?([0-9]{1,200}(\.[0-9]{0,100})?|\.[0-9]{1,100})([eE][+-]?[0-9]{1,2})?$')";
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 std::string text_sql(const PqConnection& connection, const std::string& column,
                      const std::vector<std::pair<std::string, double>>& states) {
   const std::string trimmed = "btrim(" + column + "::text)";
   std::string sql =
       "CASE WHEN " + trimmed + " ~ " + kNumberPattern + " THEN " + trimmed + "::float8";
+  // The database knows the capitals of its own letters.
   for (const auto& [text, value] : states) {
-    sql += " WHEN lower(" + trimmed + ") = " + connection.quote_literal(lower(text)) + " THEN " +
+    sql += " WHEN lower(" + trimmed + ") = lower(" + connection.quote_literal(text) + ") THEN " +
            number_text(value) + "::float8";
   }
   return sql + " END";

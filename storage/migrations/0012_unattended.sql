@@ -30,19 +30,44 @@ COMMENT ON COLUMN loopscope.worker.last_seen IS 'When it spoke last: every third
 COMMENT ON COLUMN loopscope.worker.held_loops IS 'Loops in its hands at that time';
 COMMENT ON COLUMN loopscope.worker.lost_leases IS 'Leases that it lost to others since its start';
 
+-- Exactly these rights (storage/README.md, "Roles", is the list, and a test
+-- compares): what somebody has granted to the group roles besides, and what former versions granted, is taken back.
+-- Nobody sees the moment between, because it is one transaction. The worker's UPDATE leaves out every key, so
+-- that no row of results can be passed off as another's, and holds no lock that stops readers.
+
 CREATE OR REPLACE FUNCTION loopscope.grant_rights() RETURNS void LANGUAGE plpgsql SET search_path = pg_catalog AS $$
+DECLARE
+  grantee text;
+  written record;
 BEGIN
-  REVOKE ALL ON SCHEMA loopscope FROM PUBLIC;
-  REVOKE ALL ON ALL FUNCTIONS IN SCHEMA loopscope FROM PUBLIC;
+  FOREACH grantee IN ARRAY ARRAY['PUBLIC', 'loopscope_worker', 'loopscope_reader', 'loopscope_historian'] LOOP
+    CONTINUE WHEN grantee <> 'PUBLIC' AND to_regrole(grantee) IS NULL;
+    EXECUTE 'REVOKE ALL ON SCHEMA loopscope FROM ' || grantee;
+    EXECUTE 'REVOKE ALL ON ALL TABLES IN SCHEMA loopscope FROM ' || grantee;
+    EXECUTE 'REVOKE ALL ON ALL SEQUENCES IN SCHEMA loopscope FROM ' || grantee;
+    EXECUTE 'REVOKE ALL ON ALL FUNCTIONS IN SCHEMA loopscope FROM ' || grantee;
+  END LOOP;
   IF to_regrole('loopscope_worker') IS NOT NULL THEN
     GRANT USAGE ON SCHEMA loopscope TO loopscope_worker;
     GRANT SELECT ON ALL TABLES IN SCHEMA loopscope TO loopscope_worker;
     GRANT UPDATE (visible_at, owner, fence, attempts, lost_leases, last_error, last_slot_end, result_slot_end)
       ON loopscope.schedule TO loopscope_worker;
     GRANT UPDATE (value) ON loopscope.parameter TO loopscope_worker;
-    GRANT INSERT, UPDATE ON loopscope.analysis, loopscope.plant_oscillation, loopscope.standing_problem,
-      loopscope.stage_cost, loopscope.worker TO loopscope_worker;
-    GRANT INSERT ON loopscope.bicoherence_peak, loopscope.explanation_step, loopscope.verdict TO loopscope_worker;
+    GRANT INSERT ON loopscope.analysis, loopscope.bicoherence_peak, loopscope.explanation_step, loopscope.verdict,
+      loopscope.plant_oscillation, loopscope.standing_problem, loopscope.stage_cost, loopscope.worker TO loopscope_worker;
+    FOR written IN
+      SELECT class.relname, string_agg(quote_ident(part.attname), ', ' ORDER BY part.attnum) AS columns
+      FROM pg_class AS class
+      JOIN pg_attribute AS part ON part.attrelid = class.oid AND part.attnum > 0 AND NOT part.attisdropped
+      WHERE class.relnamespace = 'loopscope'::regnamespace
+        AND class.relname IN ('analysis', 'plant_oscillation', 'standing_problem', 'stage_cost', 'worker')
+        AND part.attname <> 'analysis_id'
+        AND NOT EXISTS (SELECT FROM pg_index AS key WHERE key.indrelid = class.oid AND key.indisprimary
+                                                      AND part.attnum = ANY (key.indkey))
+      GROUP BY class.relname
+    LOOP
+      EXECUTE format('GRANT UPDATE (%s) ON loopscope.%I TO loopscope_worker', written.columns, written.relname);
+    END LOOP;
     GRANT USAGE ON SEQUENCE loopscope.analysis_id TO loopscope_worker;
     GRANT EXECUTE ON FUNCTION loopscope.oldest_program() TO loopscope_worker;
   END IF;
@@ -51,6 +76,7 @@ BEGIN
     GRANT SELECT ON ALL TABLES IN SCHEMA loopscope TO loopscope_reader;
   END IF;
 END $$;
+COMMENT ON FUNCTION loopscope.grant_rights() IS 'Gives loopscope_worker and loopscope_reader, where they exist, exactly the rights that they need, and takes every other one back';
 
 -- A month without a word: the process is gone, and its rows with it.
 CREATE OR REPLACE FUNCTION loopscope.delete_old_rows(before timestamptz) RETURNS void LANGUAGE plpgsql

@@ -213,6 +213,11 @@ const std::array kColumns{
 };
 
 /// The statement's text, made from the columns once.
+/// The worker has no right to change these.
+bool is_key(std::string_view column) {
+  return column == "loop_id" || column == "slot_end" || column == "algorithm_revision";
+}
+
 std::string upsert_sql() {
   std::string names, selected, arrays, updates;
   int parameter = 0;
@@ -222,7 +227,7 @@ std::string upsert_sql() {
     names += comma + name;
     selected += comma + name + std::string(column.cast);
     arrays += comma + ("$" + std::to_string(++parameter)) + "::" + std::string(column.type) + "[]";
-    updates += name + " = EXCLUDED." + name + ", ";
+    if (!is_key(column.name)) updates += name + " = EXCLUDED." + name + ", ";
   }
   return "INSERT INTO loopscope.analysis AS stored (" + names + ") SELECT " + selected +
          " FROM unnest(" + arrays + ") AS row (" + names + ")" +

@@ -1,5 +1,6 @@
 #include "storage/results/check_results.hpp"
 
+#include "storage/check_connection.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
 #include "storage/results/statements.hpp"
@@ -30,6 +31,7 @@ Finding check_right(const pqxx::row& row) {
 std::vector<Finding> check_results(const ConnectionSettings& settings) {
   std::vector<Finding> findings;
   try {
+    findings = check_connection(settings);
     Session session(settings);
     findings.push_back({true, "connected to the " + describe_target(settings), "", false});
     require_schema_version(session);

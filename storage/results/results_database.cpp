@@ -241,6 +241,10 @@ std::size_t ResultsDatabase::count_enabled_loops() {
   });
 }
 
+ScheduleHealth ResultsDatabase::schedule_health() {
+  return storage::schedule_health(impl_->session);
+}
+
 void ResultsDatabase::set_parameter(const std::string& name, double value) {
   impl_->session.transact([&](Transaction& transaction) {
     if (transaction.run(statements::kSetParameter, {name, number_text(value)}).empty()) {

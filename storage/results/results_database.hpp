@@ -14,6 +14,7 @@
 #include "storage/connection_settings.hpp"
 #include "storage/data_problem.hpp"
 #include "storage/error.hpp"
+#include "storage/results/schedule_health.hpp"
 #include "storage/stage_cost.hpp"
 
 namespace loopscope::storage {
@@ -131,6 +132,8 @@ class ResultsDatabase {
   [[nodiscard]] std::optional<double> next_due_in_s();
 
   [[nodiscard]] std::size_t count_enabled_loops();
+  /// How far the work as a whole is behind.
+  [[nodiscard]] ScheduleHealth schedule_health();
   /// Stores the settings that the views compute with (table loopscope.parameter).
   void set_parameter(const std::string& name, double value);
   /// Adds to the bearer's cost of the running hour (table loopscope.stage_cost).

@@ -75,6 +75,9 @@ class Session {
   std::string statement_;
   bool dead_ = false;
   pqxx::connection connection_;
+  /// What the server remarks beside its answers would go to standard error line by line; errors
+  /// come as exceptions.
+  pqxx::quiet_errorhandler quiet_{connection_};
   SocketDeadline deadline_;
 };
 

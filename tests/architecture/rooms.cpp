@@ -26,7 +26,8 @@ const std::array kRooms = {
     Room{"storage", kCore, {"libpqxx", "libpq"}, false, true},
     Room{"daemon",
          {"core", "config", "storage"},
-         {"Asio", "spdlog", "fmt", "CLI11", "nlohmann-json", "date", "Boost.Math"},
+         {"Asio", "spdlog", "fmt", "CLI11", "nlohmann-json", "date", "Boost.Math", "prometheus-cpp",
+          "cpp-httplib", "libsystemd"},
          false,
          true},
 };
@@ -50,6 +51,9 @@ constexpr std::array kLibraries = {
     Library{"fmt", "fmt/"},
     Library{"CLI11", "CLI/"},
     Library{"date", "date/"},
+    Library{"prometheus-cpp", "prometheus/"},
+    Library{"cpp-httplib", "httplib.h"},
+    Library{"libsystemd", "systemd/"},
     Library{"GoogleTest", "gtest/"},
     Library{"GoogleTest", "gmock/"},
 };
@@ -71,6 +75,8 @@ constexpr std::array<std::string_view, 49> kPureHeaders = {
 constexpr std::array kExceptions = {
     Exception{"core/hos/plan_cache.hpp", "mutex",
               "FFTW's planner is the one thing in core/ that all threads of a program share"},
+    Exception{"config/http_address.cpp", "arpa/inet.h",
+              "what is an address, and of the loopback, the system's own reader says"},
     Exception{"core/hos/triple_tile_avx2.cpp", "immintrin.h", "vector instructions"},
     Exception{"core/hos/triple_tile_avx512.cpp", "immintrin.h", "vector instructions"},
 };

@@ -42,6 +42,19 @@ TEST_F(BadInput, SettingsProblemsAreNamedAllAtOnce) {
   expect_nothing_stored();
 }
 
+TEST_F(BadInput, TheHttpAddressIsCheckedForItsFormAndForWhoReachesIt) {
+  const auto check = [this](const std::string& address) {
+    plant_.write_settings(Plant::settings(R"("daemon": {"http_address": ")" + address + "\"}"));
+    return plant_.loopscope("check-config");
+  };
+  expect_error(check("localhost:9470"), 3, "/daemon/http_address");
+  const ProgramResult open = check("0.0.0.0:9470");
+  EXPECT_THAT(open.out, HasSubstr("warning  HTTP: 0.0.0.0:9470"));
+  EXPECT_THAT(open.out, HasSubstr("anyone who reaches it can read"));
+  EXPECT_THAT(check("[::1]:9470").out, HasSubstr("ok       HTTP: [::1]:9470"));
+  EXPECT_THAT(check("").out, HasSubstr("ok       HTTP: none"));
+}
+
 TEST_F(BadInput, AMissingSettingsFile) {
   expect_error(run_program({LOOPSCOPE_PROGRAM, "once", "--config", "/nowhere/x.json"}), 3,
                "/nowhere/x.json");

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/failure.hpp"
+#include "tests/support/hostile_names.hpp"
 #include "tests/support/source_dir.hpp"
 
 namespace loopscope::daemon {
@@ -52,6 +53,15 @@ TEST(CsvTable, WrittenCellsReadBack) {
   for (const std::string text : {"plain", "with,comma", "with \"quotes\"", "line\nbreak", ""}) {
     const CsvTable table = parse_csv("a,b\n" + csv_cell(text) + ",x\n", "f.csv");
     EXPECT_EQ(table.rows[0].cells[0], text);
+  }
+}
+
+TEST(CsvTable, HostileNamesReadBack) {
+  for (const tests::HostileName& hostile : tests::hostile_names()) {
+    const CsvTable table =
+        parse_csv("a,b\n" + csv_cell(hostile.name) + "," + csv_cell(hostile.name) + "\n", "f.csv");
+    ASSERT_EQ(table.rows.size(), 1U) << hostile.about;
+    EXPECT_THAT(table.rows[0].cells, ElementsAre(hostile.name, hostile.name)) << hostile.about;
   }
 }
 

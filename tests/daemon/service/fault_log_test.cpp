@@ -31,7 +31,8 @@ class LoggedLines {
 
 TEST(FaultLog, SaysAFaultOnceAndItsEndOnce) {
   const LoggedLines lines;
-  FaultLog log;
+  Metrics metrics({"0.0", 0, "portable"});
+  FaultLog log(metrics);
   log.recovered("plant");
   for (int k = 0; k < 3; ++k) log.fault("plant", "away");
   for (int k = 0; k < 3; ++k) log.recovered("plant");
@@ -40,7 +41,8 @@ TEST(FaultLog, SaysAFaultOnceAndItsEndOnce) {
 
 TEST(FaultLog, OneOutageInManyWordsIsSaidAFewTimes) {
   const LoggedLines lines;
-  FaultLog log;
+  Metrics metrics({"0.0", 0, "portable"});
+  FaultLog log(metrics);
   for (int round = 0; round < 5; ++round) {
     for (const char* words : {"a", "b", "c", "d", "e"}) log.fault("plant", words);
   }

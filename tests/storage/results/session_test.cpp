@@ -69,7 +69,7 @@ TEST_F(SessionTest, SessionIsSetUpTheSameOnEveryServer) {
 TEST_F(SessionTest, FailedWorkStoresNothingAndTheSessionGoesOn) {
   database->execute("CREATE TABLE kept (x int)");
   Session session(settings_for(*database));
-  const Statement insert{"insert", "INSERT INTO kept VALUES (1)", Rows::none};
+  const Statement insert{"insert", "INSERT INTO public.kept VALUES (1)", Rows::none};
   const Statement wrong{"wrong", "SELECT * FROM no_such_table"};
   EXPECT_THROW(session.transact([&](Transaction& t) {
     t.run(insert);
@@ -91,8 +91,8 @@ TEST_F(SessionTest, SerialisationFailureAsksForARetry) {
   database->execute("CREATE TABLE counter (x int); INSERT INTO counter VALUES (0)");
   Session session(settings_for(*database));
   const Statement isolate{"isolate", "SET TRANSACTION ISOLATION LEVEL REPEATABLE READ", Rows::none};
-  const Statement read{"read", "SELECT x FROM counter", Rows::one};
-  const Statement write{"write", "UPDATE counter SET x = x + 1", Rows::none};
+  const Statement read{"read", "SELECT x FROM public.counter", Rows::one};
+  const Statement write{"write", "UPDATE public.counter SET x = x + 1", Rows::none};
   try {
     session.transact([&](Transaction& t) {
       t.run(isolate);

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "storage/results/results_database.hpp"
+#include "storage/results/schedule_health.hpp"
+#include "storage/stage_cost.hpp"
+
+namespace loopscope::daemon {
+
+/// Which program this is: the labels of loopscope_build_info.
+struct BuildInfo {
+  std::string version;
+  int algorithm_revision = 0;
+  std::string path;  ///< core::hos::processor_path()
+};
+
+/// The figures of this process for Prometheus (README, "Monitoring": each name, its unit and what
+/// it means). Nothing here is per loop: a catalogue of a hundred thousand loops would be as many
+/// series; single loops are asked for in SQL. What is not known yet is left out instead of said to
+/// be 0. Thread-safe; a call takes a lock and some hundred nanoseconds.
+class Metrics {
+ public:
+  explicit Metrics(const BuildInfo& build);
+  ~Metrics();
+  Metrics(const Metrics&) = delete;
+  Metrics& operator=(const Metrics&) = delete;
+
+  /// The historians of the settings in force: their counters begin at 0, so that a first event is
+  /// seen as an increase, and the age of data of others is forgotten.
+  void set_sources(std::span<const std::string> sources);
+
+  void count(const storage::WriteCount& count);
+  /// What was spent since the last call.
+  void add(const storage::StageCost& cost);
+  /// A batch of loops took so long from its claim to its end.
+  void observe_batch(double seconds);
+  void leases_lost(std::size_t loops);
+
+  /// A new connection took the place of a broken one; `target` is "results" or "historian NAME".
+  void reconnected(const std::string& target);
+  /// The fault of `subject` stands. It is counted when it begins, however many threads meet it.
+  void fault(const std::string& subject);
+  void recovered(const std::string& subject);
+
+  /// The newest row of the historian `source` is so old, by the clock of the results database.
+  void data_age(const std::string& source, double seconds);
+  void unknown_quality(const std::string& source, std::size_t values);
+
+  void set(const storage::ScheduleHealth& health);
+  void settings_reload(bool success);
+  /// Of the thread that stands still longest.
+  void since_progress(double seconds);
+
+  /// All of it in Prometheus' text format 0.0.4.
+  [[nodiscard]] std::string text() const;
+  static constexpr const char* kContentType = "text/plain; version=0.0.4; charset=utf-8";
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,45 @@
+#include "daemon/output/write_csv.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iostream>
+#include <string_view>
+
+#include "daemon/output/write_file.hpp"
+#include "daemon/recording/cells.hpp"
+#include "daemon/recording/csv_table.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+bool is_formula(const std::string& cell) {
+  constexpr std::string_view kStarts = "=+-@\t\r";
+  return !cell.empty() && kStarts.find(cell.front()) != std::string_view::npos &&
+         !parse_number(cell);
+}
+
+}  // namespace
+
+std::size_t count_formulas(const std::string& csv) {
+  std::size_t count = 0;
+  for (const CsvTable::Row& row : parse_csv(csv, "").rows) {
+    count += static_cast<std::size_t>(std::ranges::count_if(row.cells, is_formula));
+  }
+  return count;
+}
+
+void write_csv(const std::string& file, const std::string& csv) {
+  if (file == "-") {
+    std::cout << csv;
+  } else {
+    write_file(file, csv);
+  }
+  const std::size_t formulas = count_formulas(csv);
+  if (formulas == 0) return;
+  std::cerr << fmt::format(
+      "note: {} cells begin with =, +, - or @: a spreadsheet takes them for formulas unless it is "
+      "told to import every column as text\n",
+      formulas);
+}
+
+}  // namespace loopscope::daemon

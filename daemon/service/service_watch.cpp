@@ -1,0 +1,149 @@
+#include "daemon/service/service_watch.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <utility>
+
+#include "daemon/failure.hpp"
+#include "daemon/monitor/monitor_pages.hpp"
+#include "daemon/monitor/service_manager.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using std::chrono::duration;
+
+/// The scheduling thread never waits for anything.
+constexpr double kPulseLimit_s = 30.0;
+/// A lane or the heartbeat waits for databases, but no longer than a lease (storage_settings.cpp);
+/// a short lease is no reason to restart a process that is connecting.
+constexpr double kLeastLimit_s = 60.0;
+/// Between two words to systemd while the last batches are finished.
+constexpr std::chrono::seconds kStoppingPatience{30};
+
+HealthLimits limits(const config::Settings& settings) {
+  // Three polls without an answer.
+  return {std::max(kLeastLimit_s, 3.0 * settings.schedule.poll_s), settings.daemon.max_lag_s};
+}
+
+double seconds(duration<double> time) {
+  return time.count();
+}
+
+}  // namespace
+
+ServiceWatch::ServiceWatch(std::shared_ptr<const config::Settings> settings, LaneTools& tools,
+                           Heartbeat& heartbeat)
+    : tools_(tools),
+      heartbeat_(heartbeat),
+      settings_(std::move(settings)),
+      health_([this] { return why_not_live(); }, limits(*settings_)) {
+  open_pages();
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  ServiceManager::ready("waiting for the results database");
+}
+
+ServiceWatch::~ServiceWatch() {
+  if (server_) server_->stop();
+}
+
+void ServiceWatch::open_pages() {
+  // The settings were checked: what is left without an address wants no server.
+  const auto address = config::parse_http_address(settings_->daemon.http_address);
+  if (!address) return;
+  try {
+    server_.emplace(*address);
+    add_monitor_pages(*server_, health_, tools_.metrics, [this] { return silence_s(); });
+    server_->start();
+    spdlog::info("health and metrics: http://{}", settings_->daemon.http_address);
+  } catch (const Failure& failure) {
+    server_.reset();
+    tools_.faults.fault("http", std::string(failure.what()) + " HINT: " + failure.hint());
+  }
+}
+
+void ServiceWatch::use(std::shared_ptr<const config::Settings> settings) {
+  const std::lock_guard lock(mutex_);
+  health_.set_limits(limits(*settings));
+  settings_ = std::move(settings);
+}
+
+std::shared_ptr<const config::Settings> ServiceWatch::settings() {
+  const std::lock_guard lock(mutex_);
+  return settings_;
+}
+
+void ServiceWatch::pulse() {
+  {
+    const std::lock_guard lock(mutex_);
+    pulsed_at_ = Clock::now();
+  }
+  if (!health_.live().well) return;
+  ServiceManager::feed_watchdog();
+  if (stopping_) ServiceManager::extend_timeout(kStoppingPatience);
+}
+
+void ServiceWatch::stopping() {
+  stopping_ = true;
+  ServiceManager::stopping("finishing what is in hand");
+}
+
+std::optional<std::string> ServiceWatch::why_not_live() {
+  const double limit_s = std::max(kLeastLimit_s, settings()->schedule.lease_s);
+  Clock::time_point pulsed_at;
+  {
+    const std::lock_guard lock(mutex_);
+    pulsed_at = pulsed_at_;
+  }
+  const double pulse_s = seconds(Clock::now() - pulsed_at);
+  if (pulse_s > kPulseLimit_s)
+    return fmt::format("the scheduler has stood still for {:.0f} s", pulse_s);
+  const double beat_s = seconds(heartbeat_.silence());
+  if (beat_s > limit_s) return fmt::format("the heartbeat has stood still for {:.0f} s", beat_s);
+  return tools_.progress.standstill(
+      std::chrono::duration_cast<Clock::duration>(duration<double>(limit_s)));
+}
+
+double ServiceWatch::silence_s() {
+  const std::lock_guard lock(mutex_);
+  return seconds(std::max(tools_.progress.longest_silence(), Clock::now() - pulsed_at_));
+}
+
+void ServiceWatch::run(const std::stop_token& stop) {
+  std::shared_ptr<const config::Settings> linked_with;
+  std::optional<ResultsLink> link;
+  while (!stop.stop_requested()) {
+    const auto now_in_force = settings();
+    if (linked_with != now_in_force) {
+      linked_with = now_in_force;
+      link.emplace(linked_with, tools_.faults, tools_.metrics, tools_.bell);
+    }
+    look(*link);
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, stop, duration<double>(linked_with->schedule.poll_s),
+                      [] { return false; });
+  }
+}
+
+void ServiceWatch::look(ResultsLink& link) {
+  try {
+    const storage::ScheduleHealth schedule =
+        link.with([](storage::ResultsDatabase& database) { return database.schedule_health(); });
+    tools_.metrics.set(schedule);
+    health_.results_answered();
+    health_.set(schedule);
+    if (stopping_) return;
+    ServiceManager::status(fmt::format("{} loops, {} overdue by {:.0f} s at most, {} failing",
+                                       schedule.enabled_loops, schedule.overdue_loops,
+                                       schedule.lag_s, schedule.failing_loops));
+  } catch (const storage::DatabaseError& error) {
+    link.say(error);
+    if (error.remedy() == storage::Remedy::give_up) health_.schema_refused(error.what());
+    if (!stopping_) ServiceManager::status("the results database is away");
+  } catch (const std::exception& error) {
+    tools_.faults.fault("monitor", error.what());
+  }
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,54 @@
+#include "storage/results/schedule_health.hpp"
+
+#include "storage/results/session.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+// A loop in the hands of a living worker has visible_at in the future, as one that is not due yet:
+// so whoever is visible waits. The partitioned tables are those of the catalogue, because the
+// worker may not call the owner's function that lists them.
+const Statement kScheduleHealth{"schedule_health", R"(
+    SELECT loops.*, months.ahead, rows_of_default.counted
+    FROM (
+      SELECT count(*) AS enabled, count(*) FILTER (WHERE visible_at <= now()) AS overdue,
+             greatest(0, coalesce(extract(epoch FROM now() - min(visible_at)), 0))::float8 AS lag_s,
+             count(*) FILTER (WHERE attempts > 0) AS failing
+      FROM loopscope.schedule WHERE enabled
+    ) AS loops
+    CROSS JOIN (
+      SELECT coalesce(min(month.number), 25) - 1 AS ahead
+      FROM generate_series(0, 24) AS month (number)
+      WHERE EXISTS (
+        SELECT FROM pg_class AS parent
+        WHERE parent.relnamespace = 'loopscope'::regnamespace AND parent.relkind = 'p'
+          AND to_regclass(format('loopscope.%I', parent.relname || to_char(
+                date_trunc('month', now() AT TIME ZONE 'UTC')
+                + make_interval(months => month.number), '_YYYY_MM'))) IS NULL)
+    ) AS months
+    CROSS JOIN (
+      SELECT count(*) AS counted FROM (
+        SELECT 1 FROM loopscope.analysis_default
+        UNION ALL SELECT 1 FROM loopscope.verdict_default
+        UNION ALL SELECT 1 FROM loopscope.bicoherence_peak_default
+        UNION ALL SELECT 1 FROM loopscope.explanation_step_default
+        LIMIT $1::bigint) AS found
+    ) AS rows_of_default)",
+                                Rows::one};
+
+}  // namespace
+
+ScheduleHealth schedule_health(Session& session) {
+  const pqxx::result rows = session.transact([](Transaction& transaction) {
+    return transaction.run(kScheduleHealth, {std::to_string(kMostDefaultRows)});
+  });
+  const pqxx::row row = rows[0];
+  return {row["enabled"].as<std::int64_t>(),
+          row["overdue"].as<std::int64_t>(),
+          row["lag_s"].as<double>(),
+          row["failing"].as<std::int64_t>(),
+          row["ahead"].as<int>(),
+          row["counted"].as<std::int64_t>()};
+}
+
+}  // namespace loopscope::storage

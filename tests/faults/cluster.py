@@ -1,0 +1,103 @@
+"""All hosts together: workers, a primary with a synchronous standby for the results, a historian."""
+
+import shutil
+import tempfile
+from pathlib import Path
+
+import plant
+from network import Network
+from servers import PORT, Server
+from shell import say, wait_until
+from workers import Worker
+
+WORKERS = ("worker1", "worker2", "worker3")
+# Small, so that it can be filled; large enough for a run.
+DISK_MB = 2000
+SOURCE_DIR = Path(__file__).resolve().parents[2]
+
+
+class Cluster:
+    def __init__(self, program, loops, ahead_s):
+        self.program, self.loops = program, loops
+        self.servers, self.workers, self.network = [], [], None
+        self.folder = Path(tempfile.mkdtemp(prefix="loopscope-faults.", dir="/var/tmp"))
+        self.folder.chmod(0o755)
+        try:
+            self._build(ahead_s)
+        except BaseException:
+            self.remove()
+            raise
+
+    def _server(self, host, size_mb=None):
+        self.servers.append(Server(self.network, host, self.folder, size_mb))
+        return self.servers[-1]
+
+    def _build(self, ahead_s):
+        self.network = Network((*WORKERS, "first", "second", "historian"))
+        self.historian = self._server("historian")
+        self.historian.create()
+        say("rows for the historian")
+        plant.fill_historian(self.historian, self.program, ahead_s)
+        self.primary, self.standby = self._server("first", DISK_MB), self._server("second", DISK_MB)
+        self.primary.create()
+        settings = self.folder / "owner.json"
+        plant.write_settings(settings, self.loops, self.primary.conninfo(plant.RESULTS),
+                             self.historian.conninfo(plant.HISTORIAN))
+        plant.make_results(self.primary, self.program, settings, SOURCE_DIR, self.loops)
+        self.standby.follow(self.primary)
+
+    def _conninfo(self, servers, database, user):
+        hosts = ",".join(self.network.address[server.host] for server in servers)
+        return f"host={hosts} port={PORT} dbname={database} user={user}"
+
+    def start_workers(self):
+        settings = self.folder / "worker.json"
+        plant.write_settings(settings, self.loops,
+                             self._conninfo((self.primary, self.standby), plant.RESULTS, "worker"),
+                             self._conninfo((self.historian,), plant.HISTORIAN, "reader"))
+        for host in WORKERS:
+            self.workers.append(Worker(self.network, host, self.program, settings, self.folder))
+            self.workers[-1].start()
+
+    def stop_workers(self):
+        return [worker.stop() for worker in self.workers]
+
+    def sql(self, text):
+        return self.primary.sql(text, plant.RESULTS)
+
+    def reference(self, found):
+        """The same slots, in a database of its own, by one worker that nothing disturbs."""
+        database = "reference"
+        settings = self.folder / "reference.json"
+        plant.write_settings(settings, self.loops, self.primary.conninfo(database),
+                             self.historian.conninfo(plant.HISTORIAN), workers=2)
+        plant.make_results(self.primary, self.program, settings, SOURCE_DIR, self.loops, database)
+        values = ",".join(f"('{name}', {first - period}, {last})"
+                          for name, (first, last, period) in found.items())
+        self.primary.sql(f"""
+            CREATE TABLE wanted (name text, before_s bigint, last_s bigint);
+            INSERT INTO wanted VALUES {values};
+            UPDATE loopscope.schedule AS s SET last_slot_end = to_timestamp(before_s)
+            FROM loopscope.loop JOIN wanted USING (name) WHERE loop.loop_id = s.loop_id""", database)
+        worker = Worker(self.network, "historian", self.program, settings, self.folder)
+        worker.start()
+        left = ("SELECT count(*) FROM loopscope.schedule JOIN loopscope.loop USING (loop_id)"
+                " JOIN wanted USING (name) WHERE last_slot_end < to_timestamp(last_s)")
+        try:
+            wait_until(lambda: self.primary.sql(left, database) == "0", 7200, "reference", 2.0)
+        finally:
+            worker.stop()
+        return database
+
+    def remove(self):
+        for worker in self.workers:
+            if worker.alive():
+                worker.kill()
+        for server in self.servers:
+            try:
+                server.remove()
+            except (RuntimeError, OSError) as error:
+                say(f"{server.host}: {error}")
+        if self.network:
+            self.network.remove()
+        shutil.rmtree(self.folder, ignore_errors=True)

@@ -1,0 +1,134 @@
+"""What is done to the plant. Each fault happens, ends, and leaves the world as it was; `cluster` is
+what main.py puts together. A fault's function returns when the fault has ended; what has to be put
+back in order after the recovery was measured is done by `afterwards`, where it is given."""
+
+import signal
+import time
+
+import plant
+
+LONGER_THAN_LEASE_S = plant.LEASE_S + 3
+
+
+def kill_worker(cluster, random):
+    """kill -9; it comes back only after the others have taken over."""
+    worker = random.choice(cluster.workers)
+    worker.kill()
+    return worker.host, worker.start
+
+
+def stop_worker(cluster, random):
+    """SIGSTOP beyond the lease: it wakes up as a zombie whose loops others have."""
+    worker = random.choice(cluster.workers)
+    worker.send(signal.SIGSTOP)
+    time.sleep(random.uniform(plant.LEASE_S + 1, LONGER_THAN_LEASE_S))
+    worker.send(signal.SIGCONT)
+    return worker.host, None
+
+
+def crash_results(cluster, random):
+    """pg_ctl stop -m immediate, and started again."""
+    cluster.primary.stop("immediate")
+    time.sleep(random.uniform(1, 8))
+    cluster.primary.start()
+    return cluster.primary.host, None
+
+
+def crash_historian(cluster, random):
+    cluster.historian.stop("immediate")
+    time.sleep(random.uniform(1, 12))
+    cluster.historian.start()
+    return cluster.historian.host, None
+
+
+def promote_standby(cluster, random):
+    """The primary dies for good; its synchronous standby takes over, and gets a new standby."""
+    cluster.primary.stop("immediate")
+    time.sleep(random.uniform(0.5, 4))
+    cluster.primary, cluster.standby = cluster.standby, cluster.primary
+    cluster.primary.promote()
+    return cluster.primary.host, lambda: cluster.standby.follow(cluster.primary)
+
+
+def pull_cable(cluster, random):
+    host = random.choice(list(cluster.network.address))
+    cluster.network.pull_cable(host)
+    time.sleep(random.uniform(2, LONGER_THAN_LEASE_S))
+    cluster.network.plug_cable(host)
+    return host, None
+
+
+def lose_packets(cluster, random):
+    host = random.choice(list(cluster.network.address))
+    cluster.network.lose_packets(host, random.randint(5, 40))
+    time.sleep(random.uniform(5, 15))
+    cluster.network.lose_nothing(host)
+    return host, None
+
+
+def fill_disk(cluster, random):
+    """The primary's disk is full for a while; the server may die of it."""
+    cluster.primary.fill_disk()
+    until = time.monotonic() + random.uniform(4, 12)
+    while time.monotonic() < until:
+        # Whatever a checkpoint gives back is taken as well.
+        cluster.primary.fill_disk()
+        time.sleep(0.5)
+    cluster.primary.free_disk()
+    if not cluster.primary.answers():
+        cluster.primary.start()
+    return cluster.primary.host, None
+
+
+def move_clock(cluster, random):
+    """The wall clock of a worker's host jumps, and stays wrong."""
+    worker = random.choice(cluster.workers)
+    worker.set_clock(random.choice((-1, 1)) * random.randint(60, 7200))
+    time.sleep(2)  # it looks once a second
+    return worker.host, None
+
+
+def end_sessions(cluster, random):
+    """All sessions of all workers at one of the servers."""
+    server = random.choice((cluster.primary, cluster.historian))
+    ended = server.sql("SELECT count(pg_terminate_backend(pid)) FROM pg_stat_activity"
+                       " WHERE usename IN ('worker', 'reader')")
+    return f"{server.host} ({ended})", None
+
+
+def freeze_server(cluster, random):
+    """It stands still without dying: connections stay open and nothing answers."""
+    server = random.choice((cluster.primary, cluster.historian))
+    server.freeze()
+    time.sleep(random.uniform(4, 12))
+    server.thaw()
+    return server.host, None
+
+
+def late_rows(cluster, random):
+    """Rows of one recording come late, some of them twice."""
+    number = random.randrange(plant.RECORDINGS)
+    where = f"tag LIKE 'R{number}.%' AND time > now() + interval '1 s' AND time <= now() + interval '9 s'"
+    cluster.historian.sql(
+        "CREATE TABLE IF NOT EXISTS late (LIKE history); TRUNCATE late;"
+        f" WITH held AS (DELETE FROM history WHERE {where} RETURNING *)"
+        " INSERT INTO late SELECT * FROM held", plant.HISTORIAN)
+    time.sleep(random.uniform(12, 25))
+    cluster.historian.sql(
+        "INSERT INTO history SELECT * FROM late; INSERT INTO history SELECT * FROM late"
+        " WHERE random() < 0.5; TRUNCATE late", plant.HISTORIAN)
+    return f"recording {number}", None
+
+
+KINDS = {function.__name__: function for function in (
+    kill_worker, stop_worker, crash_results, crash_historian, promote_standby, pull_cable,
+    lose_packets, fill_disk, move_clock, end_sessions, freeze_server, late_rows)}
+
+
+def plan(faults, random, only=()):
+    """Every kind equally often, in any order."""
+    names = list(only or KINDS)
+    kinds = []
+    while len(kinds) < faults:
+        kinds += random.sample(names, len(names))
+    return kinds[:faults]
