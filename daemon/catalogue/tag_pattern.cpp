@@ -29,6 +29,9 @@ struct TagPattern::Attempt {
   std::string_view tag;
   std::string_view lower;
   std::span<const std::string> words;
+  /// Which pieces are known not to fit from where on, by pieces left and place: without it a
+  /// pattern of many * would try every way to share a tag out among them.
+  std::vector<bool>& hopeless;
 };
 
 TagPattern::TagPattern(std::string_view text) {
@@ -106,6 +109,15 @@ bool TagPattern::fits_role(const Attempt& attempt, std::span<const Piece> pieces
 bool TagPattern::fits(const Attempt& attempt, std::span<const Piece> pieces, std::size_t at,
                       TagMatch& match) {
   if (pieces.empty()) return at == attempt.tag.size();
+  const std::size_t trial = pieces.size() * (attempt.tag.size() + 1) + at;
+  if (attempt.hopeless[trial]) return false;
+  const bool fit = fits_piece(attempt, pieces, at, match);
+  attempt.hopeless[trial] = !fit;
+  return fit;
+}
+
+bool TagPattern::fits_piece(const Attempt& attempt, std::span<const Piece> pieces, std::size_t at,
+                            TagMatch& match) {
   const Piece& piece = pieces.front();
   const std::string_view rest = attempt.lower.substr(at);
   switch (piece.kind) {
@@ -128,7 +140,8 @@ std::optional<TagMatch> TagPattern::match(std::string_view tag,
                                           std::span<const std::string> words) const {
   const std::string lower = lower_case(tag);
   TagMatch match;
-  if (!fits({tag, lower, words}, pieces_, 0, match)) return std::nullopt;
+  std::vector<bool> hopeless((pieces_.size() + 1) * (tag.size() + 1));
+  if (!fits({tag, lower, words, hopeless}, pieces_, 0, match)) return std::nullopt;
   return match;
 }
 

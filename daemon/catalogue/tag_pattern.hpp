@@ -48,6 +48,8 @@ class TagPattern {
   void require_both() const;
   [[nodiscard]] static bool fits(const Attempt& attempt, std::span<const Piece> pieces,
                                  std::size_t at, TagMatch& match);
+  [[nodiscard]] static bool fits_piece(const Attempt& attempt, std::span<const Piece> pieces,
+                                       std::size_t at, TagMatch& match);
   [[nodiscard]] static bool fits_run(const Attempt& attempt, std::span<const Piece> pieces,
                                      std::size_t at, TagMatch& match);
   [[nodiscard]] static bool fits_role(const Attempt& attempt, std::span<const Piece> pieces,

@@ -55,5 +55,12 @@ TEST(TagPattern, LongTagsCostNoMoreThanTheirLength) {
   EXPECT_EQ(taken_apart("{loop}[./_]{role}", tag), "-");
 }
 
+TEST(TagPattern, ManyStarsCostNoMoreThanTheirNumber) {
+  // The ways to share 500 characters out among 20 stars are more than can be tried.
+  const std::string tag(500, 'x');
+  EXPECT_EQ(taken_apart("{loop}********************.{role}", tag), "-");
+  EXPECT_EQ(taken_apart("{loop}********************.{role}", tag + ".PV"), tag + " PV");
+}
+
 }  // namespace
 }  // namespace loopscope::daemon

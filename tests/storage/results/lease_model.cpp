@@ -65,23 +65,19 @@ void LeaseModel::rest() {
   ++lost_leases;
 }
 
-std::vector<std::vector<std::string>> schedule_rows(const LeaseModels& loops) {
+std::vector<std::vector<std::string>> expected_rows(const LeaseModels& loops) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& [loop_id, loop] : loops) {
     rows.push_back({std::to_string(loop_id), std::to_string(loop.fence),
                     loop.owner.empty() ? "NULL" : loop.owner, loop.visible ? "t" : "f",
                     std::to_string(loop.attempts), std::to_string(loop.lost_leases),
-                    loop.last_slot_us ? std::to_string(*loop.last_slot_us) : "NULL"});
+                    loop.last_slot_us ? std::to_string(*loop.last_slot_us) : "NULL", "0"});
   }
-  return rows;
-}
-
-std::vector<std::vector<std::string>> analysis_rows(const LeaseModels& loops) {
-  std::vector<std::vector<std::string>> rows;
   for (const auto& [loop_id, loop] : loops) {
     for (const auto& [slot_end_us, row] : loop.rows) {
-      rows.push_back({std::to_string(loop_id), std::to_string(slot_end_us), row.digest,
-                      std::to_string(row.input_revision), std::to_string(row.input_revision), "t"});
+      const std::string revision = std::to_string(row.input_revision);
+      rows.push_back({std::to_string(loop_id), std::to_string(slot_end_us), row.digest, "t",
+                      revision, revision, "", "1"});
     }
   }
   return rows;

@@ -46,8 +46,9 @@ struct LeaseModel {
 /// By loop_id.
 using LeaseModels = std::map<std::int64_t, LeaseModel>;
 
-/// The models as the rows that the database has to show: of the schedule, and of the analyses.
-[[nodiscard]] std::vector<std::vector<std::string>> schedule_rows(const LeaseModels& loops);
-[[nodiscard]] std::vector<std::vector<std::string>> analysis_rows(const LeaseModels& loops);
+/// The models as the database has to show them: one row per loop (fence, owner, due, failures, lost
+/// leases, newest slot), then one per analysis (slot, digest, fence not beyond the loop's, times
+/// changed, verdicts: one of each time).
+[[nodiscard]] std::vector<std::vector<std::string>> expected_rows(const LeaseModels& loops);
 
 }  // namespace loopscope::storage
