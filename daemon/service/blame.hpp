@@ -1,6 +1,10 @@
 #pragma once
 
+#include <exception>
+
+#include "daemon/failure.hpp"
 #include "storage/error.hpp"
+#include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
 
@@ -12,6 +16,17 @@ namespace loopscope::daemon {
     if (error.sqlstate().starts_with(row_class)) return true;
   }
   return false;
+}
+
+/// The error as a reason for setting loops aside.
+[[nodiscard]] inline Failure as_failure(const storage::DatabaseError& error) {
+  return {ExitCode::database, error.what(), error.hint()};
+}
+
+[[nodiscard]] inline Failure as_failure(const storage::ClaimedLoop& claim,
+                                        const std::exception& error) {
+  return {ExitCode::fault, "loop \"" + claim.loop.name + "\": " + error.what(),
+          "this is a fault in the program: please report it"};
 }
 
 }  // namespace loopscope::daemon

@@ -78,7 +78,9 @@ class Lane {
   template <typename Claim>
   std::vector<storage::ClaimedLoop> timed_claim(Claim claim);
   template <typename Use>
-  auto persistently(Use use);
+  auto persistently(Use use) {
+    return results_.persistently(tools_.perseverance, use, [this] { desk_.step(); });
+  }
   storage::WriteCount process_source(const std::string& source, const Claims& claims);
   /// Reads all that the batch needs.
   Fetched fetch(const std::string& source, const Claims& claims, Batch& batch);
