@@ -65,19 +65,24 @@ void LeaseModel::rest() {
   ++lost_leases;
 }
 
-std::vector<std::vector<std::string>> expected_rows(const LeaseModels& loops) {
+std::vector<std::vector<std::string>> schedule_rows(const LeaseModels& loops) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& [loop_id, loop] : loops) {
     rows.push_back({std::to_string(loop_id), std::to_string(loop.fence),
                     loop.owner.empty() ? "NULL" : loop.owner, loop.visible ? "t" : "f",
                     std::to_string(loop.attempts), std::to_string(loop.lost_leases),
-                    loop.last_slot_us ? std::to_string(*loop.last_slot_us) : "NULL", "0"});
+                    loop.last_slot_us ? std::to_string(*loop.last_slot_us) : "NULL"});
   }
+  return rows;
+}
+
+std::vector<std::vector<std::string>> analysis_rows(const LeaseModels& loops) {
+  std::vector<std::vector<std::string>> rows;
   for (const auto& [loop_id, loop] : loops) {
     for (const auto& [slot_end_us, row] : loop.rows) {
       const std::string revision = std::to_string(row.input_revision);
-      rows.push_back({std::to_string(loop_id), std::to_string(slot_end_us), row.digest, "t",
-                      revision, revision, "", "1"});
+      rows.push_back({std::to_string(loop_id), std::to_string(slot_end_us), row.digest, revision,
+                      revision, "t"});
     }
   }
   return rows;

@@ -46,9 +46,11 @@ struct LeaseModel {
 /// By loop_id.
 using LeaseModels = std::map<std::int64_t, LeaseModel>;
 
-/// The models as the database has to show them: one row per loop (fence, owner, due, failures, lost
-/// leases, newest slot), then one per analysis (slot, digest, fence not beyond the loop's, times
-/// changed, verdicts: one of each time).
-[[nodiscard]] std::vector<std::vector<std::string>> expected_rows(const LeaseModels& loops);
+/// The models as rows that the database has to show. Of the schedule: loop, fence, owner, whether
+/// it is due or its lease has ended, failures and lost leases in a row, newest slot.
+[[nodiscard]] std::vector<std::vector<std::string>> schedule_rows(const LeaseModels& loops);
+/// Of the analyses: loop, slot, digest, how many times it was written, verdicts (one of each time),
+/// and that its fence is not beyond the loop's.
+[[nodiscard]] std::vector<std::vector<std::string>> analysis_rows(const LeaseModels& loops);
 
 }  // namespace loopscope::storage

@@ -35,6 +35,8 @@ class LeaseWorld {
   void check();
 
  private:
+  /// One row per analysis: after deeds that may write, since to ask costs more than a deed.
+  void check_analyses();
   /// At most one worker's claim carries the fence that writes.
   void check_holders();
   void take_claims(LeaseWorker& worker, const std::vector<ClaimedLoop>& claimed,
@@ -57,6 +59,7 @@ class LeaseWorld {
   std::vector<LeaseWorker> workers_;
   LeaseModels loops_;
   int number_ = 0;
+  bool written_ = false;
 };
 
 }  // namespace loopscope::storage
