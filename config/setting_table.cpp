@@ -76,7 +76,7 @@ constexpr std::array kTable = {
     Setting{"/schedule/settle_s", in_schedule<&ScheduleSettings::settle_s>, range(0, 86400, "s"),
             "rows newer than this are left to settle"},
     Setting{"/schedule/lease_s", in_schedule<&ScheduleSettings::lease_s>, range(10, 86400, "s"),
-            "that a claimed loop is held; at least 3 `poll_s`"},
+            "within which others have the loops of a worker that was lost; at least 3 `poll_s`"},
     Setting{"/schedule/batch_loops", in_schedule<&ScheduleSettings::batch_loops>,
             range(1, 256, "loops"), "claimed, read and written together"},
     Setting{"/schedule/default_period_s", in_schedule<&ScheduleSettings::default_period_s>,
@@ -85,10 +85,11 @@ constexpr std::array kTable = {
     Setting{"/schedule/revise_slots", in_schedule<&ScheduleSettings::revise_slots>,
             range(0, 48, "slots"),
             "before the newest one that are checked for late rows at each visit of a loop"},
-    Setting{"/schedule/catch_up_slots", in_schedule<&ScheduleSettings::catch_up_slots>,
-            range(0, 1000, "slots"),
-            "that passed while nobody worked and are made up for by `run`, oldest first; older ones "
-            "are left out"},
+    Setting{
+        "/schedule/catch_up_slots", in_schedule<&ScheduleSettings::catch_up_slots>,
+        range(0, 1000, "slots"),
+        "that passed while nobody worked and are made up for by `run`, oldest first; older ones "
+        "are left out"},
     Setting{"/schedule/model_all_up_to", in_schedule<&ScheduleSettings::model_all_up_to>,
             range(0, 1e6, "loops"),
             "enabled, up to which every loop gets a loop model in every slot"},

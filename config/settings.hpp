@@ -77,7 +77,7 @@ struct HistorianSettings {
 struct ScheduleSettings {
   double poll_s = 10.0;              ///< seconds between two looks for due loops, 0.1 to 3600
   double settle_s = 60.0;            ///< nothing newer than this is read, 0 to 86400
-  double lease_s = 300.0;            ///< seconds that a claimed loop is held, 10 to 86400
+  double lease_s = 300.0;            ///< seconds after which others take over, 10 to 86400
   int batch_loops = 32;              ///< loops per claim, 1 to 256
   double default_period_s = 3600.0;  ///< analysis period of a loop that is added without one
   int revise_slots = 1;              ///< earlier slots that are checked for late rows, 0 to 48
@@ -86,6 +86,10 @@ struct ScheduleSettings {
   /// With more loops than that, a loop that gives no cause gets a loop model in every so many slots
   /// only, 1 to 1000.
   int model_every_slots = 10;
+
+  /// Seconds that a claim holds unless it is extended: a poll less than the lease, because others
+  /// may look for what has become free only once in a poll.
+  [[nodiscard]] double hold_s() const { return lease_s - poll_s; }
 };
 
 /// The process itself.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <exception>
+#include <new>
 
 #include "daemon/failure.hpp"
 #include "storage/error.hpp"
@@ -25,6 +26,10 @@ namespace loopscope::daemon {
 
 [[nodiscard]] inline Failure as_failure(const storage::ClaimedLoop& claim,
                                         const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+    return {ExitCode::fault, "loop \"" + claim.loop.name + "\": out of memory",
+            "give the program more memory, fewer workers or a smaller window"};
+  }
   return {ExitCode::fault, "loop \"" + claim.loop.name + "\": " + error.what(),
           "this is a fault in the program: please report it"};
 }

@@ -10,17 +10,22 @@ constexpr std::size_t kMostMessages = 3;
 
 }  // namespace
 
-void FaultLog::fault(const std::string& subject, const std::string& message) {
+void FaultLog::fault(const std::string& subject, const std::string& message, const void* user) {
   const std::lock_guard lock(mutex_);
   metrics_.fault(subject);
-  std::set<std::string>& said = standing_[subject];
-  if (said.size() >= kMostMessages || !said.insert(message).second) return;
+  Standing& standing = standing_[subject];
+  standing.users.insert(user);
+  if (standing.said.size() >= kMostMessages || !standing.said.insert(message).second) return;
   spdlog::error("{}: {}", subject, message);
 }
 
-void FaultLog::recovered(const std::string& subject) {
+void FaultLog::recovered(const std::string& subject, const void* user) {
   const std::lock_guard lock(mutex_);
-  if (standing_.erase(subject) == 0) return;
+  const auto standing = standing_.find(subject);
+  if (standing == standing_.end()) return;
+  standing->second.users.erase(user);
+  if (!standing->second.users.empty()) return;
+  standing_.erase(standing);
   metrics_.recovered(subject);
   spdlog::info("{}: works again", subject);
 }

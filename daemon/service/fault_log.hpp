@@ -11,21 +11,27 @@ namespace loopscope::daemon {
 
 /// Says a lasting fault once and its end once, whatever the number of times and threads it is met
 /// in, and in however many words: lanes that are at different statements meet the same outage
-/// with different messages. Thread-safe.
+/// with different messages. A database that can be read but not written to works for one user and
+/// fails another: a fault stands as long as it does for anybody. Thread-safe.
 class FaultLog {
  public:
   explicit FaultLog(Metrics& metrics) : metrics_(metrics) {}
 
   /// Logs `message` as an error unless it was said since the fault of `subject` began; after a few
-  /// different ones no more.
-  void fault(const std::string& subject, const std::string& message);
-  /// Logs the end of the fault of `subject`, if one stands.
-  void recovered(const std::string& subject);
+  /// different ones no more. `user` is who met it, where several may.
+  void fault(const std::string& subject, const std::string& message, const void* user = nullptr);
+  /// It works for that user, or the user has gone. Logs the end of the fault of `subject` when that
+  /// was the last one for whom it stood.
+  void recovered(const std::string& subject, const void* user = nullptr);
 
  private:
+  struct Standing {
+    std::set<std::string> said;
+    std::set<const void*> users;
+  };
   Metrics& metrics_;
   std::mutex mutex_;
-  std::map<std::string, std::set<std::string>> standing_;
+  std::map<std::string, Standing> standing_;
 };
 
 }  // namespace loopscope::daemon

@@ -9,8 +9,8 @@
 namespace loopscope::daemon {
 namespace {
 
-/// Two beats may fail before a lease ends.
-constexpr double kBeatsInALease = 3.0;
+/// Two beats may fail before a claim ends.
+constexpr double kBeatsInAHold = 3.0;
 /// Claims travel in batches of so many, so that one statement never holds many rows.
 constexpr std::size_t kClaimsAtATime = 1000;
 
@@ -57,13 +57,14 @@ double Heartbeat::beat() {
     linked_with_ = settings;
     pause_ = RetryPause(settings->schedule.poll_s);
   }
-  const double interval_s = settings->schedule.lease_s / kBeatsInALease;
+  const double interval_s = settings->schedule.hold_s() / kBeatsInAHold;
   try {
     link_->with([&](storage::ResultsDatabase& database) {
-      extend(database, settings->schedule.lease_s);
+      extend(database, settings->schedule.hold_s());
       return true;
     });
     pause_.reset();
+    tools_.faults.recovered("heartbeat");
     return interval_s;
   } catch (const storage::DatabaseError& error) {
     link_->say(error);
@@ -73,14 +74,14 @@ double Heartbeat::beat() {
   return std::min(pause_.next_s(), interval_s);
 }
 
-void Heartbeat::extend(storage::ResultsDatabase& database, double lease_s) {
+void Heartbeat::extend(storage::ResultsDatabase& database, double hold_s) {
   const Clock::time_point seen = Clock::now();
   const std::vector<storage::ClaimedLoop> claims = tools_.progress.proven_claims();
   std::size_t lost = 0;
   for (std::size_t done = 0; done < claims.size(); done += kClaimsAtATime) {
     const auto some =
         std::span(claims).subspan(done, std::min(kClaimsAtATime, claims.size() - done));
-    lost += tools_.progress.lose(database.extend(some, lease_s));
+    lost += tools_.progress.lose(database.extend(some, hold_s));
   }
   tools_.progress.renewed(seen);
   tools_.metrics.leases_lost(lost);

@@ -14,10 +14,10 @@
 
 namespace loopscope::daemon {
 
-/// Extends the leases of what the lanes hold, three times in a lease, on a thread and a connection
-/// of its own; only of lanes that got on since (ProgressBoard). So a batch that takes long keeps
-/// its loops, while a lane that hangs loses them to others. Lanes learn which loops were lost
-/// meanwhile. Signs the process in loopscope.worker.
+/// Extends the leases of what the lanes hold, three times while a claim holds, on a thread and a
+/// connection of its own; only of lanes that got on since (ProgressBoard). So a batch that takes
+/// long keeps its loops, while a lane that hangs loses them to others. Lanes learn which loops were
+/// lost meanwhile. Signs the process in loopscope.worker.
 class Heartbeat {
  public:
   using Clock = std::chrono::steady_clock;
@@ -35,7 +35,7 @@ class Heartbeat {
   void run(const std::stop_token& stop);
   /// Seconds until the next beat.
   double beat();
-  void extend(storage::ResultsDatabase& database, double lease_s);
+  void extend(storage::ResultsDatabase& database, double hold_s);
 
   LaneTools& tools_;
   std::mutex mutex_;  ///< over what follows, up to the thread's own

@@ -40,7 +40,7 @@ void HistorianPool::Loan::connect(const config::HistorianSettings& settings) {
   was_idle_ = connection_.has_value();
   if (was_idle_) return;
   connection_ =
-      Connection{settings, storage::HistorianReader(historian_connection(settings, terms_.lease_s),
+      Connection{settings, storage::HistorianReader(historian_connection(settings, terms_.hold_s),
                                                     historian_layout(settings))};
 }
 

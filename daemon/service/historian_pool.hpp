@@ -19,7 +19,7 @@ namespace loopscope::daemon {
 struct SourceTerms {
   SourceGate::Duration patience;  ///< longest wait for a free connection
   SourceGate::Duration pause;     ///< for which a source that failed is left alone
-  double lease_s = 300.0;         ///< of the loops that wait for it: bounds every wait
+  double hold_s = 290.0;          ///< of the claims that wait for it: bounds every wait
 };
 
 /// The connections of this process to its historians, shared by all workers: at most

@@ -29,10 +29,10 @@ Lane::Lane(std::shared_ptr<const config::Settings> settings, std::size_t index, 
       settings_json_(config::analysis_settings_json(settings_->analysis)),
       index_(index),
       owner_(worker_name(index)),
-      slot_rule_(slot_rule),
       tools_(tools),
       desk_(tools.progress.desk()),
-      results_(settings_, tools.faults, tools.metrics, tools.bell) {}
+      results_(settings_, tools.faults, tools.metrics, tools.bell),
+      reader_(settings_, settings_json_, slot_rule, tools, desk_, results_) {}
 
 template <typename Claim>
 std::vector<ClaimedLoop> Lane::timed_claim(Claim claim) {
@@ -50,7 +50,7 @@ std::vector<ClaimedLoop> Lane::timed_claim(Claim claim) {
 std::vector<ClaimedLoop> Lane::claim_due() {
   const config::ScheduleSettings& schedule = settings_->schedule;
   return timed_claim([&](storage::ResultsDatabase& database) {
-    return database.claim_due(owner_, schedule.lease_s, schedule.batch_loops);
+    return database.claim_due(owner_, schedule.hold_s(), schedule.batch_loops);
   });
 }
 
@@ -58,7 +58,7 @@ std::vector<ClaimedLoop> Lane::claim_suspect() {
   suspect_turn_ = std::unique_lock(tools_.suspect_turn, std::try_to_lock);
   if (!suspect_turn_) return {};
   std::vector<ClaimedLoop> claims = timed_claim([&](storage::ResultsDatabase& database) {
-    return database.claim_suspect(owner_, settings_->schedule.lease_s);
+    return database.claim_suspect(owner_, settings_->schedule.hold_s());
   });
   if (claims.empty()) suspect_turn_ = {};
   return claims;
@@ -67,7 +67,7 @@ std::vector<ClaimedLoop> Lane::claim_suspect() {
 std::vector<ClaimedLoop> Lane::claim_next(std::int64_t after) {
   const config::ScheduleSettings& schedule = settings_->schedule;
   return timed_claim([&](storage::ResultsDatabase& database) {
-    return database.claim_next(owner_, schedule.lease_s, schedule.batch_loops, after);
+    return database.claim_next(owner_, schedule.hold_s(), schedule.batch_loops, after);
   });
 }
 
@@ -77,7 +77,7 @@ std::optional<double> Lane::next_due_in_s() {
 
 /// Loops grouped by historian, the one with the fewest users first. One that was down a moment ago
 /// comes last: what it costs to find that it still is must not hold up the loops of others.
-std::vector<std::pair<std::string, Lane::Claims>> Lane::by_source(
+std::vector<std::pair<std::string, Claims>> Lane::by_source(
     const std::vector<ClaimedLoop>& claims) {
   std::map<std::string, Claims> groups;
   for (const ClaimedLoop& claim : claims) groups[claim.loop.source].push_back(&claim);
@@ -114,14 +114,15 @@ storage::WriteCount Lane::process(const std::vector<ClaimedLoop>& claims) {
 storage::WriteCount Lane::process_source(const std::string& source, const Claims& claims) {
   Batch batch;
   batch.cost.loops = claims.size();
-  const Fetched fetched = fetch(source, claims, batch);
-  if (fetched == Fetched::apart) {
+  const BatchReader::Read read = reader_.read(source, claims, batch);
+  if (read == BatchReader::Read::apart) {
     storage::WriteCount sum;
     for (const ClaimedLoop* claim : claims) add(sum, process_source(source, {claim}));
     return sum;
   }
-  const std::size_t lost = fetched == Fetched::all ? analyse(batch) : 0;
+  const std::size_t lost = read == BatchReader::Read::all ? analyse(batch) : 0;
   storage::WriteCount count = write(claims, batch);
+  if (!first_failure_) first_failure_ = batch.first_failure;
   count.fenced_off += lost;
   return count;
 }
@@ -214,10 +215,11 @@ void Lane::store_cost(const std::optional<storage::StageCost>& cost) {
       database.add_stage_cost({host_name(), static_cast<int>(index_)}, *cost);
       return true;
     });
-    tools_.faults.recovered("record of costs");
+    tools_.faults.recovered("record of costs", this);
   } catch (const storage::DatabaseError& error) {
     costs_.put_back(*cost);
-    tools_.faults.fault("record of costs", std::string(error.what()) + " HINT: " + error.hint());
+    tools_.faults.fault("record of costs", std::string(error.what()) + " HINT: " + error.hint(),
+                        this);
   }
 }
 

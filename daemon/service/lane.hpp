@@ -11,9 +11,9 @@
 
 #include "config/settings.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/service/batch_reader.hpp"
 #include "daemon/service/cost_book.hpp"
 #include "daemon/service/lane_tools.hpp"
-#include "daemon/service/read_visits.hpp"
 #include "daemon/service/slot.hpp"
 #include "storage/results/results_database.hpp"
 #include "storage/stage_cost.hpp"
@@ -33,6 +33,8 @@ class Lane {
   /// `index` tells the lanes of a process apart.
   Lane(std::shared_ptr<const config::Settings> settings, std::size_t index, SlotRule slot_rule,
        LaneTools& tools);
+  Lane(const Lane&) = delete;  // its parts refer to each other
+  Lane& operator=(const Lane&) = delete;
 
   /// Claims loops that are due. Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
@@ -51,6 +53,8 @@ class Lane {
   }
   /// Where the time went since this lane was made.
   [[nodiscard]] const storage::StageCost& cost() const { return costs_.sum(); }
+  /// Logs that the results database failed this lane, until it works for it.
+  void say(const storage::DatabaseError& error) { results_.say(error); }
   /// Stores what of that is not stored yet; a database that fails is a fault for the log.
   void store_cost();
   /// Why loops were set aside, the first time that any was; nullopt = none was.
@@ -58,20 +62,6 @@ class Lane {
 
  private:
   using Clock = std::chrono::steady_clock;
-  using Claims = std::vector<const storage::ClaimedLoop*>;
-  enum class Fetched {
-    all,
-    nothing,  ///< the loops were set aside
-    apart,    ///< one of the loops is at fault: to be tried one by one
-  };
-  struct Batch {
-    std::vector<LoopVisit> visits;
-    RowMemory rows;
-    StoredAnalyses stored;
-    std::vector<storage::CompletedLoop> completed;
-    std::vector<storage::FailedLoop> failed;
-    storage::StageCost cost = {};
-  };
 
   [[nodiscard]] std::vector<std::pair<std::string, Claims>> by_source(
       const std::vector<storage::ClaimedLoop>& claims);
@@ -82,20 +72,7 @@ class Lane {
     return results_.persistently(tools_.perseverance, use, [this] { desk_.step(); });
   }
   storage::WriteCount process_source(const std::string& source, const Claims& claims);
-  /// Reads all that the batch needs.
-  Fetched fetch(const std::string& source, const Claims& claims, Batch& batch);
-  /// Runs `read` on a connection to the source.
-  template <typename Read>
-  Fetched with_source(const std::string& source, const Claims& claims, Batch& batch, Read read);
-  Fetched read_newest(const std::string& source, const Claims& claims, Batch& batch);
-  Fetched read_earlier(const std::string& source, const Claims& claims, Batch& batch);
   [[nodiscard]] std::size_t enabled_loops();
-  [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopVisit>& visits);
-  /// The source is away: its loops wait, without blame.
-  void postpone(const std::string& source, const Failure& failure, const Claims& claims,
-                Batch& batch);
-  /// The loop cannot be brought to its end: it waits, longer each time.
-  void set_aside(const storage::ClaimedLoop& claim, const Failure& failure, Batch& batch);
   /// Returns how many were left out because others have claimed them since.
   std::size_t analyse(Batch& batch);
   void complete(const LoopVisit& visit, const AnalysisOrders& orders, Batch& batch);
@@ -109,10 +86,10 @@ class Lane {
   std::string settings_json_;  ///< provenance of every analysis
   std::size_t index_;
   std::string owner_;
-  SlotRule slot_rule_;
   LaneTools& tools_;
   ProgressBoard::Desk& desk_;
   ResultsLink results_;
+  BatchReader reader_;
   std::unique_lock<std::mutex> suspect_turn_;
   std::optional<Failure> first_failure_;
   CostBook costs_;

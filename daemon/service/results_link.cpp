@@ -30,7 +30,7 @@ double ResultsLink::patience_s(Perseverance perseverance) const {
 }
 
 void ResultsLink::say(const storage::DatabaseError& error) {
-  faults_.fault(kSubject, std::string(error.what()) + " HINT: " + error.hint());
+  faults_.fault(kSubject, std::string(error.what()) + " HINT: " + error.hint(), this);
 }
 
 }  // namespace loopscope::daemon

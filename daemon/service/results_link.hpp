@@ -24,6 +24,9 @@ class ResultsLink {
   ResultsLink(std::shared_ptr<const config::Settings> settings, FaultLog& faults, Metrics& metrics,
               StopBell& bell)
       : settings_(std::move(settings)), faults_(faults), metrics_(metrics), bell_(bell) {}
+  ~ResultsLink() { faults_.recovered(kSubject, this); }
+  ResultsLink(const ResultsLink&) = delete;
+  ResultsLink& operator=(const ResultsLink&) = delete;
 
   /// Calls `use(storage::ResultsDatabase&)`; a second time, on a new connection, when the one from
   /// before turns out to be dead, which says nothing about the server. So `use` has to bear a
@@ -60,7 +63,7 @@ class ResultsLink {
     }
   }
 
-  /// Logs the fault; the next use that works logs its end.
+  /// Logs the fault; the next use of this link that works ends it for this one.
   void say(const storage::DatabaseError& error);
 
  private:
@@ -68,7 +71,7 @@ class ResultsLink {
   auto try_once(Use use) {
     try {
       auto result = use(database());
-      faults_.recovered(kSubject);
+      faults_.recovered(kSubject, this);
       return result;
     } catch (const storage::DatabaseError& error) {
       if (error.remedy() == storage::Remedy::reconnect) database_.reset();

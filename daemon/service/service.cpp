@@ -218,13 +218,13 @@ class Service {
       lane.store_cost();
       report.say();
       drained.next_due_in_s = lane.next_due_in_s();
-      tools_.faults.recovered("worker");
+      tools_.faults.recovered("worker", &lane);
     } catch (const storage::DatabaseError& error) {
       drained.failed = true;
-      tools_.faults.fault("results database", std::string(error.what()) + " HINT: " + error.hint());
+      lane.say(error);
     } catch (const std::exception& error) {
       drained.failed = true;
-      tools_.faults.fault("worker", error.what());
+      tools_.faults.fault("worker", error.what(), &lane);
     }
     return drained;
   }

@@ -56,7 +56,9 @@ void ServiceWatch::open_pages() {
     server_.emplace(*address);
     add_monitor_pages(*server_, health_, tools_.metrics, [this] { return silence_s(); });
     server_->start();
-    spdlog::info("health and metrics: http://{}", settings_->daemon.http_address);
+    const std::string& asked = settings_->daemon.http_address;
+    spdlog::info("health and metrics: http://{}:{}", asked.substr(0, asked.rfind(':')),
+                 server_->port());
   } catch (const Failure& failure) {
     server_.reset();
     tools_.faults.fault("http", std::string(failure.what()) + " HINT: " + failure.hint());
@@ -133,6 +135,7 @@ void ServiceWatch::look(ResultsLink& link) {
     tools_.metrics.set(schedule);
     health_.results_answered();
     health_.set(schedule);
+    tools_.faults.recovered("monitor");
     if (stopping_) return;
     ServiceManager::status(fmt::format("{} loops, {} overdue by {:.0f} s at most, {} failing",
                                        schedule.enabled_loops, schedule.overdue_loops,

@@ -131,9 +131,9 @@ storage::ConnectionSettings connection(const std::string& conninfo, const std::s
 }
 
 /// Whatever a worker waits for ends in time for the loops that it holds meanwhile: no wait takes
-/// more than a third of the lease, which is also how often leases are extended.
-storage::ConnectionSettings within_lease(storage::ConnectionSettings settings, double lease_s) {
-  const int third_s = std::max(2, static_cast<int>(lease_s / 3.0));
+/// more than a third of what a claim holds, which is also how often claims are extended.
+storage::ConnectionSettings within_hold(storage::ConnectionSettings settings, double hold_s) {
+  const int third_s = std::max(2, static_cast<int>(hold_s / 3.0));
   settings.connect_timeout_s = std::min(settings.connect_timeout_s, third_s);
   settings.statement_timeout_s = std::min(settings.statement_timeout_s, third_s);
   settings.network_timeout_s = std::min(settings.network_timeout_s, third_s);
@@ -144,8 +144,8 @@ storage::ConnectionSettings within_lease(storage::ConnectionSettings settings, d
 }  // namespace
 
 storage::ConnectionSettings results_connection(const config::Settings& settings) {
-  return within_lease(connection(settings.results.connection, "results", false),
-                      settings.schedule.lease_s);
+  return within_hold(connection(settings.results.connection, "results", false),
+                     settings.schedule.hold_s());
 }
 
 storage::ConnectionSettings owner_connection(const config::Settings& settings) {
@@ -158,8 +158,8 @@ storage::ConnectionSettings historian_connection(const config::HistorianSettings
 }
 
 storage::ConnectionSettings historian_connection(const config::HistorianSettings& historian,
-                                                 double lease_s) {
-  return within_lease(historian_connection(historian), lease_s);
+                                                 double hold_s) {
+  return within_hold(historian_connection(historian), hold_s);
 }
 
 storage::ConnectionSettings historian_writer_connection(

@@ -15,10 +15,10 @@ namespace loopscope::daemon {
 [[nodiscard]] storage::ConnectionSettings owner_connection(const config::Settings& settings);
 [[nodiscard]] storage::ConnectionSettings historian_connection(
     const config::HistorianSettings& historian);
-/// The same for a worker that holds loops for `lease_s` seconds: no wait takes longer than a third
+/// The same for a worker that holds loops for `hold_s` seconds: no wait takes longer than a third
 /// of that.
 [[nodiscard]] storage::ConnectionSettings historian_connection(
-    const config::HistorianSettings& historian, double lease_s);
+    const config::HistorianSettings& historian, double hold_s);
 /// The connection that may write into the historian (import).
 [[nodiscard]] storage::ConnectionSettings historian_writer_connection(
     const config::HistorianSettings& historian);

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <new>
 #include <poll.h>
 
 #include "storage/patience.hpp"
@@ -40,6 +41,11 @@ const Statement kSearchPath{"search_path", R"(
 const Statement kTakeSearchPath{
     "take_search_path", "SELECT pg_catalog.set_config('search_path', 'pg_catalog, pg_temp', false)",
     Rows::one};
+
+/// libpq could not keep the answer: an error of its own, without a state.
+bool ran_out_of_memory(const std::string& message, const std::string& sqlstate) {
+  return sqlstate.empty() && message.starts_with("out of memory");
+}
 
 }  // namespace
 
@@ -184,6 +190,7 @@ PGresult* PqConnection::next_result() {
     const std::string sqlstate = result_sqlstate(result);
     // Leaves the connection ready for the next statement.
     while (PGresult* rest = await_result()) PQclear(rest);
+    if (ran_out_of_memory(message, sqlstate)) throw std::bad_alloc();
     fail(message, sqlstate);
   }
   return result;

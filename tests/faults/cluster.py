@@ -1,10 +1,12 @@
 """All hosts together: workers, a primary with a synchronous standby for the results, a historian."""
 
+import os
 import shutil
 import tempfile
 from pathlib import Path
 
 import plant
+import remains
 from network import Network
 from servers import PORT, Server
 from shell import say, wait_until
@@ -20,7 +22,10 @@ class Cluster:
     def __init__(self, program, loops, ahead_s):
         self.program, self.loops = program, loops
         self.servers, self.workers, self.network = [], [], None
-        self.folder = Path(tempfile.mkdtemp(prefix="loopscope-faults.", dir="/var/tmp"))
+        self.deaths = 0     # of workers, by themselves
+        self.abandoned = 0  # loops that a fault took out of a worker's hands
+        self.folder = Path(tempfile.mkdtemp(prefix=f"{remains.FOLDER_PREFIX}{os.getpid()}.",
+                                            dir=remains.FOLDERS))
         self.folder.chmod(0o755)
         try:
             self._build(ahead_s)
@@ -33,11 +38,13 @@ class Cluster:
         return self.servers[-1]
 
     def _build(self, ahead_s):
-        self.network = Network((*WORKERS, "first", "second", "historian"))
-        self.historian = self._server("historian")
+        self.network = Network((*WORKERS, "first", "second", "historian", "mirror"))
+        self.network.build()
+        self.historian, self.mirror = self._server("historian"), self._server("mirror")
         self.historian.create()
         say("rows for the historian")
         plant.fill_historian(self.historian, self.program, ahead_s)
+        self.mirror.follow(self.historian, synchronous=False)
         self.primary, self.standby = self._server("first", DISK_MB), self._server("second", DISK_MB)
         self.primary.create()
         settings = self.folder / "owner.json"
@@ -46,21 +53,43 @@ class Cluster:
         plant.make_results(self.primary, self.program, settings, SOURCE_DIR, self.loops)
         self.standby.follow(self.primary)
 
-    def _conninfo(self, servers, database, user):
+    def _conninfo(self, servers, database, user, more=""):
         hosts = ",".join(self.network.address[server.host] for server in servers)
-        return f"host={hosts} port={PORT} dbname={database} user={user}"
+        return f"host={hosts} port={PORT} dbname={database} user={user}{more}"
 
     def start_workers(self):
         settings = self.folder / "worker.json"
         plant.write_settings(settings, self.loops,
                              self._conninfo((self.primary, self.standby), plant.RESULTS, "worker"),
-                             self._conninfo((self.historian,), plant.HISTORIAN, "reader"))
+                             self._conninfo((self.mirror, self.historian), plant.HISTORIAN,
+                                            "reader", " target_session_attrs=prefer-standby"))
         for host in WORKERS:
             self.workers.append(Worker(self.network, host, self.program, settings, self.folder))
             self.workers[-1].start()
 
     def stop_workers(self):
         return [worker.stop() for worker in self.workers]
+
+    def revive(self):
+        """What has died by itself is a finding, and started again as a supervisor would."""
+        for worker in self.workers:
+            if not worker.alive():
+                say(f"{worker.host} had ended with {worker.process.returncode}")
+                self.deaths += 1
+                worker.start()
+
+    def claims(self, worker):
+        """{(loop_id, fence)} that the worker holds."""
+        rows = self.sql("SELECT loop_id, fence FROM loopscope.schedule"
+                        f" WHERE owner LIKE '{worker.name()}/%'")
+        return {tuple(map(int, row.split("|"))) for row in rows.splitlines()}
+
+    def all_work(self, since_s):
+        """Whether every worker has signed in after that time."""
+        return all(self.sql("SELECT count(*) FROM loopscope.worker"
+                            f" WHERE worker = '{worker.name()}'"
+                            f" AND last_seen > to_timestamp({since_s})") == "1"
+                   for worker in self.workers)
 
     def sql(self, text):
         return self.primary.sql(text, plant.RESULTS)

@@ -6,21 +6,32 @@ import signal
 import time
 
 import plant
+from shell import wait_until
 
 LONGER_THAN_LEASE_S = plant.LEASE_S + 3
 
 
-def kill_worker(cluster, random):
-    """kill -9; it comes back only after the others have taken over."""
+def busy_worker(cluster, random):
+    """One that holds loops in this moment."""
     worker = random.choice(cluster.workers)
+    wait_until(lambda: cluster.claims(worker), 60, f"{worker.host} holds loops", 0.01)
+    return worker
+
+
+def kill_worker(cluster, random):
+    """kill -9 in the middle of a batch; it comes back only after the others have taken over."""
+    worker = busy_worker(cluster, random)
     worker.kill()
-    return worker.host, worker.start
+    held = cluster.claims(worker)
+    cluster.abandoned += len(held)
+    return f"{worker.host} ({len(held)} loops)", worker.start
 
 
 def stop_worker(cluster, random):
     """SIGSTOP beyond the lease: it wakes up as a zombie whose loops others have."""
-    worker = random.choice(cluster.workers)
+    worker = busy_worker(cluster, random)
     worker.send(signal.SIGSTOP)
+    cluster.abandoned += len(cluster.claims(worker))
     time.sleep(random.uniform(plant.LEASE_S + 1, LONGER_THAN_LEASE_S))
     worker.send(signal.SIGCONT)
     return worker.host, None
@@ -35,10 +46,23 @@ def crash_results(cluster, random):
 
 
 def crash_historian(cluster, random):
+    """It and its standby: nobody else has the rows."""
+    cluster.mirror.stop("immediate")
     cluster.historian.stop("immediate")
     time.sleep(random.uniform(1, 12))
     cluster.historian.start()
-    return cluster.historian.host, None
+    return cluster.historian.host, cluster.mirror.start
+
+
+def conflict_on_standby(cluster, random):
+    """Rows vanish under the queries of the historian's standby, which are cancelled for it."""
+    until = time.monotonic() + random.uniform(5, 10)
+    while time.monotonic() < until:
+        cluster.historian.sql("DROP TABLE IF EXISTS gone; CREATE TABLE gone AS SELECT 1 AS one;"
+                              " DELETE FROM gone", plant.HISTORIAN)
+        cluster.historian.sql("VACUUM gone; VACUUM FREEZE history", plant.HISTORIAN)
+        time.sleep(0.1)
+    return cluster.mirror.host, None
 
 
 def promote_standby(cluster, random):
@@ -90,7 +114,7 @@ def move_clock(cluster, random):
 
 def end_sessions(cluster, random):
     """All sessions of all workers at one of the servers."""
-    server = random.choice((cluster.primary, cluster.historian))
+    server = random.choice((cluster.primary, cluster.mirror))
     ended = server.sql("SELECT count(pg_terminate_backend(pid)) FROM pg_stat_activity"
                        " WHERE usename IN ('worker', 'reader')")
     return f"{server.host} ({ended})", None
@@ -98,7 +122,7 @@ def end_sessions(cluster, random):
 
 def freeze_server(cluster, random):
     """It stands still without dying: connections stay open and nothing answers."""
-    server = random.choice((cluster.primary, cluster.historian))
+    server = random.choice((cluster.primary, cluster.mirror))
     server.freeze()
     time.sleep(random.uniform(4, 12))
     server.thaw()
@@ -121,7 +145,8 @@ def late_rows(cluster, random):
 
 
 KINDS = {function.__name__: function for function in (
-    kill_worker, stop_worker, crash_results, crash_historian, promote_standby, pull_cable,
+    kill_worker, stop_worker, crash_results, crash_historian, conflict_on_standby, promote_standby,
+    pull_cable,
     lose_packets, fill_disk, move_clock, end_sessions, freeze_server, late_rows)}
 
 

@@ -7,25 +7,29 @@ import subprocess
 from shell import run
 
 NETWORK = "10.77.0"
+# Of the namespaces; the number of the process follows.
+PREFIX = "lsf"
 
 
 class Network:
     def __init__(self, hosts):
-        self.prefix = f"lsf{os.getpid()}"
+        self.prefix = f"{PREFIX}{os.getpid()}"
         self.address = {host: f"{NETWORK}.{number}" for number, host in enumerate(hosts, 1)}
         self.made = []
+
+    def build(self):
         self._make("switch")
         self._ip("switch", "link add bridge type bridge")
         self._ip("switch", "link set bridge up")
-        for host in hosts:
+        for host in self.address:
             self._connect(host)
 
     def name(self, host):
         return f"{self.prefix}-{host}"
 
     def _make(self, host):
-        run(["ip", "netns", "add", self.name(host)])
         self.made.append(host)
+        run(["ip", "netns", "add", self.name(host)])
         self._ip(host, "link set lo up")
 
     def _ip(self, host, words):
@@ -61,5 +65,6 @@ class Network:
 
     def remove(self):
         for host in reversed(self.made):
-            subprocess.run(["ip", "netns", "del", self.name(host)], check=False)
+            subprocess.run(["ip", "netns", "del", self.name(host)], check=False,
+                           capture_output=True)
         self.made = []

@@ -18,6 +18,8 @@ RECORDINGS = 40
 FAULTY = {0: "sticking_valve", 20: "tight_tuning"}
 # Rows come late by so much at most: as many slots back have to be looked at again.
 LATEST_S = 40
+# Of a historian's standby: queries that are in the way of its primary's log are cancelled at once.
+STANDBY_SETTINGS = "max_standby_streaming_delay = 0\nmax_standby_archive_delay = 0\n"
 # The plant is kept busy, so that a fault meets work that is under way.
 LOOPS_A_SECOND = 11
 RESULTS, HISTORIAN = "results", "plant"

@@ -61,7 +61,7 @@ class Server:
                            f"unix_socket_directories = '{self.folder}'\n")
         (self.data / "pg_hba.conf").write_text(ACCESS, encoding="utf-8")
 
-    def follow(self, primary):
+    def follow(self, primary, synchronous=True):
         """Becomes a standby of the primary, from nothing."""
         shutil.rmtree(self.data, ignore_errors=True)
         self._as_postgres(PROGRAMS / "pg_basebackup", f"--pgdata={self.data}", "--write-recovery-conf",
@@ -73,7 +73,7 @@ class Server:
         wait_until(lambda: primary.sql("SELECT count(*) FROM pg_stat_replication"
                                        " WHERE state = 'streaming'") == "1",
                    60, f"{self.host} streams")
-        primary.set_synchronous(True)
+        primary.set_synchronous(synchronous)
 
     def set_synchronous(self, wanted):
         (self.data / "sync.conf").write_text(
@@ -141,13 +141,16 @@ class Server:
                     "--tuples-only", self.conninfo(database)], input=text).strip()
 
     def fill_disk(self):
-        """Takes all that is left of its disk."""
-        with open(self.folder / "ballast", "wb", buffering=0) as ballast:
+        """Takes all that is left of its disk, and keeps what it has."""
+        with open(self.folder / "ballast", "ab", buffering=0) as ballast:
             try:
                 while True:
                     ballast.write(bytes(1 << 16))
             except OSError:
                 pass
+        disk = os.statvfs(self.folder)
+        if disk.f_bavail * disk.f_frsize > 1 << 20:
+            raise RuntimeError(f"the disk of {self.host} could not be filled")
 
     def free_disk(self):
         (self.folder / "ballast").unlink(missing_ok=True)

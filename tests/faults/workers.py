@@ -41,6 +41,13 @@ class Worker:
     def kill(self):
         self.send(signal.SIGKILL)
         self.process.wait()
+        # What libfaketime shares between processes outlives one that is killed.
+        for left in Path("/dev/shm").glob(f"*faketime_s[he]m_{self.process.pid}"):
+            left.unlink(missing_ok=True)
+
+    def name(self):
+        """As it signs in loopscope.worker, and, with a lane behind it, in loopscope.schedule."""
+        return f"{os.uname().nodename}/{self.process.pid}"
 
     def set_clock(self, offset_s):
         self.clock.write_text(f"{offset_s:+d}s", encoding="utf-8")

@@ -39,6 +39,21 @@ TEST(FaultLog, SaysAFaultOnceAndItsEndOnce) {
   EXPECT_EQ(lines.text(), "error plant: away\ninfo plant: works again\n");
 }
 
+TEST(FaultLog, StandsAsLongAsItDoesForAnybody) {
+  const LoggedLines lines;
+  Metrics metrics({"0.0", 0, "portable"});
+  FaultLog log(metrics);
+  const int writer = 0;
+  const int reader = 0;
+  for (int round = 0; round < 3; ++round) {
+    log.fault("results", "disk full", &writer);
+    log.recovered("results", &reader);
+  }
+  EXPECT_EQ(lines.text(), "error results: disk full\n") << "reading works all the time";
+  log.recovered("results", &writer);
+  EXPECT_EQ(lines.text(), "error results: disk full\ninfo results: works again\n");
+}
+
 TEST(FaultLog, OneOutageInManyWordsIsSaidAFewTimes) {
   const LoggedLines lines;
   Metrics metrics({"0.0", 0, "portable"});

@@ -1,30 +1,31 @@
-// The part of a lane that reads: what the batch needs out of its historian, and what is to be done
-// when that fails.
+#include "daemon/service/batch_reader.hpp"
+
 #include <algorithm>
 #include <chrono>
-#include <spdlog/spdlog.h>
 #include <utility>
 
 #include "daemon/service/batch_cost.hpp"
 #include "daemon/service/blame.hpp"
 #include "daemon/service/data_age.hpp"
-#include "daemon/service/lane.hpp"
+#include "daemon/service/read_visits.hpp"
 #include "daemon/service/stopwatch.hpp"
 #include "daemon/service/storage_settings.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-using storage::ClaimedLoop;
-
 /// Longer than any batch of windows takes to read: whoever has not got a connection by then is
 /// better off with other loops.
 constexpr double kPatience_s = 30.0;
-/// The wait for a connection takes at most this share of the lease: the rest is for the work.
-constexpr double kPatienceOfLease = 1.0 / 3.0;
+/// The wait for a connection takes at most this share of what a claim holds: the rest is for the
+/// work.
+constexpr double kPatienceOfHold = 1.0 / 3.0;
 /// A historian that failed is left alone for so long, and for a poll at most, so that its loops go
 /// on soon after it is back.
 constexpr double kSourcePause_s = 30.0;
+
+/// SQLSTATE: one loop may fit where a batch did not.
+constexpr const char* kServerOutOfMemory = "53200";
 
 double source_pause_s(const config::ScheduleSettings& schedule) {
   return std::min(kSourcePause_s, schedule.poll_s);
@@ -34,103 +35,104 @@ SourceTerms terms(const config::ScheduleSettings& schedule) {
   const auto duration = [](double seconds) {
     return std::chrono::duration_cast<SourceGate::Duration>(std::chrono::duration<double>(seconds));
   };
-  return {duration(std::min(kPatience_s, kPatienceOfLease * schedule.lease_s)),
-          duration(source_pause_s(schedule)), schedule.lease_s};
+  return {duration(std::min(kPatience_s, kPatienceOfHold * schedule.hold_s())),
+          duration(source_pause_s(schedule)), schedule.hold_s()};
 }
 
 }  // namespace
 
-Lane::Fetched Lane::fetch(const std::string& source, const Claims& claims, Batch& batch) {
+BatchReader::BatchReader(std::shared_ptr<const config::Settings> settings,
+                         const std::string& settings_json, SlotRule slot_rule, LaneTools& tools,
+                         ProgressBoard::Desk& desk, ResultsLink& results)
+    : settings_(std::move(settings)),
+      settings_json_(settings_json),
+      slot_rule_(slot_rule),
+      tools_(tools),
+      desk_(desk),
+      results_(results) {}
+
+BatchReader::Read BatchReader::read(const std::string& source, const Claims& claims, Batch& batch) {
   Stopwatch watch;
-  Fetched fetched = read_newest(source, claims, batch);
+  Read done = read_newest(source, claims, batch);
   double reading_s = watch.lap_s();
-  if (fetched == Fetched::all) {
+  if (done == Read::all) {
     batch.stored = stored_analyses(batch.visits);
     batch.cost.claim_s += watch.lap_s();
-    fetched = read_earlier(source, claims, batch);
+    done = read_earlier(source, claims, batch);
     reading_s += watch.lap_s();
   }
   batch.rows = {};  // the windows hold what is needed of them
   add_reading(reading_s, batch.visits, batch.cost);
-  return fetched;
+  return done;
 }
 
-template <typename Read>
-Lane::Fetched Lane::with_source(const std::string& source, const Claims& claims, Batch& batch,
-                                Read read) {
+template <typename Visit>
+BatchReader::Read BatchReader::with_source(const std::string& source, const Claims& claims,
+                                           Batch& batch, Visit visit) {
   const auto counted_read = [&](storage::HistorianReader& historian) {
     historian.on_statement([&desk = desk_] { desk.step(); });
-    return read(historian);
+    return visit(historian);
   };
   try {
     const config::HistorianSettings& settings = find_historian(*settings_, source);
     batch.visits =
         tools_.historians.with_reader(settings, terms(settings_->schedule), counted_read);
     tools_.faults.recovered("historian " + source);
-    return Fetched::all;
+    return Read::all;
   } catch (const storage::DatabaseError& error) {
-    if (speaks_of_rows(error) && claims.size() > 1) return Fetched::apart;
+    const bool too_much = error.sqlstate() == kServerOutOfMemory;
+    if ((speaks_of_rows(error) || too_much) && claims.size() > 1) return Read::apart;
     if (speaks_of_rows(error)) {
       set_aside(*claims.front(), as_failure(error), batch);
     } else {
-      postpone(source, as_failure(error), claims, batch);
+      source_is_away(source, as_failure(error), claims, batch);
     }
   } catch (const Failure& failure) {
-    postpone(source, failure, claims, batch);
+    source_is_away(source, failure, claims, batch);
   } catch (const std::exception& error) {
     // Out of memory above all: one loop may fit where a batch did not.
-    if (claims.size() > 1) return Fetched::apart;
+    if (claims.size() > 1) return Read::apart;
     set_aside(*claims.front(), as_failure(*claims.front(), error), batch);
   }
-  return Fetched::nothing;
+  return Read::nothing;
 }
 
-Lane::Fetched Lane::read_newest(const std::string& source, const Claims& claims, Batch& batch) {
-  const Fetched fetched =
-      with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-        return visit_newest(historian, claims, *settings_, slot_rule_, batch.rows,
-                            {tools_.cores, desk_});
-      });
-  if (fetched == Fetched::all) note_data(source, batch.visits, tools_.metrics);
-  return fetched;
+BatchReader::Read BatchReader::read_newest(const std::string& source, const Claims& claims,
+                                           Batch& batch) {
+  const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
+    return visit_newest(historian, claims, *settings_, slot_rule_, batch.rows,
+                        {tools_.cores, desk_});
+  });
+  if (done == Read::all) note_data(source, batch.visits, tools_.metrics);
+  return done;
 }
 
 /// Rows that came late for a slot that is stored change its window: a few earlier slots of each
 /// loop are looked at again with every visit.
-Lane::Fetched Lane::read_earlier(const std::string& source, const Claims& claims, Batch& batch) {
+BatchReader::Read BatchReader::read_earlier(const std::string& source, const Claims& claims,
+                                            Batch& batch) {
   const int horizon = settings_->schedule.revise_slots;
   const EarlierSlots earlier = earlier_slots_to_check(batch.visits, batch.stored, horizon);
-  if (earlier.slots.empty()) return Fetched::all;
+  if (earlier.slots.empty()) return Read::all;
   return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
     visit_earlier(historian, earlier, *settings_, batch.rows, {tools_.cores, desk_}, batch.visits);
     return std::move(batch.visits);
   });
 }
 
-StoredAnalyses Lane::stored_analyses(const std::vector<LoopVisit>& visits) {
+StoredAnalyses BatchReader::stored_analyses(const std::vector<LoopVisit>& visits) {
   const auto keys = slots_that_may_be_stored(visits, settings_->schedule.revise_slots);
-  return StoredAnalyses(persistently([&](storage::ResultsDatabase& database) {
+  const auto ask = [&](storage::ResultsDatabase& database) {
     return database.stored_digests(keys, core::kAlgorithmRevision, settings_json_);
-  }));
+  };
+  return StoredAnalyses(results_.persistently(tools_.perseverance, ask, [this] { desk_.step(); }));
 }
 
-void Lane::postpone(const std::string& source, const Failure& failure, const Claims& claims,
-                    Batch& batch) {
+void BatchReader::source_is_away(const std::string& source, const Failure& failure,
+                                 const Claims& claims, Batch& batch) {
   tools_.faults.fault("historian " + source,
                       std::string(failure.what()) + " HINT: " + failure.hint());
-  if (!first_failure_) first_failure_ = failure;
-  const double pause_s = source_pause_s(settings_->schedule);
-  for (const ClaimedLoop* claim : claims) {
-    batch.failed.push_back({claim->loop.loop_id, claim->fence, failure.what(), pause_s, false});
-  }
-}
-
-void Lane::set_aside(const ClaimedLoop& claim, const Failure& failure, Batch& batch) {
-  const double pause_s = retry_pause_s(claim.attempts);
-  spdlog::error("loop \"{}\" is set aside for {:.0f} s: {} HINT: {}", claim.loop.name, pause_s,
-                failure.what(), failure.hint());
-  if (!first_failure_) first_failure_ = failure;
-  batch.failed.push_back({claim.loop.loop_id, claim.fence, failure.what(), pause_s});
+  postpone(claims, failure, source_pause_s(settings_->schedule), batch);
 }
 
 }  // namespace loopscope::daemon
