@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # The life of an installed package, step by step. Source this file after proof_plant.sh.
 #
-#   proof_install, proof_by_hand, proof_side_by_side, proof_upgrade, proof_remove, proof_purge
+#   proof_install, proof_by_hand, proof_side_by_side, proof_upgrade, proof_remove,
+#   proof_come_back, proof_purge
 
 _REPORT=/srv/proof
 
@@ -123,7 +124,7 @@ proof_upgrade() {
   expect "the settings are kept" test "$(_settings_sum)" = "$before"
   expect "what ran was restarted" _soon _new_main_pid loopscope.service "$pid"
   refuse "what stood still was not" _active loopscope@north.service
-  booted_root_run systemctl start loopscope@north.service
+  booted_root_run systemctl enable --quiet --now loopscope@north.service
 }
 
 _no_worker() {
@@ -134,6 +135,19 @@ proof_remove() {
   expect "apt removes" _apt remove loopscope
   expect "nothing runs" _soon _no_worker
   expect "settings are kept" booted_root_run test -e /etc/loopscope/loopscope.json
+}
+
+# What remove has stopped and nobody has disabled.
+proof_come_back() {
+  expect "apt installs again after remove" _apt install "$_REPORT/new.deb"
+  expect "the worker runs" _soon _active loopscope.service
+  expect "so does the instance that is enabled" _soon _active loopscope@north.service
+  expect "and the timer" _active loopscope-maintain.timer
+  booted_root_run systemctl disable --quiet --now loopscope.service
+  expect "disabled, removed" _apt remove loopscope
+  expect "and installed again" _apt install "$_REPORT/new.deb"
+  refuse "it does not start by itself" _active loopscope.service
+  expect "but the instance does" _soon _active loopscope@north.service
 }
 
 proof_purge() {
