@@ -94,6 +94,9 @@ std::string fixed(const RawError&, const ErrorPlace&) {
 }
 
 constexpr char kGone[] = "the server ended the connection: it is made again by itself";
+constexpr char kBroken[] =
+    "the connection broke while it was made: it is tried again by itself; if that goes on, see the "
+    "server's log, and whether something between ends or answers connections";
 constexpr char kAgain[] = "other sessions were in the way: it is tried again by itself";
 constexpr char kLock[] =
     "another session holds a lock: see pg_locks and pg_stat_activity; it is tried again by itself";
@@ -156,7 +159,9 @@ constexpr std::array<StateRule, 25> kStates{{
     {"", Remedy::give_up, fixed<kServerFault>},
 }};
 
-constexpr std::array<WordsRule, 19> kConnecting{{
+// What a server that ends or a network that breaks leaves behind in a TLS handshake comes before
+// the other words of TLS, which stand for settings and certificates.
+constexpr std::array<WordsRule, 25> kConnecting{{
     {"does not match host name", Remedy::give_up, kOtherName},
     {"certificate verify failed", Remedy::give_up, kNotVerified},
     {"server does not support SSL", Remedy::give_up, kPlainServer},
@@ -170,6 +175,12 @@ constexpr std::array<WordsRule, 19> kConnecting{{
     {"Peer authentication failed", Remedy::give_up,
      "run as the system user of that name, or set up another method in pg_hba.conf"},
     {"pg_hba.conf", Remedy::give_up, "let the database's administrator add a line to pg_hba.conf"},
+    {"SSL SYSCALL error", Remedy::reconnect, kBroken},
+    {"unexpected eof while reading", Remedy::reconnect, kBroken},
+    {"SSL negotiation packet", Remedy::reconnect, kBroken},
+    {"SSL connection has been closed", Remedy::reconnect, kBroken},
+    {"server closed the connection unexpectedly", Remedy::reconnect, kBroken},
+    {"Connection reset by peer", Remedy::reconnect, kBroken},
     {"SSL", Remedy::give_up, "check sslmode and sslrootcert in the connection string"},
     {"certificate", Remedy::give_up, "check sslrootcert in the connection string"},
     {"definition of service", Remedy::give_up, "check service= and pg_service.conf"},

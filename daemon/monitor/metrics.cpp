@@ -1,5 +1,6 @@
 #include "daemon/monitor/metrics.hpp"
 
+#include <chrono>
 #include <mutex>
 #include <prometheus/counter.h>
 #include <prometheus/gauge.h>
@@ -30,6 +31,10 @@ Family<Gauge>& gauges(Registry& registry, const char* name, const char* help) {
 
 Family<Histogram>& histograms(Registry& registry, const char* name, const char* help) {
   return prometheus::BuildHistogram().Name(name).Help(help).Register(registry);
+}
+
+double seconds_since_1970(std::chrono::system_clock::time_point time) {
+  return std::chrono::duration<double>(time.time_since_epoch()).count();
 }
 
 /// A batch of unchanged loops takes tens of milliseconds, one of models of long windows minutes.
@@ -100,6 +105,10 @@ Metrics::Metrics(const BuildInfo& build) : impl_(std::make_unique<Impl>()) {
             {"algorithm_revision", std::to_string(build.algorithm_revision)},
             {"path", build.path}})
       .Set(1.0);
+  gauges(impl_->registry, "loopscope_start_time_seconds",
+         "When this process began, seconds since 1970; another one is another process")
+      .Add({})
+      .Set(seconds_since_1970(std::chrono::system_clock::now()));
   count({});
   add({});
   leases_lost(0);

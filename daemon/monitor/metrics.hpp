@@ -24,6 +24,7 @@ struct BuildInfo {
 /// be 0. Thread-safe; a call takes a lock and some hundred nanoseconds.
 class Metrics {
  public:
+  /// One for each process: its time of construction is loopscope_start_time_seconds.
   explicit Metrics(const BuildInfo& build);
   ~Metrics();
   Metrics(const Metrics&) = delete;

@@ -86,6 +86,37 @@ TEST(ExplainError, ConnectingIsToldApartByItsWords) {
               HasSubstr("max_connections"));
 }
 
+TEST(ExplainError, HandshakeThatBreaksIsTriedAgain) {
+  const std::string to = "connection to server at \"db1\" (10.0.0.1), port 5432 failed: ";
+  for (const char* words :
+       {"SSL SYSCALL error: EOF detected", "SSL SYSCALL error: Connection reset by peer",
+        "SSL error: unexpected eof while reading", "SSL connection has been closed unexpectedly",
+        "could not send SSL negotiation packet: Broken pipe",
+        "server closed the connection unexpectedly\n\tThis probably means the server terminated"
+        " abnormally\n\tbefore or while processing the request.",
+        "could not receive data from server: Connection reset by peer"}) {
+    const DatabaseError error = connecting(to + words);
+    EXPECT_EQ(error.remedy(), Remedy::reconnect) << words;
+    EXPECT_THAT(error.hint(), HasSubstr("tried again by itself")) << words;
+    EXPECT_THAT(error.what(), HasSubstr(std::string(words).substr(0, 20)));
+  }
+}
+
+TEST(ExplainError, SettingsOfTlsAreNotTriedAgain) {
+  const std::string to = "connection to server at \"db1\", port 5432 failed: ";
+  const std::string broken = to + "SSL SYSCALL error: EOF detected\n";
+  for (const char* words :
+       {"SSL error: certificate verify failed", "SSL error: tlsv1 alert unknown ca",
+        "server does not support SSL, but SSL was required",
+        "server certificate for \"db2\" does not match host name \"db1\"",
+        "FATAL:  password authentication failed for user \"x\""}) {
+    EXPECT_EQ(connecting(to + words).remedy(), Remedy::give_up) << words;
+  }
+  // Of several hosts, or with TLS and without: a wrong password is one, whatever else broke.
+  EXPECT_EQ(connecting(broken + to + "FATAL:  password authentication failed").remedy(),
+            Remedy::give_up);
+}
+
 TEST(ExplainError, LostConnectionWinsOverItsState) {
   const DatabaseError error =
       explain({"", "42P01", true}, {DatabaseKind::results, "T database", "", "commit"});

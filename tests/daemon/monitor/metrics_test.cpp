@@ -1,5 +1,6 @@
 #include "daemon/monitor/metrics.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -51,7 +52,8 @@ TEST_F(MetricsTest, HasExactlyTheNamesOfTheRunbook) {
   EXPECT_THAT(
       read_exposition(metrics.text()).types,
       UnorderedElementsAre(
-          Pair("loopscope_build_info", "gauge"), Pair("loopscope_loops_total", "counter"),
+          Pair("loopscope_build_info", "gauge"), Pair("loopscope_start_time_seconds", "gauge"),
+          Pair("loopscope_loops_total", "counter"),
           Pair("loopscope_stage_seconds_total", "counter"),
           Pair("loopscope_batch_seconds", "histogram"),
           Pair("loopscope_sample_values_total", "counter"),
@@ -98,6 +100,20 @@ TEST_F(MetricsTest, SaysWhichProgramItIs) {
   for (const char* label : {R"(version="0.1.0")", R"(algorithm_revision="8")", R"(path="avx2")"}) {
     EXPECT_THAT(metrics.text(), HasSubstr(label));
   }
+}
+
+/// To the second at least: `changes()` has to see a process that was started anew at once.
+TEST_F(MetricsTest, SaysWhenItBegan) {
+  const auto now = [] {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch())
+        .count();
+  };
+  const double before = now();
+  const Metrics second{{"0.1.0", 8, "avx2"}};
+  const double began = read_exposition(second.text()).samples.at("loopscope_start_time_seconds");
+  EXPECT_GE(began, before - 1e-3);
+  EXPECT_LE(began, now() + 1e-3);
+  EXPECT_GE(began, value("loopscope_start_time_seconds"));
 }
 
 TEST_F(MetricsTest, CountsLoopsByWhatCameOfThem) {
