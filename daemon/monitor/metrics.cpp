@@ -1,6 +1,8 @@
 #include "daemon/monitor/metrics.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <map>
 #include <mutex>
 #include <prometheus/counter.h>
 #include <prometheus/gauge.h>
@@ -15,6 +17,7 @@
 namespace loopscope::daemon {
 namespace {
 
+using Clock = std::chrono::steady_clock;
 using prometheus::Counter;
 using prometheus::Family;
 using prometheus::Gauge;
@@ -76,6 +79,7 @@ struct Metrics::Impl {
                                  "1 = the last reading of the settings was in order, 0 = it failed "
                                  "and the old ones are in force");
 
+  std::map<std::string, Clock::time_point> newest_row;  ///< of each source
   LabelledFamily<Gauge> data_age{
       gauges(registry, "loopscope_data_age_seconds", "Age of the newest row of a historian"),
       "source"};
@@ -121,6 +125,9 @@ Metrics::~Metrics() = default;
 void Metrics::set_sources(std::span<const std::string> sources) {
   const std::lock_guard lock(impl_->mutex);
   impl_->data_age.keep(sources);
+  std::erase_if(impl_->newest_row, [&](const auto& entry) {
+    return std::ranges::find(sources, entry.first) == sources.end();
+  });
   impl_->reconnects.at("results");
   impl_->know_subject("results database");
   for (const std::string& source : sources) {
@@ -185,7 +192,10 @@ void Metrics::recovered(const std::string& subject) {
 
 void Metrics::data_age(const std::string& source, double seconds) {
   const std::lock_guard lock(impl_->mutex);
-  impl_->data_age.at(source).Set(seconds);
+  const auto born = Clock::now() - std::chrono::duration_cast<Clock::duration>(
+                                       std::chrono::duration<double>(seconds));
+  const auto [newest, is_first] = impl_->newest_row.try_emplace(source, born);
+  if (!is_first) newest->second = std::max(newest->second, born);
 }
 
 void Metrics::unknown_quality(const std::string& source, std::size_t values) {
@@ -211,6 +221,12 @@ void Metrics::since_progress(double seconds) {
 }
 
 std::string Metrics::text() const {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    const auto now = Clock::now();
+    for (const auto& [source, born] : impl_->newest_row)
+      impl_->data_age.at(source).Set(std::chrono::duration<double>(now - born).count());
+  }
   std::ostringstream text;
   prometheus::TextSerializer().Serialize(text, impl_->registry.Collect());
   return text.str();

@@ -47,7 +47,8 @@ class Metrics {
   void fault(const std::string& subject);
   void recovered(const std::string& subject);
 
-  /// The newest row of the historian `source` is so old, by the clock of the results database.
+  /// A row of the historian `source` is so old, by the historian's clock. Shown is the age of the
+  /// newest row that was ever seen, as it grows.
   void data_age(const std::string& source, double seconds);
   void unknown_quality(const std::string& source, std::size_t values);
 

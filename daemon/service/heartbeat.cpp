@@ -25,6 +25,7 @@ Heartbeat::Heartbeat(std::shared_ptr<const config::Settings> settings, LaneTools
 void Heartbeat::use(std::shared_ptr<const config::Settings> settings) {
   const std::lock_guard lock(mutex_);
   settings_ = std::move(settings);
+  changed_.notify_all();
 }
 
 std::uint64_t Heartbeat::lost_leases() {
@@ -42,7 +43,7 @@ void Heartbeat::run(const std::stop_token& stop) {
     const std::chrono::duration<double> pause(beat());
     std::unique_lock lock(mutex_);
     last_beat_ = Clock::now();
-    changed_.wait_for(lock, stop, pause, [] { return false; });
+    changed_.wait_for(lock, stop, pause, [this] { return settings_ != linked_with_; });
   }
 }
 

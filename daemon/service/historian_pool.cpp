@@ -89,6 +89,15 @@ bool HistorianPool::is_down(const std::string& name) {
   return source(name).gate.is_down();
 }
 
+std::map<std::string, SourceGate::Duration> HistorianPool::closed() {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string, SourceGate::Duration> closed;
+  for (const auto& [name, source] : sources_) {
+    if (const auto left = source->gate.closed_for()) closed.emplace(name, *left);
+  }
+  return closed;
+}
+
 int HistorianPool::in_use(const std::string& name) {
   return source(name).gate.inside();
 }

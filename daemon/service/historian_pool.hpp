@@ -53,6 +53,8 @@ class HistorianPool {
 
   /// Whether the last use of the source failed.
   [[nodiscard]] bool is_down(const std::string& name);
+  /// Sources that turn everybody away just now, with the time until one may try.
+  [[nodiscard]] std::map<std::string, SourceGate::Duration> closed();
   /// Connections to the source that are in use now.
   [[nodiscard]] int in_use(const std::string& name);
   /// Closes connections that nobody uses, of one source or of all: after a reload they may lead to

@@ -20,6 +20,8 @@ namespace {
 using storage::ClaimedLoop;
 
 constexpr std::chrono::minutes kCountEvery{5};
+/// Somebody has to mend what refuses results; to analyse them again at every poll helps nobody.
+constexpr double kRefusedPause_s = 60.0;
 
 }  // namespace
 
@@ -37,8 +39,13 @@ Lane::Lane(std::shared_ptr<const config::Settings> settings, std::size_t index, 
 template <typename Claim>
 std::vector<ClaimedLoop> Lane::timed_claim(Claim claim) {
   Stopwatch watch;
-  std::vector<ClaimedLoop> claims = results_.with(claim);
-  desk_.hold(claims);
+  bool again = false;
+  std::vector<ClaimedLoop> claims = results_.with([&](storage::ResultsDatabase& database) {
+    // The connection broke: whether a claim was made nobody knows.
+    if (std::exchange(again, true)) database.release_owned(owner_);
+    return claim(database);
+  });
+  if (!claims.empty()) desk_.hold(claims);
   const storage::StageCost cost{.claim_s = watch.lap_s()};
   if (!claims.empty()) {
     costs_.add(cost);
@@ -49,18 +56,20 @@ std::vector<ClaimedLoop> Lane::timed_claim(Claim claim) {
 
 std::vector<ClaimedLoop> Lane::claim_due() {
   const config::ScheduleSettings& schedule = settings_->schedule;
+  std::vector<std::string> away;
+  for (const auto& [source, left] : tools_.historians.closed()) away.push_back(source);
   return timed_claim([&](storage::ResultsDatabase& database) {
-    return database.claim_due(owner_, schedule.hold_s(), schedule.batch_loops);
+    return database.claim_due(owner_, schedule.hold_s(), schedule.batch_loops, away);
   });
 }
 
 std::vector<ClaimedLoop> Lane::claim_suspect() {
-  suspect_turn_ = std::unique_lock(tools_.suspect_turn, std::try_to_lock);
-  if (!suspect_turn_) return {};
+  std::unique_lock turn(tools_.suspect_turn, std::try_to_lock);
+  if (!turn) return {};
   std::vector<ClaimedLoop> claims = timed_claim([&](storage::ResultsDatabase& database) {
     return database.claim_suspect(owner_, settings_->schedule.hold_s());
   });
-  if (claims.empty()) suspect_turn_ = {};
+  if (!claims.empty()) suspect_turn_ = std::move(turn);
   return claims;
 }
 
@@ -104,7 +113,12 @@ storage::WriteCount Lane::process(const std::vector<ClaimedLoop>& claims) {
   } const clear{*this};
   Stopwatch watch;
   storage::WriteCount sum;
-  for (const auto& [source, loops] : by_source(claims)) add(sum, process_source(source, loops));
+  try {
+    for (const auto& [source, loops] : by_source(claims)) add(sum, process_source(source, loops));
+  } catch (const std::exception& error) {
+    give_back(error.what());
+    throw;
+  }
   tools_.metrics.count(sum);
   tools_.metrics.observe_batch(watch.lap_s());
   store_cost(costs_.take(false));
@@ -188,8 +202,31 @@ storage::WriteCount Lane::write_one_by_one(const Claims& claims, Batch& batch) {
 
 storage::WriteCount Lane::finish(const std::vector<storage::CompletedLoop>& completed,
                                  const std::vector<storage::FailedLoop>& failed) {
-  return persistently(
+  const storage::WriteCount count = persistently(
       [&](storage::ResultsDatabase& database) { return database.finish(completed, failed); });
+  std::vector<std::int64_t> given_back;
+  for (const storage::CompletedLoop& loop : completed) given_back.push_back(loop.loop_id);
+  for (const storage::FailedLoop& loop : failed) given_back.push_back(loop.loop_id);
+  desk_.done(given_back);
+  return count;
+}
+
+/// What could not be brought to its end goes back without blame, so that no lease is lost for a
+/// fault that is not the loops': at once when the process stops, else after a pause. Where that
+/// fails too the claims run out.
+void Lane::give_back(const std::string& reason) {
+  const std::vector<ClaimedLoop> held = desk_.held();
+  if (held.empty()) return;
+  const double pause_s = tools_.bell.rung() ? 0.0 : kRefusedPause_s;
+  std::vector<storage::FailedLoop> failed;
+  for (const ClaimedLoop& claim : held) {
+    failed.push_back({claim.loop.loop_id, claim.fence, reason, pause_s, false});
+  }
+  try {
+    results_.with([&](storage::ResultsDatabase& database) { return database.finish({}, failed); });
+  } catch (const storage::DatabaseError& error) {
+    results_.say(error);
+  }
 }
 
 /// Counted anew now and then: the catalogue changes slowly.

@@ -43,7 +43,7 @@ class Lane {
   /// Claims the next loops after `after` in the order of the catalogue.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_next(std::int64_t after);
   /// Brings claimed loops to their end. Throws storage::DatabaseError when the results cannot be
-  /// written; the leases then run out and another worker takes over.
+  /// written; the loops are then given back or, where that fails too, their claims run out.
   storage::WriteCount process(const std::vector<storage::ClaimedLoop>& claims);
   /// Seconds until a loop is due; nullopt = there is no enabled loop.
   [[nodiscard]] std::optional<double> next_due_in_s();
@@ -80,6 +80,7 @@ class Lane {
   storage::WriteCount write_one_by_one(const Claims& claims, Batch& batch);
   storage::WriteCount finish(const std::vector<storage::CompletedLoop>& completed,
                              const std::vector<storage::FailedLoop>& failed);
+  void give_back(const std::string& reason);
   void store_cost(const std::optional<storage::StageCost>& cost);
 
   std::shared_ptr<const config::Settings> settings_;

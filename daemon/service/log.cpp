@@ -12,6 +12,8 @@
 namespace loopscope::daemon {
 namespace {
 
+constexpr const char* kLogger = "loopscope";
+
 using ShowMessage = std::string (*)(const std::string&);
 
 /// The message as a JSON string, which reads back as it was. What would steer a terminal is written
@@ -56,12 +58,17 @@ std::unique_ptr<spdlog::formatter> text_formatter() {
 }  // namespace
 
 void set_up_log(const config::DaemonSettings& settings) {
-  auto logger = std::make_shared<spdlog::logger>("loopscope",
-                                                 std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  std::shared_ptr<spdlog::logger> logger = spdlog::default_logger();
+  // Other threads may be at the logger of before: it is changed, which is safe, and not replaced.
+  const bool first = logger == nullptr || logger->name() != kLogger;
+  if (first) {
+    logger = std::make_shared<spdlog::logger>(kLogger,
+                                              std::make_shared<spdlog::sinks::stderr_sink_mt>());
+  }
   logger->set_formatter(settings.log_format == "json" ? json_formatter() : text_formatter());
   logger->set_level(spdlog::level::from_str(settings.log_level));
   logger->flush_on(spdlog::level::info);
-  spdlog::set_default_logger(std::move(logger));
+  if (first) spdlog::set_default_logger(std::move(logger));
 }
 
 }  // namespace loopscope::daemon

@@ -18,6 +18,21 @@ void ProgressBoard::Desk::drop() {
   lost_.clear();
 }
 
+void ProgressBoard::Desk::done(std::span<const std::int64_t> loop_ids) {
+  const std::lock_guard lock(board_.mutex_);
+  std::erase_if(claims_, [&](const storage::ClaimedLoop& claim) {
+    return std::ranges::find(loop_ids, claim.loop.loop_id) != loop_ids.end();
+  });
+}
+
+std::vector<storage::ClaimedLoop> ProgressBoard::Desk::held() {
+  const std::lock_guard lock(board_.mutex_);
+  std::vector<storage::ClaimedLoop> held;
+  std::ranges::copy_if(claims_, std::back_inserter(held),
+                       [this](const auto& claim) { return !lost_.contains(claim.loop.loop_id); });
+  return held;
+}
+
 void ProgressBoard::Desk::step() {
   const std::lock_guard lock(board_.mutex_);
   last_step_ = Clock::now();
@@ -42,7 +57,9 @@ ProgressBoard::Desk& ProgressBoard::desk() {
 std::vector<storage::ClaimedLoop> ProgressBoard::proven_claims() {
   const std::lock_guard lock(mutex_);
   const auto got_on = [this](const Desk& desk) { return desk.last_step_ > renewed_; };
-  const bool any = std::ranges::any_of(desks_, got_on);
+  const bool any = std::ranges::any_of(desks_, [&](const Desk& desk) {
+    return got_on(desk) && !desk.waiting_ && !desk.claims_.empty();
+  });
   std::vector<storage::ClaimedLoop> proven;
   for (const Desk& desk : desks_) {
     if (!got_on(desk) && !(desk.waiting_ && any)) continue;
@@ -58,14 +75,14 @@ void ProgressBoard::renewed(Clock::time_point seen) {
   renewed_ = std::max(renewed_, seen);
 }
 
-std::size_t ProgressBoard::lose(const std::vector<std::int64_t>& loop_ids) {
+std::size_t ProgressBoard::lose(std::span<const storage::ClaimKey> claims) {
   const std::lock_guard lock(mutex_);
   std::size_t count = 0;
   for (Desk& desk : desks_) {
     for (const storage::ClaimedLoop& claim : desk.claims_) {
-      const std::int64_t loop_id = claim.loop.loop_id;
-      if (std::ranges::find(loop_ids, loop_id) == loop_ids.end()) continue;
-      if (desk.lost_.insert(loop_id).second) ++count;
+      const storage::ClaimKey key{claim.loop.loop_id, claim.fence};
+      if (std::ranges::find(claims, key) == claims.end()) continue;
+      if (desk.lost_.insert(key.loop_id).second) ++count;
     }
   }
   return count;

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace loopscope::daemon {
 /// Where the lanes show that they get on, and what they hold: the heartbeat extends the leases of
 /// those that do, the watchdog and /livez look for those that do not. A step is shown after each
 /// thing that may take long (a statement, an analysis), so a lane that hangs shows none, however
-/// well its process is otherwise. Who waits for a core gets on as long as anybody does.
+/// well its process is otherwise. Who waits for a core gets on as long as anybody who works does.
 /// Thread-safe.
 class ProgressBoard {
  public:
@@ -28,11 +29,15 @@ class ProgressBoard {
    public:
     /// The lane has claimed these loops.
     void hold(const std::vector<storage::ClaimedLoop>& claims);
-    /// They are given back.
+    /// All are given back.
     void drop();
+    /// These are given back, the work on the others goes on.
+    void done(std::span<const std::int64_t> loop_ids);
+    /// What is held and, as far as is known, not lost.
+    [[nodiscard]] std::vector<storage::ClaimedLoop> held();
     /// The lane got on.
     void step();
-    /// Others have claimed the loop since: work on it would be refused.
+    /// The claim is outdated, others have the loop: work on it would be refused.
     [[nodiscard]] bool lost(std::int64_t loop_id);
 
     /// The lane waits for its turn as long as this lives.
@@ -56,7 +61,7 @@ class ProgressBoard {
     bool waiting_ = false;
     Clock::time_point last_step_ = Clock::now();
     std::vector<storage::ClaimedLoop> claims_;
-    std::set<std::int64_t> lost_;
+    std::set<std::int64_t> lost_;  ///< loop_id
   };
 
   /// A place of its own.
@@ -66,8 +71,8 @@ class ProgressBoard {
   [[nodiscard]] std::vector<storage::ClaimedLoop> proven_claims();
   /// Leases were extended for all that had got on by `seen`.
   void renewed(Clock::time_point seen);
-  /// Others have claimed these since; returns how many were still held here.
-  std::size_t lose(const std::vector<std::int64_t>& loop_ids);
+  /// These claims are outdated; returns how many were still held here.
+  std::size_t lose(std::span<const storage::ClaimKey> claims);
   [[nodiscard]] std::size_t held_loops();
 
   /// Why the process should not be trusted to work any more: a lane that holds loops and has shown

@@ -24,6 +24,11 @@ bool ResultsLink::may_pass(const storage::DatabaseError& error) {
   return error.remedy() != storage::Remedy::give_up || error.sqlstate().starts_with("53");
 }
 
+bool ResultsLink::is_stale(const storage::DatabaseError& error) {
+  // Class 42: the schema is not what it was. Who connects anew is told why.
+  return error.remedy() == storage::Remedy::reconnect || error.sqlstate().starts_with("42");
+}
+
 double ResultsLink::patience_s(Perseverance perseverance) const {
   return perseverance == Perseverance::endless ? std::numeric_limits<double>::infinity()
                                                : settings_->schedule.lease_s;

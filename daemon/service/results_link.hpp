@@ -74,7 +74,7 @@ class ResultsLink {
       faults_.recovered(kSubject, this);
       return result;
     } catch (const storage::DatabaseError& error) {
-      if (error.remedy() == storage::Remedy::reconnect) database_.reset();
+      if (is_stale(error)) database_.reset();
       throw;
     }
   }
@@ -82,6 +82,7 @@ class ResultsLink {
   static constexpr const char* kSubject = "results database";
   storage::ResultsDatabase& database();
   [[nodiscard]] static bool may_pass(const storage::DatabaseError& error);
+  [[nodiscard]] static bool is_stale(const storage::DatabaseError& error);
   [[nodiscard]] double patience_s(Perseverance perseverance) const;
 
   std::shared_ptr<const config::Settings> settings_;

@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <deque>
 #include <optional>
-#include <random>
 #include <spdlog/spdlog.h>
 #include <utility>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "config/read_settings.hpp"
 #include "daemon/monitor/service_manager.hpp"
 #include "daemon/service/heartbeat.hpp"
+#include "daemon/service/idle_pause.hpp"
 #include "daemon/service/lane.hpp"
 #include "daemon/service/log.hpp"
 #include "daemon/service/service_watch.hpp"
@@ -32,17 +32,8 @@ namespace loopscope::daemon {
 namespace {
 
 constexpr std::chrono::seconds kPulseEvery{1};
-
-/// A lane that found nothing looks again when the next loop falls due or the next lease ends, but
-/// after a poll at the latest: other loops may be added. At least a little later, because what is
-/// overdue then is in the hands of others right now; and not all lanes of a plant at once.
-double idle_pause_s(std::optional<double> next_due_in_s, double poll_s) {
-  constexpr double kLeast_s = 0.1;
-  thread_local std::minstd_rand random{std::random_device{}()};
-  const double wait_s =
-      std::clamp(next_due_in_s.value_or(poll_s), std::min(kLeast_s, poll_s), poll_s);
-  return std::min(wait_s + std::uniform_real_distribution<double>(0.0, 0.05)(random), poll_s);
-}
+/// Of a lane's batches in a row so many are of loops that nobody suspects.
+constexpr int kSuspectEvery = 16;
 
 /// State is touched by the io_context's thread alone; a busy lane belongs to its pool thread
 /// until that posts it back.
@@ -87,10 +78,8 @@ class Service {
     asio::steady_timer timer;
     RetryPause pause;
   };
-  struct Drained {
+  struct Drained : Look {
     storage::WriteCount count;
-    bool failed = false;
-    std::optional<double> next_due_in_s;
   };
 
   void await_signal() {
@@ -158,14 +147,19 @@ class Service {
   void reload() {
     ServiceManager::reloading();
     try {
-      settings_ = std::make_shared<config::Settings>(config::read_settings(file_));
+      const auto before = std::exchange(
+          settings_, std::make_shared<config::Settings>(config::read_settings(file_)));
+      ++generation_;
       set_up_log(settings_->daemon);
       tools_.historians.forget_idle();
       heartbeat_->use(settings_);
       watch_->use(settings_);
       tell_sources();
       for (Seat& seat : seats_) seat.pause = RetryPause(settings_->schedule.poll_s);
+      forget_faults_of_former(before->historians);
       spdlog::info("settings read again: {}", file_.string());
+      if (wants_restart(before->daemon))
+        spdlog::warn("workers, batches_in_flight and http_address change with a restart only");
       tools_.metrics.settings_reload(true);
       ServiceManager::ready("settings read again");
     } catch (const config::SettingsError& error) {
@@ -173,6 +167,20 @@ class Service {
       tools_.metrics.settings_reload(false);
       ServiceManager::ready("the old settings stay in force: the file has problems");
     }
+  }
+
+  void forget_faults_of_former(const std::vector<config::HistorianSettings>& former) {
+    for (const config::HistorianSettings& historian : former) {
+      if (std::ranges::find(settings_->historians, historian.name,
+                            &config::HistorianSettings::name) == settings_->historians.end())
+        tools_.faults.recovered("historian " + historian.name);
+    }
+  }
+
+  [[nodiscard]] bool wants_restart(const config::DaemonSettings& before) const {
+    const config::DaemonSettings& now = settings_->daemon;
+    return before.workers != now.workers || before.batches_in_flight != now.batches_in_flight ||
+           before.http_address != now.http_address;
   }
 
   /// Sends an idle lane to look for due loops.
@@ -194,30 +202,42 @@ class Service {
     add(sum_, drained.count);
     if (stopping_) return end_when_idle();
     Seat& seat = seats_[index];
-    if (!drained.failed) seat.pause.reset();
-    const double pause_s = drained.failed
-                               ? seat.pause.next_s()
-                               : idle_pause_s(drained.next_due_in_s, settings_->schedule.poll_s);
+    if (seat.lane->settings() != settings_) return dispatch(index);
     seat.timer.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-        std::chrono::duration<double>(pause_s)));
+        std::chrono::duration<double>(
+            idle_pause_s(drained, settings_->schedule.poll_s, source_opens_in_s(), seat.pause))));
     seat.timer.async_wait([this, index](const auto& error) {
       if (!error && !stopping_) dispatch(index);
     });
   }
 
+  std::optional<double> source_opens_in_s() {
+    std::optional<double> first_s;
+    for (const auto& [source, left] : tools_.historians.closed()) {
+      const double left_s = std::chrono::duration<double>(left).count();
+      first_s = std::min(first_s.value_or(left_s), left_s);
+    }
+    return first_s;
+  }
+
   /// Works until nothing is due. Runs on a pool thread.
   Drained drain(Lane& lane) {
     Drained drained;
+    const int generation = generation_;
     try {
       WorkReport report(lane.cost());
-      for (auto claims = next_claims(lane); !claims.empty(); claims = next_claims(lane)) {
+      for (int round = 1; generation == generation_; ++round) {
+        const auto claims = next_claims(lane, round);
+        if (claims.empty()) break;
         const storage::WriteCount count = lane.process(claims);
+        drained.worked = true;
         report.add(count, lane.cost());
         add(drained.count, count);
       }
       lane.store_cost();
       report.say();
-      drained.next_due_in_s = lane.next_due_in_s();
+      drained.next_due_in_s =
+          std::max(lane.next_due_in_s().value_or(lane.settings()->schedule.poll_s), 0.0);
       tools_.faults.recovered("worker", &lane);
     } catch (const storage::DatabaseError& error) {
       drained.failed = true;
@@ -229,10 +249,13 @@ class Service {
     return drained;
   }
 
-  std::vector<storage::ClaimedLoop> next_claims(Lane& lane) {
+  /// Suspects come after all others, but not never.
+  std::vector<storage::ClaimedLoop> next_claims(Lane& lane, int round) {
     if (stopping_) return {};
-    auto claims = lane.claim_due();
-    return claims.empty() ? lane.claim_suspect() : claims;
+    const bool suspect_first = round % kSuspectEvery == 0;
+    auto claims = suspect_first ? lane.claim_suspect() : lane.claim_due();
+    if (!claims.empty()) return claims;
+    return suspect_first ? lane.claim_due() : lane.claim_suspect();
   }
 
   std::filesystem::path file_;
@@ -245,6 +268,7 @@ class Service {
   std::size_t busy_ = 0;  ///< lanes on the pool
   asio::thread_pool pool_;
   std::atomic<bool> stopping_ = false;
+  std::atomic<int> generation_ = 0;  ///< of the settings: lanes at work look whether it changed
   std::optional<Heartbeat> heartbeat_;
   std::optional<ServiceWatch> watch_;
   storage::WriteCount sum_;

@@ -19,8 +19,13 @@ constexpr double kPulseLimit_s = 30.0;
 /// A lane or the heartbeat waits for databases, but no longer than a lease (storage_settings.cpp);
 /// a short lease is no reason to restart a process that is connecting.
 constexpr double kLeastLimit_s = 60.0;
-/// Between two words to systemd while the last batches are finished.
+/// No statement takes longer than a minute and no analysis nearly as long, whatever the lease.
+constexpr double kMostLimit_s = 300.0;
+/// What systemd is asked for while the last batches are finished, in all 90 s.
 constexpr std::chrono::seconds kStoppingPatience{30};
+constexpr std::chrono::seconds kLongestStopping{60};
+/// Loops that a clock ahead of time has put off are looked for so often.
+constexpr std::chrono::minutes kRecallEvery{5};
 
 HealthLimits limits(const config::Settings& settings) {
   // Three polls without an answer.
@@ -29,6 +34,12 @@ HealthLimits limits(const config::Settings& settings) {
 
 double seconds(duration<double> time) {
   return time.count();
+}
+
+/// SQLSTATE classes: no such schema or another version of it; an object of it is missing or
+/// changed.
+bool speaks_of_schema(const storage::DatabaseError& error) {
+  return error.sqlstate().starts_with("3F") || error.sqlstate().starts_with("42");
 }
 
 }  // namespace
@@ -69,6 +80,7 @@ void ServiceWatch::use(std::shared_ptr<const config::Settings> settings) {
   const std::lock_guard lock(mutex_);
   health_.set_limits(limits(*settings));
   settings_ = std::move(settings);
+  changed_.notify_all();
 }
 
 std::shared_ptr<const config::Settings> ServiceWatch::settings() {
@@ -83,16 +95,18 @@ void ServiceWatch::pulse() {
   }
   if (!health_.live().well) return;
   ServiceManager::feed_watchdog();
-  if (stopping_) ServiceManager::extend_timeout(kStoppingPatience);
+  if (stopping_ && Clock::now() - stopping_since_ < kLongestStopping)
+    ServiceManager::extend_timeout(kStoppingPatience);
 }
 
 void ServiceWatch::stopping() {
+  stopping_since_ = Clock::now();
   stopping_ = true;
   ServiceManager::stopping("finishing what is in hand");
 }
 
 std::optional<std::string> ServiceWatch::why_not_live() {
-  const double limit_s = std::max(kLeastLimit_s, settings()->schedule.lease_s);
+  const double limit_s = std::clamp(settings()->schedule.lease_s, kLeastLimit_s, kMostLimit_s);
   Clock::time_point pulsed_at;
   {
     const std::lock_guard lock(mutex_);
@@ -109,7 +123,8 @@ std::optional<std::string> ServiceWatch::why_not_live() {
 
 double ServiceWatch::silence_s() {
   const std::lock_guard lock(mutex_);
-  return seconds(std::max(tools_.progress.longest_silence(), Clock::now() - pulsed_at_));
+  return seconds(std::max(
+      {tools_.progress.longest_silence(), heartbeat_.silence(), Clock::now() - pulsed_at_}));
 }
 
 void ServiceWatch::run(const std::stop_token& stop) {
@@ -124,7 +139,7 @@ void ServiceWatch::run(const std::stop_token& stop) {
     look(*link);
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, stop, duration<double>(linked_with->schedule.poll_s),
-                      [] { return false; });
+                      [&] { return settings_ != linked_with; });
   }
 }
 
@@ -136,17 +151,32 @@ void ServiceWatch::look(ResultsLink& link) {
     health_.results_answered();
     health_.set(schedule);
     tools_.faults.recovered("monitor");
+    recall_stray(link);
     if (stopping_) return;
     ServiceManager::status(fmt::format("{} loops, {} overdue by {:.0f} s at most, {} failing",
                                        schedule.enabled_loops, schedule.overdue_loops,
                                        schedule.lag_s, schedule.failing_loops));
   } catch (const storage::DatabaseError& error) {
     link.say(error);
-    if (error.remedy() == storage::Remedy::give_up) health_.schema_refused(error.what());
+    if (speaks_of_schema(error)) health_.schema_refused(error.what());
     if (!stopping_) ServiceManager::status("the results database is away");
   } catch (const std::exception& error) {
     tools_.faults.fault("monitor", error.what());
   }
+}
+
+void ServiceWatch::recall_stray(ResultsLink& link) {
+  const Clock::time_point now = Clock::now();
+  if (now - recalled_at_ < kRecallEvery) return;
+  recalled_at_ = now;
+  const double settle_s = settings()->schedule.settle_s;
+  const std::size_t count = link.with(
+      [&](storage::ResultsDatabase& database) { return database.recall_stray(settle_s); });
+  if (count > 0)
+    spdlog::warn(
+        "{} loops were put off beyond their period: the clock of the results database was "
+        "ahead; they are due now",
+        count);
 }
 
 }  // namespace loopscope::daemon

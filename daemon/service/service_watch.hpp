@@ -42,6 +42,7 @@ class ServiceWatch {
   void open_pages();
   void run(const std::stop_token& stop);
   void look(ResultsLink& link);
+  void recall_stray(ResultsLink& link);
   [[nodiscard]] std::shared_ptr<const config::Settings> settings();
 
   LaneTools& tools_;
@@ -49,6 +50,8 @@ class ServiceWatch {
   std::mutex mutex_;  ///< over settings_ and pulsed_at_
   std::shared_ptr<const config::Settings> settings_;
   Clock::time_point pulsed_at_ = Clock::now();
+  Clock::time_point recalled_at_;     ///< the own thread's
+  Clock::time_point stopping_since_;  ///< the scheduling thread's
   std::atomic<bool> stopping_ = false;
   std::condition_variable_any changed_;
   Health health_;

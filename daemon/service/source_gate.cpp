@@ -1,5 +1,6 @@
 #include "daemon/service/source_gate.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace loopscope::daemon {
@@ -52,6 +53,13 @@ void SourceGate::leave_down(const storage::DatabaseError& fault, Duration pause)
 bool SourceGate::is_down() {
   const std::lock_guard lock(mutex_);
   return fault_.has_value();
+}
+
+std::optional<SourceGate::Duration> SourceGate::closed_for() {
+  const std::lock_guard lock(mutex_);
+  const Duration left = try_again_at_ - Clock::now();
+  if (!fault_ || (inside_ == 0 && left <= Duration::zero())) return std::nullopt;
+  return std::max(left, Duration::zero());
 }
 
 int SourceGate::inside() {

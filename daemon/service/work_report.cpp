@@ -22,7 +22,9 @@ void WorkReport::add(const storage::WriteCount& count, const storage::StageCost&
 void WorkReport::say() {
   said_at_ = Clock::now();
   const storage::StageCost since = difference(cost_, told_);
-  if (since.loops == 0) return;
+  // Of loops that were all put off the log knows already why.
+  const storage::WriteCount& c = count_;
+  if (c.inserted + c.revised + c.unchanged + c.fenced_off == 0) return;
   spdlog::info("{}; {}", count_text(std::exchange(count_, {})), cost_text(since));
   told_ = cost_;
 }

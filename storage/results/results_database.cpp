@@ -154,9 +154,15 @@ ResultsDatabase::ResultsDatabase(ResultsDatabase&&) noexcept = default;
 ResultsDatabase& ResultsDatabase::operator=(ResultsDatabase&&) noexcept = default;
 
 std::vector<ClaimedLoop> ResultsDatabase::claim_due(const std::string& owner, double lease_s,
-                                                    int limit) {
-  return claim(impl_->session, statements::kClaimDue,
-               {make_storable(owner), number_text(lease_s), std::to_string(limit)});
+                                                    int limit,
+                                                    const std::vector<std::string>& but_of) {
+  const std::vector<std::string> parameters{make_storable(owner), number_text(lease_s),
+                                            std::to_string(limit)};
+  if (but_of.empty()) return claim(impl_->session, statements::kClaimDue, parameters);
+  ArrayLiteral sources;
+  for (const std::string& source : but_of) sources.add_text(source);
+  return claim(impl_->session, statements::kClaimDueOf,
+               {parameters[0], parameters[1], parameters[2], sources.text()});
 }
 
 std::vector<ClaimedLoop> ResultsDatabase::claim_suspect(const std::string& owner, double lease_s) {
@@ -208,15 +214,29 @@ void ResultsDatabase::release(std::span<const ClaimedLoop> claimed) {
   });
 }
 
-std::vector<std::int64_t> ResultsDatabase::extend(std::span<const ClaimedLoop> claimed,
-                                                  double lease_s) {
+void ResultsDatabase::release_owned(const std::string& owner) {
+  impl_->session.transact([&](Transaction& transaction) {
+    transaction.run(statements::kReleaseOwned, {make_storable(owner)});
+  });
+}
+
+std::size_t ResultsDatabase::recall_stray(double settle_s) {
+  return impl_->session.transact([&](Transaction& transaction) {
+    return static_cast<std::size_t>(
+        transaction.run(statements::kRecallStray, {number_text(settle_s)}).size());
+  });
+}
+
+std::vector<ClaimKey> ResultsDatabase::extend(std::span<const ClaimedLoop> claimed,
+                                              double lease_s) {
   const std::vector<std::string> keys = claim_keys(claimed);
   const pqxx::result rows = impl_->session.transact([&](Transaction& transaction) {
     transaction.run(statements::kExtend, {keys[0], keys[1], number_text(lease_s)});
     return transaction.run(statements::kLostClaims, keys);
   });
-  std::vector<std::int64_t> lost;
-  for (const pqxx::row& row : rows) lost.push_back(row["loop_id"].as<std::int64_t>());
+  std::vector<ClaimKey> lost;
+  for (const pqxx::row& row : rows)
+    lost.push_back({row["loop_id"].as<std::int64_t>(), row["fence"].as<std::int64_t>()});
   return lost;
 }
 

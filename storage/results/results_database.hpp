@@ -36,6 +36,13 @@ struct ClaimedLoop {
   std::optional<LastVerdict> last_verdict = std::nullopt;  ///< the newest one; nullopt = none yet
 };
 
+/// Which claim of which loop.
+struct ClaimKey {
+  std::int64_t loop_id = 0;
+  std::int64_t fence = 0;
+  [[nodiscard]] auto operator<=>(const ClaimKey&) const = default;
+};
+
 /// A claimed loop that was brought to its end: give it back, with or without a new row.
 struct CompletedLoop {
   std::int64_t loop_id = 0;
@@ -101,9 +108,10 @@ class ResultsDatabase {
   ResultsDatabase& operator=(ResultsDatabase&&) noexcept;
 
   /// Claims up to `limit` enabled loops that are due, oldest first, for `lease_s` seconds; no
-  /// suspects.
+  /// suspects, and none of the sources `but_of`.
   [[nodiscard]] std::vector<ClaimedLoop> claim_due(const std::string& owner, double lease_s,
-                                                   int limit);
+                                                   int limit,
+                                                   const std::vector<std::string>& but_of = {});
   /// Claims one loop whose lease would have ended without a result three times in a row, if one is
   /// due: it may be what kills the workers. One that was held alone then is first given a pause of
   /// its own, a minute up to six hours.
@@ -122,9 +130,14 @@ class ResultsDatabase {
   WriteCount finish(std::span<const CompletedLoop> completed, std::span<const FailedLoop> failed);
   /// Gives claimed loops back untouched (shutdown): they are due at once.
   void release(std::span<const ClaimedLoop> claimed);
-  /// Lets the leases of these loops end `lease_s` seconds from now; returns the loops that others
-  /// have claimed since. What is being given back in this moment is left alone.
-  std::vector<std::int64_t> extend(std::span<const ClaimedLoop> claimed, double lease_s);
+  /// Gives everything back untouched that this owner holds: what it claimed and never heard of.
+  void release_owned(const std::string& owner);
+  /// Makes loops due that are put off for longer than their period and any pause: the database's
+  /// clock had jumped ahead. Returns how many.
+  std::size_t recall_stray(double settle_s);
+  /// Lets these claims end `lease_s` seconds from now; returns those that are outdated because
+  /// somebody has claimed the loop since. What is being given back in this moment is left alone.
+  std::vector<ClaimKey> extend(std::span<const ClaimedLoop> claimed, double lease_s);
   /// Notes that the process is at work (table loopscope.worker).
   void see_worker(const WorkerSign& sign);
   /// Seconds until the next enabled loop is due, or the lease of one that is held ends; negative =

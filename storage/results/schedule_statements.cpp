@@ -43,6 +43,14 @@ const Statement kClaimDue{
                     "WHERE due.enabled AND due.visible_at <= now() AND NOT (" LOOPSCOPE_SUSPECT ") "
                     "ORDER BY due.visible_at LIMIT $3::bigint FOR UPDATE SKIP LOCKED")};
 
+const Statement kClaimDueOf{
+    "claim_due_of_sources",
+    LOOPSCOPE_CLAIM("SELECT due.loop_id FROM loopscope.schedule AS due "
+                    "WHERE due.enabled AND due.visible_at <= now() AND NOT (" LOOPSCOPE_SUSPECT ") "
+                    "AND NOT EXISTS (SELECT FROM loopscope.loop AS away"
+                    "  WHERE away.loop_id = due.loop_id AND away.source = ANY ($4::text[])) "
+                    "ORDER BY due.visible_at LIMIT $3::bigint FOR UPDATE OF due SKIP LOCKED")};
+
 const Statement kClaimSuspect{
     "claim_suspect",
     LOOPSCOPE_CLAIM("SELECT due.loop_id FROM loopscope.schedule AS due "
@@ -88,7 +96,7 @@ const Statement kExtend{"extend_leases", R"(
                         Rows::none};
 
 const Statement kLostClaims{"lost_claims", R"(
-    SELECT held.loop_id FROM unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
+    SELECT held.loop_id, held.fence FROM unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
     LEFT JOIN loopscope.schedule AS s ON s.loop_id = held.loop_id
     WHERE s.fence IS DISTINCT FROM held.fence)"};
 
@@ -107,6 +115,20 @@ const Statement kRelease{"release", R"(
     FROM unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
     WHERE s.loop_id = held.loop_id AND s.fence = held.fence AND s.owner IS NOT NULL)",
                          Rows::none};
+
+const Statement kReleaseOwned{"release_owned", R"(
+    UPDATE loopscope.schedule SET owner = NULL, visible_at = now() WHERE owner = $1)",
+                              Rows::none};
+
+// No loop waits longer than its period or the longest pause after failures (6 h), unless the
+// database's clock was ahead when it was given back.
+const Statement kRecallStray{"recall_stray", R"(
+    UPDATE loopscope.schedule AS s SET visible_at = now()
+    FROM loopscope.loop
+    WHERE loop.loop_id = s.loop_id AND s.enabled AND s.owner IS NULL
+      AND s.visible_at > now() + greatest(loop.period_s + $1::float8, 21600) * interval '1 second'
+                         + interval '10 minutes'
+    RETURNING s.loop_id)"};
 
 // The owner is not asked for: a repeat after a commit in doubt finds it gone and must still count
 // as this worker's, which the fence proves.

@@ -14,6 +14,9 @@ int schema_version(Transaction& transaction) {
 
 namespace {
 
+/// SQLSTATE invalid_schema_name: none of this name, or not in the version wanted.
+constexpr const char* kOtherSchema = "3F000";
+
 /// The lowest schema version whose programs the schema found still serves.
 int oldest_program(Session& session) {
   return session.transact([](Transaction& transaction) {
@@ -33,13 +36,14 @@ void require_schema_version(Session& session, Newer newer) {
   if (found > required) {
     throw DatabaseError("the schema loopscope has version " + std::to_string(found) +
                             ", newer than this program's " + std::to_string(required),
-                        "install the newer program", Remedy::give_up);
+                        "install the newer program", Remedy::give_up, kOtherSchema);
   }
   const std::string what = found == 0
                                ? std::string("the schema loopscope does not exist")
                                : "the schema loopscope has version " + std::to_string(found) +
                                      ", this program needs " + std::to_string(required);
-  throw DatabaseError(what, "run `loopscope migrate --config F` as the owner", Remedy::give_up);
+  throw DatabaseError(what, "run `loopscope migrate --config F` as the owner", Remedy::give_up,
+                      kOtherSchema);
 }
 
 }  // namespace loopscope::storage

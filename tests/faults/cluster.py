@@ -23,6 +23,7 @@ class Cluster:
         self.program, self.loops = program, loops
         self.servers, self.workers, self.network = [], [], None
         self.deaths = 0     # of workers, by themselves
+        self.conflicts = 0  # queries that a standby cancelled
         self.abandoned = 0  # loops that a fault took out of a worker's hands
         self.folder = Path(tempfile.mkdtemp(prefix=f"{remains.FOLDER_PREFIX}{os.getpid()}.",
                                             dir=remains.FOLDERS))

@@ -4,6 +4,7 @@ done twice and nothing computed otherwise. See README.md."""
 import argparse
 import json
 import random
+import signal
 import statistics
 import sys
 import time
@@ -12,6 +13,7 @@ from pathlib import Path
 import injections
 import plant
 import proof
+import remains
 from cluster import Cluster
 from shell import say, wait_until
 from watch import FenceWatch, overdue_at, recovery_s
@@ -42,7 +44,8 @@ def read_arguments():
 
 
 def inject(cluster, kinds, rng):
-    """One fault after the other; [(kind, victim, recovery)]."""
+    """One fault after the other; [(kind, victim, recovery)]. Recovered is the plant, all of it; and
+    every worker has to sign in again."""
     events = []
     for number, kind in enumerate(kinds, 1):
         time.sleep(rng.uniform(*QUIET_S))
@@ -53,16 +56,10 @@ def inject(cluster, kinds, rng):
             + ("no recovery" if seconds is None else f"recovered in {seconds:.1f} s"))
         if afterwards:
             afterwards()
-        revive(cluster)
+        cluster.revive()
+        since_s = time.time()
+        wait_until(lambda: cluster.all_work(since_s), GIVE_UP_S, "every worker signs in", 0.5)
     return events
-
-
-def revive(cluster):
-    """What has died by itself is a finding, and started again as a supervisor would."""
-    for worker in cluster.workers:
-        if not worker.alive():
-            say(f"{worker.host} had ended with {worker.process.returncode}")
-            worker.start()
 
 
 def settle(cluster):
@@ -75,8 +72,14 @@ def settle(cluster):
                4 * plant.periods_s(cluster.loops)[-1] + GIVE_UP_S, "one more slot", 1.0)
 
 
-def judge(cluster, events, fences):
-    found = proof.slots(cluster.primary)
+def slots_since(cluster, begun):
+    """What was completed, from the first slots that were there when the faults began."""
+    return {name: (begun[name][0], last, period) if name in begun else (first, last, period)
+            for name, (first, last, period) in proof.slots(cluster.primary).items()}
+
+
+def judge(cluster, events, fences, begun, exit_codes):
+    found = slots_since(cluster, begun)
     rows = proof.stored(cluster.primary)
     say(f"{len(rows)} rows; the same slots undisturbed")
     reference = cluster.reference(found)
@@ -95,11 +98,13 @@ def judge(cluster, events, fences):
         "loops": cluster.loops, "workers": len(cluster.workers), "slots": len(wanted),
         "lost": len(wanted - set(rows)) + cluster.loops - len(found),
         "duplicated": len(rows) - len(set(rows)) + proof.duplicated(cluster.primary),
+        "surplus": len(set(rows) - wanted), "too_early": proof.too_early(cluster.primary),
         "identical": not different, "different": len(different),
         "digest": proof.digest_of_all(ours),
         "revised": int(cluster.sql("SELECT count(*) FROM loopscope.analysis"
                                    " WHERE input_revision > 1")),
         "fence_regressions": fences.regressions, "fence_looks": fences.looks,
+        "abandoned": cluster.abandoned, "conflicts": cluster.conflicts, "deaths": cluster.deaths, "exit_codes": exit_codes,
         "leases_left": int(cluster.sql("SELECT count(*) FROM loopscope.schedule"
                                        " WHERE owner IS NOT NULL")),
         "not_recovered": len(recoveries) - len(known),
@@ -113,8 +118,11 @@ def judge(cluster, events, fences):
 
 
 def passed(result):
-    return (result["lost"] == result["duplicated"] == result["fence_regressions"] == 0
-            and result["identical"] and result["leases_left"] == 0 and result["not_recovered"] == 0
+    nothing = ("lost", "duplicated", "surplus", "too_early", "fence_regressions", "leases_left",
+               "deaths", "not_recovered")
+    took_over = result["abandoned"] > 0 or not {"kill_worker", "stop_worker"} & set(result["faults"])
+    return (all(result[key] == 0 for key in nothing) and result["identical"] and took_over
+            and result["fence_looks"] > 0 and set(result["exit_codes"]) == {0}
             and result["max_recovery_s"] <= result["lease_s"] + result["poll_s"])
 
 
@@ -123,14 +131,24 @@ def print_table(result):
     for kind, times in sorted(result["faults"].items()):
         seconds = result["recovery_s"][kind]
         print(f"| {kind} | {times} | {seconds['median']:.1f} | {seconds['max']:.1f} |")
-    for key in ("loops", "workers", "slots", "lost", "duplicated", "identical", "revised",
-                "fence_regressions", "leases_left", "not_recovered", "max_recovery_s", "lease_s",
-                "poll_s"):
+    for key in ("loops", "workers", "slots", "lost", "duplicated", "surplus", "too_early",
+                "identical", "revised", "fence_regressions", "abandoned", "conflicts", "deaths",
+                "exit_codes", "leases_left", "not_recovered", "max_recovery_s", "lease_s", "poll_s"):
         print(f"{key}: {result[key]}")
+
+
+def keep_logs(cluster, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for log in [*cluster.folder.glob("*.log"), *cluster.folder.glob("*/server.log")]:
+        name = log.name if log.parent == cluster.folder else f"{log.parent.name}-server.log"
+        (folder / name).write_bytes(log.read_bytes())
 
 
 def main():
     arguments = read_arguments()
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, lambda number, _: sys.exit(128 + number))  # everything is removed
+    remains.remove()
     rng = random.Random(arguments.seed)
     kinds = injections.plan(arguments.faults, rng, arguments.kinds)
     # A fault and its recovery take 20 s on the average, never more than a minute.
@@ -138,20 +156,20 @@ def main():
     try:
         cluster.start_workers()
         wait_until(lambda: cluster.sql(overdue_at(time.time())) == "0", 600, "the first slots")
+        begun = proof.slots(cluster.primary)
         say("every loop has a row: the faults begin")
         fences = FenceWatch(cluster)
         events = inject(cluster, kinds, rng)
         settle(cluster)
         fences.stop()
-        say(f"workers ended with {cluster.stop_workers()}")
-        result = {"seed": arguments.seed} | judge(cluster, events, fences)
+        exit_codes = cluster.stop_workers()
+        result = {"seed": arguments.seed} | judge(cluster, events, fences, begun, exit_codes)
     finally:
-        if arguments.keep_logs:
-            arguments.keep_logs.mkdir(parents=True, exist_ok=True)
-            for log in [*cluster.folder.glob("*.log"), *cluster.folder.glob("*/server.log")]:
-                name = log.name if log.parent == cluster.folder else f"{log.parent.name}-server.log"
-                (arguments.keep_logs / name).write_bytes(log.read_bytes())
-        cluster.remove()
+        try:
+            if arguments.keep_logs:
+                keep_logs(cluster, arguments.keep_logs)
+        finally:
+            cluster.remove()
     print(json.dumps(result)) if arguments.json else print_table(result)
     return 0 if passed(result) else 1
 

@@ -13,7 +13,7 @@ TABLES = ("analysis", "verdict", "bicoherence_peak", "explanation_step")
 
 def slots(server, database=plant.RESULTS):
     """{loop name: (first slot, last slot, period)} in seconds, of what was completed."""
-    rows = server.sql(f"""
+    rows = server.sql("""
         SELECT loop.name, extract(epoch FROM min(analysis.slot_end))::bigint,
                extract(epoch FROM max(schedule.last_slot_end))::bigint, period_s::bigint
         FROM loopscope.loop JOIN loopscope.schedule USING (loop_id)
@@ -32,6 +32,12 @@ def stored(server, database=plant.RESULTS):
     rows = server.sql("SELECT loop.name, extract(epoch FROM slot_end)::bigint"
                       " FROM loopscope.analysis JOIN loopscope.loop USING (loop_id)", database)
     return [(name, int(slot)) for name, slot in (row.split("|") for row in rows.splitlines())]
+
+
+def too_early(server, database=plant.RESULTS):
+    """Analyses of slots that had not settled by the database's clock."""
+    return int(server.sql("SELECT count(*) FROM loopscope.analysis WHERE analysed_at"
+                          f" < slot_end + interval '{plant.SETTLE_S} s'", database))
 
 
 def duplicated(server, database=plant.RESULTS):

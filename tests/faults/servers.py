@@ -7,6 +7,7 @@ import signal
 import subprocess
 from pathlib import Path
 
+import plant
 from shell import run, wait_until
 
 PORT = 5432
@@ -69,6 +70,9 @@ class Server:
                           f"--host={primary.network.address[primary.host]}")
         (self.data / "sync.conf").unlink(missing_ok=True)
         self._configure()
+        if not synchronous:
+            with open(self.data / "postgresql.conf", "a", encoding="utf-8") as settings:
+                settings.write(plant.STANDBY_SETTINGS)
         self.start()
         wait_until(lambda: primary.sql("SELECT count(*) FROM pg_stat_replication"
                                        " WHERE state = 'streaming'") == "1",
@@ -102,6 +106,11 @@ class Server:
         self._as_postgres(PROGRAMS / "pg_ctl", "promote", f"--pgdata={self.data}", "--wait",
                           "--timeout=60", "--silent")
         wait_until(lambda: self.sql("SELECT pg_is_in_recovery()") == "f", 60, "promoted")
+
+    def conflicts(self):
+        """Queries of this standby that were cancelled for what came from its primary."""
+        return int(self.sql("SELECT sum(confl_snapshot + confl_lock + confl_bufferpin)"
+                            " FROM pg_stat_database_conflicts"))
 
     def postmaster(self):
         return int((self.data / "postmaster.pid").read_text(encoding="utf-8").split()[0])

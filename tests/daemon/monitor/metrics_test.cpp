@@ -18,6 +18,7 @@ namespace loopscope::daemon {
 namespace {
 
 using testing::Contains;
+using testing::DoubleNear;
 using testing::HasSubstr;
 using testing::Key;
 using testing::Not;
@@ -212,8 +213,17 @@ TEST_F(MetricsTest, AgeOfAHistorianThatIsNoLongerInTheSettingsIsForgotten) {
   metrics.data_age("plant\n", 6.0);
   metrics.set_sources(std::vector<std::string>{"plant\n"});
   const auto all = samples();
-  EXPECT_THAT(all, Contains(Pair(R"(loopscope_data_age_seconds{source="plant "})", 6.0)));
+  EXPECT_THAT(
+      all, Contains(Pair(R"(loopscope_data_age_seconds{source="plant "})", DoubleNear(6.0, 1.0))));
   EXPECT_THAT(all, Not(Contains(Key(R"(loopscope_data_age_seconds{source="old"})"))));
+}
+
+TEST_F(MetricsTest, TheNewestRowThatWasEverSeenTellsTheAgeOfAHistorian) {
+  metrics.set_sources(std::vector<std::string>{"plant"});
+  for (const double age_s : {500.0, 6.0, 90000.0}) metrics.data_age("plant", age_s);
+  EXPECT_THAT(samples(),
+              Contains(Pair(R"(loopscope_data_age_seconds{source="plant"})", DoubleNear(6.0, 1.0))))
+      << "a dead tag does not make a historian old";
 }
 
 TEST_F(MetricsTest, HostileNamesStayLabelsOfOneLine) {

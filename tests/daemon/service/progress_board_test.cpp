@@ -18,6 +18,10 @@ std::vector<storage::ClaimedLoop> claims(const std::vector<std::int64_t>& loop_i
   return claims;
 }
 
+std::vector<storage::ClaimKey> keys(std::initializer_list<storage::ClaimKey> keys) {
+  return keys;
+}
+
 std::vector<std::int64_t> proven(ProgressBoard& board) {
   std::vector<std::int64_t> loop_ids;
   for (const auto& claim : board.proven_claims()) loop_ids.push_back(claim.loop.loop_id);
@@ -67,13 +71,51 @@ TEST(ProgressBoard, WhatIsLostIsToldAndNotAskedForAgain) {
   ProgressBoard board;
   ProgressBoard::Desk& desk = board.desk();
   desk.hold(claims({1, 2}));
-  EXPECT_EQ(board.lose({2, 7}), 1u);
-  EXPECT_EQ(board.lose({2}), 0u);
+  EXPECT_EQ(board.lose(keys({{2, 0}, {7, 0}})), 1u);
+  EXPECT_EQ(board.lose(keys({{2, 0}})), 0u);
   EXPECT_TRUE(desk.lost(2));
   EXPECT_FALSE(desk.lost(1));
   EXPECT_THAT(proven(board), ElementsAre(1));
   desk.hold(claims({2}));
   EXPECT_FALSE(desk.lost(2)) << "claimed anew";
+}
+
+TEST(ProgressBoard, AnOutdatedClaimSaysNothingOfANewOne) {
+  ProgressBoard board;
+  ProgressBoard::Desk& former = board.desk();
+  ProgressBoard::Desk& present = board.desk();
+  auto claimed = claims({1});
+  claimed[0].fence = 7;
+  former.hold(claimed);
+  claimed[0].fence = 8;
+  present.hold(claimed);
+  EXPECT_EQ(board.lose(keys({{1, 7}})), 1u);
+  EXPECT_TRUE(former.lost(1));
+  EXPECT_FALSE(present.lost(1));
+}
+
+TEST(ProgressBoard, WhatIsGivenBackIsHeldNoLonger) {
+  ProgressBoard board;
+  ProgressBoard::Desk& desk = board.desk();
+  desk.hold(claims({1, 2, 3}));
+  desk.done(std::vector<std::int64_t>{2});
+  EXPECT_THAT(proven(board), ElementsAre(1, 3));
+  board.lose(keys({{3, 0}}));
+  ASSERT_EQ(desk.held().size(), 1u);
+  EXPECT_EQ(desk.held()[0].loop.loop_id, 1);
+}
+
+TEST(ProgressBoard, AnIdleLaneProvesNothingForThoseThatWait) {
+  ProgressBoard board;
+  ProgressBoard::Desk& waiting = board.desk();
+  ProgressBoard::Desk& hanging = board.desk();
+  ProgressBoard::Desk& idle = board.desk();
+  waiting.hold(claims({1}));
+  hanging.hold(claims({2}));
+  const ProgressBoard::Desk::Wait wait(waiting);
+  board.renewed(Clock::now());
+  idle.step();
+  EXPECT_THAT(proven(board), IsEmpty());
 }
 
 TEST(ProgressBoard, SaysWhenABatchStandsStill) {

@@ -184,7 +184,8 @@ TEST_F(ClaimTest, ExtendNamesWhatOthersHave) {
   const std::vector<ClaimedLoop> claimed = claim_all(results, 5);
   database->execute("UPDATE loopscope.schedule SET fence = fence + 1 WHERE loop_id = " +
                     std::to_string(claimed[0].loop.loop_id));
-  EXPECT_THAT(results.extend(claimed, 1000), testing::ElementsAre(claimed[0].loop.loop_id));
+  EXPECT_THAT(results.extend(claimed, 1000),
+              testing::ElementsAre(ClaimKey{claimed[0].loop.loop_id, claimed[0].fence}));
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.schedule"
                   " WHERE visible_at > now() + interval '900 seconds'"),
             "1");

@@ -191,11 +191,11 @@ void LeaseWorld::release(LeaseWorker& worker, std::size_t which) {
 }
 
 void LeaseWorld::extend(LeaseWorker& worker) {
-  std::vector<std::int64_t> lost;
+  std::vector<ClaimKey> lost;
   for (const ClaimedLoop& claim : worker.believes) {
     LeaseModel& loop = loops_.at(claim.loop.loop_id);
     if (loop.fence != claim.fence) {
-      lost.push_back(claim.loop.loop_id);
+      lost.push_back({claim.loop.loop_id, claim.fence});
     } else if (!loop.owner.empty()) {
       loop.visible = false;
     }
