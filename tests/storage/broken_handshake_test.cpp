@@ -1,6 +1,9 @@
 #include <arpa/inet.h>
 #include <array>
 #include <gmock/gmock.h>
+#include <netinet/in.h>
+#include <stdexcept>
+#include <string>
 #include <sys/socket.h>
 #include <thread>
 #include <unistd.h>
