@@ -120,6 +120,27 @@ TEST_F(Unattended, WhatIsHeldLongerThanALeaseStaysHeldWhileWorkGoesOn) {
   EXPECT_EQ(stop(), 0);
 }
 
+TEST_F(Unattended, ResultsThatAreRefusedGoBackWithoutBlame) {
+  for (unsigned seed = 1; seed <= 2; ++seed)
+    plant.import_loop("loop " + std::to_string(seed), 600, seed);
+  plant.sql(
+      "create function refuse() returns trigger language plpgsql as $$ begin raise exception 'not "
+      "today'; end $$; create trigger refuse before insert on loopscope.analysis for each row "
+      "execute function refuse()");
+  run();
+  ASSERT_TRUE(
+      becomes("select count(*) from loopscope.schedule where last_error like "
+              "'%not today%' and owner is null and attempts = 0 and lost_leases = 0 and "
+              "visible_at > now() + interval '30 s'",
+              "2"));
+  plant.sql(
+      "drop trigger refuse on loopscope.analysis; update loopscope.schedule set visible_at = "
+      "now()");
+  EXPECT_TRUE(becomes(kCount, "2"));
+  EXPECT_TRUE(logs("results database: works again"));
+  EXPECT_EQ(stop(), 0);
+}
+
 TEST_F(Unattended, ASecondSignalEndsItAtOnce) {
   plant.import_loop("FIC101");
   BackgroundProgram lock({"/usr/bin/psql", "-X", "-d", plant.connection(), "-c",

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/signal/window_digest.hpp"
-#include "daemon/failure.hpp"
 #include "daemon/output/window_csv.hpp"
 #include "daemon/recording/recording.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/target.hpp"
+#include "tests/fuzz/text_target.hpp"
 
 namespace loopscope::tests::fuzz {
 namespace {
@@ -85,13 +85,6 @@ void check_text(std::string_view text) {
 }  // namespace loopscope::tests::fuzz
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope;
-  try {
-    tests::fuzz::check_text({reinterpret_cast<const char*>(data), size});
-  } catch (const daemon::Failure& failure) {
-    tests::fuzz::require(failure.exit_code() == daemon::ExitCode::unusable_data,
-                         "a file that cannot be used has its own exit code");
-    tests::fuzz::require(!failure.hint().empty(), "a refusal says how to mend it");
-  }
-  return 0;
+  using namespace loopscope::tests::fuzz;
+  return check_as_text(data, size, [](const auto& text) { check_text(text); });
 }
