@@ -1,6 +1,5 @@
 #include "daemon/monitor/metrics.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -88,33 +87,6 @@ TEST_F(MetricsTest, BeginsAtZeroWhereSomethingIsCountedAndSaysNothingThatItDoesN
   EXPECT_THAT(metrics.text(), Not(HasSubstr("loopscope_lag_seconds")));
   EXPECT_THAT(metrics.text(), Not(HasSubstr("loopscope_data_age_seconds")));
   EXPECT_EQ(value("loopscope_settings_reload_success"), 1.0);
-}
-
-TEST_F(MetricsTest, SaysWhichProgramItIs) {
-  const auto all = samples();
-  EXPECT_EQ(std::ranges::count_if(all,
-                                  [](const auto& sample) {
-                                    return sample.first.starts_with("loopscope_build_info{") &&
-                                           sample.second == 1.0;
-                                  }),
-            1);
-  for (const char* label : {R"(version="0.1.0")", R"(algorithm_revision="8")", R"(path="avx2")"}) {
-    EXPECT_THAT(metrics.text(), HasSubstr(label));
-  }
-}
-
-/// To the second at least: `changes()` has to see a process that was started anew at once.
-TEST_F(MetricsTest, SaysWhenItBegan) {
-  const auto now = [] {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch())
-        .count();
-  };
-  const double before = now();
-  const Metrics second{{"0.1.0", 8, "avx2"}};
-  const double began = read_exposition(second.text()).samples.at("loopscope_start_time_seconds");
-  EXPECT_GE(began, before - 1e-3);
-  EXPECT_LE(began, now() + 1e-3);
-  EXPECT_GE(began, value("loopscope_start_time_seconds"));
 }
 
 TEST_F(MetricsTest, CountsLoopsByWhatCameOfThem) {
