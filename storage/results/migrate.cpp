@@ -109,7 +109,7 @@ std::vector<std::string> migrate(const ConnectionSettings& owner) {
 
 MaintenanceResult maintain(const ConnectionSettings& owner, int retention_months) {
   Session session(without_time_limit(owner));
-  require_schema_version(session, Newer::refused);
+  require_schema_version(session);
   MaintenanceResult result;
   result.created = session.transact([](Transaction& transaction) {
     transaction.run(statements::kLockMigrations);

@@ -25,7 +25,8 @@ struct MaintenanceResult {
 };
 
 /// Makes partitions ahead and drops those that end before now minus `retention_months` (0 = keep
-/// all).
+/// all). A newer schema that still serves this program is kept up by its own functions, so that a
+/// program that was put back goes on; any other one is refused (DatabaseError).
 MaintenanceResult maintain(const ConnectionSettings& owner, int retention_months);
 
 }  // namespace loopscope::storage

@@ -26,13 +26,11 @@ int oldest_program(Session& session) {
 
 }  // namespace
 
-void require_schema_version(Session& session, Newer newer) {
+void require_schema_version(Session& session) {
   const int found = session.transact(schema_version);
   const int required = required_schema_version();
   if (found == required) return;
-  if (found > required && newer == Newer::if_compatible && oldest_program(session) <= required) {
-    return;
-  }
+  if (found > required && oldest_program(session) <= required) return;
   if (found > required) {
     throw DatabaseError("the schema loopscope has version " + std::to_string(found) +
                             ", newer than this program's " + std::to_string(required),

@@ -177,6 +177,12 @@ const Statement kCheckRights{"check_rights", R"(
                 THEN has_schema_privilege('loopscope', privilege)
                 WHEN object = 'sequence loopscope.analysis_id'
                 THEN has_sequence_privilege('loopscope.analysis_id', privilege)
+                WHEN object = 'function loopscope.oldest_program()'
+                THEN has_function_privilege('loopscope.oldest_program()', privilege)
+                WHEN object = 'loopscope.schedule' AND privilege = 'UPDATE'
+                THEN (SELECT bool_and(has_column_privilege(object, name, privilege))
+                      FROM unnest(ARRAY['visible_at', 'owner', 'fence', 'attempts', 'lost_leases',
+                                        'last_error', 'last_slot_end', 'result_slot_end']) AS name)
                 WHEN privilege = 'UPDATE'
                 THEN has_any_column_privilege(object, privilege)
                 ELSE has_table_privilege(object, privilege) END AS granted
@@ -190,8 +196,10 @@ const Statement kCheckRights{"check_rights", R"(
       ('INSERT', 'loopscope.verdict', true), ('DELETE', 'loopscope.verdict', false),
       ('INSERT', 'loopscope.standing_problem', true), ('UPDATE', 'loopscope.standing_problem', true),
       ('INSERT', 'loopscope.stage_cost', true), ('UPDATE', 'loopscope.stage_cost', true),
+      ('INSERT', 'loopscope.worker', true), ('UPDATE', 'loopscope.worker', true),
       ('SELECT', 'loopscope.parameter', true), ('UPDATE', 'loopscope.parameter', true),
       ('SELECT', 'loopscope.schema_migration', true),
+      ('EXECUTE', 'function loopscope.oldest_program()', true),
       ('USAGE', 'sequence loopscope.analysis_id', true)
     ) AS checked (privilege, object, needed))"};
 

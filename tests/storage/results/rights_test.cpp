@@ -177,6 +177,26 @@ TEST_F(RightsTest, CheckFindsRightsThatAreMissingOrTooMany) {
                              Field(&Finding::what, HasSubstr("DELETE on loopscope.verdict")))));
 }
 
+TEST_F(RightsTest, CheckFindsEachRightThatIsMissing) {
+  for (const auto& [right, words] :
+       {std::pair{"UPDATE (lost_leases) ON loopscope.schedule", "UPDATE on loopscope.schedule"},
+        std::pair{"UPDATE (fence) ON loopscope.schedule", "UPDATE on loopscope.schedule"},
+        std::pair{"INSERT ON loopscope.worker", "INSERT on loopscope.worker"},
+        std::pair{"UPDATE (last_seen, held_loops, lost_leases, started_at, program_version,"
+                  " algorithm_revision) ON loopscope.worker",
+                  "UPDATE on loopscope.worker"},
+        std::pair{"EXECUTE ON FUNCTION loopscope.oldest_program()",
+                  "EXECUTE on function loopscope.oldest_program()"}}) {
+    database->execute("REVOKE " + std::string(right) + " FROM loopscope_worker");
+    const auto findings = check_results(settings_for(*database, worker));
+    EXPECT_EQ(std::ranges::count_if(findings, [](const Finding& found) { return !found.ok; }), 1)
+        << right;
+    EXPECT_THAT(findings, Contains(AllOf(Field(&Finding::ok, false),
+                                         Field(&Finding::what, HasSubstr(words)))));
+    migrate(settings_for(*database, owner));
+  }
+}
+
 TEST_F(RightsTest, CheckTurnsProblemsIntoFindings) {
   tests::TestDatabase empty;
   EXPECT_THAT(check_results(settings_for(empty)),
