@@ -17,6 +17,11 @@ void fill_all_gaps(signal::Samples& samples) {
   signal::bridge_gaps(samples, samples.size());
   const auto is_recorded = [](double v) { return !std::isnan(v); };
   const auto first = std::find_if(samples.begin(), samples.end(), is_recorded);
+  if (first == samples.end()) {
+    // All values were too large to count with.
+    std::fill(samples.begin(), samples.end(), 0.0);
+    return;
+  }
   std::fill(samples.begin(), first, *first);
   const auto last = std::find_if(samples.rbegin(), samples.rend(), is_recorded);
   std::fill(samples.rbegin(), last, *last);

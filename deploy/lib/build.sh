@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # Builds a preset of CMakePresets.json. Source this file after say.sh.
 #
-#   build PRESET [TARGET]    into build/PRESET of the checkout; everything without a TARGET
+#   build PRESET [TARGET...]    into build/PRESET of the checkout; everything without a TARGET
 
 _CHECKOUT=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
@@ -18,6 +18,6 @@ build() {
   step "building build/$preset on $(nproc) cores"
   quietly "$folder/deploy-configure.log" _configure "$preset" ||
     die "cmake could not configure the preset $preset" "delete build/$preset if it comes from elsewhere, then try again"
-  quietly "$folder/deploy-build.log" cmake --build "$folder" --parallel "$(nproc)" ${2:+--target "$2"} ||
+  quietly "$folder/deploy-build.log" cmake --build "$folder" --parallel "$(nproc)" ${2:+--target "${@:2}"} ||
     die "the build failed" "the compiler's words stand above and in build/$preset/deploy-build.log"
 }
