@@ -47,6 +47,20 @@ class Unattended : public testing::Test {
   bool logs(const std::string& words) const {
     return comes([&] { return log().find(words) != std::string::npos; });
   }
+  /// Nothing can be written for so long.
+  void lock_results(int seconds) {
+    const std::string commands =
+        "begin; lock table loopscope.analysis in access exclusive mode; select pg_sleep(" +
+        std::to_string(seconds) + ")";
+    lock_.emplace(
+        std::vector<std::string>{"/usr/bin/psql", "-X", "-d", plant.connection(), "-c", commands},
+        plant.folder() / "lock.log");
+    ASSERT_TRUE(becomes(
+        "select count(*) from pg_locks join pg_database as d on d.oid = database where datname = "
+        "current_database() and mode = 'AccessExclusiveLock' and granted and relation = "
+        "'loopscope.analysis'::regclass",
+        "1"));
+  }
   /// Exit code after SIGTERM.
   int stop() {
     daemon_->send(SIGTERM);
@@ -55,6 +69,7 @@ class Unattended : public testing::Test {
 
   Plant plant;
   std::optional<BackgroundProgram> daemon_;
+  std::optional<BackgroundProgram> lock_;
 };
 
 TEST_F(Unattended, MissedSlotsAreMadeUpForAndOlderOnesLeftOut) {
@@ -102,15 +117,7 @@ TEST_F(Unattended, WhatIsHeldLongerThanALeaseStaysHeldWhileWorkGoesOn) {
   for (unsigned seed = 1; seed <= 4; ++seed)
     plant.import_loop("loop " + std::to_string(seed), 600, seed);
   // Nothing can be written for longer than a lease; what is done waits and is written once.
-  BackgroundProgram lock({"/usr/bin/psql", "-X", "-d", plant.connection(), "-c",
-                          "begin; lock table loopscope.analysis in access exclusive mode; "
-                          "select pg_sleep(14)"},
-                         plant.folder() / "lock.log");
-  ASSERT_TRUE(
-      becomes("select count(*) from pg_locks join pg_database as d on d.oid = database "
-              "where datname = current_database() and mode = 'AccessExclusiveLock' and "
-              "granted and relation = 'loopscope.analysis'::regclass",
-              "1"));
+  lock_results(14);
   run(R"(, "lease_s": 10)");
   ASSERT_TRUE(becomes("select count(*) from loopscope.schedule where owner is not null", "4"));
   EXPECT_TRUE(
@@ -143,10 +150,7 @@ TEST_F(Unattended, ResultsThatAreRefusedGoBackWithoutBlame) {
 
 TEST_F(Unattended, ASecondSignalEndsItAtOnce) {
   plant.import_loop("FIC101");
-  BackgroundProgram lock({"/usr/bin/psql", "-X", "-d", plant.connection(), "-c",
-                          "begin; lock table loopscope.analysis in access exclusive mode; "
-                          "select pg_sleep(60)"},
-                         plant.folder() / "lock.log");
+  lock_results(60);
   run();
   ASSERT_TRUE(becomes("select count(*) from loopscope.schedule where owner is not null", "1"));
   daemon_->send(SIGTERM);
