@@ -7,6 +7,12 @@
 namespace loopscope::core::model {
 namespace {
 
+/// std::lgamma leaves the sign in a variable that all threads share.
+double log_gamma(double x) {
+  int sign = 0;
+  return ::lgamma_r(x, &sign);
+}
+
 /// As in core/hos: a p of 0 would call chance impossible and has no logarithm.
 double as_probability(double p) {
   return std::clamp(p, std::numeric_limits<double>::min(), 1.0);
@@ -21,7 +27,7 @@ double chi_square_upper(double value, std::size_t freedom) {
   double a = freedom % 2 == 1 ? 0.5 : 1.0;
   double upper = freedom % 2 == 1 ? std::erfc(std::sqrt(x)) : std::exp(-x);
   for (; a + 0.5 < 0.5 * static_cast<double>(freedom); a += 1.0)
-    upper += std::exp(a * std::log(x) - x - std::lgamma(a + 1.0));
+    upper += std::exp(a * std::log(x) - x - log_gamma(a + 1.0));
   return as_probability(upper);
 }
 
