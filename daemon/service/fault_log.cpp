@@ -21,13 +21,22 @@ void FaultLog::fault(const std::string& subject, const std::string& message, con
 
 void FaultLog::recovered(const std::string& subject, const void* user) {
   const std::lock_guard lock(mutex_);
+  if (end_for(subject, user)) spdlog::info("{}: works again", subject);
+}
+
+void FaultLog::leave(const std::string& subject, const void* user) {
+  const std::lock_guard lock(mutex_);
+  end_for(subject, user);
+}
+
+bool FaultLog::end_for(const std::string& subject, const void* user) {
   const auto standing = standing_.find(subject);
-  if (standing == standing_.end()) return;
+  if (standing == standing_.end()) return false;
   standing->second.users.erase(user);
-  if (!standing->second.users.empty()) return;
+  if (!standing->second.users.empty()) return false;
   standing_.erase(standing);
   metrics_.recovered(subject);
-  spdlog::info("{}: works again", subject);
+  return true;
 }
 
 }  // namespace loopscope::daemon

@@ -20,11 +20,15 @@ class FaultLog {
   /// Logs `message` as an error unless it was said since the fault of `subject` began; after a few
   /// different ones no more. `user` is who met it, where several may.
   void fault(const std::string& subject, const std::string& message, const void* user = nullptr);
-  /// It works for that user, or the user has gone. Logs the end of the fault of `subject` when that
-  /// was the last one for whom it stood.
+  /// It works for that user. Logs the end of the fault of `subject` when that was the last one for
+  /// whom it stood.
   void recovered(const std::string& subject, const void* user = nullptr);
+  /// The user has gone, or nobody asks for the subject any more: whether it works is not known.
+  void leave(const std::string& subject, const void* user = nullptr);
 
  private:
+  /// True when the fault stood, and no longer stands for anybody.
+  bool end_for(const std::string& subject, const void* user);
   struct Standing {
     std::set<std::string> said;
     std::set<const void*> users;

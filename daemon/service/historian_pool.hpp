@@ -53,7 +53,7 @@ class HistorianPool {
 
   /// Whether the last use of the source failed.
   [[nodiscard]] bool is_down(const std::string& name);
-  /// Sources that turn everybody away just now, with the time until one may try.
+  /// Sources that turn everybody away just now, with the time until one may try (SourceGate).
   [[nodiscard]] std::map<std::string, SourceGate::Duration> closed();
   /// Connections to the source that are in use now.
   [[nodiscard]] int in_use(const std::string& name);

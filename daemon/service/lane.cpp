@@ -39,11 +39,11 @@ Lane::Lane(std::shared_ptr<const config::Settings> settings, std::size_t index, 
 template <typename Claim>
 std::vector<ClaimedLoop> Lane::timed_claim(Claim claim) {
   Stopwatch watch;
-  bool again = false;
   std::vector<ClaimedLoop> claims = results_.with([&](storage::ResultsDatabase& database) {
-    // The connection broke: whether a claim was made nobody knows.
-    if (std::exchange(again, true)) database.release_owned(owner_);
-    return claim(database);
+    if (std::exchange(in_doubt_, true)) database.release_owned(owner_);
+    std::vector<ClaimedLoop> claimed = claim(database);
+    in_doubt_ = false;
+    return claimed;
   });
   if (!claims.empty()) desk_.hold(claims);
   const storage::StageCost cost{.claim_s = watch.lap_s()};
@@ -213,18 +213,21 @@ storage::WriteCount Lane::finish(const std::vector<storage::CompletedLoop>& comp
 
 /// What could not be brought to its end goes back without blame, so that no lease is lost for a
 /// fault that is not the loops': at once when the process stops, else after a pause. Where that
-/// fails too the claims run out.
+/// fails too they go back before the next claim, or the claims run out.
 void Lane::give_back(const std::string& reason) {
   const std::vector<ClaimedLoop> held = desk_.held();
   if (held.empty()) return;
-  const double pause_s = tools_.bell.rung() ? 0.0 : kRefusedPause_s;
   std::vector<storage::FailedLoop> failed;
   for (const ClaimedLoop& claim : held) {
-    failed.push_back({claim.loop.loop_id, claim.fence, reason, pause_s, false});
+    failed.push_back({claim.loop.loop_id, claim.fence, reason, kRefusedPause_s, false});
   }
   try {
-    results_.with([&](storage::ResultsDatabase& database) { return database.finish({}, failed); });
+    results_.with([&](storage::ResultsDatabase& database) {
+      tools_.bell.rung() ? database.release(held) : void(database.finish({}, failed));
+      return true;
+    });
   } catch (const storage::DatabaseError& error) {
+    in_doubt_ = true;
     results_.say(error);
   }
 }

@@ -91,6 +91,7 @@ class Lane {
   ProgressBoard::Desk& desk_;
   ResultsLink results_;
   BatchReader reader_;
+  bool in_doubt_ = false;  ///< the lane may hold loops that it does not know of
   std::unique_lock<std::mutex> suspect_turn_;
   std::optional<Failure> first_failure_;
   CostBook costs_;

@@ -24,7 +24,7 @@ class ResultsLink {
   ResultsLink(std::shared_ptr<const config::Settings> settings, FaultLog& faults, Metrics& metrics,
               StopBell& bell)
       : settings_(std::move(settings)), faults_(faults), metrics_(metrics), bell_(bell) {}
-  ~ResultsLink() { faults_.recovered(kSubject, this); }
+  ~ResultsLink() { faults_.leave(kSubject, this); }
   ResultsLink(const ResultsLink&) = delete;
   ResultsLink& operator=(const ResultsLink&) = delete;
 

@@ -32,7 +32,7 @@ namespace loopscope::daemon {
 namespace {
 
 constexpr std::chrono::seconds kPulseEvery{1};
-/// Of a lane's batches in a row so many are of loops that nobody suspects.
+/// One in so many of a lane's looks in a row begins with the suspects.
 constexpr int kSuspectEvery = 16;
 
 /// State is touched by the io_context's thread alone; a busy lane belongs to its pool thread
@@ -45,7 +45,8 @@ class Service {
         tools_(worker_count(settings_->daemon), Perseverance::endless),
         signals_(context_, SIGINT, SIGTERM, SIGHUP),
         pulse_timer_(context_),
-        pool_(lane_count(settings_->daemon)) {
+        pool_(lane_count(settings_->daemon)),
+        in_force_(settings_.get()) {
     set_up_log(settings_->daemon);
     for (std::size_t index = 0; index < lane_count(settings_->daemon); ++index) {
       seats_.emplace_back(context_, settings_->schedule.poll_s);
@@ -149,7 +150,7 @@ class Service {
     try {
       const auto before = std::exchange(
           settings_, std::make_shared<config::Settings>(config::read_settings(file_)));
-      ++generation_;
+      in_force_ = settings_.get();
       set_up_log(settings_->daemon);
       tools_.historians.forget_idle();
       heartbeat_->use(settings_);
@@ -173,7 +174,7 @@ class Service {
     for (const config::HistorianSettings& historian : former) {
       if (std::ranges::find(settings_->historians, historian.name,
                             &config::HistorianSettings::name) == settings_->historians.end())
-        tools_.faults.recovered("historian " + historian.name);
+        tools_.faults.leave("historian " + historian.name);
     }
   }
 
@@ -211,11 +212,12 @@ class Service {
     });
   }
 
+  /// Of sources that are away; one that somebody tries just now has no time yet.
   std::optional<double> source_opens_in_s() {
     std::optional<double> first_s;
     for (const auto& [source, left] : tools_.historians.closed()) {
       const double left_s = std::chrono::duration<double>(left).count();
-      first_s = std::min(first_s.value_or(left_s), left_s);
+      if (left_s > 0.0) first_s = std::min(first_s.value_or(left_s), left_s);
     }
     return first_s;
   }
@@ -223,10 +225,9 @@ class Service {
   /// Works until nothing is due. Runs on a pool thread.
   Drained drain(Lane& lane) {
     Drained drained;
-    const int generation = generation_;
     try {
       WorkReport report(lane.cost());
-      for (int round = 1; generation == generation_; ++round) {
+      for (int round = 1; lane.settings().get() == in_force_; ++round) {
         const auto claims = next_claims(lane, round);
         if (claims.empty()) break;
         const storage::WriteCount count = lane.process(claims);
@@ -268,7 +269,7 @@ class Service {
   std::size_t busy_ = 0;  ///< lanes on the pool
   asio::thread_pool pool_;
   std::atomic<bool> stopping_ = false;
-  std::atomic<int> generation_ = 0;  ///< of the settings: lanes at work look whether it changed
+  std::atomic<const config::Settings*> in_force_;  ///< settings_, for lanes at work to compare
   std::optional<Heartbeat> heartbeat_;
   std::optional<ServiceWatch> watch_;
   storage::WriteCount sum_;

@@ -9,8 +9,7 @@ namespace loopscope::daemon {
 /// SIGTERM and SIGINT: no new claims, what is in hand is finished, return. SIGHUP: the settings
 /// file is read again; a bad one is reported and the old one kept. A database that is away is
 /// reported once and tried again after pauses that grow up to a poll. A second SIGTERM or SIGINT
-/// ends the process. Throws config::SettingsError when the file is bad
-/// at the start.
+/// ends the process. Throws config::SettingsError when the file is bad at the start.
 void run_service(const std::filesystem::path& settings_file);
 
 }  // namespace loopscope::daemon

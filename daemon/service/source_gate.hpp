@@ -27,7 +27,8 @@ class SourceGate {
   void leave_down(const storage::DatabaseError& fault, Duration pause);
 
   [[nodiscard]] bool is_down();
-  /// Time until somebody may try a source that is down; nullopt = whoever comes may go in.
+  /// Time until somebody may try a source that is down, 0 = somebody tries it now; nullopt =
+  /// whoever comes may go in.
   [[nodiscard]] std::optional<Duration> closed_for();
   [[nodiscard]] int inside();
 

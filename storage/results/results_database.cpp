@@ -161,7 +161,7 @@ std::vector<ClaimedLoop> ResultsDatabase::claim_due(const std::string& owner, do
   if (but_of.empty()) return claim(impl_->session, statements::kClaimDue, parameters);
   ArrayLiteral sources;
   for (const std::string& source : but_of) sources.add_text(source);
-  return claim(impl_->session, statements::kClaimDueOf,
+  return claim(impl_->session, statements::kClaimDueElsewhere,
                {parameters[0], parameters[1], parameters[2], sources.text()});
 }
 

@@ -37,19 +37,18 @@ namespace {
 // workers, and is left out of the batches.
 #define LOOPSCOPE_SUSPECT "due.lost_leases + (due.owner IS NOT NULL)::integer >= 3"
 
-const Statement kClaimDue{
-    "claim_due",
-    LOOPSCOPE_CLAIM("SELECT due.loop_id FROM loopscope.schedule AS due "
-                    "WHERE due.enabled AND due.visible_at <= now() AND NOT (" LOOPSCOPE_SUSPECT ") "
-                    "ORDER BY due.visible_at LIMIT $3::bigint FOR UPDATE SKIP LOCKED")};
+#define LOOPSCOPE_CLAIM_DUE(AND_MORE)                                                           \
+  LOOPSCOPE_CLAIM(                                                                              \
+      "SELECT due.loop_id FROM loopscope.schedule AS due "                                      \
+      "WHERE due.enabled AND due.visible_at <= now() AND NOT (" LOOPSCOPE_SUSPECT ") " AND_MORE \
+      "ORDER BY due.visible_at LIMIT $3::bigint FOR UPDATE SKIP LOCKED")
 
-const Statement kClaimDueOf{
-    "claim_due_of_sources",
-    LOOPSCOPE_CLAIM("SELECT due.loop_id FROM loopscope.schedule AS due "
-                    "WHERE due.enabled AND due.visible_at <= now() AND NOT (" LOOPSCOPE_SUSPECT ") "
-                    "AND NOT EXISTS (SELECT FROM loopscope.loop AS away"
-                    "  WHERE away.loop_id = due.loop_id AND away.source = ANY ($4::text[])) "
-                    "ORDER BY due.visible_at LIMIT $3::bigint FOR UPDATE OF due SKIP LOCKED")};
+const Statement kClaimDue{"claim_due", LOOPSCOPE_CLAIM_DUE("")};
+
+const Statement kClaimDueElsewhere{
+    "claim_due_elsewhere",
+    LOOPSCOPE_CLAIM_DUE("AND NOT EXISTS (SELECT FROM loopscope.loop AS away"
+                        "  WHERE away.loop_id = due.loop_id AND away.source = ANY ($4::text[])) ")};
 
 const Statement kClaimSuspect{
     "claim_suspect",

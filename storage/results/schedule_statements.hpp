@@ -6,9 +6,9 @@
 /// fence name the claims.
 namespace loopscope::storage::statements {
 
-extern const Statement kClaimDue;      ///< owner, lease_s, limit
-extern const Statement kClaimDueOf;    ///< owner, lease_s, limit, sources that are left out
-extern const Statement kClaimSuspect;  ///< owner, lease_s
+extern const Statement kClaimDue;           ///< owner, lease_s, limit
+extern const Statement kClaimDueElsewhere;  ///< owner, lease_s, limit, sources that are left out
+extern const Statement kClaimSuspect;       ///< owner, lease_s
 extern const Statement kRestSuspects;
 extern const Statement kClaimNext;   ///< owner, lease_s, limit, after loop_id
 extern const Statement kExtend;      ///< loop_ids, fences, lease_s

@@ -1,8 +1,6 @@
 #include <chrono>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sstream>
 
 #include "tests/end_to_end/plant.hpp"
 
@@ -10,12 +8,6 @@ namespace loopscope::tests {
 namespace {
 
 using testing::HasSubstr;
-
-std::string text_of(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 /// A historian without any loop in the catalogue.
 class Discover : public testing::Test {
@@ -43,7 +35,7 @@ TEST_F(Discover, FromTagsToACsvToTheCatalogue) {
   EXPECT_THAT(found.out, HasSubstr("1 without pv, left out: LIC3 (LIC3.SP)"));
   EXPECT_THAT(found.out, HasSubstr("1 tags fit no pattern: TI200"));
   EXPECT_EQ(plant.sql("select count(*) from loopscope.loop"), "0") << "a look first";
-  EXPECT_THAT(text_of(file), HasSubstr("FIC101,plant,FIC101.SP,FIC101.PV,FIC101.OP,"));
+  EXPECT_THAT(content_of(file), HasSubstr("FIC101,plant,FIC101.SP,FIC101.PV,FIC101.OP,"));
 
   EXPECT_THAT(loops({"load", file}).out, HasSubstr("2 loops added, 0 changed"));
   EXPECT_EQ(plant.sql("select name, coalesce(sp_tag, '-'), pv_tag, period_s from loopscope.loop "
@@ -107,7 +99,7 @@ TEST_F(Discover, CheckListsWhatDoesNotResolve) {
   EXPECT_THAT(check.err, HasSubstr("1 of 3 tags of 1 loops do not resolve"));
   EXPECT_THAT(check.err, HasSubstr("HINT: "));
   EXPECT_THAT(check.out, HasSubstr("FIC101.SV"));
-  EXPECT_EQ(text_of(file),
+  EXPECT_EQ(content_of(file),
             "loop,source,role,tag,problem\n"
             "FIC101,plant,sp,FIC101.SV,the historian has no row of this tag\n");
 }

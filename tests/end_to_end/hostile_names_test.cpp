@@ -23,12 +23,6 @@ std::set<std::string> hex_of_names(const std::string& suffix = "") {
   return names;
 }
 
-std::string content_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 /// A plant whose loops and tags have every hostile name.
 class HostilePlant : public testing::Test {
  protected:

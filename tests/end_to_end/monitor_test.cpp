@@ -1,9 +1,7 @@
 #include <csignal>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <thread>
 
 #include "tests/end_to_end/plant.hpp"
@@ -12,12 +10,6 @@ namespace loopscope::tests {
 namespace {
 
 using testing::HasSubstr;
-
-std::string text_of(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 /// Waits until the query gives the answer; false after `seconds`.
 bool becomes(const Plant& plant, const std::string& query, const std::string& answer,
@@ -111,8 +103,8 @@ TEST(Monitor, TwoProcessesShareACatalogueWithoutDoingASlotTwice) {
       Plant::settings(R"("schedule": {"batch_loops": 2}, "daemon": {"workers": 2})"));
   BackgroundProgram first(plant.command_line("once"), plant.folder() / "first.log");
   BackgroundProgram second(plant.command_line("once"), plant.folder() / "second.log");
-  EXPECT_EQ(first.wait(60), 0) << text_of(plant.folder() / "first.log");
-  EXPECT_EQ(second.wait(60), 0) << text_of(plant.folder() / "second.log");
+  EXPECT_EQ(first.wait(60), 0) << content_of(plant.folder() / "first.log");
+  EXPECT_EQ(second.wait(60), 0) << content_of(plant.folder() / "second.log");
   EXPECT_EQ(plant.sql("select count(*), count(distinct loop_id) from loopscope.analysis"), "40|40");
   EXPECT_EQ(plant.sql("select count(*), max(input_revision) from loopscope.verdict"), "40|1");
 }
@@ -156,7 +148,7 @@ TEST(Monitor, TheDaemonWorksUntilItIsTold) {
   EXPECT_TRUE(becomes(plant, "select count(*) from loopscope.analysis", "2"));
   daemon.send(SIGTERM);
   EXPECT_EQ(daemon.wait(20), 0);
-  EXPECT_THAT(text_of(plant.folder() / "daemon.log"), HasSubstr("stopped: 2 loops: 2 new"));
+  EXPECT_THAT(content_of(plant.folder() / "daemon.log"), HasSubstr("stopped: 2 loops: 2 new"));
   EXPECT_EQ(plant.sql("select count(*) from loopscope.schedule where owner is not null"), "0");
 }
 
@@ -169,15 +161,15 @@ TEST(Monitor, ABadSettingsFileOnReloadLeavesTheOldOneInForce) {
   ASSERT_TRUE(becomes(plant, "select count(*) from loopscope.analysis", "1"));
   plant.write_settings("{ \"nonsense\": 1 }");
   daemon.send(SIGHUP);
-  for (int k = 0; k < 100 && text_of(log).find("old settings stay") == std::string::npos; ++k) {
+  for (int k = 0; k < 100 && content_of(log).find("old settings stay") == std::string::npos; ++k) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
-  EXPECT_THAT(text_of(log), HasSubstr("the old settings stay in force"));
+  EXPECT_THAT(content_of(log), HasSubstr("the old settings stay in force"));
   plant.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.3, "settle_s": 0})"));
   daemon.send(SIGHUP);
   plant.import_loop("FIC102", 1000, 2);
   EXPECT_TRUE(becomes(plant, "select count(*) from loopscope.analysis", "2"));
-  EXPECT_THAT(text_of(log), HasSubstr("settings read again"));
+  EXPECT_THAT(content_of(log), HasSubstr("settings read again"));
   daemon.send(SIGTERM);
   EXPECT_EQ(daemon.wait(20), 0);
 }

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
-#include <sstream>
 #include <thread>
 
 #include "tests/end_to_end/plant.hpp"
@@ -19,12 +18,6 @@ using testing::Not;
 
 constexpr const char* kSecret = "Zq9-geheim-77";
 constexpr const char* kWrong = "Xk3-geheim-55";
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 /// The program with logins that need a password and TLS, as a site would have them.
 class Secrets : public testing::Test {

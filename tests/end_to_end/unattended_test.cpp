@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <csignal>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <thread>
 
@@ -17,6 +15,9 @@ using testing::AnyOf;
 using testing::HasSubstr;
 
 constexpr const char* kCount = "select count(*) from loopscope.analysis";
+constexpr const char* kLocks =
+    "from pg_locks join pg_database as d on d.oid = database where datname = current_database() "
+    "and mode = 'AccessExclusiveLock' and granted and relation = 'loopscope.analysis'::regclass";
 
 /// A daemon over a plant, started by run(); killed at the end if it still runs.
 class Unattended : public testing::Test {
@@ -27,11 +28,7 @@ class Unattended : public testing::Test {
     daemon_.emplace(plant.command_line("run"), log_file());
   }
   std::string log_file() const { return plant.folder() / "daemon.log"; }
-  std::string log() const {
-    std::ostringstream text;
-    text << std::ifstream(log_file()).rdbuf();
-    return text.str();
-  }
+  std::string log() const { return content_of(log_file()); }
   /// Waits until `holds` does; false after 30 s.
   template <typename Holds>
   static bool comes(Holds holds) {
@@ -47,19 +44,18 @@ class Unattended : public testing::Test {
   bool logs(const std::string& words) const {
     return comes([&] { return log().find(words) != std::string::npos; });
   }
-  /// Nothing can be written for so long.
-  void lock_results(int seconds) {
+  /// Nothing can be written until unlock_results().
+  void lock_results() {
     const std::string commands =
-        "begin; lock table loopscope.analysis in access exclusive mode; select pg_sleep(" +
-        std::to_string(seconds) + ")";
+        "begin; lock table loopscope.analysis in access exclusive mode; select pg_sleep(600)";
     lock_.emplace(
         std::vector<std::string>{"/usr/bin/psql", "-X", "-d", plant.connection(), "-c", commands},
         plant.folder() / "lock.log");
-    ASSERT_TRUE(becomes(
-        "select count(*) from pg_locks join pg_database as d on d.oid = database where datname = "
-        "current_database() and mode = 'AccessExclusiveLock' and granted and relation = "
-        "'loopscope.analysis'::regclass",
-        "1"));
+    ASSERT_TRUE(becomes(std::string("select count(*) ") + kLocks, "1"));
+  }
+  void unlock_results() {
+    plant.sql(std::string("select pg_terminate_backend(pid) ") + kLocks);
+    ASSERT_TRUE(becomes(std::string("select count(*) ") + kLocks, "0"));
   }
   /// Exit code after SIGTERM.
   int stop() {
@@ -117,9 +113,11 @@ TEST_F(Unattended, WhatIsHeldLongerThanALeaseStaysHeldWhileWorkGoesOn) {
   for (unsigned seed = 1; seed <= 4; ++seed)
     plant.import_loop("loop " + std::to_string(seed), 600, seed);
   // Nothing can be written for longer than a lease; what is done waits and is written once.
-  lock_results(14);
+  lock_results();
   run(R"(, "lease_s": 10)");
   ASSERT_TRUE(becomes("select count(*) from loopscope.schedule where owner is not null", "4"));
+  std::this_thread::sleep_for(std::chrono::seconds(12));
+  unlock_results();
   EXPECT_TRUE(
       becomes("select count(*) from loopscope.schedule where last_slot_end is not null", "4"));
   EXPECT_EQ(plant.sql("select max(fence), max(lost_leases) from loopscope.schedule"), "1|0");
@@ -150,7 +148,7 @@ TEST_F(Unattended, ResultsThatAreRefusedGoBackWithoutBlame) {
 
 TEST_F(Unattended, ASecondSignalEndsItAtOnce) {
   plant.import_loop("FIC101");
-  lock_results(60);
+  lock_results();
   run();
   ASSERT_TRUE(becomes("select count(*) from loopscope.schedule where owner is not null", "1"));
   daemon_->send(SIGTERM);

@@ -41,13 +41,13 @@ int exit_code_of(int status) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+}  // namespace
+
 std::string content_of(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
 }
-
-}  // namespace
 
 ProgramResult run_program(const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;

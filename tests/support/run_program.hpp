@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct ProgramResult {
 
 /// Runs `arguments` (the program first, found by path) to its end, standard input closed.
 [[nodiscard]] ProgramResult run_program(const std::vector<std::string>& arguments);
+
+/// All bytes of a file; nothing where there is none.
+[[nodiscard]] std::string content_of(const std::filesystem::path& file);
 
 /// A program in the background; killed at the end if it still runs.
 class BackgroundProgram {

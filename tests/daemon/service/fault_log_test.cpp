@@ -54,6 +54,19 @@ TEST(FaultLog, StandsAsLongAsItDoesForAnybody) {
   EXPECT_EQ(lines.text(), "error results: disk full\ninfo results: works again\n");
 }
 
+TEST(FaultLog, WhoLeavesDoesNotSayThatItWorks) {
+  const LoggedLines lines;
+  Metrics metrics({"0.0", 0, "portable"});
+  FaultLog log(metrics);
+  const int link = 0;
+  log.fault("results", "away", &link);
+  log.leave("results", &link);
+  log.recovered("results", &link);
+  EXPECT_EQ(lines.text(), "error results: away\n");
+  log.fault("results", "away", &link);
+  EXPECT_EQ(lines.text(), "error results: away\nerror results: away\n") << "a fault of its own";
+}
+
 TEST(FaultLog, OneOutageInManyWordsIsSaidAFewTimes) {
   const LoggedLines lines;
   Metrics metrics({"0.0", 0, "portable"});

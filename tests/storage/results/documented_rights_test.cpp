@@ -12,13 +12,17 @@ using testing::IsEmpty;
 using tests::LoginSession;
 
 /// What storage/README.md does not list has to be refused, and what it lists has to be allowed.
-class DocumentedRightsTest : public RoleTest {};
+class DocumentedRightsTest : public RoleTest {
+ protected:
+  /// Role and login.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> everybody() const {
+    return {
+        {"worker", worker}, {"reader", reader}, {"historian", historian}, {"stranger", stranger}};
+  }
+};
 
 TEST_F(DocumentedRightsTest, EveryTableOfTheSchemaIsReadAndWrittenAsDocumentedAndNoOtherWay) {
-  for (const auto& [role, user] : {std::pair{"worker", worker},
-                                   {"reader", reader},
-                                   {"historian", historian},
-                                   {"stranger", stranger}}) {
+  for (const auto& [role, user] : everybody()) {
     SCOPED_TRACE(role);
     const DocumentedRights rights(role);
     const LoginSession session = log_in(user);
@@ -53,10 +57,7 @@ TEST_F(DocumentedRightsTest, EveryColumnIsUpdatedAsDocumentedAndNoOther) {
 }
 
 TEST_F(DocumentedRightsTest, SequencesAndFunctionsAreUsedAsDocumented) {
-  for (const auto& [role, user] : {std::pair{"worker", worker},
-                                   {"reader", reader},
-                                   {"historian", historian},
-                                   {"stranger", stranger}}) {
+  for (const auto& [role, user] : everybody()) {
     SCOPED_TRACE(role);
     const DocumentedRights rights(role);
     const LoginSession session = log_in(user);
