@@ -93,13 +93,17 @@ std::string fixed(const RawError&, const ErrorPlace&) {
   return text;
 }
 
-constexpr char kGone[] = "the server ended the connection: it is made again by itself";
+constexpr char kGone[] =
+    "the server ended the connection: a worker makes it again, a command wants to be given again";
 constexpr char kBroken[] =
-    "the connection broke while it was made: it is tried again by itself; if that goes on, see the "
+    "the connection broke while it was made: a worker tries again, a command wants to be given "
+    "again; if that goes on, see the "
     "server's log, and whether something between ends or answers connections";
-constexpr char kAgain[] = "other sessions were in the way: it is tried again by itself";
+constexpr char kAgain[] =
+    "other sessions were in the way: a worker tries again, a command wants to be given again";
 constexpr char kLock[] =
-    "another session holds a lock: see pg_locks and pg_stat_activity; it is tried again by itself";
+    "another session holds a lock: see pg_locks and pg_stat_activity; a worker tries again, a "
+    "command wants to be given again";
 constexpr char kSlow[] =
     "the server was too slow: look for a missing index with `loopscope check-config`";
 constexpr char kReadOnly[] =
@@ -122,8 +126,7 @@ constexpr char kNotVerified[] =
     "which";
 constexpr char kPlainServer[] =
     "let the server's administrator set ssl = on: with less than sslmode=verify-full anybody on "
-    "the "
-    "way could read along";
+    "the way could read along";
 constexpr char kRootCertificate[] =
     "name the certificate of the authority that signed the server's: sslrootcert=FILE";
 constexpr char kPrivateKey[] = "chmod 0600 the file of sslkey=, and let this user own it";

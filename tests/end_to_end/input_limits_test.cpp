@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "tests/support/run_program.hpp"
+#include "tests/support/sanitized.hpp"
 #include "tests/support/source_dir.hpp"
 
 namespace loopscope::tests {
@@ -14,13 +15,13 @@ using testing::HasSubstr;
 
 /// Files that are none, in place of every file that the program reads. The program may take 256 MB
 /// of memory, which it inherits from here, and would stand out by an error of its own if it wanted
-/// more.
+/// more (but under a sanitizer).
 class InputLimits : public testing::Test {
  protected:
   InputLimits() {
     getrlimit(RLIMIT_AS, &former_);
     const rlimit small{std::size_t{256} << 20U, former_.rlim_max};
-    setrlimit(RLIMIT_AS, &small);
+    if (!kSanitized) setrlimit(RLIMIT_AS, &small);
   }
   ~InputLimits() override { setrlimit(RLIMIT_AS, &former_); }
 

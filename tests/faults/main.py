@@ -25,14 +25,18 @@ GIVE_UP_S = 120
 
 
 def read_arguments():
-    parser = argparse.ArgumentParser(prog="tests/faults/run", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="tests/faults/run", description=__doc__, add_help=False,
+        usage="tests/faults/run [--seed N] [--faults M] [--loops L] [--kinds A,B] "
+              "[--keep-logs DIR] [--json]")
     parser.add_argument("--seed", type=int, default=1, help="of the faults and their victims")
     parser.add_argument("--faults", type=int, default=100)
     parser.add_argument("--loops", type=int, default=1000)
     parser.add_argument("--kinds", default="", help="only these, separated by commas")
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--keep-logs", type=Path, help="folder for the logs of workers and servers")
-    parser.add_argument("program", type=Path)
+    parser.add_argument("program", type=Path, nargs="?",
+                        help="loopscope; without it the words are looked at and nothing is done")
     arguments = parser.parse_args()
     arguments.kinds = [kind for kind in arguments.kinds.split(",") if kind]
     unknown = set(arguments.kinds) - set(injections.KINDS)
@@ -146,6 +150,8 @@ def keep_logs(cluster, folder):
 
 def main():
     arguments = read_arguments()
+    if arguments.program is None:
+        return 0
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, lambda number, _: sys.exit(128 + number))  # everything is removed
     remains.remove()

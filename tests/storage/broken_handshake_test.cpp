@@ -89,7 +89,7 @@ TEST(BrokenHandshake, IsTriedAgainWheneverItBreaks) {
           ADD_FAILURE() << "connected";
         } catch (const DatabaseError& error) {
           EXPECT_EQ(error.remedy(), Remedy::reconnect) << error.what();
-          EXPECT_THAT(error.hint(), HasSubstr("tried again by itself")) << error.what();
+          EXPECT_THAT(error.hint(), HasSubstr("a worker tries again")) << error.what();
         }
       }
     }
