@@ -191,7 +191,8 @@ constexpr std::array<WordsRule, 25> kConnecting{{
     {"session is read-only", Remedy::reconnect, kReadOnly},
     {"connection slots", Remedy::reconnect, kConnections},
     {"too many clients", Remedy::reconnect, kConnections},
-    {"could not translate host name", Remedy::reconnect, "check host= in the connection string"},
+    {"could not translate host name", Remedy::reconnect,
+     "check host= in the connection string, and the name server"},
     {"the database system is", Remedy::reconnect, "wait until the server has started"},
 }};
 constexpr const char* kUnreachable =
