@@ -12,6 +12,7 @@
 #include "storage/utf8.hpp"
 #include "tests/daemon/monitor/exposition.hpp"
 #include "tests/support/run_program.hpp"
+#include "tests/support/source_dir.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -267,10 +268,13 @@ TEST_F(MetricsTest, LoseNothingBetweenThreads) {
 
 /// The text as Prometheus' own reader takes it, and its advice on names.
 TEST_F(MetricsTest, PleasePrometheus) {
-  const char* given = std::getenv("LOOPSCOPE_PROMTOOL");
-  const std::string promtool = given != nullptr ? given : "/usr/bin/promtool";
+  const std::string installed = "/usr/bin/promtool";
+  const std::string promtool = std::filesystem::exists(installed)
+                                   ? installed
+                                   : (tests::source_dir() / "build/tools/promtool").string();
   if (!std::filesystem::exists(promtool))
-    GTEST_SKIP() << "no " << promtool << ": it comes in Debian's package prometheus";
+    GTEST_SKIP() << "no " << installed << " and no " << promtool
+                 << ", which deploy/test takes out of Debian's package prometheus";
   fill(metrics);
   metrics.data_age("a\"b\\c\nd\xff", 1.0);
   const std::string file =
