@@ -93,17 +93,16 @@ std::string fixed(const RawError&, const ErrorPlace&) {
   return text;
 }
 
-constexpr char kGone[] =
-    "the server ended the connection: a worker makes it again, a command wants to be given again";
+#define LOOPSCOPE_AGAIN "a worker tries again by itself, a command has to be run again"
+constexpr char kGone[] = "the server ended the connection: " LOOPSCOPE_AGAIN;
 constexpr char kBroken[] =
-    "the connection broke while it was made: a worker tries again, a command wants to be given "
-    "again; if that goes on, see the "
-    "server's log, and whether something between ends or answers connections";
-constexpr char kAgain[] =
-    "other sessions were in the way: a worker tries again, a command wants to be given again";
+    "the connection broke while it was made: " LOOPSCOPE_AGAIN
+    "; if that goes on, see the server's log, and whether something between ends or answers "
+    "connections";
+constexpr char kAgain[] = "other sessions were in the way: " LOOPSCOPE_AGAIN;
 constexpr char kLock[] =
-    "another session holds a lock: see pg_locks and pg_stat_activity; a worker tries again, a "
-    "command wants to be given again";
+    "another session holds a lock: see pg_locks and pg_stat_activity; " LOOPSCOPE_AGAIN;
+#undef LOOPSCOPE_AGAIN
 constexpr char kSlow[] =
     "the server was too slow: look for a missing index with `loopscope check-config`";
 constexpr char kReadOnly[] =

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 /// Files that are none, in place of every file that the program reads. The program may take 256 MB
 /// of memory, which it inherits from here, and would stand out by an error of its own if it wanted
-/// more (but under a sanitizer).
+/// more. (Under a sanitizer there is no limit.)
 class InputLimits : public testing::Test {
  protected:
   InputLimits() {

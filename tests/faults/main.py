@@ -24,11 +24,16 @@ QUIET_S = (1.0, 4.0)
 GIVE_UP_S = 120
 
 
+class Parser(argparse.ArgumentParser):
+    """Of the words after tests/faults/run, which has the help."""
+
+    def error(self, message):
+        hint = "" if "HINT:" in message else "\nHINT: see tests/faults/run --help"
+        self.exit(2, f"error: {message}{hint}\n")
+
+
 def read_arguments():
-    parser = argparse.ArgumentParser(
-        prog="tests/faults/run", description=__doc__, add_help=False,
-        usage="tests/faults/run [--seed N] [--faults M] [--loops L] [--kinds A,B] "
-              "[--keep-logs DIR] [--json]")
+    parser = Parser(add_help=False)
     parser.add_argument("--seed", type=int, default=1, help="of the faults and their victims")
     parser.add_argument("--faults", type=int, default=100)
     parser.add_argument("--loops", type=int, default=1000)
@@ -108,7 +113,8 @@ def judge(cluster, events, fences, begun, exit_codes):
         "revised": int(cluster.sql("SELECT count(*) FROM loopscope.analysis"
                                    " WHERE input_revision > 1")),
         "fence_regressions": fences.regressions, "fence_looks": fences.looks,
-        "abandoned": cluster.abandoned, "conflicts": cluster.conflicts, "deaths": cluster.deaths, "exit_codes": exit_codes,
+        "abandoned": cluster.abandoned, "conflicts": cluster.conflicts,
+        "deaths": cluster.deaths, "exit_codes": exit_codes,
         "leases_left": int(cluster.sql("SELECT count(*) FROM loopscope.schedule"
                                        " WHERE owner IS NOT NULL")),
         "not_recovered": len(recoveries) - len(known),
