@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "config/read_settings.hpp"
 #include "config/setting_table.hpp"
 
 namespace loopscope::config {
@@ -19,6 +20,15 @@ std::string analysis_settings_json(const core::AnalysisSettings& settings) {
     json[Json::json_pointer(path)] = slot_value(setting.slot(holder, 0));
   }
   return json.dump();
+}
+
+core::AnalysisSettings parse_analysis_settings(const std::string& json) {
+  // A settings file of which nothing but this section is used.
+  return parse_settings(R"({"results": {"connection": "dbname=none"}, "historians": [{"connection":
+                            "dbname=none"}], "analysis": )" +
+                            json + "}",
+                        "stored settings")
+      .analysis;
 }
 
 }  // namespace loopscope::config

@@ -62,6 +62,13 @@ void check_http_address(const std::string& address, ProblemList& problems) {
       R"(write "127.0.0.1:9470" or "[::1]:9470", an address and no name; "" = no HTTP)");
 }
 
+void check_report(const ReportSettings& report, ProblemList& problems) {
+  if (report.folder.empty() || report.folder.starts_with('/')) return;
+  problems.add_unless_refused(
+      {"/report/folder"}, "is no absolute path",
+      R"(write it from the root on, "/var/lib/loopscope/reports"; "" = none)");
+}
+
 void check_window(const core::signal::PrepareSettings& prepare, ProblemList& problems) {
   if (prepare.min_usable_samples > prepare.window_samples)
     problems.add_unless_refused({"/analysis/min_usable_samples", "/analysis/window_samples"},
@@ -129,6 +136,7 @@ void check_cross_rules(const Settings& settings, ProblemList& problems) {
   check_historians(settings, problems);
   check_schedule(settings.schedule, problems);
   check_http_address(settings.daemon.http_address, problems);
+  check_report(settings.report, problems);
   check_window(settings.analysis.prepare, problems);
   check_segments(settings.analysis, problems);
   check_overlap(settings.analysis.hos, problems);

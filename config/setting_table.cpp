@@ -31,7 +31,11 @@ constexpr auto in_daemon = at<&Settings::daemon, Member>;
 template <auto Member>
 constexpr auto in_flags = at<&Settings::flags, Member>;
 template <auto Member>
+constexpr auto in_plant = at<&Settings::plant, Member>;
+template <auto Member>
 constexpr auto in_discovery = at<&Settings::discovery, Member>;
+template <auto Member>
+constexpr auto in_report = at<&Settings::report, Member>;
 template <auto Member>
 constexpr auto in_analysis = at<&Settings::analysis, Member>;
 template <auto Member>
@@ -63,10 +67,11 @@ constexpr double kMostSamples = 131072;
 constexpr std::array kTable = {
     Setting{"/results/connection", in_results<&ResultsSettings::connection>, any(Form::connection),
             "database of results, catalogue and schedule, as the worker"},
-    Setting{"/results/owner_connection", in_results<&ResultsSettings::owner_connection>,
-            any(Form::optional_connection),
-            "the same as the schema's owner (`migrate`, `maintain`, `loops`, `import`); empty = "
-            "`connection`"},
+    Setting{
+        "/results/owner_connection", in_results<&ResultsSettings::owner_connection>,
+        any(Form::optional_connection),
+        "the same as the schema's owner (`migrate`, `maintain`, `loops`, `maintenance`, `import`); "
+        "empty = `connection`"},
     Setting{"/results/retention_months", in_results<&ResultsSettings::retention_months>,
             range(0, 1200, "months"),
             "results older than this are dropped by `maintain`; 0 = none"},
@@ -112,7 +117,8 @@ constexpr std::array kTable = {
             "lines for people or for machines"},
     Setting{"/daemon/http_address", in_daemon<&DaemonSettings::http_address>,
             any(Form::optional_text),
-            "of `/livez`, `/readyz` and `/metrics`: `127.0.0.1:PORT` or `[::1]:PORT`; addresses, "
+            "of `/livez`, `/readyz`, `/metrics` and the pages for people: `127.0.0.1:PORT` or "
+            "`[::1]:PORT`; addresses, "
             "no names; port 0 = any free one; empty = none"},
     Setting{"/daemon/max_lag_s", in_daemon<&DaemonSettings::max_lag_s>, range(1, 2592000, "s"),
             "that the most overdue loop may be late before `/readyz` says no"},
@@ -125,6 +131,11 @@ constexpr std::array kTable = {
             "power"},
     Setting{"/flags/min_confidence", in_flags<&FlagSettings::min_confidence>, range(0, 1),
             "verdicts below are not flagged"},
+
+    Setting{"/plant/round_s", in_plant<&PlantSettings::round_s>, range(0, 604800, "s"),
+            "between two comparisons of all loops with each other (shared oscillations); 0 = none"},
+    Setting{"/plant/notice_s", in_plant<&PlantSettings::notice_s>, range(0, 86400, "s"),
+            "between two looks for newly flagged loops, which NOTIFY tells of; 0 = none"},
 
     Setting{"/discovery/patterns", in_discovery<&DiscoverySettings::patterns>, any(Form::text),
             "of the tags of a loop, between semicolons, the first that fits counts; `*` is a part "
@@ -140,6 +151,17 @@ constexpr std::array kTable = {
             any(Form::optional_text), "words for the valve position"},
     Setting{"/discovery/mode_words", in_discovery<&DiscoverySettings::mode_words>,
             any(Form::optional_text), "words for the controller mode"},
+
+    Setting{"/report/plant", in_report<&ReportSettings::plant>, any(Form::optional_text),
+            "name of the plant in the titles of reports and pages"},
+    Setting{"/report/folder", in_report<&ReportSettings::folder>, any(Form::optional_text),
+            "into which `run` writes a report every so often, an absolute path; empty = none"},
+    Setting{"/report/every_s", in_report<&ReportSettings::every_s>, range(60, 31622400, "s"),
+            "between two reports; counted from midnight UTC of 1970, so that a day is a day"},
+    Setting{"/report/pdf", in_report<&ReportSettings::pdf>, any(Form::toggle),
+            "whether a PDF is made beside the page; wants WeasyPrint"},
+    Setting{"/report/keep", in_report<&ReportSettings::keep>, range(1, 10000, "reports"),
+            "that stay in the folder; older ones are removed"},
 
     Setting{"/analysis/window_samples", in_prepare<&PrepareSettings::window_samples>,
             range(kFewestSamples, kMostSamples, "samples"), "that are analysed: the last ones"},

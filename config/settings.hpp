@@ -111,6 +111,12 @@ struct FlagSettings {
   double min_confidence = 0.3;  ///< verdicts below are not flagged, 0 to 1
 };
 
+/// What is done with all loops together.
+struct PlantSettings {
+  double round_s = 3600.0;  ///< seconds between two comparisons of all loops, 0 to 604800; 0 = none
+  double notice_s = 60.0;   ///< between two looks for newly flagged loops, 0 to 86400; 0 = none
+};
+
 /// How `loops discover` groups tags into loops (daemon/README.md, "Discovery"). Words whatever
 /// their case, the preferred one first.
 struct DiscoverySettings {
@@ -124,6 +130,15 @@ struct DiscoverySettings {
   std::string mode_words = "MODE,MD,AUTO";
 };
 
+/// The report that the daemon writes by itself (daemon/README.md, "Reports").
+struct ReportSettings {
+  std::string plant;         ///< name of the plant, for the title; empty = none
+  std::string folder;        ///< where `run` writes reports; empty = it writes none
+  double every_s = 86400.0;  ///< seconds between two of them, 60 to 31622400
+  bool pdf = false;          ///< whether a PDF is made beside the page
+  int keep = 30;             ///< reports that stay in the folder, 1 to 10000
+};
+
 /// The whole settings file.
 struct Settings {
   ResultsSettings results;
@@ -131,7 +146,9 @@ struct Settings {
   ScheduleSettings schedule;
   DaemonSettings daemon;
   FlagSettings flags;
+  PlantSettings plant;
   DiscoverySettings discovery;
+  ReportSettings report;
   core::AnalysisSettings analysis;
 };
 

@@ -60,7 +60,12 @@ void add_commands(CLI::App& program) {
   add_simulate(program);
   add_import(program);
   add_loops(program);
+  add_maintenance(program);
   add_window(program);
+  add_report(program);
+  add_replay(program);
+  add_annotate(program);
+  add_export(program);
   add_migrate(program);
   add_maintain(program);
   add_check_config(program);

@@ -6,6 +6,7 @@
 --   loopscope_owner      owns the schema loopscope: migrate, maintain, loops
 --   loopscope_worker     the daemon: reads the catalogue, claims loops, writes results
 --   loopscope_reader     people and dashboards: reads results
+--   loopscope_engineer   people who work with findings: reads results, annotates, enters repairs
 --   loopscope_historian  reads the historian; its tables belong to the site, so the site grants them:
 --                        GRANT USAGE ON SCHEMA public TO loopscope_historian;
 --                        GRANT SELECT ON public.history TO loopscope_historian;
@@ -21,6 +22,7 @@ BEGIN
     ('loopscope_owner', 'Loopscope: owns the results schema'),
     ('loopscope_worker', 'Loopscope: the daemon'),
     ('loopscope_reader', 'Loopscope: people and dashboards, read only'),
+    ('loopscope_engineer', 'Loopscope: people who annotate findings and enter repairs'),
     ('loopscope_historian', 'Loopscope: reads the historian')) AS needed (name, purpose)
   LOOP
     IF to_regrole(role.name) IS NULL THEN

@@ -64,7 +64,9 @@ std::string hint_privilege(const RawError& error, const ErrorPlace& place) {
   if (is_results(place)) {
     return "run `loopscope migrate --config F` as the owner, which grants the rights of the group"
            " roles, and make the user a member: GRANT loopscope_worker TO " +
-           user_or_placeholder(place) + " (loopscope_owner to change the catalogue or the schema)";
+           user_or_placeholder(place) +
+           " (loopscope_owner to change the catalogue or the schema, loopscope_engineer to "
+           "annotate)";
   }
   if (object.empty())
     return "let the table's owner grant the right to " + user_or_placeholder(place);

@@ -4,6 +4,16 @@
 #include "core/model/explain.hpp"
 
 namespace loopscope::core {
+namespace {
+
+model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts) {
+  const signal::PreparedLoop& loop = first.loop;
+  return {loop.pv,    loop.op_percent,        loop.sp,
+          loop.error, loop.sample_interval_s, loop.op_range_known,
+          facts.seed};
+}
+
+}  // namespace
 
 bool can_be_modelled(const FirstLook& first, const Evidence& evidence) {
   const signal::DataQuality& prepared = first.loop.quality;
@@ -26,9 +36,11 @@ bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& sett
 }
 
 std::optional<model::Explanation> explain_loop(const FirstLook& first, const LoopFacts& facts) {
-  const signal::PreparedLoop& loop = first.loop;
-  return model::explain({loop.pv, loop.op_percent, loop.sp, loop.error, loop.sample_interval_s,
-                         loop.op_range_known, facts.seed});
+  return model::explain(model_input(first, facts));
+}
+
+std::optional<model::ExplanationTraces> trace_loop(const FirstLook& first, const LoopFacts& facts) {
+  return model::trace_explanation(model_input(first, facts));
 }
 
 }  // namespace loopscope::core

@@ -8,6 +8,7 @@
 #include "core/diagnosis/verdict.hpp"
 #include "core/hos/settings.hpp"
 #include "core/model/explanation.hpp"
+#include "core/model/traces.hpp"
 
 namespace loopscope::core {
 
@@ -33,5 +34,9 @@ struct ModelCause {
 /// was fitted. A pure function of the window, the settings behind `first` and the facts.
 [[nodiscard]] std::optional<model::Explanation> explain_loop(const FirstLook& first,
                                                              const LoopFacts& facts);
+
+/// The same with the series behind it, for pictures; on the grid of `first.loop`.
+[[nodiscard]] std::optional<model::ExplanationTraces> trace_loop(const FirstLook& first,
+                                                                 const LoopFacts& facts);
 
 }  // namespace loopscope::core

@@ -6,6 +6,7 @@
 #include "core/loop/harris.hpp"
 #include "core/loop/if_finite.hpp"
 #include "core/loop/valve_work.hpp"
+#include "core/loop/variance_error.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::loop {
@@ -43,6 +44,7 @@ Performance measure_performance(std::span<const double> error, std::span<const d
                                 bool limits_known, const PerformanceSettings& settings) {
   Performance result;
   if (const auto spread = signal::measure_spread(error)) result.error_std = if_finite(spread->std);
+  result.error_log_variance_se = log_variance_error(error);
   if (const auto harris = measure_harris(error, settings.min_delay_samples,
                                          settings.max_delay_samples, settings.ar_order)) {
     result.harris_low = harris->low;

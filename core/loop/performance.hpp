@@ -15,7 +15,9 @@ struct Performance {
   std::optional<double> harris_low, harris_high;
   /// Probability that a well tuned loop shows a middle index this small by chance (harris_p.hpp).
   std::optional<double> harris_p;
-  std::optional<double> error_std;           ///< pv units
+  std::optional<double> error_std;  ///< pv units
+  /// Standard error of ln(error_std^2) (variance_error.hpp).
+  std::optional<double> error_log_variance_se;
   std::optional<double> valve_travel_per_h;  ///< sum |op(k) - op(k-1)|, % of op range per hour
   /// Changes of op's direction per hour; moves below 1e-6 of the largest |op| are rounding. Both
   /// rates are per hour of neighbouring samples that are recorded.

@@ -11,13 +11,6 @@
 namespace loopscope::core::model {
 namespace {
 
-/// What it gains is counted once: where it sits (a step) or where pv puts it right (a valve) was
-/// taken from the fit rows, so that the mirrored fit has nothing unseen to be scored on.
-bool scored_once(const Effect& effect) {
-  const auto* valve = dynamic_cast<const ValveEffect*>(&effect);
-  return effect.kind() == EffectKind::load_step || (valve != nullptr && !valve->by_law_alone());
-}
-
 /// What a valve was chosen from shows when it has been fitted: play is smooth in its band, and only
 /// so many bands differ.
 double tries_of(const Effect& fitted, std::size_t tries, std::size_t samples) {
@@ -37,7 +30,7 @@ TwinFit scored_fit(const LoopData& rows, Fit fit, bool once) {
 /// A trial searches the process again, and may leave a local optimum that the model without the
 /// effect sits in. What that gains is not the effect's: it is compared with the better of both.
 void compare_fairly(Contestant& trial) {
-  const bool once = scored_once(trial.effect());
+  const bool once = trial.scored_once();
   trial.comparison = compare(trial.rows, trial.before, trial.fit, once);
   if (trial.comparison.evidence <= 0.0) return;
   const TwinFit bare =
@@ -50,9 +43,15 @@ void compare_fairly(Contestant& trial) {
 
 }  // namespace
 
+bool Contestant::scored_once() const {
+  const auto* valve = dynamic_cast<const ValveEffect*>(&effect());
+  return kind() == EffectKind::load_step || (valve != nullptr && !valve->by_law_alone());
+}
+
 Contestant scored(Contestant trial, Fit fit, std::size_t tries) {
-  const bool once = scored_once(*fit.structure.effects.back());
-  trial.fit = scored_fit(trial.rows, std::move(fit), once);
+  trial.fit.fit = std::move(fit);
+  const bool once = trial.scored_once();
+  trial.fit = scored_fit(trial.rows, std::move(trial.fit.fit), once);
   compare_fairly(trial);
   trial.price = 2.0 * std::log(tries_of(trial.effect(), tries, trial.rows.size()));
   trial.comparison.p = std::min(1.0, std::exp(-0.5 * trial.worth()));
@@ -72,7 +71,7 @@ bool refutes_plainer(const Contestant& trial) {
 }
 
 void complete(Contestant& winner) {
-  if (scored_once(winner.effect())) winner.fit = twin(winner.rows, std::move(winner.fit.fit));
+  if (winner.scored_once()) winner.fit = twin(winner.rows, std::move(winner.fit.fit));
 }
 
 }  // namespace loopscope::core::model

@@ -12,6 +12,19 @@ constexpr double kKeptPerCycle = 20.0;
 constexpr double kLongCycles = 2.5;
 constexpr std::size_t kShortestLongHalf = 8;
 
+/// Of all before each, and of all.
+std::vector<double> sums_before(std::span<const double> kept) {
+  std::vector<double> sums(kept.size() + 1, 0.0);
+  for (std::size_t k = 0; k < kept.size(); ++k) sums[k + 1] = sums[k] + kept[k];
+  return sums;
+}
+
+double mean_around(const std::vector<double>& sums, std::size_t k, std::size_t half) {
+  const std::size_t first = k - std::min(k, half);
+  const std::size_t last = std::min(sums.size() - 1, k + half + 1);
+  return (sums[last] - sums[first]) / static_cast<double>(last - first);
+}
+
 }  // namespace
 
 CycleBand::CycleBand(double period_samples)
@@ -31,19 +44,20 @@ std::vector<double> CycleBand::resample(std::span<const double> samples) const {
   return kept;
 }
 
+std::vector<double> CycleBand::drift(std::span<const double> kept) const {
+  const std::vector<double> sums = sums_before(kept);
+  std::vector<double> drift(kept.size());
+  for (std::size_t k = 0; k < kept.size(); ++k) drift[k] = mean_around(sums, k, long_half_);
+  return drift;
+}
+
 std::vector<double> CycleBand::pass(std::span<const double> kept) const {
   const std::size_t count = kept.size();
-  std::vector<double> sums(count + 1, 0.0);
-  for (std::size_t k = 0; k < count; ++k) sums[k + 1] = sums[k] + kept[k];
-  const auto mean_around = [&](std::size_t k, std::size_t half) {
-    const std::size_t first = k - std::min(k, half);
-    const std::size_t last = std::min(count, k + half + 1);
-    return (sums[last] - sums[first]) / static_cast<double>(last - first);
-  };
+  const std::vector<double> sums = sums_before(kept);
   std::vector<double> passed(count);
   const auto from_ends = [&](std::size_t k) {
     const std::size_t half = std::min({short_half_, k, count - 1 - k});
-    return mean_around(k, half) - mean_around(k, long_half_);
+    return mean_around(sums, k, half) - mean_around(sums, k, long_half_);
   };
   const double short_share = 1.0 / static_cast<double>(2 * short_half_ + 1);
   const double long_share = 1.0 / static_cast<double>(2 * long_half_ + 1);

@@ -22,6 +22,8 @@ class CycleBand {
   [[nodiscard]] std::vector<double> resample(std::span<const double> samples) const;
   /// A short mean less a long one around every kept sample; same length.
   [[nodiscard]] std::vector<double> pass(std::span<const double> kept) const;
+  /// The long mean alone: the drift that pass() takes out.
+  [[nodiscard]] std::vector<double> drift(std::span<const double> kept) const;
 
  private:
   std::size_t factor_;

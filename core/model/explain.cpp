@@ -1,121 +1,15 @@
 #include "core/model/explain.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
+#include <utility>
 
-#include "core/model/look.hpp"
-#include "core/model/renewed_record.hpp"
-#include "core/model/sensor_steps.hpp"
-#include "core/signal/spread.hpp"
+#include "core/model/told_loop.hpp"
 
 namespace loopscope::core::model {
-namespace {
-
-constexpr std::size_t kFewestSamples = 400;
-/// Sums of fourth powers of larger values would no longer be finite.
-constexpr double kLargestValue = 1e70;
-
-bool varies(std::span<const double> values) {
-  const auto spread = signal::measure_spread(values);
-  return spread && !spread->constant() && std::max(-spread->low, spread->high) < kLargestValue;
-}
-
-bool fittable(const ModelInput& input) {
-  if (input.op.empty()) return false;
-  if (input.op.size() != input.pv.size())
-    throw std::invalid_argument("explain: op and pv differ in length");
-  std::size_t both = 0;
-  for (std::size_t k = 0; k < input.pv.size(); ++k) {
-    if (std::isfinite(input.pv[k]) && std::isfinite(input.op[k])) ++both;
-    if (std::isinf(input.pv[k]) || std::isinf(input.op[k])) return false;
-  }
-  return both >= kFewestSamples && varies(input.pv) && varies(input.op);
-}
-
-/// `fewest` rows of each kind.
-bool has_rows(const Look& look, std::size_t fewest) {
-  const Rows& rows = look.story.data.rows;
-  return rows.fit_count() >= fewest && rows.score_count() >= fewest;
-}
-
-/// Errors of renewals as mean squares over all samples: between renewals pv is known.
-void spread_over(Explanation& explanation, double share) {
-  explanation.noise_floor *= share;
-  explanation.baseline.holdout_error *= share;
-  for (Step& step : explanation.steps) {
-    step.holdout_error_before *= share;
-    step.holdout_error_after *= share;
-  }
-}
-
-/// Of a held sensor only the renewals say anything of pv: the story is told on them, with op as it
-/// was recorded. nullopt where too few are left to fit.
-std::optional<Explanation> explain_renewals(const ModelInput& input, Step hold,
-                                            std::size_t hold_samples) {
-  constexpr std::size_t kFewestRenewals = 60;  // of each kind: eight for each parameter of a model
-  const RenewedRecord renewed =
-      renewed_record(input.pv, input.op, input.sp, input.error, hold_samples);
-  const double share = 1.0 / static_cast<double>(hold_samples);
-  const ModelInput at_rows{
-      renewed.pv,          renewed.op, renewed.sp, renewed.error, input.sample_interval_s / share,
-      input.op_in_percent, input.seed};
-  if (!varies(renewed.pv)) return std::nullopt;
-  Look look = look_at(input, at_rows, renewed.grid);
-  if (!has_rows(look, kFewestRenewals)) return std::nullopt;
-  const double error = look.error_of_both_halves();
-  Explanation explanation = tell_story(std::move(look));
-  explanation.baseline.holdout_error = error;
-  spread_over(explanation, share);
-  hold.holdout_error_after = explanation.baseline.holdout_error;
-  explanation.noise_floor = std::min(explanation.noise_floor, hold.holdout_error_after);
-  explanation.baseline.holdout_error = hold.holdout_error_before;
-  explanation.steps.insert(explanation.steps.begin(), std::move(hold));
-  return explanation;
-}
-
-/// The samples between renewals follow no loop: nothing but the hold is claimed of them.
-Explanation explain_held(const Look& look, const Step& hold) {
-  Explanation explanation = tell_linear(look);
-  explanation.steps.insert(explanation.steps.begin(), hold);
-  return explanation;
-}
-
-/// pv is a function of op up to rounding: one of the two was computed from the other.
-bool too_good(const Look& look) {
-  constexpr double kRounding = 1e-8;  // of pv's variance
-  return look.story.baseline.fit.score_error < kRounding;
-}
-
-Explanation refused(const Look& look) {
-  Explanation explanation = begin_explanation(look);
-  explanation.noise_floor = look.baseline_error();
-  explanation.excitation =
-      "Not excited: op predicts pv up to rounding, as the controller run backwards does.";
-  explanation.process_doubt = explanation.excitation;
-  report_linear_rest(look, explanation);
-  return explanation;
-}
-
-}  // namespace
 
 std::optional<Explanation> explain(const ModelInput& input) {
-  constexpr std::size_t kFewestRows = 100;
-  if (!fittable(input)) return std::nullopt;
-  Look look = look_at(input);
-  if (!has_rows(look, kFewestRows)) return std::nullopt;
-  if (too_good(look)) return refused(look);
-  const SensorFinding sensor = find_sensor_steps(look.baseline_error(), look.answers);
-  std::optional<Explanation> explanation;
-  if (sensor.renewed()) explanation = explain_renewals(input, *sensor.hold, sensor.hold_samples);
-  if (!explanation && sensor.renewed()) explanation = explain_held(look, *sensor.hold);
-  if (!explanation) {
-    explanation = tell_story(std::move(look));
-    if (sensor.hold) explanation->steps.insert(explanation->steps.begin(), *sensor.hold);
-  }
-  if (sensor.quantisation)
-    explanation->steps.insert(explanation->steps.begin(), *sensor.quantisation);
-  return explanation;
+  std::optional<ToldLoop> told = tell_loop(input);
+  if (!told) return std::nullopt;
+  return std::move(told->explanation);
 }
 
 }  // namespace loopscope::core::model

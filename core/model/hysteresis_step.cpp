@@ -51,7 +51,7 @@ std::optional<Step> by_cycle(const ModelInput& input, double p) {
       step_of(evidence.stickband, std::max(evidence.slip_jump, 0.25 * evidence.stickband), p);
   const auto spread = signal::measure_spread(input.pv);
   const double variance = spread ? spread->std * spread->std : 0.0;
-  step.law = "he";
+  step.law = name(ValveLaw::he);  // cycle_evidence.hpp
   step.holdout_error_before = variance * evidence.error_before;
   step.holdout_error_after = variance * std::min(evidence.error_law, evidence.error_turning);
   step.steadiness = evidence.steadiness;
@@ -68,7 +68,7 @@ std::optional<Step> by_strokes(const ModelInput& input, double p) {
   const Valve& valve = travel->valve;
   Step step = step_of(valve.stickband_percent,
                       std::max(valve.slip_jump_percent, 0.25 * valve.stickband_percent), p);
-  step.law = name(valve.law);
+  step.law = name(kTravelLaw);
   step.holdout_error_before = travel->error_before();
   step.holdout_error_after = travel->error_after();
   step.margin = step.evidence;
@@ -97,6 +97,10 @@ std::optional<Step> find_hysteresis(const ModelInput& input, const std::vector<A
   if (p > kCycleP) return std::nullopt;
   auto step = by_cycle(input, p);
   return lowers_the_error(step) ? step : std::nullopt;
+}
+
+bool told_by_strokes(const Step& step) {
+  return step.law == name(kTravelLaw);
 }
 
 }  // namespace loopscope::core::model

@@ -25,4 +25,7 @@ inline constexpr std::size_t kFewStrokes = 8;
                                                   const std::vector<Answer>& answers,
                                                   std::size_t op_turns);
 
+/// Of such a step: whether op's slow travel is the witness, not the cycle.
+[[nodiscard]] bool told_by_strokes(const Step& step);
+
 }  // namespace loopscope::core::model

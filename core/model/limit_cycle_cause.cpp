@@ -6,91 +6,15 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
-#include "core/model/cycle_band.hpp"
 #include "core/model/cycle_evidence.hpp"
-#include "core/model/cycle_period.hpp"
-#include "core/signal/gaps.hpp"
-#include "core/signal/loop_window.hpp"
-#include "core/signal/spread.hpp"
+#include "core/model/cycle_recording.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-using signal::Samples;
-
-constexpr std::size_t kFewestSamples = 128;
 constexpr double kFewestCycles = 5.0;
-constexpr double kMostMissing = 0.4;
-/// Kept samples that are judged in one go; longer records are judged in three parts.
-constexpr std::size_t kLongestRecord = 1500;
-constexpr std::size_t kParts = 3;
-constexpr std::size_t kPartLength = 600;
-
-struct Recording {
-  Samples pv, op, error, recorded;
-};
-
-Samples bridged(std::span<const double> values) {
-  Samples samples(values.begin(), values.end());
-  signal::discard_infinite(samples);
-  signal::bridge_gaps(samples, samples.size());
-  const auto is_recorded = [](double v) { return !std::isnan(v); };
-  const auto first = std::ranges::find_if(samples, is_recorded);
-  if (first == samples.end()) return samples;
-  std::fill(samples.begin(), first, *first);
-  const auto last = std::find_if(samples.rbegin(), samples.rend(), is_recorded);
-  std::fill(samples.rbegin(), last, *last);
-  return samples;
-}
-
-Recording prepare(std::span<const double> pv, std::span<const double> op,
-                  std::span<const double> sp) {
-  Recording result{bridged(pv), bridged(op), {}, Samples(pv.size(), 0.0)};
-  const Samples level = bridged(sp);
-  const bool known = !level.empty() && std::isfinite(level.front());
-  result.error = result.pv;
-  for (std::size_t k = 0; k < pv.size(); ++k) {
-    result.error[k] = (known ? level[k] : 0.0) - result.pv[k];
-    result.recorded[k] = std::isfinite(pv[k]) && std::isfinite(op[k]) ? 1.0 : 0.0;
-  }
-  return result;
-}
-
-bool stands_still(std::span<const double> samples) {
-  const auto spread = signal::measure_spread(samples);
-  return !spread || spread->constant();
-}
-
-/// Why the recording cannot be judged; empty when it can.
-std::string unusable(const Recording& recording) {
-  const std::size_t samples = recording.pv.size();
-  if (samples < kFewestSamples) return "Too few samples.";
-  const double recorded = signal::measure_spread(recording.recorded)->mean;
-  if (recorded < 1.0 - kMostMissing) return "Too much is missing.";
-  if (stands_still(recording.pv) || stands_still(recording.op)) return "pv or op stands still.";
-  return "";
-}
-
-/// Those in which op and pv move.
-std::vector<CycleRecord> parts_of(const Recording& recording, const CycleBand& band) {
-  const std::size_t samples = recording.pv.size();
-  const bool whole = samples / band.factor() <= kLongestRecord;
-  const std::size_t parts = whole ? 1 : kParts;
-  const std::size_t length = whole ? samples : kPartLength * band.factor();
-  std::vector<CycleRecord> result;
-  for (std::size_t i = 0; i < parts; ++i) {
-    const std::size_t start = parts == 1 ? 0 : i * (samples - length) / (parts - 1);
-    const auto part = [&](const Samples& x) { return std::span(x).subspan(start, length); };
-    const CycleRecord record{part(recording.pv), part(recording.op), part(recording.error),
-                             part(recording.recorded)};
-    if (!stands_still(record.pv) && !stands_still(record.op)) result.push_back(record);
-  }
-  return result;
-}
-
 /// Means of what the score reads; the process is that of the part whose law fits best.
 CycleEvidence combine(const std::vector<CycleEvidence>& parts) {
   CycleEvidence result = *std::ranges::min_element(parts, {}, &CycleEvidence::error_law);
@@ -108,7 +32,7 @@ CycleEvidence combine(const std::vector<CycleEvidence>& parts) {
 }
 
 /// nullopt when op or pv stands still in every part.
-std::optional<CycleEvidence> gather(const Recording& recording, double period) {
+std::optional<CycleEvidence> gather(const CycleRecording& recording, double period) {
   const CycleBand band(period);
   std::vector<CycleEvidence> parts;
   for (const CycleRecord& part : parts_of(recording, band))
@@ -118,23 +42,6 @@ std::optional<CycleEvidence> gather(const Recording& recording, double period) {
   evidence.period_samples = period;
   evidence.cycles = static_cast<double>(recording.pv.size()) / period;
   return evidence;
-}
-
-/// Mean over the parts; -1 when op or pv stands still in all of them.
-double coherence_at(const Recording& recording, double period) {
-  const CycleBand band(period);
-  const std::vector<CycleRecord> parts = parts_of(recording, band);
-  double sum = 0.0;
-  for (const CycleRecord& part : parts) sum += op_coherence(part, band);
-  return parts.empty() ? -1.0 : sum / static_cast<double>(parts.size());
-}
-
-/// The period at which op repeats itself best.
-double period_of(const Recording& recording) {
-  const std::vector<double> periods = candidate_periods(recording.error, recording.op);
-  if (periods.size() == 1) return periods.front();
-  return *std::ranges::max_element(periods, {},
-                                   [&](double period) { return coherence_at(recording, period); });
 }
 
 /// Share of the linear error that the valve of the law takes away.
@@ -183,14 +90,11 @@ std::string reason_for(const CycleEvidence& e) {
 
 CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double> op,
                              std::span<const double> sp) {
-  if (pv.size() != op.size() || (!sp.empty() && sp.size() != pv.size())) {
-    throw std::invalid_argument("judge_limit_cycle: pv, op and sp of different lengths");
-  }
+  const CycleRecording recording = cycle_recording(pv, op, sp);
   CycleCause cause;
-  const Recording recording = prepare(pv, op, sp);
   cause.reason = unusable(recording);
   if (!cause.reason.empty()) return cause;
-  const std::optional<CycleEvidence> best = gather(recording, period_of(recording));
+  const std::optional<CycleEvidence> best = gather(recording, cycle_period(recording));
   cause.reason = "op stands still for most of the record.";
   if (!best) return cause;
   cause.evidence = *best;

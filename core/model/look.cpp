@@ -133,7 +133,7 @@ Explanation begin_explanation(const Look& look) {
   return explanation;
 }
 
-Explanation tell_story(Look look) {
+Explanation tell_story(Look& look) {
   Explanation explanation = begin_explanation(look);
   Story& story = look.story;
   continue_story(story, look.answers);

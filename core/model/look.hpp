@@ -13,7 +13,7 @@ namespace loopscope::core::model {
 struct Look {
   ModelInput recorded;          ///< a value for each sample
   ModelInput at_rows;           ///< a value for each row; the same, unless the sensor is held
-  Story story;                  ///< the linear baseline; no effect sought yet
+  Story story;                  ///< the linear baseline; no effect sought before tell_story()
   std::vector<Answer> answers;  ///< that the story starts from (question_residual.hpp)
   [[nodiscard]] double baseline_error() const;  ///< held out, pv units squared
   /// The same over the rows of both kinds, each as unseen by the fit to the other: half as many are
@@ -30,8 +30,8 @@ struct Look {
 
 /// The linear loop in the results' words, nothing judged yet.
 [[nodiscard]] Explanation begin_explanation(const Look& look);
-/// The loop with every effect that the data ask for.
-[[nodiscard]] Explanation tell_story(Look look);
+/// The loop with every effect that the data ask for; they are chapters of `look.story` then.
+[[nodiscard]] Explanation tell_story(Look& look);
 /// The linear loop alone.
 [[nodiscard]] Explanation tell_linear(const Look& look);
 

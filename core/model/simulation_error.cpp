@@ -29,16 +29,19 @@ Vector drift_of(const std::vector<double>& left, const std::vector<Range>& rows)
 
 }  // namespace
 
-double simulation_error(const LoopData& data, const Fit& fit) {
+std::vector<double> simulation_residual(const LoopData& data, const Fit& fit) {
   std::vector<double> left = deterministic_output(data, fit);
   for (std::size_t k = 0; k < left.size(); ++k) left[k] = data.pv[k] - left[k];
   const Vector drift = drift_of(left, data.rows.fit);
+  for (std::size_t k = 0; k < left.size(); ++k) left[k] -= drift.dot(drift_at(k, left.size()));
+  return left;
+}
+
+double simulation_error(const LoopData& data, const Fit& fit) {
+  const std::vector<double> left = simulation_residual(data, fit);
   double sum = 0.0;
   for (const Range& range : data.rows.score) {
-    for (std::size_t k = range.first; k < range.end; ++k) {
-      const double rest = left[k] - drift.dot(drift_at(k, left.size()));
-      sum += rest * rest;
-    }
+    for (std::size_t k = range.first; k < range.end; ++k) sum += left[k] * left[k];
   }
   return sum / static_cast<double>(std::max<std::size_t>(1, data.rows.score_count()));
 }

@@ -11,7 +11,6 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kMean = 8;
 constexpr std::size_t kFewestMeans = 40;
 /// Lags of up to a hundred means, delays of up to three: a lag that the linear rival lacks looks
 /// like a valve that comes late.
@@ -22,10 +21,10 @@ constexpr std::array kJumps = {0.0, 0.2, 0.5, 1.0};
 std::vector<double> means_of(std::span<const double> values) {
   std::vector<double> means;
   double last = std::nan("");
-  for (std::size_t from = 0; from + kMean <= values.size(); from += kMean) {
+  for (std::size_t from = 0; from + kTravelMean <= values.size(); from += kTravelMean) {
     double sum = 0.0;
     std::size_t known = 0;
-    for (const double value : values.subspan(from, kMean)) {
+    for (const double value : values.subspan(from, kTravelMean)) {
       if (std::isnan(value)) continue;
       sum += value;
       ++known;
@@ -41,7 +40,7 @@ std::vector<double> means_of(std::span<const double> values) {
 struct Share {
   double fitted = -1.0;  ///< of pv's variance on the blocks that are fitted
   double scored = 0.0;   ///< on those held out
-  double gain = 0.0;
+  TravelModel model;
 };
 
 constexpr std::size_t kBlock = 6;
@@ -91,7 +90,9 @@ Share share_of(const std::vector<double>& pv, const std::vector<double>& flow, d
   }
   if (normal(2, 2) <= 0.0) return {};
   const Eigen::Vector3d weights = normal.ldlt().solve(right);
-  return {explained(pv, rows, weights, true), explained(pv, rows, weights, false), weights[2]};
+  return {explained(pv, rows, weights, true),
+          explained(pv, rows, weights, false),
+          {pole, delay, {weights[0], weights[1], weights[2]}}};
 }
 
 Share best_share(const std::vector<double>& pv, const std::vector<double>& flow) {
@@ -105,15 +106,28 @@ Share best_share(const std::vector<double>& pv, const std::vector<double>& flow)
   return best;
 }
 
+std::vector<double> behind(const Valve& valve, const std::vector<double>& op) {
+  std::vector<double> flow(op.size());
+  run_valve(valve, op, flow);
+  return flow;
+}
+
+std::vector<double> output_of(const TravelModel& model, const std::vector<double>& flow,
+                              double level) {
+  const Eigen::Vector3d weights(model.weights.data());
+  const Eigen::VectorXd output = regressors(flow, model.pole, model.delay) * weights;
+  std::vector<double> pv(flow.size());
+  std::ranges::transform(output, pv.begin(), [&](double value) { return level + value; });
+  return pv;
+}
+
 /// Returns the share on the fitted blocks, by which valves are ranked.
 double try_valve(const std::vector<double>& pv, const std::vector<double>& op, const Valve& valve,
                  double to_beat, SlowTravel& best) {
-  std::vector<double> flow(op.size());
-  run_valve(valve, op, flow);
-  const Share share = best_share(pv, flow);
+  const Share share = best_share(pv, behind(valve, op));
   if (share.fitted <= to_beat) return to_beat;
   best.valve_share = share.scored;
-  best.gain = share.gain;
+  best.valve_model = share.model;
   best.valve = valve;
   return share.fitted;
 }
@@ -138,25 +152,34 @@ std::optional<SlowTravel> judge_slow_travel(std::span<const double> pv,
   const double travel = high - low;
   if (!(travel > 0.0) || std::isinf(travel)) return std::nullopt;
   SlowTravel result;
-  const double level = pv_means.front();
-  for (double& value : pv_means) value -= level;
+  result.level = pv_means.front();
+  for (double& value : pv_means) value -= result.level;
   const auto spread = signal::measure_spread(pv_means);
   if (!spread || spread->constant()) return std::nullopt;
   result.variance = spread->std * spread->std;
   const Share linear = best_share(pv_means, op_means);
   result.linear_share = result.valve_share = linear.scored;
+  result.linear_model = result.valve_model = linear.model;
   double fitted = linear.fitted;
   constexpr double kNarrowest = 0.35, kWidest = 0.95, kStep = 1.07;
   for (double band = kNarrowest; band < kWidest; band *= kStep) {
     for (const double jump : kJumps) {
       for (const double direction : {-1.0, 1.0}) {
         const double stickband = band * travel;
-        const Valve valve{ValveLaw::kano, stickband, jump * stickband, direction};
+        const Valve valve{kTravelLaw, stickband, jump * stickband, direction};
         fitted = try_valve(pv_means, op_means, valve, fitted, result);
       }
     }
   }
   return result;
+}
+
+SimulatedTravel simulate_travel(const SlowTravel& travel, std::span<const double> op) {
+  const std::vector<double> means = means_of(op);
+  const bool sticks = travel.valve.stickband_percent > 0.0;
+  const std::vector<double> flow = sticks ? behind(travel.valve, means) : means;
+  return {output_of(travel.linear_model, means, travel.level),
+          output_of(travel.valve_model, flow, travel.level)};
 }
 
 }  // namespace loopscope::core::model

@@ -27,11 +27,15 @@ double rival_evidence(const std::vector<Contestant>& trials) {
   return 0.0;
 }
 
+/// All but its fit.
 Chapter chapter_of(const std::vector<Contestant>& trials) {
   const Contestant& winner = trials.front();
-  Chapter chapter{winner.fit, winner.comparison, rival_evidence(trials), 1.0};
+  Chapter chapter;
+  chapter.comparison = winner.comparison;
+  chapter.rival_evidence = rival_evidence(trials);
   chapter.simulation_ratio = simulation_error(winner.rows, winner.fit.fit) /
                              simulation_error(winner.rows, winner.before.fit);
+  chapter.judged = {winner.fit, winner.rows.rows, winner.scored_once()};
   return chapter;
 }
 
@@ -63,8 +67,9 @@ void settle_chapter(const LoopData& rows, Chapter& chapter) {
 void add_chapter(const LoopData& original, std::vector<Contestant>& trials, Story& story) {
   complete(trials.front());
   Chapter chapter = chapter_of(trials);
-  story.data = judged_on(original, chapter.fit.fit.structure);
-  chapter.fit = reevaluated(story.data, chapter.fit);
+  const TwinFit& judged = chapter.judged.fit;
+  story.data = judged_on(original, judged.fit.structure);
+  chapter.fit = reevaluated(story.data, judged);
   settle_chapter(story.data, chapter);
   story.chapters.push_back(std::move(chapter));
 }

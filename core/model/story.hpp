@@ -7,12 +7,20 @@
 
 namespace loopscope::core::model {
 
+/// A fit as it was judged on rows that it had not seen.
+struct Judged {
+  TwinFit fit;
+  Rows rows;
+  bool once = false;  ///< on the score rows alone (contestant.hpp), else on those of both kinds
+};
+
 /// An effect that was taken in.
 struct Chapter {
   TwinFit fit;                  ///< with it and all before it
   Comparison comparison;        ///< with it against without it
   double rival_evidence = 0.0;  ///< of the best effect of another cause in the same round
   double simulation_ratio = 1.0;
+  Judged judged;  ///< what `comparison` has after it, before the process was settled behind it
 };
 
 /// From the linear loop to the last effect that the data ask for.
@@ -20,6 +28,7 @@ struct Story {
   LoopData data;  ///< with the rows on which the last fit is judged
   TwinFit baseline;
   std::vector<Chapter> chapters;
+  Rows first_rows = data.rows;  ///< on which the baseline is judged
   [[nodiscard]] const TwinFit& last() const {
     return chapters.empty() ? baseline : chapters.back().fit;
   }

@@ -9,6 +9,7 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
+#include "daemon/plant/plant_watch.hpp"
 #include "daemon/service/cost_text.hpp"
 #include "daemon/service/log.hpp"
 #include "daemon/service/pass.hpp"
@@ -44,6 +45,8 @@ void once(const std::string& config_file) {
     std::signal(pass.signal, SIG_DFL);
     std::raise(pass.signal);
   }
+  LaneTools tools(worker_count(settings->daemon), Perseverance::one_lease);
+  compare_all_loops(*settings, tools);
   if (!pass.first_failure) return;
   throw Failure(pass.first_failure->exit_code(),
                 fmt::format("{} loops were set aside, the first because: {}", pass.count.failed,

@@ -87,6 +87,7 @@ Json performance_json(const core::loop::Performance& performance) {
           {"harris_high", or_null(performance.harris_high)},
           {"harris_p", or_null(performance.harris_p)},
           {"error_std", or_null(performance.error_std)},
+          {"error_log_variance_se", or_null(performance.error_log_variance_se)},
           {"valve_travel_per_h", or_null(performance.valve_travel_per_h)},
           {"reversals_per_h", or_null(performance.reversals_per_h)},
           {"auto_fraction", or_null(performance.auto_fraction)},

@@ -10,15 +10,12 @@
 #include "daemon/recording/csv_table.hpp"
 
 namespace loopscope::daemon {
-namespace {
 
-bool is_formula(const std::string& cell) {
+bool is_formula(std::string_view cell) {
   constexpr std::string_view kStarts = "=+-@\t\r";
   return !cell.empty() && kStarts.find(cell.front()) != std::string_view::npos &&
          !parse_number(cell);
 }
-
-}  // namespace
 
 std::size_t count_formulas(const std::string& csv) {
   std::size_t count = 0;
@@ -28,18 +25,21 @@ std::size_t count_formulas(const std::string& csv) {
   return count;
 }
 
+void note_formulas(std::size_t count) {
+  if (count == 0) return;
+  std::cerr << fmt::format(
+      "note: {} cells begin with =, +, - or @: a spreadsheet takes them for formulas unless it is "
+      "told to import every column as text\n",
+      count);
+}
+
 void write_csv(const std::string& file, const std::string& csv) {
   if (file == "-") {
     std::cout << csv;
   } else {
     write_file(file, csv);
   }
-  const std::size_t formulas = count_formulas(csv);
-  if (formulas == 0) return;
-  std::cerr << fmt::format(
-      "note: {} cells begin with =, +, - or @: a spreadsheet takes them for formulas unless it is "
-      "told to import every column as text\n",
-      formulas);
+  note_formulas(count_formulas(csv));
 }
 
 }  // namespace loopscope::daemon

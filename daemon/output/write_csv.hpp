@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace loopscope::daemon {
 
@@ -10,7 +11,14 @@ namespace loopscope::daemon {
 /// and said on standard error. Throws Failure as write_file() does.
 void write_csv(const std::string& file, const std::string& csv);
 
-/// Cells that begin with =, +, -, @, a tab or a carriage return and are no numbers.
+/// Whether a spreadsheet may take the cell for a formula: it begins with =, +, -, @, a tab or a
+/// carriage return and is no number.
+[[nodiscard]] bool is_formula(std::string_view cell);
+
+/// Cells of that kind.
 [[nodiscard]] std::size_t count_formulas(const std::string& csv);
+
+/// Says on standard error how many there are; nothing where there are none.
+void note_formulas(std::size_t count);
 
 }  // namespace loopscope::daemon

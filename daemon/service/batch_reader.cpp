@@ -8,36 +8,15 @@
 #include "daemon/service/blame.hpp"
 #include "daemon/service/data_age.hpp"
 #include "daemon/service/read_visits.hpp"
+#include "daemon/service/source_terms.hpp"
 #include "daemon/service/stopwatch.hpp"
 #include "daemon/service/storage_settings.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-/// Longer than any batch of windows takes to read: whoever has not got a connection by then is
-/// better off with other loops.
-constexpr double kPatience_s = 30.0;
-/// The wait for a connection takes at most this share of what a claim holds: the rest is for the
-/// work.
-constexpr double kPatienceOfHold = 1.0 / 3.0;
-/// A historian that failed is left alone for so long, and for a poll at most, so that its loops go
-/// on soon after it is back.
-constexpr double kSourcePause_s = 30.0;
-
 /// SQLSTATE: one loop may fit where a batch did not.
 constexpr const char* kServerOutOfMemory = "53200";
-
-double source_pause_s(const config::ScheduleSettings& schedule) {
-  return std::min(kSourcePause_s, schedule.poll_s);
-}
-
-SourceTerms terms(const config::ScheduleSettings& schedule) {
-  const auto duration = [](double seconds) {
-    return std::chrono::duration_cast<SourceGate::Duration>(std::chrono::duration<double>(seconds));
-  };
-  return {duration(std::min(kPatience_s, kPatienceOfHold * schedule.hold_s())),
-          duration(source_pause_s(schedule)), schedule.hold_s()};
-}
 
 }  // namespace
 
@@ -76,7 +55,7 @@ BatchReader::Read BatchReader::with_source(const std::string& source, const Clai
   try {
     const config::HistorianSettings& settings = find_historian(*settings_, source);
     batch.visits =
-        tools_.historians.with_reader(settings, terms(settings_->schedule), counted_read);
+        tools_.historians.with_reader(settings, source_terms(settings_->schedule), counted_read);
     tools_.faults.recovered("historian " + source);
     return Read::all;
   } catch (const storage::DatabaseError& error) {

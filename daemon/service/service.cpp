@@ -18,6 +18,7 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/monitor/service_manager.hpp"
+#include "daemon/plant/plant_watch.hpp"
 #include "daemon/service/heartbeat.hpp"
 #include "daemon/service/idle_pause.hpp"
 #include "daemon/service/lane.hpp"
@@ -60,12 +61,14 @@ class Service {
     warn_of_connections();
     heartbeat_.emplace(settings_, tools_);
     watch_.emplace(settings_, tools_, *heartbeat_);
+    plant_.emplace(settings_, tools_);
     await_signal();
     pulse();
     for (std::size_t index = 0; index < seats_.size(); ++index) dispatch(index);
     // Until the lanes have said their last words: a second signal is awaited as long.
     context_.run();
     pool_.join();
+    plant_.reset();
     watch_.reset();
     heartbeat_.reset();
     spdlog::info("stopped: {}", count_text(sum_));
@@ -155,6 +158,7 @@ class Service {
       tools_.historians.forget_idle();
       heartbeat_->use(settings_);
       watch_->use(settings_);
+      plant_->use(settings_);
       tell_sources();
       for (Seat& seat : seats_) seat.pause = RetryPause(settings_->schedule.poll_s);
       forget_faults_of_former(before->historians);
@@ -272,6 +276,7 @@ class Service {
   std::atomic<const config::Settings*> in_force_;  ///< settings_, for lanes at work to compare
   std::optional<Heartbeat> heartbeat_;
   std::optional<ServiceWatch> watch_;
+  std::optional<PlantWatch> plant_;
   storage::WriteCount sum_;
 };
 

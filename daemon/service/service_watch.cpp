@@ -49,7 +49,9 @@ ServiceWatch::ServiceWatch(std::shared_ptr<const config::Settings> settings, Lan
     : tools_(tools),
       heartbeat_(heartbeat),
       settings_(std::move(settings)),
-      health_([this] { return why_not_live(); }, limits(*settings_)) {
+      health_([this] { return why_not_live(); }, limits(*settings_)),
+      pages_([this] { return this->settings(); }),
+      reports_(settings_, tools.faults) {
   open_pages();
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
   ServiceManager::ready("waiting for the results database");
@@ -66,9 +68,10 @@ void ServiceWatch::open_pages() {
   try {
     server_.emplace(*address);
     add_monitor_pages(*server_, health_, tools_.metrics, [this] { return silence_s(); });
+    pages_.add_to(*server_);
     server_->start();
     const std::string& asked = settings_->daemon.http_address;
-    spdlog::info("health and metrics: http://{}:{}", asked.substr(0, asked.rfind(':')),
+    spdlog::info("health, metrics and pages: http://{}:{}", asked.substr(0, asked.rfind(':')),
                  server_->port());
   } catch (const Failure& failure) {
     server_.reset();
@@ -79,6 +82,7 @@ void ServiceWatch::open_pages() {
 void ServiceWatch::use(std::shared_ptr<const config::Settings> settings) {
   const std::lock_guard lock(mutex_);
   health_.set_limits(limits(*settings));
+  reports_.use(settings);
   settings_ = std::move(settings);
   changed_.notify_all();
 }

@@ -13,14 +13,17 @@
 #include "config/settings.hpp"
 #include "daemon/monitor/health.hpp"
 #include "daemon/monitor/http_server.hpp"
+#include "daemon/report/live_pages.hpp"
+#include "daemon/report/report_schedule.hpp"
 #include "daemon/service/heartbeat.hpp"
 #include "daemon/service/lane_tools.hpp"
 
 namespace loopscope::daemon {
 
-/// What others see of the daemon: its HTTP pages, its state for systemd, and the state of the
-/// schedule, asked for once a poll on a thread and a connection of its own. The watchdog is fed by
-/// pulse() alone, which the scheduling thread calls, and only while heartbeat and lanes get on.
+/// What others see of the daemon: its HTTP pages and reports, its state for systemd, and the state
+/// of the schedule, asked for once a poll on a thread and a connection of its own. The watchdog is
+/// fed by pulse() alone, which the scheduling thread calls, and only while heartbeat and lanes get
+/// on.
 class ServiceWatch {
  public:
   using Clock = std::chrono::steady_clock;
@@ -55,7 +58,9 @@ class ServiceWatch {
   std::atomic<bool> stopping_ = false;
   std::condition_variable_any changed_;
   Health health_;
+  LivePages pages_;
   std::optional<HttpServer> server_;
+  ReportSchedule reports_;
   std::jthread thread_;  // last: it ends before what it uses
 };
 

@@ -153,6 +153,10 @@ storage::ConnectionSettings owner_connection(const config::Settings& settings) {
                     "owner", false);
 }
 
+storage::ConnectionSettings reader_connection(const config::Settings& settings) {
+  return connection(settings.results.connection, "reader", true);
+}
+
 storage::ConnectionSettings historian_connection(const config::HistorianSettings& historian) {
   return connection(historian.connection, "historian " + historian.name, true);
 }

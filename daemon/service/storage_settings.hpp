@@ -11,8 +11,10 @@ namespace loopscope::daemon {
 
 /// The settings file's words as storage/ wants them: the two rooms do not know each other.
 [[nodiscard]] storage::ConnectionSettings results_connection(const config::Settings& settings);
-/// The schema owner's connection (migrate, maintain, loops, import).
+/// The schema owner's connection (migrate, maintain, loops, maintenance, import).
 [[nodiscard]] storage::ConnectionSettings owner_connection(const config::Settings& settings);
+/// The results for somebody who only reads them (report, export): no lease waits for him.
+[[nodiscard]] storage::ConnectionSettings reader_connection(const config::Settings& settings);
 [[nodiscard]] storage::ConnectionSettings historian_connection(
     const config::HistorianSettings& historian);
 /// The same for a worker that holds loops for `hold_s` seconds: no wait takes longer than a third

@@ -60,9 +60,11 @@ Ask for more:
   psql "$reader" -c "SELECT * FROM loopscope.loop_history LIMIT 5" -x
   psql "$reader" -c "\\dv+ loopscope.*"
   $2 loops --config $config
+The report of the flagged loops, with pictures:
+  $2 report --config $config --out $1/reports --pdf
 Another pass, which finds nothing new until the historian does:
   $2 once --config $config
-Let it run as a daemon (Ctrl-C ends it):
+Let it run as a daemon (Ctrl-C ends it); pages at http://127.0.0.1:9470/:
   $2 run --config $config
 Stop the server and keep everything; the same command as before starts it again:
   $3 --stop$4

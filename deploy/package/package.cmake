@@ -44,6 +44,14 @@ loopscope_debian_files(${DOC_DIR}/examples
 loopscope_debian_files(${DOC_DIR}/examples/prometheus
   ${DEPLOY_DIR}/prometheus/loopscope.rules.yml)
 
+configure_file(${DEPLOY_DIR}/queries/README.md ${PACKAGE_DIR}/queries.md COPYONLY)
+loopscope_debian_files(${DOC_DIR} ${PACKAGE_DIR}/queries.md)
+loopscope_debian_files(${DOC_DIR}/examples/grafana
+  ${DEPLOY_DIR}/grafana/loopscope.json ${DEPLOY_DIR}/grafana/datasources.yml ${DEPLOY_DIR}/grafana/dashboards.yml)
+loopscope_debian_files(${DOC_DIR}/examples/hooks ${DEPLOY_DIR}/hooks/loopscope-hook.service)
+install(PROGRAMS ${DEPLOY_DIR}/hooks/loopscope-hook DESTINATION ${DOC_DIR}/examples/hooks
+  COMPONENT debian EXCLUDE_FROM_ALL)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME loopscope)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -56,8 +64,8 @@ verdict with its reasons and the next action back into SQL. It finds sticking
 valves, poor tuning, sensor faults and disturbances from routine operating
 data alone.
 .
-This package holds the program, its systemd units, its manual page and
-examples of settings, roles and alert rules.")
+This package holds the program, its systemd units, its manual page, ready
+queries and examples of settings, roles, alert rules, a dashboard and a hook.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_CMAKE_PROJECTS
   "${PROJECT_BINARY_DIR};loopscope;Unspecified;/" "${PROJECT_BINARY_DIR};loopscope;debian;/")
@@ -74,8 +82,9 @@ set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # procps: kill, for `systemctl reload`.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "adduser, procps")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "postgresql-client, systemd")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bash-completion, postgresql, prometheus")
+# gnuplot-nox: the pictures of reports and pages.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, postgresql-client, systemd")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bash-completion, postgresql, prometheus, weasyprint")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
   ${DEPLOY_DIR}/package/postinst ${DEPLOY_DIR}/package/prerm ${DEPLOY_DIR}/package/postrm)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)

@@ -177,6 +177,7 @@ const std::array kColumns{
     Column{"harris_high", "float8", performance<&Performance::harris_high>},
     Column{"harris_p", "float8", performance<&Performance::harris_p>},
     Column{"error_std", "float8", performance<&Performance::error_std>},
+    Column{"error_log_variance_se", "float8", performance<&Performance::error_log_variance_se>},
     Column{"valve_travel_per_h", "float8", performance<&Performance::valve_travel_per_h>},
     Column{"reversals_per_h", "float8", performance<&Performance::reversals_per_h>},
     Column{"auto_fraction", "float8", performance<&Performance::auto_fraction>},
@@ -212,27 +213,50 @@ const std::array kColumns{
         "::jsonb - 'steps'::text"},
 };
 
-/// The statement's text, made from the columns once.
-/// The worker has no right to change these.
+/// The worker may not change these.
 bool is_key(std::string_view column) {
   return column == "loop_id" || column == "slot_end" || column == "algorithm_revision";
 }
 
-std::string upsert_sql() {
-  std::string names, selected, arrays, updates;
-  int parameter = 0;
+/// Who made the row, from what, and in what time.
+bool is_provenance(std::string_view column) {
+  return column == "fence" || column == "program_version" || column == "settings" ||
+         column == "input_digest" || column.ends_with("_ms");
+}
+
+std::string joined(auto text_of) {
+  std::string list;
   for (const Column& column : kColumns) {
-    const std::string name(column.name);
-    const char* comma = parameter == 0 ? "" : ", ";
-    names += comma + name;
-    selected += comma + name + std::string(column.cast);
-    arrays += comma + ("$" + std::to_string(++parameter)) + "::" + std::string(column.type) + "[]";
-    if (!is_key(column.name)) updates += name + " = EXCLUDED." + name + ", ";
+    const std::string text = text_of(column);
+    if (!text.empty()) list += (list.empty() ? "" : ", ") + text;
   }
-  return "INSERT INTO loopscope.analysis AS stored (" + names + ") SELECT " + selected +
-         " FROM unnest(" + arrays + ") AS row (" + names + ")" +
+  return list;
+}
+
+std::string names() {
+  return joined([](const Column& column) { return std::string(column.name); });
+}
+
+/// The rows that the parameters carry, as they are stored.
+std::string select_sql() {
+  int parameter = 0;
+  const std::string arrays = joined([&](const Column& column) {
+    return "$" + std::to_string(++parameter) + "::" + std::string(column.type) + "[]";
+  });
+  const std::string selected = joined([](const Column& column) {
+    return std::string(column.name) + std::string(column.cast) + " AS " + std::string(column.name);
+  });
+  return "SELECT " + selected + " FROM unnest(" + arrays + ") AS row (" + names() + ")";
+}
+
+std::string upsert_sql() {
+  const std::string updates = joined([](const Column& column) {
+    const std::string name(column.name);
+    return is_key(name) ? std::string() : name + " = EXCLUDED." + name;
+  });
+  return "INSERT INTO loopscope.analysis AS stored (" + names() + ") " + select_sql() +
          " ON CONFLICT (loop_id, slot_end, algorithm_revision) DO UPDATE SET " + updates +
-         "input_revision = stored.input_revision + 1, analysed_at = now()"
+         ", input_revision = stored.input_revision + 1, analysed_at = now()"
          // The fence keeps a late worker from putting older findings over newer ones.
          " WHERE stored.input_digest <> EXCLUDED.input_digest AND stored.fence <= EXCLUDED.fence"
          " RETURNING loop_id, (extract(epoch FROM slot_end) * 1000000)::bigint AS slot_end_us,"
@@ -243,6 +267,22 @@ std::string upsert_sql() {
 
 const Statement& upsert_analyses() {
   static const Statement statement{"upsert_analyses", upsert_sql()};
+  return statement;
+}
+
+std::string measured_object(const std::string& row) {
+  return "to_jsonb(" + row + ") - '{analysis_id,input_revision,analysed_at," +
+         joined([](const Column& column) {
+           return is_key(column.name) || is_provenance(column.name) ? std::string(column.name)
+                                                                    : std::string();
+         }) +
+         "}'::text[]";
+}
+
+const Statement& measure_analyses() {
+  static const Statement statement{
+      "measure_analyses",
+      "SELECT " + measured_object("measured") + " FROM (" + select_sql() + ") AS measured"};
   return statement;
 }
 

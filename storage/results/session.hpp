@@ -25,9 +25,10 @@ class Transaction {
 
  private:
   friend class Session;
-  Transaction(pqxx::work& work, std::string& statement, SocketDeadline& deadline)
+  friend class Snapshot;
+  Transaction(pqxx::transaction_base& work, std::string& statement, SocketDeadline& deadline)
       : work_(work), statement_(statement), deadline_(deadline) {}
-  pqxx::work& work_;
+  pqxx::transaction_base& work_;
   std::string& statement_;  // the session's, for the message should it fail
   SocketDeadline& deadline_;
 };
@@ -44,11 +45,7 @@ class Session {
   /// Throws DatabaseError; then nothing was stored, except when the message says "in doubt".
   template <typename Work>
   auto transact(Work&& work) {
-    refuse_if_dead();
-    statement_ = "begin";
-    // Around the transaction: its beginning and its rollback are statements too.
-    const SocketDeadline::Guard guard(deadline_);
-    try {
+    return watched("begin", [&] {
       pqxx::work transaction(connection_);
       Transaction facade(transaction, statement_, deadline_);
       if constexpr (std::is_void_v<decltype(work(facade))>) {
@@ -59,12 +56,26 @@ class Session {
         commit(transaction);
         return result;
       }
+    });
+  }
+
+ private:
+  friend class Snapshot;
+
+  /// Everything that speaks with the server goes through here: under a deadline that also covers
+  /// what libpqxx does by itself (the beginning of a transaction, its rollback), with its
+  /// exceptions put into an operator's words.
+  template <typename Work>
+  auto watched(const char* first_statement, Work&& work) {
+    refuse_if_dead();
+    statement_ = first_statement;
+    const SocketDeadline::Guard guard(deadline_);
+    try {
+      return work();
     } catch (...) {
       explain_current_exception();
     }
   }
-
- private:
   void commit(pqxx::work& transaction);
   void refuse_if_dead() const;
   [[noreturn]] void explain_current_exception();

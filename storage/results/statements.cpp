@@ -124,6 +124,35 @@ const Statement kSetEnabled{"set_enabled", R"(
     UPDATE loopscope.loop SET enabled = $2::boolean, changed_at = now()
     WHERE name = ANY ($1::text[]) RETURNING loop_id)"};
 
+const Statement kRefuseMaintenance{"refuse_maintenance", R"(
+    SELECT place, CASE WHEN loop.loop_id IS NULL THEN 'unknown_loop'
+                       WHEN entry.done_at > now() THEN 'in_future'
+                       ELSE 'entered_already' END AS reason
+    FROM unnest($1::text[], $2::timestamptz[], $3::text[], $4::text[])
+      WITH ORDINALITY AS entry (loop_name, done_at, kind, description, place)
+    LEFT JOIN loopscope.loop ON loop.name = entry.loop_name
+    WHERE loop.loop_id IS NULL OR entry.done_at > now()
+       OR EXISTS (SELECT FROM loopscope.maintenance_event AS known
+                  WHERE known.loop_id = loop.loop_id AND known.done_at = entry.done_at
+                    AND known.description = entry.description)
+    ORDER BY place)"};
+
+const Statement kAddMaintenance{"add_maintenance", R"(
+    INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description)
+    SELECT loop.loop_id, entry.done_at, entry.kind, entry.description
+    FROM unnest($1::text[], $2::timestamptz[], $3::text[], $4::text[])
+      AS entry (loop_name, done_at, kind, description)
+    JOIN loopscope.loop ON loop.name = entry.loop_name)",
+                                Rows::none};
+
+const Statement kListMaintenance{"list_maintenance", R"(
+    SELECT maintenance_event_id, loop_name, (extract(epoch FROM done_at) * 1000000)::bigint
+             AS done_at_us, kind, description, word, statement
+    FROM loopscope.before_after_maintenance
+    WHERE NOT $1::boolean OR loop_id IN (SELECT loop_id FROM loopscope.loop
+                                         WHERE name = ANY ($2::text[]))
+    ORDER BY loop_name, done_at, maintenance_event_id)"};
+
 const Statement kHasSchema{
     "has_schema", "SELECT to_regclass('loopscope.schema_migration') IS NOT NULL", Rows::one};
 
@@ -177,8 +206,8 @@ const Statement kCheckRights{"check_rights", R"(
                 THEN has_schema_privilege('loopscope', privilege)
                 WHEN object = 'sequence loopscope.analysis_id'
                 THEN has_sequence_privilege('loopscope.analysis_id', privilege)
-                WHEN object = 'function loopscope.oldest_program()'
-                THEN has_function_privilege('loopscope.oldest_program()', privilege)
+                WHEN object LIKE 'function %'
+                THEN has_function_privilege(substr(object, length('function ') + 1), privilege)
                 WHEN object = 'loopscope.schedule' AND privilege = 'UPDATE'
                 THEN (SELECT bool_and(has_column_privilege(object, name, privilege))
                       FROM unnest(ARRAY['visible_at', 'owner', 'fence', 'attempts', 'lost_leases',
@@ -197,9 +226,14 @@ const Statement kCheckRights{"check_rights", R"(
       ('INSERT', 'loopscope.standing_problem', true), ('UPDATE', 'loopscope.standing_problem', true),
       ('INSERT', 'loopscope.stage_cost', true), ('UPDATE', 'loopscope.stage_cost', true),
       ('INSERT', 'loopscope.worker', true), ('UPDATE', 'loopscope.worker', true),
+      ('INSERT', 'loopscope.plant_oscillation', true), ('UPDATE', 'loopscope.plant_oscillation', true),
+      ('INSERT', 'loopscope.plant_round', true), ('UPDATE', 'loopscope.plant_round', true),
+      ('INSERT', 'loopscope.flag_notice', true), ('UPDATE', 'loopscope.flag_notice', true),
       ('SELECT', 'loopscope.parameter', true), ('UPDATE', 'loopscope.parameter', true),
       ('SELECT', 'loopscope.schema_migration', true),
       ('EXECUTE', 'function loopscope.oldest_program()', true),
+      ('EXECUTE', 'function loopscope.flagged_at(float8, float8, float8)', true),
+      ('EXECUTE', 'function loopscope.verdict_run(bigint, timestamptz, text)', true),
       ('USAGE', 'sequence loopscope.analysis_id', true)
     ) AS checked (privilege, object, needed))"};
 

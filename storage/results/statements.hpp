@@ -22,6 +22,11 @@ extern const Statement kFindLoop;    ///< name
 extern const Statement kSaveLoops;   ///< one array per column
 extern const Statement kSetEnabled;  ///< names, enabled
 
+// maintenance
+extern const Statement kRefuseMaintenance;  ///< names, times, kinds, descriptions
+extern const Statement kAddMaintenance;     ///< the same
+extern const Statement kListMaintenance;    ///< whether of these names only, names
+
 // schema
 extern const Statement kHasSchema;
 extern const Statement kSchemaVersion;

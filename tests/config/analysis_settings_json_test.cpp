@@ -48,5 +48,16 @@ TEST(AnalysisSettingsJson, RoundTripKeepsEveryBit) {
   EXPECT_EQ(analysis_settings_json(back), analysis_settings_json(settings));
 }
 
+TEST(AnalysisSettingsJson, AreReadBackInAnyOrderAndRefusedWhereTheyAreUnknown) {
+  core::AnalysisSettings settings;
+  settings.hos.alpha = 1.0 / 3.0;
+  settings.fit_model = false;
+  const std::string json = analysis_settings_json(settings);
+  EXPECT_EQ(analysis_settings_json(parse_analysis_settings(json)), json);
+  EXPECT_EQ(parse_analysis_settings(R"({"hos": {"alpha": 0.25}, "fit_model": false})").hos.alpha,
+            0.25);
+  EXPECT_THROW(static_cast<void>(parse_analysis_settings(R"({"later": 1})")), SettingsError);
+}
+
 }  // namespace
 }  // namespace loopscope::config::tests

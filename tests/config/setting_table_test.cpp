@@ -26,14 +26,16 @@ TEST(SettingTable, EveryFieldOfEveryStructHasItsRow) {
   EXPECT_EQ(settings_in("/schedule"), field_count<ScheduleSettings>());
   EXPECT_EQ(settings_in("/daemon"), field_count<DaemonSettings>());
   EXPECT_EQ(settings_in("/flags"), field_count<FlagSettings>());
+  EXPECT_EQ(settings_in("/plant"), field_count<PlantSettings>());
   EXPECT_EQ(settings_in("/discovery"), field_count<DiscoverySettings>());
+  EXPECT_EQ(settings_in("/report"), field_count<ReportSettings>());
   // Those of the window, and the switch that belongs to no room.
   EXPECT_EQ(settings_in("/analysis"), field_count<core::signal::PrepareSettings>() + 1);
   EXPECT_EQ(settings_in("/analysis/hos"), field_count<core::hos::Settings>());
   EXPECT_EQ(settings_in("/analysis/oscillation"), field_count<core::loop::OscillationSettings>());
   EXPECT_EQ(settings_in("/analysis/performance"), field_count<core::loop::PerformanceSettings>());
   EXPECT_EQ(field_count<core::AnalysisSettings>(), 5U) << "a section is not in the table";
-  EXPECT_EQ(field_count<Settings>(), 7U) << "a section is not in the table";
+  EXPECT_EQ(field_count<Settings>(), 9U) << "a section is not in the table";
 }
 
 TEST(SettingTable, NoPathAndNoPlaceStandsInItTwice) {

@@ -28,8 +28,7 @@ bool is_on_span(const Scenario& scenario, const std::vector<double>& pv) {
 }
 
 bool holds(const Draft& draft, const Recipe& recipe, const Series& with) {
-  if (!is_on_span(draft.base, with.pv) || share_at_limit(with.op) > recipe.most_at_limit)
-    return false;
+  if (!stays_in_range(draft.base, with, recipe.most_at_limit)) return false;
   if (draft.conditions.empty()) return true;
   const Series without = simulate(draft.base);
   return std::all_of(draft.conditions.begin(), draft.conditions.end(),
@@ -67,6 +66,10 @@ Draft attempt(const Recipe& recipe, Random& random) {
 }
 
 }  // namespace
+
+bool stays_in_range(const Scenario& scenario, const Series& series, double most_at_limit) {
+  return is_on_span(scenario, series.pv) && share_at_limit(series.op) <= most_at_limit;
+}
 
 Finished finish(std::string_view kind, std::uint64_t seed, Size size) {
   const Recipe& recipe = recipe_of(kind, size);

@@ -56,6 +56,11 @@ struct Draft {
 /// Sets `draft.scenario.sp` to moves of the kind; called again by effects that bend the loop.
 void draw_moves(Draft& draft, Random& random);
 
+/// Whether pv stays on the span of its transmitter and op away from 0 and 100 % except for a share
+/// of the samples of at most `most_at_limit`.
+[[nodiscard]] bool stays_in_range(const Scenario& scenario, const Series& series,
+                                  double most_at_limit);
+
 [[nodiscard]] double standard_deviation(const std::vector<double>& values);
 
 /// A draft whose loop is stable, within its limits and shows its effects, and what it records;

@@ -143,8 +143,9 @@ TEST_F(Analyze, WrongUsage) {
 }
 
 TEST_F(Analyze, EveryCommandHasHelp) {
-  for (const char* command : {"run", "once", "analyze", "reproduce", "calibrate", "simulate",
-                              "import", "loops", "migrate", "maintain", "check-config"}) {
+  for (const char* command :
+       {"run", "once", "analyze", "reproduce", "calibrate", "simulate", "import", "loops",
+        "annotate", "export", "migrate", "maintain", "check-config"}) {
     const ProgramResult result = run_program({LOOPSCOPE_PROGRAM, command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << command;
     EXPECT_THAT(result.out, HasSubstr("Usage:")) << command;

@@ -6,18 +6,15 @@
 #include <stdexcept>
 #include <unistd.h>
 
+#include "tests/support/test_database.hpp"
+
 namespace loopscope::tests {
 namespace {
 
 constexpr const char* kPsql = "/usr/bin/psql";
 
 std::string server_connection() {
-  std::ifstream file(std::filesystem::path(LOOPSCOPE_BINARY_DIR) / "postgres.env");
-  std::string line;
-  const std::string key = "LOOPSCOPE_TEST_DATABASE=";
-  while (std::getline(file, line)) {
-    if (line.starts_with(key)) return line.substr(key.size());
-  }
+  if (auto server = test_server()) return *std::move(server);
   throw std::runtime_error("no test server: run through ctest, which starts one");
 }
 

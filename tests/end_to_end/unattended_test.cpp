@@ -162,7 +162,7 @@ TEST_F(Unattended, ThePagesTellOfLifeReadinessAndFigures) {
   plant.import_loop("FIC101");
   run("", R"("http_address": "127.0.0.1:0")");
   ASSERT_TRUE(becomes(kCount, "1"));
-  const std::string words = "health and metrics: http://127.0.0.1:";
+  const std::string words = "health, metrics and pages: http://127.0.0.1:";
   ASSERT_TRUE(logs(words));
   const std::string text = log();
   const std::string port = std::to_string(std::stoi(text.substr(text.find(words) + words.size())));

@@ -10,6 +10,10 @@ std::filesystem::path source_dir() {
   return LOOPSCOPE_SOURCE_DIR;
 }
 
+std::filesystem::path binary_dir() {
+  return LOOPSCOPE_BINARY_DIR;
+}
+
 std::filesystem::path shared_dir() {
   return source_dir().parent_path() / "shared";
 }

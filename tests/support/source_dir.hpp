@@ -7,6 +7,9 @@ namespace loopscope::tests {
 /// The checkout that the tests were built from.
 [[nodiscard]] std::filesystem::path source_dir();
 
+/// The folder that they were built in.
+[[nodiscard]] std::filesystem::path binary_dir();
+
 /// The folder of shared recordings beside the checkout; tests that need it are skipped, visibly,
 /// where it does not exist.
 [[nodiscard]] std::filesystem::path shared_dir();

@@ -58,7 +58,7 @@ std::string unique_name() {
 }  // namespace
 
 std::optional<std::string> test_server() {
-  std::ifstream file(std::filesystem::path(LOOPSCOPE_BINARY_DIR) / "postgres.env");
+  std::ifstream file(binary_dir() / "postgres.env");
   const std::string key = "LOOPSCOPE_TEST_DATABASE=";
   for (std::string line; std::getline(file, line);) {
     if (line.starts_with(key)) return line.substr(key.size());

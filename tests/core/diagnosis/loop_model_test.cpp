@@ -61,5 +61,23 @@ TEST(LoopModel, NoModelOfDataThatCannotBeJudged) {
   EXPECT_FALSE(diagnose(constant, {}).evidence.model.has_value());
 }
 
+/// Pictures are drawn of the very loop that was judged.
+TEST(LoopModel, TracesAreOfTheSameExplanation) {
+  const simulate::LoopRecord record = simulate::simulate_scenario("sticking_valve", {}, 3);
+  signal::LoopWindow loop;
+  loop.sp = record.sp;
+  loop.pv = record.pv;
+  loop.op = record.op;
+  loop.op_range = signal::OpRange{0.0, 100.0};
+  const FirstLook first = first_look(loop, {});
+  const auto explanation = explain_loop(first, {});
+  const auto traces = trace_loop(first, {});
+  ASSERT_TRUE(explanation && traces);
+  EXPECT_EQ(traces->measured.size(), first.loop.pv.size());
+  ASSERT_EQ(traces->explanation.steps.size(), explanation->steps.size());
+  ASSERT_FALSE(explanation->steps.empty());
+  EXPECT_EQ(traces->explanation.steps[0].evidence, explanation->steps[0].evidence);
+}
+
 }  // namespace
 }  // namespace loopscope::core

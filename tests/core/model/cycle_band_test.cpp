@@ -45,5 +45,12 @@ TEST(CycleBand, PassesTheCycleAndNotTheDrift) {
   EXPECT_LT(amplitude(band.pass(std::vector(500, 7.0))), 1e-9);
 }
 
+TEST(CycleBand, TheDriftIsWhatItTakesOut) {
+  const CycleBand band(30.0);
+  for (const double value : band.drift(std::vector(500, 7.0))) EXPECT_NEAR(value, 7.0, 1e-12);
+  EXPECT_GT(amplitude(band.drift(sine(3000, 600.0))), 0.9);
+  EXPECT_NEAR(amplitude(band.drift(sine(3000, 30.0))), 0.13, 0.02);
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

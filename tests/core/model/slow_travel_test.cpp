@@ -68,6 +68,27 @@ TEST(SlowTravel, TheBandIsTheValves) {
   EXPECT_LT(travel->error_after(), travel->error_before());
 }
 
+/// Mean squares of what the two leave of the means of pv.
+TEST(SlowTravel, TheModelsThatWereComparedCanBeRun) {
+  const Strokes records = strokes(1.4, 0.0, 3);
+  const auto travel = judge_slow_travel(records.pv, records.op);
+  ASSERT_TRUE(travel);
+  const SimulatedTravel simulated = simulate_travel(*travel, records.op);
+  ASSERT_EQ(simulated.linear.size(), kSamples / kTravelMean);
+  ASSERT_EQ(simulated.valve.size(), simulated.linear.size());
+  double linear = 0.0, valve = 0.0;
+  for (std::size_t i = 0; i < simulated.linear.size(); ++i) {
+    double mean = 0.0;
+    for (std::size_t k = 0; k < kTravelMean; ++k) mean += records.pv[i * kTravelMean + k];
+    mean /= static_cast<double>(kTravelMean);
+    linear += std::pow(mean - simulated.linear[i], 2);
+    valve += std::pow(mean - simulated.valve[i], 2);
+  }
+  const auto means = static_cast<double>(simulated.linear.size());
+  EXPECT_NEAR(linear / means / travel->error_before(), 1.0, 0.2);
+  EXPECT_NEAR(valve / means / travel->error_after(), 1.0, 0.2);
+}
+
 TEST(SlowTravel, NothingToJudge) {
   const std::vector<double> still(kSamples, 1.0);
   const Strokes records = strokes(1.0, 0.0, 1);

@@ -47,6 +47,11 @@ void DocumentedRights::read_row(const std::string& privilege, const std::string&
     sequences_.insert(names.begin(), names.end());
   } else if (objects.starts_with("function ")) {
     functions_.insert(names.begin(), names.end());
+  } else if (objects.starts_with("`" + names.front() + "` (") && privilege == "INSERT") {
+    tables_.insert("INSERT " + names.front());
+    partly_.insert(names.front());
+    for (std::size_t k = 1; k < names.size(); ++k)
+      inserted_.insert(names.front() + "." + names[k]);
   } else if (privilege != "UPDATE") {
     for (const std::string& name : names) tables_.insert(privilege + " " + name);
   } else {
@@ -64,6 +69,11 @@ bool DocumentedRights::on_table(const std::string& privilege, const std::string&
 bool DocumentedRights::update_of(const std::string& table, const std::string& column) const {
   const std::string place = table + "." + column;
   return columns_.contains(place) || (all_but_.contains(table) && !exempt_.contains(place));
+}
+
+bool DocumentedRights::insert_of(const std::string& table, const std::string& column) const {
+  if (!partly_.contains(table)) return tables_.contains("INSERT " + table);
+  return inserted_.contains(table + "." + column);
 }
 
 bool DocumentedRights::on_sequence(const std::string& sequence) const {

@@ -14,6 +14,7 @@ class DocumentedRights {
   /// `privilege` is SELECT, INSERT, ...; UPDATE is given by columns alone.
   [[nodiscard]] bool on_table(const std::string& privilege, const std::string& table) const;
   [[nodiscard]] bool update_of(const std::string& table, const std::string& column) const;
+  [[nodiscard]] bool insert_of(const std::string& table, const std::string& column) const;
   [[nodiscard]] bool on_sequence(const std::string& sequence) const;
   [[nodiscard]] bool on_function(const std::string& function) const;
   [[nodiscard]] bool on_schema() const { return schema_; }
@@ -25,6 +26,8 @@ class DocumentedRights {
   bool select_all_ = false;
   std::set<std::string> tables_;     ///< "INSERT verdict"
   std::set<std::string> columns_;    ///< "parameter.value"
+  std::set<std::string> partly_;     ///< tables of which only some columns may be inserted ...
+  std::set<std::string> inserted_;   ///< ... these: "annotation.reason"
   std::set<std::string> all_but_;    ///< tables of which every column may be updated ...
   std::set<std::string> exempt_;     ///< ... but these: "analysis.loop_id"
   std::set<std::string> sequences_;  ///< names

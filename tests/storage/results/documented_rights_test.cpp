@@ -16,8 +16,11 @@ class DocumentedRightsTest : public RoleTest {
  protected:
   /// Role and login.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> everybody() const {
-    return {
-        {"worker", worker}, {"reader", reader}, {"historian", historian}, {"stranger", stranger}};
+    return {{"worker", worker},
+            {"reader", reader},
+            {"engineer", engineer},
+            {"historian", historian},
+            {"stranger", stranger}};
   }
 };
 
@@ -41,17 +44,18 @@ TEST_F(DocumentedRightsTest, EveryTableOfTheSchemaIsReadAndWrittenAsDocumentedAn
   }
 }
 
-TEST_F(DocumentedRightsTest, EveryColumnIsUpdatedAsDocumentedAndNoOther) {
-  for (const auto& [role, user] : {std::pair{"worker", worker}, {"reader", reader}}) {
+TEST_F(DocumentedRightsTest, EveryColumnIsWrittenAsDocumentedAndNoOther) {
+  for (const auto& [role, user] : {std::pair{"worker", worker}, {"reader", reader}, {"engineer", engineer}}) {
     const DocumentedRights rights(role);
     const LoginSession session = log_in(user);
     for (const auto& relation : relations("loopscope")) {
-      for (const std::string& column : columns("loopscope." + relation[0]))
-        expect_state(session,
-                     "UPDATE loopscope." + relation[0] + " SET " + column +
-                         " = DEFAULT"
-                         " WHERE false",
+      for (const std::string& column : columns("loopscope." + relation[0])) {
+        const std::string name = "loopscope." + relation[0];
+        expect_state(session, "UPDATE " + name + " SET " + column + " = DEFAULT WHERE false",
                      rights.update_of(relation[0], column));
+        expect_state(session, "INSERT INTO " + name + " (" + column + ") VALUES (DEFAULT)",
+                     rights.insert_of(relation[0], column));
+      }
     }
   }
 }

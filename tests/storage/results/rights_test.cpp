@@ -97,10 +97,27 @@ TEST_F(RightsTest, WorkerDoesItsWorkAndNoMore) {
 }
 
 TEST_F(RightsTest, ReaderOnlyReads) {
-  for (const char* view :
-       {"latest_verdict", "flagged_loop", "loop_history", "data_quality",
-        "before_after_maintenance", "plant_oscillation_member", "monitor_health", "verdict_kind",
-        "analysis", "parameter", "data_problem", "revised_verdict"}) {
+  for (const char* view : {"latest_verdict",
+                           "flagged_loop",
+                           "loop_history",
+                           "data_quality",
+                           "before_after_maintenance",
+                           "maintenance_window",
+                           "maintenance_figure",
+                           "figure_kind",
+                           "fault_family",
+                           "plant_oscillation_member",
+                           "monitor_health",
+                           "verdict_kind",
+                           "analysis",
+                           "parameter",
+                           "data_problem",
+                           "revised_verdict",
+                           "hidden_loop",
+                           "flag_history",
+                           "current_plant_oscillation",
+                           "annotation_history",
+                           "annotation_in_force"}) {
     expect_allowed(reader, std::string("SELECT * FROM loopscope.") + view);
   }
   for (const char* sql :
@@ -185,6 +202,9 @@ TEST_F(RightsTest, CheckFindsEachRightThatIsMissing) {
         std::pair{"UPDATE (last_seen, held_loops, lost_leases, started_at, program_version,"
                   " algorithm_revision) ON loopscope.worker",
                   "UPDATE on loopscope.worker"},
+        std::pair{"INSERT ON loopscope.flag_notice", "INSERT on loopscope.flag_notice"},
+        std::pair{"EXECUTE ON FUNCTION loopscope.flagged_at",
+                  "EXECUTE on function loopscope.flagged_at"},
         std::pair{"EXECUTE ON FUNCTION loopscope.oldest_program()",
                   "EXECUTE on function loopscope.oldest_program()"}}) {
     database->execute("REVOKE " + std::string(right) + " FROM loopscope_worker");

@@ -16,6 +16,7 @@ void RoleTest::SetUp() {
   owner = database->make_login("loopscope_owner");
   worker = database->make_login("loopscope_worker");
   reader = database->make_login("loopscope_reader");
+  engineer = database->make_login("loopscope_engineer");
   historian = database->make_login("loopscope_historian");
   stranger = database->make_login("");
   migrate(settings_for(*database, owner));

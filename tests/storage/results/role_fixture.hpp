@@ -15,7 +15,7 @@ inline constexpr const char* kRefused = "42501";
 inline constexpr const char* kNotUpdatable = "55000";
 
 /// A schema made by a login of the owner's group, beside a site's own tables, and a login for each
-/// of the four groups and one of none. Every role tries everything: the objects come from the
+/// of the five groups and one of none. Every role tries everything: the objects come from the
 /// catalogue, so that a new one is tried too.
 class RoleTest : public testing::Test {
  protected:
@@ -32,7 +32,7 @@ class RoleTest : public testing::Test {
   [[nodiscard]] std::vector<std::string> columns(const std::string& relation) const;
 
   std::unique_ptr<tests::TestDatabase> database;
-  std::string owner, worker, reader, historian, stranger;
+  std::string owner, worker, reader, engineer, historian, stranger;
 };
 
 /// Commands that change what a table or view is; nobody but its owner may.

@@ -89,7 +89,7 @@ std::vector<std::string> never_allowed_bare() {
 TEST_F(RoleRefusalTest, NobodyLeavesHisTask) {
   const std::string launcher = database->value(
       "SELECT pid FROM pg_stat_activity WHERE backend_type = 'autovacuum launcher'");
-  for (const std::string& user : {owner, worker, reader, historian, stranger}) {
+  for (const std::string& user : {owner, worker, reader, engineer, historian, stranger}) {
     SCOPED_TRACE(user);
     const LoginSession session = log_in(user);
     for (const std::string& command : never_allowed()) {
@@ -104,7 +104,7 @@ TEST_F(RoleRefusalTest, NobodyLeavesHisTask) {
 }
 
 TEST_F(RoleRefusalTest, NobodyButTheOwnerMakesAnything) {
-  for (const std::string& user : {worker, reader, historian, stranger}) {
+  for (const std::string& user : {worker, reader, engineer, historian, stranger}) {
     const LoginSession session = log_in(user);
     for (const char* what : {"TABLE loopscope.p (x int)", "VIEW loopscope.p AS SELECT 1",
                              "SEQUENCE loopscope.p", "TYPE loopscope.p AS (x int)",
@@ -122,13 +122,15 @@ TEST_F(RoleRefusalTest, NobodyBecomesSomebodyElse) {
   const std::vector<std::pair<std::string, std::string>> group{{owner, "loopscope_owner"},
                                                                {worker, "loopscope_worker"},
                                                                {reader, "loopscope_reader"},
+                                                               {engineer, "loopscope_engineer"},
                                                                {historian, "loopscope_historian"},
                                                                {stranger, ""}};
   const auto roles = database->rows(
       "SELECT rolname FROM pg_roles WHERE rolname IN ('postgres', 'loopscope_owner',"
-      " 'loopscope_worker', 'loopscope_reader', 'loopscope_historian', 'pg_read_server_files',"
+      " 'loopscope_worker', 'loopscope_reader', 'loopscope_engineer', 'loopscope_historian',"
+      " 'pg_read_server_files',"
       " 'pg_write_all_data', 'pg_execute_server_program', 'pg_monitor', 'pg_signal_backend')");
-  EXPECT_EQ(roles.size(), 10U);
+  EXPECT_EQ(roles.size(), 11U);
   for (const auto& [user, own] : group) {
     const LoginSession session = log_in(user);
     for (const auto& role : roles) {

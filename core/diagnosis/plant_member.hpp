@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/verdict.hpp"
+#include "core/plant/member_loop.hpp"
+
+namespace loopscope::core::diagnosis {
+
+/// The family that a verdict belongs to.
+[[nodiscard]] plant::Fault fault_of(VerdictCode code);
+
+/// What the loop's own diagnosis tells the plant.
+[[nodiscard]] plant::OwnFindings own_findings(const Evidence& evidence, const Verdict& verdict);
+
+}  // namespace loopscope::core::diagnosis

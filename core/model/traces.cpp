@@ -1,0 +1,136 @@
+#include "core/model/traces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "core/model/judged_stage.hpp"
+#include "core/model/telling_stretch.hpp"
+#include "core/model/told_loop.hpp"
+#include "core/model/witness_simulation.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+TraceStage named(TraceStage stage, EffectKind effect) {
+  stage.effect = effect;
+  return stage;
+}
+
+bool is_of_the_sensor(EffectKind effect) {
+  return effect == EffectKind::sensor_quantisation || effect == EffectKind::sensor_hold;
+}
+
+/// measured less simulated.
+std::vector<double> differences(std::span<const double> measured,
+                                const std::vector<double>& simulated) {
+  std::vector<double> result(measured.size());
+  std::ranges::transform(measured, simulated, result.begin(), std::minus<>());
+  return result;
+}
+
+double mean_square(const std::vector<double>& values) {
+  double sum = 0.0, count = 0.0;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    sum += value * value;
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : kNaN;
+}
+
+void put_simulation(std::span<const double> measured, std::vector<double> simulated,
+                    TraceStage& stage) {
+  stage.simulation_error = mean_square(differences(measured, simulated));
+  stage.simulated = std::move(simulated);
+}
+
+class Stages {
+ public:
+  Stages(const ModelInput& input, const ToldLoop& told)
+      : input_(input), told_(told), story_(told.renewals ? *told.renewals : told.samples) {
+    stages_.push_back(baseline(told.samples, true));
+    const bool by_witness = told.explanation.error_kind == ErrorKind::simulation;
+    if (by_witness) witness_ = simulate_witness(input, told.explanation.steps.back());
+    if (witness_) put_simulation(input.pv, witness_->linear, stages_.front());
+    for (const Step& step : told.explanation.steps)
+      stages_.push_back(named(after(step, by_witness), step.effect));
+  }
+  [[nodiscard]] std::vector<TraceStage> take() { return std::move(stages_); }
+
+ private:
+  [[nodiscard]] TraceStage baseline(const Story& story, bool once) const {
+    return judged_stage(input_.pv, story.data, {story.baseline, story.first_rows, once});
+  }
+
+  [[nodiscard]] TraceStage after(const Step& step, bool by_witness) {
+    const bool held = step.effect == EffectKind::sensor_hold;
+    if (held && told_.renewals) return baseline(*told_.renewals, false);
+    if (is_of_the_sensor(step.effect)) return stages_.back();
+    if (by_witness) return seen_by_witness();
+    return judged_stage(input_.pv, story_.data, story_.chapters[next_++].judged);
+  }
+
+  [[nodiscard]] TraceStage seen_by_witness() const {
+    TraceStage stage;
+    stage.one_step_error = stage.simulation_error = kNaN;
+    if (witness_) put_simulation(input_.pv, witness_->valve, stage);
+    return stage;
+  }
+
+  const ModelInput& input_;
+  const ToldLoop& told_;
+  const Story& story_;  ///< the one with chapters
+  std::optional<WitnessSimulation> witness_;
+  std::vector<TraceStage> stages_;
+  std::size_t next_ = 0;
+};
+
+std::vector<double> errors_of(std::span<const double> measured, const TraceStage& stage,
+                              bool simulated) {
+  return simulated ? differences(measured, stage.simulated) : stage.one_step_residual;
+}
+
+/// What one stage takes off the squared error of another; by simulation where that is all it has.
+std::vector<double> gain_of(std::span<const double> measured, const TraceStage& before,
+                            const TraceStage& after) {
+  const bool simulated = after.one_step_residual.empty();
+  if (simulated && after.simulated.empty()) return std::vector<double>(measured.size(), 0.0);
+  const std::vector<double> old = errors_of(measured, before, simulated);
+  std::vector<double> gain = errors_of(measured, after, simulated);
+  std::ranges::transform(old, gain, gain.begin(), [](double a, double b) { return a * a - b * b; });
+  return gain;
+}
+
+/// Of the first stage that changes the model.
+std::vector<double> first_gain(const ExplanationTraces& traces) {
+  const auto changed = std::ranges::adjacent_find(traces.stages, [](const auto& a, const auto& b) {
+    return a.one_step_error != b.one_step_error;  // NaN of a stage by simulation differs
+  });
+  if (changed == traces.stages.end()) return std::vector<double>(traces.measured.size(), 0.0);
+  return gain_of(traces.measured, *changed, *(changed + 1));
+}
+
+}  // namespace
+
+std::optional<ExplanationTraces> trace_explanation(const ModelInput& input) {
+  constexpr std::size_t kFewestRenewals = 60;  // in a picture
+  std::optional<ToldLoop> told = tell_loop(input);
+  if (!told) return std::nullopt;
+  ExplanationTraces traces;
+  traces.measured.assign(input.pv.begin(), input.pv.end());
+  traces.stages = Stages(input, *told).take();
+  const std::size_t fewest =
+      told->renewals ? kFewestRenewals * told->renewals->data.grid.samples_per_row : 0;
+  const Range stretch = telling_stretch(input.op, first_gain(traces), fewest);
+  traces.telling_from = stretch.first;
+  traces.telling_samples = stretch.size();
+  traces.explanation = std::move(told->explanation);
+  return traces;
+}
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/loop/oscillation.hpp"
+
+namespace loopscope::core::plant {
+
+/// What a loop's own verdict blames, in the families that matter to its neighbours.
+enum class Fault {
+  none,         ///< healthy, or not judged
+  valve,        ///< sticks, has play, saturates, wrong characteristic or size
+  process,      ///< process nonlinearity or change
+  sensor,       ///< sensor fault
+  tuning,       ///< tight or sluggish
+  disturbance,  ///< comes from outside the loop
+  unexplained,  ///< nonlinear or structured without a named cause
+};
+
+/// What the loop's own diagnosis says, as far as it speaks for or against its being the source of
+/// an oscillation that others share. All of it stands in the results schema as well.
+struct OwnFindings {
+  std::optional<double> nonlinear_p;  ///< of the verdict's test of coupling; nullopt = not computed
+  std::optional<double> cubic_p;      ///< f + f + f -> 3f
+  Fault fault = Fault::none;
+  double confidence = 0.0;  ///< of the verdict, 0 to 1
+  /// ln(error before / after), held out, summed over the steps of the explanation that are: a valve
+  /// that sticks or has play; an outside oscillation; any other effect. 0 = none, or no model.
+  double valve_explained = 0.0;
+  double outside_explained = 0.0;
+  double other_explained = 0.0;
+};
+
+/// One loop as the plant sees it. The spans are one length, sample k taken at
+/// start_us + k sample_interval_s; NaN = missing. They have to outlive the call.
+struct MemberLoop {
+  std::int64_t id = 0;             ///< of the catalogue; the caller's
+  std::string name;                ///< for statements
+  double sample_interval_s = 1.0;  ///< > 0
+  std::int64_t start_us = 0;       ///< microseconds UTC since 1970
+  std::span<const double> error;   ///< sp - pv, pv units
+  std::span<const double> sp;      ///< empty = not recorded
+  std::span<const double> pv;      ///< empty = not recorded
+  std::span<const double> op;      ///< empty = not recorded
+  loop::Oscillation oscillation;   ///< of the error
+  OwnFindings own;
+};
+
+}  // namespace loopscope::core::plant

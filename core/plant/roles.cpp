@@ -1,0 +1,61 @@
+#include "core/plant/roles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace loopscope::core::plant {
+namespace {
+
+/// A loop that the oscillation shakes less has other reasons for its verdict.
+constexpr double kVictimStrength = 0.2;
+
+bool blames_equipment(const OwnFindings& own) {
+  return own.fault == Fault::valve || own.fault == Fault::sensor || own.fault == Fault::process;
+}
+
+/// A valve that the loop's own model shows; a process or sensor fault that its verdict is sure of.
+bool keeps_its_place(const SharingLoop& member, const MemberLoop& loop,
+                     const PlantSettings& settings) {
+  if (member.strength < kVictimStrength) return true;
+  return blames_equipment(loop.own) && loop.own.confidence >= settings.own_fault_confidence;
+}
+
+SharingLoop* find(SharedOscillation& event, std::size_t index) {
+  const auto found = std::ranges::find(event.members, index, &SharingLoop::index);
+  return found == event.members.end() ? nullptr : &*found;
+}
+
+void mark_cascade(SharedOscillation& event, const CascadePair& pair) {
+  SharingLoop* const master = find(event, pair.master);
+  SharingLoop* const slave = find(event, pair.slave);
+  if (master == nullptr || slave == nullptr) return;
+  if (master->role == Role::victim) master->role = Role::cascade_master;
+  if (slave->role == Role::victim) slave->role = Role::cascade_slave;
+}
+
+}  // namespace
+
+std::string_view name(Role role) {
+  constexpr std::array<std::string_view, 5> kNames = {"source", "victim", "cascade_master",
+                                                      "cascade_slave", "member"};
+  return kNames.at(static_cast<std::size_t>(role));
+}
+
+bool leaves_work_list(Role role) {
+  return role == Role::victim || role == Role::cascade_master || role == Role::cascade_slave;
+}
+
+void give_roles(SharedOscillation& event, std::span<const MemberLoop> loops,
+                std::span<const CascadePair> cascades, const PlantSettings& settings) {
+  for (SharingLoop& member : event.members) {
+    const bool is_source = event.source && *event.source == member.index;
+    member.role = is_source                                                ? Role::source
+                  : keeps_its_place(member, loops[member.index], settings) ? Role::member
+                                                                           : Role::victim;
+  }
+  for (const CascadePair& pair : cascades) mark_cascade(event, pair);
+}
+
+}  // namespace loopscope::core::plant

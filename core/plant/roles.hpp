@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/plant/cascade.hpp"
+#include "core/plant/shared_oscillation.hpp"
+
+namespace loopscope::core::plant {
+
+/// Gives every member but the source its role.
+///
+/// A loop keeps its place on the work list (`member`) when its own verdict blames a valve, a sensor
+/// or the process with enough confidence, or when the oscillation is only a small part of what its
+/// error does. Of a cascade both of whose loops are members, the master of a slave that makes the
+/// cycle is `cascade_master`, the slave of a master that does is `cascade_slave`.
+void give_roles(SharedOscillation& event, std::span<const MemberLoop> loops,
+                std::span<const CascadePair> cascades, const PlantSettings& settings);
+
+}  // namespace loopscope::core::plant

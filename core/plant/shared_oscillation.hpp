@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/plant/member_loop.hpp"
+
+namespace loopscope::core::plant {
+
+/// What a loop is in a shared oscillation.
+enum class Role {
+  source,          ///< named as the cause
+  victim,          ///< carries the oscillation; nothing of its own is shown: leaves the work list
+  cascade_master,  ///< its output is the setpoint of a member, and it passes the oscillation on
+  cascade_slave,   ///< follows a member's output: leaves the work list
+  member,          ///< shares it, but a fault of its own is shown: stays on the work list
+};
+/// The word of the results schema.
+[[nodiscard]] std::string_view name(Role role);
+/// Whether the loop's oscillation needs no work order of its own.
+[[nodiscard]] bool leaves_work_list(Role role);
+
+/// One loop of a shared oscillation.
+struct SharingLoop {
+  std::size_t index = 0;  ///< in the loops that were given
+  std::int64_t id = 0;
+  Role role = Role::victim;
+  double strength = 0.0;  ///< share of the error's variance at the period and its harmonics, 0 to 1
+  /// How much later than the source (without one: than the first of the ranking) the fundamental
+  /// arrives, within half a period either way; the sign of a process gain is half a period.
+  double lag_s = 0.0;
+  double p = 1.0;      ///< that a loop of its own oscillation keeps step with the others so well
+  double score = 0.0;  ///< probability of being the source, as in the ranking
+};
+
+/// How one member stands as the source.
+struct SourceCandidate {
+  std::size_t index = 0;
+  std::int64_t id = 0;
+  double score = 0.0;                ///< probability of being the source, 0 to 1
+  std::vector<std::string> reasons;  ///< what speaks for and against it, with figures
+};
+
+/// One oscillation that several loops share: one event, one work order.
+struct SharedOscillation {
+  double period_s = 0.0;
+  /// Probability that a plant of so many independent oscillating loops shows loops that keep step
+  /// so well anywhere.
+  double p = 1.0;
+  std::vector<SharingLoop> members;      ///< the source first, then by strength; at least two
+  std::vector<SourceCandidate> ranking;  ///< every member, most likely source first
+  double outside = 0.0;  ///< probability that the cause is none of the members, 0 to 1
+  /// In the loops that were given; nullopt = no member stands out, or the cause lies outside.
+  std::optional<std::size_t> source;
+  std::string statement;  ///< for people: period, members, source, why, what to do
+};
+
+/// Limits of the search.
+struct PlantSettings {
+  /// Largest p of an event: of so many plants of independent loops, one shows a false one.
+  double event_p = 0.01;
+  double member_rate = 0.05;          ///< false share of an event's further members
+  double least_source = 0.5;          ///< score below which no source is named
+  double own_fault_confidence = 0.6;  ///< of the verdict with which a member keeps its place
+};
+
+/// Which of `loops` share an oscillation, and where it comes from.
+///
+/// Candidates by period, then by keeping step: the phase and amplitude of each loop's fundamental
+/// wander, and loops that share an oscillation wander together (in_step.hpp). Only loops whose own
+/// record shows an oscillation (may_begin_event of line_pairs.hpp) begin an event; every other one
+/// that is given may join. A loop belongs to the event of its own period, a loop without one to the
+/// event that it follows most clearly. Sample intervals, starts and lengths may differ; what is
+/// compared is the time in common. Strongest evidence first; the same input gives the same output.
+/// Throws std::invalid_argument for spans of different lengths, an interval that is not positive,
+/// and settings outside 0 to 1.
+[[nodiscard]] std::vector<SharedOscillation> find_shared_oscillations(
+    std::span<const MemberLoop> loops, const PlantSettings& settings = {});
+
+}  // namespace loopscope::core::plant

@@ -1,0 +1,71 @@
+#include "core/plant/statement.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "core/model/phrases.hpp"
+
+namespace loopscope::core::plant {
+namespace {
+
+/// More names do not help in one sentence; the list of members has them all.
+constexpr std::size_t kNamed = 6;
+
+std::string name_of(const MemberLoop& loop) {
+  return loop.name.empty() ? "loop " + std::to_string(loop.id) : loop.name;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  const std::size_t shown = std::min(kNamed, names.size());
+  for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "" : ", ") + names[k];
+  if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
+  return text;
+}
+
+std::vector<std::string> names_in_role(const SharedOscillation& event,
+                                       std::span<const MemberLoop> loops, Role role) {
+  std::vector<std::string> names;
+  for (const SharingLoop& member : event.members)
+    if (member.role == role) names.push_back(name_of(loops[member.index]));
+  return names;
+}
+
+std::string what(const SharedOscillation& event, std::span<const MemberLoop> loops) {
+  std::vector<std::string> names;
+  for (const SharingLoop& member : event.members) names.push_back(name_of(loops[member.index]));
+  return std::to_string(names.size()) + " loops share an oscillation with a period of " +
+         model::in_time(event.period_s) + ": " + listed(names) + ".";
+}
+
+std::string where_from(const SharedOscillation& event, std::span<const MemberLoop> loops) {
+  const SourceCandidate& first = event.ranking.front();
+  const std::string name = name_of(loops[first.index]);
+  if (event.source)
+    return " It comes from " + name + " (probability " + model::in_percent(first.score) + "). " +
+           first.reasons.front() + " Repair " + name +
+           " first; the others follow it and should calm down without work of their own.";
+  if (event.outside > first.score)
+    return " No member stands out as its source (most likely " + name + ", " +
+           model::in_percent(first.score) +
+           "): look at what these loops have in common upstream, "
+           "at supplies and at loops that are not recorded.";
+  return " Its source is not clear: " + name + " is the most likely member (" +
+         model::in_percent(first.score) + "). Put its controller in manual for a few periods and " +
+         "see whether the others calm down.";
+}
+
+std::string own_faults(const SharedOscillation& event, std::span<const MemberLoop> loops) {
+  const std::vector<std::string> names = names_in_role(event, loops, Role::member);
+  if (names.empty()) return {};
+  return " With a finding of their own, and kept on the list: " + listed(names) + ".";
+}
+
+}  // namespace
+
+std::string statement_of(const SharedOscillation& event, std::span<const MemberLoop> loops) {
+  return what(event, loops) + where_from(event, loops) + own_faults(event, loops);
+}
+
+}  // namespace loopscope::core::plant

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "daemon/recording/csv_table.hpp"
+#include "storage/results/maintenance.hpp"
+
+namespace loopscope::daemon {
+
+/// One entry of the log of work out of the words of a user; without a zone `at` is UTC. Throws
+/// std::invalid_argument naming what is wrong: a time that is none, an unknown kind (with the
+/// nearest one), no description.
+[[nodiscard]] storage::MaintenanceEntry maintenance_entry(std::string_view loop,
+                                                          std::string_view at,
+                                                          std::string_view kind,
+                                                          std::string_view description);
+
+/// Entries out of a table with the columns loop, at, kind and description in any order. Throws
+/// Failure (unusable_data) naming line and column.
+[[nodiscard]] std::vector<storage::MaintenanceEntry> parse_maintenance(const CsvTable& table);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,24 @@
+#include "daemon/catalogue/unknown_loop.hpp"
+
+#include <fmt/format.h>
+#include <optional>
+#include <vector>
+
+#include "config/nearest_name.hpp"
+
+namespace loopscope::daemon {
+
+Failure unknown_loop(const std::string& name, storage::Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const storage::CatalogueEntry& entry : catalogue.list()) names.push_back(entry.name);
+  const std::optional<std::string> nearest = config::nearest_name(name, names);
+  const std::string all = "loopscope loops --config F lists them";
+  return {ExitCode::usage, fmt::format("no loop named \"{}\" in the catalogue", name),
+          nearest ? fmt::format("did you mean \"{}\"? {}", *nearest, all) : all};
+}
+
+void require_loop(const std::string& name, storage::Catalogue& catalogue) {
+  if (!catalogue.find(name)) throw unknown_loop(name, catalogue);
+}
+
+}  // namespace loopscope::daemon

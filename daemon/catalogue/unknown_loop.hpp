@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "daemon/failure.hpp"
+#include "storage/results/catalogue.hpp"
+
+namespace loopscope::daemon {
+
+/// Says that the catalogue has no such loop, and which name was probably meant.
+[[nodiscard]] Failure unknown_loop(const std::string& name, storage::Catalogue& catalogue);
+
+/// Throws it unless the catalogue has the loop.
+void require_loop(const std::string& name, storage::Catalogue& catalogue);
+
+}  // namespace loopscope::daemon

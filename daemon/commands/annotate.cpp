@@ -1,0 +1,203 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "config/nearest_name.hpp"
+#include "config/read_settings.hpp"
+#include "daemon/catalogue/unknown_loop.hpp"
+#include "daemon/commands/commands.hpp"
+#include "daemon/failure.hpp"
+#include "daemon/output/annotation_text.hpp"
+#include "daemon/output/printable.hpp"
+#include "daemon/recording/time_text.hpp"
+#include "daemon/service/storage_settings.hpp"
+#include "storage/results/annotations.hpp"
+#include "storage/results/catalogue.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+struct AnnotateOptions {
+  std::string config, loop, code, until, reason;
+};
+
+using Options = std::shared_ptr<AnnotateOptions>;
+
+constexpr const char* kAnyCode = "any";
+
+struct Opened {
+  explicit Opened(const AnnotateOptions& options)
+      : connection(owner_connection(config::read_settings(options.config))),
+        annotations(connection) {
+    if (options.loop.empty()) return;
+    storage::Catalogue catalogue(connection);
+    require_loop(options.loop, catalogue);
+  }
+  storage::ConnectionSettings connection;
+  storage::Annotations annotations;
+};
+
+void require_loop_option(const AnnotateOptions& options) {
+  if (options.loop.empty()) {
+    throw Failure(ExitCode::usage, "--loop is missing", "name the loop: --loop NAME");
+  }
+}
+
+/// A verdict's code, or `any`; empty stands for what was not said.
+void require_known(const std::string& code, const std::vector<std::string>& codes) {
+  if (code.empty() || code == kAnyCode || std::ranges::count(codes, code) > 0) return;
+  const std::optional<std::string> nearest = config::nearest_name(code, codes);
+  throw Failure(ExitCode::usage, fmt::format("--code \"{}\" is no verdict of a fault", code),
+                nearest ? fmt::format("did you mean {}? `loopscope export --config F verdict_kind` "
+                                      "lists them",
+                                      *nearest)
+                        : "`loopscope export --config F verdict_kind` lists them; `any` is all");
+}
+
+/// What is said about a verdict is about the newest one, unless another is named.
+std::optional<std::string> verdict_meant(const AnnotateOptions& options,
+                                         storage::Annotations& annotations) {
+  const std::vector<std::string> codes = annotations.fault_codes();
+  require_known(options.code, codes);
+  if (options.code == kAnyCode) return std::nullopt;
+  if (!options.code.empty()) return options.code;
+  const std::optional<std::string> newest = annotations.newest_code(options.loop);
+  if (newest && std::ranges::count(codes, *newest) > 0) return newest;
+  throw Failure(ExitCode::usage,
+                fmt::format("loop \"{}\" has no fault: {}", options.loop,
+                            newest ? "its newest verdict is " + *newest : "it was never analysed"),
+                "name the verdict that is meant: --code CODE, or --code any");
+}
+
+std::int64_t parse_until(const std::string& text) {
+  auto until = parse_time(text);
+  if (!until) until = parse_time(text + "T00:00:00Z");  // a date alone
+  if (!until) {
+    throw Failure(ExitCode::usage, fmt::format("--until \"{}\" is not a time", text),
+                  "write ISO 8601, e.g. 2026-05-01 or 2026-05-01T06:00:00Z");
+  }
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  if (*until <= std::chrono::duration_cast<std::chrono::microseconds>(now).count()) {
+    throw Failure(ExitCode::usage, fmt::format("--until {} has passed", format_time(*until)),
+                  "name a time to come; without a zone it is UTC");
+  }
+  return *until;
+}
+
+void say(Opened& opened, const storage::Annotation& annotation) {
+  const std::optional<std::size_t> replaced = opened.annotations.add(annotation);
+  if (!replaced) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("loop \"{}\" has just been removed", annotation.loop_name),
+                  "loopscope loops --config F lists them");
+  }
+  std::cout << annotation_line(annotation)
+            << (*replaced > 0 ? "; it takes the place of an older one\n" : "\n");
+}
+
+void annotate_verdict(const AnnotateOptions& options, const char* kind) {
+  require_loop_option(options);
+  Opened opened(options);
+  say(opened, {options.loop, kind, verdict_meant(options, opened.annotations), std::nullopt,
+               options.reason, "", 0});
+}
+
+void acknowledge(const AnnotateOptions& options) {
+  annotate_verdict(options, "acknowledged");
+}
+
+void call_false(const AnnotateOptions& options) {
+  annotate_verdict(options, "false_positive");
+}
+
+void suppress(const AnnotateOptions& options) {
+  require_loop_option(options);
+  const std::int64_t until_us = parse_until(options.until);
+  if (options.reason.empty()) {
+    throw Failure(ExitCode::usage, "--reason is empty", "say why, for those who ask later");
+  }
+  Opened opened(options);
+  require_known(options.code, opened.annotations.fault_codes());
+  const bool any = options.code.empty() || options.code == kAnyCode;
+  say(opened, {options.loop, "suppressed", any ? std::nullopt : std::optional(options.code),
+               until_us, options.reason, "", 0});
+}
+
+void withdraw(const AnnotateOptions& options) {
+  require_loop_option(options);
+  Opened opened(options);
+  const bool all = options.code.empty() || options.code == kAnyCode;
+  const std::size_t count =
+      opened.annotations.withdraw(options.loop, all ? std::nullopt : std::optional(options.code));
+  if (count == 0) {
+    throw Failure(ExitCode::usage, fmt::format("nothing to withdraw of loop \"{}\"", options.loop),
+                  "loopscope annotate --config F list shows what holds");
+  }
+  std::cout << fmt::format("withdrew {} of {}\n", count, printable(options.loop));
+}
+
+void list(const AnnotateOptions& options) {
+  Opened opened(options);
+  std::vector<storage::Annotation> annotations = opened.annotations.in_force();
+  if (!options.loop.empty()) {
+    std::erase_if(annotations, [&](const storage::Annotation& annotation) {
+      return annotation.loop_name != options.loop;
+    });
+  }
+  std::cout << annotation_table(annotations);
+}
+
+CLI::App& add_action(CLI::App& annotate, const char* name, const char* description,
+                     const Options& options, void (*carry_out)(const AnnotateOptions&)) {
+  CLI::App& command = *annotate.add_subcommand(name, description);
+  command.fallthrough();
+  command.callback([options, carry_out] { carry_out(*options); });
+  return command;
+}
+
+void add_code(CLI::App& command, const Options& options, const char* without) {
+  command.add_option("--code", options->code,
+                     fmt::format("Verdict that it is about, or any (default: {})", without));
+}
+
+CLI::Option* add_reason(CLI::App& command, const Options& options) {
+  return command.add_option("--reason", options->reason, "Why, for those who ask later");
+}
+
+}  // namespace
+
+void add_annotate(CLI::App& program) {
+  CLI::App& annotate = *program.add_subcommand(
+      "annotate", "Acknowledges, suppresses or calls false what was found of a loop");
+  const auto options = std::make_shared<AnnotateOptions>();
+  annotate.add_option("--config", options->config, "Settings file")->required();
+  annotate.add_option("--loop", options->loop, "Loop");
+  annotate.require_subcommand(1);
+  constexpr const char* kNewest = "the newest";
+  constexpr const char* kWhatever = "any";
+  CLI::App& known = add_action(annotate, "acknowledge",
+                               "Known, work is planned: off the list while the verdict stays",
+                               options, acknowledge);
+  add_code(known, options, kNewest);
+  add_reason(known, options);
+  CLI::App& quiet = add_action(annotate, "suppress", "Off the list until a time, for a reason",
+                               options, suppress);
+  quiet.add_option("--until", options->until, "ISO 8601; a date alone is its first moment in UTC")
+      ->required();
+  add_reason(quiet, options)->required();
+  add_code(quiet, options, kWhatever);
+  CLI::App& wrong =
+      add_action(annotate, "false-positive", "The verdict is wrong: off the list until withdrawn",
+                 options, call_false);
+  add_code(wrong, options, kNewest);
+  add_reason(wrong, options);
+  CLI::App& back = add_action(annotate, "withdraw", "Takes back what holds", options, withdraw);
+  add_code(back, options, kWhatever);
+  add_action(annotate, "list", "What holds, and who said it", options, list);
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/results/annotations.hpp"
+
+namespace loopscope::daemon {
+
+/// What holds, a line each, under a line of headings; a sentence where nothing does.
+[[nodiscard]] std::string annotation_table(const std::vector<storage::Annotation>& annotations);
+
+/// "suppressed FIC101, whatever the verdict, until 2026-05-01T00:00:00Z".
+[[nodiscard]] std::string annotation_line(const storage::Annotation& annotation);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "config/settings.hpp"
+#include "core/signal/loop_window.hpp"
+#include "daemon/service/lane_tools.hpp"
+#include "storage/results/plant_candidates.hpp"
+
+namespace loopscope::daemon {
+
+/// What the comparison of all loops takes from one window, made ready as for the analysis. Equal
+/// lengths; all empty = the historian no longer has the rows.
+struct PlantSeries {
+  double sample_interval_s = 1.0;
+  std::int64_t start_us = 0;
+  core::signal::Samples error;
+  core::signal::Samples sp;  ///< empty = not recorded, or it moves too rarely for a cascade
+  core::signal::Samples op;  ///< %, or op units; empty = not recorded
+};
+
+/// Reads the newest windows of the candidates again, in their order, a batch of one historian at a
+/// time; stops early, with an empty list, when the process shall end. A window holds 100 kB in the
+/// end at most. Throws storage::DatabaseError when a historian is away, Failure when the settings
+/// have no such source.
+[[nodiscard]] std::vector<PlantSeries> read_plant_series(
+    std::span<const storage::PlantCandidate> candidates, const config::Settings& settings,
+    LaneTools& tools);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,95 @@
+#include "daemon/plant/plant_watch.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <utility>
+
+#include "daemon/failure.hpp"
+#include "daemon/output/printable.hpp"
+#include "daemon/plant/plant_round.hpp"
+#include "daemon/service/stopwatch.hpp"
+#include "daemon/service/storage_settings.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+constexpr const char* kSubject = "plant round";
+/// Another worker that is at it may be lost with its turn: so long, and others look again.
+constexpr double kLookAgain_s = 60.0;
+
+/// nullopt = the turn is another worker's.
+std::optional<double> round_when_due(storage::PlantRounds& rounds, double every_s,
+                                     const config::Settings& settings, LaneTools& tools) {
+  const std::optional<double> wait_s = rounds.take_turn(every_s);
+  if (!wait_s || *wait_s > 0.0) return wait_s;
+  Stopwatch watch;
+  if (const auto round = make_plant_round(rounds, settings, tools))
+    spdlog::info("plant round: {} ({:.1f} s)", printable(round_text(*round)), watch.lap_s());
+  return every_s;
+}
+
+void announce(storage::PlantRounds& rounds) {
+  const storage::FlagAnnouncement news = rounds.announce_flags();
+  for (const storage::FlagNotice& notice : news.flagged)
+    spdlog::info("newly flagged: {}, {} ({:.2f})", printable(notice.loop_name), notice.code,
+                 notice.confidence);
+}
+
+}  // namespace
+
+PlantWatch::PlantWatch(std::shared_ptr<const config::Settings> settings, LaneTools& tools)
+    : tools_(tools),
+      settings_(std::move(settings)),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+void PlantWatch::use(std::shared_ptr<const config::Settings> settings) {
+  const std::lock_guard lock(mutex_);
+  settings_ = std::move(settings);
+  changed_.notify_all();
+}
+
+void PlantWatch::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    std::unique_lock lock(mutex_);
+    const auto in_force = settings_;
+    lock.unlock();
+    const std::chrono::duration<double> pause(look(*in_force));
+    lock.lock();
+    changed_.wait_for(lock, stop, pause, [&] { return settings_ != in_force; });
+  }
+}
+
+double PlantWatch::look(const config::Settings& settings) {
+  const config::PlantSettings& plant = settings.plant;
+  double pause_s = kLookAgain_s;
+  if (plant.round_s <= 0.0 && plant.notice_s <= 0.0) return pause_s;
+  try {
+    storage::PlantRounds rounds(results_connection(settings));
+    if (plant.round_s > 0.0) {
+      const auto wait_s = round_when_due(rounds, plant.round_s, settings, tools_);
+      pause_s = std::min(pause_s, wait_s.value_or(kLookAgain_s));
+    }
+    if (plant.notice_s > 0.0) {
+      announce(rounds);
+      pause_s = std::min(pause_s, plant.notice_s);
+    }
+    tools_.faults.recovered(kSubject);
+    return pause_s;
+  } catch (const storage::DatabaseError& error) {
+    tools_.faults.fault(kSubject, std::string(error.what()) + " HINT: " + error.hint());
+  } catch (const Failure& failure) {
+    tools_.faults.fault(kSubject, std::string(failure.what()) + " HINT: " + failure.hint());
+  } catch (const std::exception& error) {
+    tools_.faults.fault(kSubject, error.what());
+  }
+  return settings.schedule.poll_s;
+}
+
+void compare_all_loops(const config::Settings& settings, LaneTools& tools) {
+  storage::PlantRounds rounds(results_connection(settings));
+  if (settings.plant.round_s > 0.0) round_when_due(rounds, 0.0, settings, tools);
+  announce(rounds);
+}
+
+}  // namespace loopscope::daemon

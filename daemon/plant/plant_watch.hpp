@@ -1,0 +1,40 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "config/settings.hpp"
+#include "daemon/service/lane_tools.hpp"
+
+namespace loopscope::daemon {
+
+/// What is to be said of all loops together, on a thread of its own: compares them with each other
+/// every `plant.round_s` (one worker of the plant at a time does), and tells listeners of the
+/// results database of loops that are newly flagged (NOTIFY), every `plant.notice_s`. Lanes go on
+/// whatever happens here; a database that is away is a fault for the log.
+class PlantWatch {
+ public:
+  PlantWatch(std::shared_ptr<const config::Settings> settings, LaneTools& tools);
+
+  void use(std::shared_ptr<const config::Settings> settings);
+
+ private:
+  void run(const std::stop_token& stop);
+  /// Does what is due; seconds until the next look.
+  double look(const config::Settings& settings);
+
+  LaneTools& tools_;
+  std::mutex mutex_;  ///< over settings_
+  std::shared_ptr<const config::Settings> settings_;
+  std::condition_variable_any changed_;
+  std::jthread thread_;  // last: it ends before what it uses
+};
+
+/// One comparison of all loops now, and the notices that follow, for a single pass; says in the log
+/// what it found. Another worker that is at it is left alone. Throws storage::DatabaseError and
+/// Failure.
+void compare_all_loops(const config::Settings& settings, LaneTools& tools);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,44 @@
+#include "daemon/replay/repeat_analysis.hpp"
+
+#include <array>
+#include <fmt/format.h>
+
+#include "config/analysis_settings_json.hpp"
+#include "daemon/failure.hpp"
+#include "daemon/service/analyse_window.hpp"
+#include "daemon/service/past_slot.hpp"
+#include "daemon/service/row_memory.hpp"
+#include "daemon/service/storage_settings.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+LoopInput read_input(const config::Settings& settings, const storage::StoredAnalysis& stored,
+                     const core::AnalysisSettings& analysis) {
+  const config::HistorianSettings& source = find_historian(settings, stored.loop.source);
+  storage::HistorianReader historian(historian_connection(source), historian_layout(source));
+  const std::array slots{past_slot(stored.loop, stored.slot_end_us)};
+  RowMemory memory;
+  CoreGate cores(1);
+  ProgressBoard board;
+  return std::move(read_inputs(historian, slots, analysis, memory, {cores, board.desk()}).front());
+}
+
+}  // namespace
+
+storage::AnalysisRecord repeat_analysis(const config::Settings& settings,
+                                        const storage::StoredAnalysis& stored) {
+  core::AnalysisSettings analysis = config::parse_analysis_settings(stored.settings_json);
+  const std::string words = config::analysis_settings_json(analysis);
+  const LoopInput input = read_input(settings, stored, analysis);
+  if (input.at_slot.window.size() == 0) {
+    throw Failure(ExitCode::unusable_data,
+                  fmt::format("the historian {} has no row of {} in that window any more",
+                              stored.loop.source, stored.loop.pv_tag),
+                  "only what the historian still keeps can be done again");
+  }
+  analysis.fit_model = stored.modelled;
+  return analyse_window(stored.loop, input, analysis, words);
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,99 @@
+#include "daemon/report/live_reader.hpp"
+
+#include <utility>
+
+#include "daemon/failure.hpp"
+#include "daemon/report/draw_figures.hpp"
+#include "daemon/report/html_text.hpp"
+#include "daemon/report/loop_list.hpp"
+#include "daemon/report/page.hpp"
+#include "daemon/report/page_text.hpp"
+#include "daemon/report/plant_section.hpp"
+#include "daemon/report/tell_loop.hpp"
+#include "daemon/service/storage_settings.hpp"
+#include "storage/results/catalogue.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+/// What is new on a page without a beginning of its own.
+constexpr std::int64_t kNewWithinUs = std::int64_t{7} * 86'400 * 1'000'000;
+constexpr std::size_t kMostSeen = 8;
+constexpr const char* kNavigation =
+    "<nav><a href=\"/\">Plant</a><a href=\"/loops\">All loops</a></nav>";
+
+std::string titled(const std::string& plant, const std::string& words) {
+  return plant.empty() ? words : plant + ": " + words;
+}
+
+LivePage no_such_loop(const std::string& name) {
+  return {page({"No such loop", "", kNavigation},
+               "<p class=\"trouble\">The catalogue has no loop named <bdi>" + html(name) +
+                   "</bdi>, or it was never analysed.</p>\n"),
+          false};
+}
+
+}  // namespace
+
+LivePage LiveReader::plant() {
+  storage::ReportDatabase database(results_connection(*settings_));
+  const std::int64_t now_us = database.counts(0).now_us;
+  const std::int64_t since_us = now_us - kNewWithinUs;
+  const PlantFacts facts{settings_->report.plant,       since_us,
+                         database.counts(since_us),     database.flagged(),
+                         database.plant_oscillations(), database.repairs(since_us)};
+  return {page({titled(facts.plant, "control loops"), "as of " + utc(now_us), kNavigation},
+               plant_section(facts, LoopLinks::pages))};
+}
+
+LivePage LiveReader::loops() {
+  storage::ReportDatabase database(results_connection(*settings_));
+  const auto rows = database.loops();
+  return {page({titled(settings_->report.plant, "all loops"),
+                counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), kNavigation},
+               loop_list(rows))};
+}
+
+const LiveReader::Seen* LiveReader::seen(const storage::FlaggedRow& row) const {
+  for (const Seen& one : seen_) {
+    if (one.analysis_id == row.analysis_id && one.input_revision == row.input_revision) return &one;
+  }
+  return nullptr;
+}
+
+void LiveReader::look(LoopStory& story, const std::stop_token& stop) {
+  if (const Seen* before = seen(story.row)) {
+    story.evidence = before->story.evidence;
+    story.pictures = before->story.pictures;
+    story.trouble = before->story.trouble;
+    return;
+  }
+  const auto entry = storage::Catalogue(results_connection(*settings_)).find(story.row.loop_name);
+  if (!entry) return;
+  try {
+    const std::filesystem::path gnuplot = find_gnuplot();
+    illustrate(story, *entry, windows_.read(*entry, story.row.slot_end_us), settings_->analysis,
+               gnuplot, stop);
+  } catch (const Failure& failure) {
+    story.trouble = failure.what();
+  }
+  if (!story.evidence) return;
+  seen_.push_front({story.row.analysis_id, story.row.input_revision, story});
+  if (seen_.size() > kMostSeen) seen_.pop_back();
+}
+
+LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) {
+  LoopStory story;
+  {
+    storage::ReportDatabase database(results_connection(*settings_));
+    const auto row = database.latest(name);
+    if (!row) return no_such_loop(name);
+    story = read_story(database, *row);
+  }
+  look(story, stop);
+  return {page({titled(settings_->report.plant, name), "window until " + utc(story.row.slot_end_us),
+                kNavigation},
+               loop_section(story))};
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include "config/settings.hpp"
+#include "daemon/report/loop_section.hpp"
+#include "daemon/report/window_source.hpp"
+#include "storage/results/report_database.hpp"
+
+namespace loopscope::daemon {
+
+struct LivePage {
+  std::string html;
+  bool found = true;  ///< false: there is no such loop, or it was never analysed
+};
+
+/// Reads and writes the daemon's pages; for one thread at a time. A loop that was looked at a
+/// moment ago is not looked at again before it has another analysis. Every function throws
+/// storage::DatabaseError when the results are away.
+class LiveReader {
+ public:
+  explicit LiveReader(std::shared_ptr<const config::Settings> settings)
+      : settings_(std::move(settings)), windows_(*settings_) {}
+
+  /// The first screen, with what is new since a week.
+  [[nodiscard]] LivePage plant();
+  /// Every loop of the catalogue.
+  [[nodiscard]] LivePage loops();
+  /// One loop with its pictures; without a plotting program its words and figures.
+  [[nodiscard]] LivePage loop(const std::string& name, const std::stop_token& stop);
+
+ private:
+  /// The costly part of a story, by the analysis that it belongs to.
+  struct Seen {
+    std::int64_t analysis_id = 0;
+    int input_revision = 0;
+    LoopStory story;
+  };
+
+  void look(LoopStory& story, const std::stop_token& stop);
+  [[nodiscard]] const Seen* seen(const storage::FlaggedRow& row) const;
+
+  std::shared_ptr<const config::Settings> settings_;
+  WindowSource windows_;
+  std::deque<Seen> seen_;  ///< newest first
+};
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,70 @@
+#include "daemon/report/loop_list.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "daemon/report/html_text.hpp"
+#include "daemon/report/loop_link.hpp"
+#include "daemon/report/page_text.hpp"
+#include "daemon/report/verdict_words.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using storage::LoopRow;
+
+/// A browser lays out no more with ease; loopscope.latest_verdict has all.
+constexpr std::size_t kMostRows = 5000;
+
+constexpr const char* kDash = "\u2013";
+
+std::string status_of(const LoopRow& row) {
+  if (row.status) return *row.status;
+  if (row.hidden_by) return "hidden: " + *row.hidden_by;
+  return row.code ? "not flagged" : "never analysed";
+}
+
+std::string verdict_cell(const LoopRow& row) {
+  if (!row.code) return std::string("<td data-label=\"Verdict\">") + kDash + "</td>";
+  return fmt::format("<td data-label=\"Verdict\"><span class=\"verdict {}\">{}</span></td>",
+                     html(*row.code), html(as_heading(*row.code)));
+}
+
+std::string loop_row(const LoopRow& row) {
+  return fmt::format(
+             "<tr data-verdict=\"{}\" data-status=\"{}\"><td class=\"loop-name\" "
+             "data-label=\"Loop\"><a href=\"{}\"><bdi>{}</bdi></a></td><td data-label=\"Type\">{}"
+             "</td><td data-label=\"Source\"><bdi>{}</bdi></td>",
+             html(row.code ? as_heading(*row.code) : ""), html(status_of(row)),
+             loop_link(LoopLinks::pages, row.loop_id, row.name), html(row.name),
+             html(row.loop_type.value_or(kDash)), html(row.source)) +
+         verdict_cell(row) +
+         fmt::format(
+             "<td class=\"number\" data-label=\"Confidence\" data-sort=\"{:.6g}\">{}</td>"
+             "<td data-label=\"Status\">{}</td><td data-label=\"Rank\" class=\"number\" "
+             "data-sort=\"{}\">{}</td><td class=\"when\" data-label=\"Window\">{}</td>"
+             "<td data-label=\"Monitor\">{}</td></tr>\n",
+             row.confidence.value_or(-1.0), row.confidence ? two_decimals(*row.confidence) : kDash,
+             html(status_of(row)), row.rank.value_or(1'000'000'000),
+             row.rank ? std::to_string(*row.rank) : kDash,
+             row.slot_end_us ? utc(*row.slot_end_us) : kDash, html(in_words(row.health)));
+}
+
+}  // namespace
+
+std::string loop_list(const std::vector<LoopRow>& rows) {
+  std::string text =
+      "<table class=\"loops sortable filterable\"><thead><tr><th>Loop</th><th>Type</th>"
+      "<th>Source</th><th>Verdict</th><th class=\"number\">Confidence</th><th>Status</th>"
+      "<th class=\"number\">Rank</th><th>Window until</th><th>Monitor</th></tr></thead><tbody>\n";
+  for (std::size_t k = 0; k < std::min(rows.size(), kMostRows); ++k) text += loop_row(rows[k]);
+  text += "</tbody></table>\n";
+  if (rows.size() > kMostRows)
+    text += fmt::format(
+        "<p class=\"note\">The first {} of {} loops; all of them: SELECT * FROM "
+        "loopscope.latest_verdict.</p>\n",
+        kMostRows, rows.size());
+  return text;
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,179 @@
+#include "daemon/report/loop_section.hpp"
+
+#include <fmt/format.h>
+#include <iterator>
+
+#include "core/diagnosis/model_words.hpp"
+#include "core/model/phrases.hpp"
+#include "daemon/report/compact_svg.hpp"
+#include "daemon/report/data_section.hpp"
+#include "daemon/report/html_text.hpp"
+#include "daemon/report/page_text.hpp"
+#include "daemon/report/repairs_table.hpp"
+#include "daemon/report/verdict_words.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using core::model::Explanation;
+using core::model::Parameter;
+using core::model::Step;
+using storage::FlaggedRow;
+
+std::string facts_line(const FlaggedRow& row) {
+  std::string text = row.loop_type ? html(*row.loop_type) + " loop" : "loop";
+  text += ", source <bdi>" + html(row.source) + "</bdi>";
+  if (row.rank > 0)
+    text += fmt::format(
+        ", score {} = severity {} \u00d7 importance {} \u00d7 kind {} \u00d7 confidence {}",
+        digits(row.score), two_decimals(row.severity), digits(row.importance),
+        two_decimals(row.kind_weight), two_decimals(row.confidence));
+  return text;
+}
+
+std::string heading(const FlaggedRow& row) {
+  const std::string rank =
+      row.rank > 0 ? fmt::format("<span class=\"rank\">{}</span> ", row.rank) : "";
+  const std::string status = row.rank > 0 ? row.status : "not flagged";
+  return fmt::format(
+      "<h2>{}<bdi>{}</bdi></h2>\n<p class=\"facts\">{}</p>\n<p class=\"finding\">"
+      "<span class=\"verdict {}\">{}</span> <span>confidence <b>{}</b></span> "
+      "<span class=\"status {}\">{}</span> <span>since {}</span> <span>window until "
+      "{}</span></p>\n",
+      rank, html(row.loop_name), facts_line(row), html(row.code), html(as_heading(row.code)),
+      two_decimals(row.confidence), html(row.rank > 0 ? row.status : ""), html(status),
+      utc(row.since_us), utc(row.slot_end_us));
+}
+
+std::string evidence_list(const FlaggedRow& row) {
+  std::string text = "<ul>\n";
+  for (const std::string& reason : row.reasons) text += "<li>" + html(reason) + "</li>\n";
+  if (row.p)
+    text +=
+        "<li>Chance of evidence as strong as this in a loop without that fault: " + p_text(row.p) +
+        ".</li>\n";
+  return text + "</ul>";
+}
+
+std::string source_words(const FlaggedRow& row) {
+  if (!row.plant_oscillation_number) return {};
+  return fmt::format(
+      "<dt>Source</dt><dd>The source of plant-wide oscillation {}: mend this loop first, its "
+      "victims follow.</dd>\n",
+      *row.plant_oscillation_number);
+}
+
+std::string findings(const FlaggedRow& row) {
+  return fmt::format(
+      "<dl class=\"findings\">\n<dt>Cause</dt><dd>{}</dd>\n{}<dt>Action</dt><dd class=\"action\">"
+      "{}</dd>\n<dt>Evidence</dt><dd>{}</dd>\n</dl>\n",
+      html(row.summary), source_words(row), html(row.action), evidence_list(row));
+}
+
+/// The verdict that the pictures show may be another than the stored one: late rows, settings.
+std::string difference(const LoopStory& story) {
+  if (!story.evidence) return {};
+  const std::string now(core::diagnosis::name(story.evidence->diagnosis.verdict.code));
+  if (now == story.row.code) return {};
+  return fmt::format(
+      "<p class=\"trouble\">The pictures show the window as the historian gives it now, which "
+      "would "
+      "be judged \u201c{}\u201d: its rows or the settings have changed since the verdict was "
+      "given.</p>\n",
+      html(in_words(now)));
+}
+
+std::string picture(const Picture& picture) {
+  return fmt::format(
+      "<figure><figcaption>{}</figcaption><img src=\"{}\" width=\"{}\" height=\"{}\" "
+      "alt=\"{}\"></figure>\n",
+      html(picture.title), svg_uri(picture.svg), picture.width, picture.height, html(picture.alt));
+}
+
+std::string pictures(const LoopStory& story) {
+  if (story.pictures.empty())
+    return "<p class=\"trouble\">No pictures: " + html(story.trouble) + "</p>\n";
+  std::string text = "<div class=\"pictures\">\n";
+  for (const Picture& shown : story.pictures) text += picture(shown);
+  return text + "</div>\n";
+}
+
+std::string parameter_text(const Parameter& parameter) {
+  const std::string unit = parameter.unit.empty() ? "" : " " + std::string(parameter.unit);
+  std::string text =
+      fmt::format("{} {}{}", in_words(parameter.name), digits(parameter.value), unit);
+  if (parameter.low && parameter.high)
+    text += fmt::format(" ({} to {})", digits(*parameter.low), digits(*parameter.high));
+  return text;
+}
+
+std::string parameters_text(const Step& step) {
+  std::string text;
+  for (const Parameter& parameter : step.parameters)
+    text += (text.empty() ? "" : "; ") + parameter_text(parameter);
+  if (!step.law.empty()) text += "; law " + std::string(step.law);
+  return text;
+}
+
+std::string table_row(const std::string& stage, const std::string& figures,
+                      const std::string& before, const std::string& after,
+                      const std::string& evidence, const std::string& p) {
+  return fmt::format(
+      "<tr><td data-label=\"Stage\">{}</td><td data-label=\"Figures\">{}</td>"
+      "<td class=\"number\" data-label=\"Error before\">{}</td>"
+      "<td class=\"number\" data-label=\"Error after\">{}</td>"
+      "<td class=\"number\" data-label=\"Evidence\">{}</td>"
+      "<td class=\"number\" data-label=\"p\">{}</td></tr>\n",
+      html(stage), html(figures), before, after, evidence, p);
+}
+
+std::string rest_text(const Explanation& explanation) {
+  std::string text = "<p>" + html(core::diagnosis::unexplained_text(explanation)) + "</p>\n";
+  if (explanation.closed_loop)
+    text += "<p>" + html(core::diagnosis::closed_loop_text(*explanation.closed_loop)) + "</p>\n";
+  if (!explanation.process_doubt.empty())
+    text += "<p>" + html(explanation.process_doubt) + "</p>\n";
+  return text;
+}
+
+std::string explanation_part(const LoopStory& story) {
+  if (!story.evidence || !story.evidence->diagnosis.evidence.model) return {};
+  return "<h3>Explanation</h3>\n" + explanation_table(*story.evidence->diagnosis.evidence.model);
+}
+
+std::string repairs_part(const LoopStory& story) {
+  if (story.repairs.empty()) return {};
+  return "<h3>Repairs, before and after</h3>\n" + repairs_table(story.repairs);
+}
+
+}  // namespace
+
+std::string explanation_table(const Explanation& explanation) {
+  if (!explanation.excited)
+    return "<p>The loop model claims nothing: " + html(explanation.excitation) + "</p>\n";
+  std::string text = fmt::format(
+      "<p class=\"note\">Errors are mean squares in pv units squared, {}, on samples that the fit "
+      "has not seen; evidence is n ln(before / after).</p>\n<table class=\"errors\"><thead><tr>"
+      "<th>Stage</th><th>Figures (90 % interval)</th><th class=\"number\">Error before</th>"
+      "<th class=\"number\">Error after</th><th class=\"number\">Evidence</th>"
+      "<th class=\"number\">p</th></tr></thead><tbody>\n",
+      html(in_words(name(explanation.error_kind))));
+  text += table_row("Linear model", explanation.baseline.description, "\u2013",
+                    digits(explanation.baseline.holdout_error), "\u2013", "\u2013");
+  for (const Step& step : explanation.steps)
+    text += table_row("+ " + in_words(name(step.effect)), parameters_text(step),
+                      digits(step.holdout_error_before), digits(step.holdout_error_after),
+                      digits(step.evidence), p_text(step.p));
+  text += table_row("Noise floor", "what a perfect model would leave", "\u2013",
+                    digits(explanation.noise_floor), "\u2013", "\u2013");
+  return text + "</tbody></table>\n" + rest_text(explanation);
+}
+
+std::string loop_section(const LoopStory& story) {
+  return fmt::format("<section class=\"loop\" id=\"loop-{}\">\n", story.row.loop_id) +
+         heading(story.row) + "<div class=\"story\">\n<div class=\"words\">\n" +
+         findings(story.row) + difference(story) + "</div>\n" + pictures(story) + "</div>\n" +
+         explanation_part(story) + repairs_part(story) + data_section(story) + "</section>\n";
+}
+
+}  // namespace loopscope::daemon

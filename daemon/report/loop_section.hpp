@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/report/figure.hpp"
+#include "daemon/report/loop_evidence.hpp"
+#include "storage/results/report_rows.hpp"
+
+namespace loopscope::daemon {
+
+/// Everything that is said of one loop.
+struct LoopStory {
+  storage::FlaggedRow row;
+  std::vector<storage::HistoryPoint> history;
+  std::vector<storage::DataProblemRow> problems;
+  std::vector<storage::RepairRow> repairs;
+  std::optional<LoopEvidence> evidence;  ///< nullopt = its window could not be read again
+  std::vector<Picture> pictures;
+  std::string trouble;  ///< why there are no pictures, a sentence; empty = there are
+};
+
+/// One loop as HTML: cause, action, evidence, pictures, the explanation's errors, data, repairs.
+[[nodiscard]] std::string loop_section(const LoopStory& story);
+
+/// The table of the model's errors before and after each effect, and what is left.
+[[nodiscard]] std::string explanation_table(const core::model::Explanation& explanation);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace loopscope::daemon {
+
+/// "2026-03-01 12:00 UTC": to the minute, as a report says times.
+[[nodiscard]] std::string utc(std::int64_t time_us);
+
+/// The same without the zone, below a heading that names it.
+[[nodiscard]] std::string minute(std::int64_t time_us);
+
+/// Two decimals, for shares and weights.
+[[nodiscard]] std::string two_decimals(double value);
+
+/// Three significant digits; a dash for what is unknown.
+[[nodiscard]] std::string digits(const std::optional<double>& value);
+
+/// A p-value: "0.03", "1e-06"; "below 1e-12" where the digits say nothing any more; a dash for what
+/// is unknown.
+[[nodiscard]] std::string p_text(const std::optional<double>& p);
+
+/// "1 loop", "3 loops".
+[[nodiscard]] std::string counted(std::int64_t number, const std::string& singular,
+                                  const std::string& plural);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "daemon/report/loop_link.hpp"
+#include "storage/results/report_rows.hpp"
+
+namespace loopscope::daemon {
+
+/// What the first screen tells.
+struct PlantFacts {
+  std::string plant;          ///< its name; may be empty
+  std::int64_t since_us = 0;  ///< what began after this counts as new
+  storage::PlantCounts counts;
+  std::vector<storage::FlaggedRow> flagged;  ///< in the order of rank
+  std::vector<storage::PlantOscillationRow> oscillations;
+  std::vector<storage::RepairRow> repairs;  ///< since `since_us`
+};
+
+/// The first screen as HTML: counts, why loops cannot be judged, oscillations that loops share, the
+/// ranked list with its factors, repairs with their words.
+[[nodiscard]] std::string plant_section(const PlantFacts& facts, LoopLinks links);
+
+}  // namespace loopscope::daemon

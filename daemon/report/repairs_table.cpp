@@ -1,0 +1,48 @@
+#include "daemon/report/repairs_table.hpp"
+
+#include <fmt/format.h>
+#include <iterator>
+
+#include "daemon/report/html_text.hpp"
+#include "daemon/report/page_text.hpp"
+#include "daemon/report/verdict_words.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using storage::RepairRow;
+
+std::string figure_rows(const RepairRow& repair) {
+  std::string text;
+  for (const storage::RepairFigure& figure : repair.figures) {
+    if (!figure.before && !figure.after) continue;
+    fmt::format_to(std::back_inserter(text), "{}<span class=\"pair\">{} {} \u2192 {}</span>",
+                   text.empty() ? "" : " ", html(in_words(figure.name)), digits(figure.before),
+                   digits(figure.after));
+  }
+  return text;
+}
+
+std::string repair_row(const RepairRow& repair) {
+  const std::string word = repair.word.value_or("too early");
+  return fmt::format(
+      "<tr><td data-label=\"Loop\"><bdi>{}</bdi></td><td class=\"when\" data-label=\"Done\" "
+      "data-sort=\"{}\">{}</td><td data-label=\"Work\">{}: <bdi>{}</bdi></td><td "
+      "data-label=\"Result\"><span class=\"word {}\">{}</span></td><td data-label=\"Why\">{} "
+      "<small>{}</small></td></tr>\n",
+      html(repair.loop_name), repair.done_at_us, utc(repair.done_at_us), html(repair.kind),
+      html(repair.description), html(repair.word.value_or("unknown")), html(word),
+      html(repair.statement), figure_rows(repair));
+}
+
+}  // namespace
+
+std::string repairs_table(const std::vector<RepairRow>& repairs) {
+  std::string text =
+      "<table class=\"repairs\"><thead><tr><th>Loop</th><th>Done</th><th>Work</th><th>Result</th>"
+      "<th>Why</th></tr></thead><tbody>\n";
+  for (const RepairRow& repair : repairs) text += repair_row(repair);
+  return text + "</tbody></table>\n";
+}
+
+}  // namespace loopscope::daemon

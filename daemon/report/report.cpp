@@ -1,0 +1,158 @@
+#include "daemon/report/report.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "daemon/calibrate/in_threads.hpp"
+#include "daemon/failure.hpp"
+#include "daemon/output/write_file.hpp"
+#include "daemon/report/draw_figures.hpp"
+#include "daemon/report/make_pdf.hpp"
+#include "daemon/report/page.hpp"
+#include "daemon/report/page_text.hpp"
+#include "daemon/report/plant_section.hpp"
+#include "daemon/report/tell_loop.hpp"
+#include "daemon/report/window_source.hpp"
+#include "daemon/service/storage_settings.hpp"
+#include "storage/results/catalogue.hpp"
+#include "storage/results/report_database.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+/// With more flagged loops than that the page would grow beyond what a browser likes to open; a
+/// plant like that has other worries than the picture of its 101st loop.
+constexpr std::size_t kMostPictured = 100;
+
+struct Content {
+  PlantFacts facts;
+  std::vector<LoopStory> stories;
+};
+
+using LoopsById = std::map<std::int64_t, storage::CatalogueEntry>;
+
+LoopsById catalogue_of(const config::Settings& settings) {
+  LoopsById loops;
+  for (storage::CatalogueEntry& entry : storage::Catalogue(results_connection(settings)).list()) {
+    const std::int64_t loop_id = entry.loop_id;
+    loops.emplace(loop_id, std::move(entry));
+  }
+  return loops;
+}
+
+/// All that the results know, of one moment; the view is let go before pictures are made.
+Content read_content(const config::Settings& settings, std::int64_t since_us) {
+  storage::ReportDatabase database(results_connection(settings));
+  Content content;
+  content.facts = {settings.report.plant,         since_us,
+                   database.counts(since_us),     database.flagged(),
+                   database.plant_oscillations(), database.repairs(since_us)};
+  for (const storage::FlaggedRow& row : content.facts.flagged)
+    content.stories.push_back(read_story(database, row));
+  return content;
+}
+
+/// A loop that has left the catalogue since the results were read has no tags any more.
+storage::CatalogueEntry entry_of(const LoopsById& loops, const storage::FlaggedRow& row) {
+  if (const auto found = loops.find(row.loop_id); found != loops.end()) return found->second;
+  storage::CatalogueEntry gone;
+  gone.loop_id = row.loop_id;
+  gone.name = row.loop_name;
+  gone.source = row.source;
+  return gone;
+}
+
+/// Windows are read one after the other, looked at and drawn on all cores.
+void illustrate_all(const config::Settings& settings, std::span<LoopStory> stories,
+                    const std::stop_token& stop) {
+  const std::filesystem::path gnuplot = find_gnuplot();
+  const LoopsById loops = catalogue_of(settings);
+  WindowSource windows(settings);
+  std::vector<WindowSource::Reading> readings;
+  std::vector<storage::CatalogueEntry> entries;
+  for (const LoopStory& story : stories) {
+    entries.push_back(entry_of(loops, story.row));
+    readings.push_back(windows.read(entries.back(), story.row.slot_end_us));
+  }
+  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  in_threads(stories.size(), threads, [&]() -> IndexedTask {
+    return [&](std::size_t k) {
+      illustrate(stories[k], entries[k], readings[k], settings.analysis, gnuplot, stop);
+    };
+  });
+}
+
+void leave_without_pictures(std::span<LoopStory> stories, const std::string& why) {
+  for (LoopStory& story : stories) story.trouble = why;
+}
+
+void add_pictures(const config::Settings& settings, bool wanted, std::vector<LoopStory>& stories,
+                  const std::stop_token& stop) {
+  const std::size_t pictured = wanted ? std::min(stories.size(), kMostPictured) : 0;
+  const std::span<LoopStory> all(stories);
+  if (pictured > 0) illustrate_all(settings, all.first(pictured), stop);
+  leave_without_pictures(
+      all.subspan(pictured),
+      wanted ? fmt::format("only the {} worst loops have them; the daemon's page /loop has those "
+                           "of any loop.",
+                           kMostPictured)
+             : std::string("none were asked for."));
+}
+
+std::string title_of(const std::string& plant) {
+  return plant.empty() ? "Control loops of the plant" : plant + ": control loops";
+}
+
+std::string page_of(const Content& content) {
+  const PlantFacts& facts = content.facts;
+  std::string text = plant_section(facts, LoopLinks::sections);
+  for (const LoopStory& story : content.stories) text += loop_section(story);
+  return page(
+      {title_of(facts.plant),
+       fmt::format("Loopscope report, {} to {}", utc(facts.since_us), utc(facts.counts.now_us)),
+       ""},
+      text);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw Failure(ExitCode::usage,
+                  fmt::format("cannot make the folder {}: {}", folder.string(), error.message()),
+                  "name a folder that exists or can be made");
+}
+
+}  // namespace
+
+ReportResult write_report(const config::Settings& settings, const ReportOptions& options,
+                          const std::stop_token& stop) {
+  const auto engine = options.pdf ? std::optional(find_pdf_engine()) : std::nullopt;
+  Content content = read_content(settings, options.since_us);
+  add_pictures(settings, options.pictures, content.stories, stop);
+  if (stop.stop_requested())
+    throw Failure(ExitCode::fault, "stopped before the report was made", "make it again");
+  const std::string page = page_of(content);
+  const std::string pdf = engine ? make_pdf(page, *engine, stop) : "";
+  make_folder(options.folder);
+  ReportResult result;
+  const auto write = [&](const char* ending, const std::string& text) {
+    result.files.push_back(options.folder / (options.name + ending));
+    write_file(result.files.back(), text);
+  };
+  write(".html", page);
+  if (options.pdf) write(".pdf", pdf);
+  result.flagged = content.stories.size();
+  for (const LoopStory& story : content.stories) {
+    if (story.trouble.empty()) continue;
+    if (result.unpictured++ == 0) result.first_trouble = story.trouble;
+  }
+  return result;
+}
+
+}  // namespace loopscope::daemon

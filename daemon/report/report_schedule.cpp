@@ -1,0 +1,156 @@
+#include "daemon/report/report_schedule.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <map>
+#include <regex>
+#include <spdlog/spdlog.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include "daemon/failure.hpp"
+#include "daemon/recording/time_text.hpp"
+#include "daemon/report/report.hpp"
+#include "daemon/service/slot.hpp"
+#include "storage/error.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::system_clock;
+
+constexpr const char* kSubject = "report";
+/// How often the clock is looked at, and how soon a report that failed is tried again.
+constexpr std::chrono::minutes kLookEvery{1};
+constexpr double kMicrosecondsPerSecond = 1e6;
+
+std::int64_t now_us() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(
+             system_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Held by the one process that writes into a folder; the kernel frees it when that one dies.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder)
+      : descriptor_(::open((folder / ".loopscope-report.lock").c_str(),
+                           O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+    if (descriptor_ < 0) {
+      throw Failure(ExitCode::usage,
+                    "cannot write into the folder " + folder.string() + ": " +
+                        std::generic_category().message(errno),
+                    "let the user of the service write there (deploy/RUNBOOK.md, Reports)");
+    }
+    held_ = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+  }
+  ~FolderLock() { ::close(descriptor_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  [[nodiscard]] bool held() const { return held_; }
+
+ private:
+  int descriptor_;
+  bool held_ = false;
+};
+
+/// Whoever analyses goes first; a sandbox may refuse, then it is one thread among others.
+void step_back() {
+  constexpr int kNice = 10;
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
+}
+
+/// Reports by name, with all files of each.
+std::map<std::string, std::vector<fs::path>> reports_in(const fs::path& folder) {
+  static const std::regex kName(R"((loopscope-\d{4}-\d{2}-\d{2}T\d{4}Z)\.(html|pdf))");
+  std::map<std::string, std::vector<fs::path>> reports;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    std::smatch match;
+    const std::string name = entry.path().filename().string();
+    if (std::regex_match(name, match, kName)) reports[match[1]].push_back(entry.path());
+  }
+  return reports;
+}
+
+}  // namespace
+
+std::string report_name(std::int64_t end_us) {
+  const std::string time = format_time(end_us);
+  return "loopscope-" + time.substr(0, 13) + time.substr(14, 2) + "Z";
+}
+
+void drop_old_reports(const fs::path& folder, int keep) {
+  const auto reports = reports_in(folder);
+  std::size_t left = reports.size();
+  for (const auto& [name, files] : reports) {  // the oldest first
+    if (left-- <= static_cast<std::size_t>(keep)) break;
+    for (const fs::path& file : files) fs::remove(file);
+  }
+}
+
+ReportSchedule::ReportSchedule(std::shared_ptr<const config::Settings> settings, FaultLog& faults)
+    : faults_(faults), settings_(std::move(settings)) {
+  // Signals are the main thread's.
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+void ReportSchedule::use(std::shared_ptr<const config::Settings> settings) {
+  const std::lock_guard lock(mutex_);
+  settings_ = std::move(settings);
+  changed_.notify_all();
+}
+
+void ReportSchedule::run(const std::stop_token& stop) {
+  step_back();
+  std::unique_lock lock(mutex_);
+  while (!stop.stop_requested()) {
+    const std::shared_ptr<const config::Settings> settings = settings_;
+    lock.unlock();
+    try {
+      if (!settings->report.folder.empty()) write_due(*settings, stop);
+      faults_.recovered(kSubject);
+    } catch (const Failure& failure) {
+      if (!stop.stop_requested())
+        faults_.fault(kSubject, std::string(failure.what()) + " HINT: " + failure.hint());
+    } catch (const storage::DatabaseError& error) {
+      faults_.fault(kSubject, std::string(error.what()) + " HINT: " + error.hint());
+    } catch (const std::exception& error) {
+      faults_.fault(kSubject, error.what());
+    }
+    lock.lock();
+    changed_.wait_for(lock, stop, kLookEvery, [&] { return settings_ != settings; });
+  }
+}
+
+void ReportSchedule::write_due(const config::Settings& settings, const std::stop_token& stop) {
+  const config::ReportSettings& report = settings.report;
+  const fs::path folder = report.folder;
+  const std::int64_t end_us = floor_to_period(now_us(), report.every_s);
+  const fs::path page = folder / (report_name(end_us) + ".html");
+  if (fs::exists(page)) return;
+  fs::create_directories(folder);
+  const FolderLock lock(folder);
+  if (!lock.held() || fs::exists(page)) return;
+  const auto span_us = static_cast<std::int64_t>(report.every_s * kMicrosecondsPerSecond);
+  const ReportResult result = write_report(settings,
+                                           {.folder = folder,
+                                            .name = report_name(end_us),
+                                            .since_us = end_us - span_us,
+                                            .pdf = report.pdf},
+                                           stop);
+  spdlog::info("report written: {}, {} flagged loops", page.string(), result.flagged);
+  drop_old_reports(folder, report.keep);
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,75 @@
+#include "daemon/report/tell_loop.hpp"
+
+#include <exception>
+#include <iterator>
+#include <utility>
+
+#include "daemon/failure.hpp"
+#include "daemon/report/draw_figures.hpp"
+#include "daemon/report/explanation_figures.hpp"
+#include "daemon/report/history_figures.hpp"
+#include "daemon/report/signal_figures.hpp"
+#include "daemon/report/spectrum_figures.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+void append(std::vector<Figure>& to, std::vector<Figure>&& from) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
+}
+
+/// Diagnoses again; a window that throws is told of, as the service sets such a loop aside.
+void look(LoopStory& story, const storage::CatalogueEntry& loop, const LoopInput& input,
+          const core::AnalysisSettings& settings) {
+  try {
+    story.evidence = look_again(loop, input, settings);
+  } catch (const std::exception& error) {
+    story.trouble = std::string("the window could not be analysed again: ") + error.what();
+  }
+}
+
+}  // namespace
+
+LoopStory read_story(storage::ReportDatabase& database, const storage::FlaggedRow& row) {
+  LoopStory story;
+  story.row = row;
+  story.history = database.history(row.loop_id, row.slot_end_us - kHistoryReachUs);
+  story.problems = database.data_problems(row.loop_id);
+  story.repairs = database.repairs_of(row.loop_id);
+  return story;
+}
+
+std::vector<Figure> figures_of(const LoopStory& story) {
+  std::vector<Figure> figures;
+  if (story.evidence) {
+    const LoopEvidence& evidence = *story.evidence;
+    std::vector<Figure> trends = trend_figures(evidence);
+    std::vector<Figure> explained = explanation_figures(evidence);
+    // The first row tells the story: a few cycles, the valve, the model beside what was measured.
+    if (trends.size() > 1) figures.push_back(std::move(trends[1]));
+    append(figures, valve_figures(evidence));
+    if (!explained.empty()) figures.push_back(std::move(explained[0]));
+    if (!trends.empty()) figures.push_back(std::move(trends[0]));
+    append(figures, spectrum_figures(evidence));
+    append(figures, bicoherence_figures(evidence));
+    for (std::size_t k = 1; k < explained.size(); ++k) figures.push_back(std::move(explained[k]));
+  }
+  append(figures, history_figures(story.history));
+  return figures;
+}
+
+void illustrate(LoopStory& story, const storage::CatalogueEntry& loop,
+                const WindowSource::Reading& reading, const core::AnalysisSettings& settings,
+                const std::filesystem::path& gnuplot, const std::stop_token& stop) {
+  if (const auto* trouble = std::get_if<std::string>(&reading))
+    story.trouble = *trouble;
+  else
+    look(story, loop, std::get<LoopInput>(reading), settings);
+  try {
+    story.pictures = draw_figures(figures_of(story), gnuplot, stop);
+  } catch (const Failure& failure) {
+    story.trouble = failure.what();
+  }
+}
+
+}  // namespace loopscope::daemon

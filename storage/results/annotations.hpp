@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/connection_settings.hpp"
+#include "storage/error.hpp"
+
+namespace loopscope::storage {
+
+/// What somebody says of a loop's verdict; while it holds, the loop is not in flagged_loop.
+struct Annotation {
+  std::string loop_name;
+  std::string kind;                      ///< acknowledged, suppressed or false_positive
+  std::optional<std::string> code;       ///< the verdict that it is about; nullopt = whatever
+  std::optional<std::int64_t> until_us;  ///< nullopt = until it is withdrawn; suppressed has one
+  std::string reason;                    ///< may be empty, but where it is suppressed
+  // As the server notes it.
+  std::string author;
+  std::int64_t entered_at_us = 0;
+};
+
+/// What people say about findings. The rights of loopscope_engineer are enough; who said it is the
+/// login of the connection. Every function is one transaction and throws DatabaseError.
+class Annotations {
+ public:
+  explicit Annotations(const ConnectionSettings& settings);
+  ~Annotations();
+
+  /// Those that hold now, by loop.
+  [[nodiscard]] std::vector<Annotation> in_force();
+  /// Adds it and withdraws those of its kind about the same verdict of the same loop that it takes
+  /// the place of. Returns how many these were; nullopt = there is no such loop.
+  std::optional<std::size_t> add(const Annotation& annotation);
+  /// Withdraws what holds of the loop: all, or what is about `code`. Returns how many.
+  std::size_t withdraw(const std::string& loop_name, const std::optional<std::string>& code);
+  /// The newest verdict of the loop; nullopt = it was never analysed, or there is none.
+  [[nodiscard]] std::optional<std::string> newest_code(const std::string& loop_name);
+  /// Every verdict that somebody should act on.
+  [[nodiscard]] std::vector<std::string> fault_codes();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace loopscope::storage

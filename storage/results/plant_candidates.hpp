@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/verdict.hpp"
+#include "storage/catalogue_entry.hpp"
+
+namespace loopscope::storage {
+
+class Session;
+
+/// A loop that may share an oscillation with others, as its newest analysis has it.
+struct PlantCandidate {
+  CatalogueEntry loop;
+  std::int64_t slot_end_us = 0;
+  /// What the plant asks for: the oscillation, nonlinear_p and cubic_p of both looks, effect and
+  /// errors of the model's steps. Nothing else is filled.
+  core::Evidence evidence;
+  core::diagnosis::Verdict verdict;  ///< code and confidence
+};
+
+/// Enabled loops whose newest analysis is usable and lies no more than three of their periods
+/// before `slot_end_us`: those that oscillate first, the strongest evidence first; `limit` at most.
+/// Throws DatabaseError.
+[[nodiscard]] std::vector<PlantCandidate> plant_candidates(Session& session,
+                                                           std::int64_t slot_end_us,
+                                                           std::int64_t limit);
+
+}  // namespace loopscope::storage

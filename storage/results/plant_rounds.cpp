@@ -1,0 +1,71 @@
+#include "storage/results/plant_rounds.hpp"
+
+#include <algorithm>
+
+#include "storage/array_literal.hpp"
+#include "storage/results/loop_row.hpp"
+#include "storage/results/schema_version.hpp"
+#include "storage/results/session.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+// A lock of the session and not of a transaction: a round reads the historians for minutes. The
+// first key is the program's ("loop"), the second says what is locked.
+const Statement kTakeTurn{"take_plant_turn", R"(
+    SELECT greatest(0, coalesce($1::float8 - extract(epoch FROM now() - max(found_at)), 0))::float8
+             AS wait_s,
+           EXISTS (SELECT FROM loopscope.schedule WHERE enabled AND result_slot_end IS NOT NULL)
+             AS analysed
+    FROM loopscope.plant_round)",
+                          Rows::one};
+const Statement kLockRounds{"lock_plant_rounds",
+                            "SELECT pg_try_advisory_lock(1819242352, 1) AS mine", Rows::one};
+const Statement kNewestSlot{"newest_slot", R"(
+    SELECT (extract(epoch FROM max(result_slot_end)) * 1000000)::bigint AS slot_end_us
+    FROM loopscope.schedule WHERE enabled)",
+                            Rows::one};
+
+}  // namespace
+
+struct PlantRounds::Impl {
+  explicit Impl(const ConnectionSettings& settings) : session(settings) {
+    require_schema_version(session);
+  }
+  Session session;
+};
+
+PlantRounds::PlantRounds(const ConnectionSettings& settings)
+    : impl_(std::make_unique<Impl>(settings)) {}
+PlantRounds::~PlantRounds() = default;
+
+std::optional<double> PlantRounds::take_turn(double every_s) {
+  return impl_->session.transact([&](Transaction& transaction) -> std::optional<double> {
+    // The lock comes first: whoever waited for it would see the round of the one before.
+    if (!transaction.run(kLockRounds)[0]["mine"].as<bool>()) return std::nullopt;
+    const pqxx::row row = transaction.run(kTakeTurn, {number_text(every_s)})[0];
+    if (!row["analysed"].as<bool>()) return std::nullopt;
+    return row["wait_s"].as<double>();
+  });
+}
+
+std::optional<std::int64_t> PlantRounds::newest_slot_us() {
+  return impl_->session.transact([](Transaction& transaction) {
+    return read_integer(transaction.run(kNewestSlot)[0]["slot_end_us"]);
+  });
+}
+
+std::vector<PlantCandidate> PlantRounds::candidates(std::int64_t slot_end_us, std::int64_t limit) {
+  return plant_candidates(impl_->session, slot_end_us, limit);
+}
+
+void PlantRounds::store(const PlantRoundRecord& round) {
+  impl_->session.transact([&](Transaction& transaction) { write_plant_round(transaction, round); });
+}
+
+FlagAnnouncement PlantRounds::announce_flags() {
+  return impl_->session.transact(
+      [](Transaction& transaction) { return storage::announce_flags(transaction); });
+}
+
+}  // namespace loopscope::storage

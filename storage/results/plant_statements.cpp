@@ -1,0 +1,131 @@
+#include "storage/results/plant_statements.hpp"
+
+#include "storage/results/loop_columns.hpp"
+
+namespace loopscope::storage::statements {
+
+// Any fixed number does, as long as nothing else in the database uses it. The lock is the
+// session's, because the work between claim and result takes no transaction.
+const Statement kClaimRound{"claim_round", R"(
+    SELECT CASE WHEN coalesce(max(found_at) + $1::float8 * interval '1 s' <= now(), true)
+                THEN pg_try_advisory_lock(7310868735423867749) ELSE false END
+    FROM loopscope.plant_round)",
+                            Rows::one};
+
+const Statement kOscillatingLoops{"oscillating_loops", "SELECT " LOOPSCOPE_LOOP_COLUMNS R"(,
+           newest.*
+    FROM loopscope.loop
+    CROSS JOIN LATERAL (
+      SELECT (extract(epoch FROM slot_end) * 1000000)::bigint AS slot_end_us,
+             (extract(epoch FROM window_start) * 1000000)::bigint AS window_start_us,
+             (extract(epoch FROM window_end) * 1000000)::bigint AS window_end_us,
+             code, confidence, oscillation_period_s, nonlinear_p
+      FROM loopscope.latest_verdict AS latest
+      WHERE latest.loop_id = loop.loop_id AND latest.usable AND latest.oscillating
+        AND latest.oscillation_period_s > 0) AS newest
+    WHERE loop.enabled
+    ORDER BY name)"};
+
+const Statement kWritePlantRound{"write_plant_round", R"(
+    INSERT INTO loopscope.plant_round AS kept
+      (slot_end, algorithm_revision, loops, oscillating, events)
+    VALUES ($1::timestamptz, $2::integer, $3::integer, $4::integer, $5::integer)
+    ON CONFLICT (slot_end, algorithm_revision) DO UPDATE SET
+      loops = EXCLUDED.loops, oscillating = EXCLUDED.oscillating, events = EXCLUDED.events,
+      found_at = now())",
+                                 Rows::none};
+
+const Statement kWritePlantEvent{"write_plant_event", R"(
+    INSERT INTO loopscope.plant_oscillation
+      (slot_end, algorithm_revision, number, period_s, loop_ids, strengths, lags_s,
+       source_loop_id, statement, roles, scores, p)
+    VALUES ($1::timestamptz, $2::integer, $3::integer, $4::float8, $5::bigint[], $6::float8[],
+            $7::float8[], nullif($8, '')::bigint, $9, $10::text[], $11::float8[],
+            nullif($12, '')::float8)
+    ON CONFLICT (slot_end, algorithm_revision, number) DO UPDATE SET
+      period_s = EXCLUDED.period_s, loop_ids = EXCLUDED.loop_ids, strengths = EXCLUDED.strengths,
+      lags_s = EXCLUDED.lags_s, source_loop_id = EXCLUDED.source_loop_id,
+      statement = EXCLUDED.statement, roles = EXCLUDED.roles, scores = EXCLUDED.scores,
+      p = EXCLUDED.p, found_at = now())",
+                                 Rows::none};
+
+const Statement kLockFlags{"lock_flags", "SELECT pg_advisory_xact_lock(7310868735423867748)",
+                           Rows::one};
+
+// A message may have 7999 bytes. The longer form nearly always fits; the shorter one always does,
+// because no character takes more than six bytes in JSON.
+const Statement kAnnounceFlags{"announce_flags", R"(
+    WITH list AS MATERIALIZED (SELECT * FROM loopscope.flagged_loop),
+    gone AS (
+      UPDATE loopscope.flag_notice AS notice SET ended_at = now(), ended_by = why.word
+      FROM (
+        SELECT standing.flag_notice_id,
+               CASE WHEN NOT loop.enabled THEN 'disabled'
+                    WHEN latest.code IS DISTINCT FROM standing.code THEN 'verdict'
+                    WHEN bool_or(hidden.annotation_id IS NOT NULL) THEN 'annotation'
+                    WHEN bool_or(hidden.hidden_by = 'victim') THEN 'plant'
+                    ELSE 'threshold' END AS word
+        FROM loopscope.flag_notice AS standing
+        JOIN loopscope.loop USING (loop_id)
+        LEFT JOIN loopscope.latest_verdict AS latest USING (loop_id)
+        LEFT JOIN loopscope.hidden_loop AS hidden USING (loop_id)
+        WHERE standing.ended_at IS NULL
+          AND (standing.loop_id, standing.code) NOT IN (SELECT loop_id, code FROM list)
+        GROUP BY standing.flag_notice_id, loop.enabled, latest.code) AS why
+      WHERE notice.flag_notice_id = why.flag_notice_id
+      RETURNING notice.loop_id, notice.code
+    ), firm AS (
+      UPDATE loopscope.flag_notice AS notice SET status = 'confirmed', confirmed_at = now()
+      FROM list
+      WHERE notice.loop_id = list.loop_id AND notice.code = list.code AND notice.ended_at IS NULL
+        AND notice.status = 'watch' AND list.status = 'confirmed'
+      RETURNING notice.loop_id, notice.code
+    ), came AS (
+      INSERT INTO loopscope.flag_notice (loop_id, code, announced, slot_end, since, status,
+                                         confidence, rank, score, summary, confirmed_at)
+      SELECT loop_id, code,
+             NOT EXISTS (
+               SELECT FROM loopscope.flag_notice AS former
+               JOIN loopscope.parameter AS quiet ON quiet.name = 'flag_quiet_hours'
+               WHERE former.loop_id = list.loop_id AND former.code = list.code
+                 AND former.ended_at > now() - quiet.value * interval '1 h'),
+             slot_end, since, status, confidence, rank, score, summary,
+             CASE WHEN status = 'confirmed' THEN now() END
+      FROM list
+      WHERE NOT EXISTS (
+        SELECT FROM loopscope.flag_notice AS standing
+        WHERE standing.loop_id = list.loop_id AND standing.code = list.code
+          AND standing.ended_at IS NULL)
+      RETURNING loop_id, code, announced
+    ), told AS (
+      SELECT 'flagged' AS change, loop_id, code, announced FROM came
+      UNION ALL SELECT 'confirmed', loop_id, code, true FROM firm
+    )
+    SELECT told.change, told.announced, list.loop_id, list.loop_name, list.code, list.confidence,
+           list.rank, list.score, list.status, list.summary,
+           CASE WHEN told.announced THEN pg_notify('loopscope_' || told.change, message.text) END
+    FROM told
+    JOIN list USING (loop_id, code)
+    CROSS JOIN LATERAL (
+      SELECT written.text
+      FROM (VALUES (3000, 3000, 1000), (250, 700, 200)) AS room (name, summary, action)
+      CROSS JOIN LATERAL (
+        SELECT json_build_object(
+          'loop', left(list.loop_name, room.name), 'loop_id', list.loop_id, 'code', list.code,
+          'status', list.status, 'confidence', list.confidence, 'rank', list.rank,
+          'score', list.score,
+          'slot_end', to_char(list.slot_end AT TIME ZONE 'UTC', 'YYYY-MM-DD"T"HH24:MI:SS"Z"'),
+          'since', to_char(list.since AT TIME ZONE 'UTC', 'YYYY-MM-DD"T"HH24:MI:SS"Z"'),
+          'summary', left(list.summary, room.summary)
+                     || CASE WHEN char_length(list.summary) > room.summary THEN '...' ELSE '' END,
+          'action', left(list.action, room.action)
+                    || CASE WHEN char_length(list.action) > room.action THEN '...' ELSE '' END
+        )::text AS text) AS written
+      WHERE octet_length(written.text) < 8000
+      ORDER BY room.name DESC
+      LIMIT 1) AS message
+    UNION ALL
+    SELECT 'ended', false, loop_id, '', code, 0, 0, 0, '', '', NULL FROM gone
+    ORDER BY 7)"};
+
+}  // namespace loopscope::storage::statements

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "storage/statement.hpp"
+
+/// What ReportDatabase asks. Times travel as microseconds since 1970, UTC.
+namespace loopscope::storage::statements {
+
+extern const Statement kReportCounts;  ///< since
+extern const Statement kUnjudgedReasons;
+extern const Statement kReportFlagged;
+extern const Statement kReportLatest;   ///< loop name: the verdict of a loop that is not flagged
+extern const Statement kReportHistory;  ///< loop_id, from
+extern const Statement kReportRepairs;  ///< since
+extern const Statement kRepairsOfLoop;  ///< loop_id
+extern const Statement kPlantMembers;   ///< a row per member, event by event
+extern const Statement kLoopProblems;   ///< loop_id
+extern const Statement kReportLoops;
+extern const Statement kWhatIf;  ///< rate, dependence, least confidence; each empty = as it is set
+
+}  // namespace loopscope::storage::statements

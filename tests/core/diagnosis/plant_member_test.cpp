@@ -1,0 +1,53 @@
+#include "core/diagnosis/plant_member.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+TEST(PlantMember, EveryVerdictHasAFamily) {
+  EXPECT_EQ(fault_of(VerdictCode::healthy), plant::Fault::none);
+  EXPECT_EQ(fault_of(VerdictCode::insufficient_data), plant::Fault::none);
+  EXPECT_EQ(fault_of(VerdictCode::valve_stiction), plant::Fault::valve);
+  EXPECT_EQ(fault_of(VerdictCode::external_disturbance), plant::Fault::disturbance);
+  EXPECT_EQ(fault_of(VerdictCode::sluggish_tuning), plant::Fault::tuning);
+  for (const VerdictCode code : all_verdict_codes()) {
+    EXPECT_EQ(fault_of(code) == plant::Fault::valve, name(code).starts_with("valve_"));
+  }
+}
+
+TEST(PlantMember, SumsTheStepsByWhatTheyBlame) {
+  Evidence evidence;
+  evidence.model.emplace();
+  const auto step = [](model::EffectKind effect, double before, double after) {
+    model::Step taken;
+    taken.effect = effect;
+    taken.holdout_error_before = before;
+    taken.holdout_error_after = after;
+    return taken;
+  };
+  evidence.model->steps = {step(model::EffectKind::external_oscillation, 8.0, 4.0),
+                           step(model::EffectKind::valve_stiction, 4.0, 2.0),
+                           step(model::EffectKind::valve_deadband, 2.0, 1.0),
+                           step(model::EffectKind::load_step, 1.0, 0.5)};
+  Verdict verdict;
+  verdict.code = VerdictCode::valve_stiction;
+  verdict.confidence = 0.8;
+  const plant::OwnFindings own = own_findings(evidence, verdict);
+  EXPECT_NEAR(own.outside_explained, std::log(2.0), 1e-12);
+  EXPECT_NEAR(own.valve_explained, std::log(4.0), 1e-12);
+  EXPECT_NEAR(own.other_explained, std::log(2.0), 1e-12);
+  EXPECT_EQ(own.fault, plant::Fault::valve);
+  EXPECT_EQ(own.confidence, 0.8);
+  EXPECT_FALSE(own.nonlinear_p.has_value());
+}
+
+TEST(PlantMember, WithoutAModelOnlyTheVerdictSpeaks) {
+  const plant::OwnFindings own = own_findings(Evidence{}, Verdict{});
+  EXPECT_EQ(own.valve_explained, 0.0);
+  EXPECT_EQ(own.fault, plant::Fault::none);
+}
+
+}  // namespace
+}  // namespace loopscope::core::diagnosis

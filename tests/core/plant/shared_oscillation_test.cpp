@@ -1,0 +1,155 @@
+#include "core/plant/shared_oscillation.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <tuple>
+
+#include "tests/core/plant/oscillators.hpp"
+
+namespace loopscope::core::plant {
+namespace {
+
+constexpr std::size_t kSamples = 4096;
+
+/// Six loops of one course; the model of loop 2 has found a sticking valve.
+struct Plant {
+  std::vector<std::vector<double>> errors;
+  std::vector<MemberLoop> loops;
+
+  Plant() {
+    std::mt19937_64 random(31);
+    const testing::Course course = testing::draw_course(kSamples + 600, 60.0, 0.3, random);
+    for (std::size_t k = 0; k < 6; ++k)
+      errors.push_back(testing::draw_error(course, 60.0, 5 * k, 0.3, kSamples, random));
+    for (std::size_t k = 0; k < 6; ++k)
+      loops.push_back(
+          testing::oscillating_loop(static_cast<std::int64_t>(100 + k), errors[k], 60.0));
+    loops[2].own = {1e-9, 1e-9, Fault::valve, 0.9, 1.2, 0.0, 0.0};
+  }
+};
+
+const SharingLoop& member(const SharedOscillation& event, std::size_t index) {
+  return *std::ranges::find(event.members, index, &SharingLoop::index);
+}
+
+TEST(SharedOscillation, IsOneEventWithOneSource) {
+  const Plant plant;
+  const std::vector<SharedOscillation> events = find_shared_oscillations(plant.loops);
+  ASSERT_EQ(events.size(), 1U);
+  const SharedOscillation& event = events.front();
+  EXPECT_NEAR(event.period_s, 60.0, 0.5);
+  EXPECT_LE(event.p, 1e-6);
+  EXPECT_EQ(event.members.size(), 6U);
+  ASSERT_EQ(event.source, 2U);
+  EXPECT_EQ(event.members.front().index, 2U);
+  EXPECT_EQ(event.members.front().role, Role::source);
+  EXPECT_EQ(event.members.front().id, 102);
+  EXPECT_EQ(event.ranking.front().index, 2U);
+  EXPECT_EQ(event.ranking.size(), 6U);
+  for (std::size_t k = 1; k < 6; ++k) EXPECT_EQ(event.members[k].role, Role::victim);
+  EXPECT_NE(event.statement.find("It comes from L102"), std::string::npos) << event.statement;
+  EXPECT_NE(event.statement.find("a period of 60 s"), std::string::npos) << event.statement;
+}
+
+TEST(SharedOscillation, WithoutOwnFindingsNoSourceIsNamed) {
+  Plant plant;
+  plant.loops[2].own = {};
+  const std::vector<SharedOscillation> events = find_shared_oscillations(plant.loops);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_FALSE(events.front().source.has_value());
+  EXPECT_GT(events.front().outside, 0.5);
+  EXPECT_NE(events.front().statement.find("No member stands out"), std::string::npos);
+}
+
+TEST(SharedOscillation, AMemberWithAFaultOfItsOwnStaysOnTheList) {
+  Plant plant;
+  plant.loops[4].own.fault = Fault::sensor;
+  plant.loops[4].own.confidence = 0.9;
+  plant.loops[5].own.fault = Fault::tuning;
+  plant.loops[5].own.confidence = 0.9;
+  const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
+  EXPECT_EQ(member(event, 4).role, Role::member);
+  EXPECT_FALSE(leaves_work_list(member(event, 4).role));
+  EXPECT_EQ(member(event, 5).role, Role::victim);
+  EXPECT_NE(event.statement.find("kept on the list: L104"), std::string::npos) << event.statement;
+}
+
+TEST(SharedOscillation, ALoopThatItHardlyTouchesStaysOnTheList) {
+  Plant plant;
+  std::mt19937_64 random(32);
+  std::vector<double> noisy = plant.errors[5];
+  const testing::Course other = testing::draw_course(kSamples, 11.0, 1.0, random);
+  const auto noise = testing::draw_error(other, 11.0, 0, 0.1, kSamples, random);
+  for (std::size_t k = 0; k < kSamples; ++k) noisy[k] += 3.0 * noise[k];
+  plant.loops[5].error = noisy;
+  const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
+  EXPECT_LT(member(event, 5).strength, 0.2);
+  EXPECT_EQ(member(event, 5).role, Role::member);
+}
+
+TEST(SharedOscillation, LagsAreTimesAfterTheSource) {
+  // draw_error turns every loop by a phase of its own; without it the lags are the delays.
+  Plant plant;
+  std::mt19937_64 random(33);
+  const testing::Course course = testing::draw_course(kSamples + 600, 60.0, 0.3, random);
+  for (std::size_t k = 0; k < 6; ++k) {
+    std::mt19937_64 same(34);
+    plant.errors[k] = testing::draw_error(course, 60.0, 0, 0.1, kSamples, same);
+    std::rotate(plant.errors[k].begin(), plant.errors[k].end() - static_cast<long>(4 * k),
+                plant.errors[k].end());
+    plant.loops[k].error = plant.errors[k];
+  }
+  const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
+  for (const SharingLoop& one : event.members)
+    EXPECT_NEAR(one.lag_s, 4.0 * (static_cast<double>(one.index) - 2.0), 0.5) << one.index;
+}
+
+TEST(SharedOscillation, TheOrderOfTheLoopsDoesNotMatter) {
+  const Plant plant;
+  std::vector<MemberLoop> turned(plant.loops.rbegin(), plant.loops.rend());
+  const SharedOscillation one = find_shared_oscillations(plant.loops).at(0);
+  const SharedOscillation other = find_shared_oscillations(turned).at(0);
+  ASSERT_EQ(one.members.size(), other.members.size());
+  EXPECT_EQ(other.source, 3U);
+  for (const SharingLoop& a : one.members) {
+    const SharingLoop& b = member(other, 5 - a.index);
+    EXPECT_EQ(a.id, b.id);
+    EXPECT_EQ(a.role, b.role);
+    EXPECT_NEAR(a.strength, b.strength, 0.01);
+  }
+}
+
+TEST(SharedOscillation, CascadesHaveRolesOfTheirOwn) {
+  Plant plant;
+  std::vector<double> output(kSamples), setpoint(kSamples);
+  for (std::size_t k = 0; k < kSamples; ++k) {
+    output[k] = 50.0 + 5.0 * plant.errors[0][k];
+    setpoint[k] = 20.0 + 0.5 * output[k];
+  }
+  plant.loops[0].op = output;
+  plant.loops[1].sp = setpoint;
+  const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
+  EXPECT_EQ(member(event, 0).role, Role::cascade_master);
+  EXPECT_EQ(member(event, 1).role, Role::cascade_slave);
+  EXPECT_TRUE(leaves_work_list(Role::cascade_master));
+  EXPECT_EQ(name(Role::cascade_slave), "cascade_slave");
+}
+
+TEST(SharedOscillation, RefusesWhatCannotBe) {
+  Plant plant;
+  PlantSettings settings;
+  settings.event_p = 1.5;
+  EXPECT_THROW(std::ignore = find_shared_oscillations(plant.loops, settings),
+               std::invalid_argument);
+  plant.loops[0].sample_interval_s = 0.0;
+  EXPECT_THROW(std::ignore = find_shared_oscillations(plant.loops), std::invalid_argument);
+  plant.loops[0].sample_interval_s = 1.0;
+  const std::vector<double> shorter(10, 0.0);
+  plant.loops[0].op = shorter;
+  EXPECT_THROW(std::ignore = find_shared_oscillations(plant.loops), std::invalid_argument);
+  EXPECT_TRUE(find_shared_oscillations({}).empty());
+}
+
+}  // namespace
+}  // namespace loopscope::core::plant

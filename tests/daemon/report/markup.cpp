@@ -1,0 +1,60 @@
+#include "tests/daemon/report/markup.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace loopscope::daemon::tests {
+namespace {
+
+constexpr std::array kEmptyElements{"img", "meta", "link", "!DOCTYPE", "br"};
+
+/// A tag without the values of its attributes, which may hold anything in quotes.
+std::string without_values(const std::string& html, std::size_t& at) {
+  std::string tag;
+  for (char quote = '\0'; at < html.size(); ++at) {
+    const char c = html[at];
+    if (quote == '\0' && c == '>') break;
+    if (quote == '\0' && (c == '"' || c == '\'')) {
+      quote = c;
+    } else if (quote == c) {
+      quote = '\0';
+    } else if (quote == '\0') {
+      tag += c;
+    }
+  }
+  return tag;
+}
+
+std::string element(const std::string& tag) {
+  return tag.substr(0, tag.find_first_of(" \n"));
+}
+
+}  // namespace
+
+std::vector<std::string> tags_of(const std::string& html) {
+  std::vector<std::string> tags;
+  for (std::size_t at = 0; (at = html.find('<', at)) != std::string::npos;) {
+    ++at;
+    tags.push_back(without_values(html, at));
+  }
+  return tags;
+}
+
+std::string unbalanced(const std::string& html) {
+  std::vector<std::string> open;
+  for (const std::string& tag : tags_of(html)) {
+    const std::string name = element(tag);
+    if (std::ranges::find(kEmptyElements, name) != kEmptyElements.end()) continue;
+    if (!name.starts_with('/')) {
+      open.push_back(name);
+    } else if (open.empty() || "/" + open.back() != name) {
+      return name;
+    } else {
+      open.pop_back();
+    }
+  }
+  return open.empty() ? "" : open.back();
+}
+
+}  // namespace loopscope::daemon::tests

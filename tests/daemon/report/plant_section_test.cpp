@@ -1,0 +1,49 @@
+#include "daemon/report/plant_section.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/daemon/report/markup.hpp"
+#include "tests/daemon/report/sample_rows.hpp"
+#include "tests/support/hostile_names.hpp"
+
+namespace loopscope::daemon::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(PlantSection, TellsCountsFactorsAndWhatToDo) {
+  const std::string text = plant_section(plant_facts("FIC101"), LoopLinks::sections);
+  EXPECT_THAT(text, HasSubstr("<b>12</b><span>loops</span>"));
+  EXPECT_THAT(text, HasSubstr("<b>2</b><span>flagged</span>"));
+  EXPECT_THAT(text, HasSubstr("4 victims"));
+  EXPECT_THAT(text, HasSubstr("href=\"#loop-1\""));
+  EXPECT_THAT(text, HasSubstr("data-sort=\"0.504\""));
+  EXPECT_THAT(text, HasSubstr("2026-03-01 12:00 UTC <span class=\"fresh\">new</span>"));
+  EXPECT_THAT(text, HasSubstr("Plant-wide oscillation 1: period 2 min, 1 loop"));
+  EXPECT_THAT(text, HasSubstr("<span class=\"word improved\">improved</span>"));
+}
+
+TEST(PlantSection, LinksToPagesByNameWhereTheyAreLive) {
+  EXPECT_THAT(plant_section(plant_facts("a b&c"), LoopLinks::pages),
+              HasSubstr("href=\"/loop?name=a%20b%26c\""));
+}
+
+TEST(PlantSection, APlantWithoutFlagsSaysSo) {
+  const std::string text = plant_section({}, LoopLinks::sections);
+  EXPECT_THAT(text, HasSubstr("nothing to act on"));
+  EXPECT_THAT(text, Not(HasSubstr("<table")));
+  EXPECT_EQ(unbalanced(text), "");
+}
+
+TEST(PlantSection, NoHostileNameChangesTheMarkup) {
+  const std::string plain = plant_section(plant_facts("FIC101"), LoopLinks::pages);
+  for (const auto& [about, name] : loopscope::tests::hostile_names()) {
+    const std::string text = plant_section(plant_facts(name), LoopLinks::pages);
+    EXPECT_EQ(tags_of(text), tags_of(plain)) << about << ": " << name;
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::daemon::tests

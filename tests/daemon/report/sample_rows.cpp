@@ -1,0 +1,69 @@
+#include "tests/daemon/report/sample_rows.hpp"
+
+namespace loopscope::daemon::tests {
+namespace {
+
+constexpr std::int64_t kSlot = 1'772'366'400'000'000;  // 2026-03-01T12:00:00Z
+
+}  // namespace
+
+storage::FlaggedRow flagged_row(std::int64_t loop_id, const std::string& text) {
+  storage::FlaggedRow row;
+  row.rank = loop_id;
+  row.loop_id = loop_id;
+  row.loop_name = row.source = row.summary = row.action = text;
+  row.loop_type = text;
+  row.reasons = {text, text};
+  row.code = "valve_stiction";
+  row.score = 0.504;
+  row.severity = 0.8;
+  row.importance = 1.0;
+  row.kind_weight = 1.0;
+  row.confidence = 0.63;
+  row.p = 1e-5;
+  row.status = "confirmed";
+  row.since_us = row.slot_end_us = kSlot;
+  row.analysis_id = loop_id;
+  row.plant_oscillation_number = 1;
+  return row;
+}
+
+PlantFacts plant_facts(const std::string& text) {
+  PlantFacts facts;
+  facts.plant = text;
+  facts.since_us = kSlot - 1;
+  facts.counts = {.loops = 12,
+                  .enabled = 11,
+                  .judged = 9,
+                  .flagged = 2,
+                  .new_flags = 1,
+                  .fixed = 3,
+                  .unjudgeable = 1,
+                  .never_analysed = 1,
+                  .victims = 4,
+                  .annotated = 5,
+                  .reasons = {{text, text, 1}},
+                  .now_us = kSlot};
+  facts.flagged = {flagged_row(1, text), flagged_row(2, text)};
+  facts.oscillations = {{.number = 1,
+                         .period_s = 120.0,
+                         .source_name = text,
+                         .statement = text,
+                         .members = {{1, text, "source", 0.8, 0.0, 3.0}},
+                         .slot_end_us = kSlot,
+                         .p = 0.001}};
+  facts.repairs = {{.maintenance_event_id = 1,
+                    .loop_id = 1,
+                    .loop_name = text,
+                    .done_at_us = kSlot,
+                    .kind = "valve",
+                    .description = text,
+                    .word = "improved",
+                    .statement = text,
+                    .code_before = "valve_stiction",
+                    .code_after = "healthy",
+                    .figures = {{"error_std", 2.0, 1.0}}}};
+  return facts;
+}
+
+}  // namespace loopscope::daemon::tests

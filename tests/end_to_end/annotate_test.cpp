@@ -1,0 +1,104 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tests/end_to_end/told_plant.hpp"
+
+namespace loopscope::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class Annotate : public testing::Test {
+ protected:
+  [[nodiscard]] ProgramResult annotate(const std::vector<std::string>& rest) const {
+    return plant_.plant().loopscope("annotate", rest);
+  }
+  [[nodiscard]] std::string flagged() const {
+    return plant_.plant().sql("SELECT loop_name FROM loopscope.flagged_loop ORDER BY loop_name");
+  }
+  void expect_error(const std::vector<std::string>& rest, const std::string& words,
+                    const std::string& hint) const {
+    const ProgramResult result = annotate(rest);
+    EXPECT_EQ(result.exit_code, 2) << words;
+    EXPECT_THAT(result.err, HasSubstr(words));
+    EXPECT_THAT(result.err, HasSubstr("HINT: " + hint));
+  }
+  ToldPlant plant_;
+};
+
+TEST_F(Annotate, TakesLoopsOffTheListAndPutsThemBack) {
+  EXPECT_EQ(flagged(), "FIC101\nNEW1\nPIC200");
+  const ProgramResult known =
+      annotate({"--loop", "FIC101", "acknowledge", "--reason", "order 4712"});
+  EXPECT_EQ(known.exit_code, 0) << known.err;
+  EXPECT_EQ(known.out, "acknowledged FIC101, verdict valve_stiction, until it is withdrawn\n");
+  EXPECT_EQ(flagged(), "NEW1\nPIC200");
+  EXPECT_EQ(
+      annotate({"--loop", "PIC200", "suppress", "--until", "2199-01-01", "--reason", "turnaround"})
+          .exit_code,
+      0);
+  EXPECT_EQ(flagged(), "NEW1");
+  EXPECT_EQ(annotate({"--loop", "NEW1", "false-positive", "--code", "any"}).exit_code, 0);
+  EXPECT_EQ(flagged(), "");
+  const std::string list = annotate({"list"}).out;
+  for (const char* words :
+       {"order 4712", "2199-01-01T00:00:00Z", "turnaround", "false_positive", "order 4711"}) {
+    EXPECT_THAT(list, HasSubstr(words));
+  }
+  EXPECT_THAT(annotate({"--loop", "NEW1", "list"}).out, Not(HasSubstr("PIC200")));
+  for (const char* loop : {"FIC101", "PIC200", "NEW1"})
+    EXPECT_EQ(annotate({"--loop", loop, "withdraw"}).exit_code, 0);
+  EXPECT_EQ(flagged(), "FIC101\nNEW1\nPIC200");
+}
+
+TEST_F(Annotate, OfAKindOneStands) {
+  EXPECT_EQ(annotate({"--loop", "FIC101", "acknowledge"}).exit_code, 0);
+  EXPECT_THAT(annotate({"--loop", "FIC101", "acknowledge", "--reason", "ordered"}).out,
+              HasSubstr("it takes the place of an older one"));
+  EXPECT_EQ(plant_.plant().sql("SELECT count(*) FROM loopscope.annotation_in_force"
+                               " WHERE loop_name = 'FIC101'"),
+            "1");
+}
+
+TEST_F(Annotate, ErrorsSayTheWayOut) {
+  expect_error({"--loop", "FIC10", "acknowledge"}, "no loop named \"FIC10\"",
+               "did you mean \"FIC101\"?");
+  expect_error({"--loop", "zzz", "withdraw"}, "no loop named", "loopscope loops");
+  expect_error({"acknowledge"}, "--loop is missing", "name the loop");
+  expect_error({"--loop", "FIC103", "acknowledge"}, "its newest verdict is healthy",
+               "name the verdict that is meant");
+  expect_error({"--loop", "FIC101", "acknowledge", "--code", "valve_sticktion"},
+               "is no verdict of a fault", "did you mean valve_stiction?");
+  expect_error({"--loop", "FIC101", "suppress", "--until", "2020-01-01", "--reason", "x"},
+               "--until 2020-01-01T00:00:00Z has passed", "name a time to come");
+  expect_error({"--loop", "FIC101", "suppress", "--until", "soon", "--reason", "x"},
+               "is not a time", "write ISO 8601");
+  expect_error({"--loop", "FIC101", "suppress", "--until", "2199-01-01", "--reason", ""},
+               "--reason is empty", "say why");
+  expect_error({"--loop", "FIC101", "suppress", "--until", "2199-01-01"}, "--reason is required",
+               "see loopscope");
+  expect_error({"--loop", "FIC103", "withdraw"}, "nothing to withdraw", "loopscope annotate");
+  expect_error({}, "A subcommand is required", "see loopscope");
+}
+
+TEST_F(Annotate, WhoMayNotIsToldOfTheRole) {
+  const std::string login = "anna_" + std::to_string(getpid());
+  plant_.plant().sql("CREATE ROLE " + login + " LOGIN IN ROLE loopscope_reader");
+  const std::string mine = plant_.plant().connection() + " user=" + login;
+  plant_.plant().write_settings(R"({"results": {"connection": ")" + mine +
+                                R"("}, "historians": [{"connection": "@CONNECTION@"}]})");
+  const ProgramResult refused = annotate({"--loop", "FIC101", "acknowledge"});
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("loopscope_engineer to annotate"));
+  plant_.plant().sql("GRANT loopscope_engineer TO " + login);
+  EXPECT_EQ(annotate({"--loop", "FIC101", "acknowledge"}).exit_code, 0);
+  EXPECT_EQ(plant_.plant().sql("SELECT author FROM loopscope.annotation_in_force"
+                               " WHERE loop_name = 'FIC101'"),
+            login);
+  plant_.plant().sql("DROP ROLE " + login);
+}
+
+}  // namespace
+}  // namespace loopscope::tests

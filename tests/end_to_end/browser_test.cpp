@@ -1,0 +1,77 @@
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <regex>
+
+#include "tests/end_to_end/plant.hpp"
+#include "tests/support/source_dir.hpp"
+
+namespace loopscope::tests {
+namespace {
+
+using testing::HasSubstr;
+
+void import_simulated(const Plant& plant, const std::string& name, const std::string& scenario,
+                      const std::string& seed) {
+  const std::string file = plant.folder() / ("simulated_" + seed + ".csv");
+  ASSERT_EQ(run_program(
+                {LOOPSCOPE_PROGRAM, "simulate", scenario, "--seed", seed, "--no-mv", "--out", file})
+                .exit_code,
+            0);
+  ASSERT_EQ(plant.loopscope("import", {"--create-table", "--loop", name, file}).exit_code, 0);
+}
+
+/// Several kinds of fault, under names that would break out of a page that lets them.
+void make_plant(const Plant& plant) {
+  import_simulated(plant, "FIC101", "sticking_valve", "102");
+  import_simulated(plant, "\"><script>alert(1)</script>", "tight_tuning", "104");
+  import_simulated(plant, "</style><img src=x onerror=alert(1)>", "quantised_sensor", "105");
+  import_simulated(plant, "LIC '% &amp; #1?a=b", "sticking_level", "106");
+  import_simulated(plant, "FIC103", "healthy_flow", "103");
+  ASSERT_EQ(plant.loopscope("once").exit_code, 0);
+}
+
+/// Where the daemon says that its pages are; empty when it does not.
+std::string address_in(const std::filesystem::path& log) {
+  const std::regex words("health, metrics and pages: (http://[0-9.:]+)");
+  for (int k = 0; k < 200; ++k) {
+    std::smatch match;
+    const std::string text = content_of(log);
+    if (std::regex_search(text, match, words)) return match[1];
+    usleep(100'000);
+  }
+  return {};
+}
+
+bool can_browse() {
+  for (const char* program : {"/usr/bin/chromium", "/usr/bin/chromedriver", "/usr/bin/python3"})
+    if (!std::filesystem::exists(program)) return false;
+  return run_program({"/usr/bin/python3", "-c", "import selenium"}).exit_code == 0;
+}
+
+TEST(Browser, ReportAndLivePagesAreWhatTheyShouldBe) {
+  if (!can_browse()) GTEST_SKIP() << "no chromium, chromium-driver or python3-selenium";
+  const Plant plant;
+  make_plant(plant);
+  const std::string folder = plant.folder() / "reports";
+  ASSERT_EQ(plant.loopscope("report", {"--out", folder}).exit_code, 0);
+  plant.write_settings(Plant::settings(R"("daemon": {"http_address": "127.0.0.1:0"})"));
+  const std::filesystem::path log = plant.folder() / "daemon.log";
+  BackgroundProgram daemon(plant.command_line("run"), log);
+  const std::string address = address_in(log);
+  ASSERT_NE(address, "") << content_of(log);
+  const char* kept = std::getenv("LOOPSCOPE_SCREENSHOTS");
+  const std::string pictures = kept != nullptr ? kept : plant.folder() / "screenshots";
+  const ProgramResult read =
+      run_program({"/usr/bin/python3", source_dir() / "tests/end_to_end/read_pages.py",
+                   folder + "/report.html", address, pictures});
+  EXPECT_EQ(read.exit_code, 0) << read.err << content_of(log);
+  EXPECT_THAT(read.out, HasSubstr("read"));
+  daemon.send(SIGTERM);
+  EXPECT_EQ(daemon.wait(30), 0);
+}
+
+}  // namespace
+}  // namespace loopscope::tests

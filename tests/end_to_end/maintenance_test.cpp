@@ -1,0 +1,75 @@
+#include <fstream>
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/plant.hpp"
+
+namespace loopscope::tests {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// The log of work on loops, as a planner enters and reads it.
+class MaintenanceTest : public testing::Test {
+ protected:
+  MaintenanceTest() {
+    EXPECT_EQ(plant.loopscope("loops", {"add", "FIC101", "--pv-tag", "FIC101.PV"}).exit_code, 0);
+  }
+  [[nodiscard]] ProgramResult add(const std::string& loop, const std::string& at,
+                                  const std::string& kind) const {
+    return plant.loopscope("maintenance",
+                           {"add", "--loop", loop, "--at", at, "--kind", kind, "new", "packing"});
+  }
+  [[nodiscard]] std::string entered() const {
+    return plant.sql("SELECT count(*) FROM loopscope.maintenance_event");
+  }
+  Plant plant;
+};
+
+TEST_F(MaintenanceTest, WorkIsEnteredAndListed) {
+  EXPECT_EQ(add("FIC101", "2026-03-01T14:30:00+01:00", "valve").out,
+            "entered: FIC101 2026-03-01T13:30:00Z valve\n");
+  const ProgramResult list = plant.loopscope("maintenance", {"list", "--loop", "FIC101"});
+  EXPECT_EQ(list.exit_code, 0) << list.err;
+  EXPECT_THAT(list.out, AllOf(HasSubstr("2026-03-01T13:30:00Z  -  FIC101  valve: new packing\n"),
+                              HasSubstr("    Not judged: no usable window")));
+}
+
+TEST_F(MaintenanceTest, MistakesAreExplained) {
+  const auto expect = [](const ProgramResult& result, int code, const std::string& what,
+                         const std::string& hint) {
+    EXPECT_EQ(result.exit_code, code);
+    EXPECT_THAT(result.err,
+                AllOf(HasSubstr("error: " + what), HasSubstr("HINT: "), HasSubstr(hint)));
+  };
+  expect(add("FIC110", "2026-03-01 12:00", "valve"), 2, "no loop named \"FIC110\"",
+         "did you mean \"FIC101\"?");
+  expect(add("FIC101", "2999-01-01 12:00", "valve"), 2,
+         "work on \"FIC101\" at 2999-01-01T12:00:00Z", "without a zone is UTC");
+  expect(add("FIC101", "2026-03-01 12:00", "vavle"), 2,
+         "no kind of work \"vavle\", did you mean valve", "maintenance add --help");
+  expect(add("FIC101", "yesterday", "valve"), 2, "\"yesterday\" is no time", "--help");
+  expect(plant.loopscope("maintenance", {"list", "--loop", "x"}), 2, "no loop named \"x\"",
+         "lists them");
+  EXPECT_EQ(entered(), "0");
+  EXPECT_EQ(add("FIC101", "2026-03-01 12:00", "valve").exit_code, 0);
+  expect(add("FIC101", "2026-03-01 12:00", "valve"), 2, "work on \"FIC101\"",
+         "shows what is entered");
+  EXPECT_EQ(entered(), "1");
+}
+
+TEST_F(MaintenanceTest, ManyAtOnceAllOrNone) {
+  const std::string file = plant.folder() / "work.csv";
+  const auto load = [&](const std::string& last_loop) {
+    std::ofstream(file) << "loop,at,kind,description\nFIC101,2026-03-01 12:00,valve,packing\n"
+                        << last_loop << ",2026-03-02 12:00,tuning,\"slower, by half\"\n";
+    return plant.loopscope("maintenance", {"load", file});
+  };
+  EXPECT_EQ(load("FIC102").exit_code, 2);
+  EXPECT_EQ(entered(), "0");
+  EXPECT_EQ(load("FIC101").out, "2 entered\n");
+  EXPECT_EQ(entered(), "2");
+}
+
+}  // namespace
+}  // namespace loopscope::tests

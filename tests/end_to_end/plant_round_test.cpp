@@ -1,0 +1,118 @@
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <random>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/end_to_end/plant.hpp"
+
+namespace loopscope::tests {
+namespace {
+
+using testing::HasSubstr;
+
+/// sp, pv and op of a recording.
+using Rows = std::vector<std::array<double, 3>>;
+
+Rows rows_of(const std::string& file) {
+  std::ifstream text(file);
+  std::string line;
+  std::getline(text, line);
+  Rows rows;
+  for (double t_s = 0.0; std::getline(text, line);) {
+    std::array<double, 3> row{};
+    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &t_s, &row[0], &row[1], &row[2]) == 4)
+      rows.push_back(row);
+  }
+  return rows;
+}
+
+/// A loop downstream of `source`: its pv gets the source's error through a lag of `lag` samples and
+/// with noise of its own, and its PI controller works against that.
+std::string downstream_csv(const Rows& source, double lag, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> noise(0.0, 0.1);
+  std::ostringstream text;
+  text.precision(17);
+  text << "t_s,sp,pv,op\n";
+  double process = 0.0, op = 50.0, load = 0.0, before = 0.0;
+  for (std::size_t k = 0; k < source.size(); ++k) {
+    load += ((source[k][1] - source[k][0]) - load) / lag;
+    const double pv = 50.0 + process + load + noise(random);
+    const double error = 50.0 - pv;
+    op += 0.1 * (error - before) + 0.01 * error;
+    before = error;
+    process += (0.5 * (op - 50.0) - process) / 5.0;
+    text << k << ",50," << pv << ',' << op << '\n';
+  }
+  return text.str();
+}
+
+/// A valve that sticks, three loops downstream of it, and two that have nothing to do with it.
+class PlantRound : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string sticking = plant.folder() / "sticking.csv";
+    std::vector<std::string> simulate = plant.command_line("simulate");
+    simulate = {simulate[0], "simulate", "sticking_valve", "--seed", "5", "--out", sticking};
+    ASSERT_EQ(run_program(simulate).exit_code, 0);
+    import("FIC1", sticking);
+    const Rows source = rows_of(sticking);
+    for (int k = 0; k < 3; ++k) {
+      const std::string file = plant.folder() / ("downstream" + std::to_string(k) + ".csv");
+      std::ofstream(file) << downstream_csv(source, 6.0 + 6.0 * k, 10U + static_cast<unsigned>(k));
+      import("TIC" + std::to_string(k), file);
+    }
+    for (unsigned k = 0; k < 2; ++k) {
+      const std::string file = plant.folder() / ("quiet" + std::to_string(k) + ".csv");
+      std::ofstream(file) << noisy_loop_csv(4096, 20 + k);
+      import("PIC" + std::to_string(k), file);
+    }
+  }
+  void import(const std::string& loop, const std::string& file) const {
+    const ProgramResult done = plant.loopscope("import", {"--create-table", "--loop", loop, file});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+  }
+  [[nodiscard]] std::string members() const {
+    return plant.sql(
+        "select string_agg(loop_name, ', ' order by loop_name) from "
+        "loopscope.plant_oscillation_member where is_current");
+  }
+  Plant plant;
+};
+
+TEST_F(PlantRound, OneEventOfThoseThatShareItAndWhoeverIsFlaggedIsAnnounced) {
+  const ProgramResult pass = plant.loopscope("once");
+  ASSERT_EQ(pass.exit_code, 0) << pass.err;
+  EXPECT_THAT(pass.err, HasSubstr("6 loops compared"));
+  EXPECT_EQ(plant.sql("select loops, events from loopscope.plant_round"), "6|1");
+  EXPECT_EQ(members(), "FIC1, TIC0, TIC1, TIC2");
+  const std::string notices = plant.sql("select count(*) from loopscope.flag_notice");
+  EXPECT_EQ(notices, plant.sql("select count(*) from loopscope.flagged_loop"));
+
+  // The same data give the same round.
+  ASSERT_EQ(plant.loopscope("once").exit_code, 0);
+  EXPECT_EQ(plant.sql("select count(*) from loopscope.plant_round"), "1");
+  EXPECT_EQ(plant.sql("select count(*) from loopscope.flag_notice"), notices);
+}
+
+TEST_F(PlantRound, IsMadeByTheDaemonOnItsSchedule) {
+  plant.write_settings(Plant::settings(
+      R"("plant": {"round_s": 0.5, "notice_s": 0.5}, "schedule": {"poll_s": 0.5, "settle_s": 0})"));
+  BackgroundProgram daemon(plant.command_line("run"), plant.folder() / "daemon.log");
+  for (int tries = 0; tries < 600 && members().find("FIC1") == std::string::npos; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_THAT(members(), HasSubstr("FIC1"));
+  daemon.send(SIGTERM);
+  EXPECT_EQ(daemon.wait(30), 0);
+}
+
+}  // namespace
+}  // namespace loopscope::tests

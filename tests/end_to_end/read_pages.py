@@ -1,0 +1,173 @@
+"""Reads the report and the live pages as people do: in Chromium, without a screen.
+
+usage: read_pages.py PAGE.html LIVE_URL SCREENSHOT_FOLDER
+
+Fails when a page says something on the console, asks for anything outside of itself, is wider than
+its window, lacks a picture, or cannot be sorted and filtered.
+"""
+import json
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+
+WINDOWS = {"desktop": (1440, 900), "phone": (390, 844)}
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+         "--disable-background-networking", "--disable-component-update", "--disable-sync",
+         "--disable-dev-shm-usage", "--hide-scrollbars"]
+
+
+def require(condition, words):
+    if not condition:
+        raise AssertionError(words)
+
+
+class Reader:
+    def __init__(self, profile):
+        options = webdriver.ChromeOptions()
+        options.binary_location = shutil.which("chromium")
+        for flag in FLAGS + ["--user-data-dir=" + profile]:
+            options.add_argument(flag)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+        self.driver.set_page_load_timeout(120)
+
+    def open(self, url, window):
+        # A window has a least width; the page is told another one.
+        width, height = WINDOWS[window]
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": window == "phone"})
+        self.driver.get_log("browser")
+        self.driver.get_log("performance")
+        self.driver.get(url)
+        complaints = [entry["message"] for entry in self.driver.get_log("browser")]
+        require(not complaints, f"{url}: the console says {complaints}")
+        asked = list(self.requests())
+        require(asked == [url], f"{url} asks for {asked}")
+        self.require_width(url, window)
+
+    def requests(self):
+        for entry in self.driver.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                url = message["params"]["request"]["url"]
+                if not url.startswith("data:"):
+                    yield url
+
+    def run(self, script, *arguments):
+        return self.driver.execute_script("return " + script, *arguments)
+
+    def require_width(self, url, window):
+        wide = self.run("document.documentElement.scrollWidth")
+        require(wide <= WINDOWS[window][0], f"{url} is {wide} wide on a {window}")
+
+    def shoot(self, file):
+        self.driver.save_screenshot(str(file))
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+
+def require_pictures(reader, place):
+    for section in reader.all("section.loop"):
+        name = section.find_element(By.CSS_SELECTOR, "h2").text
+        images = section.find_elements(By.CSS_SELECTOR, "img")
+        require(len(images) >= 6, f"{place}: {name} has {len(images)} pictures")
+        for image in images:
+            drawn = reader.run("arguments[0].complete && arguments[0].naturalWidth > 0", image)
+            require(drawn, f"{place}: {name}: {image.get_attribute('alt')} is not drawn")
+            require(image.get_attribute("alt"), f"{place}: {name}: a picture without words")
+
+
+def column(reader, number):
+    return reader.run("Array.from(document.querySelectorAll('table.sortable tbody tr'))"
+                      ".map(r => r.cells[arguments[0]]).map(c => c.dataset.sort === undefined ? "
+                      "c.textContent.trim() : Number(c.dataset.sort))", number)
+
+
+def require_sorting(reader, place):
+    headers = reader.all("table.sortable th button")
+    require(headers, f"{place}: nothing can be sorted")
+    for number, header in enumerate(headers):
+        header.click()
+        rising = column(reader, number)
+        header.click()
+        falling = column(reader, number)
+        if all(isinstance(value, (int, float)) for value in rising):
+            require(rising == sorted(rising), f"{place}: column {number} does not rise: {rising}")
+            require(falling == sorted(falling, reverse=True), f"{place}: column {number} falls: {falling}")
+        require(sorted(map(str, rising)) == sorted(map(str, falling)), f"{place}: rows are lost")
+    headers[0].click()
+
+
+def shown(reader):
+    return len([row for row in reader.all("table.filterable tbody tr") if row.is_displayed()])
+
+
+def require_filtering(reader, place):
+    rows = shown(reader)
+    search = reader.all(".filters input")[0]
+    search.send_keys("stiction")
+    some = shown(reader)
+    require(0 < some < rows, f"{place}: the filter shows {some} of {rows}")
+    search.send_keys(" nowhere")
+    require(shown(reader) == 0, f"{place}: the filter shows what does not fit")
+    search.clear()
+    search.send_keys(" ")
+    require(shown(reader) == rows, f"{place}: the filter does not give back its rows")
+    verdict = reader.all(".filters select")[0].find_elements(By.CSS_SELECTOR, "option")[1]
+    verdict.click()
+    require(0 < shown(reader) <= rows, f"{place}: no row has the verdict {verdict.text}")
+    reader.all(".filters select")[0].find_elements(By.CSS_SELECTOR, "option")[0].click()
+
+
+def read_static(reader, url, folder):
+    for window in WINDOWS:
+        reader.open(url, window)
+        require_pictures(reader, "report on a " + window)
+        reader.shoot(folder / f"report_{window}.png")
+    reader.open(url, "desktop")
+    require_sorting(reader, "report")
+    require_filtering(reader, "report")
+    require(reader.all("section.loop"), "the report tells of no loop")
+    for link in reader.all("table.ranking td.loop-name a"):
+        target = link.get_attribute("href").split("#")[1]
+        require(reader.all("#" + target), f"no section {target}")
+
+
+def read_live(reader, base, folder):
+    for window in WINDOWS:
+        for path in ["/", "/loops"]:
+            reader.open(base + path, window)
+            reader.shoot(folder / f"live_{path.strip('/') or 'plant'}_{window}.png")
+    require_sorting(reader, "/loops")
+    reader.open(base + "/", "desktop")
+    require_filtering(reader, "/")
+    links = [link.get_attribute("href") for link in reader.all("table.ranking td.loop-name a")]
+    require(links, "the plant's page links to no loop")
+    for link in links:
+        for window in WINDOWS:
+            reader.open(link, window)
+            require_pictures(reader, link)
+    reader.shoot(folder / "live_loop_phone.png")
+
+
+def main():
+    page, base, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as profile:
+        reader = Reader(profile)
+        try:
+            read_static(reader, Path(page).resolve().as_uri(), folder)
+            read_live(reader, base, folder)
+        finally:
+            reader.driver.quit()
+    print("read")
+
+
+if __name__ == "__main__":
+    main()

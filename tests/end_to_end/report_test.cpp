@@ -1,0 +1,149 @@
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/plant.hpp"
+#include "tests/support/hostile_names.hpp"
+
+namespace loopscope::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// A loop of a simulated scenario, in historian and catalogue.
+void import_simulated(const Plant& plant, const std::string& name, const std::string& scenario,
+                      const std::string& seed) {
+  const std::string file = plant.folder() / ("simulated_" + seed + ".csv");
+  ASSERT_EQ(run_program(
+                {LOOPSCOPE_PROGRAM, "simulate", scenario, "--seed", seed, "--no-mv", "--out", file})
+                .exit_code,
+            0);
+  const ProgramResult imported =
+      plant.loopscope("import", {"--create-table", "--loop", name, file});
+  ASSERT_EQ(imported.exit_code, 0) << imported.err;
+}
+
+/// Two faults and a healthy loop, analysed.
+void make_plant(const Plant& plant) {
+  import_simulated(plant, "FIC101", "sticking_valve", "102");
+  import_simulated(plant, "<b>\"TIC\" & co</b>", "tight_tuning", "104");
+  import_simulated(plant, "FIC103", "healthy_flow", "103");
+  ASSERT_EQ(plant.loopscope("once").exit_code, 0);
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+TEST(Report, OneFileTellsOfEveryFlaggedLoopWithItsPictures) {
+  const Plant plant;
+  make_plant(plant);
+  const std::string folder = plant.folder() / "reports";
+  const ProgramResult result = plant.loopscope("report", {"--out", folder});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("2 flagged loops"));
+  const std::string page = content_of(folder + "/report.html");
+  EXPECT_EQ(count(page, "<section class=\"loop\""), 2U);
+  EXPECT_GE(count(page, "<img src=\"data:image/svg+xml;base64,"), 12U);
+  EXPECT_THAT(page, HasSubstr("Valve stiction"));
+  EXPECT_THAT(page, HasSubstr("&lt;b&gt;&quot;TIC&quot; &amp; co&lt;/b&gt;"));
+  EXPECT_THAT(page, Not(HasSubstr("<b>\"TIC\"")));
+  EXPECT_THAT(page, HasSubstr("Content-Security-Policy"));
+  EXPECT_THAT(page, Not(HasSubstr("http://")));
+  EXPECT_THAT(page, Not(HasSubstr("https://")));
+  EXPECT_EQ(result.err, "");
+}
+
+TEST(Report, WithoutTheHistorianTheStoredFiguresStand) {
+  const Plant plant;
+  make_plant(plant);
+  plant.sql("drop table history");
+  const std::string folder = plant.folder() / "reports";
+  const ProgramResult result = plant.loopscope("report", {"--out", folder});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string page = content_of(folder + "/report.html");
+  EXPECT_EQ(count(page, "<section class=\"loop\""), 2U);
+  EXPECT_THAT(page, HasSubstr("No pictures: the window could not be read again"));
+  EXPECT_THAT(page, HasSubstr("Valve stiction"));
+  EXPECT_THAT(result.err, HasSubstr("note: 2 of them without pictures"));
+}
+
+TEST(Report, NothingIsWrittenWhenTheResultsAreAway) {
+  const Plant plant;
+  plant.write_settings(R"({"results": {"connection": "host=/nowhere"},
+                           "historians": [{"connection": "host=/nowhere"}]})");
+  const std::string folder = plant.folder() / "reports";
+  const ProgramResult result = plant.loopscope("report", {"--out", folder});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_THAT(result.err, HasSubstr("HINT: "));
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(Report, SaysWhichPackageIsMissing) {
+  const Plant plant;
+  make_plant(plant);
+  const std::string folder = plant.folder() / "reports";
+  std::vector<std::string> command{"/usr/bin/env", "PATH=/nonexistent"};
+  for (const std::string& argument : plant.command_line("report")) command.push_back(argument);
+  command.insert(command.end(), {"--out", folder});
+  const ProgramResult without_gnuplot = run_program(command);
+  EXPECT_EQ(without_gnuplot.exit_code, 3);
+  EXPECT_THAT(without_gnuplot.err, HasSubstr("apt-get install gnuplot-nox"));
+  EXPECT_FALSE(std::filesystem::exists(folder));
+  command.emplace_back("--no-pictures");
+  EXPECT_EQ(run_program(command).exit_code, 0);
+  command.emplace_back("--pdf");
+  const ProgramResult without_engine = run_program(command);
+  EXPECT_EQ(without_engine.exit_code, 3);
+  EXPECT_THAT(without_engine.err, HasSubstr("apt-get install weasyprint"));
+}
+
+TEST(Report, ThePdfHasTheSameLoops) {
+  if (!std::filesystem::exists("/usr/bin/weasyprint")) GTEST_SKIP() << "no weasyprint";
+  const Plant plant;
+  make_plant(plant);
+  const std::string folder = plant.folder() / "reports";
+  const ProgramResult result = plant.loopscope("report", {"--out", folder, "--pdf"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(content_of(folder + "/report.pdf").starts_with("%PDF"));
+  if (!std::filesystem::exists("/usr/bin/pdftotext")) return;
+  const std::string text = run_program({"/usr/bin/pdftotext", folder + "/report.pdf", "-"}).out;
+  EXPECT_THAT(text, HasSubstr("FIC101"));
+  EXPECT_THAT(text, HasSubstr("<b>\"TIC\" & co</b>"));
+}
+
+TEST(Report, TheDaemonWritesOneEverySoOftenAndKeepsAFew) {
+  const Plant plant;
+  make_plant(plant);
+  const std::filesystem::path folder = plant.folder() / "reports";
+  std::filesystem::create_directories(folder);
+  std::filesystem::path old = folder / "loopscope-2020-01-01T0000Z.html";
+  for (const char* name : {"loopscope-2020-01-01T0000Z.html", "loopscope-2020-01-02T0000Z.html",
+                           "notes.html"})
+    std::ofstream(folder / name) << "";
+  plant.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.2},
+      "daemon": {"http_address": ""},
+      "report": {"folder": ")" + folder.string() +
+                                       R"(", "keep": 2})"));
+  BackgroundProgram first(plant.command_line("run"), plant.folder() / "first.log");
+  BackgroundProgram second(plant.command_line("run"), plant.folder() / "second.log");
+  for (int k = 0; k < 300 && std::filesystem::exists(old); ++k) usleep(100'000);
+  first.send(SIGTERM);
+  second.send(SIGTERM);
+  EXPECT_EQ(first.wait(30), 0);
+  EXPECT_EQ(second.wait(30), 0);
+  EXPECT_FALSE(std::filesystem::exists(old));
+  EXPECT_TRUE(std::filesystem::exists(folder / "notes.html"));
+  const std::string logs =
+      content_of(plant.folder() / "first.log") + content_of(plant.folder() / "second.log");
+  EXPECT_EQ(count(logs, "report written: "), 1U) << logs;
+}
+
+}  // namespace
+}  // namespace loopscope::tests

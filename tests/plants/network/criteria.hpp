@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/plant/shared_oscillation.hpp"
+#include "tests/plants/network/diagnosed.hpp"
+
+namespace loopscope::tests::network {
+
+/// What the source could be ranked by, besides what core/plant does: each of the published figures
+/// and of ours alone. In the order of criterion_names(); the larger the more likely the source.
+using Criteria = std::vector<double>;
+
+[[nodiscard]] const std::vector<std::string>& criterion_names();
+
+/// Of one member of an event. `lag_s` as core/plant has it.
+[[nodiscard]] Criteria measure_criteria(const DiagnosedLoop& loop, double period_s,
+                                        const core::plant::SharingLoop& member);
+
+}  // namespace loopscope::tests::network

@@ -1,0 +1,69 @@
+#include "tests/plants/network/diagnosed.hpp"
+
+#include <cmath>
+
+#include "core/diagnosis/decide.hpp"
+#include "core/diagnosis/gather_evidence.hpp"
+#include "core/diagnosis/loop_model.hpp"
+#include "core/diagnosis/plant_member.hpp"
+
+namespace loopscope::tests::network {
+namespace {
+
+core::signal::LoopWindow window_of(const LoopRecord& record) {
+  core::signal::LoopWindow window;
+  window.sample_interval_s = record.interval_s;
+  window.start_us = std::llround(record.start_s * 1e6);
+  window.sp = record.sp;
+  window.pv = record.pv;
+  window.op = record.op;
+  window.op_range = core::signal::OpRange{};
+  return window;
+}
+
+}  // namespace
+
+DiagnosedLoop diagnose(const LoopRecord& record, const TrueLoop& truth, std::uint64_t seed) {
+  const core::AnalysisSettings settings;
+  const core::LoopFacts facts{.integrating = truth.kind == LoopKind::level, .seed = seed};
+  const core::FirstLook first = core::first_look(window_of(record), settings);
+  core::Evidence evidence = core::gather_evidence(first, settings, facts, nullptr);
+  if (core::can_be_modelled(first, evidence) &&
+      core::gives_cause_for_a_model(evidence, settings.hos))
+    evidence.model = core::explain_loop(first, facts);
+  const core::diagnosis::Verdict verdict = core::diagnosis::decide(evidence, settings.hos);
+  DiagnosedLoop loop;
+  loop.name = truth.name;
+  loop.interval_s = record.interval_s;
+  loop.start_us = std::llround(record.start_s * 1e6);
+  loop.error = first.loop.error;
+  loop.sp = record.sp;
+  loop.pv = first.loop.pv;
+  loop.op = first.loop.op_percent;
+  loop.oscillation = first.oscillation;
+  loop.own = core::diagnosis::own_findings(evidence, verdict);
+  loop.verdict = name(verdict.code);
+  if (evidence.hos) loop.ngi = evidence.hos->ngi;
+  return loop;
+}
+
+std::vector<core::plant::MemberLoop> members_of(const std::vector<DiagnosedLoop>& loops) {
+  std::vector<core::plant::MemberLoop> members;
+  for (const DiagnosedLoop& loop : loops) {
+    core::plant::MemberLoop member;
+    member.id = static_cast<std::int64_t>(members.size() + 1);
+    member.name = loop.name;
+    member.sample_interval_s = loop.interval_s;
+    member.start_us = loop.start_us;
+    member.error = loop.error;
+    member.sp = loop.sp;
+    member.pv = loop.pv;
+    member.op = loop.op;
+    member.oscillation = loop.oscillation;
+    member.own = loop.own;
+    members.push_back(std::move(member));
+  }
+  return members;
+}
+
+}  // namespace loopscope::tests::network

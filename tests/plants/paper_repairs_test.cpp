@@ -1,0 +1,77 @@
+#include "tests/plants/paper_repairs.hpp"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+#include "storage/results/migrate.hpp"
+#include "tests/plants/store_repairs.hpp"
+#include "tests/support/test_database.hpp"
+
+namespace loopscope::tests::repairs {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr std::size_t kWindows = 2;
+
+/// The story of a repair, from its windows to the view.
+class PaperRepairs : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test_server()) GTEST_SKIP() << kNoServer;
+    database_ = std::make_unique<TestDatabase>();
+    settings_.conninfo = database_->conninfo();
+    settings_.purpose = "results";
+    storage::migrate(settings_);
+  }
+  storage::MaintenanceRow tell(const Repair& repair) {
+    done_ = diagnose_repair(repair, "flow loop");
+    return store_repairs(settings_, std::vector{done_}).front();
+  }
+  /// Of the windows of one side, the smallest or largest index.
+  static double ngi(const std::vector<storage::AnalysisRecord>& side, bool largest) {
+    std::vector<double> values;
+    for (const auto& record : side) values.push_back(record.diagnosis.evidence.hos.value().ngi);
+    return largest ? *std::ranges::max_element(values) : *std::ranges::min_element(values);
+  }
+  [[nodiscard]] std::string value(const std::string& sql) const { return database_->value(sql); }
+
+  std::unique_ptr<TestDatabase> database_;
+  storage::ConnectionSettings settings_;
+  DiagnosedRepair done_;
+};
+
+// Paper: op between 49.4 and 50, NGI 0.01 and NLI 0.10 before; NGI 0.0005, linear, after.
+TEST_F(PaperRepairs, OversizedValveReplacedIsFixed) {
+  const storage::MaintenanceRow row = tell(flow_loop_1(kWindows, 1));
+  for (const auto& record : done_.before) {
+    EXPECT_EQ(record.diagnosis.verdict.code, core::diagnosis::VerdictCode::valve_oversized);
+    EXPECT_LT(record.diagnosis.evidence.valve_gain.op_span_percent, 0.7);
+    EXPECT_LT(record.diagnosis.evidence.hos.value().nonlinear_p, 1e-6);
+  }
+  EXPECT_GT(ngi(done_.before, true), 0.001);
+  for (const auto& record : done_.after)
+    EXPECT_EQ(record.diagnosis.verdict.code, core::diagnosis::VerdictCode::healthy);
+  EXPECT_LT(ngi(done_.after, false), 0.001);
+  EXPECT_EQ(row.word, "fixed") << row.statement;
+  EXPECT_THAT(row.statement, StartsWith("Fixed: valve oversized, which stood in 2 of 2 windows"));
+}
+
+// Paper: NGI 0.032 and NLI 0.13 before; 0.04 and 0.06, still nonlinear but less, after.
+TEST_F(PaperRepairs, CorrodedSeatReplacedIsImproved) {
+  const storage::MaintenanceRow row = tell(flow_loop_2(kWindows, 1));
+  EXPECT_GT(ngi(done_.before, false), 0.01);
+  EXPECT_GT(ngi(done_.after, false), 0.001);
+  for (const auto& record : done_.after)
+    EXPECT_LT(record.diagnosis.evidence.hos.value().nonlinear_p, 1e-3);
+  EXPECT_EQ(row.word, "improved") << row.statement;
+  EXPECT_THAT(row.statement, HasSubstr("standard deviation went from"));
+  EXPECT_EQ(value("SELECT after_high < before_low FROM loopscope.maintenance_figure"
+                  " WHERE figure = 'nli'"),
+            "t");
+  EXPECT_EQ(value("SELECT variance_ratio_high < 1 FROM loopscope.before_after_maintenance"), "t");
+}
+
+}  // namespace
+}  // namespace loopscope::tests::repairs

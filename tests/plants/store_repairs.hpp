@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "storage/connection_settings.hpp"
+#include "storage/results/maintenance.hpp"
+#include "tests/plants/diagnose_repair.hpp"
+
+namespace loopscope::tests::repairs {
+
+/// Writes loops, analyses and events as catalogue, worker and command line do, and returns what
+/// the view makes of each repair, in their order. The database has the schema.
+[[nodiscard]] std::vector<storage::MaintenanceRow> store_repairs(
+    const storage::ConnectionSettings& database, std::span<const DiagnosedRepair> repairs);
+
+}  // namespace loopscope::tests::repairs

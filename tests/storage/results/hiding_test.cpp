@@ -1,0 +1,118 @@
+#include <gmock/gmock.h>
+
+#include "storage/results/plant_database.hpp"
+#include "tests/storage/results/views_fixture.hpp"
+
+/// What keeps faults from flagged_loop, and that this is shown.
+namespace loopscope::storage {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+using Rows = std::vector<std::vector<std::string>>;
+
+class HidingTest : public ViewsTest {
+ protected:
+  [[nodiscard]] std::int64_t id(const std::string& loop) const {
+    return std::stoll(value("SELECT loop_id FROM loopscope.loop WHERE name = '" + loop + "'"));
+  }
+  [[nodiscard]] PlantMember member(const std::string& loop, const std::string& role) const {
+    return {id(loop), role, 0.5, 1.0, 2.0};
+  }
+  /// `a` swings `b` and `c`.
+  [[nodiscard]] PlantEvent event() const {
+    return {40.0,
+            id("a"),
+            "a leads",
+            1e-6,
+            {member("a", "source"), member("b", "victim"), member("c", "cascade_slave")}};
+  }
+  void round(int hours, std::vector<PlantEvent> events) const {
+    PlantDatabase(settings_for(*database)).write_round({slot(hours), 1, 9, 3, std::move(events)});
+  }
+};
+
+TEST_F(HidingTest, VictimsLeaveTheListAndNobodyElse) {
+  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}, {.loop = "d"}});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("a", "b", "c", "d"));
+  round(1, {event()});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("a", "c", "d"));
+  EXPECT_EQ(database->rows("SELECT loop_name, plant_oscillation_number FROM loopscope.flagged_loop"
+                           " ORDER BY loop_name"),
+            (Rows{{"a", "1"}, {"c", "NULL"}, {"d", "NULL"}}));
+  EXPECT_EQ(database->rows("SELECT loop_name, hidden_by, reason, source_loop_name,"
+                           " plant_oscillation_number, author FROM loopscope.hidden_loop"),
+            (Rows{{"b", "victim", "a leads", "a", "1", "NULL"}}));
+}
+
+TEST_F(HidingTest, ARoundWithoutAFindingReleasesThem) {
+  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}});
+  round(1, {event()});
+  round(2, {});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("a", "b", "c"));
+  round(1, {event()});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("a", "b", "c")) << "an older round changes nothing";
+}
+
+TEST_F(HidingTest, AnOldRoundHidesNoNewVerdict) {
+  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}});
+  round(1, {event()});
+  tell({{.loop = "b", .slot_hours = 1 + 7 * 24}});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("a", "c"));
+  tell({{.loop = "b", .slot_hours = 2 + 7 * 24}});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("a", "b", "c"));
+}
+
+TEST_F(HidingTest, WhoCausesOneIsNotExcusedByAnother) {
+  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}});
+  PlantEvent other = event();
+  other.source_loop_id = id("b");
+  other.members = {member("b", "source"), member("c", "victim")};
+  round(1, {event(), other});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("a", "b"));
+}
+
+TEST_F(HidingTest, VictimsStayInTheFamilyWithoutRank) {
+  // Alone p = 0.04 passes at 0.05; beside a certain one that is hidden it does not.
+  tell({{.loop = "a"},
+        {.loop = "b", .p = 1e-9, .oscillation_p = 1e-9},
+        {.loop = "c", .code = core::diagnosis::VerdictCode::healthy},
+        {.loop = "d", .p = 0.04, .oscillation_p = 0.04}});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("a", "b", "d"));
+  round(1, {event()});
+  EXPECT_THAT(flagged(), ElementsAre("a"));
+}
+
+TEST_F(HidingTest, WhatIsSuppressedByWhomAndUntilWhen) {
+  tell({{.loop = "a"}});
+  database->execute(
+      "INSERT INTO loopscope.annotation (loop_id, kind, until, reason) SELECT loop_id,"
+      " 'suppressed', now() + interval '1 h', 'shutdown' FROM loopscope.loop");
+  EXPECT_EQ(database->rows("SELECT loop_name, code, hidden_by, reason, author = session_user,"
+                           " until > now() FROM loopscope.hidden_loop"),
+            (Rows{{"a", "valve_stiction", "suppressed", "shutdown", "t", "t"}}));
+  EXPECT_EQ(database->rows("SELECT loop_name, kind, state FROM loopscope.annotation_history"),
+            (Rows{{"a", "suppressed", "in_force"}}));
+  database->execute("UPDATE loopscope.annotation SET withdrawn_at = now()");
+  EXPECT_THAT(column("SELECT hidden_by FROM loopscope.hidden_loop"), IsEmpty());
+  EXPECT_EQ(database->rows("SELECT state, withdrawn_by = session_user"
+                           " FROM loopscope.annotation_history"),
+            (Rows{{"withdrawn", "t"}}));
+  database->execute(
+      "UPDATE loopscope.annotation SET withdrawn_at = NULL, until = now() - interval '1 s'");
+  EXPECT_EQ(database->rows("SELECT state, withdrawn_by FROM loopscope.annotation_history"),
+            (Rows{{"ended", "NULL"}}));
+}
+
+TEST_F(HidingTest, AnAnnotationAboutAnotherVerdictHidesNothing) {
+  tell({{.loop = "a"}});
+  database->execute(
+      "INSERT INTO loopscope.annotation (loop_id, kind, code) SELECT loop_id, 'false_positive',"
+      " 'tight_tuning' FROM loopscope.loop");
+  EXPECT_THAT(column("SELECT hidden_by FROM loopscope.hidden_loop"), IsEmpty());
+  EXPECT_THAT(flagged(), ElementsAre("a"));
+}
+
+}  // namespace
+}  // namespace loopscope::storage

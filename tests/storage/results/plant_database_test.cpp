@@ -1,0 +1,130 @@
+#include "storage/results/plant_database.hpp"
+
+#include <gmock/gmock.h>
+
+#include "storage/results/migrate.hpp"
+#include "tests/storage/results/views_fixture.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+using testing::ElementsAre;
+using testing::Field;
+using testing::IsEmpty;
+using Rows = std::vector<std::vector<std::string>>;
+
+class PlantDatabaseTest : public ViewsTest {
+ protected:
+  void SetUp() override {
+    ViewsTest::SetUp();
+    if (!database) return;
+    add_loops({"a", "b", "c"});
+    for (const auto& row : database->rows("SELECT loop_id FROM loopscope.loop ORDER BY name"))
+      ids.push_back(std::stoll(row[0]));
+  }
+  [[nodiscard]] PlantDatabase plant() const { return PlantDatabase(settings_for(*database)); }
+  [[nodiscard]] PlantEvent event(double period_s, std::size_t members) const {
+    PlantEvent found{period_s, ids[0], "a leads", 1e-6, {}};
+    for (std::size_t k = 0; k < members; ++k) {
+      const auto nth = static_cast<double>(k);
+      found.members.push_back({ids[k], k == 0 ? "source" : "victim", 0.5, 3.0 * nth, 2.0 - nth});
+    }
+    return found;
+  }
+  [[nodiscard]] Rows current() const {
+    return database->rows(
+        "SELECT number, period_s, source_loop_name, cardinality(loop_ids)"
+        " FROM loopscope.current_plant_oscillation ORDER BY number");
+  }
+  std::vector<std::int64_t> ids;
+};
+
+TEST_F(PlantDatabaseTest, WritesARoundWithTheLargestEventFirst) {
+  plant().write_round({slot(1), 1, 30, 5, {event(40, 2), event(90, 3)}});
+  EXPECT_EQ(current(), (Rows{{"1", "90", "a", "3"}, {"2", "40", "a", "2"}}));
+  EXPECT_EQ(database->rows("SELECT loops, oscillating, events FROM loopscope.newest_plant_round"),
+            (Rows{{"30", "5", "2"}}));
+  EXPECT_EQ(database->rows("SELECT loop_name, role, strength, lag_s, score, is_source, is_current"
+                           " FROM loopscope.plant_oscillation_member WHERE number = 1"
+                           " ORDER BY lag_s"),
+            (Rows{{"a", "source", "0.5", "0", "2", "t", "t"},
+                  {"b", "victim", "0.5", "3", "1", "f", "t"},
+                  {"c", "victim", "0.5", "6", "0", "f", "t"}}));
+}
+
+TEST_F(PlantDatabaseTest, ARoundWrittenAgainReplacesItself) {
+  PlantDatabase database_of_plant(settings_for(*database));
+  database_of_plant.write_round({slot(1), 1, 30, 5, {event(40, 2), event(90, 3)}});
+  PlantEvent outside = event(50, 2);
+  outside.source_loop_id.reset();
+  outside.p.reset();
+  for (PlantMember& member : outside.members) member = {member.loop_id, "member", 0.5, 0.0, {}};
+  database_of_plant.write_round({slot(1), 1, 30, 2, {outside}});
+  EXPECT_EQ(current(), (Rows{{"1", "50", "NULL", "2"}}));
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_oscillation_member"), "2")
+      << "nor is the second event of the first writing shown as a former one";
+  EXPECT_EQ(value("SELECT bool_and(score IS NULL AND role = 'member')"
+                  " FROM loopscope.plant_oscillation_member"),
+            "t");
+}
+
+TEST_F(PlantDatabaseTest, TheNewestSlotHoldsWhateverTheOrderOfWriting) {
+  plant().write_round({slot(2), 1, 30, 5, {event(40, 2)}});
+  plant().write_round({slot(1), 1, 30, 5, {event(90, 3)}});
+  EXPECT_EQ(current(), (Rows{{"1", "40", "a", "2"}}));
+  plant().write_round({slot(2), 2, 30, 5, {}});
+  EXPECT_THAT(current(), IsEmpty()) << "a newer algorithm's word";
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_oscillation_member WHERE is_current"), "0");
+}
+
+TEST_F(PlantDatabaseTest, AllOrNothing) {
+  PlantEvent lonely = event(40, 1);
+  EXPECT_THROW(plant().write_round({slot(1), 1, 30, 5, {event(90, 3), lonely}}), DatabaseError);
+  PlantEvent misnamed = event(40, 2);
+  misnamed.members[0].role = "culprit";
+  EXPECT_THROW(plant().write_round({slot(1), 1, 30, 5, {misnamed}}), DatabaseError);
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_round"), "0");
+}
+
+TEST_F(PlantDatabaseTest, OneAtATimeMakesARoundAndOnlyWhenItIsDue) {
+  {
+    PlantDatabase first(settings_for(*database)), second(settings_for(*database));
+    EXPECT_TRUE(first.claim_round(3600));
+    EXPECT_FALSE(second.claim_round(3600));
+    EXPECT_TRUE(first.claim_round(3600)) << "it is its own";
+    first.write_round({slot(1), 1, 30, 0, {}});
+    EXPECT_FALSE(first.claim_round(3600)) << "made just now";
+    EXPECT_TRUE(first.claim_round(0));
+    EXPECT_FALSE(second.claim_round(0));
+  }
+  EXPECT_TRUE(plant().claim_round(0)) << "whoever dies gives way";
+}
+
+TEST_F(PlantDatabaseTest, ComparesEnabledLoopsWhoseNewestUsableWindowOscillates) {
+  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c", .usable = false}, {.loop = "d"}});
+  Catalogue(settings_for(*database)).set_enabled(std::vector<std::string>{"b"}, false);
+  const std::vector<OscillatingLoop> loops = plant().oscillating_loops();
+  ASSERT_EQ(loops.size(), 2U);
+  EXPECT_EQ(loops[0].loop.name, "a");
+  EXPECT_EQ(loops[0].loop.pv_tag, "a.PV");
+  EXPECT_EQ(loops[0].slot_end_us, slot(1));
+  EXPECT_EQ(loops[0].window_end_us - loops[0].window_start_us, 4095'000'000);
+  EXPECT_EQ(loops[0].oscillation_period_s, 40.0);
+  EXPECT_EQ(loops[0].code, "valve_stiction");
+  EXPECT_EQ(loops[1].loop.name, "d");
+}
+
+TEST_F(PlantDatabaseTest, AWorkersRightsAreEnough) {
+  database->make_roles();
+  migrate(settings_for(*database));
+  tell({{.loop = "a"}});
+  PlantDatabase worker(settings_for(*database, database->make_login("loopscope_worker")));
+  EXPECT_TRUE(worker.claim_round(3600));
+  worker.write_round({slot(1), 1, 30, 5, {event(40, 2)}});
+  worker.write_round({slot(1), 1, 30, 5, {event(90, 3)}});
+  EXPECT_THAT(worker.announce_flags().flagged, ElementsAre(Field(&FlagNotice::loop_name, "a")));
+  EXPECT_EQ(worker.oscillating_loops().size(), 1U);
+}
+
+}  // namespace
+}  // namespace loopscope::storage
