@@ -15,7 +15,10 @@ struct Performance {
   std::optional<double> harris_low, harris_high;
   /// Probability that a well tuned loop shows a middle index this small by chance (harris_p.hpp).
   std::optional<double> harris_p;
-  std::optional<double> error_std;           ///< pv units
+  std::optional<double> error_std;  ///< pv units
+  /// How long the error remembers (error_memory.hpp), seconds.
+  std::optional<double> error_memory_s;
+  double longest_delay_s = 0.0;              ///< longest plausible delay, of the settings
   std::optional<double> valve_travel_per_h;  ///< sum |op(k) - op(k-1)|, % of op range per hour
   /// Changes of op's direction per hour; moves below 1e-6 of the largest |op| are rounding. Both
   /// rates are per hour of neighbouring samples that are recorded.
