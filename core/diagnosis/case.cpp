@@ -72,8 +72,9 @@ bool creeps(const Evidence& evidence) {
 }
 
 double creeping_confidence(const Evidence& evidence) {
-  constexpr double kAtTheLine = 0.3;
-  return kAtTheLine + (kSluggishHarris - middle_harris(evidence).value());
+  constexpr double kAtTheLine = 0.1;
+  constexpr double kByIndex = 0.4;
+  return kAtTheLine + kByIndex * (kSluggishHarris - middle_harris(evidence).value());
 }
 
 std::string harris_text(const Evidence& evidence) {

@@ -44,8 +44,9 @@ struct Case {
 /// Confidence that a coarse grid of pv is what is wrong, seen and not inferred.
 inline constexpr double kGridConfidence = 0.5;
 
-/// Confidence that such a loop is slow: 0.3 at the line, 0.75 where nothing of the best is reached.
-/// Requires creeps().
+/// Confidence that such a loop is slow, where nothing is known of its controller: 0.1 at the line,
+/// 0.28 where nothing of the best is reached. Good loops under a load that drifts are as far from
+/// the best: never enough for a flag (README.md). Requires creeps().
 [[nodiscard]] double creeping_confidence(const Evidence& evidence);
 
 /// The Harris range in a sentence; middle_harris() is not nullopt.

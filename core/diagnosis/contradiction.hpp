@@ -19,7 +19,8 @@ struct BelievedExplanation {
   std::vector<std::string> doubts;  ///< one reason for each refuted step
 };
 
-/// `loop.evidence.model` is filled.
+/// `loop.evidence.model` is filled. In a level loop play whose cycle looks like that of a
+/// valve that sticks stays play where it explains much and leaves nothing.
 [[nodiscard]] BelievedExplanation believed(const Case& loop);
 
 }  // namespace loopscope::core::diagnosis

@@ -1,5 +1,6 @@
 #include "core/diagnosis/implied_tuning.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace loopscope::core::diagnosis {
@@ -10,13 +11,13 @@ namespace {
 constexpr double kPoorSensitivity = 2.5;
 /// Quarter-amplitude decay, the most oscillatory tuning that was ever recommended, has 0.22.
 constexpr double kPoorDamping = 0.2;
+/// Loops 10 % below the edge of stability have 0.05 and more (tests/effects).
+constexpr double kNoDamping = 0.02;
 /// The period of a noise-driven resonance wanders, and so do fitted poles.
 constexpr double kNearPeriod = 1.25;
 /// Integral action so many times weaker than the SIMC rules give: of 1000 fine loops with the
 /// process 20 % off one passes, of 717 truly slow ones 716 (core/model/README.closed_loop.md).
 constexpr double kSluggish = 4.0;
-/// Of twelve sluggish loops at rest, whose process is hardly known, the least has 1.5.
-constexpr double kSlower = 1.4;
 /// Lambda tuning's most careful advice, a closed loop three times as slow as the process, comes to
 /// 3 to 4; a dead time counts twice in it.
 constexpr double kSlowerThanItself = 4.0;
@@ -27,12 +28,12 @@ bool poorly_damped(const model::ClosedLoop& loop) {
   return loop.peak_sensitivity > kPoorSensitivity || loop.damping < kPoorDamping;
 }
 
-bool far_slower_than_possible(const model::ClosedLoop& loop, const model::ProcessFit& process) {
-  return !process.integrating && loop.slowness > kSluggish;
+bool undamped(const model::ClosedLoop& loop) {
+  return loop.damping < kNoDamping;
 }
 
-bool slower_than_possible(const model::ClosedLoop& loop, const model::ProcessFit& process) {
-  return !process.integrating && loop.slowness > kSlower;
+bool far_slower_than_possible(const model::ClosedLoop& loop, const model::ProcessFit& process) {
+  return !process.integrating && loop.slowness > kSluggish;
 }
 
 bool slower_than_open_loop(const model::ClosedLoop& loop, const model::ProcessFit& process) {
@@ -41,6 +42,17 @@ bool slower_than_open_loop(const model::ClosedLoop& loop, const model::ProcessFi
   const double action_per_s = std::abs(process.gain * loop.integral_per_s);
   // Its inverse: integral of the error after a load by that of what the load would have come to.
   return action_per_s > 0.0 && action_per_s * kSlowerThanItself * residence_s < 1.0;
+}
+
+double memory_ratio(const model::ClosedLoop& loop, const model::ProcessFit& process,
+                    const loop::Performance& performance) {
+  if (!performance.error_memory_s || loop.integral_per_s == 0.0) return 0.0;
+  // Without proportional action the integral time says nothing of the process.
+  const bool tells = loop.integral_time_s >= performance.longest_delay_s;
+  const double lags_s = process.time_constant_s + process.second_time_constant_s;
+  const double usual_s = performance.longest_delay_s +
+                         (tells ? loop.integral_time_s : std::max(loop.integral_time_s, lags_s));
+  return usual_s > 0.0 ? *performance.error_memory_s / usual_s : 0.0;
 }
 
 bool at_resonance(const Evidence& evidence, const model::ClosedLoop& loop) {

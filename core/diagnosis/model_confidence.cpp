@@ -26,6 +26,11 @@ constexpr double kOddsOfMisfit = 1.0 / 9.0;
 /// One healthy loop in a thousand: below, the residual counts as structured.
 constexpr double kStructuredP = 1e-3;
 
+/// Of 5700 healthy loops 0.012 lead with an effect of evidence 30 and more, 0.0044 of 40, 0.0016 of
+/// 53, 0.0007 of 72, 0.0004 of 104.
+constexpr double kHealthyShare = 0.02;
+constexpr double kHealthyScale = 25.0;
+
 /// What is not a number shows nothing.
 double p_or_one(double p) {
   return p >= 0.0 ? std::min(p, 1.0) : 1.0;
@@ -113,6 +118,12 @@ bool leaves_structure(const model::Explanation& explanation) {
 
 double held_by_structure(double confidence, const model::Explanation& explanation) {
   return leaves_structure(explanation) ? std::min(confidence, kMostWithStructure) : confidence;
+}
+
+double measured_p(const model::Step& step) {
+  if (!(step.evidence >= 0.0)) return 1.0;
+  const double among_healthy = kHealthyShare * std::exp(-step.evidence / kHealthyScale);
+  return std::clamp(among_healthy, p_or_one(step.p), 1.0);
 }
 
 double confidence_of(const model::Explanation& explanation) {

@@ -46,7 +46,7 @@ double held_by_coupling(const Case& loop, VerdictCode code, double confidence) {
 std::optional<double> p_with(const Case& loop, const LeadingEffect& leading, VerdictCode code) {
   if (code == VerdictCode::nonlinear_unexplained) return loop.nonlinearity.p;
   if (is_grid_fact(loop, leading)) return std::nullopt;
-  return leading.strongest->p;
+  return measured_p(*leading.strongest);
 }
 
 /// Shapes that accuse the valve while the model finds an oscillation from outside.

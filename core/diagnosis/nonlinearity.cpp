@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/case.hpp"
 #include "core/diagnosis/words.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -52,6 +53,30 @@ std::string slow_text(const hos::SlowLook& slow) {
          p_text(slow.result) + ".";
 }
 
+/// A setpoint that moves too often to be left out makes the error of a linear loop non-Gaussian.
+/// What a loop model leaves has that taken out.
+bool needs_residual(const Evidence& evidence) {
+  return evidence.model && has_flag(evidence, "sp_moving");
+}
+
+double residual_p(const model::Explanation& explanation) {
+  const auto asked = std::ranges::find_if(
+      explanation.questions, [](const model::Question& q) { return q.name == "nonlinear"; });
+  return asked == explanation.questions.end() ? 1.0 : asked->p;
+}
+
+double held_by_residual(const Evidence& evidence, double p) {
+  return needs_residual(evidence) ? std::max(p, residual_p(*evidence.model)) : p;
+}
+
+std::string residual_text(const Evidence& evidence) {
+  if (!needs_residual(evidence)) return {};
+  return " The setpoint moves too often to be left out, so that coupling counts only where what "
+         "the "
+         "loop model leaves shows it as well: p = " +
+         number(residual_p(*evidence.model)) + ".";
+}
+
 std::string refusal_text(const Evidence& evidence) {
   std::string text;
   for (const std::string& reason : evidence.data_quality.refusals) {
@@ -76,13 +101,14 @@ NonlinearityFinding judge_nonlinearity(const Evidence& evidence, const hos::Sett
     finding.reason = "The tests for nonlinearity were refused: " + refusal_text(evidence) + ".";
     return finding;
   }
-  finding.p = nonlinear_p(evidence);
+  finding.p = held_by_residual(evidence, nonlinear_p(evidence));
   finding.found = finding.p <= settings.alpha;
   finding.belief = std::clamp(
       std::log(settings.alpha / finding.p) / std::log(settings.alpha / kConvincing), 0.0, 1.0);
   finding.reason = coupling_text(hos.coupling) + ": " + p_text(hos) +
                    peak_text(hos, settings.alpha) + published_text(hos) + ".";
   if (evidence.hos_slow) finding.reason += slow_text(*evidence.hos_slow);
+  finding.reason += residual_text(evidence);
   return finding;
 }
 

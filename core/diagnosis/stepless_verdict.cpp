@@ -77,7 +77,8 @@ Verdict coupled(const Finding& finding) {
 Verdict oscillating(const Finding& finding) {
   const auto& closed_loop = finding.explanation.closed_loop;
   const bool own_period = closed_loop && at_resonance(finding.evidence(), *closed_loop);
-  if (own_period && poorly_damped(*closed_loop)) {
+  const bool line = own_period && undamped(*closed_loop) && sustained(finding.evidence());
+  if (own_period && poorly_damped(*closed_loop) && !line) {
     return tuning(finding, VerdictCode::tight_tuning, kTuningConfidence * controller_known(finding),
                   oscillation_p(finding.evidence()));
   }
@@ -89,26 +90,36 @@ bool setpoint_moves(const Evidence& evidence) {
   return has_flag(evidence, "sp_steps_masked") || has_flag(evidence, "sp_moving");
 }
 
-/// Where the setpoint moves, process and controller are known well enough to be compared. At rest
-/// noise alone does not tell one from the other: the error has to creep (that of a level does not
-/// count), and integral action be weak for the process. Where that passes for a vessel nobody
-/// knows: a slow loop moves its process too little to tell.
+/// Where the setpoint moves, process and controller are known well enough to be compared, and what
+/// the error does is a second witness: less is asked of it than kLongMemory.
+constexpr double kLongForAWitness = 2.0;
+
+double memory_of(const Finding& finding) {
+  return memory_ratio(*finding.explanation.closed_loop, finding.explanation.baseline.process,
+                      finding.evidence().performance);
+}
+
+/// At rest noise alone does not tell process from controller, and what the best controller could do
+/// (Harris) is far from what a good PI controller does: how long the error remembers is what tells.
 bool sluggish(const Finding& finding) {
   const model::ProcessFit& process = finding.explanation.baseline.process;
   const auto& loop = finding.explanation.closed_loop;
-  if (!loop) return false;
-  if (setpoint_moves(finding.evidence()))
-    return far_slower_than_possible(*loop, process) && slower_than_open_loop(*loop, process);
-  return creeps(finding.evidence()) &&
-         (process.integrating || slower_than_possible(*loop, process));
+  if (!loop || finding.evidence().integrating) return false;
+  if (!setpoint_moves(finding.evidence())) return memory_of(finding) > kLongMemory;
+  return far_slower_than_possible(*loop, process) && slower_than_open_loop(*loop, process) &&
+         memory_of(finding) > kLongForAWitness;
+}
+
+/// Half at the line, all of it at twice the line.
+double memory_known(const Finding& finding) {
+  return std::clamp(0.5 * memory_of(finding) / kLongMemory, 0.5, 1.0);
 }
 
 double sluggish_confidence(const Finding& finding) {
-  const double speed_known = setpoint_moves(finding.evidence())
-                                 ? kTuningConfidence
-                                 : creeping_confidence(finding.evidence());
+  const double speed_known = setpoint_moves(finding.evidence()) ? 1.0 : memory_known(finding);
   const bool contradicted = poorly_damped(*finding.explanation.closed_loop);
-  return speed_known * controller_known(finding) * (contradicted ? kContradicted : 1.0);
+  return kTuningConfidence * speed_known * controller_known(finding) *
+         (contradicted ? kContradicted : 1.0);
 }
 
 Verdict healthy(Finding finding) {
@@ -127,7 +138,7 @@ Verdict quiet(const Finding& finding) {
   }
   if (sluggish(finding)) {
     return tuning(finding, VerdictCode::sluggish_tuning, sluggish_confidence(finding),
-                  evidence.performance.harris_p);
+                  evidence.performance.harris_p.value_or(1.0));
   }
   if (finding.loop.nonlinearity.found) return coupled(finding);
   if (leaves_structure(finding.explanation)) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/diagnosis/implied_tuning.hpp"
 #include "core/diagnosis/words.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -52,6 +53,13 @@ Verdict oscillating(const Case& loop) {
   return make(VerdictCode::tight_tuning, 0.6 - 0.3 * persistence, reasons_of(loop), p);
 }
 
+/// Where the controller is known, its integral time says what is long.
+bool forgets_in_time(const Evidence& evidence) {
+  return evidence.model && evidence.model->closed_loop &&
+         memory_ratio(*evidence.model->closed_loop, evidence.model->baseline.process,
+                      evidence.performance) <= kLongMemory;
+}
+
 Verdict quiet(const Case& loop) {
   const Evidence& evidence = loop.evidence;
   std::vector<std::string> reasons = with(reasons_of(loop), "No sustained oscillation.");
@@ -67,7 +75,7 @@ Verdict quiet(const Case& loop) {
   }
   const std::optional<double> harris = middle_harris(evidence);
   if (harris) reasons.push_back(harris_text(evidence));
-  if (creeps(evidence)) {
+  if (creeps(evidence) && !forgets_in_time(evidence)) {
     return make(VerdictCode::sluggish_tuning, creeping_confidence(evidence), std::move(reasons),
                 evidence.performance.harris_p);
   }

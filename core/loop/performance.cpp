@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/loop/error_memory.hpp"
 #include "core/loop/harris.hpp"
 #include "core/loop/if_finite.hpp"
 #include "core/loop/valve_work.hpp"
@@ -51,6 +52,9 @@ Performance measure_performance(std::span<const double> error, std::span<const d
     result.harris_high = harris->high;
     result.harris_p = harris->p;
   }
+  if (const auto memory = error_memory_samples(error))
+    result.error_memory_s = if_finite(*memory * sample_interval_s);
+  result.longest_delay_s = static_cast<double>(settings.max_delay_samples) * sample_interval_s;
   if (const ValveWork work = measure_valve_work(op_percent); work.pairs > 0) {
     const double hours = static_cast<double>(work.pairs) * sample_interval_s / kSecondsPerHour;
     result.valve_travel_per_h = if_finite(work.travel / hours);

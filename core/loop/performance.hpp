@@ -18,6 +18,9 @@ struct Performance {
   std::optional<double> error_std;  ///< pv units
   /// Standard error of ln(error_std^2) (variance_error.hpp).
   std::optional<double> error_log_variance_se;
+  /// How long the error remembers (error_memory.hpp), seconds.
+  std::optional<double> error_memory_s;
+  double longest_delay_s = 0.0;              ///< longest plausible delay, of the settings
   std::optional<double> valve_travel_per_h;  ///< sum |op(k) - op(k-1)|, % of op range per hour
   /// Changes of op's direction per hour; moves below 1e-6 of the largest |op| are rounding. Both
   /// rates are per hour of neighbouring samples that are recorded.

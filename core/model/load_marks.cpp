@@ -57,10 +57,11 @@ LoadMark input_load_mark(const Structure& structure, const RowGrid& grid) {
 }
 
 std::vector<std::size_t> places_of(const LoadMark& mark, const std::vector<double>& innovations,
-                                   const RowGrid& grid) {
+                                   const RowGrid& grid, std::size_t earliest_row) {
   constexpr std::size_t kPlaces = 3;
   constexpr std::ptrdiff_t kApart = 20;
-  std::vector<double> match = match_of(mark, innovations, warm_up_rows(grid, innovations.size()));
+  const std::size_t warm_up = warm_up_rows(grid, innovations.size());
+  std::vector<double> match = match_of(mark, innovations, std::max(warm_up, earliest_row));
   std::vector<std::size_t> places;
   while (places.size() < kPlaces) {
     const auto best = std::ranges::max_element(match);

@@ -16,9 +16,10 @@ using LoadMark = std::vector<double>;
 [[nodiscard]] LoadMark input_load_mark(const Structure& structure, const RowGrid& grid = {});
 
 /// The few rows at which the innovations look most like the mark, apart from one another, the
-/// likeliest first.
+/// likeliest first; none before `earliest_row`, nor while the noise model warms up.
 [[nodiscard]] std::vector<std::size_t> places_of(const LoadMark& mark,
                                                  const std::vector<double>& innovations,
-                                                 const RowGrid& grid = {});
+                                                 const RowGrid& grid = {},
+                                                 std::size_t earliest_row = 0);
 
 }  // namespace loopscope::core::model

@@ -64,6 +64,21 @@ void add_peaks(const std::vector<double>& signal, std::size_t count, std::vector
   }
 }
 
+/// What happened before the record, of which the model knows nothing, is in pv until the lags have
+/// forgotten it to a twentieth, three time constants: a load at the start looks the same. At most
+/// an eighth of the record; what a vessel never forgets is a level like any other.
+std::size_t rows_under_the_past(const LoopData& data, const Fit& fit) {
+  constexpr double kMostOfRecord = 0.125;
+  const ProcessShape& process = fit.structure.process;
+  double samples = static_cast<double>(LoadStep::kEarliest + process.delay_samples);
+  for (const double pole : {process.integrating ? 0.0 : process.pole, process.second_pole}) {
+    if (pole > 0.0) samples += 3.0 / -std::log(pole);
+  }
+  const double rows = samples / static_cast<double>(data.grid.samples_per_row);
+  return static_cast<std::size_t>(
+      std::min(rows, kMostOfRecord * static_cast<double>(fit.innovations.size())));
+}
+
 }  // namespace
 
 std::vector<EffectPtr> nominate_trims(const LoopData& data) {
@@ -112,7 +127,8 @@ std::vector<EffectPtr> nominate_gain_changes(const LoopData& data, const Fit& fi
 std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit) {
   const LoadMark mark = output_load_mark(fit.structure.noise, data.grid);
   std::vector<EffectPtr> result;
-  for (const std::size_t row : places_of(mark, fit.innovations, data.grid)) {
+  const std::size_t earliest = rows_under_the_past(data, fit);
+  for (const std::size_t row : places_of(mark, fit.innovations, data.grid, earliest)) {
     result.push_back(
         std::make_shared<LoadStep>(data.grid.sample_of(row), data.grid.samples_per_row));
   }

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "core/signal/loop_window.hpp"
+#include "tests/effects/window_of.hpp"
 
 namespace loopscope::tests::effects {
 namespace {
@@ -19,16 +19,6 @@ const core::model::Explanation* model_of(const Evidence& evidence) {
     return evidence.model ? &*evidence.model : nullptr;
   else
     return nullptr;
-}
-
-core::signal::LoopWindow window_of(const Record& record) {
-  core::signal::LoopWindow window;
-  window.sample_interval_s = record.interval_s;
-  window.sp = record.sp;
-  window.pv = record.pv;
-  window.op = record.op;
-  window.op_range = core::signal::OpRange{};
-  return window;
 }
 
 Outcome run_draw(const std::string& kind, std::uint64_t seed, Size size) {

@@ -58,19 +58,7 @@ TrueLoop loop_of(const Scenario& base, const Units& units) {
   return loop;
 }
 
-}  // namespace
-
-const std::vector<KindInfo>& all_kinds() {
-  static const std::vector<KindInfo> kKinds = [] {
-    std::vector<KindInfo> kinds;
-    for (const Recipe& recipe : all_recipes()) kinds.push_back(recipe.info);
-    return kinds;
-  }();
-  return kKinds;
-}
-
-Record generate(std::string_view kind, std::uint64_t seed, Size size) {
-  const Finished finished = finish(kind, seed, size);
+Record record_of(std::string_view kind, std::uint64_t seed, const Finished& finished) {
   const Scenario& scenario = finished.draft.scenario;
   const Units units = draw_units(kind, seed);
   Record record;
@@ -86,6 +74,32 @@ Record generate(std::string_view kind, std::uint64_t seed, Size size) {
                   finished.draft.noise_std * units.unit,
                   explainable({finished.draft.base, scenario, finished.series})};
   return record;
+}
+
+}  // namespace
+
+const std::vector<KindInfo>& all_kinds() {
+  static const std::vector<KindInfo> kKinds = [] {
+    std::vector<KindInfo> kinds;
+    for (const Recipe& recipe : all_recipes()) kinds.push_back(recipe.info);
+    return kinds;
+  }();
+  return kKinds;
+}
+
+Record generate(std::string_view kind, std::uint64_t seed, Size size) {
+  return record_of(kind, seed, finish(kind, seed, size));
+}
+
+Record generate_stretch(std::string_view kind, std::uint64_t seed, std::uint64_t stretch) {
+  Finished finished = finish(kind, seed, Size::realistic);
+  if (stretch > 0) {
+    Draft& draft = finished.draft;
+    const std::uint64_t noise_seed = seed_for("stretch", draft.base.noise_seed + stretch);
+    draft.base.noise_seed = draft.scenario.noise_seed = noise_seed;
+    finished.series = simulate(draft.scenario);
+  }
+  return record_of(kind, seed, finished);
 }
 
 }  // namespace loopscope::tests::effects

@@ -84,4 +84,10 @@ struct Record {
 [[nodiscard]] Record generate(std::string_view kind, std::uint64_t seed,
                               Size size = Size::realistic);
 
+/// The same loop with the same effects and set point over another stretch of time: load and noise
+/// are drawn anew for each `stretch`, 0 = the record of generate(). Whether the effects show in it
+/// is not asked.
+[[nodiscard]] Record generate_stretch(std::string_view kind, std::uint64_t seed,
+                                      std::uint64_t stretch);
+
 }  // namespace loopscope::tests::effects

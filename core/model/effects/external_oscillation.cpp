@@ -15,6 +15,9 @@ using Phasor = std::complex<double>;
 /// A line in a few thousand samples is a few tenths of a cycle over the record wide.
 constexpr double kRecord = 4096.0;
 
+/// Fewer over such a record are a drift, which belongs to the noise.
+constexpr double kFewestCycles = 4.0;
+
 struct Wave {
   Column sine, cosine;
 };
@@ -107,8 +110,10 @@ std::vector<EffectPtr> ExternalOscillation::neighbours(double scale) const {
   constexpr double kMove = 0.3;  // cycles over the record
   std::vector<EffectPtr> result;
   for (const double move : {-kMove * scale / kRecord, kMove * scale / kRecord}) {
-    result.push_back(std::make_shared<ExternalOscillation>(1.0 / (1.0 / period_ + move), harmonics_,
-                                                           stretches_));
+    const double cycles = kRecord / period_ + move * kRecord;
+    if (cycles < kFewestCycles && move < 0.0) continue;
+    result.push_back(
+        std::make_shared<ExternalOscillation>(kRecord / cycles, harmonics_, stretches_));
   }
   return result;
 }
@@ -117,7 +122,6 @@ std::vector<EffectPtr> ExternalOscillation::with_knots(std::size_t samples,
                                                        std::size_t samples_per_row) const {
   // A stretch is seen by fit and score alike, whose blocks take turns.
   const double shortest = 100.0 * static_cast<double>(samples_per_row);
-  constexpr double kFewestCycles = 4.0;
   std::vector<EffectPtr> result{std::make_shared<ExternalOscillation>(period_, harmonics_)};
   for (const std::size_t stretches : {4U, 8U, 16U, 32U}) {
     const double length = static_cast<double>(samples) / static_cast<double>(stretches);
@@ -131,6 +135,7 @@ std::vector<EffectPtr> ExternalOscillation::with_harmonics() const {
   constexpr std::size_t kMostHarmonics = 3;
   std::vector<EffectPtr> result;
   for (std::size_t multiple = 1; multiple <= kMostHarmonics; ++multiple) {
+    if (multiple > 1 && kRecord < kFewestCycles * period_ * static_cast<double>(multiple)) break;
     for (std::size_t harmonics = multiple; harmonics <= kMostHarmonics; ++harmonics) {
       result.push_back(std::make_shared<ExternalOscillation>(
           period_ * static_cast<double>(multiple), harmonics, stretches_));

@@ -27,6 +27,7 @@ class ExternalOscillation final : public Effect {
   }
   /// By harmonic, then knot: sine, cosine.
   void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
+  /// None of fewer than four cycles over a record of 4096 samples, unless it has fewer already.
   [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
 
   /// The same wave, constant and on every net of knots on which a change is slow: stretches of four

@@ -50,7 +50,8 @@ std::vector<EffectPtr> LoadStep::neighbours(double scale) const {
   const double samples = kMove * scale * static_cast<double>(samples_per_row_);
   const auto move = static_cast<std::size_t>(std::max(1.0, samples));
   std::vector<EffectPtr> result{moved(at_ + move, lag_samples_)};
-  if (at_ > move) result.push_back(moved(at_ - move, lag_samples_));
+  if (at_ >= move + (at_ < kEarliest ? 1 : kEarliest))
+    result.push_back(moved(at_ - move, lag_samples_));
   if (lag_samples_ > 0.0) {
     const double factor = std::exp2(scale);
     for (const double lag_samples : {lag_samples_ * factor, lag_samples_ / factor})

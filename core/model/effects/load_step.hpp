@@ -8,6 +8,10 @@ namespace loopscope::core::model {
 /// known, the slower one of the process (of a vessel: as a ramp of its level).
 class LoadStep final : public Effect {
  public:
+  /// Samples: before that the noise model and the process still know of the start of the record,
+  /// and a step there stands for what they were at. None moves there.
+  static constexpr std::size_t kEarliest = 100;
+
   /// `samples_per_row`: how far apart pv is seen, so how far a place has to move to be another one.
   /// `lag_samples`: 0 = the process's.
   explicit LoadStep(std::size_t at, std::size_t samples_per_row = 1, double lag_samples = 0.0)

@@ -39,6 +39,24 @@ TEST(Contradiction, AValveBesideTheCycleIsNotItsCause) {
   EXPECT_THAT(believed(case_of(evidence)).explanation.steps, IsEmpty());
 }
 
+TEST(Contradiction, InALevelLoopPlayThatExplainsItsCycleToTheLastIsPlay) {
+  model::Step play = clear_step(valve_deadband);
+  play.cycles_as_if_stuck = true;
+  const auto stuck = [](const Evidence& evidence) {
+    return believed(case_of(evidence)).explanation.steps.at(0).cycles_as_if_stuck;
+  };
+  Evidence evidence = evidence_with(explanation_of({play}));
+  EXPECT_TRUE(stuck(evidence)) << "play alone does not make a flow loop cycle";
+  evidence.integrating = true;
+  EXPECT_FALSE(stuck(evidence));
+  EXPECT_THAT(believed(case_of(evidence)).doubts, testing::Contains(HasSubstr("by itself")));
+  evidence.model->unexplained.whiteness_p = 1e-9;
+  EXPECT_TRUE(stuck(evidence)) << "something is left";
+  evidence.model->unexplained.whiteness_p = 0.5;
+  evidence.model->steps[0].evidence = 299.0;
+  EXPECT_TRUE(stuck(evidence)) << "too little for a slip to show";
+}
+
 TEST(Contradiction, ASensorFaultHasToShowInPv) {
   Evidence evidence = evidence_with(explanation_of());
   evidence.data_quality.compression_factor = 1.02;

@@ -51,6 +51,7 @@ Evidence evidence_with(std::optional<model::Explanation> model) {
   evidence.performance.harris_high = 0.8;
   evidence.performance.harris_p = 1.0;
   evidence.performance.error_std = 0.8;
+  evidence.performance.longest_delay_s = 10.0;
   evidence.valve_gain = {20.0, 0.1};
   evidence.model = std::move(model);
   return evidence;

@@ -1,7 +1,9 @@
 #include "core/diagnosis/model_confidence.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <utility>
 
 #include "tests/core/diagnosis/explanations.hpp"
 
@@ -33,6 +35,19 @@ TEST(ModelConfidence, EvidenceSaturates) {
   EXPECT_EQ(with(-5.0), 0.0);
   EXPECT_LT(with(10.0), with(30.0));
   EXPECT_NEAR(with(200.0), with(20000.0), 1e-3);
+}
+
+TEST(ModelConfidence, HowRareEvidenceIsAmongHealthyLoopsIsMeasured) {
+  model::Step step = clear_step(valve_stiction);
+  step.p = 1e-300;
+  for (const auto& [evidence, p] : {std::pair{0.0, 0.02}, {25.0, 0.00736}, {400.0, 2.25e-9}}) {
+    step.evidence = evidence;
+    EXPECT_NEAR(measured_p(step), p, 0.01 * p);
+  }
+  step.p = 0.001;
+  EXPECT_EQ(measured_p(step), 0.001) << "never below the step's own";
+  step.evidence = std::nan("");
+  EXPECT_EQ(measured_p(step), 1.0);
 }
 
 TEST(ModelConfidence, ARivalAsGoodHalvesIt) {

@@ -42,7 +42,7 @@ TEST(ModelVerdict, OfTwoEffectsTheLargerLeadsAndBothAreReasons) {
   minor.p = 1e-4;
   const Verdict verdict = judge_steps({minor, clear_step(valve_stiction, 0.8, 0.2)});
   EXPECT_EQ(verdict.code, VerdictCode::valve_stiction);
-  EXPECT_EQ(verdict.p, 1e-9);
+  EXPECT_EQ(verdict.p, measured_p(clear_step(valve_stiction)));
   EXPECT_THAT(verdict.reasons, Contains(HasSubstr("external_oscillation. Error on unseen samples "
                                                   "1 -> 0.8")));
   EXPECT_THAT(verdict.reasons, Contains(HasSubstr("0.8 -> 0.2")));
@@ -175,7 +175,7 @@ TEST(ModelVerdict, TinyMovesOfAValveThatCyclesMeanItsSize) {
     Evidence evidence = evidence_with(explanation_of({clear_step(effect)}));
     evidence.valve_gain = {0.6, 0.3};
     EXPECT_EQ(judge(evidence).code, VerdictCode::valve_oversized) << model::name(effect);
-    EXPECT_EQ(judge(evidence).p, 1e-9);
+    EXPECT_EQ(judge(evidence).p, measured_p(clear_step(effect)));
   }
   Evidence evidence = evidence_with(explanation_of({clear_step(external_oscillation)}));
   evidence.valve_gain = {0.6, 0.3};

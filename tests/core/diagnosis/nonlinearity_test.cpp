@@ -36,6 +36,21 @@ TEST(Nonlinearity, IsBelievedTheMoreTheSmallerThePValue) {
             judge_nonlinearity(with_p(1e-2), {}).belief);
 }
 
+TEST(Nonlinearity, UnderAMovingSetpointTheResidualHasToShowItToo) {
+  Evidence evidence = with_p(1e-9);
+  evidence.data_quality.flags = {"sp_moving"};
+  EXPECT_TRUE(judge_nonlinearity(evidence, {}).found) << "without a model nothing else is known";
+  evidence.model = model::Explanation{};
+  EXPECT_FALSE(judge_nonlinearity(evidence, {}).found);
+  evidence.model->questions = {{"nonlinear", 0.4, ""}};
+  EXPECT_EQ(judge_nonlinearity(evidence, {}).p, 0.4);
+  evidence.model->questions = {{"nonlinear", 1e-12, ""}};
+  EXPECT_EQ(judge_nonlinearity(evidence, {}).p, 1e-9);
+  evidence.data_quality.flags = {"sp_steps_masked"};
+  evidence.model->questions = {};
+  EXPECT_EQ(judge_nonlinearity(evidence, {}).p, 1e-9) << "the moves were left out";
+}
+
 TEST(Nonlinearity, TwoLooksCountAsTwo) {
   Evidence evidence = with_p(0.04);
   EXPECT_DOUBLE_EQ(nonlinear_p(evidence), 0.04);

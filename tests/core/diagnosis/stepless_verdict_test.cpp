@@ -20,7 +20,9 @@ Evidence plain(std::optional<model::ClosedLoop> closed_loop) {
   return evidence;
 }
 
+/// An error that remembers five times as long as an integral time of 30 s and a delay of 10 s.
 void creep(Evidence& evidence) {
+  evidence.performance.error_memory_s = 200.0;
   evidence.performance.harris_low = 0.05;
   evidence.performance.harris_high = 0.2;
   evidence.performance.harris_p = 1e-8;
@@ -84,21 +86,26 @@ TEST(SteplessVerdict, WithoutAControllerTheLineDecides) {
   expect(evidence, VerdictCode::tight_tuning, 1e-6);
 }
 
-TEST(SteplessVerdict, SlowLoopsHaveToShowTheirSpeed) {
+TEST(SteplessVerdict, AtRestAnErrorThatRemembersForLongIsSlowTuning) {
   Evidence evidence = plain(slow_loop());
   expect(evidence, VerdictCode::healthy, std::nullopt);
   creep(evidence);
   expect(evidence, VerdictCode::sluggish_tuning, 1e-8);
-  evidence.model->closed_loop = calm_loop();
-  expect(evidence, VerdictCode::healthy, std::nullopt);
-  evidence.model->closed_loop = slow_loop();
-  evidence.model->baseline.process.integrating = true;
-  expect(evidence, VerdictCode::sluggish_tuning, 1e-8);
   evidence.integrating = true;
   expect(evidence, VerdictCode::healthy, std::nullopt);
+  evidence.integrating = false;
+  evidence.performance.error_memory_s = 119.0;
+  expect(evidence, VerdictCode::healthy, std::nullopt);
+  evidence.performance.harris_p.reset();
+  evidence.performance.error_memory_s = 200.0;
+  expect(evidence, VerdictCode::sluggish_tuning, 1.0);
+}
 
+TEST(SteplessVerdict, WhereTheSetpointMovesProcessAndControllerAreCompared) {
   Evidence moved = plain(slow_loop());
   moved.data_quality.flags = {"sp_steps_masked"};
+  EXPECT_EQ(decide(moved, {}).code, VerdictCode::healthy) << "its error forgets in time";
+  moved.performance.error_memory_s = 90.0;
   EXPECT_EQ(decide(moved, {}).code, VerdictCode::sluggish_tuning);
   moved.model->closed_loop->integral_per_s = 0.2;
   EXPECT_EQ(decide(moved, {}).code, VerdictCode::healthy) << "as fast as the process itself";
@@ -117,11 +124,20 @@ TEST(SteplessVerdict, SlowLoopsThatShouldRingAreDoubted) {
 TEST(SteplessVerdict, AtRestTheErrorSaysHowSureSlownessIs) {
   Evidence evidence = plain(slow_loop());
   creep(evidence);
+  evidence.performance.error_memory_s = 240.0;
   const double clear = decide(evidence, {}).confidence;
-  evidence.performance.harris_low = 0.40;
-  evidence.performance.harris_high = 0.44;
+  evidence.performance.error_memory_s = 121.0;
   EXPECT_EQ(decide(evidence, {}).code, VerdictCode::sluggish_tuning);
-  EXPECT_LT(decide(evidence, {}).confidence, clear);
+  EXPECT_NEAR(decide(evidence, {}).confidence, 0.5 * clear, 0.01);
+}
+
+TEST(SteplessVerdict, ALineThatLeavesThePolesUndampedComesFromOutside) {
+  Evidence evidence = plain(ringing_loop());
+  evidence.model->closed_loop->damping = 0.001;
+  oscillate(evidence, 60.0, 0.95);
+  expect(evidence, VerdictCode::external_disturbance, 1e-6);
+  oscillate(evidence, 60.0, 0.6);
+  expect(evidence, VerdictCode::tight_tuning, 1e-6);
 }
 
 TEST(SteplessVerdict, CouplingWithoutAnEffectStaysUnexplained) {

@@ -47,6 +47,21 @@ TEST(Nominate, FindsThePlaceOfALoadStep) {
   }
 }
 
+/// The process still answers to what came before the record.
+TEST(Nominate, PlacesNoLoadStepWhereThePastIsStillSeen) {
+  for (const double pole : {0.5, 0.95, 0.999}) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      Looked looked = looked_at("load_upsets", seed);
+      looked.fit.structure.process.pole = pole;
+      std::fill_n(looked.fit.innovations.begin() + 45, 3, 50.0);
+      const double lags = std::min(3.0 / -std::log(pole), 512.0);
+      for (const EffectPtr& effect : nominate_load_steps(looked.data, looked.fit)) {
+        EXPECT_GE(static_cast<double>(dynamic_cast<const LoadStep&>(*effect).at()), lags);
+      }
+    }
+  }
+}
+
 TEST(Nominate, FindsThePeriodOfALine) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Looked looked = looked_at("outside_oscillation", seed);

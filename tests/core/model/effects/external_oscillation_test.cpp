@@ -150,5 +150,17 @@ TEST(ExternalOscillation, WavesAreTheSameByPeriodHarmonicsAndKnots) {
   EXPECT_FALSE(wave == ExternalOscillation(40.0, 2, 4));
 }
 
+TEST(ExternalOscillation, SlowerThanFourCyclesIsADriftAndNoNeighbour) {
+  for (const double period : {300.0, 700.0, 1000.0, 1024.0}) {
+    const ExternalOscillation wave(period);
+    for (const double scale : {0.25, 1.0, 8.0}) {
+      for (const EffectPtr& neighbour : wave.neighbours(scale))
+        EXPECT_LE(dynamic_cast<const ExternalOscillation&>(*neighbour).period_samples(), 1024.0);
+    }
+    for (const EffectPtr& wider : wave.with_harmonics())
+      EXPECT_LE(dynamic_cast<const ExternalOscillation&>(*wider).period_samples(), 1024.0);
+  }
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

@@ -1,0 +1,58 @@
+#include "tests/plants/diagnosed_loop.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <string_view>
+
+#include "core/diagnosis/diagnose.hpp"
+#include "tests/effects/window_of.hpp"
+
+namespace loopscope::tests::plants {
+namespace {
+
+/// As the view flagged_loop counts them.
+std::size_t tests_of(const core::Diagnosis& diagnosis) {
+  const core::Evidence& evidence = diagnosis.evidence;
+  std::size_t tests = 0;
+  const auto count = [&tests](bool computed) { tests += computed ? 1U : 0U; };
+  if (evidence.data_quality.usable) {
+    count(evidence.hos && evidence.hos->nonlinear_p);
+    count(evidence.oscillation.p.has_value());
+    count(evidence.performance.harris_p.has_value());
+    // A model that may claim something tests the next effect and what is left.
+    if (evidence.model && evidence.model->excited) tests += 2;
+  }
+  return std::max<std::size_t>(tests, diagnosis.verdict.p ? 1U : 0U);
+}
+
+}  // namespace
+
+DiagnosedLoop diagnose_loop(const PlantLoop& loop) {
+  const effects::Record record = record_of(loop);
+  const core::LoopFacts facts{.integrating = record.truth.loop.integrating, .seed = loop.seed};
+  const core::Diagnosis diagnosis = core::diagnose(effects::window_of(record), {}, facts);
+  DiagnosedLoop diagnosed{std::string(name(diagnosis.verdict.code)),
+                          diagnosis.verdict.confidence,
+                          diagnosis.verdict.p,
+                          tests_of(diagnosis),
+                          {}};
+  if (diagnosis.evidence.model)
+    for (const auto& step : diagnosis.evidence.model->steps)
+      diagnosed.steps.emplace_back(name(step.effect));
+  return diagnosed;
+}
+
+std::vector<DiagnosedLoop> diagnose_plant(const std::vector<PlantLoop>& plant, unsigned threads) {
+  std::vector<DiagnosedLoop> all(plant.size());
+  std::atomic<std::size_t> next = 0;
+  std::vector<std::future<void>> workers;
+  for (unsigned i = 0; i < std::max(1U, threads); ++i)
+    workers.push_back(std::async(std::launch::async, [&] {
+      for (std::size_t k = next++; k < plant.size(); k = next++) all[k] = diagnose_loop(plant[k]);
+    }));
+  for (std::future<void>& worker : workers) worker.get();
+  return all;
+}
+
+}  // namespace loopscope::tests::plants

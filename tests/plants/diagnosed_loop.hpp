@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/plants/plant.hpp"
+
+namespace loopscope::tests::plants {
+
+/// What the flags of a plant need to know of one loop's diagnosis.
+struct DiagnosedLoop {
+  std::string verdict;
+  double confidence = 0.0;
+  std::optional<double> p;  ///< of what the verdict rests on
+  std::size_t tests = 0;    ///< that the loop brings into the family
+  std::vector<std::string> steps;
+};
+
+[[nodiscard]] DiagnosedLoop diagnose_loop(const PlantLoop& loop);
+
+/// Every loop, in order; the same for any number of threads. Throws what a loop throws.
+[[nodiscard]] std::vector<DiagnosedLoop> diagnose_plant(const std::vector<PlantLoop>& plant,
+                                                        unsigned threads);
+
+}  // namespace loopscope::tests::plants

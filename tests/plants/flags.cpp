@@ -1,0 +1,44 @@
+#include "tests/plants/flags.hpp"
+
+#include <cstddef>
+#include <limits>
+
+#include "core/plant/false_discovery.hpp"
+
+namespace loopscope::tests::plants {
+namespace {
+
+bool is_shown(const DiagnosedLoop& loop, const FlagRule& rule) {
+  return loop.verdict != "healthy" && loop.verdict != "insufficient_data" &&
+         loop.confidence >= rule.min_confidence;
+}
+
+}  // namespace
+
+std::vector<bool> flagged(const std::vector<DiagnosedLoop>& loops, const FlagRule& rule) {
+  // Each loop's own test first, so that it stands at the loop's place; the others have p = 1.
+  std::vector<double> family;
+  for (const DiagnosedLoop& loop : loops)
+    family.push_back(is_shown(loop, rule) && loop.p ? *loop.p : 1.0);
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (loops[k].tests == 0) family[k] = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 1; i < loops[k].tests; ++i) family.push_back(1.0);
+  }
+  const core::plant::FalseDiscovery control =
+      core::plant::control_false_discovery(family, rule.false_discovery_rate);
+  std::vector<bool> result;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    result.push_back(is_shown(loops[k], rule) && (!loops[k].p || control.flagged[k]));
+  return result;
+}
+
+Flags flags_of(const std::vector<PlantLoop>& plant, const std::vector<DiagnosedLoop>& loops,
+               const FlagRule& rule) {
+  const std::vector<bool> on_the_list = flagged(loops, rule);
+  Flags flags;
+  for (std::size_t k = 0; k < plant.size(); ++k)
+    if (on_the_list[k]) flags[plant[k].name] = loops[k].verdict;
+  return flags;
+}
+
+}  // namespace loopscope::tests::plants

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/plants/diagnosed_loop.hpp"
+#include "tests/plants/plant_score.hpp"
+
+namespace loopscope::tests::plants {
+
+/// Settings as a plant gets them that sets none (config/README.md, /flags).
+struct FlagRule {
+  double false_discovery_rate = 0.05;
+  double min_confidence = 0.3;
+};
+
+/// Which loops the view flagged_loop would show, in their order: core/plant/README.md.
+[[nodiscard]] std::vector<bool> flagged(const std::vector<DiagnosedLoop>& loops,
+                                        const FlagRule& rule = {});
+
+/// The same by name.
+[[nodiscard]] Flags flags_of(const std::vector<PlantLoop>& plant,
+                             const std::vector<DiagnosedLoop>& loops, const FlagRule& rule = {});
+
+}  // namespace loopscope::tests::plants

@@ -1,0 +1,43 @@
+#include "tests/plants/flags.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace loopscope::tests::plants {
+namespace {
+
+using testing::ElementsAre;
+using testing::Pair;
+
+DiagnosedLoop healthy() {
+  return {"healthy", 0.9, {}, 5, {}};
+}
+
+DiagnosedLoop faulty(std::optional<double> p, double confidence = 0.8) {
+  return {"valve_stiction", confidence, p, 5, {}};
+}
+
+TEST(Flags, SmallProbabilitiesFactsAndNothingElse) {
+  // A family of 25 tests; the first p has to be at most 0.05 / 25.
+  EXPECT_THAT(flagged({healthy(), faulty(1e-3), faulty(0.01), faulty(std::nullopt), healthy()}),
+              ElementsAre(false, true, false, true, false));
+}
+
+TEST(Flags, WhatIsHardlyBelievedLendsNoRank) {
+  EXPECT_THAT(flagged({faulty(1e-9, 0.29), faulty(1e-9, 0.3)}), ElementsAre(false, true));
+  EXPECT_THAT(flagged({faulty(1e-9), faulty(0.0095)}), ElementsAre(true, true));
+  EXPECT_THAT(flagged({faulty(1e-9, 0.29), faulty(0.0095)}), ElementsAre(false, false));
+}
+
+TEST(Flags, DataThatCannotBeJudgedAreNoFault) {
+  EXPECT_THAT(flagged({{"insufficient_data", 1.0, {}, 0, {}}}), ElementsAre(false));
+}
+
+TEST(Flags, CarryTheVerdict) {
+  const std::vector<PlantLoop> plant = draw_plant(1, {2, 0});
+  EXPECT_THAT(flags_of(plant, {healthy(), faulty(1e-9)}),
+              ElementsAre(Pair("L002", "valve_stiction")));
+}
+
+}  // namespace
+}  // namespace loopscope::tests::plants

@@ -1,0 +1,29 @@
+#include "tests/plants/plant_faults_options.hpp"
+
+#include <gtest/gtest.h>
+
+namespace loopscope::tests::plants {
+namespace {
+
+TEST(PlantFaultsOptions, AreReadInAnyOrder) {
+  const Options options =
+      read_options({"--json", "--seed", "9", "--history", "--end", "100", "--loops", "40"});
+  EXPECT_EQ(options.task, Options::Task::history);
+  EXPECT_EQ(options.seed, 9U);
+  EXPECT_EQ(options.end_us, 100'000'000);
+  EXPECT_EQ(options.size.loops, 40U);
+  EXPECT_EQ(options.size.faulty, 25U);
+  EXPECT_TRUE(options.json);
+}
+
+TEST(PlantFaultsOptions, WrongWordsAreNamed) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--sed", "1"},
+                                                {"--seed"},
+                                                {"--seed", "x"},
+                                                {"plant"},
+                                                {"--loops", "3"}})
+    EXPECT_THROW(static_cast<void>(read_options(words)), WrongUsage) << words.front();
+}
+
+}  // namespace
+}  // namespace loopscope::tests::plants
