@@ -125,8 +125,8 @@ CREATE VIEW loopscope.hiding AS
          current.number, current.source_loop_name
   FROM loopscope.current_plant_oscillation AS current
   CROSS JOIN LATERAL unnest(current.loop_ids, current.roles) AS member (loop_id, role)
-  -- Whoever causes one oscillation is not excused by being the victim of another.
-  WHERE member.role = 'victim'
+  -- The other loop of a cascade is a victim too. Whoever causes one oscillation is not excused by being the victim of another.
+  WHERE member.role IN ('victim', 'cascade_slave', 'cascade_master')
     AND member.loop_id NOT IN (SELECT source_loop_id FROM loopscope.current_plant_oscillation WHERE source_loop_id IS NOT NULL);
 COMMENT ON VIEW loopscope.hiding IS 'What hides verdicts from flagged_loop: annotations that hold, and being the victim of a shared oscillation; hidden_loop shows what is hidden by it';
 COMMENT ON COLUMN loopscope.hiding.hidden_by IS 'acknowledged, suppressed, false_positive or victim'; COMMENT ON COLUMN loopscope.hiding.code IS 'Verdict that is hidden; null = whatever the verdict';
@@ -232,8 +232,8 @@ COMMENT ON COLUMN loopscope.flag_notice.announced IS 'Whether listeners were tol
 COMMENT ON COLUMN loopscope.flag_notice.slot_end IS 'Slot of the verdict that was flagged first'; COMMENT ON COLUMN loopscope.flag_notice.since IS 'Slot of the first verdict of the run at that time';
 COMMENT ON COLUMN loopscope.flag_notice.status IS 'watch or confirmed, as it stands or stood last'; COMMENT ON COLUMN loopscope.flag_notice.confidence IS 'Confidence of that verdict, 0 to 1';
 COMMENT ON COLUMN loopscope.flag_notice.rank IS 'Its rank at that time'; COMMENT ON COLUMN loopscope.flag_notice.score IS 'Its score at that time'; COMMENT ON COLUMN loopscope.flag_notice.summary IS 'What was said of it';
-COMMENT ON COLUMN loopscope.flag_notice.confirmed_at IS 'When it was seen confirmed first; null = it was not yet'; COMMENT ON COLUMN loopscope.flag_notice.ended_at IS 'When it was found gone from the list; null = it stands';
-COMMENT ON COLUMN loopscope.flag_notice.ended_by IS 'What ended it: verdict (another one), annotation, plant (found to be a victim), disabled, or threshold';
+COMMENT ON COLUMN loopscope.flag_notice.confirmed_at IS 'When it was seen confirmed first; null = it was not yet';
+COMMENT ON COLUMN loopscope.flag_notice.ended_at IS 'When it was found gone from the list; null = it stands'; COMMENT ON COLUMN loopscope.flag_notice.ended_by IS 'What ended it: verdict (another one), annotation, plant (found to be a victim), disabled, or threshold';
 
 CREATE VIEW loopscope.flag_history AS
   SELECT flag_notice_id, loop_id, loop.name AS loop_name, code, flagged_at, since, status, confirmed_at, ended_at, ended_by,

@@ -1,6 +1,7 @@
 #include "storage/results/announce_flags.hpp"
 
 #include "storage/results/plant_statements.hpp"
+#include "storage/results/session.hpp"
 
 namespace loopscope::storage {
 namespace {

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "storage/results/session.hpp"
 
 namespace loopscope::storage {
+
+class Transaction;
 
 /// A loop that came onto the list, or was confirmed on it.
 struct FlagNotice {

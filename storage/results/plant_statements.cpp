@@ -1,30 +1,6 @@
 #include "storage/results/plant_statements.hpp"
 
-#include "storage/results/loop_columns.hpp"
-
 namespace loopscope::storage::statements {
-
-// Any fixed number does, as long as nothing else in the database uses it. The lock is the
-// session's, because the work between claim and result takes no transaction.
-const Statement kClaimRound{"claim_round", R"(
-    SELECT CASE WHEN coalesce(max(found_at) + $1::float8 * interval '1 s' <= now(), true)
-                THEN pg_try_advisory_lock(7310868735423867749) ELSE false END
-    FROM loopscope.plant_round)",
-                            Rows::one};
-
-const Statement kOscillatingLoops{"oscillating_loops", "SELECT " LOOPSCOPE_LOOP_COLUMNS R"(,
-           newest.*
-    FROM loopscope.loop
-    CROSS JOIN LATERAL (
-      SELECT (extract(epoch FROM slot_end) * 1000000)::bigint AS slot_end_us,
-             (extract(epoch FROM window_start) * 1000000)::bigint AS window_start_us,
-             (extract(epoch FROM window_end) * 1000000)::bigint AS window_end_us,
-             code, confidence, oscillation_period_s, nonlinear_p
-      FROM loopscope.latest_verdict AS latest
-      WHERE latest.loop_id = loop.loop_id AND latest.usable AND latest.oscillating
-        AND latest.oscillation_period_s > 0) AS newest
-    WHERE loop.enabled
-    ORDER BY name)"};
 
 const Statement kWritePlantRound{"write_plant_round", R"(
     INSERT INTO loopscope.plant_round AS kept

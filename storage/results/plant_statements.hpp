@@ -5,8 +5,6 @@
 /// What is done for all loops together: rounds over the plant, and the announcement of flags.
 namespace loopscope::storage::statements {
 
-extern const Statement kClaimRound;  ///< seconds between two rounds
-extern const Statement kOscillatingLoops;
 extern const Statement kWritePlantRound;  ///< slot_end, revision, loops, oscillating, events
 /// slot_end, revision, number, period_s, loop_ids, strengths, lags_s, source ("" = none),
 /// statement, roles, scores, p ("" = none)

@@ -4,6 +4,7 @@
 
 #include "storage/array_literal.hpp"
 #include "storage/results/plant_statements.hpp"
+#include "storage/results/session.hpp"
 #include "storage/timestamp.hpp"
 #include "storage/utf8.hpp"
 

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "storage/results/session.hpp"
 
 namespace loopscope::storage {
+
+class Transaction;
 
 /// A loop that takes part in a shared oscillation.
 struct PlantMember {

@@ -62,7 +62,19 @@ PlantFacts plant_facts(const std::string& text) {
                     .statement = text,
                     .code_before = "valve_stiction",
                     .code_after = "healthy",
-                    .figures = {{"error_std", 2.0, 1.0}}}};
+                    .figures = {{.name = "error_std",
+                                 .unit = "pv units",
+                                 .meaning = text,
+                                 .before = 2.0,
+                                 .before_low = 1.8,
+                                 .before_high = 2.2,
+                                 .after = 1.0,
+                                 .after_low = 0.9,
+                                 .after_high = 1.1,
+                                 .is_ratio = true,
+                                 .change = 0.5,
+                                 .change_low = 0.44,
+                                 .change_high = 0.57}}}};
   return facts;
 }
 

@@ -5,7 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "storage/results/plant_database.hpp"
+#include "storage/results/plant_rounds.hpp"
+#include "storage/results/session.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 namespace loopscope::storage {
@@ -45,7 +46,7 @@ class Listener {
 class AnnounceFlagsTest : public ViewsTest {
  protected:
   FlagAnnouncement announce() const {
-    return PlantDatabase(settings_for(*database)).announce_flags();
+    return PlantRounds(settings_for(*database)).announce_flags();
   }
   [[nodiscard]] Rows history() const {
     return database->rows(
@@ -113,8 +114,8 @@ TEST_F(AnnounceFlagsTest, SaysWhatEndedAFlag) {
     return std::stoll(
         value(std::string("SELECT loop_id FROM loopscope.loop WHERE name = '") + loop + "'"));
   };
-  PlantDatabase(settings_for(*database))
-      .write_round({slot(1),
+  PlantRounds(settings_for(*database))
+      .store({slot(1),
                     1,
                     4,
                     2,

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "storage/results/migrate.hpp"
-#include "storage/results/plant_database.hpp"
+#include "storage/results/plant_rounds.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 namespace loopscope::storage {
@@ -29,8 +29,8 @@ class ReportDatabaseTest : public ViewsTest {
   }
   /// `source` swings `victim`.
   void oscillate(const std::string& source, const std::string& victim) const {
-    PlantDatabase(settings_for(*database))
-        .write_round({slot(1),
+    PlantRounds(settings_for(*database))
+        .store({slot(1),
                       1,
                       9,
                       2,

@@ -1,4 +1,4 @@
-#include "storage/results/plant_database.hpp"
+#include "storage/results/plant_rounds.hpp"
 
 #include <gmock/gmock.h>
 
@@ -13,7 +13,7 @@ using testing::Field;
 using testing::IsEmpty;
 using Rows = std::vector<std::vector<std::string>>;
 
-class PlantDatabaseTest : public ViewsTest {
+class PlantRoundsTest : public ViewsTest {
  protected:
   void SetUp() override {
     ViewsTest::SetUp();
@@ -22,7 +22,7 @@ class PlantDatabaseTest : public ViewsTest {
     for (const auto& row : database->rows("SELECT loop_id FROM loopscope.loop ORDER BY name"))
       ids.push_back(std::stoll(row[0]));
   }
-  [[nodiscard]] PlantDatabase plant() const { return PlantDatabase(settings_for(*database)); }
+  [[nodiscard]] PlantRounds plant() const { return PlantRounds(settings_for(*database)); }
   [[nodiscard]] PlantEvent event(double period_s, std::size_t members) const {
     PlantEvent found{period_s, ids[0], "a leads", 1e-6, {}};
     for (std::size_t k = 0; k < members; ++k) {
@@ -39,8 +39,8 @@ class PlantDatabaseTest : public ViewsTest {
   std::vector<std::int64_t> ids;
 };
 
-TEST_F(PlantDatabaseTest, WritesARoundWithTheLargestEventFirst) {
-  plant().write_round({slot(1), 1, 30, 5, {event(40, 2), event(90, 3)}});
+TEST_F(PlantRoundsTest, WritesARoundWithTheLargestEventFirst) {
+  plant().store({slot(1), 1, 30, 5, {event(40, 2), event(90, 3)}});
   EXPECT_EQ(current(), (Rows{{"1", "90", "a", "3"}, {"2", "40", "a", "2"}}));
   EXPECT_EQ(database->rows("SELECT loops, oscillating, events FROM loopscope.newest_plant_round"),
             (Rows{{"30", "5", "2"}}));
@@ -52,14 +52,14 @@ TEST_F(PlantDatabaseTest, WritesARoundWithTheLargestEventFirst) {
                   {"c", "victim", "0.5", "6", "0", "f", "t"}}));
 }
 
-TEST_F(PlantDatabaseTest, ARoundWrittenAgainReplacesItself) {
-  PlantDatabase database_of_plant(settings_for(*database));
-  database_of_plant.write_round({slot(1), 1, 30, 5, {event(40, 2), event(90, 3)}});
+TEST_F(PlantRoundsTest, ARoundWrittenAgainReplacesItself) {
+  PlantRounds rounds(settings_for(*database));
+  rounds.store({slot(1), 1, 30, 5, {event(40, 2), event(90, 3)}});
   PlantEvent outside = event(50, 2);
   outside.source_loop_id.reset();
   outside.p.reset();
   for (PlantMember& member : outside.members) member = {member.loop_id, "member", 0.5, 0.0, {}};
-  database_of_plant.write_round({slot(1), 1, 30, 2, {outside}});
+  rounds.store({slot(1), 1, 30, 2, {outside}});
   EXPECT_EQ(current(), (Rows{{"1", "50", "NULL", "2"}}));
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_oscillation_member"), "2")
       << "nor is the second event of the first writing shown as a former one";
@@ -68,62 +68,72 @@ TEST_F(PlantDatabaseTest, ARoundWrittenAgainReplacesItself) {
             "t");
 }
 
-TEST_F(PlantDatabaseTest, TheNewestSlotHoldsWhateverTheOrderOfWriting) {
-  plant().write_round({slot(2), 1, 30, 5, {event(40, 2)}});
-  plant().write_round({slot(1), 1, 30, 5, {event(90, 3)}});
+TEST_F(PlantRoundsTest, TheNewestSlotHoldsWhateverTheOrderOfWriting) {
+  plant().store({slot(2), 1, 30, 5, {event(40, 2)}});
+  plant().store({slot(1), 1, 30, 5, {event(90, 3)}});
   EXPECT_EQ(current(), (Rows{{"1", "40", "a", "2"}}));
-  plant().write_round({slot(2), 2, 30, 5, {}});
+  plant().store({slot(2), 2, 30, 5, {}});
   EXPECT_THAT(current(), IsEmpty()) << "a newer algorithm's word";
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_oscillation_member WHERE is_current"), "0");
 }
 
-TEST_F(PlantDatabaseTest, AllOrNothing) {
+TEST_F(PlantRoundsTest, AllOrNothing) {
   PlantEvent lonely = event(40, 1);
-  EXPECT_THROW(plant().write_round({slot(1), 1, 30, 5, {event(90, 3), lonely}}), DatabaseError);
+  EXPECT_THROW(plant().store({slot(1), 1, 30, 5, {event(90, 3), lonely}}), DatabaseError);
   PlantEvent misnamed = event(40, 2);
   misnamed.members[0].role = "culprit";
-  EXPECT_THROW(plant().write_round({slot(1), 1, 30, 5, {misnamed}}), DatabaseError);
+  EXPECT_THROW(plant().store({slot(1), 1, 30, 5, {misnamed}}), DatabaseError);
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_round"), "0");
 }
 
-TEST_F(PlantDatabaseTest, OneAtATimeMakesARoundAndOnlyWhenItIsDue) {
-  {
-    PlantDatabase first(settings_for(*database)), second(settings_for(*database));
-    EXPECT_TRUE(first.claim_round(3600));
-    EXPECT_FALSE(second.claim_round(3600));
-    EXPECT_TRUE(first.claim_round(3600)) << "it is its own";
-    first.write_round({slot(1), 1, 30, 0, {}});
-    EXPECT_FALSE(first.claim_round(3600)) << "made just now";
-    EXPECT_TRUE(first.claim_round(0));
-    EXPECT_FALSE(second.claim_round(0));
-  }
-  EXPECT_TRUE(plant().claim_round(0)) << "whoever dies gives way";
+TEST_F(PlantRoundsTest, NothingToDoBeforeTheFirstAnalysis) {
+  EXPECT_EQ(plant().take_turn(0), std::nullopt);
+  EXPECT_EQ(plant().newest_slot_us(), std::nullopt);
 }
 
-TEST_F(PlantDatabaseTest, ComparesEnabledLoopsWhoseNewestUsableWindowOscillates) {
+TEST_F(PlantRoundsTest, OneAtATimeMakesARoundAndOnlyWhenItIsDue) {
+  tell({{.loop = "a"}});
+  {
+    PlantRounds first(settings_for(*database)), second(settings_for(*database));
+    EXPECT_EQ(first.take_turn(3600), 0.0);
+    EXPECT_EQ(second.take_turn(3600), std::nullopt);
+    EXPECT_EQ(first.take_turn(3600), 0.0) << "it is its own";
+    EXPECT_EQ(first.newest_slot_us(), slot(1));
+    first.store({slot(1), 1, 30, 0, {}});
+    const std::optional<double> wait_s = first.take_turn(3600);
+    ASSERT_TRUE(wait_s);
+    EXPECT_NEAR(*wait_s, 3600.0, 60.0) << "made just now";
+    EXPECT_EQ(first.take_turn(0), 0.0);
+    EXPECT_EQ(second.take_turn(0), std::nullopt);
+  }
+  EXPECT_EQ(plant().take_turn(0), 0.0) << "whoever dies gives way";
+}
+
+TEST_F(PlantRoundsTest, ComparesEnabledLoopsWithAUsableWindow) {
   tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c", .usable = false}, {.loop = "d"}});
   Catalogue(settings_for(*database)).set_enabled(std::vector<std::string>{"b"}, false);
-  const std::vector<OscillatingLoop> loops = plant().oscillating_loops();
+  const std::vector<PlantCandidate> loops = plant().candidates(slot(1), 9);
   ASSERT_EQ(loops.size(), 2U);
   EXPECT_EQ(loops[0].loop.name, "a");
   EXPECT_EQ(loops[0].loop.pv_tag, "a.PV");
   EXPECT_EQ(loops[0].slot_end_us, slot(1));
-  EXPECT_EQ(loops[0].window_end_us - loops[0].window_start_us, 4095'000'000);
-  EXPECT_EQ(loops[0].oscillation_period_s, 40.0);
-  EXPECT_EQ(loops[0].code, "valve_stiction");
+  EXPECT_EQ(loops[0].evidence.oscillation.period_s, 40.0);
+  EXPECT_EQ(loops[0].verdict.code, core::diagnosis::VerdictCode::valve_stiction);
   EXPECT_EQ(loops[1].loop.name, "d");
+  EXPECT_EQ(plant().candidates(slot(1), 1).size(), 1U);
+  EXPECT_THAT(plant().candidates(slot(100), 9), IsEmpty()) << "loops that were left long ago";
 }
 
-TEST_F(PlantDatabaseTest, AWorkersRightsAreEnough) {
+TEST_F(PlantRoundsTest, AWorkersRightsAreEnough) {
   database->make_roles();
   migrate(settings_for(*database));
   tell({{.loop = "a"}});
-  PlantDatabase worker(settings_for(*database, database->make_login("loopscope_worker")));
-  EXPECT_TRUE(worker.claim_round(3600));
-  worker.write_round({slot(1), 1, 30, 5, {event(40, 2)}});
-  worker.write_round({slot(1), 1, 30, 5, {event(90, 3)}});
+  PlantRounds worker(settings_for(*database, database->make_login("loopscope_worker")));
+  EXPECT_EQ(worker.take_turn(3600), 0.0);
+  worker.store({slot(1), 1, 30, 5, {event(40, 2)}});
+  worker.store({slot(1), 1, 30, 5, {event(90, 3)}});
   EXPECT_THAT(worker.announce_flags().flagged, ElementsAre(Field(&FlagNotice::loop_name, "a")));
-  EXPECT_EQ(worker.oscillating_loops().size(), 1U);
+  EXPECT_EQ(worker.candidates(slot(1), 9).size(), 1U);
 }
 
 }  // namespace
