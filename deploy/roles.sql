@@ -13,7 +13,8 @@
 --
 -- Where the database holds no tables but Loopscope's, PUBLIC loses what PostgreSQL gives to everybody who may
 -- connect: temporary tables, large objects, and (clusters that are older than PostgreSQL 15) tables in the schema
--- public. A database that is shared is left as it is: its other users may need that.
+-- public; and queries are no longer compiled (jit), which takes longer than the views themselves: tens of seconds.
+-- A database that is shared is left as it is: its other users may need that.
 
 DO $$
 DECLARE role record;
@@ -46,11 +47,12 @@ BEGIN
     WHERE class.relkind IN ('r', 'p', 'v', 'm', 'f')
       AND namespace.nspname NOT IN ('pg_catalog', 'information_schema', 'loopscope')
       AND namespace.nspname !~ '^pg_(toast|temp)') THEN
-    RAISE NOTICE 'the database is shared: PUBLIC keeps temporary tables and large objects';
+    RAISE NOTICE 'the database is shared: PUBLIC keeps temporary tables and large objects, queries may be compiled (jit)';
   ELSE
     EXECUTE format('REVOKE TEMPORARY ON DATABASE %I FROM PUBLIC', current_database());
     REVOKE CREATE ON SCHEMA public FROM PUBLIC;
     REVOKE EXECUTE ON FUNCTION pg_catalog.lo_create(oid), pg_catalog.lo_creat(integer),
       pg_catalog.lo_from_bytea(oid, bytea) FROM PUBLIC;
+    EXECUTE format('ALTER DATABASE %I SET jit = off', current_database());
   END IF;
 END $$;
