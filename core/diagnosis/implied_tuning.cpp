@@ -1,6 +1,5 @@
 #include "core/diagnosis/implied_tuning.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace loopscope::core::diagnosis {
@@ -44,14 +43,9 @@ bool slower_than_open_loop(const model::ClosedLoop& loop, const model::ProcessFi
   return action_per_s > 0.0 && action_per_s * kSlowerThanItself * residence_s < 1.0;
 }
 
-double memory_ratio(const model::ClosedLoop& loop, const model::ProcessFit& process,
-                    const loop::Performance& performance) {
+double memory_ratio(const model::ClosedLoop& loop, const loop::Performance& performance) {
   if (!performance.error_memory_s || loop.integral_per_s == 0.0) return 0.0;
-  // Without proportional action the integral time says nothing of the process.
-  const bool tells = loop.integral_time_s >= performance.longest_delay_s;
-  const double lags_s = process.time_constant_s + process.second_time_constant_s;
-  const double usual_s = performance.longest_delay_s +
-                         (tells ? loop.integral_time_s : std::max(loop.integral_time_s, lags_s));
+  const double usual_s = performance.longest_delay_s + loop.integral_time_s;
   return usual_s > 0.0 ? *performance.error_memory_s / usual_s : 0.0;
 }
 

@@ -26,11 +26,15 @@ namespace loopscope::core::diagnosis {
 /// advice makes that three times the process's own, which the integral time is set to.
 inline constexpr double kLongMemory = 3.0;
 
+/// The longest plausible delay is a bound and no fact. Where it is most of what the memory is
+/// measured by, an error that remembers longer than this, and is far from the best by the Harris
+/// index, is named slow; not surely enough for a flag (README.md).
+inline constexpr double kDoubtfulMemory = 1.65;
+
 /// How long the error remembers (loop::Performance), by the controller's integral time and the
-/// longest plausible delay: what a loop with a gain to speak of needs to make up for a load. An
-/// integral time below that delay counts as the process's lags where those are longer. 0 where the
-/// memory was not measured, or without integral action.
-[[nodiscard]] double memory_ratio(const model::ClosedLoop& loop, const model::ProcessFit& process,
+/// longest plausible delay: what a loop with a gain to speak of needs to make up for a load. 0
+/// where the memory was not measured, or without integral action.
+[[nodiscard]] double memory_ratio(const model::ClosedLoop& loop,
                                   const loop::Performance& performance);
 
 /// The error oscillates at the period of the implied loop's dominant poles. False where one of the

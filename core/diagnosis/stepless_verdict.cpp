@@ -95,24 +95,31 @@ bool setpoint_moves(const Evidence& evidence) {
 constexpr double kLongForAWitness = 2.0;
 
 double memory_of(const Finding& finding) {
-  return memory_ratio(*finding.explanation.closed_loop, finding.explanation.baseline.process,
-                      finding.evidence().performance);
+  return memory_ratio(*finding.explanation.closed_loop, finding.evidence().performance);
 }
 
 /// At rest noise alone does not tell process from controller, and what the best controller could do
 /// (Harris) is far from what a good PI controller does: how long the error remembers is what tells.
+double line_at_rest(const Finding& finding) {
+  const Evidence& evidence = finding.evidence();
+  const bool bound_leads =
+      finding.explanation.closed_loop->integral_time_s < evidence.performance.longest_delay_s;
+  return bound_leads && creeps(evidence) ? kDoubtfulMemory : kLongMemory;
+}
+
 bool sluggish(const Finding& finding) {
   const model::ProcessFit& process = finding.explanation.baseline.process;
   const auto& loop = finding.explanation.closed_loop;
   if (!loop || finding.evidence().integrating) return false;
-  if (!setpoint_moves(finding.evidence())) return memory_of(finding) > kLongMemory;
+  if (!setpoint_moves(finding.evidence())) return memory_of(finding) > line_at_rest(finding);
   return far_slower_than_possible(*loop, process) && slower_than_open_loop(*loop, process) &&
          memory_of(finding) > kLongForAWitness;
 }
 
-/// Half at the line, all of it at twice the line.
+/// Half at the line, all of it at twice the line; up to it a quarter, not enough for a flag.
 double memory_known(const Finding& finding) {
-  return std::clamp(0.5 * memory_of(finding) / kLongMemory, 0.5, 1.0);
+  const double by_line = memory_of(finding) / kLongMemory;
+  return by_line > 1.0 ? std::min(0.5 * by_line, 1.0) : 0.25;
 }
 
 double sluggish_confidence(const Finding& finding) {

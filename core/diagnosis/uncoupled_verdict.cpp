@@ -56,8 +56,7 @@ Verdict oscillating(const Case& loop) {
 /// Where the controller is known, its integral time says what is long.
 bool forgets_in_time(const Evidence& evidence) {
   return evidence.model && evidence.model->closed_loop &&
-         memory_ratio(*evidence.model->closed_loop, evidence.model->baseline.process,
-                      evidence.performance) <= kLongMemory;
+         memory_ratio(*evidence.model->closed_loop, evidence.performance) <= kLongMemory;
 }
 
 Verdict quiet(const Case& loop) {

@@ -9,8 +9,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// No matter of digits.
-constexpr double kOtherThing = 2.0;
+/// No matter of digits: numbers of opposite signs are 2 apart at most.
+constexpr double kOtherThing = 3.0;
 
 /// A sentence without its figures.
 std::string without_digits(const std::string& text) {

@@ -12,9 +12,8 @@
     return String(a).localeCompare(String(b), "en", { numeric: true });
   }
 
-  function sort(table, header) {
+  function sort(table, header, rising) {
     const column = header.cellIndex;
-    const rising = header.getAttribute("aria-sort") !== "ascending";
     for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
     header.setAttribute("aria-sort", rising ? "ascending" : "descending");
     const body = table.tBodies[0];
@@ -31,9 +30,31 @@
       const button = document.createElement("button");
       button.type = "button";
       button.append(...header.childNodes);
-      button.addEventListener("click", function () { sort(table, header); });
+      button.addEventListener("click", function () {
+        sort(table, header, header.getAttribute("aria-sort") !== "ascending");
+      });
       header.append(button);
     }
+    table.before(sorter(table));
+  }
+
+  // Where rows are cards, the headers cannot be clicked.
+  function sorter(table) {
+    const headers = Array.from(table.tHead.rows[0].cells);
+    const select = choice("Order of the list", []);
+    headers.forEach(function (header, column) {
+      const name = header.textContent.replace(/\u00ad/g, "");
+      select.add(new Option(name + ", rising", column + " rising"));
+      select.add(new Option(name + ", falling", column + " falling"));
+    });
+    select.addEventListener("input", function () {
+      const words = select.value.split(" ");
+      if (words.length === 2) sort(table, headers[Number(words[0])], words[1] === "rising");
+    });
+    const bar = document.createElement("div");
+    bar.className = "sorter";
+    bar.append(select);
+    return bar;
   }
 
   function choice(words, values) {

@@ -104,6 +104,15 @@ def require_sorting(reader, place):
     headers[0].click()
 
 
+def require_order_of_cards(reader, place):
+    """On a phone: the first column falling, then rising."""
+    options = reader.all(".sorter select")[0].find_elements(By.CSS_SELECTOR, "option")
+    options[2].click()
+    falling = column(reader, 0)
+    options[1].click()
+    require(column(reader, 0) == falling[::-1], f"{place}: the cards keep their order")
+
+
 def shown(reader):
     return len([row for row in reader.all("table.filterable tbody tr") if row.is_displayed()])
 
@@ -130,6 +139,7 @@ def read_static(reader, url, folder):
         reader.open(url, window)
         require_pictures(reader, "report on a " + window)
         reader.shoot(folder / f"report_{window}.png")
+    require_order_of_cards(reader, "report")
     reader.open(url, "desktop")
     require_sorting(reader, "report")
     require_filtering(reader, "report")
@@ -144,6 +154,8 @@ def read_live(reader, base, folder):
         for path in ["/", "/loops"]:
             reader.open(base + path, window)
             reader.shoot(folder / f"live_{path.strip('/') or 'plant'}_{window}.png")
+    require_order_of_cards(reader, "/loops")
+    reader.open(base + "/loops", "desktop")
     require_sorting(reader, "/loops")
     reader.open(base + "/", "desktop")
     require_filtering(reader, "/")

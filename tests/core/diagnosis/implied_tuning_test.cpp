@@ -65,17 +65,16 @@ TEST(ImpliedTuning, NoDampingAtAllIsALineAndNoLoop) {
 }
 
 TEST(ImpliedTuning, TheErrorsMemoryIsMeasuredByIntegralTimeAndDelay) {
-  const model::ProcessFit process{false, 1.0, 80.0, 10.0, 5.0};
   model::ClosedLoop loop = slow_loop();
   loop::Performance performance;
   performance.longest_delay_s = 10.0;
-  EXPECT_EQ(memory_ratio(loop, process, performance), 0.0) << "not measured";
+  EXPECT_EQ(memory_ratio(loop, performance), 0.0) << "not measured";
   performance.error_memory_s = 120.0;
-  EXPECT_DOUBLE_EQ(memory_ratio(loop, process, performance), 3.0);
-  loop.integral_time_s = 0.1;
-  EXPECT_DOUBLE_EQ(memory_ratio(loop, process, performance), 1.2) << "next to pure integral action";
+  EXPECT_DOUBLE_EQ(memory_ratio(loop, performance), 3.0);
+  loop.integral_time_s = 2.0;
+  EXPECT_DOUBLE_EQ(memory_ratio(loop, performance), 10.0) << "next to pure integral action";
   loop.integral_per_s = 0.0;
-  EXPECT_EQ(memory_ratio(loop, process, performance), 0.0);
+  EXPECT_EQ(memory_ratio(loop, performance), 0.0);
 }
 
 TEST(ImpliedTuning, ResonanceIsAPeriodNotFarFromThePoles) {

@@ -101,6 +101,21 @@ TEST(SteplessVerdict, AtRestAnErrorThatRemembersForLongIsSlowTuning) {
   expect(evidence, VerdictCode::sluggish_tuning, 1.0);
 }
 
+TEST(SteplessVerdict, NextToPureIntegralActionADoubtfulMemoryIsNamedAndNotFlagged) {
+  constexpr double kLeastOfAFlag = 0.3;  // config/, flags.min_confidence
+  Evidence evidence = plain(slow_loop());
+  creep(evidence);
+  evidence.performance.error_memory_s = 30.0;
+  evidence.model->closed_loop->integral_time_s = 2.0;
+  expect(evidence, VerdictCode::sluggish_tuning, 1e-8);
+  EXPECT_LT(decide(evidence, {}).confidence, kLeastOfAFlag);
+  evidence.performance.error_memory_s = 18.0;
+  expect(evidence, VerdictCode::healthy, std::nullopt);
+  evidence.performance.error_memory_s = 30.0;
+  evidence.performance.harris_low = evidence.performance.harris_high = 0.8;
+  expect(evidence, VerdictCode::healthy, std::nullopt);
+}
+
 TEST(SteplessVerdict, WhereTheSetpointMovesProcessAndControllerAreCompared) {
   Evidence moved = plain(slow_loop());
   moved.data_quality.flags = {"sp_steps_masked"};
