@@ -8,9 +8,10 @@ plant::Fault fault_of(VerdictCode code) {
   switch (code) {
     case VerdictCode::valve_stiction:
     case VerdictCode::valve_deadband:
+    case VerdictCode::valve_oversized:
+      return plant::Fault::friction;
     case VerdictCode::valve_saturation:
     case VerdictCode::valve_characteristic:
-    case VerdictCode::valve_oversized:
       return plant::Fault::valve;
     case VerdictCode::process_nonlinearity:
     case VerdictCode::process_change:

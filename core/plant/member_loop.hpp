@@ -12,7 +12,8 @@ namespace loopscope::core::plant {
 /// What a loop's own verdict blames, in the families that matter to its neighbours.
 enum class Fault {
   none,         ///< healthy, or not judged
-  valve,        ///< sticks, has play, saturates, wrong characteristic or size
+  friction,     ///< the valve sticks, has play or is too large: what makes a loop cycle
+  valve,        ///< the valve saturates or has the wrong characteristic
   process,      ///< process nonlinearity or change
   sensor,       ///< sensor fault
   tuning,       ///< tight or sluggish

@@ -10,16 +10,29 @@ namespace {
 
 /// A loop that the oscillation shakes less has other reasons for its verdict.
 constexpr double kVictimStrength = 0.2;
+/// From here on most of what the loop does is the oscillation, and so is what its verdict rests on.
+constexpr double kOwnCycleStrength = 0.5;
+/// As likely the source as this, a member is not excused by another one.
+constexpr double kLikelySource = 0.2;
 
-bool blames_equipment(const OwnFindings& own) {
-  return own.fault == Fault::valve || own.fault == Fault::sensor || own.fault == Fault::process;
+bool blames_equipment(Fault fault) {
+  return fault == Fault::friction || fault == Fault::valve || fault == Fault::sensor ||
+         fault == Fault::process;
 }
 
-/// A valve that the loop's own model shows; a process or sensor fault that its verdict is sure of.
+/// Friction makes a loop cycle; of a cycle that is shared and comes from another loop, a loop of
+/// its own looks as if its valve stuck (the shape of the source's wave is that of friction).
+bool borrowed(const SharingLoop& member, const MemberLoop& loop, const SharedOscillation& event) {
+  return event.source && loop.own.fault == Fault::friction &&
+         member.strength >= kOwnCycleStrength && member.score < kLikelySource;
+}
+
+/// An equipment fault that the loop's own verdict is sure of.
 bool keeps_its_place(const SharingLoop& member, const MemberLoop& loop,
-                     const PlantSettings& settings) {
+                     const SharedOscillation& event, const PlantSettings& settings) {
   if (member.strength < kVictimStrength) return true;
-  return blames_equipment(loop.own) && loop.own.confidence >= settings.own_fault_confidence;
+  return blames_equipment(loop.own.fault) && loop.own.confidence >= settings.own_fault_confidence &&
+         !borrowed(member, loop, event);
 }
 
 SharingLoop* find(SharedOscillation& event, std::size_t index) {
@@ -51,9 +64,9 @@ void give_roles(SharedOscillation& event, std::span<const MemberLoop> loops,
                 std::span<const CascadePair> cascades, const PlantSettings& settings) {
   for (SharingLoop& member : event.members) {
     const bool is_source = event.source && *event.source == member.index;
-    member.role = is_source                                                ? Role::source
-                  : keeps_its_place(member, loops[member.index], settings) ? Role::member
-                                                                           : Role::victim;
+    member.role = is_source                                                       ? Role::source
+                  : keeps_its_place(member, loops[member.index], event, settings) ? Role::member
+                                                                                  : Role::victim;
   }
   for (const CascadePair& pair : cascades) mark_cascade(event, pair);
 }

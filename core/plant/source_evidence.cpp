@@ -56,7 +56,8 @@ SourceEvidence gather_source_evidence(const MemberLoop& loop, double frequency_h
   evidence.strength = strength;
   evidence.valve_explained = loop.own.valve_explained;
   evidence.outside_explained = loop.own.outside_explained;
-  if (loop.own.fault == Fault::valve) evidence.valve_blamed = loop.own.confidence;
+  if (loop.own.fault == Fault::friction || loop.own.fault == Fault::valve)
+    evidence.valve_blamed = loop.own.confidence;
   evidence.cubic_evidence = cubic_evidence(loop, frequency_hz);
   look_at_the_cycle(loop, evidence);
   return evidence;

@@ -62,10 +62,23 @@ std::string own_faults(const SharedOscillation& event, std::span<const MemberLoo
   return " With a finding of their own, and kept on the list: " + listed(names) + ".";
 }
 
+/// Victims whose own verdict blames the valve for the cycle that they share.
+std::string borrowed_faults(const SharedOscillation& event, std::span<const MemberLoop> loops) {
+  std::vector<std::string> names;
+  for (const SharingLoop& member : event.members)
+    if (member.role == Role::victim && loops[member.index].own.fault == Fault::friction)
+      names.push_back(name_of(loops[member.index]));
+  if (names.empty()) return {};
+  return " Seen alone, a valve would be blamed for the same cycle; when the source is repaired, "
+         "look again at " +
+         listed(names) + ".";
+}
+
 }  // namespace
 
 std::string statement_of(const SharedOscillation& event, std::span<const MemberLoop> loops) {
-  return what(event, loops) + where_from(event, loops) + own_faults(event, loops);
+  return what(event, loops) + where_from(event, loops) + own_faults(event, loops) +
+         borrowed_faults(event, loops);
 }
 
 }  // namespace loopscope::core::plant

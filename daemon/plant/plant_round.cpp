@@ -14,7 +14,7 @@ using core::plant::MemberLoop;
 using core::plant::SharedOscillation;
 
 /// Loops that are compared at most, those that oscillate first: their windows lie in memory
-/// together, 100 kB each.
+/// together, 130 kB each.
 constexpr std::int64_t kMostLoops = 2000;
 
 /// Loops whose rows are gone are left out; the spans look into `series`.
@@ -32,6 +32,7 @@ std::vector<MemberLoop> loops_of(const std::vector<storage::PlantCandidate>& can
     loop.start_us = one.start_us;
     loop.error = one.error;
     loop.sp = one.sp;
+    loop.pv = one.pv;
     loop.op = one.op;
     loop.oscillation = candidate.evidence.oscillation;
     loop.own = core::diagnosis::own_findings(candidate.evidence, candidate.verdict);

@@ -28,22 +28,22 @@ std::map<std::string, Numbers> by_source(Candidates candidates) {
   return sources;
 }
 
-/// The setpoint of a slave moves in more than half of the samples (core/plant/cascade.hpp).
-bool keeps_moving(const core::signal::Samples& sp) {
-  std::size_t moves = 0;
-  for (std::size_t k = 1; k < sp.size(); ++k) moves += sp[k] != sp[k - 1] ? 1U : 0U;
-  return 2 * moves > sp.size();
+bool moves(const core::signal::Samples& sp) {
+  for (std::size_t k = 1; k < sp.size(); ++k)
+    if (sp[k] != sp[k - 1]) return true;
+  return false;
 }
 
 PlantSeries series_of(const core::signal::LoopWindow& window,
                       const core::AnalysisSettings& settings) {
   if (window.size() == 0) return {};
   core::signal::PreparedLoop loop = core::first_look(window, settings).loop;
-  PlantSeries series{loop.sample_interval_s, window.start_us, std::move(loop.error), {}, {}};
+  PlantSeries series{loop.sample_interval_s, window.start_us, std::move(loop.error), {}, {}, {}};
   // The analysis may have cut the beginning of a longer window off.
   const double cut = static_cast<double>(window.size() - series.error.size());
   series.start_us += static_cast<std::int64_t>(cut * window.sample_interval_s * 1e6);
-  if (keeps_moving(loop.sp)) series.sp = std::move(loop.sp);
+  if (moves(loop.sp)) series.sp = std::move(loop.sp);
+  series.pv = std::move(loop.pv);
   series.op = std::move(loop.op_percent);
   return series;
 }

@@ -17,12 +17,13 @@ struct PlantSeries {
   double sample_interval_s = 1.0;
   std::int64_t start_us = 0;
   core::signal::Samples error;
-  core::signal::Samples sp;  ///< empty = not recorded, or it moves too rarely for a cascade
+  core::signal::Samples sp;  ///< empty = not recorded, or it never moves
+  core::signal::Samples pv;
   core::signal::Samples op;  ///< %, or op units; empty = not recorded
 };
 
 /// Reads the newest windows of the candidates again, in their order, a batch of one historian at a
-/// time; stops early, with an empty list, when the process shall end. A window holds 100 kB in the
+/// time; stops early, with an empty list, when the process shall end. A window holds 130 kB in the
 /// end at most. Throws storage::DatabaseError when a historian is away, Failure when the settings
 /// have no such source.
 [[nodiscard]] std::vector<PlantSeries> read_plant_series(

@@ -9,11 +9,14 @@ namespace {
 TEST(PlantMember, EveryVerdictHasAFamily) {
   EXPECT_EQ(fault_of(VerdictCode::healthy), plant::Fault::none);
   EXPECT_EQ(fault_of(VerdictCode::insufficient_data), plant::Fault::none);
-  EXPECT_EQ(fault_of(VerdictCode::valve_stiction), plant::Fault::valve);
+  EXPECT_EQ(fault_of(VerdictCode::valve_stiction), plant::Fault::friction);
+  EXPECT_EQ(fault_of(VerdictCode::valve_saturation), plant::Fault::valve);
   EXPECT_EQ(fault_of(VerdictCode::external_disturbance), plant::Fault::disturbance);
   EXPECT_EQ(fault_of(VerdictCode::sluggish_tuning), plant::Fault::tuning);
   for (const VerdictCode code : all_verdict_codes()) {
-    EXPECT_EQ(fault_of(code) == plant::Fault::valve, name(code).starts_with("valve_"));
+    const bool valve = fault_of(code) == plant::Fault::valve;
+    const bool friction = fault_of(code) == plant::Fault::friction;
+    EXPECT_EQ(valve || friction, name(code).starts_with("valve_"));
   }
 }
 
@@ -38,7 +41,7 @@ TEST(PlantMember, SumsTheStepsByWhatTheyBlame) {
   EXPECT_NEAR(own.outside_explained, std::log(2.0), 1e-12);
   EXPECT_NEAR(own.valve_explained, std::log(4.0), 1e-12);
   EXPECT_NEAR(own.other_explained, std::log(2.0), 1e-12);
-  EXPECT_EQ(own.fault, plant::Fault::valve);
+  EXPECT_EQ(own.fault, plant::Fault::friction);
   EXPECT_EQ(own.confidence, 0.8);
   EXPECT_FALSE(own.nonlinear_p.has_value());
 }

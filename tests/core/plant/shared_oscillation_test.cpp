@@ -25,7 +25,7 @@ struct Plant {
     for (std::size_t k = 0; k < 6; ++k)
       loops.push_back(
           testing::oscillating_loop(static_cast<std::int64_t>(100 + k), errors[k], 60.0));
-    loops[2].own = {1e-9, 1e-9, Fault::valve, 0.9, 1.2, 0.0, 0.0};
+    loops[2].own = {1e-9, 1e-9, Fault::friction, 0.9, 1.2, 0.0, 0.0};
   }
 };
 
@@ -73,6 +73,18 @@ TEST(SharedOscillation, AMemberWithAFaultOfItsOwnStaysOnTheList) {
   EXPECT_FALSE(leaves_work_list(member(event, 4).role));
   EXPECT_EQ(member(event, 5).role, Role::victim);
   EXPECT_NE(event.statement.find("kept on the list: L104"), std::string::npos) << event.statement;
+}
+
+TEST(SharedOscillation, FrictionThatTheSharedCycleShowsIsNoFaultOfItsOwn) {
+  Plant plant;
+  plant.loops[4].own.fault = Fault::friction;
+  plant.loops[4].own.confidence = 0.9;
+  const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
+  EXPECT_EQ(member(event, 4).role, Role::victim);
+  EXPECT_NE(event.statement.find("look again at L104"), std::string::npos) << event.statement;
+  plant.loops[2].own = {};  // nobody stands out
+  const SharedOscillation unclear = find_shared_oscillations(plant.loops).at(0);
+  EXPECT_EQ(member(unclear, 4).role, Role::member);
 }
 
 TEST(SharedOscillation, ALoopThatItHardlyTouchesStaysOnTheList) {

@@ -18,6 +18,7 @@ struct TrueLoop {
   double share = 0.0;      ///< of the error's variance that the cause brings
   bool carries = false;    ///< at least kCarries of it, and sampled so that its period can be seen
   bool unrelated = false;  ///< has an oscillation of its own
+  bool sticks = false;     ///< which a valve of its own makes
 };
 
 /// Share of the error's variance from which a loop carries the oscillation, and below which it is
@@ -31,7 +32,6 @@ struct NetworkPlant {
   std::optional<std::size_t> source;                          ///< nullopt = the cause is outside
   std::vector<std::pair<std::size_t, std::size_t>> cascades;  ///< master, slave
   double period_s = 0.0;                                      ///< of the source's error
-  int attempts = 0;
 };
 
 /// A plant of thirty loops in which a cause shakes the source and at least three more loops that

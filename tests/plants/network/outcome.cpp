@@ -35,6 +35,8 @@ void judge_members(const SharedOscillation& event, const NetworkPlant& plant, Ou
     if (loop.share < kUntouched) ++outcome.untouched;
     const bool victim = loop.carries && !loop.unrelated && member.index != plant.source;
     if (victim && !leaves_work_list(member.role)) ++outcome.victims_listed;
+    if (loop.sticks) ++outcome.own_valves;
+    if (loop.sticks && leaves_work_list(member.role)) ++outcome.own_valves_hidden;
   }
 }
 

@@ -21,11 +21,13 @@ struct Outcome {
   bool found = false;    ///< an event that holds most of the true carriers
   std::size_t rank = 0;  ///< of the true source in that event, 1 = first; 0 = not a member
   std::size_t events = 0;
-  std::size_t carriers = 0;        ///< loops that carry the oscillation
-  std::size_t carriers_found = 0;  ///< of them in the event
-  std::size_t members = 0;         ///< of the event
-  std::size_t untouched = 0;       ///< of them that the cause does not touch
-  std::size_t victims_listed = 0;  ///< carriers without a fault that stay on the work list
+  std::size_t carriers = 0;           ///< loops that carry the oscillation
+  std::size_t carriers_found = 0;     ///< of them in the event
+  std::size_t members = 0;            ///< of the event
+  std::size_t untouched = 0;          ///< of them that the cause does not touch
+  std::size_t victims_listed = 0;     ///< carriers without a fault that stay on the work list
+  std::size_t own_valves = 0;         ///< members, not the source, whose own valve sticks
+  std::size_t own_valves_hidden = 0;  ///< of them those that leave the work list
   std::size_t cascades = 0;
   std::size_t cascades_found = 0;
   std::size_t cascades_false = 0;

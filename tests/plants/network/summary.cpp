@@ -36,6 +36,8 @@ void count_loops(const Outcome& outcome, Summary& summary) {
   summary.members += outcome.members;
   summary.untouched += outcome.untouched;
   summary.victims_listed += outcome.victims_listed;
+  summary.own_valves += outcome.own_valves;
+  summary.own_valves_hidden += outcome.own_valves_hidden;
   summary.cascades += outcome.cascades;
   summary.cascades_found += outcome.cascades_found;
   summary.cascades_false += outcome.cascades_false;
@@ -85,6 +87,8 @@ std::string table_of(const Summary& s) {
   add_row(text, "loops that carry the oscillation: members", s.carriers_found, s.carriers);
   add_row(text, "  victims without a fault that stay on the list", s.victims_listed,
           s.carriers_found);
+  add_row(text, "members with a sticking valve of their own: hidden", s.own_valves_hidden,
+          s.own_valves);
   add_row(text, "members that the cause does not touch", s.untouched, s.members);
   add_row(text, "cascade pairs found", s.cascades_found, s.cascades);
   add_row(text, "  false ones", s.cascades_false, s.cascades_found + s.cascades_false);
@@ -113,6 +117,8 @@ std::string json_of(const Summary& s) {
                                  {"members", s.members},
                                  {"members_untouched", s.untouched},
                                  {"victims_listed", s.victims_listed},
+                                 {"own_valves", s.own_valves},
+                                 {"own_valves_hidden", s.own_valves_hidden},
                                  {"cascades", s.cascades},
                                  {"cascades_found", s.cascades_found},
                                  {"cascades_false", s.cascades_false},

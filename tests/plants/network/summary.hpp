@@ -17,6 +17,7 @@ struct Summary {
   std::size_t named_right = 0;
   std::size_t carriers = 0, carriers_found = 0;
   std::size_t members = 0, untouched = 0, victims_listed = 0;
+  std::size_t own_valves = 0, own_valves_hidden = 0;  ///< as in Outcome
   std::size_t outside_plants = 0, outside_found = 0;
   std::size_t outside_named = 0;  ///< in which a source is named falsely
   std::size_t cascades = 0, cascades_found = 0, cascades_false = 0;
