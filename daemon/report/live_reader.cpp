@@ -42,14 +42,14 @@ LivePage LiveReader::plant() {
   const PlantFacts facts{settings_->report.plant,       since_us,
                          database.counts(since_us),     database.flagged(),
                          database.plant_oscillations(), database.repairs(since_us)};
-  return {page({titled(facts.plant, "control loops"), "as of " + utc(now_us), kNavigation},
+  return {page({titled(facts.plant, "Control loops"), "as of " + utc(now_us), kNavigation},
                plant_section(facts, LoopLinks::pages))};
 }
 
 LivePage LiveReader::loops() {
   storage::ReportDatabase database(results_connection(*settings_));
   const auto rows = database.loops();
-  return {page({titled(settings_->report.plant, "all loops"),
+  return {page({titled(settings_->report.plant, "All loops"),
                 counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), kNavigation},
                loop_list(rows))};
 }

@@ -58,7 +58,7 @@ ALTER TABLE loopscope.plant_oscillation
     (roles IS NULL OR cardinality(roles) = cardinality(loop_ids))
     AND (scores IS NULL OR cardinality(scores) = cardinality(loop_ids))
     AND roles <@ ARRAY['source', 'victim', 'cascade_slave', 'cascade_master', 'member']);
-COMMENT ON COLUMN loopscope.plant_oscillation.roles IS 'What each loop is to it, in the order of loop_ids: source, victim, cascade_slave, cascade_master or member (not decided); null = not said';
+COMMENT ON COLUMN loopscope.plant_oscillation.roles IS 'What each loop is to it, in the order of loop_ids: source, victim, cascade_slave, cascade_master or member (keeps its place on the list); null = not said';
 COMMENT ON COLUMN loopscope.plant_oscillation.scores IS 'How much speaks for each loop as the source, higher = more, in the order of loop_ids; null = not said';
 COMMENT ON COLUMN loopscope.plant_oscillation.p IS 'Chance that loops which have nothing to do with each other agree so well; null = not computed';
 
@@ -90,7 +90,7 @@ CREATE OR REPLACE VIEW loopscope.plant_oscillation_member AS
   JOIN loopscope.loop ON loop.loop_id = member.loop_id
   -- A round that was written again with fewer events has left the others behind.
   WHERE oscillation.number <= coalesce(round.events, oscillation.number);
-COMMENT ON COLUMN loopscope.plant_oscillation_member.role IS 'What the loop is to it: source, victim, cascade_slave, cascade_master or member (not decided)';
+COMMENT ON COLUMN loopscope.plant_oscillation_member.role IS 'What the loop is to it: source, victim, cascade_slave, cascade_master or member (keeps its place on the list)';
 COMMENT ON COLUMN loopscope.plant_oscillation_member.score IS 'How much speaks for the loop as the source, higher = more; null = not said';
 COMMENT ON COLUMN loopscope.plant_oscillation_member.is_current IS 'Whether it is of the newest round';
 
