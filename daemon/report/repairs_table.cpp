@@ -12,13 +12,21 @@ namespace {
 
 using storage::RepairRow;
 
+/// The change with its interval; nothing where one side has no such figure.
+std::string change_of(const storage::RepairFigure& figure) {
+  if (!figure.change) return {};
+  return fmt::format(" ({} {}, {} to {})", figure.is_ratio ? "\u00d7" : "by", digits(figure.change),
+                     digits(figure.change_low), digits(figure.change_high));
+}
+
 std::string figure_rows(const RepairRow& repair) {
   std::string text;
   for (const storage::RepairFigure& figure : repair.figures) {
     if (!figure.before && !figure.after) continue;
-    fmt::format_to(std::back_inserter(text), "{}<span class=\"pair\">{} {} \u2192 {}</span>",
+    const std::string unit = figure.unit.empty() ? "" : " " + html(figure.unit);
+    fmt::format_to(std::back_inserter(text), "{}<span class=\"pair\">{} {} \u2192 {}{}{}</span>",
                    text.empty() ? "" : " ", html(in_words(figure.name)), digits(figure.before),
-                   digits(figure.after));
+                   digits(figure.after), unit, change_of(figure));
   }
   return text;
 }
@@ -42,7 +50,9 @@ std::string repairs_table(const std::vector<RepairRow>& repairs) {
       "<table class=\"repairs\"><thead><tr><th>Loop</th><th>Done</th><th>Work</th><th>Result</th>"
       "<th>Why</th></tr></thead><tbody>\n";
   for (const RepairRow& repair : repairs) text += repair_row(repair);
-  return text + "</tbody></table>\n";
+  return text +
+         "</tbody></table>\n<p class=\"note\">In brackets the change with its 90 % interval, which "
+         "holds the ordinary change of a loop that nobody touched.</p>\n";
 }
 
 }  // namespace loopscope::daemon
