@@ -3,11 +3,9 @@
 
 ALTER TABLE loopscope.analysis ADD COLUMN error_log_variance_se double precision;
 DO $$  -- a partition's columns have comments of their own
-DECLARE part regclass;
-BEGIN
+DECLARE part regclass; BEGIN
   FOR part IN SELECT relid FROM pg_partition_tree('loopscope.analysis') LOOP
-    EXECUTE format('COMMENT ON COLUMN %s.error_log_variance_se IS %L', part,
-      'Standard error of ln(error_std^2), from the autocorrelation of the squared error; null = not computed, or written before schema version 13');
+    EXECUTE format('COMMENT ON COLUMN %s.error_log_variance_se IS %L', part, 'Standard error of ln(error_std^2), from the autocorrelation of the squared error; null = not computed, or written before schema version 13');
   END LOOP;
 END $$;
 
@@ -19,23 +17,29 @@ CREATE VIEW loopscope.fault_family (code, family, is_hardware) AS VALUES
   ('tight_tuning', 'oscillation', false), ('external_disturbance', 'oscillation', false), ('process_change', 'oscillation', false),
   ('sluggish_tuning', 'slowness', false), ('nonlinear_unexplained', 'unknown', false), ('unexplained', 'unknown', false);
 
+-- Pieces of work on a loop without a usable window wholly between them are one job: what each of them did cannot be told apart.
+CREATE VIEW loopscope.maintenance_job AS
+  SELECT work.maintenance_event_id, work.loop_id, job.*
+  FROM loopscope.maintenance_event AS work CROSS JOIN LATERAL (
+    SELECT min(done_at) FILTER (WHERE number = own) AS begins_at, max(done_at) FILTER (WHERE number = own) AS ends_at,
+           max(done_at) FILTER (WHERE number < own) AS previous_at, min(done_at) FILTER (WHERE number > own) AS next_at
+    FROM (SELECT done_at, number, max(number) FILTER (WHERE done_at = work.done_at) OVER () AS own
+      FROM (SELECT done_at, count(*) FILTER (WHERE EXISTS (
+              SELECT FROM loopscope.analysis WHERE loop_id = work.loop_id AND usable AND slot_end > other.last_at AND slot_end <= other.done_at AND window_start >= other.last_at)) OVER (ORDER BY done_at) AS number
+            FROM (SELECT done_at, lag(done_at) OVER (ORDER BY done_at) AS last_at FROM loopscope.maintenance_event WHERE loop_id = work.loop_id) AS other) AS counted) AS numbered) AS job;
+
 -- Of each side the windows nearest to the work, six at most, none of which shares a sample with another. Each is
 -- found by one step along the key from the last one; a year bounds the months that are looked into.
 CREATE VIEW loopscope.maintenance_window AS
   WITH event AS (
-    SELECT work.maintenance_event_id, work.loop_id, work.done_at,
-           greatest(span.previous_at, work.done_at - interval '1 year') AS from_at, least(span.next_at, work.done_at + interval '1 year') AS to_at
-    FROM loopscope.maintenance_event AS work CROSS JOIN LATERAL (
-      SELECT max(other.done_at) FILTER (WHERE other.done_at < work.done_at) AS previous_at,
-             min(other.done_at) FILTER (WHERE other.done_at > work.done_at) AS next_at
-      FROM loopscope.maintenance_event AS other WHERE other.loop_id = work.loop_id) AS span
+    SELECT maintenance_event_id, loop_id, begins_at, ends_at, greatest(previous_at, begins_at - interval '1 year') AS from_at, least(next_at, ends_at + interval '1 year') AS to_at FROM loopscope.maintenance_job
   ), chosen AS (
     SELECT event.maintenance_event_id, event.loop_id, near.*
     FROM event CROSS JOIN LATERAL (
       WITH RECURSIVE before AS (
         SELECT 1 AS number, newest.* FROM (
           SELECT slot_end, algorithm_revision, window_start FROM loopscope.analysis
-          WHERE loop_id = event.loop_id AND slot_end <= event.done_at AND slot_end > event.from_at AND window_start >= event.from_at AND usable ORDER BY slot_end DESC, algorithm_revision DESC LIMIT 1) AS newest
+          WHERE loop_id = event.loop_id AND slot_end <= event.begins_at AND slot_end > event.from_at AND window_start >= event.from_at AND usable ORDER BY slot_end DESC, algorithm_revision DESC LIMIT 1) AS newest
         UNION ALL
         SELECT before.number + 1, earlier.* FROM before CROSS JOIN LATERAL (
           SELECT slot_end, algorithm_revision, window_start FROM loopscope.analysis
@@ -44,7 +48,7 @@ CREATE VIEW loopscope.maintenance_window AS
       ), after AS (
         SELECT 1 AS number, first.* FROM (
           SELECT slot_end, algorithm_revision, window_end FROM loopscope.analysis
-          WHERE loop_id = event.loop_id AND slot_end > event.done_at AND slot_end <= event.to_at AND window_start >= event.done_at AND usable ORDER BY slot_end, algorithm_revision DESC LIMIT 1) AS first
+          WHERE loop_id = event.loop_id AND slot_end > event.ends_at AND slot_end <= event.to_at AND window_start >= event.ends_at AND usable ORDER BY slot_end, algorithm_revision DESC LIMIT 1) AS first
         UNION ALL
         SELECT after.number + 1, later.* FROM after CROSS JOIN LATERAL (
           SELECT slot_end, algorithm_revision, window_end FROM loopscope.analysis
@@ -215,21 +219,18 @@ CREATE VIEW loopscope.before_after_maintenance AS
              CASE WHEN fault_before LIKE '%tuning' THEN CASE WHEN retuned <= 0.03 THEN 2 ELSE 1 END WHEN retuned > 0.03 THEN 0.6
                   WHEN abs(sized.weight) < 0.5 THEN 1.5 ELSE 1 END AS needed) AS limits
   ) AS judged
-  -- Windows that lie wholly between two pieces of work: one that straddles them mixes both states.
-  CROSS JOIN LATERAL (
-    SELECT coalesce(max(other.done_at) FILTER (WHERE other.done_at < work.done_at), '-infinity') AS previous_at,
-           coalesce(min(other.done_at) FILTER (WHERE other.done_at > work.done_at), 'infinity') AS next_at
-    FROM loopscope.maintenance_event AS other WHERE other.loop_id = work.loop_id) AS span
+  -- Windows that lie wholly between two jobs: one that straddles them mixes both states.
+  CROSS JOIN LATERAL (SELECT begins_at, ends_at, coalesce(previous_at, '-infinity') AS previous_at, coalesce(next_at, 'infinity') AS next_at FROM loopscope.maintenance_job AS job WHERE job.maintenance_event_id = work.maintenance_event_id) AS span
   LEFT JOIN LATERAL (
     SELECT code, analysis.* FROM loopscope.analysis JOIN loopscope.verdict USING (loop_id, slot_end, algorithm_revision, input_revision)
-    WHERE analysis.loop_id = work.loop_id AND analysis.slot_end <= work.done_at AND analysis.window_start >= span.previous_at AND analysis.usable
+    WHERE analysis.loop_id = work.loop_id AND analysis.slot_end <= span.begins_at AND analysis.window_start >= span.previous_at AND analysis.usable
     ORDER BY analysis.slot_end DESC, analysis.algorithm_revision DESC LIMIT 1) AS before ON true
   LEFT JOIN LATERAL (
     SELECT verdict.code, verdict.confidence, analysis.* FROM loopscope.analysis JOIN loopscope.verdict USING (loop_id, slot_end, algorithm_revision, input_revision)
-    WHERE analysis.loop_id = work.loop_id AND analysis.slot_end > work.done_at AND analysis.slot_end <= span.next_at AND window_start >= work.done_at AND usable
+    WHERE analysis.loop_id = work.loop_id AND analysis.slot_end > span.ends_at AND analysis.slot_end <= span.next_at AND window_start >= span.ends_at AND usable
     ORDER BY analysis.slot_end DESC, analysis.algorithm_revision DESC LIMIT 1) AS after ON true
   LEFT JOIN LATERAL (
-    SELECT unusable_reason FROM loopscope.analysis WHERE loop_id = work.loop_id AND slot_end > work.done_at AND slot_end <= span.next_at AND window_start >= work.done_at AND NOT usable
+    SELECT unusable_reason FROM loopscope.analysis WHERE loop_id = work.loop_id AND slot_end > span.ends_at AND slot_end <= span.next_at AND window_start >= span.ends_at AND NOT usable
     ORDER BY slot_end DESC LIMIT 1) AS refused ON true
   LEFT JOIN loopscope.fault_family AS back ON back.code = after.code
   CROSS JOIN (SELECT max(value) FILTER (WHERE name = 'min_confidence') AS min_confidence FROM loopscope.parameter) AS setting;
@@ -243,19 +244,20 @@ CREATE VIEW loopscope.maintenance_figure AS
   JOIN (SELECT DISTINCT figure, unit, meaning FROM loopscope.figure_kind) AS kind USING (figure);
 
 COMMENT ON VIEW loopscope.fault_family IS 'Faults by the repair that mends them: what one repair mends, and what the diagnosis may take for each other, is one family';
-COMMENT ON VIEW loopscope.maintenance_window IS 'The windows that before_after_maintenance compares: of each side the nearest to the work, six at most, wholly between two pieces of work, none of which shares a sample with another';
+COMMENT ON VIEW loopscope.maintenance_job IS 'The job that each piece of work belongs to: work on a loop without a usable window wholly between is one job, and has one before and after';
+COMMENT ON VIEW loopscope.maintenance_window IS 'The windows that before_after_maintenance compares: of each side the nearest to the job, six at most, wholly between two jobs, none of which shares a sample with another';
 COMMENT ON VIEW loopscope.figure_kind IS 'What maintenance_figure compares, one row per figure and effect that has it';
 COMMENT ON VIEW loopscope.maintenance_figure IS 'One row per maintenance event and figure: mean before and after, and the change, each with its 90 % interval; ask for one event';
 COMMENT ON VIEW loopscope.before_after_maintenance IS 'One row per maintenance event: whether the work fixed the loop, by up to six windows on either side; and the newest usable analysis on either side in figures';
 
 -- {side} stands for before and after. What is left is named like a table's column, means the same, and takes that comment over.
 DO $$
-DECLARE said record;
-BEGIN
+DECLARE said record; BEGIN
   FOR said IN
     SELECT told.view, replace(one.key, '{side}', side.name) AS attname, replace(one.value, '{side}', side.name) AS words
     FROM (VALUES
       ('fault_family', '{"code": "The verdict", "family": "friction, limit, curve, sensor, oscillation, slowness or unknown", "is_hardware": "Whether something of the loop itself is to be repaired"}'::jsonb),
+      ('maintenance_job', '{"begins_at": "When the first piece of the job was done", "ends_at": "When the last one was done", "previous_at": "When the job before it ended; null = there is none", "next_at": "When the next one began; null = not yet"}'::jsonb),
       ('maintenance_window', '{"side": "before or after", "number": "1 = nearest to the work", "family": "Family of the fault (fault_family); null = no fault, or less sure than min_confidence",
         "harris": "Harris index, geometric middle of the plausible delays",
         "controller_gain": "Gain of the PI controller as the loop model reads it from op, absolute; null = op does not follow a PI law",
@@ -283,17 +285,15 @@ BEGIN
         "figures": "Every figure by name, with means, 90 % intervals and numbers of windows; maintenance_figure has them as rows"}'::jsonb)
     ) AS told (view, comments)
     CROSS JOIN LATERAL jsonb_each_text(comments) AS one
-    CROSS JOIN (VALUES ('before'), ('after')) AS side (name)
-    WHERE side.name = 'before' OR one.key LIKE '%{side}%'
+    CROSS JOIN (VALUES ('before'), ('after')) AS side (name) WHERE side.name = 'before' OR one.key LIKE '%{side}%'
     UNION ALL
     (SELECT DISTINCT ON (view.oid, shown.attnum) view.relname, shown.attname, col_description(source.attrelid, source.attnum)
-    FROM unnest('{maintenance_window,before_after_maintenance,maintenance_figure}'::text[]) AS made (name)
+    FROM unnest('{maintenance_job,maintenance_window,before_after_maintenance,maintenance_figure}'::text[]) AS made (name)
     JOIN pg_class AS view ON view.oid = format('loopscope.%I', made.name)::regclass JOIN pg_attribute AS shown ON shown.attrelid = view.oid AND shown.attnum > 0
     JOIN unnest('{analysis,verdict,maintenance_event,loop}'::text[]) WITH ORDINALITY AS origin (name, priority) ON true
     JOIN pg_attribute AS source ON source.attrelid = format('loopscope.%I', origin.name)::regclass AND source.attname = shown.attname
     ORDER BY view.oid, shown.attnum, origin.priority)
-  LOOP
-    CONTINUE WHEN col_description(format('loopscope.%I', said.view)::regclass,
+  LOOP CONTINUE WHEN col_description(format('loopscope.%I', said.view)::regclass,
       (SELECT attnum FROM pg_attribute WHERE attrelid = format('loopscope.%I', said.view)::regclass AND attname = said.attname)) IS NOT NULL;
     EXECUTE format('COMMENT ON COLUMN loopscope.%I.%I IS %L', said.view, said.attname, said.words);
   END LOOP;

@@ -97,6 +97,23 @@ TEST_F(BeforeAfterTest, WorkOfOneTimeIsComparedTogether) {
               ElementsAre("2 2", "2 2"));
 }
 
+TEST_F(BeforeAfterTest, WorkWithoutAWindowBetweenIsOneJob) {
+  work_at(21);
+  work_at(30);
+  see({16, 18}, {.error_std = 4.0, .harris = 0.2});
+  see({21}, {});  // mixes before and after
+  see({24, 26}, {.code = kHealthy, .error_std = 1.0, .harris = 0.8});
+  see({34}, {.code = kHealthy});
+  EXPECT_EQ(database->rows("SELECT windows_before, windows_after, word"
+                           " FROM loopscope.before_after_maintenance ORDER BY done_at"),
+            (Rows{{"2", "2", "fixed"}, {"2", "2", "fixed"}, {"2", "1", "unchanged"}}));
+  EXPECT_THAT(column("SELECT to_char(begins_at AT TIME ZONE 'UTC', 'HH24') || ' ' ||"
+                     " to_char(ends_at AT TIME ZONE 'UTC', 'HH24')"
+                     " FROM loopscope.maintenance_job JOIN loopscope.maintenance_event"
+                     " USING (maintenance_event_id) ORDER BY done_at"),
+              ElementsAre("20 21", "20 21", "06 06"));
+}
+
 TEST_F(BeforeAfterTest, FixedWhenTheFaultIsGone) {
   see({16, 18}, {.error_std = 4.0, .harris = 0.2});
   see({24, 26}, {.code = kHealthy, .error_std = 1.0, .harris = 0.8});
