@@ -105,7 +105,7 @@ struct DaemonSettings {
 
 /// Which loops are shown as flagged.
 struct FlagSettings {
-  double false_discovery_rate = 0.05;  ///< share of tested flags that may be false, 0.0001 to 0.5
+  double false_discovery_rate = 0.005;  ///< share of tested flags that may be false, 0.0001 to 0.5
   /// positive: tests of different loops are independent or rise together; arbitrary: in any way
   std::string false_discovery_dependence = "positive";
   double min_confidence = 0.3;  ///< verdicts below are not flagged, 0 to 1

@@ -9,7 +9,7 @@ namespace loopscope::tests::plants {
 
 /// Settings as a plant gets them that sets none (config/README.md, /flags).
 struct FlagRule {
-  double false_discovery_rate = 0.05;
+  double false_discovery_rate = 0.005;
   double min_confidence = 0.3;
 };
 

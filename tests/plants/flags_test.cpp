@@ -9,6 +9,8 @@ namespace {
 using testing::ElementsAre;
 using testing::Pair;
 
+constexpr FlagRule kAtFivePercent{0.05, 0.3};
+
 DiagnosedLoop healthy() {
   return {"healthy", 0.9, {}, 5, {}};
 }
@@ -19,14 +21,17 @@ DiagnosedLoop faulty(std::optional<double> p, double confidence = 0.8) {
 
 TEST(Flags, SmallProbabilitiesFactsAndNothingElse) {
   // A family of 25 tests; the first p has to be at most 0.05 / 25.
-  EXPECT_THAT(flagged({healthy(), faulty(1e-3), faulty(0.01), faulty(std::nullopt), healthy()}),
+  EXPECT_THAT(flagged({healthy(), faulty(1e-3), faulty(0.01), faulty(std::nullopt), healthy()},
+                      kAtFivePercent),
               ElementsAre(false, true, false, true, false));
 }
 
 TEST(Flags, WhatIsHardlyBelievedLendsNoRank) {
-  EXPECT_THAT(flagged({faulty(1e-9, 0.29), faulty(1e-9, 0.3)}), ElementsAre(false, true));
-  EXPECT_THAT(flagged({faulty(1e-9), faulty(0.0095)}), ElementsAre(true, true));
-  EXPECT_THAT(flagged({faulty(1e-9, 0.29), faulty(0.0095)}), ElementsAre(false, false));
+  EXPECT_THAT(flagged({faulty(1e-9, 0.29), faulty(1e-9, 0.3)}, kAtFivePercent),
+              ElementsAre(false, true));
+  EXPECT_THAT(flagged({faulty(1e-9), faulty(0.0095)}, kAtFivePercent), ElementsAre(true, true));
+  EXPECT_THAT(flagged({faulty(1e-9, 0.29), faulty(0.0095)}, kAtFivePercent),
+              ElementsAre(false, false));
 }
 
 TEST(Flags, DataThatCannotBeJudgedAreNoFault) {

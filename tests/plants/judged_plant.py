@@ -101,7 +101,7 @@ def _judge(plant):
     figures["report_s"] = None
     if plant.has_report():
         with _timed(figures, "report_s"):
-            plant.command("report", "--out", str(plant.folder / "report"))
+            plant.command("report", "--pdf", "--out", str(plant.folder / "report"))
     figures["status"] = plant.statuses()
     return plant.score() | figures
 
