@@ -93,6 +93,8 @@ void ResultsTest::SetUp() {
   if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
   database = std::make_unique<tests::TestDatabase>();
   migrate(settings_for(*database));
+  database->execute(
+      "UPDATE loopscope.parameter SET value = 0.05 WHERE name = 'false_discovery_rate'");
 }
 
 void ResultsTest::add_loops(const std::vector<std::string>& names) {

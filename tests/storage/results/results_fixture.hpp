@@ -35,6 +35,7 @@ void explain(AnalysisRecord& record, const std::string& last_error = "0.25");
 /// A migrated database of its own for each test; skipped, visibly, without a server.
 class ResultsTest : public testing::Test {
  protected:
+  /// A schema that flags at a false share of 5 %, for which the tests' p were chosen.
   void SetUp() override;
 
   /// Adds enabled loops that are due.

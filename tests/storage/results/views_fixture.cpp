@@ -2,13 +2,6 @@
 
 namespace loopscope::storage {
 
-void ViewsTest::SetUp() {
-  ResultsTest::SetUp();
-  if (database == nullptr) return;
-  database->execute(
-      "UPDATE loopscope.parameter SET value = 0.05 WHERE name = 'false_discovery_rate'");
-}
-
 void ViewsTest::tell(const std::vector<Story>& stories) {
   ResultsDatabase results = connect();
   for (const Story& story : stories) {

@@ -24,8 +24,6 @@ struct Story {
 /// Results that went through the program itself.
 class ViewsTest : public ResultsTest {
  protected:
-  /// Flags at a false share of 5 %, for which the tests' p were chosen.
-  void SetUp() override;
   /// Stores one analysis for each story, adding loops that are not there yet.
   void tell(const std::vector<Story>& stories);
   /// First column of a query, as a list.
