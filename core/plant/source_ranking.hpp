@@ -15,7 +15,7 @@ struct SourceOdds {
 
 /// Conditional logit (McFadden 1974): every member has a score, linear in figures_of(), "none of
 /// them" a constant one, and the odds are the exponentials of the scores. The weights were fitted
-/// on simulated plants (README.md says which); others were scored.
+/// on simulated plants; others were scored (README.md).
 [[nodiscard]] SourceOdds rank_sources(std::span<const SourceEvidence> evidence);
 
 }  // namespace loopscope::core::plant
