@@ -20,8 +20,8 @@ bool blames_equipment(Fault fault) {
          fault == Fault::process;
 }
 
-/// Friction makes a loop cycle; of a cycle that is shared and comes from another loop, a loop of
-/// its own looks as if its valve stuck (the shape of the source's wave is that of friction).
+/// A wave that a sticking valve makes has the shape of friction wherever it arrives: a loop that
+/// another one shakes looks, seen alone, as if its own valve stuck.
 bool borrowed(const SharingLoop& member, const MemberLoop& loop, const SharedOscillation& event) {
   return event.source && loop.own.fault == Fault::friction &&
          member.strength >= kOwnCycleStrength && member.score < kLikelySource;

@@ -62,8 +62,9 @@ std::string own_faults(const SharedOscillation& event, std::span<const MemberLoo
   return " With a finding of their own, and kept on the list: " + listed(names) + ".";
 }
 
-/// Victims whose own verdict blames the valve for the cycle that they share.
+/// Victims whose own verdict blames the valve for the cycle that they share with the source.
 std::string borrowed_faults(const SharedOscillation& event, std::span<const MemberLoop> loops) {
+  if (!event.source) return {};
   std::vector<std::string> names;
   for (const SharingLoop& member : event.members)
     if (member.role == Role::victim && loops[member.index].own.fault == Fault::friction)

@@ -20,7 +20,8 @@ void diagnose(const plants::Options& options) {
   for (std::uint64_t seed = options.seed; seed < options.seed + options.plants; ++seed) {
     const auto plant = plants::draw_plant(seed, options.size);
     const auto diagnosed = plants::diagnose_plant(plant, options.threads);
-    scores.push_back({seed, plants::score(plant, plants::flags_of(plant, diagnosed))});
+    scores.push_back(
+        {seed, plants::score(plant, plants::flags_of(plant, diagnosed, options.rule))});
   }
   print(options, scores);
 }

@@ -22,12 +22,20 @@ const std::map<std::string, Task>& tasks() {
   return kTasks;
 }
 
-std::uint64_t number(const std::string& option, const std::string* text) {
-  std::uint64_t result = 0;
-  if (text == nullptr) throw WrongUsage(option + " lacks a value");
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), result);
-  if (error != std::errc() || end != text->data() + text->size())
-    throw WrongUsage(option + " wants a whole number, not " + *text);
+template <typename Number>
+Number number(const std::string& option, const std::string& text, const char* wanted) {
+  Number result{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw WrongUsage(option + " wants " + wanted + ", not " + text);
+  return result;
+}
+
+double rate(const std::string& option, const std::string& text) {
+  constexpr const char* kWanted = "a share above 0 and below 1";
+  const auto result = number<double>(option, text, kWanted);
+  if (!(result > 0.0 && result < 1.0))
+    throw WrongUsage(option + " wants " + kWanted + ", not " + text);
   return result;
 }
 
@@ -48,6 +56,13 @@ void set_number(Options& options, const std::string& option, std::uint64_t value
     throw WrongUsage("unknown option " + option);
 }
 
+void set(Options& options, const std::string& option, const std::string& text) {
+  if (option == "--rate")
+    options.rule.false_discovery_rate = rate(option, text);
+  else
+    set_number(options, option, number<std::uint64_t>(option, text, "a whole number"));
+}
+
 }  // namespace
 
 Options read_options(const std::vector<std::string>& words) {
@@ -61,8 +76,8 @@ Options read_options(const std::vector<std::string>& words) {
     else if (!words[i].starts_with("--"))
       throw WrongUsage("unknown word " + words[i]);
     else {
-      set_number(options, words[i],
-                 number(words[i], i + 1 < words.size() ? &words[i + 1] : nullptr));
+      if (i + 1 == words.size()) throw WrongUsage(words[i] + " lacks a value");
+      set(options, words[i], words[i + 1]);
       ++i;
     }
   }
@@ -71,8 +86,9 @@ Options read_options(const std::vector<std::string>& words) {
 }
 
 std::string usage() {
-  return "plant_faults [--seed N] [--plants M] [--threads T] [--json]\n"
-         "    diagnoses the plants of seeds N to N + M - 1 in memory and scores their flags\n"
+  return "plant_faults [--seed N] [--plants M] [--threads T] [--rate Q] [--json]\n"
+         "    diagnoses the plants of seeds N to N + M - 1 in memory and scores their flags;\n"
+         "    --rate: share of the flags that may be false, else the default of the settings\n"
          "plant_faults --seed N --history|--earlier-history --end SECONDS   rows for COPY\n"
          "plant_faults --seed N --catalogue|--earlier-catalogue             CSV for loops load\n"
          "plant_faults --seed N --score [--json]        scores \"NAME VERDICT\" lines read\n"

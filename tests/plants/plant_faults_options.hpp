@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/plants/flags.hpp"
 #include "tests/plants/plant.hpp"
 
 namespace loopscope::tests::plants {
@@ -21,6 +22,7 @@ struct Options {
   std::uint64_t seed = 1;
   std::size_t plants = 1;
   PlantSize size;
+  FlagRule rule;
   unsigned threads = 1;
   std::int64_t end_us = 0;  ///< time of the newest sample
   bool json = false;

@@ -14,6 +14,7 @@ TEST(PlantFaultsOptions, AreReadInAnyOrder) {
   EXPECT_EQ(options.size.loops, 40U);
   EXPECT_EQ(options.size.faulty, 25U);
   EXPECT_TRUE(options.json);
+  EXPECT_EQ(read_options({"--rate", "0.02"}).rule.false_discovery_rate, 0.02);
 }
 
 TEST(PlantFaultsOptions, WrongWordsAreNamed) {
@@ -21,6 +22,8 @@ TEST(PlantFaultsOptions, WrongWordsAreNamed) {
                                                 {"--seed"},
                                                 {"--seed", "x"},
                                                 {"plant"},
+                                                {"--rate", "0"},
+                                                {"--rate", "much"},
                                                 {"--loops", "3"}})
     EXPECT_THROW(static_cast<void>(read_options(words)), WrongUsage) << words.front();
 }

@@ -85,6 +85,10 @@ TEST(SharedOscillation, FrictionThatTheSharedCycleShowsIsNoFaultOfItsOwn) {
   plant.loops[2].own = {};  // nobody stands out
   const SharedOscillation unclear = find_shared_oscillations(plant.loops).at(0);
   EXPECT_EQ(member(unclear, 4).role, Role::member);
+  plant.loops[4].own.confidence = 0.3;
+  const SharedOscillation doubted = find_shared_oscillations(plant.loops).at(0);
+  EXPECT_EQ(member(doubted, 4).role, Role::victim);
+  EXPECT_EQ(doubted.statement.find("look again"), std::string::npos) << "there is no source";
 }
 
 TEST(SharedOscillation, ALoopThatItHardlyTouchesStaysOnTheList) {
