@@ -277,7 +277,7 @@ TEST_F(ReportDatabaseTest, AnErrorEndsTheView) {
   EXPECT_THAT(results.loops(), SizeIs(1));
   database->execute(
       "SELECT pg_terminate_backend(pid) FROM pg_stat_activity"
-      " WHERE application_name LIKE 'loopscope/%'");
+      " WHERE datname = current_database() AND application_name LIKE 'loopscope/%'");
   try {
     static_cast<void>(results.loops());
     FAIL();
