@@ -49,14 +49,14 @@ std::string HttpClient::receive(std::chrono::milliseconds patience) const {
   }
 }
 
-std::string exchange(int port, const std::string& request) {
+std::string answer_to(int port, const std::string& request) {
   const HttpClient client(port);
   client.send(request);
   return client.receive();
 }
 
 std::string http_get(int port, const std::string& path) {
-  return exchange(port, "GET " + path + " HTTP/1.1\r\nHost: x\r\n\r\n");
+  return answer_to(port, "GET " + path + " HTTP/1.1\r\nHost: x\r\n\r\n");
 }
 
 std::string body_of(const std::string& answer) {

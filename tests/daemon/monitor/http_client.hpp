@@ -25,7 +25,7 @@ class HttpClient {
 };
 
 /// The whole answer, head and body, to one request; "" = none.
-[[nodiscard]] std::string exchange(int port, const std::string& request);
+[[nodiscard]] std::string answer_to(int port, const std::string& request);
 /// The same to GET of the path.
 [[nodiscard]] std::string http_get(int port, const std::string& path);
 /// What stands after the head.

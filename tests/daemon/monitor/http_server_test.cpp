@@ -84,29 +84,29 @@ TEST_F(HttpServerTest, NothingElseIsThere) {
 }
 
 TEST_F(HttpServerTest, RefusalsCarryTheSameHeadersAndNothingOfTheRequest) {
-  const std::string answer = exchange(
+  const std::string answer = answer_to(
       server.port(), "GET /nowhere<script>evil HTTP/1.1\r\nHost: evil\r\nX-Mine: evil\r\n\r\n");
   EXPECT_THAT(answer, AllOf(HasSubstr("no-store"), HasSubstr("nosniff"), Not(HasSubstr("evil"))));
-  const std::string bad = exchange(server.port(), "evil\r\n\r\n");
+  const std::string bad = answer_to(server.port(), "evil\r\n\r\n");
   EXPECT_THAT(bad, AllOf(StartsWith("HTTP/1.1 400 "), HasSubstr("no-store"), HasSubstr("nosniff"),
                          Not(HasSubstr("evil"))));
 }
 
 TEST_F(HttpServerTest, OnlyReads) {
   for (const char* method : {"POST", "PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"}) {
-    const std::string answer =
-        exchange(server.port(), std::string(method) +
-                                    " /livez HTTP/1.1\r\nHost: x\r\nContent-Length: 4\r\n\r\nbody");
+    const std::string answer = answer_to(
+        server.port(),
+        std::string(method) + " /livez HTTP/1.1\r\nHost: x\r\nContent-Length: 4\r\n\r\nbody");
     EXPECT_THAT(answer, AllOf(StartsWith("HTTP/1.1 405 "), HasSubstr("\r\nAllow: GET, HEAD\r\n"),
                               Not(HasSubstr("body"))))
         << method;
   }
-  EXPECT_THAT(exchange(server.port(), "BREW /livez HTTP/1.1\r\nHost: x\r\n\r\n"),
+  EXPECT_THAT(answer_to(server.port(), "BREW /livez HTTP/1.1\r\nHost: x\r\n\r\n"),
               StartsWith("HTTP/1.1 400 "));
 }
 
 TEST_F(HttpServerTest, HeadHasNoBody) {
-  const std::string answer = exchange(server.port(), "HEAD /livez HTTP/1.1\r\nHost: x\r\n\r\n");
+  const std::string answer = answer_to(server.port(), "HEAD /livez HTTP/1.1\r\nHost: x\r\n\r\n");
   EXPECT_THAT(answer, AllOf(StartsWith("HTTP/1.1 200 "), HasSubstr("Content-Length: 3")));
   EXPECT_EQ(body_of(answer), "");
 }
@@ -118,11 +118,11 @@ TEST_F(HttpServerTest, FaultOfAHandlerKeepsItsWords) {
 
 TEST_F(HttpServerTest, LargeRequestsAreRefused) {
   const std::string long_path = "GET /" + std::string(9000, 'a') + " HTTP/1.1\r\n\r\n";
-  EXPECT_THAT(exchange(server.port(), long_path), StartsWith("HTTP/1.1 414 "));
+  EXPECT_THAT(answer_to(server.port(), long_path), StartsWith("HTTP/1.1 414 "));
   std::string many_headers = "GET /livez HTTP/1.1\r\n";
   for (int i = 0; i < 4000; ++i) many_headers += "X-" + std::to_string(i) + ": 0123456789\r\n";
-  EXPECT_THAT(exchange(server.port(), many_headers + "\r\n"), Not(HasSubstr("200 OK")));
-  EXPECT_THAT(exchange(server.port(), std::string(1'000'000, 'a')), Not(HasSubstr("200 OK")));
+  EXPECT_THAT(answer_to(server.port(), many_headers + "\r\n"), Not(HasSubstr("200 OK")));
+  EXPECT_THAT(answer_to(server.port(), std::string(1'000'000, 'a')), Not(HasSubstr("200 OK")));
   EXPECT_EQ(body_of(get("/livez")), "ok\n");
 }
 
@@ -130,7 +130,7 @@ TEST_F(HttpServerTest, RangesMultiplyNothing) {
   std::string ranges = "bytes=0-";
   while (ranges.size() < 8000) ranges += ",0-";
   const std::string answer =
-      exchange(server.port(), "GET /livez HTTP/1.1\r\nHost: x\r\nRange: " + ranges + "\r\n\r\n");
+      answer_to(server.port(), "GET /livez HTTP/1.1\r\nHost: x\r\nRange: " + ranges + "\r\n\r\n");
   EXPECT_LT(answer.size(), 1000U);
 }
 
