@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <optional>
 #include <utility>
-
-#include "core/plant/envelope.hpp"
 
 namespace loopscope::core::plant {
 namespace {
@@ -22,8 +19,6 @@ constexpr double kLagSamples = 2.0;
 constexpr double kMovesCorrelation = 0.8;
 /// Part of the finer interval within which two samples are of one time.
 constexpr double kSameTime = 0.1;
-/// Error by setpoint, in amplitude at the period: below it the slave does as it is told.
-constexpr double kOwnShare = 0.5;
 
 double start_s(const MemberLoop& loop) {
   return static_cast<double>(loop.start_us) * 1e-6;
@@ -180,27 +175,6 @@ std::optional<CascadePair> match(std::span<const MemberLoop> loops, std::size_t 
   return best;
 }
 
-double amplitude(MemberLoop loop, std::span<const double> series, double period_s) {
-  loop.error = series;
-  double squares = 0.0, count = 0.0;
-  for (const std::complex<double>& z : make_envelope(loop, 1.0 / period_s).points) {
-    if (!std::isfinite(z.real())) continue;
-    squares += std::norm(z);
-    count += 1.0;
-  }
-  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
-}
-
-CascadeCause cause_of(const MemberLoop& slave, const MemberLoop& master) {
-  const loop::Oscillation& own = slave.oscillation;
-  if (own.present && own.period_s) {
-    const double asked = amplitude(slave, slave.sp, *own.period_s);
-    const double missed = amplitude(slave, slave.error, *own.period_s);
-    return missed >= kOwnShare * asked ? CascadeCause::slave : CascadeCause::master;
-  }
-  return master.oscillation.present ? CascadeCause::master : CascadeCause::undecided;
-}
-
 }  // namespace
 
 std::vector<CascadePair> find_cascade_pairs(std::span<const MemberLoop> loops) {
@@ -216,9 +190,7 @@ std::vector<CascadePair> find_cascade_pairs(std::span<const MemberLoop> loops) {
       if (found && (!best || std::abs(found->correlation) > std::abs(best->correlation)))
         best = found;
     }
-    if (!best) continue;
-    best->cause = cause_of(loops[s], loops[best->master]);
-    pairs.push_back(*best);
+    if (best) pairs.push_back(*best);
   }
   return pairs;
 }

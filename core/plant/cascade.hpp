@@ -8,20 +8,12 @@
 
 namespace loopscope::core::plant {
 
-/// Which loop of a pair makes the cycle that both show.
-enum class CascadeCause {
-  slave,      ///< its error against the moving setpoint oscillates by itself
-  master,     ///< the slave follows its setpoint; what moves that is the master's doing
-  undecided,  ///< neither error oscillates
-};
-
 /// A loop whose output is another loop's setpoint.
 struct CascadePair {
   std::size_t master = 0;    ///< index in the loops that were given
   std::size_t slave = 0;     ///< likewise
   double correlation = 0.0;  ///< of the moves of setpoint and output, -1 to 1
   double lag_s = 0.0;        ///< the setpoint comes so much later than the output
-  CascadeCause cause = CascadeCause::undecided;
 };
 
 /// Smallest |correlation| of a setpoint and the output that writes it.

@@ -20,6 +20,12 @@ bool blames_equipment(Fault fault) {
          fault == Fault::process;
 }
 
+/// With a source the others shake because it does. Where none is named, a loop that is tuned to
+/// swing may well be what shakes them.
+bool accounts_for(Fault fault, const SharedOscillation& event) {
+  return blames_equipment(fault) || (fault == Fault::tuning && !event.source);
+}
+
 /// A wave that a sticking valve makes has the shape of friction wherever it arrives: a loop that
 /// another one shakes looks, seen alone, as if its own valve stuck.
 bool borrowed(const SharingLoop& member, const MemberLoop& loop, const SharedOscillation& event) {
@@ -27,12 +33,12 @@ bool borrowed(const SharingLoop& member, const MemberLoop& loop, const SharedOsc
          member.strength >= kOwnCycleStrength && member.score < kLikelySource;
 }
 
-/// An equipment fault that the loop's own verdict is sure of.
+/// A fault of its own that the loop's verdict is sure of.
 bool keeps_its_place(const SharingLoop& member, const MemberLoop& loop,
                      const SharedOscillation& event, const PlantSettings& settings) {
   if (member.strength < kVictimStrength) return true;
-  return blames_equipment(loop.own.fault) && loop.own.confidence >= settings.own_fault_confidence &&
-         !borrowed(member, loop, event);
+  return accounts_for(loop.own.fault, event) &&
+         loop.own.confidence >= settings.own_fault_confidence && !borrowed(member, loop, event);
 }
 
 SharingLoop* find(SharedOscillation& event, std::size_t index) {

@@ -11,11 +11,11 @@ namespace loopscope::core::plant {
 /// Gives every member but the source its role.
 ///
 /// A loop keeps its place on the work list (`member`) when its own verdict blames a valve, a sensor
-/// or the process with enough confidence, or when the oscillation is only a small part of what its
-/// error does. Friction, which is what a cycle is blamed on, does not keep it there when another
-/// loop is named as the source, most of the error is the shared oscillation and the loop is not
-/// likely the source itself. Of a cascade both of whose loops are members, the master of a slave
-/// that makes the cycle is `cascade_master`, the slave of a master that does is `cascade_slave`.
+/// or the process with enough confidence, or its tuning and no loop is named as the source, or when
+/// the oscillation is only a small part of what its error does. Friction, which is what a cycle is
+/// blamed on, does not keep it there when another loop is named as the source, most of the error is
+/// the shared oscillation and the loop is not likely the source itself. Of a cascade both of whose
+/// loops are members, those that are victims are `cascade_master` and `cascade_slave` instead.
 void give_roles(SharedOscillation& event, std::span<const MemberLoop> loops,
                 std::span<const CascadePair> cascades, const PlantSettings& settings);
 

@@ -24,19 +24,21 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-std::vector<std::string> names_in_role(const SharedOscillation& event,
-                                       std::span<const MemberLoop> loops, Role role) {
+/// Of the members of which `chosen` holds.
+template <typename Chosen>
+std::string names_where(const SharedOscillation& event, std::span<const MemberLoop> loops,
+                        Chosen chosen) {
   std::vector<std::string> names;
   for (const SharingLoop& member : event.members)
-    if (member.role == role) names.push_back(name_of(loops[member.index]));
-  return names;
+    if (chosen(member, loops[member.index].own.fault))
+      names.push_back(name_of(loops[member.index]));
+  return listed(names);
 }
 
 std::string what(const SharedOscillation& event, std::span<const MemberLoop> loops) {
-  std::vector<std::string> names;
-  for (const SharingLoop& member : event.members) names.push_back(name_of(loops[member.index]));
-  return std::to_string(names.size()) + " loops share an oscillation with a period of " +
-         model::in_time(event.period_s) + ": " + listed(names) + ".";
+  const auto all = [](const SharingLoop&, Fault) { return true; };
+  return std::to_string(event.members.size()) + " loops share an oscillation with a period of " +
+         model::in_time(event.period_s) + ": " + names_where(event, loops, all) + ".";
 }
 
 std::string where_from(const SharedOscillation& event, std::span<const MemberLoop> loops) {
@@ -56,23 +58,25 @@ std::string where_from(const SharedOscillation& event, std::span<const MemberLoo
          "see whether the others calm down.";
 }
 
+/// A member without a fault is one that the oscillation hardly touches.
 std::string own_faults(const SharedOscillation& event, std::span<const MemberLoop> loops) {
-  const std::vector<std::string> names = names_in_role(event, loops, Role::member);
+  const std::string names = names_where(event, loops, [](const SharingLoop& member, Fault fault) {
+    return member.role == Role::member && fault != Fault::none;
+  });
   if (names.empty()) return {};
-  return " With a finding of their own, and kept on the list: " + listed(names) + ".";
+  return " With a finding of their own, and kept on the list: " + names + ".";
 }
 
 /// Victims whose own verdict blames the valve for the cycle that they share with the source.
 std::string borrowed_faults(const SharedOscillation& event, std::span<const MemberLoop> loops) {
   if (!event.source) return {};
-  std::vector<std::string> names;
-  for (const SharingLoop& member : event.members)
-    if (member.role == Role::victim && loops[member.index].own.fault == Fault::friction)
-      names.push_back(name_of(loops[member.index]));
+  const std::string names = names_where(event, loops, [](const SharingLoop& member, Fault fault) {
+    return leaves_work_list(member.role) && fault == Fault::friction;
+  });
   if (names.empty()) return {};
   return " Seen alone, a valve would be blamed for the same cycle; when the source is repaired, "
          "look again at " +
-         listed(names) + ".";
+         names + ".";
 }
 
 }  // namespace

@@ -180,7 +180,8 @@ void add_annotate(CLI::App& program) {
   constexpr const char* kNewest = "the newest";
   constexpr const char* kWhatever = "any";
   CLI::App& known = add_action(annotate, "acknowledge",
-                               "Known, work is planned: off the list while the verdict stays",
+                               "Known, work is planned: off the list until the work is entered "
+                               "(maintenance) and a window lies after it",
                                options, acknowledge);
   add_code(known, options, kNewest);
   add_reason(known, options);

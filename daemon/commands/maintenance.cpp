@@ -64,7 +64,7 @@ Failure refusal(const MaintenanceEntry& entry, MaintenanceRefusal reason,
     case MaintenanceRefusal::entered_already:
       break;
   }
-  return {ExitCode::usage, work + " is entered already, in the same words",
+  return {ExitCode::usage, work + " is entered already, or given twice, in the same words",
           "`loopscope maintenance --config F list` shows what is entered"};
 }
 

@@ -67,7 +67,10 @@ std::vector<PlantSeries> read_plant_series(Candidates candidates, const config::
                                            LaneTools& tools) {
   std::vector<PlantSeries> series(candidates.size());
   const auto most = static_cast<std::size_t>(settings.schedule.batch_loops);
-  for (const auto& [source, numbers] : by_source(candidates)) {
+  const auto sources = by_source(candidates);
+  // Before anything is read: one that the settings lack ends the round.
+  for (const auto& [source, numbers] : sources) static_cast<void>(find_historian(settings, source));
+  for (const auto& [source, numbers] : sources) {
     const config::HistorianSettings& historian = find_historian(settings, source);
     for (std::size_t done = 0; done < numbers.size(); done += most) {
       if (tools.bell.rung()) return {};

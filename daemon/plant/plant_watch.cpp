@@ -18,6 +18,25 @@ constexpr const char* kSubject = "plant round";
 /// Another worker that is at it may be lost with its turn: so long, and others look again.
 constexpr double kLookAgain_s = 60.0;
 
+/// A round reads every oscillating loop: one that fails is not tried again at once.
+constexpr std::chrono::minutes kAfterFailure{5};
+
+/// Whether the step ends without an exception; one is a fault for the log.
+template <typename Step>
+bool goes_well(FaultLog& faults, Step step) {
+  try {
+    step();
+    return true;
+  } catch (const storage::DatabaseError& error) {
+    faults.fault(kSubject, std::string(error.what()) + " HINT: " + error.hint());
+  } catch (const Failure& failure) {
+    faults.fault(kSubject, std::string(failure.what()) + " HINT: " + failure.hint());
+  } catch (const std::exception& error) {
+    faults.fault(kSubject, error.what());
+  }
+  return false;
+}
+
 /// nullopt = the turn is another worker's.
 std::optional<double> round_when_due(storage::PlantRounds& rounds, double every_s,
                                      const config::Settings& settings, LaneTools& tools) {
@@ -56,40 +75,49 @@ void PlantWatch::run(const std::stop_token& stop) {
     lock.unlock();
     const std::chrono::duration<double> pause(look(*in_force));
     lock.lock();
-    changed_.wait_for(lock, stop, pause, [&] { return settings_ != in_force; });
+    // What failed under other settings may go well under these.
+    if (changed_.wait_for(lock, stop, pause, [&] { return settings_ != in_force; }))
+      next_round_ = {};
   }
+}
+
+std::optional<double> PlantWatch::compare(storage::PlantRounds& rounds,
+                                          const config::Settings& settings) {
+  if (Clock::now() < next_round_) return std::nullopt;
+  double wait_s = kLookAgain_s;
+  const auto round = [&] {
+    wait_s = round_when_due(rounds, settings.plant.round_s, settings, tools_).value_or(wait_s);
+  };
+  if (goes_well(tools_.faults, round)) return wait_s;
+  next_round_ = Clock::now() + kAfterFailure;
+  return std::nullopt;
 }
 
 double PlantWatch::look(const config::Settings& settings) {
   const config::PlantSettings& plant = settings.plant;
   double pause_s = kLookAgain_s;
   if (plant.round_s <= 0.0 && plant.notice_s <= 0.0) return pause_s;
-  try {
-    storage::PlantRounds rounds(results_connection(settings));
-    if (plant.round_s > 0.0) {
-      const auto wait_s = round_when_due(rounds, plant.round_s, settings, tools_);
-      pause_s = std::min(pause_s, wait_s.value_or(kLookAgain_s));
-    }
-    if (plant.notice_s > 0.0) {
-      announce(rounds);
-      pause_s = std::min(pause_s, plant.notice_s);
-    }
-    tools_.faults.recovered(kSubject);
-    return pause_s;
-  } catch (const storage::DatabaseError& error) {
-    tools_.faults.fault(kSubject, std::string(error.what()) + " HINT: " + error.hint());
-  } catch (const Failure& failure) {
-    tools_.faults.fault(kSubject, std::string(failure.what()) + " HINT: " + failure.hint());
-  } catch (const std::exception& error) {
-    tools_.faults.fault(kSubject, error.what());
+  std::optional<storage::PlantRounds> rounds;
+  bool well = goes_well(tools_.faults, [&] { rounds.emplace(results_connection(settings)); });
+  if (!well) return settings.schedule.poll_s;
+  if (plant.round_s > 0.0) {
+    const auto wait_s = compare(*rounds, settings);
+    well = wait_s.has_value();
+    pause_s = std::min(pause_s, wait_s.value_or(kLookAgain_s));
   }
-  return settings.schedule.poll_s;
+  if (plant.notice_s > 0.0) {
+    // Whatever became of the round: the loops of a historian that answers are flagged meanwhile.
+    well &= goes_well(tools_.faults, [&] { announce(*rounds); });
+    pause_s = std::min(pause_s, plant.notice_s);
+  }
+  if (well) tools_.faults.recovered(kSubject);
+  return pause_s;
 }
 
 void compare_all_loops(const config::Settings& settings, LaneTools& tools) {
   storage::PlantRounds rounds(results_connection(settings));
   if (settings.plant.round_s > 0.0) round_when_due(rounds, 0.0, settings, tools);
-  announce(rounds);
+  if (settings.plant.notice_s > 0.0) announce(rounds);
 }
 
 }  // namespace loopscope::daemon

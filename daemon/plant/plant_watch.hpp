@@ -1,19 +1,23 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "config/settings.hpp"
 #include "daemon/service/lane_tools.hpp"
+#include "storage/results/plant_rounds.hpp"
 
 namespace loopscope::daemon {
 
 /// What is to be said of all loops together, on a thread of its own: compares them with each other
 /// every `plant.round_s` (one worker of the plant at a time does), and tells listeners of the
-/// results database of loops that are newly flagged (NOTIFY), every `plant.notice_s`. Lanes go on
-/// whatever happens here; a database that is away is a fault for the log.
+/// results database of loops that are newly flagged (NOTIFY), every `plant.notice_s`, whether the
+/// comparison succeeds or not. Lanes go on whatever happens here; a database that is away is a
+/// fault for the log.
 class PlantWatch {
  public:
   PlantWatch(std::shared_ptr<const config::Settings> settings, LaneTools& tools);
@@ -22,11 +26,16 @@ class PlantWatch {
 
  private:
   void run(const std::stop_token& stop);
+  using Clock = std::chrono::steady_clock;
+
   /// Does what is due; seconds until the next look.
   double look(const config::Settings& settings);
+  /// Compares when it is time; seconds until it will be, nullopt = it failed, now or lately.
+  std::optional<double> compare(storage::PlantRounds& rounds, const config::Settings& settings);
 
   LaneTools& tools_;
-  std::mutex mutex_;  ///< over settings_
+  Clock::time_point next_round_{};  ///< not before; of the thread
+  std::mutex mutex_;                ///< over settings_
   std::shared_ptr<const config::Settings> settings_;
   std::condition_variable_any changed_;
   std::jthread thread_;  // last: it ends before what it uses

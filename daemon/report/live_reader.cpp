@@ -37,7 +37,7 @@ LivePage no_such_loop(const std::string& name) {
 
 LivePage LiveReader::plant() {
   storage::ReportDatabase database(results_connection(*settings_));
-  const std::int64_t now_us = database.counts(0).now_us;
+  const std::int64_t now_us = database.now_us();
   const std::int64_t since_us = now_us - kNewWithinUs;
   const PlantFacts facts{settings_->report.plant,       since_us,
                          database.counts(since_us),     database.flagged(),
@@ -65,7 +65,6 @@ void LiveReader::look(LoopStory& story, const std::stop_token& stop) {
   if (const Seen* before = seen(story.row)) {
     story.evidence = before->story.evidence;
     story.pictures = before->story.pictures;
-    story.trouble = before->story.trouble;
     return;
   }
   const auto entry = storage::Catalogue(results_connection(*settings_)).find(story.row.loop_name);
@@ -77,7 +76,8 @@ void LiveReader::look(LoopStory& story, const std::stop_token& stop) {
   } catch (const Failure& failure) {
     story.trouble = failure.what();
   }
-  if (!story.evidence) return;
+  // What failed is tried again when the page is asked for again.
+  if (!story.evidence || !story.trouble.empty()) return;
   seen_.push_front({story.row.analysis_id, story.row.input_revision, story});
   if (seen_.size() > kMostSeen) seen_.pop_back();
 }

@@ -30,13 +30,20 @@ std::string verdict_cell(const LoopRow& row) {
                      html(*row.code), html(as_heading(*row.code)));
 }
 
+/// A loop that was never analysed has no page.
+std::string name_of(const LoopRow& row) {
+  const std::string name = "<bdi>" + html(row.name) + "</bdi>";
+  if (!row.code) return name;
+  return fmt::format("<a href=\"{}\">{}</a>", loop_link(LoopLinks::pages, row.loop_id, row.name),
+                     name);
+}
+
 std::string loop_row(const LoopRow& row) {
   return fmt::format(
              "<tr data-verdict=\"{}\" data-status=\"{}\"><td class=\"loop-name\" "
-             "data-label=\"Loop\"><a href=\"{}\"><bdi>{}</bdi></a></td><td data-label=\"Type\">{}"
+             "data-label=\"Loop\">{}</td><td data-label=\"Type\">{}"
              "</td><td data-label=\"Source\"><bdi>{}</bdi></td>",
-             html(row.code ? as_heading(*row.code) : ""), html(status_of(row)),
-             loop_link(LoopLinks::pages, row.loop_id, row.name), html(row.name),
+             html(row.code ? as_heading(*row.code) : ""), html(status_of(row)), name_of(row),
              html(row.loop_type.value_or(kDash)), html(row.source)) +
          verdict_cell(row) +
          fmt::format(
@@ -61,7 +68,8 @@ std::string loop_list(const std::vector<LoopRow>& rows) {
   text += "</tbody></table>\n";
   if (rows.size() > kMostRows)
     text += fmt::format(
-        "<p class=\"note\">The first {} of {} loops; all of them: SELECT * FROM "
+        "<p class=\"note\">The first {} of {} loops, flagged ones before others; all of them: "
+        "SELECT * FROM "
         "loopscope.latest_verdict.</p>\n",
         kMostRows, rows.size());
   return text;

@@ -7,6 +7,7 @@
 #include "core/model/phrases.hpp"
 #include "daemon/report/compact_svg.hpp"
 #include "daemon/report/data_section.hpp"
+#include "daemon/report/hidden_words.hpp"
 #include "daemon/report/html_text.hpp"
 #include "daemon/report/page_text.hpp"
 #include "daemon/report/repairs_table.hpp"
@@ -63,11 +64,13 @@ std::string source_words(const FlaggedRow& row) {
       *row.plant_oscillation_number);
 }
 
-std::string findings(const FlaggedRow& row) {
+std::string findings(const LoopStory& story) {
+  const FlaggedRow& row = story.row;
   return fmt::format(
-      "<dl class=\"findings\">\n<dt>Cause</dt><dd>{}</dd>\n{}<dt>Action</dt><dd class=\"action\">"
-      "{}</dd>\n<dt>Evidence</dt><dd>{}</dd>\n</dl>\n",
-      html(row.summary), source_words(row), html(row.action), evidence_list(row));
+      "<dl class=\"findings\">\n<dt>Cause</dt><dd>{}</dd>\n{}{}<dt>Action</dt><dd "
+      "class=\"action\">{}</dd>\n<dt>Evidence</dt><dd>{}</dd>\n</dl>\n",
+      html(row.summary), source_words(row), hidden_words(story.hidden), html(row.action),
+      evidence_list(row));
 }
 
 /// The verdict that the pictures show may be another than the stored one: late rows, settings.
@@ -91,9 +94,11 @@ std::string picture(const Picture& picture) {
 }
 
 std::string pictures(const LoopStory& story) {
-  if (story.pictures.empty())
-    return "<p class=\"trouble\">No pictures: " + html(story.trouble) + "</p>\n";
-  std::string text = "<div class=\"pictures\">\n";
+  std::string text;
+  if (!story.trouble.empty())
+    text = "<p class=\"trouble\">No pictures of the window: " + html(story.trouble) + "</p>\n";
+  if (story.pictures.empty()) return text;
+  text += "<div class=\"pictures\">\n";
   for (const Picture& shown : story.pictures) text += picture(shown);
   return text + "</div>\n";
 }
@@ -171,9 +176,9 @@ std::string explanation_table(const Explanation& explanation) {
 
 std::string loop_section(const LoopStory& story) {
   return fmt::format("<section class=\"loop\" id=\"loop-{}\">\n", story.row.loop_id) +
-         heading(story.row) + "<div class=\"story\">\n<div class=\"words\">\n" +
-         findings(story.row) + difference(story) + "</div>\n" + pictures(story) + "</div>\n" +
-         explanation_part(story) + repairs_part(story) + data_section(story) + "</section>\n";
+         heading(story.row) + "<div class=\"story\">\n<div class=\"words\">\n" + findings(story) +
+         difference(story) + "</div>\n" + pictures(story) + "</div>\n" + explanation_part(story) +
+         repairs_part(story) + data_section(story) + "</section>\n";
 }
 
 }  // namespace loopscope::daemon

@@ -14,11 +14,12 @@ namespace loopscope::daemon {
 struct LoopStory {
   storage::FlaggedRow row;
   std::vector<storage::HistoryPoint> history;
+  std::vector<storage::HiddenRow> hidden;  ///< what keeps it from the list
   std::vector<storage::DataProblemRow> problems;
   std::vector<storage::RepairRow> repairs;
   std::optional<LoopEvidence> evidence;  ///< nullopt = its window could not be read again
   std::vector<Picture> pictures;
-  std::string trouble;  ///< why there are no pictures, a sentence; empty = there are
+  std::string trouble;  ///< why there are no pictures of the window, a sentence; empty = there are
 };
 
 /// One loop as HTML: cause, action, evidence, pictures, the explanation's errors, data, repairs.

@@ -1,6 +1,7 @@
 #include "daemon/report/plant_section.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -76,14 +77,19 @@ std::string linked_name(const PlantOscillationRow::Member& member, const PlantFa
                      name);
 }
 
+/// Lags are within half a period of the source's swing, before or after it.
+std::string lag_words(const PlantOscillationRow::Member& member, const PlantOscillationRow& event) {
+  if (!event.source_name || member.role == "source") return {};
+  return ", " + core::model::in_time(std::abs(member.lag_s)) +
+         (member.lag_s < 0.0 ? " ahead" : " behind");
+}
+
 std::string members(const PlantOscillationRow& event, const PlantFacts& facts, LoopLinks links) {
   std::string text;
   for (const PlantOscillationRow::Member& member : event.members) {
-    const std::string lag =
-        member.role == "source" ? "" : ", " + core::model::in_time(member.lag_s) + " behind";
     text += fmt::format("<li>{} <span class=\"role\">{}</span> {} of the error{}</li>\n",
                         linked_name(member, facts, links), html(in_words(member.role)),
-                        core::model::in_percent(member.strength), lag);
+                        core::model::in_percent(member.strength), lag_words(member, event));
   }
   return "<ul class=\"members\">\n" + text + "</ul>\n";
 }
@@ -95,10 +101,10 @@ std::string oscillation(const PlantOscillationRow& event, const PlantFacts& fact
                                  : std::string("unknown, or outside of the loops");
   return fmt::format(
              "<article class=\"event\"><h3>Plant-wide oscillation {}: period {}, {}</h3>\n"
-             "<p>Source: {}. {}</p>\n",
+             "<p>Source: {}. {}</p>\n<p class=\"note\">Found in windows until {}.</p>\n",
              event.number, core::model::in_time(event.period_s),
              counted(static_cast<std::int64_t>(event.members.size()), "loop", "loops"), source,
-             html(event.statement)) +
+             html(event.statement), utc(event.slot_end_us)) +
          members(event, facts, links) + "</article>\n";
 }
 

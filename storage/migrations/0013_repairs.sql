@@ -107,7 +107,7 @@ CREATE VIEW loopscope.before_after_maintenance AS
          before.valve_travel_per_h AS valve_travel_per_h_before, after.valve_travel_per_h AS valve_travel_per_h_after,
          judged.word,
          CASE
-           WHEN n_before = 0 THEN 'Not judged: no usable window lies between the work before this and this work.'
+           WHEN n_before = 0 THEN 'Not judged: no usable window lies before this work and after any earlier one.'
            WHEN n_after = 0 THEN coalesce('Not judged yet: the data after the work cannot be used: ' || refused.unusable_reason || '.',
                                           'Not judged yet: no window lies wholly after the work and before the next.')
            WHEN word = 'fixed' THEN format('Fixed: %s, which %s before, is gone; ', was, stood)

@@ -66,8 +66,7 @@ CREATE VIEW loopscope.newest_plant_round AS
   SELECT round.*, round.slot_end + parameter.value * interval '1 day' AS holds_until
   FROM (SELECT * FROM loopscope.plant_round ORDER BY slot_end DESC, algorithm_revision DESC LIMIT 1) AS round
   JOIN loopscope.parameter ON parameter.name = 'plant_round_valid_days';
-COMMENT ON VIEW loopscope.newest_plant_round IS 'The comparison across all loops that holds: one row, none before the first one';
-COMMENT ON COLUMN loopscope.newest_plant_round.holds_until IS 'Verdicts of later slots are not hidden by it (parameter plant_round_valid_days)';
+COMMENT ON VIEW loopscope.newest_plant_round IS 'The comparison across all loops that holds: one row, none before the first one'; COMMENT ON COLUMN loopscope.newest_plant_round.holds_until IS 'Verdicts of later slots are not hidden by it (parameter plant_round_valid_days)';
 
 CREATE VIEW loopscope.current_plant_oscillation AS
   SELECT oscillation.*, source.name AS source_loop_name, round.holds_until FROM loopscope.newest_plant_round AS round
@@ -91,8 +90,7 @@ CREATE OR REPLACE VIEW loopscope.plant_oscillation_member AS
   -- A round that was written again with fewer events has left the others behind.
   WHERE oscillation.number <= coalesce(round.events, oscillation.number);
 COMMENT ON COLUMN loopscope.plant_oscillation_member.role IS 'What the loop is to it: source, victim, cascade_slave, cascade_master or member (keeps its place on the list)';
-COMMENT ON COLUMN loopscope.plant_oscillation_member.score IS 'How much speaks for the loop as the source, higher = more; null = not said';
-COMMENT ON COLUMN loopscope.plant_oscillation_member.is_current IS 'Whether it is of the newest round';
+COMMENT ON COLUMN loopscope.plant_oscillation_member.score IS 'How much speaks for the loop as the source, higher = more; null = not said'; COMMENT ON COLUMN loopscope.plant_oscillation_member.is_current IS 'Whether it is of the newest round';
 
 -- What people said: who took it back stands beside who said it.
 ALTER TABLE loopscope.annotation ADD COLUMN withdrawn_by text;
@@ -105,10 +103,16 @@ CREATE TRIGGER note_withdrawal BEFORE INSERT OR UPDATE OF withdrawn_at ON loopsc
 
 CREATE VIEW loopscope.annotation_history AS
   SELECT annotation_id, loop_id, loop.name AS loop_name, kind, code, until, reason, author, entered_at, withdrawn_at, withdrawn_by,
-         CASE WHEN withdrawn_at IS NOT NULL THEN 'withdrawn' WHEN until <= now() THEN 'ended' ELSE 'in_force' END AS state
+         CASE WHEN withdrawn_at IS NOT NULL THEN 'withdrawn' WHEN until <= now() THEN 'ended'
+              -- The work that was planned is done, and a window that lies after it was looked at.
+              WHEN kind = 'acknowledged' AND EXISTS (
+                SELECT FROM loopscope.maintenance_event AS work JOIN loopscope.analysis AS newer USING (loop_id)
+                WHERE work.loop_id = annotation.loop_id AND work.done_at > annotation.entered_at
+                  AND newer.slot_end > work.done_at AND newer.window_start >= work.done_at) THEN 'ended'
+              ELSE 'in_force' END AS state
   FROM loopscope.annotation JOIN loopscope.loop USING (loop_id);
 COMMENT ON VIEW loopscope.annotation_history IS 'One row per annotation that was ever made: what was said of which loop, by whom, whether it still holds';
-COMMENT ON COLUMN loopscope.annotation_history.state IS 'in_force, ended (its time is over) or withdrawn';
+COMMENT ON COLUMN loopscope.annotation_history.state IS 'in_force, ended (its time is over; an acknowledged fault: work was done since, and a window lies after it) or withdrawn';
 
 CREATE VIEW loopscope.annotation_in_force AS
   SELECT annotation_id, loop_id, loop_name, kind, code, until, reason, author, entered_at
@@ -127,7 +131,10 @@ CREATE VIEW loopscope.hiding AS
   CROSS JOIN LATERAL unnest(current.loop_ids, current.roles) AS member (loop_id, role)
   -- The other loop of a cascade is a victim too. Whoever causes one oscillation is not excused by being the victim of another.
   WHERE member.role IN ('victim', 'cascade_slave', 'cascade_master')
-    AND member.loop_id NOT IN (SELECT source_loop_id FROM loopscope.current_plant_oscillation WHERE source_loop_id IS NOT NULL);
+    AND member.loop_id NOT IN (SELECT source_loop_id FROM loopscope.current_plant_oscillation WHERE source_loop_id IS NOT NULL)
+    -- Whoever calls what was found of the source false wants to see the others again.
+    AND NOT EXISTS (SELECT FROM loopscope.annotation_in_force AS said JOIN loopscope.latest_verdict AS latest USING (loop_id)
+                    WHERE said.loop_id = current.source_loop_id AND said.kind = 'false_positive' AND coalesce(said.code, latest.code) = latest.code);
 COMMENT ON VIEW loopscope.hiding IS 'What hides verdicts from flagged_loop: annotations that hold, and being the victim of a shared oscillation; hidden_loop shows what is hidden by it';
 COMMENT ON COLUMN loopscope.hiding.hidden_by IS 'acknowledged, suppressed, false_positive or victim'; COMMENT ON COLUMN loopscope.hiding.code IS 'Verdict that is hidden; null = whatever the verdict';
 COMMENT ON COLUMN loopscope.hiding.last_slot IS 'Verdicts of later slots are not hidden; null = all are'; COMMENT ON COLUMN loopscope.hiding.annotation_id IS 'Number of the annotation; null = none, a victim';
@@ -219,16 +226,13 @@ CREATE TABLE loopscope.flag_notice (
   flag_notice_id bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
   loop_id bigint NOT NULL REFERENCES loopscope.loop ON DELETE CASCADE,
   code text NOT NULL, flagged_at timestamptz NOT NULL DEFAULT now(), announced boolean NOT NULL,
-  slot_end timestamptz NOT NULL, since timestamptz NOT NULL,
-  status text NOT NULL CHECK (status IN ('watch', 'confirmed')), confidence double precision NOT NULL,
+  slot_end timestamptz NOT NULL, since timestamptz NOT NULL, status text NOT NULL CHECK (status IN ('watch', 'confirmed')), confidence double precision NOT NULL,
   rank bigint NOT NULL, score double precision NOT NULL, summary text NOT NULL, confirmed_at timestamptz,
   ended_at timestamptz, ended_by text CHECK (ended_by IN ('verdict', 'annotation', 'plant', 'disabled', 'threshold')));
-CREATE UNIQUE INDEX flag_notice_open ON loopscope.flag_notice (loop_id, code) WHERE ended_at IS NULL;
-CREATE INDEX flag_notice_of_loop ON loopscope.flag_notice (loop_id, flagged_at);
+CREATE UNIQUE INDEX flag_notice_open ON loopscope.flag_notice (loop_id, code) WHERE ended_at IS NULL; CREATE INDEX flag_notice_of_loop ON loopscope.flag_notice (loop_id, flagged_at);
 COMMENT ON TABLE loopscope.flag_notice IS 'History of flagged_loop: one row per stay of a loop on the list, noted by whoever announces newly flagged loops (NOTIFY loopscope_flagged)';
 COMMENT ON COLUMN loopscope.flag_notice.flag_notice_id IS 'Number of the notice'; COMMENT ON COLUMN loopscope.flag_notice.code IS 'Verdict that it was flagged with';
-COMMENT ON COLUMN loopscope.flag_notice.flagged_at IS 'When it was seen on the list first';
-COMMENT ON COLUMN loopscope.flag_notice.announced IS 'Whether listeners were told; false = it had just left the list (parameter flag_quiet_hours)';
+COMMENT ON COLUMN loopscope.flag_notice.flagged_at IS 'When it was seen on the list first'; COMMENT ON COLUMN loopscope.flag_notice.announced IS 'Whether listeners were told; false = it had just left the list (parameter flag_quiet_hours)';
 COMMENT ON COLUMN loopscope.flag_notice.slot_end IS 'Slot of the verdict that was flagged first'; COMMENT ON COLUMN loopscope.flag_notice.since IS 'Slot of the first verdict of the run at that time';
 COMMENT ON COLUMN loopscope.flag_notice.status IS 'watch or confirmed, as it stands or stood last'; COMMENT ON COLUMN loopscope.flag_notice.confidence IS 'Confidence of that verdict, 0 to 1';
 COMMENT ON COLUMN loopscope.flag_notice.rank IS 'Its rank at that time'; COMMENT ON COLUMN loopscope.flag_notice.score IS 'Its score at that time'; COMMENT ON COLUMN loopscope.flag_notice.summary IS 'What was said of it';
@@ -239,8 +243,7 @@ CREATE VIEW loopscope.flag_history AS
   SELECT flag_notice_id, loop_id, loop.name AS loop_name, code, flagged_at, since, status, confirmed_at, ended_at, ended_by,
          ended_at IS NULL AS stands, announced, slot_end, confidence, rank, score, summary
   FROM loopscope.flag_notice JOIN loopscope.loop USING (loop_id);
-COMMENT ON VIEW loopscope.flag_history IS 'One row per stay of a loop on the list: when it came, as what, when and why it left';
-COMMENT ON COLUMN loopscope.flag_history.stands IS 'Whether it is still flagged';
+COMMENT ON VIEW loopscope.flag_history IS 'One row per stay of a loop on the list: when it came, as what, when and why it left'; COMMENT ON COLUMN loopscope.flag_history.stands IS 'Whether it is still flagged';
 
 -- What 0012 gives stays; this adds to it. What views call is called with the rights of whoever asks.
 ALTER FUNCTION loopscope.grant_rights() RENAME TO grant_rights_of_0012;
@@ -249,12 +252,9 @@ DECLARE grantee text;
 BEGIN
   PERFORM loopscope.grant_rights_of_0012();
   IF to_regrole('loopscope_engineer') IS NOT NULL THEN
-    REVOKE ALL ON SCHEMA loopscope FROM loopscope_engineer;
-    REVOKE ALL ON ALL TABLES IN SCHEMA loopscope FROM loopscope_engineer;
-    REVOKE ALL ON ALL SEQUENCES IN SCHEMA loopscope FROM loopscope_engineer;
-    REVOKE ALL ON ALL FUNCTIONS IN SCHEMA loopscope FROM loopscope_engineer;
-    GRANT USAGE ON SCHEMA loopscope TO loopscope_engineer;
-    GRANT SELECT ON ALL TABLES IN SCHEMA loopscope TO loopscope_engineer;
+    REVOKE ALL ON SCHEMA loopscope FROM loopscope_engineer; REVOKE ALL ON ALL TABLES IN SCHEMA loopscope FROM loopscope_engineer;
+    REVOKE ALL ON ALL SEQUENCES IN SCHEMA loopscope FROM loopscope_engineer; REVOKE ALL ON ALL FUNCTIONS IN SCHEMA loopscope FROM loopscope_engineer;
+    GRANT USAGE ON SCHEMA loopscope TO loopscope_engineer; GRANT SELECT ON ALL TABLES IN SCHEMA loopscope TO loopscope_engineer;
     -- Without author and entered_at: who said it, and when, is the server's to note.
     GRANT INSERT (loop_id, kind, code, until, reason), UPDATE (withdrawn_at) ON loopscope.annotation TO loopscope_engineer;
     GRANT INSERT (loop_id, done_at, kind, description) ON loopscope.maintenance_event TO loopscope_engineer;

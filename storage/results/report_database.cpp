@@ -50,6 +50,10 @@ ReportDatabase::~ReportDatabase() = default;
 ReportDatabase::ReportDatabase(ReportDatabase&&) noexcept = default;
 ReportDatabase& ReportDatabase::operator=(ReportDatabase&&) noexcept = default;
 
+std::int64_t ReportDatabase::now_us() {
+  return impl_->snapshot->run(statements::kReportNow)[0]["now_us"].as<std::int64_t>();
+}
+
 PlantCounts ReportDatabase::counts(std::int64_t since_us) {
   const pqxx::result rows =
       impl_->snapshot->run(statements::kReportCounts, {timestamp_text(since_us)});
@@ -81,6 +85,11 @@ std::vector<RepairRow> ReportDatabase::repairs_of(std::int64_t loop_id) {
 
 std::vector<PlantOscillationRow> ReportDatabase::plant_oscillations() {
   return read_plant_oscillations(impl_->snapshot->run(statements::kPlantMembers));
+}
+
+std::vector<HiddenRow> ReportDatabase::hidden_by(std::int64_t loop_id) {
+  return read_all(impl_->snapshot->run(statements::kHiddenBy, {std::to_string(loop_id)}),
+                  read_hidden);
 }
 
 std::vector<DataProblemRow> ReportDatabase::data_problems(std::int64_t loop_id) {

@@ -27,6 +27,8 @@ class ReportDatabase {
   ReportDatabase(ReportDatabase&&) noexcept;
   ReportDatabase& operator=(ReportDatabase&&) noexcept;
 
+  /// The database's clock at the beginning of the view, microseconds UTC since 1970.
+  [[nodiscard]] std::int64_t now_us();
   /// `since_us`: what began after this time counts as new, what was repaired after it as fixed.
   [[nodiscard]] PlantCounts counts(std::int64_t since_us);
   /// The work list, in the order of its ranks.
@@ -39,12 +41,14 @@ class ReportDatabase {
   [[nodiscard]] std::vector<RepairRow> repairs_of(std::int64_t loop_id);
   /// Of the newest plant round; empty = none is shared, or no round was made yet.
   [[nodiscard]] std::vector<PlantOscillationRow> plant_oscillations();
+  /// What keeps the newest fault of a loop from the list; empty = nothing does, or it has none.
+  [[nodiscard]] std::vector<HiddenRow> hidden_by(std::int64_t loop_id);
   /// What is wrong with the newest data of a loop.
   [[nodiscard]] std::vector<DataProblemRow> data_problems(std::int64_t loop_id);
   /// The newest verdict of any loop, flagged (with its rank) or not (rank 0); nullopt = there is
   /// no such loop, or it was never analysed.
   [[nodiscard]] std::optional<FlaggedRow> latest(const std::string& loop_name);
-  /// Every loop of the catalogue, by name.
+  /// Every loop of the catalogue: the flagged ones by rank, then the others by name.
   [[nodiscard]] std::vector<LoopRow> loops();
 
   /// What other thresholds would flag: the rows in their would-be order, then those that would be

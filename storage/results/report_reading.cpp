@@ -112,6 +112,13 @@ HistoryPoint read_history_point(const pqxx::row& row) {
           read_number(row["harris_high"]), read_number(row["oscillation_period_s"])};
 }
 
+HiddenRow read_hidden(const pqxx::row& row) {
+  return {row["hidden_by"].c_str(),           read_text(row["reason"]),
+          read_text(row["author"]),           integer(row["entered_us"]),
+          read_integer(row["until_us"]),      read_integer(row["plant_oscillation_number"]),
+          maybe_text(row["source_loop_name"])};
+}
+
 DataProblemRow read_problem(const pqxx::row& row) {
   return {row["problem"].c_str(),  read_text(row["role"]), read_text(row["tag"]),
           row["words"].c_str(),    row["remedy"].c_str(),  integer(row["since_us"]),

@@ -12,6 +12,7 @@ namespace loopscope::storage {
 [[nodiscard]] PlantCounts read_counts(const pqxx::row& row);
 [[nodiscard]] FlaggedRow read_flagged(const pqxx::row& row);
 [[nodiscard]] HistoryPoint read_history_point(const pqxx::row& row);
+[[nodiscard]] HiddenRow read_hidden(const pqxx::row& row);
 [[nodiscard]] DataProblemRow read_problem(const pqxx::row& row);
 [[nodiscard]] LoopRow read_loop_row(const pqxx::row& row);
 

@@ -49,7 +49,7 @@ struct PlantCounts {
   std::int64_t judged = 0;              ///< enabled, the newest window was usable
   std::int64_t flagged = 0;             ///< rows of flagged_loop
   std::int64_t new_flags = 0;           ///< of those: their run began after `since_us`
-  std::int64_t fixed = 0;               ///< repairs after `since_us` whose word is "fixed"
+  std::int64_t fixed = 0;               ///< jobs with work after `since_us` whose word is "fixed"
   std::int64_t unjudgeable = 0;         ///< enabled, the newest window was not usable
   std::int64_t never_analysed = 0;      ///< enabled, without any verdict
   std::int64_t victims = 0;             ///< enabled, hidden as victims of a shared oscillation
@@ -86,8 +86,9 @@ struct RepairRow {
   std::string loop_name;
   std::int64_t done_at_us = 0;
   std::string kind, description;
-  std::optional<std::string> word;  ///< fixed, improved, unchanged, worse; nullopt = not yet known
-  std::string statement;            ///< why that word
+  std::optional<std::string>
+      word;               ///< fixed, improved, unchanged, worse; nullopt = not (yet) known
+  std::string statement;  ///< why that word
   std::optional<std::string> code_before, code_after;  ///< of the nearest windows
   std::vector<RepairFigure> figures;                   ///< by name; empty = none can be compared
   std::int64_t windows_before = 0, windows_after = 0;  ///< that were compared
@@ -98,9 +99,10 @@ struct PlantOscillationRow {
   struct Member {
     std::int64_t loop_id = 0;
     std::string loop_name;
-    std::string role;             ///< source, victim, cascade_slave, cascade_master, member
-    double strength = 0.0;        ///< share of the error's variance at the period, 0 to 1
-    double lag_s = 0.0;           ///< how much later than the source it swings, seconds
+    std::string role;       ///< source, victim, cascade_slave, cascade_master, member
+    double strength = 0.0;  ///< share of the error's variance at the period, 0 to 1
+    double lag_s = 0.0;     ///< how much later than the source it swings, seconds, within half a
+                            ///< period either way
     std::optional<double> score;  ///< how much speaks for it as the source; higher = more
   };
   std::int64_t number = 0;
@@ -112,6 +114,17 @@ struct PlantOscillationRow {
   std::optional<double> p;  ///< that so many loops share a period by chance
 };
 
+/// What keeps a loop's newest fault from the list (view hidden_loop).
+struct HiddenRow {
+  std::string hidden_by;  ///< acknowledged, suppressed, false_positive, victim
+  std::string reason;     ///< "" = none was given
+  std::string author;     ///< "" = the program
+  std::int64_t entered_us = 0;
+  std::optional<std::int64_t> until_us;  ///< nullopt = when withdrawn, or the next plant round
+  std::optional<std::int64_t> plant_oscillation_number;  ///< that it is a victim of
+  std::optional<std::string> source_name;                ///< of that; nullopt = outside or unknown
+};
+
 /// What is wrong with a loop's newest data, and what mends it.
 struct DataProblemRow {
   std::string code, role, tag;  ///< role and tag are empty where they are not known
@@ -120,7 +133,7 @@ struct DataProblemRow {
   bool judged = false;  ///< whether the loop could be judged all the same
 };
 
-/// Any loop of the catalogue in one line, by name.
+/// Any loop of the catalogue in one line.
 struct LoopRow {
   std::int64_t loop_id = 0;
   std::string name, source;

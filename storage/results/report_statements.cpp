@@ -38,6 +38,8 @@ std::string repairs_where(const std::string& condition) {
 
 }  // namespace
 
+const Statement kReportNow{"report_now", "SELECT " + us("now()") + " AS now_us", Rows::one};
+
 const Statement kReportCounts{"report_counts",
                               R"(
     WITH flagged AS MATERIALIZED (SELECT since FROM loopscope.flagged_loop),
@@ -51,8 +53,10 @@ const Statement kReportCounts{"report_counts",
            enabled - (SELECT count(*) FROM newest) AS never_analysed,
            (SELECT count(*) FROM flagged) AS flagged,
            (SELECT count(*) FROM flagged WHERE since > $1::timestamptz) AS new_flags,
-           (SELECT count(*) FROM loopscope.before_after_maintenance
-            WHERE done_at > $1::timestamptz AND word = 'fixed') AS fixed,
+           (SELECT count(DISTINCT (loop_id, job.begins_at))
+            FROM loopscope.before_after_maintenance AS repair
+            JOIN loopscope.maintenance_job AS job USING (maintenance_event_id, loop_id)
+            WHERE repair.done_at > $1::timestamptz AND repair.word = 'fixed') AS fixed,
            (SELECT count(DISTINCT loop_id) FROM hidden WHERE hidden_by = 'victim') AS victims,
            (SELECT count(DISTINCT loop_id) FROM hidden WHERE hidden_by <> 'victim') AS annotated,
            )" + us("now()") + R"( AS now_us
@@ -86,7 +90,8 @@ const Statement kReportLatest{"report_latest", "SELECT " + flagged_columns() + R
              0::float8 AS score, CASE WHEN run.confirmed THEN 'confirmed' ELSE 'watch' END AS status,
              coalesce(run.since, latest.slot_end) AS since,
              (SELECT min(number) FROM loopscope.current_plant_oscillation
-              WHERE source_loop_id = latest.loop_id) AS plant_oscillation_number
+              WHERE source_loop_id = latest.loop_id AND latest.slot_end <= holds_until
+                AND kind.is_fault) AS plant_oscillation_number
       FROM loopscope.latest_verdict AS latest
       JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
       LEFT JOIN LATERAL loopscope.verdict_run(latest.loop_id, latest.slot_end, latest.code) AS run
@@ -120,6 +125,14 @@ const Statement kPlantMembers{"plant_members",
     ORDER BY event.number, member.role = 'source' DESC, member.score DESC NULLS LAST,
              member.loop_name)"};
 
+const Statement kHiddenBy{"hidden_by",
+                          R"(
+    SELECT hidden_by, reason, author, )" +
+                              us("entered_at") + " AS entered_us, " + us("until") + R"( AS until_us,
+           plant_oscillation_number, source_loop_name
+    FROM loopscope.hidden_loop WHERE loop_id = $1::bigint
+    ORDER BY plant_oscillation_number NULLS LAST, entered_at)"};
+
 const Statement kLoopProblems{"loop_problems", R"(
     SELECT problem, role, tag, words, remedy, )" + us("since") +
                                                    R"( AS since_us, judged
@@ -148,7 +161,7 @@ const Statement kReportLoops{"report_loops",
     LEFT JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
     LEFT JOIN flagged USING (loop_id)
     LEFT JOIN hidden USING (loop_id)
-    ORDER BY loop.name)"};
+    ORDER BY flagged.rank NULLS LAST, loop.name)"};
 
 const Statement kWhatIf{"what_if", R"(
     WITH present AS MATERIALIZED (SELECT * FROM loopscope.flagged_loop),

@@ -5,6 +5,7 @@
 /// What ReportDatabase asks. Times travel as microseconds since 1970, UTC.
 namespace loopscope::storage::statements {
 
+extern const Statement kReportNow;
 extern const Statement kReportCounts;  ///< since
 extern const Statement kUnjudgedReasons;
 extern const Statement kReportFlagged;
@@ -13,6 +14,7 @@ extern const Statement kReportHistory;  ///< loop_id, from
 extern const Statement kReportRepairs;  ///< since
 extern const Statement kRepairsOfLoop;  ///< loop_id
 extern const Statement kPlantMembers;   ///< a row per member, event by event
+extern const Statement kHiddenBy;       ///< loop_id
 extern const Statement kLoopProblems;   ///< loop_id
 extern const Statement kReportLoops;
 extern const Statement kWhatIf;  ///< rate, dependence, least confidence; each empty = as it is set

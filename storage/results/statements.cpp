@@ -128,10 +128,12 @@ const Statement kRefuseMaintenance{"refuse_maintenance", R"(
     SELECT place, CASE WHEN loop.loop_id IS NULL THEN 'unknown_loop'
                        WHEN entry.done_at > now() THEN 'in_future'
                        ELSE 'entered_already' END AS reason
-    FROM unnest($1::text[], $2::timestamptz[], $3::text[], $4::text[])
-      WITH ORDINALITY AS entry (loop_name, done_at, kind, description, place)
+    FROM (SELECT *, row_number() OVER (PARTITION BY loop_name, done_at, description ORDER BY place)
+                      AS times
+          FROM unnest($1::text[], $2::timestamptz[], $3::text[], $4::text[])
+            WITH ORDINALITY AS given (loop_name, done_at, kind, description, place)) AS entry
     LEFT JOIN loopscope.loop ON loop.name = entry.loop_name
-    WHERE loop.loop_id IS NULL OR entry.done_at > now()
+    WHERE loop.loop_id IS NULL OR entry.done_at > now() OR times > 1
        OR EXISTS (SELECT FROM loopscope.maintenance_event AS known
                   WHERE known.loop_id = loop.loop_id AND known.done_at = entry.done_at
                     AND known.description = entry.description)

@@ -119,5 +119,22 @@ TEST_F(PlantRound, IsMadeByTheDaemonOnItsSchedule) {
   EXPECT_EQ(daemon.wait(30), 0);
 }
 
+TEST_F(PlantRound, ARoundThatFailsKeepsNoFlagBack) {
+  plant.write_settings(Plant::settings(R"("plant": {"round_s": 0.5, "notice_s": 0})"));
+  ASSERT_EQ(plant.loopscope("once").exit_code, 0);
+  ASSERT_EQ(plant.sql("select count(*) from loopscope.flag_notice"), "0") << "nobody asked";
+  plant.sql("delete from loopscope.plant_round; alter table history rename to away");
+  plant.write_settings(Plant::settings(
+      R"("plant": {"round_s": 0.5, "notice_s": 0.5}, "schedule": {"poll_s": 0.5, "settle_s": 0})"));
+  BackgroundProgram daemon(plant.command_line("run"), plant.folder() / "daemon.log");
+  const auto notices = [&] { return plant.sql("select count(*) from loopscope.flag_notice"); };
+  for (int tries = 0; tries < 300 && notices() == "0"; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_NE(notices(), "0");
+  EXPECT_EQ(plant.sql("select count(*) from loopscope.plant_round"), "0") << "it failed";
+  daemon.send(SIGTERM);
+  EXPECT_EQ(daemon.wait(30), 0);
+}
+
 }  // namespace
 }  // namespace loopscope::tests

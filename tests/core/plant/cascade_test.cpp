@@ -104,34 +104,5 @@ TEST(Cascade, LoopsWithoutSetpointOrOutputAreLeftOut) {
   EXPECT_TRUE(find_cascade_pairs({}).empty());
 }
 
-/// An output that cycles, and a slave whose error does by `missed` of its setpoint.
-CascadeCause cause_with(double missed, bool slave_present) {
-  Cascade cascade(5.0, 5.0, 7);
-  for (std::size_t k = 0; k < kSamples; ++k) {
-    const double wave = std::sin(2.0 * 3.14159265358979324 * static_cast<double>(k) / 40.0);
-    cascade.master_op[k] = 50.0 + 10.0 * wave;
-    cascade.slave_sp[k] = 30.0 + 8.0 * wave;
-    cascade.slave_error[k] += 8.0 * missed * wave;
-  }
-  cascade.master.oscillation.present = true;
-  cascade.master.oscillation.period_s = 200.0;
-  cascade.slave.oscillation.present = slave_present;
-  cascade.slave.oscillation.period_s = 200.0;
-  return find_cascade_pairs(std::vector{cascade.master, cascade.slave}).at(0).cause;
-}
-
-TEST(Cascade, ASlaveThatMissesItsSetpointMakesTheCycle) {
-  EXPECT_EQ(cause_with(1.0, true), CascadeCause::slave);
-  EXPECT_EQ(cause_with(0.2, true), CascadeCause::master);
-  EXPECT_EQ(cause_with(0.0, false), CascadeCause::master);
-  EXPECT_EQ(find_cascade_pairs(std::vector{Cascade(5.0, 5.0, 8).master}).size(), 0U);
-}
-
-TEST(Cascade, WithoutAnOscillationThereIsNoCause) {
-  const Cascade cascade(5.0, 5.0, 9);
-  const std::vector<MemberLoop> loops{cascade.master, cascade.slave};
-  EXPECT_EQ(find_cascade_pairs(loops).at(0).cause, CascadeCause::undecided);
-}
-
 }  // namespace
 }  // namespace loopscope::core::plant

@@ -91,6 +91,17 @@ TEST(SharedOscillation, FrictionThatTheSharedCycleShowsIsNoFaultOfItsOwn) {
   EXPECT_EQ(doubted.statement.find("look again"), std::string::npos) << "there is no source";
 }
 
+TEST(SharedOscillation, WithoutASourceALoopThatIsTunedToSwingStaysOnTheList) {
+  Plant plant;
+  plant.loops[2].own = {};
+  plant.loops[5].own.fault = Fault::tuning;
+  plant.loops[5].own.confidence = 0.9;
+  const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
+  ASSERT_FALSE(event.source.has_value());
+  EXPECT_EQ(member(event, 5).role, Role::member);
+  EXPECT_NE(event.statement.find("kept on the list: L105."), std::string::npos) << event.statement;
+}
+
 TEST(SharedOscillation, ALoopThatItHardlyTouchesStaysOnTheList) {
   Plant plant;
   std::mt19937_64 random(32);
@@ -102,6 +113,7 @@ TEST(SharedOscillation, ALoopThatItHardlyTouchesStaysOnTheList) {
   const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
   EXPECT_LT(member(event, 5).strength, 0.2);
   EXPECT_EQ(member(event, 5).role, Role::member);
+  EXPECT_EQ(event.statement.find("finding of their own"), std::string::npos) << event.statement;
 }
 
 TEST(SharedOscillation, LagsAreTimesAfterTheSource) {

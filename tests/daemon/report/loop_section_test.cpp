@@ -13,6 +13,7 @@ namespace {
 
 using core::model::EffectKind;
 using testing::HasSubstr;
+using testing::Not;
 
 LoopStory story(const std::string& text) {
   LoopStory told;
@@ -55,7 +56,32 @@ TEST(LoopSection, WithoutPicturesItSaysWhy) {
   LoopStory told = story("FIC101");
   told.pictures.clear();
   told.trouble = "the historian <is> away";
-  EXPECT_THAT(loop_section(told), HasSubstr("No pictures: the historian &lt;is&gt; away"));
+  EXPECT_THAT(loop_section(told), HasSubstr("the window: the historian &lt;is&gt; away"));
+  EXPECT_THAT(loop_section(told), Not(HasSubstr("class=\"pictures\"")));
+}
+
+TEST(LoopSection, BesidePicturesOfThePastItSaysWhyTheWindowHasNone) {
+  LoopStory told = story("FIC101");
+  told.trouble = "the historian is away";
+  EXPECT_THAT(loop_section(told), HasSubstr("No pictures of the window: the historian is away"));
+  EXPECT_THAT(loop_section(told), HasSubstr("class=\"pictures\""));
+}
+
+TEST(LoopSection, AHiddenLoopSaysWhyAndWhatToDoFirst) {
+  LoopStory told = story("TIC7");
+  EXPECT_THAT(loop_section(told), Not(HasSubstr("Not on the list")));
+  told.hidden = {
+      {"victim", "FIC1 leads", "", 0, std::nullopt, 3, "FIC1"},
+      {"victim", "", "", 0, std::nullopt, 4, std::nullopt},
+      {"suppressed", "shut <down>", "eve", 0, 86'400'000'000, std::nullopt, std::nullopt}};
+  const std::string text = loop_section(told);
+  EXPECT_THAT(text, HasSubstr("A victim of plant-wide oscillation 3: mend its source "
+                              "<bdi>FIC1</bdi> first, then look again."));
+  EXPECT_THAT(text, HasSubstr("oscillation 4, whose source is not known."));
+  EXPECT_THAT(text, HasSubstr("Suppressed by <bdi>eve</bdi>, 1970-01-01 00:00"));
+  EXPECT_THAT(text, HasSubstr("<bdi>shut &lt;down&gt;</bdi>"));
+  EXPECT_LT(text.find("Not on the list"), text.find("<dt>Action</dt>"));
+  EXPECT_EQ(unbalanced(text), "");
 }
 
 TEST(LoopSection, TheTableHasErrorsBeforeAndAfterAndTheFloor) {

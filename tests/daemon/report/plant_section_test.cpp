@@ -26,6 +26,26 @@ TEST(PlantSection, TellsCountsFactorsAndWhatToDo) {
   EXPECT_THAT(text, HasSubstr("error std 2 \u2192 1 pv units (\u00d7 0.5, 0.44 to 0.57)"));
 }
 
+TEST(PlantSection, AMemberSwingsAheadOfTheSourceOrBehindIt) {
+  PlantFacts facts = plant_facts("FIC101");
+  facts.oscillations[0].members.push_back({2, "a", "victim", 0.5, 30.0, 0.1});
+  facts.oscillations[0].members.push_back({3, "b", "member", 0.1, -5400.0, 0.1});
+  const std::string text = plant_section(facts, LoopLinks::sections);
+  EXPECT_THAT(text, HasSubstr("of the error, 30 s behind"));
+  EXPECT_THAT(text, HasSubstr("of the error, 90 min ahead"));
+  EXPECT_THAT(text, HasSubstr("Found in windows until 2026-03-01 12:00"));
+  facts.oscillations[0].source_name.reset();
+  EXPECT_THAT(plant_section(facts, LoopLinks::sections), Not(HasSubstr("behind")));
+}
+
+TEST(PlantSection, WorkThatNothingCanBeSaidOf) {
+  PlantFacts facts = plant_facts("FIC101");
+  facts.repairs[0].word.reset();
+  EXPECT_THAT(plant_section(facts, LoopLinks::sections), HasSubstr("unknown\">not judged<"));
+  facts.repairs[0].windows_before = 2;
+  EXPECT_THAT(plant_section(facts, LoopLinks::sections), HasSubstr("unknown\">too early<"));
+}
+
 TEST(PlantSection, LinksToPagesByNameWhereTheyAreLive) {
   EXPECT_THAT(plant_section(plant_facts("a b&c"), LoopLinks::pages),
               HasSubstr("href=\"/loop?name=a%20b%26c\""));

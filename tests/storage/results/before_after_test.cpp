@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "storage/results/report_database.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 namespace loopscope::storage {
@@ -112,6 +113,7 @@ TEST_F(BeforeAfterTest, WorkWithoutAWindowBetweenIsOneJob) {
                      " FROM loopscope.maintenance_job JOIN loopscope.maintenance_event"
                      " USING (maintenance_event_id) ORDER BY done_at"),
               ElementsAre("20 21", "20 21", "06 06"));
+  EXPECT_EQ(ReportDatabase(settings_for(*database)).counts(slot(0)).fixed, 1) << "one job";
 }
 
 TEST_F(BeforeAfterTest, FixedWhenTheFaultIsGone) {

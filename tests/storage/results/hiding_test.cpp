@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "storage/results/plant_rounds.hpp"
+#include "storage/results/report_database.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 /// What keeps faults from flagged_loop, and that this is shown.
@@ -10,6 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
+constexpr auto kHealthy = core::diagnosis::VerdictCode::healthy;
 using Rows = std::vector<std::vector<std::string>>;
 
 class HidingTest : public ViewsTest {
@@ -28,6 +30,7 @@ class HidingTest : public ViewsTest {
             1e-6,
             {member("a", "source"), member("b", "victim"), member("c", "cascade_slave")}};
   }
+  [[nodiscard]] ReportDatabase report() const { return ReportDatabase(settings_for(*database)); }
   void round(int hours, std::vector<PlantEvent> events) const {
     PlantRounds(settings_for(*database)).store({slot(hours), 1, 9, 3, std::move(events)});
   }
@@ -116,6 +119,70 @@ TEST_F(HidingTest, AnAnnotationAboutAnotherVerdictHidesNothing) {
       " 'tight_tuning' FROM loopscope.loop");
   EXPECT_THAT(column("SELECT hidden_by FROM loopscope.hidden_loop"), IsEmpty());
   EXPECT_THAT(flagged(), ElementsAre("a"));
+}
+
+TEST_F(HidingTest, AnAcknowledgedFaultIsBackWhenTheWorkDidNotMendIt) {
+  tell({{.loop = "a"}});
+  database->execute(
+      "INSERT INTO loopscope.annotation (loop_id, kind, code) SELECT loop_id, 'acknowledged',"
+      " 'valve_stiction' FROM loopscope.loop;"
+      "UPDATE loopscope.annotation SET entered_at = '2026-01-01 01:30+00';"
+      "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description) SELECT "
+      "loop_id,"
+      " '2026-01-01 01:00+00', 'valve', 'before it was acknowledged' FROM loopscope.loop");
+  tell({{.loop = "a", .slot_hours = 4}});
+  EXPECT_THAT(flagged(), IsEmpty());
+  database->execute(
+      "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description) SELECT "
+      "loop_id,"
+      " '2026-01-01 05:30+00', 'valve', 'new packing' FROM loopscope.loop");
+  tell({{.loop = "a", .slot_hours = 6}});
+  EXPECT_THAT(flagged(), IsEmpty()) << "that window began before the work was done";
+  tell({{.loop = "a", .slot_hours = 8}});
+  EXPECT_THAT(flagged(), ElementsAre("a"));
+  EXPECT_THAT(column("SELECT state FROM loopscope.annotation_history"), ElementsAre("ended"));
+}
+
+TEST_F(HidingTest, VictimsAreBackWhenTheirSourceIsCalledFalse) {
+  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}});
+  round(1, {event()});
+  const std::string said =
+      "INSERT INTO loopscope.annotation (loop_id, kind, code) SELECT loop_id, 'false_positive', ";
+  database->execute(said + "'tight_tuning' FROM loopscope.loop WHERE name = 'a'");
+  EXPECT_THAT(flagged(), ElementsAre("a")) << "said of another verdict";
+  database->execute(said + "'valve_stiction' FROM loopscope.loop WHERE name = 'a'");
+  EXPECT_THAT(flagged(), UnorderedElementsAre("b", "c"));
+}
+
+TEST_F(HidingTest, IsToldOfEachLoop) {
+  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}, {.loop = "fine", .code = kHealthy}});
+  round(1, {event()});
+  database->execute(
+      "INSERT INTO loopscope.annotation (loop_id, kind) SELECT loop_id, 'acknowledged'"
+      " FROM loopscope.loop WHERE name IN ('b', 'fine')");
+  EXPECT_THAT(report().hidden_by(id("a")), IsEmpty());
+  EXPECT_THAT(report().hidden_by(id("fine")), IsEmpty()) << "there is nothing to hide";
+  const std::vector<HiddenRow> hidden = report().hidden_by(id("b"));
+  ASSERT_EQ(hidden.size(), 2U);
+  EXPECT_EQ(hidden[0].hidden_by, "victim");
+  EXPECT_EQ(hidden[0].plant_oscillation_number, 1);
+  EXPECT_EQ(hidden[0].source_name, "a");
+  EXPECT_EQ(hidden[0].author, "");
+  EXPECT_EQ(hidden[1].hidden_by, "acknowledged");
+  EXPECT_EQ(hidden[1].plant_oscillation_number, std::nullopt);
+  EXPECT_EQ(hidden[1].author, value("SELECT session_user"));
+  EXPECT_EQ(hidden[1].until_us, std::nullopt);
+  EXPECT_GT(hidden[1].entered_us, slot(0));
+}
+
+TEST_F(HidingTest, AnOldRoundNamesNoSource) {
+  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}});
+  round(1, {event()});
+  EXPECT_EQ(report().latest("a")->plant_oscillation_number, 1);
+  tell({{.loop = "a", .code = kHealthy, .slot_hours = 2}});
+  EXPECT_EQ(report().latest("a")->plant_oscillation_number, std::nullopt) << "healthy by now";
+  tell({{.loop = "a", .slot_hours = 2 + 7 * 24}});
+  EXPECT_EQ(report().latest("a")->plant_oscillation_number, std::nullopt) << "a week later";
 }
 
 }  // namespace

@@ -74,5 +74,14 @@ TEST_F(MaintenanceTest, WordsMayHoldAnyText) {
   EXPECT_EQ(log().list(odd)[0].entry.description, odd);
 }
 
+TEST_F(MaintenanceTest, WhatIsGivenTwiceIsRefused) {
+  add_loops({"a"});
+  const auto refused = log().add(std::vector{packing("a", 1), packing("a", 2), packing("a", 1)});
+  ASSERT_EQ(refused.size(), 1u);
+  EXPECT_EQ(refused[0].place, 2u);
+  EXPECT_EQ(refused[0].reason, MaintenanceRefusal::entered_already);
+  EXPECT_EQ(entered(), "0");
+}
+
 }  // namespace
 }  // namespace loopscope::storage

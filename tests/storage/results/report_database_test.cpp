@@ -31,15 +31,15 @@ class ReportDatabaseTest : public ViewsTest {
   void oscillate(const std::string& source, const std::string& victim) const {
     PlantRounds(settings_for(*database))
         .store({slot(1),
-                      1,
-                      9,
-                      2,
-                      {{40.0,
-                        id(source),
-                        source + " leads",
-                        0.001,
-                        {{id(victim), "victim", 0.25, 3.0, 0.5},
-                         {id(source), "source", 0.75, 0.0, std::nullopt}}}}});
+                1,
+                9,
+                2,
+                {{40.0,
+                  id(source),
+                  source + " leads",
+                  0.001,
+                  {{id(victim), "victim", 0.25, 3.0, 0.5},
+                   {id(source), "source", 0.75, 0.0, std::nullopt}}}}});
   }
 };
 
@@ -241,6 +241,14 @@ TEST_F(ReportDatabaseTest, EveryLoopAndWhyAFaultIsNotFlagged) {
   EXPECT_FALSE(loops["off"].enabled);
   EXPECT_EQ(loops["never"].code, std::nullopt);
   EXPECT_EQ(loops["never"].health, "never_analysed");
+}
+
+TEST_F(ReportDatabaseTest, FlaggedLoopsComeFirstOfAll) {
+  tell({{.loop = "a", .code = VerdictCode::healthy}, {.loop = "b"}, {.loop = "c"}});
+  std::vector<std::string> names;
+  for (const LoopRow& loop : report().loops()) names.push_back(loop.name);
+  EXPECT_THAT(names, ElementsAre("b", "c", "a"));
+  EXPECT_GT(report().now_us(), slot(0));
 }
 
 TEST_F(ReportDatabaseTest, IsOfOneMoment) {
