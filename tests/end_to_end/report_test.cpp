@@ -69,7 +69,7 @@ TEST(Report, WithoutTheHistorianTheStoredFiguresStand) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string page = content_of(folder + "/report.html");
   EXPECT_EQ(count(page, "<section class=\"loop\""), 2U);
-  EXPECT_THAT(page, HasSubstr("No pictures: the window could not be read again"));
+  EXPECT_THAT(page, HasSubstr("No pictures of the window: the window could not be read again"));
   EXPECT_THAT(page, HasSubstr("Valve stiction"));
   EXPECT_THAT(result.err, HasSubstr("note: 2 of them without pictures"));
 }
@@ -124,8 +124,8 @@ TEST(Report, TheDaemonWritesOneEverySoOftenAndKeepsAFew) {
   const std::filesystem::path folder = plant.folder() / "reports";
   std::filesystem::create_directories(folder);
   std::filesystem::path old = folder / "loopscope-2020-01-01T0000Z.html";
-  for (const char* name : {"loopscope-2020-01-01T0000Z.html", "loopscope-2020-01-02T0000Z.html",
-                           "notes.html"})
+  for (const char* name :
+       {"loopscope-2020-01-01T0000Z.html", "loopscope-2020-01-02T0000Z.html", "notes.html"})
     std::ofstream(folder / name) << "";
   plant.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.2},
       "daemon": {"http_address": ""},
