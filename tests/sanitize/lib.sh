@@ -2,7 +2,7 @@
 # The runs of tests/sanitize/run. Source this file from the top of the checkout, after
 # deploy/lib/build.sh.
 #
-#   sanitize_asan, sanitize_asan_short, sanitize_tsan   build and run; 1 when a test failed
+#   sanitize_asan, sanitize_asan_short, sanitize_asan_core, sanitize_tsan   build and run; 1 when a test failed
 #   sanitize_table                                      what was run, with figures
 
 # A report ends the test, so that none is overlooked.
@@ -46,13 +46,23 @@ sanitize_asan() {
     --tests-regex '^(core|config|daemon|storage|effects|fuzz|postgres)\.'
 }
 
-# Without the server the tests that need one are skipped, and counted as such in the table.
-sanitize_asan_short() {
-  local long
+# NAME ROOMS TARGET...: the tests of these rooms that are short and need no server; those that need
+# one are skipped, and counted as such in the table.
+_sanitize_short_tests() {
+  local name=$1 rooms=$2 long
+  shift 2
   long=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' tests/sanitize/long_tests | paste -sd '|')
-  _sanitize asan-short asan core_tests config_tests daemon_tests storage_tests fuzz_targets -- \
-    --tests-regex '^(core|config|daemon|storage|fuzz)\.' --fixture-exclude-any postgres \
+  _sanitize "$name" asan "$@" -- --tests-regex "^($rooms)\." --fixture-exclude-any postgres \
     ${long:+--exclude-regex "^($long)\$"}
+}
+
+sanitize_asan_short() {
+  _sanitize_short_tests asan-short 'core|config|daemon|storage|fuzz' \
+    core_tests config_tests daemon_tests storage_tests fuzz_targets
+}
+
+sanitize_asan_core() {
+  _sanitize_short_tests asan-core 'core|config' core_tests config_tests
 }
 
 sanitize_tsan() {
