@@ -20,8 +20,8 @@ bool blames_equipment(Fault fault) {
          fault == Fault::process;
 }
 
-/// With a source the others shake because it does. Where none is named, a loop that is tuned to
-/// swing may well be what shakes them.
+/// With a source the others shake because it does. Where none is named, a badly tuned loop may well
+/// be what shakes them.
 bool accounts_for(Fault fault, const SharedOscillation& event) {
   return blames_equipment(fault) || (fault == Fault::tuning && !event.source);
 }

@@ -34,7 +34,7 @@ LoopStory read_story(storage::ReportDatabase& database, const storage::FlaggedRo
   LoopStory story;
   story.row = row;
   story.history = database.history(row.loop_id, row.slot_end_us - kHistoryReachUs);
-  story.hidden = database.hidden_by(row.loop_id);
+  if (row.rank == 0) story.hidden = database.hidden_by(row.loop_id);  // a flagged one is not
   story.problems = database.data_problems(row.loop_id);
   story.repairs = database.repairs_of(row.loop_id);
   return story;

@@ -31,6 +31,13 @@ class HidingTest : public ViewsTest {
             {member("a", "source"), member("b", "victim"), member("c", "cascade_slave")}};
   }
   [[nodiscard]] ReportDatabase report() const { return ReportDatabase(settings_for(*database)); }
+  /// On every loop.
+  void work_done(const std::string& at) const {
+    database->execute(
+        "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description)"
+        " SELECT loop_id, '" +
+        at + "', 'valve', 'new packing' FROM loopscope.loop");
+  }
   void round(int hours, std::vector<PlantEvent> events) const {
     PlantRounds(settings_for(*database)).store({slot(hours), 1, 9, 3, std::move(events)});
   }
@@ -126,16 +133,11 @@ TEST_F(HidingTest, AnAcknowledgedFaultIsBackWhenTheWorkDidNotMendIt) {
   database->execute(
       "INSERT INTO loopscope.annotation (loop_id, kind, code) SELECT loop_id, 'acknowledged',"
       " 'valve_stiction' FROM loopscope.loop;"
-      "UPDATE loopscope.annotation SET entered_at = '2026-01-01 01:30+00';"
-      "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description) SELECT "
-      "loop_id,"
-      " '2026-01-01 01:00+00', 'valve', 'before it was acknowledged' FROM loopscope.loop");
+      "UPDATE loopscope.annotation SET entered_at = '2026-01-01 01:30+00'");
+  work_done("2026-01-01 01:00+00");
   tell({{.loop = "a", .slot_hours = 4}});
-  EXPECT_THAT(flagged(), IsEmpty());
-  database->execute(
-      "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description) SELECT "
-      "loop_id,"
-      " '2026-01-01 05:30+00', 'valve', 'new packing' FROM loopscope.loop");
+  EXPECT_THAT(flagged(), IsEmpty()) << "that work was done before it was acknowledged";
+  work_done("2026-01-01 05:30+00");
   tell({{.loop = "a", .slot_hours = 6}});
   EXPECT_THAT(flagged(), IsEmpty()) << "that window began before the work was done";
   tell({{.loop = "a", .slot_hours = 8}});
