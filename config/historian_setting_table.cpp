@@ -22,7 +22,7 @@ constexpr std::string_view kQualityRules[] = {"none",   "opcda", "opcda_exact", 
 constexpr std::string_view kNullMeanings[] = {"bad", "absent"};
 constexpr std::string_view kInterpolations[] = {"sample", "step", "linear"};
 
-const std::array kTable = {
+const std::array kHistorianSettings = {
     Setting{"/historians/*/name", in_historian<&HistorianSettings::name>, any(Form::text),
             "what loops refer to as their source; unique"},
     Setting{"/historians/*/preset", in_historian<&HistorianSettings::preset>,
@@ -151,7 +151,7 @@ const std::array kTable = {
 }  // namespace
 
 std::span<const Setting> historian_setting_table() {
-  return kTable;
+  return kHistorianSettings;
 }
 
 }  // namespace loopscope::config

@@ -64,7 +64,7 @@ constexpr double kFewestSamples = 512;
 /// A window this long holds a week at one sample in five seconds.
 constexpr double kMostSamples = 131072;
 
-constexpr std::array kTable = {
+constexpr std::array kOtherSettings = {
     Setting{"/results/connection", in_results<&ResultsSettings::connection>, any(Form::connection),
             "database of results, catalogue and schedule, as the worker"},
     Setting{
@@ -215,13 +215,13 @@ constexpr std::array kTable = {
 
 /// In the order of the documentation: the historians stand after the results.
 std::vector<Setting> whole_table() {
-  const auto after_results = std::find_if(kTable.begin(), kTable.end(), [](const Setting& setting) {
-    return !setting.path.starts_with("/results");
-  });
-  std::vector<Setting> table(kTable.begin(), after_results);
+  const auto after_results =
+      std::find_if(kOtherSettings.begin(), kOtherSettings.end(),
+                   [](const Setting& setting) { return !setting.path.starts_with("/results"); });
+  std::vector<Setting> table(kOtherSettings.begin(), after_results);
   const auto historians = historian_setting_table();
   table.insert(table.end(), historians.begin(), historians.end());
-  table.insert(table.end(), after_results, kTable.end());
+  table.insert(table.end(), after_results, kOtherSettings.end());
   return table;
 }
 

@@ -40,7 +40,7 @@ std::optional<hos::Result> behind_door(const signal::Samples& record, double ban
 }
 
 /// Sums of -ln p of each test over the records, and of how many.
-struct Evidence {
+struct DoorEvidence {
   std::array<double, kTests.size()> sum{};
   std::array<double, kTests.size()> count{};
 
@@ -70,7 +70,7 @@ void allow_for_door(const signal::Samples& error, double band, const hos::Settin
   const std::optional<hos::LinearModel> model = hos::LinearModel::fit(error);
   if (!model) return;
   std::mt19937_64 random(seed);
-  Evidence evidence;
+  DoorEvidence evidence;
   for (int i = 0; i < kRecords; ++i) {
     const auto seen = behind_door(model->draw(error, random), band, settings, random());
     if (seen) evidence.add(*seen);

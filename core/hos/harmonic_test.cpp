@@ -13,7 +13,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Segments below which the coherence has no freedom left.
-constexpr std::size_t kFewestSegments = 4;
+constexpr std::size_t kFewestForCoherence = 4;
 
 void divide_by(const SegmentLevels& levels, const HarmonicFilters& filters,
                HarmonicFilters::Amplitudes& amplitudes) {
@@ -61,7 +61,7 @@ std::optional<HarmonicStatistics> HarmonicTest::measure(std::span<const double> 
                                                         const SegmentLevels* levels,
                                                         const Kernels& kernels) const {
   HarmonicFilters::Amplitudes amplitudes = amplitudes_of(signal, filters_, kernels);
-  if (amplitudes.positions.size() < kFewestSegments) return std::nullopt;
+  if (amplitudes.positions.size() < kFewestForCoherence) return std::nullopt;
   if (levels != nullptr) divide_by(*levels, filters_, amplitudes);
   return HarmonicStatistics{period_, evidence_of(amplitudes, 2, second_correlation_),
                             evidence_of(amplitudes, 3, third_correlation_)};

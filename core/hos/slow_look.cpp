@@ -21,7 +21,7 @@ constexpr std::size_t kSegmentLength = 32;
 /// The slow look has few samples; a Hann window leaves something to gain up to three quarters.
 constexpr double kOverlap = 0.75;
 /// With fewer segments an average says nothing (as for the first look).
-constexpr std::size_t kFewestSegments = 15;
+constexpr std::size_t kFewestSlowSegments = 15;
 /// Half the segments of a full window: the spread of the mean bicoherence is twice that of the
 /// first look.
 constexpr std::size_t kWantedSegments = 60;
@@ -59,7 +59,7 @@ std::optional<SlowLook> look_slowly(std::span<const double> error, double period
   const Settings slow = slow_settings(settings);
   const std::size_t decimation = decimation_for(period_samples);
   const std::vector<double> kept = decimate(error, decimation);
-  if (segment_starts(kept, slow).size() < kFewestSegments) return std::nullopt;
+  if (segment_starts(kept, slow).size() < kFewestSlowSegments) return std::nullopt;
   std::optional<Result> result = analyse(kept, slow, seed);
   if (!result) return std::nullopt;
   return SlowLook{decimation, error.size(), std::move(*result)};

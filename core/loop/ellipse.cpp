@@ -11,7 +11,7 @@ namespace loopscope::core::loop {
 namespace {
 
 /// Below this the two signals do not belong to one oscillation.
-constexpr double kLeastCorrelation = 0.3;
+constexpr double kLeastOpPvCorrelation = 0.3;
 /// Five coefficients need more points than that by far.
 constexpr std::size_t kFewestPoints = 50;
 /// A plot thinner than this share of its length is a line: what width it has is rounding.
@@ -152,7 +152,7 @@ std::optional<EllipseFigures> measure_ellipse(std::span<const double> op,
                                               double period) {
   if (op_pv.values.empty()) return std::nullopt;
   const std::ptrdiff_t lag = best_lag(op_pv, period);
-  if (!(std::abs(op_pv.at(lag)) >= kLeastCorrelation)) return std::nullopt;
+  if (!(std::abs(op_pv.at(lag)) >= kLeastOpPvCorrelation)) return std::nullopt;
   Points points = collect_points(op, pv, lag);
   if (points.size() < kFewestPoints) return std::nullopt;
   const double span = op_span(points);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kPastNoise = 3;
 /// Ten standard deviations of an autocorrelation of 4096 white samples are 0.16; below 0.1 the
 /// fall to 1/e is lost in them.
-constexpr double kLeastCorrelation = 0.1;
+constexpr double kLeastAutocorrelation = 0.1;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ std::optional<double> error_memory_samples(std::span<const double> error) {
   if (longest <= kPastNoise) return std::nullopt;
   RealTransform transform(fast_length(error.size() + longest));
   const std::vector<double> r = autocorrelate(error, longest, transform);
-  if (r.size() <= kPastNoise || r[kPastNoise] < kLeastCorrelation) return std::nullopt;
+  if (r.size() <= kPastNoise || r[kPastNoise] < kLeastAutocorrelation) return std::nullopt;
   const auto forgotten = std::find_if(
       r.begin() + kPastNoise, r.end(),
       [limit = r[kPastNoise] * std::exp(-1.0)](double value) { return value <= limit; });

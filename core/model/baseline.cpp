@@ -64,7 +64,8 @@ std::vector<ProcessShape> distinct(const std::vector<ProcessStart>& starts, int 
 }
 
 /// Another structure, polished, if it earns its penalty; else the fit.
-Fit better(const LoopData& data, Fit fit, const Structure& other, int iterations, double penalty) {
+Fit the_better(const LoopData& data, Fit fit, const Structure& other, int iterations,
+               double penalty) {
   const double to_beat = error_after(data, fit.fit_error, penalty);
   Fit tried = polish(data, other, iterations, to_beat);
   return tried.fit_error < to_beat ? std::move(tried) : std::move(fit);
@@ -76,7 +77,7 @@ Fit try_delay_neighbours(const LoopData& data, Fit fit) {
     if (move < 0 && structure.process.delay_samples == 1) continue;
     structure.process.delay_samples =
         static_cast<std::size_t>(static_cast<long>(structure.process.delay_samples) + move);
-    fit = better(data, std::move(fit), structure, 3, 0.5);
+    fit = the_better(data, std::move(fit), structure, 3, 0.5);
   }
   return fit;
 }
@@ -88,7 +89,7 @@ Fit try_orders(const LoopData& data, Fit fit) {
   // Between rows that lie apart a second tap says nothing that the delay does not.
   if (!richer.two_taps && data.grid.every_sample()) {
     richer.two_taps = true;
-    fit = better(data, std::move(fit), richer, 5, std::log(count));
+    fit = the_better(data, std::move(fit), richer, 5, std::log(count));
     if (fit.structure.two_taps) fit = try_delay_neighbours(data, std::move(fit));
     richer = fit.structure;
   }
@@ -96,7 +97,7 @@ Fit try_orders(const LoopData& data, Fit fit) {
     const std::size_t order = fit.structure.noise.order;
     richer = fit.structure;
     richer.noise = extended(richer.noise, 0.7, 0.6);
-    fit = better(data, std::move(fit), richer, 8, 2.0 * std::log(count));
+    fit = the_better(data, std::move(fit), richer, 8, 2.0 * std::log(count));
     if (fit.structure.noise.order == order) break;
   }
   richer = fit.structure;

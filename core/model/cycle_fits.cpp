@@ -11,7 +11,7 @@ namespace {
 constexpr double kTravel = 3.4641;
 /// Bands S tried by the law, as shares of the travel: a geometric grid.
 constexpr double kLeastBand = 0.2;
-constexpr double kBandStep = 1.12;
+constexpr double kCycleBandStep = 1.12;
 constexpr int kBands = 18;
 constexpr std::array kLawJumps = {0.3, 0.9};
 constexpr std::array kTurningBands = {0.5, 0.8, 1.1, 1.5, 2.5};
@@ -101,7 +101,7 @@ CycleFits fit_cycle(const CycleRecord& record, const CycleBand& band, const Band
     fit.offer(behind_valve(run, stickband, jump, record, fits.turns, band), stickband, jump);
   };
   double stickband = kLeastBand * banded.travel;
-  for (int i = 0; i < kBands; ++i, stickband *= kBandStep) {
+  for (int i = 0; i < kBands; ++i, stickband *= kCycleBandStep) {
     for (const double jump : kLawJumps)
       offer(fits.law, run_from_first_turn, stickband, jump * stickband);
   }

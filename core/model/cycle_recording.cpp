@@ -14,11 +14,11 @@ namespace {
 
 using signal::Samples;
 
-constexpr std::size_t kFewestSamples = 128;
+constexpr std::size_t kFewestForCycle = 128;
 constexpr double kMostMissing = 0.4;
 /// Kept samples that are judged in one go; longer records are judged in three parts.
 constexpr std::size_t kLongestRecord = 1500;
-constexpr std::size_t kParts = 3;
+constexpr std::size_t kRecordParts = 3;
 constexpr std::size_t kPartLength = 600;
 
 Samples bridged(std::span<const double> values) {
@@ -68,7 +68,7 @@ CycleRecording cycle_recording(std::span<const double> pv, std::span<const doubl
 
 std::string unusable(const CycleRecording& recording) {
   const std::size_t samples = recording.pv.size();
-  if (samples < kFewestSamples) return "Too few samples.";
+  if (samples < kFewestForCycle) return "Too few samples.";
   const double recorded = signal::measure_spread(recording.recorded)->mean;
   if (recorded < 1.0 - kMostMissing) return "Too much is missing.";
   if (stands_still(recording.pv) || stands_still(recording.op)) return "pv or op stands still.";
@@ -78,7 +78,7 @@ std::string unusable(const CycleRecording& recording) {
 std::vector<CycleRecord> parts_of(const CycleRecording& recording, const CycleBand& band) {
   const std::size_t samples = recording.pv.size();
   const bool whole = samples / band.factor() <= kLongestRecord;
-  const std::size_t parts = whole ? 1 : kParts;
+  const std::size_t parts = whole ? 1 : kRecordParts;
   const std::size_t length = whole ? samples : kPartLength * band.factor();
   std::vector<CycleRecord> result;
   for (std::size_t i = 0; i < parts; ++i) {

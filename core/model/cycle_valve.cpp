@@ -13,7 +13,7 @@ namespace {
 /// rounded. The score's own log odds count half: both witnesses see the same cycle.
 constexpr double kShapeWeight = 0.5;
 constexpr double kBandWeight = 5.5;
-constexpr double kPrior = -2.3;
+constexpr double kPriorLogOdds = -2.3;
 /// A band of op's whole travel leaves nothing to add.
 constexpr double kWidestShare = 1.0;
 /// Noise turns op too, and its turns line up with themselves to about a half.
@@ -38,7 +38,7 @@ bool cycles_by_itself(const CycleEvidence& cycle, const ModelInput& input) {
 }
 
 /// Its first parameter is the band.
-bool is_valve(const Step& step) {
+bool has_band(const Step& step) {
   return is_valve_hysteresis(step.effect) && !step.parameters.empty();
 }
 
@@ -53,19 +53,19 @@ void mark_as_stuck(Step& step, const CycleEvidence& cycle) {
 }  // namespace
 
 double odds_that_valve_cycles(const CycleCause& cause, double band_percent) {
-  if (!(cause.evidence.travel > 0.0)) return kPrior;
+  if (!(cause.evidence.travel > 0.0)) return kPriorLogOdds;
   const double share = std::min(band_percent / cause.evidence.travel, kWidestShare);
-  return kShapeWeight * log_odds(cause.score) + kBandWeight * share + kPrior;
+  return kShapeWeight * log_odds(cause.score) + kBandWeight * share + kPriorLogOdds;
 }
 
 void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps) {
-  if (std::ranges::none_of(steps, is_valve)) return;
+  if (std::ranges::none_of(steps, has_band)) return;
   const CycleCause cause = judge_limit_cycle(input.pv, input.op, input.sp);
   if (cause.decision == CycleCause::Decision::undecided) return;
   const bool cycles = cycles_by_itself(cause.evidence, input);
   const bool steadily = cause.evidence.op_coherence >= kRepeats && !setpoint_moves(input);
   for (Step& step : steps) {
-    if (!is_valve(step)) continue;
+    if (!has_band(step)) continue;
     const double odds = odds_that_valve_cycles(cause, step.parameters.front().value);
     const bool play = step.effect == EffectKind::valve_deadband;
     if (play && odds > 0.0 && cycles) mark_as_stuck(step, cause.evidence);

@@ -13,8 +13,8 @@ namespace {
 
 /// Points of a half cycle: nine to a cycle of the seventh harmonic.
 constexpr std::size_t kPoints = 32;
-constexpr std::size_t kFewest = 4;
-constexpr double kShortest = 3.0;
+constexpr std::size_t kFewestHalves = 4;
+constexpr double kShortestHalf = 3.0;
 using HalfCycle = std::array<double, kPoints>;
 
 HalfCycle draw(std::span<const double> signal, double from, double length) {
@@ -102,13 +102,13 @@ std::optional<MeanHalfCycle> mean_half_cycle(std::span<const double> signal,
   for (std::size_t i = 1; i < turns.size(); ++i) {
     const auto from = static_cast<double>(turns[i - 1].sample);
     const double length = static_cast<double>(turns[i].sample) - from;
-    if (length < kShortest) continue;
+    if (length < kShortestHalf) continue;
     const HalfCycle drawn = draw(signal, from, length);
     for (std::size_t p = 0; p < kPoints; ++p) mean[p] += turns[i - 1].direction * drawn[p];
     squares += square(drawn);
     ++count;
   }
-  if (count < kFewest || !(squares > 0.0)) return std::nullopt;
+  if (count < kFewestHalves || !(squares > 0.0)) return std::nullopt;
   const double coherence = square(mean) / (static_cast<double>(count) * squares);
   return MeanHalfCycle{coherence, third_harmonic_of(mean)};
 }
@@ -128,7 +128,7 @@ std::optional<double> triangle_share(std::span<const double> signal, double peri
     sum += sine / (sine + triangle);
     ++count;
   }
-  if (count < kFewest) return std::nullopt;
+  if (count < kFewestHalves) return std::nullopt;
   return sum / static_cast<double>(count);
 }
 

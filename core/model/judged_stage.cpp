@@ -7,11 +7,10 @@
 #include <utility>
 
 #include "core/model/simulation_error.hpp"
+#include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::model {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 template <class Value>
 void mark(const std::vector<Range>& ranges, const std::vector<Value>& from,
@@ -66,14 +65,14 @@ double mean_square(const std::vector<double>& values, const std::vector<bool>& c
     sum += values[k] * values[k];
     ++count;
   }
-  return count == 0 ? kNaN : sum / static_cast<double>(count);
+  return count == 0 ? signal::kMissing : sum / static_cast<double>(count);
 }
 
 }  // namespace
 
 TraceStage judged_stage(std::span<const double> measured, LoopData data, const Judged& judged) {
   data.rows = judged.rows;
-  const std::vector<double> none(measured.size(), kNaN);
+  const std::vector<double> none(measured.size(), signal::kMissing);
   TraceStage stage{{}, none, none, none, std::vector<bool>(measured.size(), false), 0.0, 0.0};
   const std::vector<double> errors = unseen_errors(judged);
   const std::vector<double> simulated = simulated_rows(data, judged.fit.fit);
@@ -82,7 +81,7 @@ TraceStage judged_stage(std::span<const double> measured, LoopData data, const J
     const bool at_row = k == data.grid.sample_of(row);
     const double error = at_row ? data.pv_scale * errors[row] : 0.0;
     stage.one_step_prediction[k] = measured[k] - error;
-    stage.one_step_residual[k] = at_row && std::isnan(measured[k]) ? kNaN : error;
+    stage.one_step_residual[k] = at_row && std::isnan(measured[k]) ? signal::kMissing : error;
     stage.simulated[k] = simulated[row];
     stage.held_out[k] = counts[row] && !std::isnan(measured[data.grid.sample_of(row)]);
   });

@@ -8,10 +8,10 @@ namespace loopscope::core::model {
 namespace {
 
 /// Four moves for each part, so that leaving one out leaves a fit.
-constexpr std::size_t kLeastMoves = 4 * kParts;
+constexpr std::size_t kLeastFittedMoves = 4 * kParts;
 /// A term counts when it stands this many standard errors from zero in sixteen parts (p about
 /// 0.001) and moves op by more than rounding could.
-constexpr double kSignificant = 4.0;
+constexpr double kSignificantErrors = 4.0;
 constexpr double kLeastContribution = 1e-4;
 
 /// Coefficients of `terms`; the others are 0.
@@ -51,7 +51,7 @@ MoveFit fit_moves(const ControllerMoves& recorded, std::size_t span, std::ptrdif
     fit.parts[static_cast<std::size_t>(static_cast<double>(move.at) * parts_per_sample)].add(move);
     ++fit.moves;
   });
-  if (fit.moves < kLeastMoves) return fit;
+  if (fit.moves < kLeastFittedMoves) return fit;
   for (const Sums& part : fit.parts) fit.all.add(part, 1.0);
   refit(fit, terms);
   return fit;
@@ -72,7 +72,7 @@ double standard_error(const MoveFit& fit, const Terms& terms, int term) {
 bool counts(const MoveFit& fit, const Terms& terms, int term) {
   const double c = fit.coefficients[term];
   return c * c * fit.all.seen(term, term) > kLeastContribution * fit.all.op &&
-         std::abs(c) > kSignificant * standard_error(fit, terms, term);
+         std::abs(c) > kSignificantErrors * standard_error(fit, terms, term);
 }
 
 }  // namespace loopscope::core::model

@@ -11,11 +11,11 @@ constexpr std::size_t kOwnLags = 8;
 constexpr std::size_t kMoveLags = 8;
 constexpr std::size_t kTerms = kOwnLags + kMoveLags;
 
-using Vector = Eigen::Matrix<double, kTerms, 1>;
-using Matrix = Eigen::Matrix<double, kTerms, kTerms>;
+using TermsVector = Eigen::Matrix<double, kTerms, 1>;
+using TermsMatrix = Eigen::Matrix<double, kTerms, kTerms>;
 
-Vector past(const std::vector<double>& op, const std::vector<double>& r, std::size_t k) {
-  Vector terms;
+TermsVector past(const std::vector<double>& op, const std::vector<double>& r, std::size_t k) {
+  TermsVector terms;
   for (std::size_t lag = 1; lag <= kOwnLags; ++lag) terms[static_cast<long>(lag - 1)] = r[k - lag];
   for (std::size_t lag = 1; lag <= kMoveLags; ++lag) {
     terms[static_cast<long>(kOwnLags + lag - 1)] = op[k - lag] - op[k - lag - 1];
@@ -27,18 +27,19 @@ Vector past(const std::vector<double>& op, const std::vector<double>& r, std::si
 
 double noise_floor(const LoopData& data, const Fit& fit) {
   const std::vector<double> op = at_rows(data.grid, data.op);
-  Matrix normal = Matrix::Zero();
-  Vector right = Vector::Zero();
+  TermsMatrix normal = TermsMatrix::Zero();
+  TermsVector right = TermsVector::Zero();
   for (const Range& range : data.rows.fit) {
     for (std::size_t k = std::max(range.first, kOwnLags + 1); k < range.end; ++k) {
-      const Vector terms = past(op, fit.innovations, k);
+      const TermsVector terms = past(op, fit.innovations, k);
       normal.selfadjointView<Eigen::Lower>().rankUpdate(terms);
       right += terms * fit.innovations[k];
     }
   }
   normal.diagonal() *= 1.0 + 1e-9;
   normal.diagonal().array() += 1e-300;
-  const Vector weights = Matrix(normal.selfadjointView<Eigen::Lower>()).ldlt().solve(right);
+  const TermsVector weights =
+      TermsMatrix(normal.selfadjointView<Eigen::Lower>()).ldlt().solve(right);
   double sum = 0.0;
   for (const Range& range : data.rows.score) {
     for (std::size_t k = std::max(range.first, kOwnLags + 1); k < range.end; ++k) {

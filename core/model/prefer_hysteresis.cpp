@@ -16,7 +16,7 @@ bool jumps(const Step& step) {
   return step.effect == EffectKind::load_step;
 }
 
-bool is_valve(const Step& step) {
+bool has_hysteresis(const Step& step) {
   return is_valve_hysteresis(step.effect);
 }
 
@@ -36,12 +36,12 @@ double explained(const std::vector<Step>& steps, bool (*counts)(const Step&)) {
 /// story takes in, which explain more than the law does, and nothing else but what they leave of
 /// a gain that seems to change.
 bool most_slips_pass_for_jumps(const std::vector<Step>& steps) {
-  constexpr std::ptrdiff_t kAll = 3;
+  constexpr std::ptrdiff_t kMostSlips = 3;
   const auto belongs = [](const Step& step) {
-    return is_valve(step) || jumps(step) || step.effect == EffectKind::gain_change;
+    return has_hysteresis(step) || jumps(step) || step.effect == EffectKind::gain_change;
   };
-  return std::ranges::count_if(steps, jumps) >= kAll && std::ranges::all_of(steps, belongs) &&
-         explained(steps, jumps) > explained(steps, is_valve);
+  return std::ranges::count_if(steps, jumps) >= kMostSlips && std::ranges::all_of(steps, belongs) &&
+         explained(steps, jumps) > explained(steps, has_hysteresis);
 }
 
 /// Nine to one, in the units of `margin`.
@@ -61,7 +61,7 @@ void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& first
                        const std::vector<Answer>& left, std::size_t op_turns,
                        Explanation& explanation) {
   const bool few_strokes = op_turns <= kFewStrokes;
-  const bool named = !few_strokes && std::ranges::any_of(explanation.steps, is_valve);
+  const bool named = !few_strokes && std::ranges::any_of(explanation.steps, has_hysteresis);
   std::optional<Step> step;
   if (!named || most_slips_pass_for_jumps(explanation.steps))
     step = find_hysteresis(input, first, op_turns);

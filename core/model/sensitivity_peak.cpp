@@ -7,10 +7,10 @@
 namespace loopscope::core::model {
 namespace {
 
-/// Frequencies of the sensitivity from kLowest pi to pi, evenly in their logarithm: 4 % apart, so
-/// that a peak of damping 0.02 is met before it is refined to 1e-5 of its frequency.
+/// Frequencies of the sensitivity from kLowestFrequency pi to pi, evenly in their logarithm: 4 %
+/// apart, so that a peak of damping 0.02 is met before it is refined to 1e-5 of its frequency.
 constexpr int kFrequencies = 180;
-constexpr double kLowest = 1e-3;
+constexpr double kLowestFrequency = 1e-3;
 constexpr int kRefinements = 20;
 
 double sensitivity(const SampledProcess& process, const ControllerLaw& law, double w) {
@@ -20,9 +20,9 @@ double sensitivity(const SampledProcess& process, const ControllerLaw& law, doub
 }  // namespace
 
 SensitivityPeak find_sensitivity_peak(const SampledProcess& process, const ControllerLaw& law) {
-  const double step = -std::log(kLowest) / (kFrequencies - 1);
+  const double step = -std::log(kLowestFrequency) / (kFrequencies - 1);
   const auto frequency = [&](double place) {
-    return std::numbers::pi * kLowest * std::exp(step * place);
+    return std::numbers::pi * kLowestFrequency * std::exp(step * place);
   };
   const auto at = [&](double place) { return sensitivity(process, law, frequency(place)); };
   int best = 0;

@@ -6,20 +6,20 @@ namespace loopscope::core::model {
 namespace {
 
 constexpr int kDriftTerms = 4;
-using Vector = Eigen::Matrix<double, kDriftTerms, 1>;
-using Matrix = Eigen::Matrix<double, kDriftTerms, kDriftTerms>;
+using DriftVector = Eigen::Matrix<double, kDriftTerms, 1>;
+using DriftMatrix = Eigen::Matrix<double, kDriftTerms, kDriftTerms>;
 
-Vector drift_at(std::size_t k, std::size_t n) {
+DriftVector drift_at(std::size_t k, std::size_t n) {
   const double t = 2.0 * static_cast<double>(k) / static_cast<double>(n) - 1.0;
   return {1.0, t, t * t, t * t * t};
 }
 
-Vector drift_of(const std::vector<double>& left, const std::vector<Range>& rows) {
-  Matrix normal = Matrix::Zero();
-  Vector right = Vector::Zero();
+DriftVector drift_of(const std::vector<double>& left, const std::vector<Range>& rows) {
+  DriftMatrix normal = DriftMatrix::Zero();
+  DriftVector right = DriftVector::Zero();
   for (const Range& range : rows) {
     for (std::size_t k = range.first; k < range.end; ++k) {
-      const Vector terms = drift_at(k, left.size());
+      const DriftVector terms = drift_at(k, left.size());
       normal += terms * terms.transpose();
       right += terms * left[k];
     }
@@ -32,7 +32,7 @@ Vector drift_of(const std::vector<double>& left, const std::vector<Range>& rows)
 std::vector<double> simulation_residual(const LoopData& data, const Fit& fit) {
   std::vector<double> left = deterministic_output(data, fit);
   for (std::size_t k = 0; k < left.size(); ++k) left[k] = data.pv[k] - left[k];
-  const Vector drift = drift_of(left, data.rows.fit);
+  const DriftVector drift = drift_of(left, data.rows.fit);
   for (std::size_t k = 0; k < left.size(); ++k) left[k] -= drift.dot(drift_at(k, left.size()));
   return left;
 }

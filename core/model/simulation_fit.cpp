@@ -9,11 +9,11 @@ namespace loopscope::core::model {
 namespace {
 
 /// From "answers within a sample" to half a cycle; slower processes integrate within the band.
-constexpr std::array kLags = {0.0, 1.0, 3.0, 8.0, kIntegratingLag};
+constexpr std::array kProcessLags = {0.0, 1.0, 3.0, 8.0, kIntegratingLag};
 /// Delays grow denser towards 0, where most processes lie.
 constexpr std::array<std::size_t, 8> kDelays = {0, 1, 2, 4, 6, 8, 11, 15};
 constexpr double kBlockCycles = 2.0;
-constexpr std::size_t kShortestBlock = 20;
+constexpr std::size_t kShortestSimulatedBlock = 20;
 
 double error_of(double pv_square, double gain, double cross, double square) {
   return pv_square - 2.0 * gain * cross + gain * gain * square;
@@ -28,7 +28,8 @@ SimulationFit::SimulationFit(const CycleBand& band, std::span<const double> pv,
       pv_(pv),
       weights_(weights),
       gain_sign_(gain_sign),
-      block_(std::max(kShortestBlock, static_cast<std::size_t>(kBlockCycles * band.period()))) {
+      block_(std::max(kShortestSimulatedBlock,
+                      static_cast<std::size_t>(kBlockCycles * band.period()))) {
   // pv never answers op within the same sample: a fit without delay finds the controller.
   const std::size_t least = band.factor() > 1 ? 0 : 1;
   for (const std::size_t delay : kDelays) {
@@ -97,7 +98,7 @@ void SimulationFit::compare(const std::array<Sums, 2>& sums, SimulatedProcess pr
 }
 
 void SimulationFit::offer(std::span<const double> input, double stickband, double slip_jump) {
-  for (const double lag : kLags) {
+  for (const double lag : kProcessLags) {
     const std::vector<double> response = respond(lag, input);
     for (const std::size_t delay : delays_) {
       compare(sums(response, delay), {lag, delay, 0.0, stickband, slip_jump});

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kFewestMeans = 40;
 /// Lags of up to a hundred means, delays of up to three: a lag that the linear rival lacks looks
 /// like a valve that comes late.
-constexpr std::array kPoles = {0.0, 0.6, 0.85, 0.95, 0.99};
-constexpr std::array<std::size_t, 3> kDelays = {0, 1, 3};
+constexpr std::array kMeanPoles = {0.0, 0.6, 0.85, 0.95, 0.99};
+constexpr std::array<std::size_t, 3> kMeanDelays = {0, 1, 3};
 constexpr std::array kJumps = {0.0, 0.2, 0.5, 1.0};
 
 std::vector<double> means_of(std::span<const double> values) {
@@ -97,8 +97,8 @@ Share share_of(const std::vector<double>& pv, const std::vector<double>& flow, d
 
 Share best_share(const std::vector<double>& pv, const std::vector<double>& flow) {
   Share best;
-  for (const double pole : kPoles) {
-    for (const std::size_t delay : kDelays) {
+  for (const double pole : kMeanPoles) {
+    for (const std::size_t delay : kMeanDelays) {
       const Share share = share_of(pv, flow, pole, delay);
       if (share.fitted > best.fitted) best = share;
     }

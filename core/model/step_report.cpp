@@ -7,8 +7,8 @@ namespace loopscope::core::model {
 namespace {
 
 /// The record is cut in so many parts, on each of which the effect is fitted again.
-constexpr std::size_t kParts = 4;
-/// 95th percentile of Student's t with kParts - 1 degrees of freedom, over the root of kParts.
+constexpr std::size_t kRefits = 4;
+/// 95th percentile of Student's t with kRefits - 1 degrees of freedom, over the root of kRefits.
 constexpr double kHalfWidth = 2.353 / 2.0;
 
 std::vector<Parameter> parameters_of(const LoopData& data, const Fit& fit, std::size_t place) {
@@ -28,7 +28,7 @@ std::vector<Range> within(const std::vector<Range>& ranges, Range part) {
 /// The last effect's parameters on one part of the record, the rest of the model as it is.
 std::vector<Parameter> on_part(const LoopData& data, const Fit& fit, std::size_t part) {
   LoopData piece = data;
-  const Range range{part * data.size() / kParts, (part + 1) * data.size() / kParts};
+  const Range range{part * data.size() / kRefits, (part + 1) * data.size() / kRefits};
   piece.rows.fit = within(data.rows.fit, range);
   const auto others = within(data.rows.score, range);
   piece.rows.fit.insert(piece.rows.fit.end(), others.begin(), others.end());
@@ -45,14 +45,14 @@ bool has_parts(EffectKind kind) {
 
 void add_spread(const LoopData& data, const Fit& fit, std::vector<Parameter>& parameters) {
   std::vector<std::vector<Parameter>> parts;
-  for (std::size_t part = 0; part < kParts; ++part) parts.push_back(on_part(data, fit, part));
+  for (std::size_t part = 0; part < kRefits; ++part) parts.push_back(on_part(data, fit, part));
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     double square = 0.0;
     for (const auto& part : parts) {
       if (i >= part.size()) return;
       square += (part[i].value - parameters[i].value) * (part[i].value - parameters[i].value);
     }
-    const double half = kHalfWidth * std::sqrt(square / static_cast<double>(kParts - 1));
+    const double half = kHalfWidth * std::sqrt(square / static_cast<double>(kRefits - 1));
     parameters[i].low = parameters[i].value - half;
     parameters[i].high = parameters[i].value + half;
   }

@@ -23,17 +23,17 @@ bool is_bend(const Contestant& trial) {
 }
 
 /// One shape that a bend may have, and what it has to gain on another to be believed.
-struct Shape {
+struct BendShape {
   EffectPtr effect;
   double price = 0.0;
 };
 
-std::vector<Shape> shapes_of(const LoopData& data, const Contestant& trial) {
+std::vector<BendShape> shapes_of(const LoopData& data, const Contestant& trial) {
   const EffectPtr& effect = trial.fit.fit.structure.effects.back();
   if (trial.kind() == EffectKind::valve_saturation) return {{effect, 0.0}};
   if (trial.kind() == EffectKind::process_nonlinearity) return {{effect, kPriceOfTwoShapes}};
   const bool simple = dynamic_cast<const ExponentialTrim*>(effect.get()) != nullptr;
-  std::vector<Shape> shapes{{effect, simple ? 0.0 : kPriceOfAnS}};
+  std::vector<BendShape> shapes{{effect, simple ? 0.0 : kPriceOfAnS}};
   for (const EffectPtr& trim : nominate_trims(data)) shapes.push_back({trim, 0.0});
   return shapes;
 }
@@ -58,7 +58,7 @@ Structure best_start(const LoopData& all, const std::vector<Contestant*>& rivals
 double least_misfit(const LoopData& all, const std::vector<Contestant*>& rivals,
                     const Contestant& trial) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Shape& shape : shapes_of(all, trial)) {
+  for (const BendShape& shape : shapes_of(all, trial)) {
     const Structure structure = best_start(all, rivals, shape.effect);
     least = std::min(least, misfit(all, structure) + shape.price);
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCycles = 6.0;
 /// A picture of a hand's width tells so many samples apart.
-constexpr double kShortest = 200.0;
+constexpr double kShortestStretch = 200.0;
 constexpr double kLongest = 600.0;
 
 double six_cycles(std::span<const double> op) {
@@ -49,7 +49,8 @@ std::size_t middle_of(std::span<const double> gain, std::size_t length) {
 
 Range telling_stretch(std::span<const double> op, std::span<const double> gain,
                       std::size_t fewest) {
-  const auto asked = static_cast<std::size_t>(std::clamp(six_cycles(op), kShortest, kLongest));
+  const auto asked =
+      static_cast<std::size_t>(std::clamp(six_cycles(op), kShortestStretch, kLongest));
   const std::size_t length = std::min(gain.size(), std::max(asked, fewest));
   const std::size_t middle = middle_of(gain, length);
   const std::size_t from = std::min(middle - std::min(middle, length / 2), gain.size() - length);

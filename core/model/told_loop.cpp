@@ -13,7 +13,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kFewestSamples = 400;
+constexpr std::size_t kFewestForModel = 400;
 /// Sums of fourth powers of larger values would no longer be finite.
 constexpr double kLargestValue = 1e70;
 
@@ -31,7 +31,7 @@ bool fittable(const ModelInput& input) {
     if (std::isfinite(input.pv[k]) && std::isfinite(input.op[k])) ++both;
     if (std::isinf(input.pv[k]) || std::isinf(input.op[k])) return false;
   }
-  return both >= kFewestSamples && varies(input.pv) && varies(input.op);
+  return both >= kFewestForModel && varies(input.pv) && varies(input.op);
 }
 
 /// `fewest` rows of each kind.

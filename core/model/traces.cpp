@@ -10,11 +10,10 @@
 #include "core/model/telling_stretch.hpp"
 #include "core/model/told_loop.hpp"
 #include "core/model/witness_simulation.hpp"
+#include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::model {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TraceStage named(TraceStage stage, EffectKind effect) {
   stage.effect = effect;
@@ -40,7 +39,7 @@ double mean_square(const std::vector<double>& values) {
     sum += value * value;
     count += 1.0;
   }
-  return count > 0.0 ? sum / count : kNaN;
+  return count > 0.0 ? sum / count : signal::kMissing;
 }
 
 void put_simulation(std::span<const double> measured, std::vector<double> simulated,
@@ -77,7 +76,7 @@ class Stages {
 
   [[nodiscard]] TraceStage seen_by_witness() const {
     TraceStage stage;
-    stage.one_step_error = stage.simulation_error = kNaN;
+    stage.one_step_error = stage.simulation_error = signal::kMissing;
     if (witness_) put_simulation(input_.pv, witness_->valve, stage);
     return stage;
   }

@@ -11,7 +11,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kParts = 8;
+constexpr std::size_t kSteadinessParts = 8;
 
 double sum_of_squares(const std::vector<double>& values, const Range& range) {
   double sum = 0.0;
@@ -19,18 +19,19 @@ double sum_of_squares(const std::vector<double>& values, const Range& range) {
   return sum;
 }
 
-struct Sums {
+struct ErrorSums {
   double before = 0.0, after = 0.0;
   std::size_t rows = 0;
-  std::array<double, kParts> part_before{}, part_after{};
+  std::array<double, kSteadinessParts> part_before{}, part_after{};
 };
 
 void add_up(const LoopData& data, const std::vector<Range>& rows, const Fit& before,
-            const Fit& after, Sums& sums) {
+            const Fit& after, ErrorSums& sums) {
   for (const Range& range : rows) {
     const double a = sum_of_squares(before.innovations, range);
     const double b = sum_of_squares(after.innovations, range);
-    const std::size_t part = std::min(kParts - 1, range.first * kParts / data.size());
+    const std::size_t part =
+        std::min(kSteadinessParts - 1, range.first * kSteadinessParts / data.size());
     sums.before += a;
     sums.after += b;
     sums.part_before[part] += a;
@@ -66,7 +67,7 @@ TwinFit twin(const LoopData& data, Fit fit) {
 }
 
 Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& after, bool once) {
-  Sums sums;
+  ErrorSums sums;
   add_up(data, data.rows.score, before.fit, after.fit, sums);
   // Rows that both have seen count once.
   if (!once)
@@ -78,8 +79,9 @@ Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& a
   result.after = sums.after / n;
   result.evidence = n * std::log(result.before / result.after);
   result.p = std::min(1.0, std::exp(-0.5 * result.evidence));
-  for (std::size_t part = 0; part < kParts; ++part) {
-    result.steadiness += sums.part_after[part] < sums.part_before[part] ? 1.0 / kParts : 0.0;
+  for (std::size_t part = 0; part < kSteadinessParts; ++part) {
+    result.steadiness +=
+        sums.part_after[part] < sums.part_before[part] ? 1.0 / kSteadinessParts : 0.0;
   }
   return result;
 }

@@ -12,7 +12,7 @@ constexpr std::array<ValveMove, 6> kAnyMove = {
     {{1.0, 0.0}, {-1.0, 0.0}, {0.0, 4.0}, {0.0, -4.0}, {1.0, 4.0}, {-1.0, -4.0}}};
 constexpr std::array<ValveMove, 2> kBandMoves = {{{1.0, 0.0}, {-1.0, 0.0}}};
 constexpr int kRounds = 3;
-constexpr double kLowest = 0.88;
+constexpr double kLowestFactor = 0.88;
 constexpr double kHighest = 1.2;
 constexpr double kScanStep = 1.006;
 
@@ -75,7 +75,7 @@ Trial best_band_around(const ValveRecords& records, ValveRecords::Entry& entry,
   Trial best;
   best.valve = trial.valve;
   best.tracked = trial.tracked;
-  for (double factor = kLowest; factor < kHighest; factor *= kScanStep) {
+  for (double factor = kLowestFactor; factor < kHighest; factor *= kScanStep) {
     Valve valve = trial.valve;
     valve.stickband_percent *= factor;
     valve.slip_jump_percent *= factor;

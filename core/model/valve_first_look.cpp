@@ -9,25 +9,25 @@ namespace {
 
 /// Law and J / S of the first look. Once positions are put right J is nearly flat, but for He's
 /// valve, which a wrong J leads astray at every slip.
-struct Shape {
+struct ValveShape {
   ValveLaw law;
   double jump_share;
 };
-constexpr std::array<Shape, 9> kShapes = {{{ValveLaw::choudhury, 0.1},
-                                           {ValveLaw::choudhury, 0.6},
-                                           {ValveLaw::kano, 0.1},
-                                           {ValveLaw::kano, 0.5},
-                                           {ValveLaw::kano, 1.0},
-                                           {ValveLaw::he, 0.1},
-                                           {ValveLaw::he, 0.4},
-                                           {ValveLaw::he, 0.7},
-                                           {ValveLaw::he, 1.0}}};
-constexpr std::array<Shape, 3> kFirstShapes = {
+constexpr std::array<ValveShape, 9> kShapes = {{{ValveLaw::choudhury, 0.1},
+                                                {ValveLaw::choudhury, 0.6},
+                                                {ValveLaw::kano, 0.1},
+                                                {ValveLaw::kano, 0.5},
+                                                {ValveLaw::kano, 1.0},
+                                                {ValveLaw::he, 0.1},
+                                                {ValveLaw::he, 0.4},
+                                                {ValveLaw::he, 0.7},
+                                                {ValveLaw::he, 1.0}}};
+constexpr std::array<ValveShape, 3> kFirstShapes = {
     {{ValveLaw::kano, 0.1}, {ValveLaw::kano, 0.7}, {ValveLaw::choudhury, 0.4}}};
 
 /// Of op's span: below this a valve hides in any record's noise.
 constexpr double kSmallestBand = 0.03;
-constexpr double kBandStep = 1.08;
+constexpr double kFineBandStep = 1.08;
 constexpr double kFirstStep = 1.25;
 /// Samples to a row: fast processes need every sample, slow noisy ones show in means.
 constexpr std::size_t kFirstRowLength = 2;
@@ -50,14 +50,14 @@ bool is_any(const Trial&) {
   return true;
 }
 
-Valve valve_of(const Shape& shape, double band) {
+Valve valve_of(const ValveShape& shape, double band) {
   return {shape.law, band, shape.jump_share * band, 1.0};
 }
 
 std::vector<double> bands_of(const ValveRecords& records) {
   std::vector<double> bands;
   for (double band = kSmallestBand * records.op_span(); band < records.op_span();
-       band *= kBandStep) {
+       band *= kFineBandStep) {
     if (std::isfinite(period_of(records, valve_of(kShapes[0], band)))) {
       bands.push_back(band);
     }
@@ -92,7 +92,7 @@ void try_widely(ValveRecords& records, FirstLook& look) {
       continue;
     }
     next = band * kFirstStep;
-    for (const Shape& shape : kFirstShapes) {
+    for (const ValveShape& shape : kFirstShapes) {
       try_alone(records, kFirstRowLength, valve_of(shape, band), 1, look.trials);
     }
   }
@@ -123,7 +123,7 @@ void try_every_law(ValveRecords& records, FirstLook& look) {
   std::erase_if(look.trials,
                 [&](const Trial& trial) { return trial.samples_per_row != look.samples_per_row; });
   for (const double band : look.bands) {
-    for (const Shape& shape : kShapes) {
+    for (const ValveShape& shape : kShapes) {
       if (followed(shape.law == ValveLaw::choudhury ? printed : others, band)) {
         look.trials.push_back(judge(records, entry, valve_of(shape, band), entry.model, 1));
       }

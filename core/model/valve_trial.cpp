@@ -9,12 +9,12 @@ namespace {
 constexpr double kNearBand = 0.1;  ///< in logarithms
 /// Rows between corrections, about a cycle: twice the lags, so that a lane's effect is seen; short
 /// enough that a slip missed in a slow cycle is not carried on.
-constexpr double kShortestStretch = 24.0;
-constexpr double kLongestStretch = 64.0;
+constexpr double kFewestRowsBetween = 24.0;
+constexpr double kMostRowsBetween = 64.0;
 
 std::size_t stretch(double period, std::size_t samples_per_row) {
   const double cycle = period / static_cast<double>(samples_per_row);
-  return static_cast<std::size_t>(std::clamp(cycle, kShortestStretch, kLongestStretch));
+  return static_cast<std::size_t>(std::clamp(cycle, kFewestRowsBetween, kMostRowsBetween));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace loopscope::core::plant {
 namespace {
 
-constexpr std::size_t kFewestPairs = 64;
+constexpr std::size_t kFewestPoints = 64;
 /// Points of the first look, which spares the full correlation for all but one pair in thousands.
 constexpr std::size_t kGlancePoints = 48;
 constexpr double kGlanceCorrelation = 0.5;  // at no lag
@@ -66,7 +66,7 @@ bool moves(std::span<const double> series) {
     const bool known = std::isfinite(series[k]) && std::isfinite(series[k - 1]);
     if (known && series[k] != series[k - 1]) ++count;
   }
-  return count >= kFewestPairs;
+  return count >= kFewestPoints;
 }
 
 /// A setpoint and an output at common times.
@@ -77,7 +77,7 @@ struct Comparison {
   double still = 0.0;   ///< pairs at which the setpoint had not moved
 
   [[nodiscard]] bool is_one_signal() const {
-    return pairs >= static_cast<double>(kFewestPairs) && 2.0 * still < pairs &&
+    return pairs >= static_cast<double>(kFewestPoints) && 2.0 * still < pairs &&
            std::abs(moves) >= kMovesCorrelation && levels * moves > 0.0;
   }
 };
@@ -164,7 +164,7 @@ CascadePair best_lag(const Pairing& pairing, std::size_t stride) {
 /// setpoint is not that output.
 std::optional<CascadePair> match(std::span<const MemberLoop> loops, std::size_t s, std::size_t m) {
   const Pairing pairing(loops[s], loops[m]);
-  if (pairing.points() < kFewestPairs) return std::nullopt;
+  if (pairing.points() < kFewestPoints) return std::nullopt;
   const std::size_t stride = glance_stride(pairing.points());
   if (std::abs(pairing.compare(0.0, stride).levels) < kGlanceCorrelation) return std::nullopt;
   if (std::abs(best_lag(pairing, stride).correlation) < kSecondGlance) return std::nullopt;

@@ -7,7 +7,7 @@
 namespace loopscope::core::plant {
 namespace {
 
-constexpr std::size_t kFewestPairs = 8;
+constexpr std::size_t kFewestRanked = 8;
 constexpr double kSmallest = 1e-300;
 
 /// Continued fraction of the incomplete beta function (Lentz's method; Abramowitz and Stegun
@@ -55,7 +55,7 @@ double fisher_p(std::span<const double> p) {
 }
 
 double correlation_p(std::span<const double> x, std::span<const double> y) {
-  if (x.size() < kFewestPairs) return 1.0;
+  if (x.size() < kFewestRanked) return 1.0;
   const double mx = mean_of(x), my = mean_of(y);
   double xx = 0.0, yy = 0.0, xy = 0.0;
   for (std::size_t k = 0; k < x.size(); ++k) {

@@ -5,12 +5,13 @@
 #include <limits>
 #include <numbers>
 
+#include "core/signal/loop_window.hpp"
+
 namespace loopscope::core::plant {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kWindowPeriods = 3.0;
 /// Of a window's weight; with less, gaps shape the amplitude more than the loop does.
 constexpr double kLeastRecorded = 0.7;
@@ -27,7 +28,7 @@ struct Sums {
 
   /// With the window's own mean taken off, which matters where samples are missing.
   [[nodiscard]] Complex amplitude() const {
-    if (!(weight >= kLeastRecorded * full)) return {kNaN, kNaN};
+    if (!(weight >= kLeastRecorded * full)) return {signal::kMissing, signal::kMissing};
     return (rotated - value / weight * rotation) / weight;
   }
 };
@@ -44,7 +45,8 @@ class Demodulator {
   [[nodiscard]] Complex amplitude_at(double time_s) const {
     const double from = std::ceil((time_s - half_s_ - start_s_) / interval_s_);
     const double to = std::floor((time_s + half_s_ - start_s_) / interval_s_);
-    if (from < 0.0 || to >= static_cast<double>(error_.size())) return {kNaN, kNaN};
+    if (from < 0.0 || to >= static_cast<double>(error_.size()))
+      return {signal::kMissing, signal::kMissing};
     const double offset_s = start_s_ + from * interval_s_ - time_s;
     Complex phase = turn(cycles(start_s_ + from * interval_s_));
     Complex taper = std::polar(1.0, std::numbers::pi * offset_s / half_s_);
@@ -84,7 +86,7 @@ class Demodulator {
 }  // namespace
 
 std::complex<double> Envelope::at(std::int64_t point) const {
-  if (point < first || point >= end()) return {kNaN, kNaN};
+  if (point < first || point >= end()) return {signal::kMissing, signal::kMissing};
   return points[static_cast<std::size_t>(point - first)];
 }
 

@@ -9,21 +9,21 @@
 
 #include "core/plant/chances.hpp"
 #include "core/plant/own_past.hpp"
+#include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::plant {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t kFewestPoints = 8;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kFewestKnown = 8;
 
 bool known(Complex z) {
   return std::isfinite(z.real()) && std::abs(z) > 0.0;
 }
 
 std::vector<double> phase_steps(const Envelope& envelope) {
-  std::vector<double> steps(envelope.points.size(), kNaN);
+  std::vector<double> steps(envelope.points.size(), signal::kMissing);
   for (std::size_t k = 1; k < steps.size(); ++k) {
     const Complex turn = envelope.points[k] * std::conj(envelope.points[k - 1]);
     if (known(turn)) steps[k] = std::arg(turn);
@@ -32,9 +32,9 @@ std::vector<double> phase_steps(const Envelope& envelope) {
 }
 
 std::vector<double> magnitudes(const Envelope& envelope) {
-  std::vector<double> sizes(envelope.points.size(), kNaN);
+  std::vector<double> sizes(envelope.points.size(), signal::kMissing);
   std::ranges::transform(envelope.points, sizes.begin(),
-                         [](Complex z) { return known(z) ? std::abs(z) : kNaN; });
+                         [](Complex z) { return known(z) ? std::abs(z) : signal::kMissing; });
   return sizes;
 }
 
@@ -117,7 +117,7 @@ InStep compare(const Wander& one, const Wander& other) {
   InStep result;
   const Products products = multiply(one.envelope, other.envelope);
   result.points = products.at.size();
-  if (result.points < kFewestPoints) return result;
+  if (result.points < kFewestKnown) return result;
   result.frequency_p = std::min(1.0, slowest_turn(products));
   result.phase_p = together_p(one, other, &Wander::phase);
   result.amplitude_p = together_p(one, other, &Wander::amplitude);

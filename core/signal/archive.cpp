@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/signal/between_rows.hpp"
+#include "core/signal/median.hpp"
 #include "core/signal/sort_values.hpp"
 #include "core/signal/spread.hpp"
 
@@ -24,8 +25,6 @@ constexpr double kEvidence = 7.0;
 /// And so many times those that were seen: below the hundredth of a smooth distribution a hundredth
 /// is expected.
 constexpr double kMoreThanSeen = 5.0;
-/// Share of normal values within x times their median magnitude is 0.54 x for small x.
-constexpr double kDensity = 0.54;
 /// A band that is less than so many steps of the grid of values cannot be told from the grid.
 constexpr double kStepsInBand = 2.5;
 /// Spacings of a slower scan are equal but for a few.
@@ -66,7 +65,7 @@ std::optional<double> lower_edge(std::vector<double> sizes) {
   const auto count = static_cast<double>(sizes.size());
   const double exceptions = std::floor(kExceptions * count);
   const double edge = sizes[static_cast<std::size_t>(exceptions)];
-  const double expected = count * kDensity * edge / sizes[sizes.size() / 2];
+  const double expected = count * kNormalDensityAtZero * edge / sizes[sizes.size() / 2];
   if (!(expected >= kEvidence + kMoreThanSeen * exceptions)) return std::nullopt;
   return edge;
 }

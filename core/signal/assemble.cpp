@@ -6,10 +6,10 @@
 #include <numbers>
 #include <span>
 
+#include "core/signal/microseconds.hpp"
+
 namespace loopscope::core::signal {
 namespace {
-
-constexpr double kMicrosecondsPerSecond = 1e6;
 
 Samples align_if_recorded(const RawSeries& rows, const Grid& grid, Hold hold) {
   return rows.empty() ? Samples{} : align(rows, grid, hold);

@@ -9,11 +9,11 @@
 
 #include "core/signal/grid.hpp"
 #include "core/signal/median.hpp"
+#include "core/signal/microseconds.hpp"
 
 namespace loopscope::core::signal {
 namespace {
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 /// Spacings that differ from the usual one by less are at it: stamps are rounded.
 constexpr double kRounding = 1e-3;
 /// So large a share of the spacings at the usual interval leaves no doubt about it.

@@ -11,8 +11,6 @@
 namespace loopscope::core::signal {
 namespace {
 
-/// Share of normal values within x times their median magnitude is 0.54 x for small x.
-constexpr double kDensity = 0.54;
 /// What the grid explains, with room for signals that are not normal, and a hundredth for chance.
 constexpr double kExplained = 3.0;
 constexpr double kChance = 0.01;
@@ -24,7 +22,7 @@ constexpr std::size_t kClippedRuns = 3;
 /// on a line that was rounded to the grid.
 constexpr double kRoundingSteps = 2.5;
 /// Rounding of the line itself, relative to the values.
-constexpr double kRelativeRounding = 1e-11;
+constexpr double kLineRounding = 1e-11;
 
 /// Marks by a rule, and how many samples it could be asked of.
 struct Marks {
@@ -47,7 +45,7 @@ bool worth_a_look(const Marks& marks) {
 bool beyond_chance(const Marks& marks, double resolution) {
   const double usual = median_of(marks.others);
   if (marks.asked == 0 || !(resolution < kCoarse * usual)) return false;
-  const double expected = kExplained * kDensity * resolution / usual + kChance;
+  const double expected = kExplained * kNormalDensityAtZero * resolution / usual + kChance;
   return static_cast<double>(marks.count) > expected * static_cast<double>(marks.asked);
 }
 
@@ -129,7 +127,7 @@ Samples without_collinear(const Samples& pv) {
   const Limits limits(pv, *spread);
   const double size = std::max(std::abs(spread->low), std::abs(spread->high));
   const auto tolerance_of = [size](std::optional<double> step) {
-    return kRoundingSteps * step.value_or(0.0) + kRelativeRounding * size;
+    return kRoundingSteps * step.value_or(0.0) + kLineRounding * size;
   };
   // A tolerance that is too wide marks more: where even so there are too few, none is looked for.
   const std::optional<double> at_most = smallest_neighbour_step(pv);

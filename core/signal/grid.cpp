@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "core/signal/median.hpp"
+#include "core/signal/microseconds.hpp"
 
 namespace loopscope::core::signal {
 namespace {
-
-constexpr double kMicrosecondsPerSecond = 1e6;
 
 /// a - b for a >= b: the difference always fits into the unsigned type.
 std::uint64_t distance(std::int64_t a, std::int64_t b) {

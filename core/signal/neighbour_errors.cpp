@@ -9,7 +9,7 @@
 namespace loopscope::core::signal {
 namespace {
 
-constexpr std::size_t kReach = 2;
+constexpr std::size_t kNeighbours = 2;
 
 /// Keeps the equations of a signal without noise solvable; no weight in any other.
 constexpr double kRidge = 1e-9;
@@ -28,7 +28,7 @@ Row row_at(const Samples& samples, std::size_t k, double mean) {
 
 bool touches(const std::vector<bool>& suspect, std::size_t k) {
   if (suspect.empty()) return false;
-  for (std::size_t i = k - kReach; i <= k + kReach; ++i) {
+  for (std::size_t i = k - kNeighbours; i <= k + kNeighbours; ++i) {
     if (suspect[i]) return true;
   }
   return false;
@@ -68,7 +68,7 @@ class Normal {
 
 std::optional<Weights> fit(const Samples& samples, const std::vector<bool>& suspect, double mean) {
   Normal normal;
-  for (std::size_t k = kReach; k + kReach < samples.size(); ++k) {
+  for (std::size_t k = kNeighbours; k + kNeighbours < samples.size(); ++k) {
     const Row row = row_at(samples, k, mean);
     if (std::isfinite(row.middle + row.near + row.far) && !touches(suspect, k)) normal.add(row);
   }
@@ -83,7 +83,7 @@ std::vector<double> neighbour_errors(const Samples& samples, const std::vector<b
   if (!spread || spread->constant()) return errors;
   const std::optional<Weights> weights = fit(samples, suspect, spread->mean);
   if (!weights) return errors;
-  for (std::size_t k = kReach; k + kReach < samples.size(); ++k) {
+  for (std::size_t k = kNeighbours; k + kNeighbours < samples.size(); ++k) {
     const Row row = row_at(samples, k, spread->mean);
     const double error = row.middle - weights->near * row.near - weights->far * row.far;
     if (std::isfinite(error)) errors[k] = error;

@@ -10,7 +10,7 @@ namespace loopscope::core::signal {
 namespace {
 
 /// Fewer are done with by comparisons at once.
-constexpr std::size_t kFewest = 100;
+constexpr std::size_t kFewestForBands = 100;
 /// So that a band holds a handful of a window's values.
 constexpr std::size_t kBands = 1024;
 
@@ -48,7 +48,7 @@ class Bands {
 
 double order_statistic(std::span<const double> values, std::size_t rank) {
   const Bands bands(values);
-  if (values.size() < kFewest || !bands.usable()) {
+  if (values.size() < kFewestForBands || !bands.usable()) {
     return select({values.begin(), values.end()}, rank);
   }
   std::array<std::uint32_t, kBands> counts{};

@@ -14,7 +14,7 @@
 namespace loopscope::core::signal {
 namespace {
 
-constexpr std::size_t kReach = 2;
+constexpr std::size_t kBeside = 2;
 constexpr double kFarOff = 10.0;
 /// 61 of 4096: room for the 40 that a bad day of a transmitter gives.
 constexpr double kMostSpikes = 0.015;
@@ -53,8 +53,8 @@ double median_of_five(const double* v) {
 /// Distance of sample k from the median of its five neighbours (itself included); 0 at the ends and
 /// beside gaps, where there is too little to compare with.
 double distance_at(const Samples& samples, std::size_t k) {
-  if (k < kReach || k + kReach >= samples.size()) return 0.0;
-  const double* const near = &samples[k - kReach];
+  if (k < kBeside || k + kBeside >= samples.size()) return 0.0;
+  const double* const near = &samples[k - kBeside];
   const double middle = median_of_five(near);
   const double sum = near[0] + near[1] + near[2] + near[3] + near[4];
   return std::isnan(sum) ? 0.0 : std::abs(samples[k] - middle);

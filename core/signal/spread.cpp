@@ -13,7 +13,7 @@ namespace {
 
 /// Differences below this share of a value's size are rounding: conversions from text and scaling
 /// leave a few units in the last place of a double (2e-16).
-constexpr double kRelativeRounding = 1e-12;
+constexpr double kValueRounding = 1e-12;
 
 std::vector<double> recorded(std::span<const double> samples) {
   std::vector<double> values(samples.size());
@@ -88,14 +88,14 @@ Spread spread_of(std::span<const double> values) {
 
 /// Distance of two values, 0 where it is no more than their rounding.
 double step_between(double low, double high) {
-  const double rounding = kRelativeRounding * std::max(std::abs(high), std::abs(low));
+  const double rounding = kValueRounding * std::max(std::abs(high), std::abs(low));
   return high - low > rounding ? high - low : 0.0;
 }
 
 }  // namespace
 
 bool Spread::constant() const {
-  return high - low <= kRelativeRounding * std::max(std::abs(low), std::abs(high));
+  return high - low <= kValueRounding * std::max(std::abs(low), std::abs(high));
 }
 
 std::optional<Spread> measure_spread(std::span<const double> samples) {

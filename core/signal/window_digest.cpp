@@ -37,11 +37,11 @@ class WordHash {
   }
 
   [[nodiscard]] std::string hexadecimal() const {
-    constexpr std::string_view kDigits = "0123456789abcdef";
+    constexpr std::string_view kHexDigits = "0123456789abcdef";
     WordHash last = *this;
     for (int round = 0; round < 2; ++round) last.add(std::uint64_t{0});
     std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(last.hash_ >> shift) & 0xF];
+    for (int shift = 60; shift >= 0; shift -= 4) text += kHexDigits[(last.hash_ >> shift) & 0xF];
     return text;
   }
 

@@ -30,13 +30,13 @@ std::vector<double> narrow_band(std::size_t samples, std::uint64_t seed, double 
 }
 
 std::vector<double> two_sinusoids(std::size_t samples, std::uint64_t seed, double square) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kCycle_rad = 2.0 * std::numbers::pi;
   GaussianSource noise(seed);
   std::vector<double> signal(samples);
   for (std::size_t k = 0; k < samples; ++k) {
     const auto time = static_cast<double>(k);
-    const double x = std::sin(kTurn * 0.12 * time + std::numbers::pi / 3.0) +
-                     std::sin(kTurn * 0.30 * time + std::numbers::pi / 8.0);
+    const double x = std::sin(kCycle_rad * 0.12 * time + std::numbers::pi / 3.0) +
+                     std::sin(kCycle_rad * 0.30 * time + std::numbers::pi / 8.0);
     signal[k] = x + square * x * x + 0.2 * noise.next();
   }
   return signal;

@@ -25,12 +25,12 @@ struct AnnotateOptions {
   std::string config, loop, code, until, reason;
 };
 
-using Options = std::shared_ptr<AnnotateOptions>;
+using SharedAnnotateOptions = std::shared_ptr<AnnotateOptions>;
 
 constexpr const char* kAnyCode = "any";
 
-struct Opened {
-  explicit Opened(const AnnotateOptions& options)
+struct AnnotationWork {
+  explicit AnnotationWork(const AnnotateOptions& options)
       : connection(owner_connection(config::read_settings(options.config))),
         annotations(connection) {
     if (options.loop.empty()) return;
@@ -88,7 +88,7 @@ std::int64_t parse_until(const std::string& text) {
   return *until;
 }
 
-void say(Opened& opened, const storage::Annotation& annotation) {
+void say(AnnotationWork& opened, const storage::Annotation& annotation) {
   const std::optional<std::size_t> replaced = opened.annotations.add(annotation);
   if (!replaced) {
     throw Failure(ExitCode::usage,
@@ -101,7 +101,7 @@ void say(Opened& opened, const storage::Annotation& annotation) {
 
 void annotate_verdict(const AnnotateOptions& options, const char* kind) {
   require_loop_option(options);
-  Opened opened(options);
+  AnnotationWork opened(options);
   say(opened, {options.loop, kind, verdict_meant(options, opened.annotations), std::nullopt,
                options.reason, "", 0});
 }
@@ -120,7 +120,7 @@ void suppress(const AnnotateOptions& options) {
   if (options.reason.empty()) {
     throw Failure(ExitCode::usage, "--reason is empty", "say why, for those who ask later");
   }
-  Opened opened(options);
+  AnnotationWork opened(options);
   require_known(options.code, opened.annotations.fault_codes());
   const bool any = options.code.empty() || options.code == kAnyCode;
   say(opened, {options.loop, "suppressed", any ? std::nullopt : std::optional(options.code),
@@ -129,7 +129,7 @@ void suppress(const AnnotateOptions& options) {
 
 void withdraw(const AnnotateOptions& options) {
   require_loop_option(options);
-  Opened opened(options);
+  AnnotationWork opened(options);
   const bool all = options.code.empty() || options.code == kAnyCode;
   const std::size_t count =
       opened.annotations.withdraw(options.loop, all ? std::nullopt : std::optional(options.code));
@@ -141,7 +141,7 @@ void withdraw(const AnnotateOptions& options) {
 }
 
 void list(const AnnotateOptions& options) {
-  Opened opened(options);
+  AnnotationWork opened(options);
   std::vector<storage::Annotation> annotations = opened.annotations.in_force();
   if (!options.loop.empty()) {
     std::erase_if(annotations, [&](const storage::Annotation& annotation) {
@@ -152,19 +152,20 @@ void list(const AnnotateOptions& options) {
 }
 
 CLI::App& add_action(CLI::App& annotate, const char* name, const char* description,
-                     const Options& options, void (*carry_out)(const AnnotateOptions&)) {
+                     const SharedAnnotateOptions& options,
+                     void (*carry_out)(const AnnotateOptions&)) {
   CLI::App& command = *annotate.add_subcommand(name, description);
   command.fallthrough();
   command.callback([options, carry_out] { carry_out(*options); });
   return command;
 }
 
-void add_code(CLI::App& command, const Options& options, const char* without) {
+void add_code(CLI::App& command, const SharedAnnotateOptions& options, const char* without) {
   command.add_option("--code", options->code,
                      fmt::format("Verdict that it is about, or any (default: {})", without));
 }
 
-CLI::Option* add_reason(CLI::App& command, const Options& options) {
+CLI::Option* add_reason(CLI::App& command, const SharedAnnotateOptions& options) {
   return command.add_option("--reason", options->reason, "Why, for those who ask later");
 }
 

@@ -10,6 +10,7 @@
 
 #include "config/read_settings.hpp"
 #include "core/signal/base_interval.hpp"
+#include "core/signal/microseconds.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/catalogue/tag_roles.hpp"
 #include "daemon/commands/commands.hpp"
@@ -79,8 +80,8 @@ CatalogueEntry entry_for(const ImportOptions& options, const config::Settings& s
 std::int64_t end_time(const ImportOptions& options, const CatalogueEntry& entry,
                       std::int64_t now_us, double settle_s) {
   if (options.end.empty()) {
-    constexpr double kMicrosecondsPerSecond = 1e6;
-    const auto settle_us = static_cast<std::int64_t>(settle_s * kMicrosecondsPerSecond);
+    const auto settle_us =
+        static_cast<std::int64_t>(settle_s * core::signal::kMicrosecondsPerSecond);
     return floor_to_period(now_us - settle_us, entry.period_s);
   }
   if (const auto time = parse_time(options.end)) return *time;

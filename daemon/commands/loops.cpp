@@ -29,14 +29,14 @@ struct LoopsOptions {
   std::map<std::string, std::string> fields;  ///< field name -> text, as given on the command line
 };
 
-using Options = std::shared_ptr<LoopsOptions>;
+using SharedLoopsOptions = std::shared_ptr<LoopsOptions>;
 
-struct Opened {
+struct OpenCatalogue {
   config::Settings settings;
   storage::Catalogue catalogue;
 };
 
-Opened open(const LoopsOptions& options) {
+OpenCatalogue open(const LoopsOptions& options) {
   config::Settings settings = config::read_settings(options.config);
   storage::ConnectionSettings connection = owner_connection(settings);
   return {std::move(settings), storage::Catalogue(connection)};
@@ -51,7 +51,7 @@ CatalogueEntry defaults_of(const config::Settings& settings) {
 }
 
 void list(const LoopsOptions& options) {
-  Opened opened = open(options);
+  OpenCatalogue opened = open(options);
   std::cout << fmt::format("{:<28} {:<9} {:<12} {:>9} {:>9} {:>10}  {}\n", "name", "enabled",
                            "type", "interval", "period", "importance", "pv tag");
   for (const CatalogueEntry& entry : opened.catalogue.list()) {
@@ -65,11 +65,12 @@ void list(const LoopsOptions& options) {
 }
 
 void export_csv(const LoopsOptions& options) {
-  Opened opened = open(options);
+  OpenCatalogue opened = open(options);
   write_csv(options.file, catalogue_csv(opened.catalogue.list()));
 }
 
-void require_known_sources(const Opened& opened, const std::vector<CatalogueEntry>& entries) {
+void require_known_sources(const OpenCatalogue& opened,
+                           const std::vector<CatalogueEntry>& entries) {
   for (const CatalogueEntry& entry : entries) {
     static_cast<void>(find_historian(opened.settings, entry.source));
   }
@@ -77,7 +78,7 @@ void require_known_sources(const Opened& opened, const std::vector<CatalogueEntr
 
 void load_csv(const LoopsOptions& options) {
   const CsvTable table = read_csv(options.file);
-  Opened opened = open(options);
+  OpenCatalogue opened = open(options);
   const auto entries =
       parse_catalogue(table, defaults_of(opened.settings), opened.catalogue.list());
   require_known_sources(opened, entries);
@@ -107,7 +108,7 @@ void apply_fields(const LoopsOptions& options, CatalogueEntry& entry) {
 }
 
 void add_loop(const LoopsOptions& options) {
-  Opened opened = open(options);
+  OpenCatalogue opened = open(options);
   CatalogueEntry entry = defaults_of(opened.settings);
   entry.name = options.names.front();
   if (opened.catalogue.find(entry.name)) {
@@ -126,7 +127,7 @@ Failure no_such_loop(const std::string& name) {
 }
 
 void set_fields(const LoopsOptions& options) {
-  Opened opened = open(options);
+  OpenCatalogue opened = open(options);
   std::optional<CatalogueEntry> entry = opened.catalogue.find(options.names.front());
   if (!entry) throw no_such_loop(options.names.front());
   apply_fields(options, *entry);
@@ -136,7 +137,7 @@ void set_fields(const LoopsOptions& options) {
 }
 
 void switch_loops(const LoopsOptions& options, bool enabled) {
-  Opened opened = open(options);
+  OpenCatalogue opened = open(options);
   for (const std::string& name : options.names) {
     if (!opened.catalogue.find(name)) throw no_such_loop(name);
   }
@@ -144,7 +145,7 @@ void switch_loops(const LoopsOptions& options, bool enabled) {
   std::cout << fmt::format("{} {} loops\n", enabled ? "enabled" : "disabled", count);
 }
 
-void add_field_options(CLI::App& command, const Options& options) {
+void add_field_options(CLI::App& command, const SharedLoopsOptions& options) {
   for (const EntryField& field : entry_fields()) {
     if (field.name == "name") continue;
     command.add_option_function<std::string>(
@@ -157,7 +158,7 @@ void add_field_options(CLI::App& command, const Options& options) {
 }
 
 CLI::App& add_action(CLI::App& loops, const char* name, const char* description,
-                     const Options& options, void (*carry_out)(const LoopsOptions&)) {
+                     const SharedLoopsOptions& options, void (*carry_out)(const LoopsOptions&)) {
   CLI::App& command = *loops.add_subcommand(name, description);
   command.fallthrough();
   command.callback([options, carry_out] { carry_out(*options); });
@@ -165,7 +166,7 @@ CLI::App& add_action(CLI::App& loops, const char* name, const char* description,
 }
 
 void add_edit_action(CLI::App& loops, const char* name, const char* description,
-                     const Options& options, void (*carry_out)(const LoopsOptions&)) {
+                     const SharedLoopsOptions& options, void (*carry_out)(const LoopsOptions&)) {
   CLI::App& command = add_action(loops, name, description, options, carry_out);
   command.add_option("NAME", options->names, "Loop")->required()->expected(1);
   add_field_options(command, options);

@@ -31,7 +31,7 @@ struct MaintenanceOptions {
   std::string file;
 };
 
-using Options = std::shared_ptr<MaintenanceOptions>;
+using SharedMaintenanceOptions = std::shared_ptr<MaintenanceOptions>;
 
 storage::ConnectionSettings connection(const MaintenanceOptions& options) {
   return owner_connection(config::read_settings(options.config));
@@ -108,14 +108,15 @@ void list_work(const MaintenanceOptions& options) {
 }
 
 CLI::App& add_action(CLI::App& maintenance, const char* name, const char* description,
-                     const Options& options, void (*carry_out)(const MaintenanceOptions&)) {
+                     const SharedMaintenanceOptions& options,
+                     void (*carry_out)(const MaintenanceOptions&)) {
   CLI::App& command = *maintenance.add_subcommand(name, description);
   command.fallthrough();
   command.callback([options, carry_out] { carry_out(*options); });
   return command;
 }
 
-void add_enter(CLI::App& maintenance, const Options& options) {
+void add_enter(CLI::App& maintenance, const SharedMaintenanceOptions& options) {
   CLI::App& add = add_action(maintenance, "add", "Enters work on one loop", options, add_work);
   add.add_option("--loop", options->loop, "Loop")->required();
   add.add_option("--at", options->at,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/read_settings.hpp"
+#include "core/signal/microseconds.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/output/window_csv.hpp"
@@ -31,10 +32,10 @@ struct WindowOptions {
 /// The loop as a worker would hold it at the time from which the slot follows.
 storage::ClaimedLoop claim_at(const storage::CatalogueEntry& loop, std::int64_t end_us,
                               double settle_s) {
-  constexpr double kMicrosecondsPerSecond = 1e6;
   storage::ClaimedLoop claim;
   claim.loop = loop;
-  claim.database_now_us = end_us + static_cast<std::int64_t>(settle_s * kMicrosecondsPerSecond);
+  claim.database_now_us =
+      end_us + static_cast<std::int64_t>(settle_s * core::signal::kMicrosecondsPerSecond);
   return claim;
 }
 

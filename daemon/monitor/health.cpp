@@ -8,12 +8,13 @@
 namespace loopscope::daemon {
 namespace {
 
-constexpr std::size_t kMostBytes = 512;
+constexpr std::size_t kMostReasonBytes = 512;
 
 HealthAnswer answer(const std::vector<std::string>& reasons) {
   if (reasons.empty()) return {true, "ok\n"};
   HealthAnswer answer{false, ""};
-  for (const std::string& reason : reasons) answer.text += plain_line(reason, kMostBytes) + '\n';
+  for (const std::string& reason : reasons)
+    answer.text += plain_line(reason, kMostReasonBytes) + '\n';
   return answer;
 }
 

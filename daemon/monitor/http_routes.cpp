@@ -36,8 +36,8 @@ HttpAnswer HttpRoutes::answer(const std::string& method, const HttpRequest& requ
   try {
     return (*handler)(request);
   } catch (const std::exception& error) {
-    constexpr std::size_t kMostBytes = 200;
-    spdlog::error("HTTP: {}: {}", plain_line(request.path, kMostBytes), error.what());
+    constexpr std::size_t kMostPathBytes = 200;
+    spdlog::error("HTTP: {}: {}", plain_line(request.path, kMostPathBytes), error.what());
     return {500, "this failed: the log says why\n"};
   }
 }

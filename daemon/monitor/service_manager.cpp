@@ -15,8 +15,8 @@ void notify(const std::string& state) {
 
 /// A line break in the text would begin another assignment.
 std::string status_line(const std::string& text) {
-  constexpr std::size_t kMostBytes = 512;
-  return "STATUS=" + plain_line(text, kMostBytes);
+  constexpr std::size_t kMostStatusBytes = 512;
+  return "STATUS=" + plain_line(text, kMostStatusBytes);
 }
 
 }  // namespace

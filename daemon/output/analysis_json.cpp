@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "daemon/output/json_number.hpp"
 #include "daemon/output/model_json.hpp"
 
 namespace loopscope::daemon {
@@ -9,14 +10,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json input_json(const InputFacts& input) {
   return {{"file", input.file},
           {"samples", input.samples},
-          {"interval_s", or_null(input.interval_s)},
+          {"interval_s", number_or_null(input.interval_s)},
           {"start", input.start},
           {"end", input.end}};
 }
@@ -26,20 +23,21 @@ Json quality_json(const core::signal::DataQuality& quality) {
           {"reason", quality.usable ? Json(nullptr) : Json(quality.reason)},
           {"flags", quality.flags},
           {"repeated_times", quality.repeated_times},
-          {"missing_fraction", or_null(quality.missing_fraction)},
-          {"frozen_fraction", or_null(quality.frozen_fraction)},
-          {"drawn_fraction", or_null(quality.drawn_fraction)},
+          {"missing_fraction", number_or_null(quality.missing_fraction)},
+          {"frozen_fraction", number_or_null(quality.frozen_fraction)},
+          {"drawn_fraction", number_or_null(quality.drawn_fraction)},
           {"archive", core::signal::name(quality.archive)},
           {"refusals", quality.refusals},
-          {"compression_factor", or_null(quality.compression_factor)},
-          {"quantisation_factor", or_null(quality.quantisation_factor)},
-          {"saturated_fraction", or_null(quality.saturated_fraction)}};
+          {"compression_factor", number_or_null(quality.compression_factor)},
+          {"quantisation_factor", number_or_null(quality.quantisation_factor)},
+          {"saturated_fraction", number_or_null(quality.saturated_fraction)}};
 }
 
 Json peaks_json(const std::vector<core::hos::Peak>& peaks) {
   Json list = Json::array();
   for (const core::hos::Peak& peak : peaks) {
-    list.push_back({{"f1", peak.f1}, {"f2", peak.f2}, {"bic2", peak.bic2}, {"p", or_null(peak.p)}});
+    list.push_back(
+        {{"f1", peak.f1}, {"f2", peak.f2}, {"bic2", peak.bic2}, {"p", number_or_null(peak.p)}});
   }
   return list;
 }
@@ -56,10 +54,10 @@ Json hos_json(const core::hos::Result& hos) {
           {"published", {{"gaussian", hos.published.gaussian}, {"linear", hos.published.linear}}},
           {"skewness", hos.skewness},
           {"excess_kurtosis", hos.excess_kurtosis},
-          {"ngi_p", or_null(hos.ngi_p)},
-          {"nli_p", or_null(hos.nli_p)},
-          {"cubic_p", or_null(hos.cubic_p)},
-          {"nonlinear_p", or_null(hos.nonlinear_p)},
+          {"ngi_p", number_or_null(hos.ngi_p)},
+          {"nli_p", number_or_null(hos.nli_p)},
+          {"cubic_p", number_or_null(hos.cubic_p)},
+          {"nonlinear_p", number_or_null(hos.nonlinear_p)},
           {"coupling", core::hos::name(hos.coupling)},
           {"peaks", peaks_json(hos.peaks)}};
 }
@@ -75,43 +73,43 @@ Json empty_hos_json() {
 
 Json oscillation_json(const core::loop::Oscillation& oscillation) {
   return {{"present", oscillation.present},
-          {"period_s", or_null(oscillation.period_s)},
-          {"regularity", or_null(oscillation.regularity)},
-          {"amplitude", or_null(oscillation.amplitude)},
-          {"persistence", or_null(oscillation.persistence)},
-          {"p", or_null(oscillation.p)}};
+          {"period_s", number_or_null(oscillation.period_s)},
+          {"regularity", number_or_null(oscillation.regularity)},
+          {"amplitude", number_or_null(oscillation.amplitude)},
+          {"persistence", number_or_null(oscillation.persistence)},
+          {"p", number_or_null(oscillation.p)}};
 }
 
 Json performance_json(const core::loop::Performance& performance) {
-  return {{"harris_low", or_null(performance.harris_low)},
-          {"harris_high", or_null(performance.harris_high)},
-          {"harris_p", or_null(performance.harris_p)},
-          {"error_std", or_null(performance.error_std)},
-          {"error_log_variance_se", or_null(performance.error_log_variance_se)},
-          {"valve_travel_per_h", or_null(performance.valve_travel_per_h)},
-          {"reversals_per_h", or_null(performance.reversals_per_h)},
-          {"auto_fraction", or_null(performance.auto_fraction)},
-          {"at_limit_fraction", or_null(performance.at_limit_fraction)}};
+  return {{"harris_low", number_or_null(performance.harris_low)},
+          {"harris_high", number_or_null(performance.harris_high)},
+          {"harris_p", number_or_null(performance.harris_p)},
+          {"error_std", number_or_null(performance.error_std)},
+          {"error_log_variance_se", number_or_null(performance.error_log_variance_se)},
+          {"valve_travel_per_h", number_or_null(performance.valve_travel_per_h)},
+          {"reversals_per_h", number_or_null(performance.reversals_per_h)},
+          {"auto_fraction", number_or_null(performance.auto_fraction)},
+          {"at_limit_fraction", number_or_null(performance.at_limit_fraction)}};
 }
 
 Json shape_json(const core::Evidence& evidence) {
   const core::loop::Shape& shape = evidence.shape;
-  return {{"horch_dtau", or_null(shape.horch_dtau)},
-          {"horch_drho", or_null(shape.horch_drho)},
-          {"shape_index", or_null(shape.shape_index)},
-          {"ellipse_stiction", or_null(shape.ellipse_stiction)},
-          {"ellipse_r2", or_null(shape.ellipse_r2)},
-          {"mv_op_width", or_null(shape.mv_op_width)},
-          {"mv_slip_jump", or_null(shape.mv_slip_jump)},
-          {"mv_stuck_fraction", or_null(shape.mv_stuck_fraction)},
-          {"op_span_percent", or_null(evidence.valve_gain.op_span_percent)},
-          {"pv_relative_span", or_null(evidence.valve_gain.pv_relative_span)}};
+  return {{"horch_dtau", number_or_null(shape.horch_dtau)},
+          {"horch_drho", number_or_null(shape.horch_drho)},
+          {"shape_index", number_or_null(shape.shape_index)},
+          {"ellipse_stiction", number_or_null(shape.ellipse_stiction)},
+          {"ellipse_r2", number_or_null(shape.ellipse_r2)},
+          {"mv_op_width", number_or_null(shape.mv_op_width)},
+          {"mv_slip_jump", number_or_null(shape.mv_slip_jump)},
+          {"mv_stuck_fraction", number_or_null(shape.mv_stuck_fraction)},
+          {"op_span_percent", number_or_null(evidence.valve_gain.op_span_percent)},
+          {"pv_relative_span", number_or_null(evidence.valve_gain.pv_relative_span)}};
 }
 
 Json verdict_json(const core::diagnosis::Verdict& verdict) {
   return {{"code", core::diagnosis::name(verdict.code)},
           {"confidence", verdict.confidence},
-          {"p", or_null(verdict.p)},
+          {"p", number_or_null(verdict.p)},
           {"summary", verdict.summary},
           {"reasons", verdict.reasons},
           {"action", verdict.action}};

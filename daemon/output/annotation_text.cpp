@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "core/signal/microseconds.hpp"
 #include "daemon/output/printable.hpp"
 #include "daemon/recording/time_text.hpp"
 
@@ -17,8 +18,8 @@ std::string until_text(const storage::Annotation& annotation) {
 
 /// Whole seconds are enough for people.
 std::string entered_text(const storage::Annotation& annotation) {
-  constexpr std::int64_t kMicrosecondsPerSecond = 1'000'000;
-  return format_time(annotation.entered_at_us / kMicrosecondsPerSecond * kMicrosecondsPerSecond);
+  return format_time(annotation.entered_at_us / core::signal::kSecond_us *
+                     core::signal::kSecond_us);
 }
 
 }  // namespace

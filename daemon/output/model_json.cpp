@@ -4,34 +4,32 @@
 #include <string>
 #include <vector>
 
+#include "daemon/output/json_number.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using namespace core::model;
 
-Json or_null(std::optional<double> value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 Json process_json(const ProcessFit& process) {
   return {{"integrating", process.integrating},
-          {"gain", or_null(process.gain)},
-          {"time_constant_s", or_null(process.time_constant_s)},
-          {"second_time_constant_s", or_null(process.second_time_constant_s)},
-          {"delay_s", or_null(process.delay_s)}};
+          {"gain", number_or_null(process.gain)},
+          {"time_constant_s", number_or_null(process.time_constant_s)},
+          {"second_time_constant_s", number_or_null(process.second_time_constant_s)},
+          {"delay_s", number_or_null(process.delay_s)}};
 }
 
 Json baseline_json(const Baseline& baseline) {
   return {{"description", baseline.description},
-          {"holdout_error", or_null(baseline.holdout_error)},
+          {"holdout_error", number_or_null(baseline.holdout_error)},
           {"process", process_json(baseline.process)}};
 }
 
 Json parameters_json(const Step& step) {
   Json object = Json::object();
   for (const Parameter& parameter : step.parameters) {
-    object[std::string(parameter.name)] = or_null(parameter.value);
+    object[std::string(parameter.name)] = number_or_null(parameter.value);
   }
   if (!step.law.empty()) object["law"] = step.law;
   return object;
@@ -42,7 +40,7 @@ Json intervals_json(const Step& step) {
   for (const Parameter& parameter : step.parameters) {
     if (!parameter.low && !parameter.high) continue;
     object[std::string(parameter.name)] =
-        Json::array({or_null(parameter.low), or_null(parameter.high)});
+        Json::array({number_or_null(parameter.low), number_or_null(parameter.high)});
   }
   return object;
 }
@@ -51,41 +49,42 @@ Json step_json(const Step& step) {
   return {{"effect", name(step.effect)},
           {"parameters", parameters_json(step)},
           {"intervals", intervals_json(step)},
-          {"holdout_error_before", or_null(step.holdout_error_before)},
-          {"holdout_error_after", or_null(step.holdout_error_after)},
-          {"evidence", or_null(step.evidence)},
-          {"p", or_null(step.p)},
-          {"margin", or_null(step.margin)},
-          {"simulation_ratio", or_null(step.simulation_ratio)},
-          {"steadiness", or_null(step.steadiness)},
+          {"holdout_error_before", number_or_null(step.holdout_error_before)},
+          {"holdout_error_after", number_or_null(step.holdout_error_after)},
+          {"evidence", number_or_null(step.evidence)},
+          {"p", number_or_null(step.p)},
+          {"margin", number_or_null(step.margin)},
+          {"simulation_ratio", number_or_null(step.simulation_ratio)},
+          {"steadiness", number_or_null(step.steadiness)},
           {"statement", step.statement}};
 }
 
 Json unexplained_json(const Unexplained& rest) {
-  return {{"fraction", or_null(rest.fraction)},
-          {"whiteness_p", or_null(rest.whiteness_p)},
-          {"ngi_p", or_null(rest.ngi_p)},
+  return {{"fraction", number_or_null(rest.fraction)},
+          {"whiteness_p", number_or_null(rest.whiteness_p)},
+          {"ngi_p", number_or_null(rest.ngi_p)},
           {"statement", rest.statement}};
 }
 
 Json questions_json(const std::vector<Question>& questions) {
   Json list = Json::array();
   for (const Question& question : questions) {
-    list.push_back(
-        {{"name", question.name}, {"p", or_null(question.p)}, {"statement", question.statement}});
+    list.push_back({{"name", question.name},
+                    {"p", number_or_null(question.p)},
+                    {"statement", question.statement}});
   }
   return list;
 }
 
 Json closed_loop_json(const ClosedLoop& loop) {
   return {{"stable", std::isfinite(loop.peak_sensitivity)},
-          {"controller_gain", or_null(loop.controller_gain)},
-          {"integral_time_s", or_null(loop.integral_time_s)},
-          {"controller_fit", or_null(loop.controller_fit)},
-          {"peak_sensitivity", or_null(loop.peak_sensitivity)},
-          {"damping", or_null(loop.damping)},
-          {"period_s", or_null(loop.period_s)},
-          {"settling_s", or_null(loop.settling_s)}};
+          {"controller_gain", number_or_null(loop.controller_gain)},
+          {"integral_time_s", number_or_null(loop.integral_time_s)},
+          {"controller_fit", number_or_null(loop.controller_fit)},
+          {"peak_sensitivity", number_or_null(loop.peak_sensitivity)},
+          {"damping", number_or_null(loop.damping)},
+          {"period_s", number_or_null(loop.period_s)},
+          {"settling_s", number_or_null(loop.settling_s)}};
 }
 
 Json explanation_json(const Explanation& explanation) {
@@ -95,7 +94,7 @@ Json explanation_json(const Explanation& explanation) {
           {"excitation", explanation.excitation},
           {"process_doubt", explanation.process_doubt},
           {"error_kind", name(explanation.error_kind)},
-          {"noise_floor", or_null(explanation.noise_floor)},
+          {"noise_floor", number_or_null(explanation.noise_floor)},
           {"baseline", baseline_json(explanation.baseline)},
           {"steps", std::move(steps)},
           {"unexplained", unexplained_json(explanation.unexplained)},

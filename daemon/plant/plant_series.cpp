@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/diagnosis/first_look.hpp"
+#include "core/signal/microseconds.hpp"
 #include "daemon/service/past_slot.hpp"
 #include "daemon/service/row_memory.hpp"
 #include "daemon/service/source_terms.hpp"
@@ -41,7 +42,8 @@ PlantSeries series_of(const core::signal::LoopWindow& window,
   PlantSeries series{loop.sample_interval_s, window.start_us, std::move(loop.error), {}, {}, {}};
   // The analysis may have cut the beginning of a longer window off.
   const double cut = static_cast<double>(window.size() - series.error.size());
-  series.start_us += static_cast<std::int64_t>(cut * window.sample_interval_s * 1e6);
+  series.start_us += static_cast<std::int64_t>(cut * window.sample_interval_s *
+                                               core::signal::kMicrosecondsPerSecond);
   if (moves(loop.sp)) series.sp = std::move(loop.sp);
   series.pv = std::move(loop.pv);
   series.op = std::move(loop.op_percent);

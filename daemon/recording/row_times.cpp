@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/signal/loop_window.hpp"
+#include "core/signal/microseconds.hpp"
 #include "daemon/recording/cell_failure.hpp"
 #include "daemon/recording/cells.hpp"
 #include "daemon/recording/time_text.hpp"
@@ -12,7 +13,6 @@
 namespace loopscope::daemon {
 namespace {
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 /// Beyond this many seconds (about 285 000 years) microseconds do not fit into 64 bits.
 constexpr double kLargestTime_s = 9e12;
 /// About 950 years: no recording is that long, so a time in it is in another unit or damaged.
@@ -20,7 +20,7 @@ constexpr double kLongestSpan_s = 3e10;
 
 std::int64_t seconds_cell(const CsvTable& table, const CsvTable::Row& row, std::size_t column) {
   const double seconds = parse_number(row.cells[column]).value_or(core::signal::kMissing);
-  if (std::abs(seconds) <= kLargestTime_s) return std::llround(seconds * kMicrosecondsPerSecond);
+  if (std::abs(seconds) <= kLargestTime_s) return core::signal::microseconds(seconds);
   throw cell_failure(table, row, column, shown(row.cells[column]) + " is not a time",
                      "every row needs its time in seconds, within +-9e12");
 }
@@ -47,7 +47,7 @@ void require_short_span(const CsvTable& table, const CsvTable::Row& row, const C
                         std::int64_t first_us, std::int64_t now_us) {
   // The difference in 64 bits could overflow; doubles are exact enough for this limit.
   const double span_us = static_cast<double>(now_us) - static_cast<double>(first_us);
-  if (span_us <= kLongestSpan_s * kMicrosecondsPerSecond) return;
+  if (span_us <= kLongestSpan_s * core::signal::kMicrosecondsPerSecond) return;
   throw cell_failure(table, row, columns.time,
                      fmt::format("the time {} lies more than 3e10 s (950 years) after the first",
                                  shown(row.cells[columns.time])),

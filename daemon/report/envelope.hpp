@@ -6,6 +6,9 @@
 
 namespace loopscope::daemon {
 
+/// A picture of the report has about as many columns.
+inline constexpr std::size_t kPictureColumns = 330;
+
 /// One point of a curve; y NaN = the curve is broken here.
 struct Point {
   double x = 0.0;

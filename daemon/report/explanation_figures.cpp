@@ -17,7 +17,6 @@ using core::model::ExplanationTraces;
 using core::model::TraceStage;
 using Series = std::vector<double>;
 
-constexpr std::size_t kColumns = 330;
 /// More stages than this are rare; the first and the last ones tell the story.
 constexpr std::size_t kMostStages = 5;
 constexpr int kPanelHeight = 108;
@@ -76,7 +75,7 @@ class StagePanels {
   [[nodiscard]] std::string data(const std::string& block, const Series& series, bool measured) {
     const Series shown = part(series, span_);
     if (measured) limits_.hold(shown);
-    return data_block(block, envelope(shown, seconds_of(from_us_), interval_s_, kColumns));
+    return data_block(block, envelope(shown, seconds_of(from_us_), interval_s_, kPictureColumns));
   }
 
   /// `plots`: what each panel draws.

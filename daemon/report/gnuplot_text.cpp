@@ -6,12 +6,12 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "core/signal/microseconds.hpp"
 #include "daemon/recording/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 constexpr double kDay_s = 86'400.0;
 /// Words of a time axis stand side by side on a picture this wide.
 constexpr double kMostTics = 6.0;
@@ -66,7 +66,7 @@ std::string time_range(std::int64_t from_us, std::int64_t to_us) {
 }  // namespace
 
 double seconds_of(std::int64_t time_us) {
-  return static_cast<double>(time_us) / kMicrosecondsPerSecond;
+  return static_cast<double>(time_us) / core::signal::kMicrosecondsPerSecond;
 }
 
 std::string data_block(std::string_view name, std::span<const Point> points) {

@@ -17,7 +17,7 @@ using History = std::span<const HistoryPoint>;
 
 constexpr int kHeight = 320;  // of Figure
 
-struct Curve {
+struct HistoryCurve {
   std::string_view block;
   std::string_view title;
   std::string_view colour;
@@ -25,7 +25,7 @@ struct Curve {
 };
 
 struct Panel {
-  std::vector<Curve> curves;
+  std::vector<HistoryCurve> curves;
   std::string_view label;
   double least_top;  ///< the axis reaches at least so far: small noise stays small
 };
@@ -44,7 +44,7 @@ std::vector<Panel> panels_of() {
            0.0}};
 }
 
-std::vector<Point> points_of(History history, const Curve& curve) {
+std::vector<Point> points_of(History history, const HistoryCurve& curve) {
   std::vector<Point> points;
   for (const HistoryPoint& slot : history)
     points.push_back({seconds_of(slot.slot_end_us), (slot.*curve.figure).value_or(NAN)});
@@ -53,7 +53,7 @@ std::vector<Point> points_of(History history, const Curve& curve) {
 
 double top_of(History history, const Panel& panel) {
   double top = panel.least_top;
-  for (const Curve& curve : panel.curves)
+  for (const HistoryCurve& curve : panel.curves)
     for (const HistoryPoint& slot : history)
       top = std::max(top, (slot.*curve.figure).value_or(0.0));
   return top;
@@ -62,7 +62,7 @@ double top_of(History history, const Panel& panel) {
 /// A line, and a dot for each slot: a lone slot between gaps has no line.
 std::string plot(const Panel& panel) {
   std::string text;
-  for (const Curve& curve : panel.curves)
+  for (const HistoryCurve& curve : panel.curves)
     text += fmt::format(
         "{0}${1} using 1:2 {2} title '{3}', ${1} using 1:2 with circles linecolor rgb '{4}' "
         "fillstyle solid noborder notitle",
@@ -79,7 +79,7 @@ std::vector<Figure> history_figures(History history) {
   const std::vector<Panel> panels = panels_of();
   std::string script;
   for (const Panel& panel : panels)
-    for (const Curve& curve : panel.curves)
+    for (const HistoryCurve& curve : panel.curves)
       script += data_block(curve.block, points_of(history, curve));
   script += "set style circle radius screen 0.0035\nset multiplot\n";
   const int count = static_cast<int>(panels.size());

@@ -3,9 +3,10 @@
 #include <csignal>
 #include <exception>
 #include <spdlog/spdlog.h>
-#include <sys/resource.h>
 #include <unistd.h>
 #include <utility>
+
+#include "daemon/report/thread_priority.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -17,13 +18,6 @@ HttpAnswer later(const std::string& words) {
   HttpAnswer answer{503, words};
   answer.headers.emplace("Retry-After", "2");
   return answer;
-}
-
-/// The scheduler then gives way to whoever analyses; what this thread starts inherits it. A sandbox
-/// may refuse: then it is one thread among others.
-void step_back() {
-  constexpr int kNice = 10;
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
 }
 
 HttpAnswer made(const PageWorker::Make& make, const std::string& key, const std::stop_token& stop) {
@@ -81,7 +75,7 @@ HttpAnswer PageWorker::answer(const std::string& key, const Make& make) {
 }
 
 void PageWorker::run(const std::stop_token& stop) {
-  step_back();
+  yield_to_analysis();
   std::unique_lock lock(mutex_);
   while (changed_.wait(lock, stop, [this] { return job_.has_value(); })) {
     const Job job = *job_;

@@ -8,15 +8,16 @@
 #include <regex>
 #include <spdlog/spdlog.h>
 #include <sys/file.h>
-#include <sys/resource.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
 #include <vector>
 
+#include "core/signal/microseconds.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/recording/time_text.hpp"
 #include "daemon/report/report.hpp"
+#include "daemon/report/thread_priority.hpp"
 #include "daemon/service/slot.hpp"
 #include "storage/error.hpp"
 
@@ -29,7 +30,6 @@ using std::chrono::system_clock;
 constexpr const char* kSubject = "report";
 /// How often the clock is looked at, and how soon a report that failed is tried again.
 constexpr std::chrono::minutes kLookEvery{1};
-constexpr double kMicrosecondsPerSecond = 1e6;
 
 std::int64_t now_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
@@ -60,12 +60,6 @@ class FolderLock {
   int descriptor_;
   bool held_ = false;
 };
-
-/// Whoever analyses goes first; a sandbox may refuse, then it is one thread among others.
-void step_back() {
-  constexpr int kNice = 10;
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
-}
 
 /// Reports by name, with all files of each.
 std::map<std::string, std::vector<fs::path>> reports_in(const fs::path& folder) {
@@ -112,7 +106,7 @@ void ReportSchedule::use(std::shared_ptr<const config::Settings> settings) {
 }
 
 void ReportSchedule::run(const std::stop_token& stop) {
-  step_back();
+  yield_to_analysis();
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
     const std::shared_ptr<const config::Settings> settings = settings_;
@@ -142,7 +136,8 @@ void ReportSchedule::write_due(const config::Settings& settings, const std::stop
   fs::create_directories(folder);
   const FolderLock lock(folder);
   if (!lock.held() || fs::exists(page)) return;
-  const auto span_us = static_cast<std::int64_t>(report.every_s * kMicrosecondsPerSecond);
+  const auto span_us =
+      static_cast<std::int64_t>(report.every_s * core::signal::kMicrosecondsPerSecond);
   const ReportResult result = write_report(settings,
                                            {.folder = folder,
                                             .name = report_name(end_us),

@@ -15,11 +15,8 @@ namespace {
 
 using core::signal::Samples;
 
-/// A picture has about as many columns.
-constexpr std::size_t kColumns = 330;
-
 /// A curve of a panel.
-struct Curve {
+struct SignalCurve {
   std::string_view name;  ///< data block and word in the key
   std::span<const double> samples;
   std::string_view style;  ///< colour
@@ -41,8 +38,8 @@ class Panels {
     to_us_ = grid.time_us(stretch.from + std::max<std::size_t>(stretch.samples, 1) - 1);
   }
 
-  void add(std::vector<Curve> curves, std::string_view label) {
-    std::erase_if(curves, [](const Curve& curve) {
+  void add(std::vector<SignalCurve> curves, std::string_view label) {
+    std::erase_if(curves, [](const SignalCurve& curve) {
       return !core::signal::measure_spread(curve.samples).has_value();
     });
     if (!curves.empty()) panels_.push_back({std::move(curves), label});
@@ -64,15 +61,15 @@ class Panels {
 
  private:
   struct Panel {
-    std::vector<Curve> curves;
+    std::vector<SignalCurve> curves;
     std::string_view label;
   };
 
   [[nodiscard]] std::string data_of(const Panel& panel) const {
     std::string text;
-    for (const Curve& curve : panel.curves)
-      text += data_block(curve.name,
-                         envelope(curve.samples, seconds_of(from_us_), interval_s_, kColumns));
+    for (const SignalCurve& curve : panel.curves)
+      text += data_block(
+          curve.name, envelope(curve.samples, seconds_of(from_us_), interval_s_, kPictureColumns));
     return text;
   }
 
@@ -80,7 +77,7 @@ class Panels {
     double low = INFINITY;
     double high = -INFINITY;
     std::string curves;
-    for (const Curve& curve : panel.curves) {
+    for (const SignalCurve& curve : panel.curves) {
       const auto spread = core::signal::measure_spread(curve.samples);
       low = std::min(low, spread->low);
       high = std::max(high, spread->high);

@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/signal/microseconds.hpp"
+
 namespace loopscope::daemon {
 
 void note_data(const std::string& source, std::span<const LoopVisit> visits, Metrics& metrics) {
-  constexpr double kMicrosecondsPerSecond = 1e6;
   std::optional<std::int64_t> youngest_us;
   std::size_t unknown = 0;
   for (const LoopVisit& visit : visits) {
@@ -20,7 +21,8 @@ void note_data(const std::string& source, std::span<const LoopVisit> visits, Met
     }
   }
   if (youngest_us) {
-    metrics.data_age(source, static_cast<double>(*youngest_us) / kMicrosecondsPerSecond);
+    metrics.data_age(source,
+                     static_cast<double>(*youngest_us) / core::signal::kMicrosecondsPerSecond);
   }
   if (unknown > 0) metrics.unknown_quality(source, unknown);
 }

@@ -5,12 +5,13 @@
 #include <optional>
 #include <string>
 
+#include "core/signal/microseconds.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
 using storage::DataProblem;
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 /// The fewest samples that anything is judged on: so many without a row are a hole in every window
 /// to come.
 constexpr double kDeadSamples = 512.0;
@@ -39,7 +40,7 @@ bool is_dead(const TagReading& reading, const storage::CatalogueEntry& loop,
   const std::optional<double> limit_s = dead_after_s(reading, loop, interval_s, max_samples);
   if (!limit_s) return false;
   const auto age_us = static_cast<double>(reading.asked_us - *reading.newest_row_us);
-  return age_us > *limit_s * kMicrosecondsPerSecond;
+  return age_us > *limit_s * core::signal::kMicrosecondsPerSecond;
 }
 
 double bad_share(const TagReading& reading) {

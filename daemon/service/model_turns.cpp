@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "core/signal/microseconds.hpp"
+
 namespace loopscope::daemon {
 namespace {
-
-constexpr double kMicrosecondsPerSecond = 1e6;
 
 /// Steele, Lea and Flood (2014): every bit of the number reaches every bit of the result.
 std::uint64_t mixed(std::uint64_t number) {
@@ -18,7 +18,7 @@ std::uint64_t mixed(std::uint64_t number) {
 /// By lot, not in a fixed order: visits may skip slots in any rhythm, and every loop has to have
 /// its turn all the same.
 bool is_its_turn(const storage::CatalogueEntry& loop, std::int64_t slot_end_us, int every_slots) {
-  const std::int64_t period_us = std::llround(loop.period_s * kMicrosecondsPerSecond);
+  const std::int64_t period_us = core::signal::microseconds(loop.period_s);
   const auto slot = static_cast<std::uint64_t>(slot_end_us / period_us);
   const std::uint64_t lot = mixed(slot ^ mixed(static_cast<std::uint64_t>(loop.loop_id)));
   return lot % static_cast<std::uint64_t>(every_slots) == 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/signal/microseconds.hpp"
 #include "daemon/catalogue/tag_roles.hpp"
 
 namespace loopscope::daemon {
@@ -13,15 +14,10 @@ using storage::ClaimedLoop;
 using storage::HistorianReader;
 using storage::TagRequest;
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 /// Rows in the future that are counted at most: the sender's clock is wrong, whatever their number.
 constexpr std::int64_t kFutureRows = 100;
 /// As far ahead as a stamp may lie: beyond it the time types of some columns end.
 constexpr std::int64_t kFutureReachUs = std::int64_t{100} * 366 * 86'400 * 1'000'000;
-
-std::int64_t microseconds(double seconds) {
-  return std::llround(seconds * kMicrosecondsPerSecond);
-}
 
 /// All tags of all claims, in the order of the claims and of kTagRoles.
 std::vector<std::string> tags_of(std::span<const ClaimedLoop* const> claims) {
@@ -38,7 +34,7 @@ std::vector<std::string> tags_of(std::span<const ClaimedLoop* const> claims) {
 std::vector<std::size_t> future_rows(HistorianReader& historian,
                                      const std::vector<std::string>& tags, std::int64_t now_us,
                                      const SlotSettings& settings) {
-  const std::int64_t from_us = now_us + microseconds(settings.settle_s) + 1;
+  const std::int64_t from_us = now_us + core::signal::microseconds(settings.settle_s) + 1;
   std::vector<TagRequest> requests;
   requests.reserve(tags.size());
   for (const std::string& tag : tags) {
@@ -54,7 +50,7 @@ std::vector<std::size_t> future_rows(HistorianReader& historian,
 /// same one.
 std::int64_t slot_end(const ClaimedLoop& claim, const TagReadings& tags, std::int64_t now_us,
                       const SlotSettings& settings) {
-  const std::int64_t settle_us = microseconds(settings.settle_s);
+  const std::int64_t settle_us = core::signal::microseconds(settings.settle_s);
   std::int64_t end = claim.database_now_us - settle_us;
   if (settings.rule == SlotRule::newest_sample) {
     const TagReading* pv = find_reading(tags, "pv");

@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kFirst_s = 0.25;
 /// Beyond any longest pause; larger exponents would only overflow.
-constexpr int kMostDoublings = 20;
+constexpr int kMostTriesCounted = 20;
 
 }  // namespace
 
 double RetryPause::next_s() {
   const double whole_s =
-      std::min(std::ldexp(kFirst_s, std::min(tries_, kMostDoublings)), longest_s_);
+      std::min(std::ldexp(kFirst_s, std::min(tries_, kMostTriesCounted)), longest_s_);
   ++tries_;
   return std::uniform_real_distribution<double>(0.5 * whole_s, whole_s)(random_);
 }

@@ -15,7 +15,7 @@ constexpr double kPatienceOfHold = 1.0 / 3.0;
 /// Of a source that failed; a poll at most.
 constexpr double kSourcePause_s = 30.0;
 
-SourceGate::Duration duration(double seconds) {
+SourceGate::Duration gate_duration(double seconds) {
   return std::chrono::duration_cast<SourceGate::Duration>(std::chrono::duration<double>(seconds));
 }
 
@@ -26,8 +26,8 @@ double source_pause_s(const config::ScheduleSettings& schedule) {
 }
 
 SourceTerms source_terms(const config::ScheduleSettings& schedule) {
-  return {duration(std::min(kPatience_s, kPatienceOfHold * schedule.hold_s())),
-          duration(source_pause_s(schedule)), schedule.hold_s()};
+  return {gate_duration(std::min(kPatience_s, kPatienceOfHold * schedule.hold_s())),
+          gate_duration(source_pause_s(schedule)), schedule.hold_s()};
 }
 
 }  // namespace loopscope::daemon

@@ -6,6 +6,7 @@
 
 #include "core/signal/assemble.hpp"
 #include "core/signal/base_interval.hpp"
+#include "core/signal/microseconds.hpp"
 #include "daemon/catalogue/tag_roles.hpp"
 
 namespace loopscope::daemon {
@@ -17,7 +18,6 @@ using storage::CatalogueEntry;
 using storage::RowBefore;
 using storage::TagRequest;
 
-constexpr double kMicrosecondsPerSecond = 1e6;
 /// Rows from which the sample interval of a loop is found that the catalogue does not state.
 constexpr std::int64_t kIntervalRows = 512;
 /// How far back those rows may lie: a bound keeps a dead tag from walking through every partition.
@@ -35,10 +35,6 @@ struct Plan {
   TagReadings tags = {};
 };
 
-std::int64_t microseconds(double seconds) {
-  return std::llround(seconds * kMicrosecondsPerSecond);
-}
-
 std::vector<Plan> make_plans(std::span<const LoopSlot> slots, std::size_t max_samples) {
   std::vector<Plan> plans;
   for (const LoopSlot& slot : slots) {
@@ -55,7 +51,8 @@ void find_unknown_intervals(storage::HistorianReader& historian, std::vector<Pla
   for (Plan& plan : plans) {
     if (!plan.has_rows || plan.interval_s > 0.0) continue;
     unknown.push_back(&plan);
-    requests.push_back({plan.loop->pv_tag, plan.slot_end_us - microseconds(kIntervalLookBack_s),
+    requests.push_back({plan.loop->pv_tag,
+                        plan.slot_end_us - core::signal::microseconds(kIntervalLookBack_s),
                         plan.slot_end_us, kIntervalRows, RowBefore::no});
   }
   if (requests.empty()) return;
@@ -68,7 +65,8 @@ void find_unknown_intervals(storage::HistorianReader& historian, std::vector<Pla
 std::vector<TagRequest> requests_of(const Plan& plan) {
   std::vector<TagRequest> requests;
   const auto slots = static_cast<std::int64_t>(plan.max_samples);
-  const auto span_us = microseconds(plan.interval_s * static_cast<double>(plan.max_samples));
+  const auto span_us =
+      core::signal::microseconds(plan.interval_s * static_cast<double>(plan.max_samples));
   for (const TagRole& role : kTagRoles) {
     const std::string& tag = plan.loop->*role.tag;
     if (tag.empty()) continue;

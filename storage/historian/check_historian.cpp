@@ -21,7 +21,7 @@ namespace {
 // Without an index on the time alone the newest row needs a scan of the span: look at a week, and
 // not for long.
 constexpr std::int64_t kRecentUs = std::int64_t{7} * 86'400 * 1'000'000;
-constexpr int kPatience_s = 10;
+constexpr int kNewestRowTimeout_s = 10;
 
 /// SQL of some value of a row: which tag's does not matter to rights and plans.
 std::string any_value(const PqConnection& connection, const ResolvedLayout& layout) {
@@ -81,7 +81,7 @@ Finding check_newest(PqConnection& connection, const ResolvedLayout& layout, std
   const std::optional<PqRows> found = newest_row(connection, layout, now);
   if (!found) {
     return {true,
-            "the newest row was not found within " + std::to_string(kPatience_s) + " s, " +
+            "the newest row was not found within " + std::to_string(kNewestRowTimeout_s) + " s, " +
                 layout.data.sql,
             "it is only this check that wants an index on the time alone", true};
   }
@@ -111,7 +111,7 @@ std::vector<Finding> check_historian(const ConnectionSettings& settings,
                                      const SourceLayout& layout) {
   ConnectionSettings reader = settings;
   reader.read_only = true;
-  reader.statement_timeout_s = kPatience_s;
+  reader.statement_timeout_s = kNewestRowTimeout_s;
   std::vector<Finding> findings;
   try {
     findings = check_connection(reader);

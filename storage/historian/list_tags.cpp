@@ -13,7 +13,7 @@ namespace loopscope::storage {
 namespace {
 
 /// Without an index a table of billions of rows is read from end to end.
-constexpr int kPatience_s = 1800;
+constexpr int kListTimeout_s = 1800;
 
 /// The columns of a loop_row or wide table that can be values.
 std::vector<std::string> value_columns(const PqConnection& connection,
@@ -59,7 +59,7 @@ std::vector<std::string> list_keys(PqConnection& connection, const ResolvedLayou
 std::vector<std::string> list_tags(const ConnectionSettings& settings, const SourceLayout& layout) {
   ConnectionSettings reader = settings;
   reader.read_only = true;
-  reader.statement_timeout_s = kPatience_s;
+  reader.statement_timeout_s = kListTimeout_s;
   PqConnection connection(reader);
   const ResolvedLayout resolved = resolve_layout(connection, layout);
   std::vector<std::string> tags;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/signal/grid.hpp"
+#include "core/signal/microseconds.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -25,7 +26,7 @@ bool alive_at(const RawSeries& series, std::int64_t time_us, double usual_us) {
 std::vector<Row> sorted_rows(const std::vector<RawSeries>& parts) {
   std::vector<double> usual_us;
   for (const RawSeries& part : parts) {
-    usual_us.push_back(core::signal::usual_interval_s(part) * 1e6);
+    usual_us.push_back(core::signal::usual_interval_s(part) * core::signal::kMicrosecondsPerSecond);
   }
   std::vector<Row> rows;
   for (std::size_t id = 0; id < parts.size(); ++id) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/signal/microseconds.hpp"
 #include "storage/array_literal.hpp"
 #include "storage/timestamp.hpp"
 
@@ -13,7 +14,6 @@ namespace {
 
 // PostgreSQL counts from 2000-01-01.
 constexpr std::int64_t kPostgresEpochUs = 946'684'800'000'000;
-constexpr double kMicrosecondsPerSecond = 1e6;
 constexpr std::int64_t kNanoseconds = 1000;  // of a microsecond
 
 /// Microseconds in one unit of a whole-number column; 0 = the column is no such one.
@@ -44,7 +44,7 @@ std::int64_t divide_down(std::int64_t value, std::int64_t unit) {
 /// such a column must not miss its own row, so it is widened by half a microsecond.
 std::string float_bound(std::int64_t time_us, Bound bound) {
   const double half = bound == Bound::lower ? -0.5 : 0.5;
-  return number_text((static_cast<double>(time_us) + half) / kMicrosecondsPerSecond);
+  return number_text((static_cast<double>(time_us) + half) / core::signal::kMicrosecondsPerSecond);
 }
 
 /// All nanoseconds of the microsecond belong to it; years beyond 2262 do not fit into the type.
@@ -111,14 +111,16 @@ std::string native_bound(TimeKind kind, std::int64_t time_us, Bound bound) {
 
 std::string native_text(TimeKind kind, std::int64_t time_us) {
   if (kind == TimeKind::epoch_s_float) {
-    return number_text(static_cast<double>(clamp_time(time_us)) / kMicrosecondsPerSecond);
+    return number_text(static_cast<double>(clamp_time(time_us)) /
+                       core::signal::kMicrosecondsPerSecond);
   }
   return native_bound(kind, time_us, kind == TimeKind::epoch_ns ? Bound::lower : Bound::upper);
 }
 
 std::int64_t microseconds(TimeKind kind, std::uint64_t native_bits) {
   if (kind == TimeKind::epoch_s_float) {
-    const double time_us = std::bit_cast<double>(native_bits) * kMicrosecondsPerSecond;
+    const double time_us =
+        std::bit_cast<double>(native_bits) * core::signal::kMicrosecondsPerSecond;
     if (!(time_us > static_cast<double>(kEarliestTimeUs))) return kEarliestTimeUs;
     return time_us < static_cast<double>(kLatestTimeUs) ? std::llround(time_us) : kLatestTimeUs;
   }

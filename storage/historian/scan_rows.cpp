@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/signal/loop_window.hpp"
+#include "core/signal/microseconds.hpp"
 #include "storage/array_literal.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/timestamp.hpp"
@@ -128,10 +129,10 @@ void trim(RawSeries& series, const Scan& scan, bool before) {
 
 /// The lower bound as the time column sees it: beside nanoseconds it may hold full seconds only.
 std::int64_t first_time(const Scan& scan, const ResolvedLayout& layout) {
-  constexpr std::int64_t kSecond_us = 1'000'000;
   if (layout.nanos.empty()) return scan.from_us;
   const std::int64_t from = clamp_time(scan.from_us);
-  const std::int64_t fraction = ((from % kSecond_us) + kSecond_us) % kSecond_us;
+  const std::int64_t fraction =
+      ((from % core::signal::kSecond_us) + core::signal::kSecond_us) % core::signal::kSecond_us;
   return from - fraction;
 }
 

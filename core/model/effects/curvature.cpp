@@ -7,8 +7,6 @@ namespace {
 
 /// Distances are taken in tens of percent, so that powers stay near one.
 constexpr double kUnit = 10.0;
-/// The laws of contract.md are parabolas over half a span of 100.
-constexpr double kHalfSpan = 50.0;
 
 Column square_of(std::span<const double> values) {
   Column result(values.begin(), values.end());

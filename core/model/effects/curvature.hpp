@@ -4,6 +4,9 @@
 
 namespace loopscope::core::model {
 
+/// % of op: curvatures are those of parabolas over half a span of 100 (contract.md).
+inline constexpr double kHalfSpan = 50.0;
+
 /// A flow that is not proportional to travel (wear, corroded seat, wrong trim): the process
 /// answers to the square and the cube of the travel as well.
 class ValveCharacteristic final : public Effect {

@@ -8,7 +8,6 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kHalfSpan = 50.0;  // %
 /// Below it the exponential is a parabola up to rounding.
 constexpr double kStraight = 1e-4;
 /// A gain that grows to its fiftyfold from one end of the moves to the other; no trim has more.

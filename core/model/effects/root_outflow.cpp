@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/effects/curvature.hpp"
 #include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kHalfSpan = 50.0;
 /// Of the depth: where the vessel is about to run dry the root has no slope.
 constexpr double kNearlyDry = 0.02;
 /// A linear model takes a slow vessel for an integrator: 100 samples.

@@ -11,7 +11,7 @@ namespace {
 /// Near the ends the standardised distance of a bridge is large by chance.
 constexpr double kMargin = 0.02;
 
-struct Sums {
+struct ChangeSums {
   double value = 0.0;
   double square = 0.0;
   double count = 0.0;
@@ -23,8 +23,8 @@ struct Sums {
   [[nodiscard]] double mean() const { return count > 0.0 ? value / count : 0.0; }
 };
 
-Sums sum_of(std::span<const double> increments) {
-  Sums sums;
+ChangeSums sum_of(std::span<const double> increments) {
+  ChangeSums sums;
   for (const double increment : increments) sums.add(increment);
   return sums;
 }
@@ -33,9 +33,9 @@ Sums sum_of(std::span<const double> increments) {
 
 ChangePoint find_change(std::span<const double> increments) {
   ChangePoint result;
-  const Sums all = sum_of(increments);
+  const ChangeSums all = sum_of(increments);
   if (!(all.square > 0.0)) return result;
-  Sums so_far;
+  ChangeSums so_far;
   double farthest = 0.0;
   double likeliest = 0.0;
   for (std::size_t k = 0; k < increments.size(); ++k) {

@@ -7,6 +7,7 @@
 #include "core/model/phrases.hpp"
 #include "core/model/questions/renewals.hpp"
 #include "core/model/questions/tails.hpp"
+#include "core/model/questions/value_grid.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -14,9 +15,7 @@ namespace {
 /// On a grid of 0.15 of the fast noise 0.15 / sqrt(4 pi) = 4 % of the samples repeat the one
 /// before; twice that for noise with a peak in the middle.
 constexpr double kRepeatsByGrid = 0.09;
-/// Equal up to this share of the fast noise.
-constexpr double kSameValue = 1e-5;
-constexpr double kLooks = 3.0;
+constexpr double kHoldLooks = 3.0;
 
 struct Hold {
   double p = 1.0;
@@ -86,7 +85,7 @@ Hold strongest(const Questioned& questioned) {
 std::optional<Answer> ask_held(const Questioned& questioned) {
   if (!questioned.pv) return std::nullopt;
   const Hold hold = strongest(questioned);
-  Answer answer{{"held", std::min(1.0, kLooks * hold.p), {}}, {}};
+  Answer answer{{"held", std::min(1.0, kHoldLooks * hold.p), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const double interval_s = questioned.view.sample_interval_s;
   answer.question.statement =

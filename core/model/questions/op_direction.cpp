@@ -13,7 +13,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::array kWidths = {0.25, 0.75, 2.25};
+constexpr std::array kFilterWidths = {0.25, 0.75, 2.25};
 
 /// Half the distance between the 16th and the 84th percentile: the standard deviation of Gaussian
 /// values, and one setpoint move does not change it.
@@ -54,7 +54,7 @@ std::optional<Answer> ask_op_direction(const Questioned& questioned) {
   const double usual = usual_deviation(questioned.op_sorted);
   std::vector<Centred> lags;
   std::vector<double> widths;
-  for (const double share : kWidths) {
+  for (const double share : kFilterWidths) {
     auto lag = centred(lag_of_play(questioned.view.op_percent, share * usual), kFewestAsked);
     if (!lag) continue;
     widths.push_back(share * usual);

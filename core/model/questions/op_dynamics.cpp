@@ -8,12 +8,12 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::array kLags = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20};
+constexpr std::array kMoveLags = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20};
 
 std::string statement_of(const Score& score, double sample_interval_s) {
   Eigen::Index strongest = 0;
   score.t.cwiseAbs().maxCoeff(&strongest);
-  const auto lag = kLags.at(static_cast<std::size_t>(strongest));
+  const auto lag = kMoveLags.at(static_cast<std::size_t>(strongest));
   return "The residual follows moves of op, most those of " + in_time(lag * sample_interval_s) +
          " (" + std::to_string(lag) + " samples) before, " +
          in_digits(std::abs(score.t[strongest])) +
@@ -28,7 +28,7 @@ std::optional<Answer> ask_op_dynamics(const Questioned& questioned) {
       centred(increments(questioned.view.op_percent), kFewestAsked);
   if (!moves) return std::nullopt;
   LaggedColumns columns(moves->values.size());
-  columns.add(moves->values, kLags);
+  columns.add(moves->values, kMoveLags);
   const Score score = score_test(without(questioned.constant, questioned.residual.values), columns,
                                  questioned.constant, questioned.recorded);
   if (score.freedom == 0) return std::nullopt;

@@ -10,13 +10,13 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::array<std::size_t, 5> kWidths = {1, 2, 4, 8, 16};
+constexpr std::array<std::size_t, 5> kEventWidths = {1, 2, 4, 8, 16};
 constexpr std::size_t kMostEvents = 5;
 /// Peaks that show the tail: a fortieth of the samples, so that it is the tail, and enough of them.
 constexpr std::size_t kSamplesPerPeak = 40;
 constexpr std::size_t kFewestPeaks = 20;
 /// Five widths are looked at, whose sums overlap, and events are peeled off.
-constexpr double kLooks = 5.0;
+constexpr double kEventLooks = 5.0;
 
 std::vector<double> moving_sums(std::span<const double> series, std::size_t width) {
   std::vector<double> sums(series.size() - width + 1);
@@ -87,7 +87,7 @@ Outbursts at_width(std::span<const double> series, std::size_t width) {
   const std::vector<double> p = peel(tail);
   std::size_t events = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double corrected = std::min(1.0, kLooks * p[i]);
+    const double corrected = std::min(1.0, kEventLooks * p[i]);
     result.p = std::min(result.p, corrected);
     if (corrected <= kSignificant) events = i + 1;
   }
@@ -101,7 +101,7 @@ Outbursts at_width(std::span<const double> series, std::size_t width) {
 
 Outbursts find_outbursts(std::span<const double> series) {
   Outbursts best;
-  for (const std::size_t width : kWidths) {
+  for (const std::size_t width : kEventWidths) {
     if (series.size() <= width) break;
     Outbursts found = at_width(series, width);
     if (found.p < best.p) best = std::move(found);

@@ -9,7 +9,7 @@
 namespace loopscope::core::model {
 namespace {
 
-struct Line {
+struct SeenLine {
   SpectralLine line;
   bool in_pv = false;
 };
@@ -22,11 +22,11 @@ bool same(const SpectralLine& a, const SpectralLine& b, double samples) {
 }
 
 /// The lines of both, each once, strongest first.
-std::vector<Line> merged(const LineSearch& residual, const LineSearch& pv, double samples) {
-  std::vector<Line> lines;
+std::vector<SeenLine> merged(const LineSearch& residual, const LineSearch& pv, double samples) {
+  std::vector<SeenLine> lines;
   for (const SpectralLine& line : pv.lines) lines.push_back({line, true});
   for (const SpectralLine& line : residual.lines) {
-    const auto twin = std::find_if(lines.begin(), lines.end(), [&](const Line& other) {
+    const auto twin = std::find_if(lines.begin(), lines.end(), [&](const SeenLine& other) {
       return same(other.line, line, samples);
     });
     if (twin == lines.end()) {
@@ -37,12 +37,12 @@ std::vector<Line> merged(const LineSearch& residual, const LineSearch& pv, doubl
     }
   }
   std::stable_sort(lines.begin(), lines.end(),
-                   [](const Line& a, const Line& b) { return a.line.p < b.line.p; });
+                   [](const SeenLine& a, const SeenLine& b) { return a.line.p < b.line.p; });
   if (lines.size() > kMostLines) lines.resize(kMostLines);
   return lines;
 }
 
-std::string words_of(const Line& line, double sample_interval_s) {
+std::string words_of(const SeenLine& line, double sample_interval_s) {
   return "period " + in_time(line.line.period_samples * sample_interval_s) + " (" +
          in_digits(line.line.period_samples) + " samples), amplitude " +
          in_digits(line.line.amplitude) + " pv units in " + (line.in_pv ? "pv" : "the residual");
@@ -56,7 +56,7 @@ Answer ask_periodic(const Questioned& questioned) {
   Answer answer{{"periodic", std::min(1.0, 2.0 * std::min(residual.p, pv.p)), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const auto samples = static_cast<double>(questioned.view.pv.size());
-  for (const Line& line : merged(residual, pv, samples)) {
+  for (const SeenLine& line : merged(residual, pv, samples)) {
     answer.question.statement +=
         answer.question.statement.empty() ? "A line in the spectrum: " : "; ";
     answer.question.statement += words_of(line, questioned.view.sample_interval_s);

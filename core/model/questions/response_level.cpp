@@ -8,7 +8,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::array kLags = {0, 1, 2, 3, 5};
+constexpr std::array kResponseLags = {0, 1, 2, 3, 5};
 
 std::optional<Centred> square_of(const Questioned& questioned) {
   std::vector<double> square(questioned.view.response.begin(), questioned.view.response.end());
@@ -26,9 +26,9 @@ std::optional<Answer> ask_response_level(const Questioned& questioned) {
   const std::optional<Centred> square = square_of(questioned);
   if (!square) return std::nullopt;
   LaggedColumns linear(square->values.size());
-  linear.add(questioned.response->values, kLags);
+  linear.add(questioned.response->values, kResponseLags);
   LaggedColumns columns(square->values.size());
-  columns.add(square->values, kLags);
+  columns.add(square->values, kResponseLags);
   const Eigen::MatrixXd known = orthonormal(linear, questioned.recorded);
   const Score score =
       score_test(without(known, questioned.residual.values), columns, known, questioned.recorded);

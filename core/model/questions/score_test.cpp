@@ -30,8 +30,8 @@ void for_blocks(Index rows, Work work) {
   for (Index row = 0; row < rows; row += kBlock) work(row, std::min(kBlock, rows - row));
 }
 
-struct Sums {
-  explicit Sums(Index columns)
+struct ScoreSums {
+  explicit ScoreSums(Index columns)
       : before(VectorXd::Zero(columns)),
         after(VectorXd::Zero(columns)),
         score(VectorXd::Zero(columns)),
@@ -51,7 +51,7 @@ struct Sums {
 };
 
 /// One over the length of each column; 0 where nothing is left of it.
-VectorXd scales(const Sums& sums) {
+VectorXd scales(const ScoreSums& sums) {
   constexpr double kVanished = 1e-12;
   VectorXd scale(sums.after.size());
   for (Index j = 0; j < scale.size(); ++j)
@@ -59,7 +59,7 @@ VectorXd scales(const Sums& sums) {
   return scale;
 }
 
-Score quadratic_form(const Sums& sums) {
+Score quadratic_form(const ScoreSums& sums) {
   const VectorXd scale = scales(sums);
   const VectorXd score = scale.cwiseProduct(sums.score);
   const MatrixXd variance = scale.asDiagonal() * sums.variance * scale.asDiagonal();
@@ -132,7 +132,7 @@ Score score_test(const VectorXd& residual, const LaggedColumns& columns, const M
   for_blocks(columns.rows(), [&](Index row, Index rows) {
     explained.noalias() += known.middleRows(row, rows).transpose() * weighted(row, rows);
   });
-  Sums sums(columns.columns());
+  ScoreSums sums(columns.columns());
   for_blocks(columns.rows(), [&](Index row, Index rows) {
     MatrixXd z = weighted(row, rows);
     sums.before += z.colwise().squaredNorm();

@@ -2,19 +2,19 @@
 
 #include <cmath>
 
-#include "core/model/questions/change_point.hpp"
 #include "core/model/phrases.hpp"
+#include "core/model/questions/change_point.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
 /// A straight line through the residual (unit variance, missing samples 0).
-struct Line {
+struct Trend {
   double slope_per_sample = 0.0;
   double explained = 0.0;  ///< sum of squares
 };
 
-Line line_through(const Questioned& questioned) {
+Trend line_through(const Questioned& questioned) {
   const Eigen::Index size = questioned.recorded.size();
   const Eigen::ArrayXd time = Eigen::ArrayXd::LinSpaced(size, 0.0, static_cast<double>(size - 1));
   const double mean = (time * questioned.recorded).sum() / questioned.recorded.sum();
@@ -45,7 +45,7 @@ Answer ask_time_level(const Questioned& questioned) {
   const ChangePoint change = find_change(questioned.residual.values);
   Answer answer{{"time_level", change.p, {}}, {}};
   if (change.p > kSignificant) return answer;
-  const Line line = line_through(questioned);
+  const Trend line = line_through(questioned);
   if (line.explained > explained_by_step(questioned, change)) {
     answer.question.statement = drift_words(line.slope_per_sample, questioned);
     return answer;

@@ -12,8 +12,6 @@
 namespace loopscope::core::model {
 namespace {
 
-/// Two values closer than this share of the fast noise are one.
-constexpr double kSameValue = 1e-5;
 constexpr double kOnLevels = 0.9;
 constexpr double kResultant = 0.95;
 

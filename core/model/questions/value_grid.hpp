@@ -14,6 +14,8 @@ struct ValueGrid {
 
 /// A step below this share of the fast noise adds less than 0.2 % to its variance.
 inline constexpr double kHarmlessStep = 0.15;
+/// Two values closer than this share of the fast noise are one.
+inline constexpr double kSameValue = 1e-5;
 
 /// Values that occur more than once, up to `noise_std` / 100 000, are levels. When nine tenths of
 /// the samples are on levels and the distances between levels are multiples of a step (the phases

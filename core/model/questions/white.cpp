@@ -9,7 +9,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kLags = 25;
+constexpr std::size_t kPortmanteauLags = 25;
 /// In standard deviations. Skewed noise makes sums of products skewed: of exponential noise 11 %
 /// would be called coloured at 5 % in 750 samples.
 constexpr double kClip = 2.0;
@@ -49,14 +49,14 @@ Answer ask_white(const Questioned& questioned) {
   double sum = 0.0;
   double strongest = 0.0;
   std::size_t strongest_lag = 1;
-  for (std::size_t lag = 1; lag <= kLags; ++lag) {
+  for (std::size_t lag = 1; lag <= kPortmanteauLags; ++lag) {
     const double t = at_lag(r, lag).t();
     sum += t * t;
     if (std::abs(t) <= std::abs(strongest)) continue;
     strongest = t;
     strongest_lag = lag;
   }
-  Answer answer{{"white", chi_square_upper(sum, kLags), {}}, {}};
+  Answer answer{{"white", chi_square_upper(sum, kPortmanteauLags), {}}, {}};
   if (answer.question.p <= kSignificant)
     answer.question.statement =
         "The residual is linked with its own past, most at " +
