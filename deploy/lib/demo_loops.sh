@@ -86,6 +86,7 @@ _kind_of() {
 demo_import_recordings() {
   local file loop manifest
   manifest=$(_manifest_of "$2")
+  [ -n "$manifest" ] || step "no manifest.csv in $2 or beside it: of what kind the loops are is left open"
   _read_catalogue "$1"
   _forget_stray_rows "$1"
   for file in "$2"/*.csv; do

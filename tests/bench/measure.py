@@ -70,6 +70,7 @@ def measure_kernel(rounds):
     paths = {}
     for path in PATHS:
         if f"kernel/{path}" not in median:
+            say(f"{path}: not measured, this processor does not have it")
             continue
         kernel, floor = median[f"kernel/{path}"], median[f"floor/{path}"]
         calibrated = median.get(f"calibrated/{path}")

@@ -3,6 +3,7 @@
 #
 #   problem WORDS       counts one
 #   skip WORDS          ends the test as skipped, visibly
+#   skip_rest WORDS     the same at the end, for a part of the test: problems before it count first
 #   finish              0 without problems, else 1
 
 _PROBLEMS=0
@@ -16,6 +17,10 @@ problem() {
 skip() {
   printf 'SKIPPED: %s\n' "$*"
   exit "$_SKIPPED"
+}
+
+skip_rest() {
+  finish && skip "$@"
 }
 
 finish() {

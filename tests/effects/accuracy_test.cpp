@@ -8,7 +8,8 @@ namespace loopscope::tests::effects {
 namespace {
 
 /// Four draws of each kind. The bounds lie about three standard errors of so small a draw from the
-/// shares of the long run (README.md), so that a fall of the whole shows and a single draw does not.
+/// shares of the long run (README.md), so that a fall of the whole shows and a single
+/// draw does not.
 TEST(Accuracy, HoldsOnASmallDraw) {
   Plan plan{{}, 70000, 4, 1};
   for (const KindInfo& kind : all_kinds()) plan.kinds.push_back(kind.name);

@@ -3,7 +3,8 @@
 #
 #   fuzz_target TARGET SECONDS RUNS   runs it; figures into $FUZZ_OUT/TARGET.result
 #   fuzz_table TARGET...              the table; fuzz_json the same as one JSON object
-#   fuzz_findings TARGET...           says what was found and how to repeat it; 1 when there is any
+#   fuzz_findings TARGET...           says what was found, how to repeat it, and which target ran nothing; 1
+#                                     when there is any
 
 FUZZ_DIR=tests/fuzz
 FUZZ_OUT=build/fuzz/runs
@@ -62,8 +63,9 @@ fuzz_target() {
   printf '%s\n' "$code" >"$FUZZ_OUT/$target.result"
 }
 
+# A figure of libFuzzer's at its end; 0 where it has none.
 _fuzz_stat() {
-  sed -n "s/^stat::$2: *//p" "$FUZZ_OUT/$1.log" | tail -n 1
+  sed -n "s/^stat::$2: *//p" "$FUZZ_OUT/$1.log" | tail -n 1 | grep . || printf '0\n'
 }
 
 # "target runs seconds runs/s edges line% findings", one target a line.
@@ -74,8 +76,8 @@ _fuzz_figures() {
     runs=$(_fuzz_stat "$target" number_of_executed_units)
     seconds=$(sed -n 's/^Done [0-9]* runs in \([0-9]*\) second.*/\1/p' "$FUZZ_OUT/$target.log" | tail -n 1)
     edges=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$FUZZ_OUT/$target.log" | tail -n 1)
-    printf '%s %s %s %s %s %s %s\n' "$target" "${runs:-0}" "${seconds:-0}" \
-      "$((${runs:-0} / (${seconds:-0} > 0 ? ${seconds:-0} : 1)))" "${edges:-0}" \
+    printf '%s %s %s %s %s %s %s\n' "$target" "$runs" "${seconds:-0}" \
+      "$((runs / (${seconds:-0} > 0 ? ${seconds:-0} : 1)))" "${edges:-0}" \
       "$(fuzz_line_coverage "$target")" "$((code != 0))"
   done
 }
@@ -98,11 +100,15 @@ fuzz_json() {
 fuzz_findings() {
   local target input found=0
   for target in "$@"; do
-    [ "$(<"$FUZZ_OUT/$target.result")" -ne 0 ] || continue
-    found=1
-    input=$(sed -n 's/.*Test unit written to //p' "$FUZZ_OUT/$target.log" | tail -n 1)
-    printf 'error: finding, target %s\nHINT: see %s; repeat with  build/fuzz/tests/fuzz/fuzz_%s %s\n' \
-      "$target" "$FUZZ_OUT/$target.log" "$target" "$input" >&2
+    if [ "$(<"$FUZZ_OUT/$target.result")" -ne 0 ]; then
+      found=1
+      input=$(sed -n 's/.*Test unit written to //p' "$FUZZ_OUT/$target.log" | tail -n 1)
+      printf 'error: finding, target %s\nHINT: see %s; repeat with  build/fuzz/tests/fuzz/fuzz_%s %s\n' \
+        "$target" "$FUZZ_OUT/$target.log" "$target" "$input" >&2
+    elif [ "$(_fuzz_stat "$target" number_of_executed_units)" -eq 0 ]; then
+      found=1
+      printf 'error: nothing was run, target %s\nHINT: see %s\n' "$target" "$FUZZ_OUT/$target.log" >&2
+    fi
   done
   return "$found"
 }

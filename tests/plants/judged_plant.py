@@ -74,18 +74,9 @@ class _Plant:
         return json.loads(_run([*self.faults, "--score", "--json"], input=lines))["plants"][0]
 
     def statuses(self):
-        """How many flags are confirmed by a second window; None before the view tells."""
-        known = self.server.sql(
-            "SELECT count(*) FROM information_schema.columns WHERE table_schema = 'loopscope'"
-            " AND table_name = 'flagged_loop' AND column_name = 'status'", _RESULTS)
-        if known == [["0"]]:
-            return None
+        """How many flags are confirmed by a second window."""
         return {status: int(count) for status, count in self.server.sql(
             "SELECT status, count(*) FROM loopscope.flagged_loop GROUP BY 1 ORDER BY 1", _RESULTS)}
-
-    def has_report(self):
-        commands = [line.split()[:1] for line in _run([self.loopscope, "--help"]).splitlines()]
-        return ["report"] in commands
 
 
 def _judge(plant):
@@ -98,10 +89,8 @@ def _judge(plant):
         plant.fill("")
     with _timed(figures, "once_s"):
         plant.command("once")
-    figures["report_s"] = None
-    if plant.has_report():
-        with _timed(figures, "report_s"):
-            plant.command("report", "--pdf", "--out", str(plant.folder / "report"))
+    with _timed(figures, "report_s"):
+        plant.command("report", "--pdf", "--out", str(plant.folder / "report"))
     figures["status"] = plant.statuses()
     return plant.score() | figures
 

@@ -1,14 +1,21 @@
-"""A plant in a real historian, judged by the program, and the score of its flags. See README.md."""
+"""Plants, sources and repairs: what the program makes of simulated ones. See README.md."""
 
 import argparse
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path
 
 from judged_plant import judge_plant
 from server import Server
+
+
+class Fault(Exception):
+    """What keeps a part from being run, and what to do."""
+
+    def __init__(self, what, hint):
+        super().__init__(what)
+        self.hint = hint
 
 
 class Parser(argparse.ArgumentParser):
@@ -34,38 +41,78 @@ def read_arguments():
     return arguments
 
 
-def figures_of(program, words, keys, server):
-    """The named figures of another program's JSON; those it does not have are None."""
-    if not program.exists():
-        print(f"{program.name}: not built, left out", file=sys.stderr)
-        return dict.fromkeys(keys)
-    done = subprocess.run([program, *words, "--json"], text=True, stdout=subprocess.PIPE,
-                          check=True, env={**os.environ, "LOOPSCOPE_TEST_DATABASE": server.conninfo()})
+class Part:
+    """What --only may name: its program under tests/plants, and the keys of its own JSON."""
+
+    def __init__(self, name, program, keys=()):
+        self.name, self.program, self.keys = name, program, keys
+
+
+PARTS = (Part("plant", "plant_faults"),
+         Part("sources", "plant_sources", ("source_first", "plants")),
+         Part("repairs", "plant_repairs", ("repairs", "repair_words_right")))
+
+
+def parts_of(arguments):
+    return [part for part in PARTS if arguments.only in (None, part.name)]
+
+
+def require_programs(arguments):
+    """Before anything is run: a part that was asked for is never left out."""
+    folder = arguments.build / "tests" / "plants"
+    missing = [part.program for part in parts_of(arguments)
+               if not (folder / part.program).is_file()]
+    if missing:
+        raise Fault(f"not built, {folder}: {', '.join(missing)}",
+                    "cmake --build FOLDER --target plants_programs, or leave PLANTS_BUILD out")
+
+
+def figures_of(part, words, arguments):
+    """The figures of a part's own program, all that it has to tell."""
+    command = [arguments.build / "tests" / "plants" / part.program,
+               "--seed", str(arguments.seed), *words, "--json"]
+    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, check=False)
+    if done.returncode != 0:
+        raise Fault(f"{part.program}: exit code {done.returncode}", "its words stand above")
     figures = json.loads(done.stdout)
-    return {key: figures.get(key) for key in keys}
+    missing = [key for key in part.keys if figures.get(key) is None]
+    if missing:
+        raise Fault(f"{part.program} does not tell {', '.join(missing)}",
+                    "program and tests/plants/main.py are of different versions: build it anew")
+    return {key: figures[key] for key in part.keys}
+
+
+def run_part(part, arguments, server):
+    if part.name == "plant":
+        return judge_plant(arguments, server)
+    if part.name == "sources":
+        return figures_of(part, ["--plants", str(arguments.plants)], arguments)
+    server.sql(f"CREATE DATABASE {part.name}")
+    return figures_of(part, ["--repairs", str(arguments.repairs),
+                             "--database", server.conninfo(part.name)], arguments)
 
 
 def run(arguments):
-    wants = lambda part: arguments.only in (None, part)
-    programs = arguments.build / "tests" / "plants"
-    seed = ["--seed", str(arguments.seed)]
+    require_programs(arguments)
     result = {"seed": arguments.seed}
     with Server() as server:
-        if wants("plant"):
-            result |= judge_plant(arguments, server)
-        if wants("sources"):
-            result |= figures_of(programs / "plant_sources",
-                                 [*seed, "--plants", str(arguments.plants)],
-                                 ("source_first", "plants"), server)
-        if wants("repairs"):
-            result |= figures_of(programs / "plant_repairs",
-                                 [*seed, "--repairs", str(arguments.repairs)],
-                                 ("repairs", "repair_words_right"), server)
+        for part in parts_of(arguments):
+            result |= run_part(part, arguments, server)
     return result
 
 
+def told(fault, arguments):
+    """The fault in words; as JSON also what can be mistaken for a result by nobody."""
+    hint = fault.hint if isinstance(fault, Fault) else "see tests/plants/README.md"
+    print(f"error: {fault}\nHINT: {hint}", file=sys.stderr)
+    if arguments.json:
+        print(json.dumps({"seed": arguments.seed, "holds": False, "error": str(fault)}, indent=2))
+
+
 def text_of(value):
-    return "\n" + "".join(f"    {line}\n" for line in value) if isinstance(value, list) else str(value)
+    if isinstance(value, list):
+        return "\n" + "".join(f"    {line}\n" for line in value)
+    return str(value)
 
 
 def main():
@@ -74,8 +121,8 @@ def main():
         return 0
     try:
         result = run(arguments)
-    except (subprocess.CalledProcessError, RuntimeError, OSError) as fault:
-        print(f"error: {fault}", file=sys.stderr)
+    except (Fault, subprocess.CalledProcessError, RuntimeError, OSError, ValueError) as fault:
+        told(fault, arguments)
         return 1
     if arguments.json:
         print(json.dumps(result, indent=2))

@@ -1,6 +1,6 @@
 #pragma once
-/// How far the statistical tests of this run go: `deploy/test` shows breaks on a fifth of the records,
-/// `deploy/test --long` (LOOPSCOPE_LONG=1) measures rates on all of them.
+/// How far the statistical tests of this run go: `deploy/test` shows breaks on a fifth of the
+/// records, `deploy/test --long` (LOOPSCOPE_LONG=1) measures rates on all of them.
 
 #include <cstddef>
 
@@ -9,8 +9,8 @@ namespace loopscope::tests {
 /// Whether LOOPSCOPE_LONG is set to anything but 0.
 [[nodiscard]] bool is_long_run();
 
-/// Records (draws, seeds) of a sweep that takes `full` of them in the long form: a fifth, rounded up,
-/// in the short one. LOOPSCOPE_RECORDS=N replaces both, for the tables of the READMEs.
+/// Records (draws, seeds) of a sweep that takes `full` of them in the long form: a fifth, rounded
+/// up, in the short one. LOOPSCOPE_RECORDS=N replaces both, for the tables of the READMEs.
 /// @throws std::invalid_argument LOOPSCOPE_RECORDS is not a whole number of at least 1
 [[nodiscard]] std::size_t records(std::size_t full);
 

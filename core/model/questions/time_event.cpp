@@ -1,7 +1,7 @@
 #include "core/model/questions/time_event.hpp"
 
-#include "core/model/questions/outbursts.hpp"
 #include "core/model/phrases.hpp"
+#include "core/model/questions/outbursts.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/hos/combine_p.hpp"
-#include "core/model/questions/change_point.hpp"
 #include "core/model/phrases.hpp"
+#include "core/model/questions/change_point.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/model/questions/change_point.hpp"
 #include "core/model/phrases.hpp"
+#include "core/model/questions/change_point.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -116,14 +116,14 @@ TEST_F(AnnounceFlagsTest, SaysWhatEndedAFlag) {
   };
   PlantRounds(settings_for(*database))
       .store({slot(1),
-                    1,
-                    4,
-                    2,
-                    {{40.0,
-                      id("a"),
-                      "a leads",
-                      {},
-                      {{id("a"), "source", 1, 0, {}}, {id("d"), "victim", 1, 0, {}}}}}});
+              1,
+              4,
+              2,
+              {{40.0,
+                id("a"),
+                "a leads",
+                {},
+                {{id("a"), "source", 1, 0, {}}, {id("d"), "victim", 1, 0, {}}}}}});
   EXPECT_EQ(announce().ended, 4U);
   EXPECT_EQ(database->rows("SELECT loop_name, ended_by FROM loopscope.flag_history ORDER BY 1"),
             (Rows{{"a", "annotation"}, {"b", "disabled"}, {"c", "threshold"}, {"d", "plant"}}));

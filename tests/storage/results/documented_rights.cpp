@@ -50,8 +50,7 @@ void DocumentedRights::read_row(const std::string& privilege, const std::string&
   } else if (objects.starts_with("`" + names.front() + "` (") && privilege == "INSERT") {
     tables_.insert("INSERT " + names.front());
     partly_.insert(names.front());
-    for (std::size_t k = 1; k < names.size(); ++k)
-      inserted_.insert(names.front() + "." + names[k]);
+    for (std::size_t k = 1; k < names.size(); ++k) inserted_.insert(names.front() + "." + names[k]);
   } else if (privilege != "UPDATE") {
     for (const std::string& name : names) tables_.insert(privilege + " " + name);
   } else {

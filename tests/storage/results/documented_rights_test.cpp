@@ -45,7 +45,8 @@ TEST_F(DocumentedRightsTest, EveryTableOfTheSchemaIsReadAndWrittenAsDocumentedAn
 }
 
 TEST_F(DocumentedRightsTest, EveryColumnIsWrittenAsDocumentedAndNoOther) {
-  for (const auto& [role, user] : {std::pair{"worker", worker}, {"reader", reader}, {"engineer", engineer}}) {
+  for (const auto& [role, user] :
+       {std::pair{"worker", worker}, {"reader", reader}, {"engineer", engineer}}) {
     const DocumentedRights rights(role);
     const LoginSession session = log_in(user);
     for (const auto& relation : relations("loopscope")) {

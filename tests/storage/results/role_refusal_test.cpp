@@ -119,12 +119,10 @@ TEST_F(RoleRefusalTest, NobodyButTheOwnerMakesAnything) {
 }
 
 TEST_F(RoleRefusalTest, NobodyBecomesSomebodyElse) {
-  const std::vector<std::pair<std::string, std::string>> group{{owner, "loopscope_owner"},
-                                                               {worker, "loopscope_worker"},
-                                                               {reader, "loopscope_reader"},
-                                                               {engineer, "loopscope_engineer"},
-                                                               {historian, "loopscope_historian"},
-                                                               {stranger, ""}};
+  const std::vector<std::pair<std::string, std::string>> group{
+      {owner, "loopscope_owner"},         {worker, "loopscope_worker"},
+      {reader, "loopscope_reader"},       {engineer, "loopscope_engineer"},
+      {historian, "loopscope_historian"}, {stranger, ""}};
   const auto roles = database->rows(
       "SELECT rolname FROM pg_roles WHERE rolname IN ('postgres', 'loopscope_owner',"
       " 'loopscope_worker', 'loopscope_reader', 'loopscope_engineer', 'loopscope_historian',"
