@@ -17,13 +17,14 @@
 #include "core/simulate/limit_cycle.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
 using simulate::WaveShape;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::kTurn;
 
 std::optional<HarmonicStatistics> statistics_of(const std::vector<double>& signal) {
   const auto period = dominant_period(signal);

@@ -12,11 +12,12 @@
 #include "core/hos/combine_p.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::kTurn;
 
 QuadraticTest paper_test() {
   return QuadraticTest(Settings{});

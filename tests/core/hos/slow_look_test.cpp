@@ -16,26 +16,20 @@
 
 #include "core/hos/decimate.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::kTurn;
 constexpr std::size_t kFirstSeed = 9001;
 
+using tests::sawtooth;
+using tests::sine;
+using tests::square;
+using tests::triangle;
+
 // Shapes of variance 1.
-double sine(double turn) {
-  return std::numbers::sqrt2 * std::sin(kTurn * turn);
-}
-double square(double turn) {
-  return turn < 0.5 ? 1.0 : -1.0;
-}
-double triangle(double turn) {
-  return std::numbers::sqrt3 * (turn < 0.5 ? 4.0 * turn - 1.0 : 3.0 - 4.0 * turn);
-}
-double sawtooth(double turn) {
-  return std::numbers::sqrt3 * (2.0 * turn - 1.0);
-}
 double unequal_square(double turn) {  // 30 % up
   return turn < 0.3 ? std::sqrt(7.0 / 3.0) : -std::sqrt(3.0 / 7.0);
 }

@@ -8,85 +8,19 @@
 #include "core/model/explain.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/core/model/scenario_shares.hpp"
 
-/// explain() on records whose cause is known. The disabled tests measure the shares on more seeds:
-///
-///     build/release/tests/core_tests --gtest_also_run_disabled_tests
-///     --gtest_filter='*ExplainScenarios.DISABLED*'
+/// explain() on records whose cause is known; `tables explain_faulty explain_healthy` measure the
+/// shares on more of them.
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::uint64_t kFirstSeed = 7000;
-constexpr std::uint64_t kManySeeds = 100;
-
 using enum EffectKind;
-
-struct Shares {
-  std::map<std::string, int> first;  ///< effect of the first step; "none"
-  int right = 0, claims = 0;
-};
-
-bool right_first(const Explanation& explanation, const std::vector<EffectKind>& right) {
-  return !explanation.steps.empty() &&
-         std::ranges::find(right, explanation.steps.front().effect) != right.end();
-}
-
-/// Valve, process or sensor are said to be wrong.
-bool claims_hardware(const Explanation& explanation) {
-  return explanation.excited && std::ranges::any_of(explanation.steps, [](const Step& step) {
-           return step.effect != load_step && step.effect != external_oscillation;
-         });
-}
-
-Shares shares_of(std::string_view scenario, const std::vector<EffectKind>& right,
-                 std::uint64_t seeds) {
-  Shares shares;
-  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + seeds; ++seed) {
-    const auto explanation = tests::explain_scenario(scenario, seed);
-    if (!explanation) continue;
-    shares.right += right_first(*explanation, right);
-    shares.claims += claims_hardware(*explanation);
-    ++shares
-          .first[explanation->steps.empty() ? "none"
-                                            : std::string(name(explanation->steps.front().effect))];
-  }
-  return shares;
-}
-
-void print(std::string_view scenario, const Shares& shares) {
-  std::printf("| %s | right %d | valve, process or sensor %d |", std::string(scenario).c_str(),
-              shares.right, shares.claims);
-  for (const auto& [effect, count] : shares.first) std::printf(" %s %d", effect.c_str(), count);
-  std::printf(" |\n");
-}
-
-struct Faulty {
-  const char* scenario;
-  std::vector<EffectKind> right;
-};
-
-void PrintTo(const Faulty& faulty, std::ostream* stream) {
-  *stream << faulty.scenario;
-}
-
-const std::vector<Faulty>& faulty_scenarios() {
-  static const std::vector<Faulty> list = {{"paper_5_3", {external_oscillation}},
-                                           {"paper_5_4", {valve_stiction}},
-                                           {"paper_5_4_kano", {valve_stiction}},
-                                           {"load_upsets", {load_step}},
-                                           {"process_gain_change", {gain_change}},
-                                           {"worn_valve", {valve_characteristic}},
-                                           {"nonlinear_process", {process_nonlinearity}},
-                                           {"saturated_valve", {valve_saturation}},
-                                           {"quantised_sensor", {sensor_quantisation}},
-                                           {"holding_sensor", {sensor_hold}},
-                                           {"sticking_valve", {valve_stiction}},
-                                           {"sticking_level", {valve_stiction}},
-                                           {"deadband", {valve_deadband}},
-                                           {"square_limit_cycle", {valve_stiction}},
-                                           {"outside_oscillation", {external_oscillation}}};
-  return list;
-}
+using tests::Faulty;
+using tests::faulty_scenarios;
+using tests::kFirstSeed;
+using tests::Shares;
+using tests::shares_of;
 
 class ExplainFaulty : public testing::TestWithParam<Faulty> {};
 
@@ -99,10 +33,6 @@ TEST_P(ExplainFaulty, TheRightEffectComesFirst) {
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, ExplainFaulty, testing::ValuesIn(faulty_scenarios()),
                          [](const auto& tested) { return std::string(tested.param.scenario); });
-
-const char* const kHealthy[] = {"paper_5_1",      "paper_5_2_printed", "paper_5_2_excessive",
-                                "healthy_flow",   "level_loop",        "tight_tuning",
-                                "sluggish_tuning"};
 
 class ExplainHealthy : public testing::TestWithParam<const char*> {};
 
@@ -117,18 +47,8 @@ TEST_P(ExplainHealthy, NoEffect) {
   EXPECT_GE(none == shares.first.end() ? 0 : none->second, 28);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenarios, ExplainHealthy, testing::ValuesIn(kHealthy),
+INSTANTIATE_TEST_SUITE_P(Scenarios, ExplainHealthy, testing::ValuesIn(tests::kHealthyScenarios),
                          [](const auto& tested) { return std::string(tested.param); });
-
-TEST(ExplainScenarios, DISABLED_Faulty) {
-  for (const Faulty& faulty : faulty_scenarios()) {
-    print(faulty.scenario, shares_of(faulty.scenario, faulty.right, kManySeeds));
-  }
-}
-
-TEST(ExplainScenarios, DISABLED_Healthy) {
-  for (const char* scenario : kHealthy) print(scenario, shares_of(scenario, {}, kManySeeds));
-}
 
 TEST(ExplainScenarios, PeriodOfTheOutsideSinusoid) {
   for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + 10; ++seed) {
@@ -182,11 +102,6 @@ TEST(ExplainScenarios, ThePapersValve) {
 
 TEST(ExplainScenarios, ThePapersValveByKanosLaw) {
   expect_paper_valve(paper_valve("paper_5_4_kano", "kano", 10));
-}
-
-TEST(ExplainScenarios, DISABLED_PapersValves) {
-  paper_valve("paper_5_4", "choudhury", kManySeeds);
-  paper_valve("paper_5_4_kano", "kano", kManySeeds);
 }
 
 }  // namespace

@@ -12,15 +12,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::uint64_t kSeeds = 40;
-
-bool claims_hardware(const Explanation& explanation) {
-  for (const Step& step : explanation.steps) {
-    if (step.effect != EffectKind::load_step && step.effect != EffectKind::external_oscillation)
-      return true;
-  }
-  return false;
-}
+constexpr std::uint64_t kTrapRecords = 40;
 
 TEST(ExplainTraps, ConstantOpClaimsNothing) {
   simulate::LoopRecord record = simulate::simulate_scenario("sticking_valve", {}, 1);
@@ -34,7 +26,7 @@ TEST(ExplainTraps, ConstantOpClaimsNothing) {
 /// op moves, pv does not care: neither excited by it nor any effect of valve or process.
 TEST(ExplainTraps, AnOpThatPvDoesNotFollowClaimsNothing) {
   int excited = 0, claimed = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kTrapRecords; ++seed) {
     const tests::Series op = tests::stepping_op(4096, seed);
     const NoiseModel noise{1, {0.98, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
     const tests::Series pv = tests::coloured_noise(noise, 4096, seed + 500, 1.0);
@@ -42,10 +34,10 @@ TEST(ExplainTraps, AnOpThatPvDoesNotFollowClaimsNothing) {
     const auto explanation = explain({pv, op, sp, error, 1.0});
     if (!explanation) continue;
     excited += explanation->excited;
-    claimed += explanation->excited && claims_hardware(*explanation);
+    claimed += tests::claims_hardware(*explanation);
   }
   std::printf("independent op: excited %d, claimed %d of %d\n", excited, claimed,
-              static_cast<int>(kSeeds));
+              static_cast<int>(kTrapRecords));
   EXPECT_LE(claimed, 2);
   EXPECT_LE(excited, 4);
 }
@@ -62,14 +54,14 @@ tests::Series controller_output(const tests::Series& error) {
 
 TEST(ExplainTraps, AControllerAloneIsNoFaultyValveOrProcess) {
   int claimed = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kTrapRecords; ++seed) {
     const NoiseModel load{1, {0.9, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
     const tests::Series pv = tests::coloured_noise(load, 4096, seed, 1.0);
     const tests::Series sp(4096, 0.0), error = tests::scaled(pv, -1.0);
     const auto explanation = explain({pv, controller_output(error), sp, error, 1.0, false});
-    claimed += explanation && explanation->excited && claims_hardware(*explanation);
+    claimed += explanation && tests::claims_hardware(*explanation);
   }
-  std::printf("controller alone: claimed %d of %d\n", claimed, static_cast<int>(kSeeds));
+  std::printf("controller alone: claimed %d of %d\n", claimed, static_cast<int>(kTrapRecords));
   EXPECT_LE(claimed, 2);
 }
 
@@ -91,12 +83,12 @@ TEST(ExplainTraps, AFitThatFindsTheControllerIsRefused) {
 /// A right model of a loop at rest is no controller run backwards.
 TEST(ExplainTraps, RightModelsAreNotDoubted) {
   int doubted = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kTrapRecords; ++seed) {
     const auto explanation = tests::explain_scenario("healthy_flow", seed);
     ASSERT_TRUE(explanation);
     doubted += !explanation->process_doubt.empty();
   }
-  std::printf("healthy_flow: doubted %d of %d\n", doubted, static_cast<int>(kSeeds));
+  std::printf("healthy_flow: doubted %d of %d\n", doubted, static_cast<int>(kTrapRecords));
   EXPECT_LE(doubted, 4);
 }
 

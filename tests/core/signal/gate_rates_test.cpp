@@ -36,7 +36,7 @@ using P = std::optional<double> hos::Result::*;
 constexpr std::array<P, 4> kTests = {&hos::Result::nonlinear_p, &hos::Result::ngi_p,
                                      &hos::Result::nli_p, &hos::Result::cubic_p};
 
-struct Rates {
+struct GateCounts {
   int records = 0;
   int judged = 0;
   std::array<int, 4> computed{};
@@ -65,7 +65,7 @@ struct Rates {
   }
 };
 
-void add(const Damage& damage, const char* loop, int records, Rates& rates) {
+void add(const Damage& damage, const char* loop, int records, GateCounts& rates) {
   AnalysisSettings settings;
   settings.fit_model = false;
   for (int i = 0; i < records; ++i) {
@@ -89,8 +89,8 @@ class GateRates : public testing::TestWithParam<std::size_t> {
   [[nodiscard]] static const Damage& damage() { return all_damages()[GetParam()]; }
 
   /// `share` of the records that were asked for, of every loop.
-  [[nodiscard]] static Rates measure(std::span<const char* const> loops, int share) {
-    Rates rates;
+  [[nodiscard]] static GateCounts measure(std::span<const char* const> loops, int share) {
+    GateCounts rates;
     const int records = std::max(1, wanted_records().value_or(kQuickRecords) / share);
     for (const char* const loop : loops) add(damage(), loop, records, rates);
     rates.print(damage().name.c_str());
@@ -99,7 +99,7 @@ class GateRates : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(GateRates, HealthyLoopsStayHealthy) {
-  const Rates rates = measure(kHealthy, 1);
+  const GateCounts rates = measure(kHealthy, 1);
   EXPECT_GE(rates.judged, 0.9 * rates.records);
   for (std::size_t i = 0; i < kTests.size(); ++i) {
     EXPECT_LE(rates.rate(i), most_by_chance(rates.records)) << "test " << i;
@@ -107,7 +107,7 @@ TEST_P(GateRates, HealthyLoopsStayHealthy) {
 }
 
 TEST_P(GateRates, NonlinearLoopsAreFound) {
-  const Rates rates = measure(kNonlinear, 3);
+  const GateCounts rates = measure(kNonlinear, 3);
   // All of them are found in whole data; the loudest damages hide half of them.
   EXPECT_GE(rates.rate(0), 0.4);
 }
