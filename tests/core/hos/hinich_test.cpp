@@ -12,9 +12,12 @@
 #include "core/simulate/paper_signals.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
+
+using loopscope::tests::four_errors;
 
 constexpr std::size_t kHinichSegments = 64;
 
@@ -92,18 +95,18 @@ TEST(HosHinich, MixedNoncentralityIsNoLinearity) {
 // of the nominal ones: the asymptotic law takes lambda as known, but the estimate of lambda rises
 // and falls with the range, so that their difference varies less than the law says.
 TEST(HosHinich, HasItsLevelOrLessWhereItsTheoryHolds) {
-  const int records = tests::records_or(2000);
+  const int records = tests::records(2000);
   const auto draw = [](std::uint64_t seed) { return tests::white_noise(seed); };
   const Settings settings = independent_segments(tests::kRecord);
   for (const auto& [level, linearity] : {std::pair{0.05, 0.0214}, std::pair{0.01, 0.0027}}) {
     const auto shares = tests::rejections(draw, settings, level, records);
-    EXPECT_NEAR(shares.gaussianity, level, tests::four_errors(level, records)) << level;
-    EXPECT_NEAR(shares.linearity, linearity, tests::four_errors(linearity, records)) << level;
+    EXPECT_NEAR(shares.gaussianity, level, four_errors(level, records)) << level;
+    EXPECT_NEAR(shares.linearity, linearity, four_errors(linearity, records)) << level;
   }
 }
 
 TEST(HosHinich, SeesTheSquareOf41) {
-  const int records = tests::records_or(200);
+  const int records = tests::records(200);
   const auto draw = [](std::uint64_t seed) {
     return simulate::narrow_band_squared(tests::kRecord, seed);
   };
@@ -115,7 +118,7 @@ TEST(HosHinich, SeesTheSquareOf41) {
 /// Documentation that runs: neither taper makes the test hold its level on coloured noise. The
 /// figures of the README are what this test prints with LOOPSCOPE_RECORDS=2000.
 TEST(HosHinich, ATaperTradesLeakageForDependence) {
-  const int records = tests::records_or(300);
+  const int records = tests::records(300);
   Settings plain = independent_segments(tests::kRecord);
   Settings tapered = plain;
   tapered.window = WindowShape::hann;
@@ -127,9 +130,9 @@ TEST(HosHinich, ATaperTradesLeakageForDependence) {
                 100.0 * leaking.gaussianity, 100.0 * leaking.linearity,
                 100.0 * leaking.fackrell_count, 100.0 * dependent.gaussianity,
                 100.0 * dependent.linearity, 100.0 * dependent.fackrell_count);
-    EXPECT_GT(dependent.gaussianity, 0.05 + tests::four_errors(0.05, records)) << pole;
+    EXPECT_GT(dependent.gaussianity, 0.05 + four_errors(0.05, records)) << pole;
     if (pole > 0.0) {
-      EXPECT_GT(leaking.gaussianity, 0.05 + tests::four_errors(0.05, records)) << pole;
+      EXPECT_GT(leaking.gaussianity, 0.05 + four_errors(0.05, records)) << pole;
     }
   }
 }

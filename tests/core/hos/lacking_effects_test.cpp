@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <gtest/gtest.h>
 #include <span>
@@ -19,6 +18,7 @@
 #include "core/hos/tested_spectra.hpp"
 #include "core/simulate/calibration_families.hpp"
 #include "tests/core/hos/family_rates.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -34,8 +34,7 @@ struct BeforeAndAfter {
 };
 
 std::size_t record_count() {
-  const char* const wanted = std::getenv("LOOPSCOPE_RECORDS");
-  return wanted != nullptr ? std::stoul(wanted) : 100;
+  return loopscope::tests::records(100);
 }
 
 using tests::family;

@@ -77,7 +77,7 @@ MomentsOfMeans of_white_noise(const Settings& settings, int records) {
 }
 
 TEST(HosOverlap, GivesMeanAndSpreadOfWhiteNoise) {
-  const int records = tests::records_or(1500);
+  const int records = tests::records(1500);
   for (const Settings& settings :
        {Settings{}, Settings{.overlap = 0.0}, Settings{.window = WindowShape::hamming},
         Settings{.segment_length = 32, .overlap = 0.75, .dft_length = 64}}) {

@@ -8,9 +8,12 @@
 #include "core/simulate/coloured_noise.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
+
+using loopscope::tests::four_errors;
 
 Replicates drawn_from(const std::vector<double>& record, std::uint64_t seed,
                       std::optional<double> period = 30.0) {
@@ -51,7 +54,7 @@ TEST(HosReplicates, OfNormalNoiseLeaveTheFirstPassAsItIs) {
     EXPECT_LT(drawn.mean_p(2.0), 1e-3);
     unchanged += drawn.nli_p(1e-3) == 1e-3 && drawn.cubic_p(1e-3) == 1e-3 ? 1 : 0;
   }
-  EXPECT_GE(unchanged, (0.92 - tests::four_errors(0.08, kRecords)) * kRecords);
+  EXPECT_GE(unchanged, (0.92 - four_errors(0.08, kRecords)) * kRecords);
 }
 
 TEST(HosReplicates, OfSkewedNoiseExpectItsBicoherence) {

@@ -10,6 +10,7 @@
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/questions/loops.hpp"
 #include "tests/core/model/questions/pass_rates.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -23,12 +24,12 @@ using tests::powers;
 using tests::sizes;
 
 TEST(QuestionResidual, WhiteResidualsPass) {
-  constexpr int kRecords = 200;
+  const auto records = static_cast<double>(loopscope::tests::records(200));
   // Four standard deviations of a true rate of 5 %, and of one of 1 %.
-  const double most_5 = kRecords * 0.05 + 4.0 * std::sqrt(kRecords * 0.05 * 0.95);
-  const double most_1 = kRecords * 0.01 + 4.0 * std::sqrt(kRecords * 0.01 * 0.99);
+  const double most_5 = records * 0.05 + 4.0 * std::sqrt(records * 0.05 * 0.95);
+  const double most_1 = records * 0.01 + 4.0 * std::sqrt(records * 0.01 * 0.99);
   for (const White kind : kWhites) {
-    for (const auto& [question, counts] : sizes(kind, 750, kRecords)) {
+    for (const auto& [question, counts] : sizes(kind, 750, static_cast<std::size_t>(records))) {
       // A variance that changes is there to be found.
       if (kind == White::modulated && question == "time_spread") continue;
       EXPECT_LE(counts.passed[0], most_5) << question << ", " << tests::name(kind);

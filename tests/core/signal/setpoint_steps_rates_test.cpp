@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <gtest/gtest.h>
 
 #include "core/hos/analyse.hpp"
@@ -14,14 +13,21 @@
 #include "core/simulate/paper_loops.hpp"
 #include "core/simulate/plant_loops.hpp"
 #include "core/simulate/scenario.hpp"
+#include "tests/support/chance.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core::signal {
 namespace {
 
-/// Records per line; LOOPSCOPE_RECORDS=1000 gives the README's table.
+/// Per line; LOOPSCOPE_RECORDS=1000 gives the README's table.
+constexpr std::size_t kStepRecords = 200;
 int records() {
-  const char* const text = std::getenv("LOOPSCOPE_RECORDS");
-  return text != nullptr ? std::max(1, std::atoi(text)) : 200;
+  return static_cast<int>(loopscope::tests::records(kStepRecords));
+}
+
+/// A bound that holds for the mean of kStepRecords.
+double for_records(double bound) {
+  return loopscope::tests::widened(bound, kStepRecords, records());
 }
 
 /// Segments of a whole record.
@@ -131,9 +137,9 @@ void check(const char* name, const simulate::LoopSettings& loop) {
       const StepRates rates = measure(loop, error_stds, every);
       print(name, error_stds, every, rates);
       // Paired records: the difference is far below the binomial spread of either.
-      EXPECT_NEAR(rates.masked.published, rates.unstepped.published, 0.03);
+      EXPECT_NEAR(rates.masked.published, rates.unstepped.published, for_records(0.03));
       EXPECT_LT(rates.residual, 0.05);
-      EXPECT_NEAR(rates.kept_variance, 1.0, 0.01);
+      EXPECT_NEAR(rates.kept_variance, 1.0, for_records(0.01));
       if (error_stds == 10.0) {
         EXPECT_GT(rates.whole.scaled, 3.0 * rates.masked.scaled);
       }
@@ -156,7 +162,7 @@ TEST(SetpointStepsRates, ASlowLoopNeedsLongRestsBetweenItsSteps) {
     const StepRates rates = measure(loop, 10.0, every);
     print("sluggish_tuning", 10.0, every, rates);
     if (every == 1500U) {
-      EXPECT_NEAR(rates.masked.published, rates.unstepped.published, 0.03);
+      EXPECT_NEAR(rates.masked.published, rates.unstepped.published, for_records(0.03));
     }
   }
 }
