@@ -3,29 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/core/diagnosis/explanations.hpp"
+
 namespace loopscope::core::diagnosis {
 namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
-
-/// A full-length record without coupling, oscillation or odd data.
-Evidence quiet_evidence() {
-  Evidence evidence;
-  evidence.data_quality.usable = true;
-  evidence.data_quality.saturated_fraction = 0.0;
-  evidence.hos = hos::Result{};
-  evidence.hos->segments = 127;
-  evidence.hos->ngi = -0.0005;
-  evidence.hos->nli = 0.03;
-  evidence.hos->nonlinear_p = 0.6;
-  evidence.performance.harris_low = 0.4;
-  evidence.performance.harris_high = 0.8;
-  evidence.performance.error_std = 0.8;
-  evidence.valve_gain = {20.0, 0.1};
-  return evidence;
-}
 
 Evidence nonlinear_evidence() {
   Evidence evidence = quiet_evidence();
@@ -35,16 +20,6 @@ Evidence nonlinear_evidence() {
   evidence.hos->coupling = hos::Coupling::quadratic;
   evidence.hos->peaks = {{0.1, 0.1, 0.8, {}}};
   return evidence;
-}
-
-void oscillate(Evidence& evidence, double persistence) {
-  evidence.oscillation = {true, 60.0, 3.0, 1.0, persistence};
-}
-
-void show_triangular_shapes(Evidence& evidence) {
-  evidence.shape.shape_index = 0.8;
-  evidence.shape.horch_dtau = 0.9;
-  evidence.shape.horch_drho = 0.6;
 }
 
 VerdictCode code_of(const Evidence& evidence) {
@@ -86,20 +61,20 @@ TEST(Decide, SlowLoopIsSluggish) {
 
 TEST(Decide, DecayingOscillationWithoutCouplingIsTuning) {
   Evidence evidence = quiet_evidence();
-  oscillate(evidence, 0.2);
+  oscillate(evidence, 60.0, 0.2);
   EXPECT_EQ(code_of(evidence), VerdictCode::tight_tuning);
 }
 
 TEST(Decide, AnOscillationOfNoWeightIsNoFault) {
   Evidence evidence = quiet_evidence();
-  oscillate(evidence, 0.3);
+  oscillate(evidence, 60.0, 0.3);
   evidence.oscillation.amplitude = 0.4;  // 12 % of the error's variance
   EXPECT_EQ(code_of(evidence), VerdictCode::healthy);
 }
 
 TEST(Decide, SustainedSinusoidIsADisturbanceEvenWhenHorchIsOdd) {
   Evidence evidence = quiet_evidence();
-  oscillate(evidence, 0.95);
+  oscillate(evidence, 60.0, 0.95);
   evidence.shape.shape_index = 0.2;
   evidence.shape.horch_dtau = 0.9;  // seed 5.3: odd although nothing sticks
   evidence.shape.horch_drho = 0.6;
@@ -108,7 +83,7 @@ TEST(Decide, SustainedSinusoidIsADisturbanceEvenWhenHorchIsOdd) {
 
 TEST(Decide, ASustainedOscillationOfNoClearShapeIsBelievedLess) {
   Evidence evidence = quiet_evidence();
-  oscillate(evidence, 0.95);
+  oscillate(evidence, 60.0, 0.95);
   evidence.shape.shape_index = 0.2;
   const double sinusoid = decide(evidence, {}).confidence;
   evidence.shape.shape_index = 0.5;
@@ -118,27 +93,27 @@ TEST(Decide, ASustainedOscillationOfNoClearShapeIsBelievedLess) {
 
 TEST(Decide, SymmetricLimitCycleIsStictionBecauseOfItsShape) {
   Evidence evidence = quiet_evidence();
-  oscillate(evidence, 0.95);
-  show_triangular_shapes(evidence);
+  oscillate(evidence, 60.0, 0.95);
+  show_stiction_shapes(evidence);
   const Verdict verdict = decide(evidence, {});
   EXPECT_EQ(verdict.code, VerdictCode::valve_stiction);
   EXPECT_THAT(verdict.reasons, Contains(HasSubstr("blind")));
   Evidence coupled = nonlinear_evidence();
-  oscillate(coupled, 0.95);
-  show_triangular_shapes(coupled);
+  oscillate(coupled, 60.0, 0.95);
+  show_stiction_shapes(coupled);
   EXPECT_GT(decide(coupled, {}).confidence, verdict.confidence);
 }
 
 TEST(Decide, NonlinearWithTriangularShapesIsStiction) {
   Evidence evidence = nonlinear_evidence();
-  oscillate(evidence, 0.9);
-  show_triangular_shapes(evidence);
+  oscillate(evidence, 60.0, 0.9);
+  show_stiction_shapes(evidence);
   EXPECT_EQ(code_of(evidence), VerdictCode::valve_stiction);
 }
 
 TEST(Decide, AChanceFindingDoesNotHideAnOscillation) {
   Evidence evidence = nonlinear_evidence();
-  oscillate(evidence, 0.5);
+  oscillate(evidence, 60.0, 0.5);
   evidence.oscillation.p = 1e-6;
   evidence.hos->nonlinear_p = 0.03;
   EXPECT_EQ(code_of(evidence), VerdictCode::tight_tuning);
@@ -171,8 +146,8 @@ TEST(Decide, TinyOutputMovesAndALargeAnswerMeanAnOversizedValve) {
 
 TEST(Decide, AConstantOutputAccusesNoValve) {
   Evidence evidence = nonlinear_evidence();
-  oscillate(evidence, 0.9);
-  show_triangular_shapes(evidence);
+  oscillate(evidence, 60.0, 0.9);
+  show_stiction_shapes(evidence);
   evidence.data_quality.flags = {"op_constant"};
   EXPECT_EQ(code_of(evidence), VerdictCode::nonlinear_unexplained);
 }
@@ -197,7 +172,7 @@ TEST(Decide, AValveThatFollowsLeavesTheProcess) {
 
 TEST(Decide, CorrelationHasNoVoteOnIntegratingLoops) {
   Evidence evidence = nonlinear_evidence();
-  oscillate(evidence, 0.9);
+  oscillate(evidence, 60.0, 0.9);
   evidence.shape.shape_index = 0.5;
   evidence.shape.horch_dtau = 0.9;
   evidence.shape.horch_drho = 0.6;
@@ -208,7 +183,7 @@ TEST(Decide, CorrelationHasNoVoteOnIntegratingLoops) {
 
 TEST(Decide, WithoutAnOutputNothingIsClaimedOfControllerAndValve) {
   Evidence evidence = quiet_evidence();
-  oscillate(evidence, 0.5);
+  oscillate(evidence, 60.0, 0.5);
   evidence.valve_gain = {0.0, 0.2};
   evidence.data_quality.flags = {"op_constant"};
   EXPECT_EQ(code_of(evidence), VerdictCode::external_disturbance);
@@ -241,7 +216,7 @@ TEST(Decide, CouplingWithoutAPeakIsBelievedByItsPAndNamesNoBifrequency) {
 
 TEST(Decide, CorrelationAloneAccusesNobody) {
   Evidence evidence = quiet_evidence();
-  oscillate(evidence, 0.65);
+  oscillate(evidence, 60.0, 0.65);
   evidence.shape.horch_dtau = 0.75;  // what a tightly tuned loop of nine samples a cycle shows
   evidence.shape.horch_drho = 0.41;
   EXPECT_EQ(code_of(evidence), VerdictCode::tight_tuning);
@@ -249,8 +224,8 @@ TEST(Decide, CorrelationAloneAccusesNobody) {
 
 TEST(Decide, AnOversizedValveIsNamedWithoutCouplingToo) {
   Evidence evidence = quiet_evidence();
-  oscillate(evidence, 0.5);
-  show_triangular_shapes(evidence);
+  oscillate(evidence, 60.0, 0.5);
+  show_stiction_shapes(evidence);
   evidence.valve_gain = {0.4, 0.1};
   EXPECT_EQ(code_of(evidence), VerdictCode::valve_oversized);
 }

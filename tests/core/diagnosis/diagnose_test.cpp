@@ -15,15 +15,20 @@
 #include "core/simulate/coloured_noise.hpp"
 #include "core/simulate/innovations.hpp"
 #include "core/simulate/scenario.hpp"
+#include "tests/support/chance.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core {
 namespace {
 
 using diagnosis::VerdictCode;
+using loopscope::tests::at_least;
+using loopscope::tests::at_most;
+using loopscope::tests::records;
 
-/// Seeds per scenario; the flow's limits were set on others (1 to 3 and 1000 to 1099).
+/// Records per scenario; the flow's limits were set on others (1 to 3 and 1000 to 1099).
 constexpr std::uint64_t kFirstSeed = 5000;
-constexpr std::uint64_t kSeeds = 100;
+constexpr std::uint64_t kRecords = 100;
 /// Verdicts below this are not flagged (config/, flags.min_confidence).
 constexpr double kFlagged = 0.3;
 
@@ -45,7 +50,7 @@ struct Tally {
 Tally diagnose_scenario(const std::string& scenario) {
   const LoopFacts facts{.integrating = scenario.find("level") != std::string::npos};
   Tally tally;
-  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kSeeds; ++seed) {
+  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + records(kRecords); ++seed) {
     const auto record = simulate::simulate_scenario(scenario, {}, seed);
     const diagnosis::Verdict verdict = diagnose(window_of(record), {}, facts).verdict;
     ++tally.verdicts[std::string(name(verdict.code))];
@@ -64,7 +69,7 @@ void print(const std::string& scenario, const Tally& tally) {
 struct Expected {
   const char* scenario;
   const char* code;
-  int at_least;  ///< of 100 seeds
+  int at_least;  ///< of kRecords
 };
 
 void PrintTo(const Expected& expected, std::ostream* stream) {
@@ -77,10 +82,12 @@ TEST_P(Scenarios, EndAsTheVerdictThatTheFlowCanKnow) {
   const Tally tally = diagnose_scenario(GetParam().scenario);
   print(GetParam().scenario, tally);
   const auto found = tally.verdicts.find(GetParam().code);
-  EXPECT_GE(found == tally.verdicts.end() ? 0 : found->second, GetParam().at_least);
+  EXPECT_GE(found == tally.verdicts.end() ? 0 : found->second,
+            at_least(GetParam().at_least, kRecords, records(kRecords)));
 }
 
-// The shares leave room for the binomial spread of 100 seeds (two standard deviations: at most 10).
+// The shares leave room for the binomial spread of 100 records (two standard deviations: at most
+// 10).
 INSTANTIATE_TEST_SUITE_P(Verdicts, Scenarios,
                          testing::Values(Expected{"paper_5_2_excessive", "tight_tuning", 90},
                                          Expected{"paper_5_3", "external_disturbance", 85},
@@ -102,7 +109,7 @@ class HealthyScenarios : public testing::TestWithParam<const char*> {};
 TEST_P(HealthyScenarios, AreSeldomFlagged) {
   const Tally tally = diagnose_scenario(GetParam());
   print(GetParam(), tally);
-  EXPECT_LE(tally.flagged, 6);
+  EXPECT_LE(tally.flagged, at_most(6, kRecords, records(kRecords)));
 }
 
 INSTANTIATE_TEST_SUITE_P(FalseAlarms, HealthyScenarios,
@@ -116,7 +123,7 @@ TEST(Diagnose, SaturationIsNamedWheneverTheOutputShowsIt) {
   AnalysisSettings settings;
   settings.fit_model = false;
   int shown = 0;
-  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + kSeeds; ++seed) {
+  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + records(kRecords); ++seed) {
     const auto record = simulate::simulate_scenario("saturated_valve", {}, seed);
     const auto at_limit =
         std::count_if(record.op.begin(), record.op.end(), [](double op) { return op >= 99.5; });
@@ -125,7 +132,8 @@ TEST(Diagnose, SaturationIsNamedWheneverTheOutputShowsIt) {
     EXPECT_EQ(verdict.code == VerdictCode::valve_saturation, saturated) << "seed " << seed;
     shown += saturated ? 1 : 0;
   }
-  std::printf("op shows the saturation in %d of %d windows\n", shown, static_cast<int>(kSeeds));
+  std::printf("op shows the saturation in %d of %d windows\n", shown,
+              static_cast<int>(records(kRecords)));
   EXPECT_GT(shown, 0);
 }
 

@@ -1,6 +1,9 @@
 #include "tests/core/diagnosis/explanations.hpp"
 
+#include <gtest/gtest.h>
 #include <utility>
+
+#include "core/diagnosis/decide.hpp"
 
 namespace loopscope::core::diagnosis {
 
@@ -40,31 +43,44 @@ model::ClosedLoop slow_loop() {
   return {0.02, 30.0, 0.95, 1.05, 1.0, 0.0, 2000.0, 9.0, 0.02 / 30.0};
 }
 
-Evidence evidence_with(std::optional<model::Explanation> model) {
+Evidence quiet_evidence() {
   Evidence evidence;
   evidence.data_quality.usable = true;
   evidence.data_quality.saturated_fraction = 0.0;
   evidence.hos = hos::Result{};
   evidence.hos->segments = 127;
+  evidence.hos->ngi = -0.0005;
+  evidence.hos->nli = 0.03;
   evidence.hos->nonlinear_p = 0.6;
   evidence.performance.harris_low = 0.4;
   evidence.performance.harris_high = 0.8;
-  evidence.performance.harris_p = 1.0;
   evidence.performance.error_std = 0.8;
-  evidence.performance.longest_delay_s = 10.0;
   evidence.valve_gain = {20.0, 0.1};
+  return evidence;
+}
+
+Evidence evidence_with(std::optional<model::Explanation> model) {
+  Evidence evidence = quiet_evidence();
+  evidence.performance.harris_p = 1.0;
+  evidence.performance.longest_delay_s = 10.0;
   evidence.model = std::move(model);
   return evidence;
 }
 
 void oscillate(Evidence& evidence, double period_s, double persistence) {
-  evidence.oscillation = {true, period_s, 3.0, 1.0, persistence, 1e-6};
+  evidence.oscillation = {true, period_s, 3.0, 1.0, persistence, kOscillationP};
 }
 
 void show_stiction_shapes(Evidence& evidence) {
   evidence.shape.shape_index = 0.8;
   evidence.shape.horch_dtau = 0.9;
   evidence.shape.horch_drho = 0.6;
+}
+
+void expect_verdict(const Evidence& evidence, VerdictCode code, std::optional<double> p) {
+  const Verdict verdict = decide(evidence, {});
+  EXPECT_EQ(name(verdict.code), name(code));
+  EXPECT_EQ(verdict.p, p) << name(code);
 }
 
 Case case_of(const Evidence& evidence) {

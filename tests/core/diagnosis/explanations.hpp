@@ -21,14 +21,20 @@ namespace loopscope::core::diagnosis {
 [[nodiscard]] model::ClosedLoop calm_loop();
 [[nodiscard]] model::ClosedLoop slow_loop();
 
-/// A full-length record without coupling, oscillation or odd data, with this model.
+/// A full-length record without coupling, oscillation or odd data.
+[[nodiscard]] Evidence quiet_evidence();
+/// One that passes Harris' test as well, with this model.
 [[nodiscard]] Evidence evidence_with(std::optional<model::Explanation> model);
 
+inline constexpr double kOscillationP = 1e-6;
 /// Adds an oscillation that carries most of the error's variance.
 void oscillate(Evidence& evidence, double period_s, double persistence = 0.95);
 
 /// Shapes and cross-correlation of a sticking valve.
 void show_stiction_shapes(Evidence& evidence);
+
+/// That the flow gives this verdict, which rests on this p-value.
+void expect_verdict(const Evidence& evidence, VerdictCode code, std::optional<double> p);
 
 /// What the branches of the flow are given.
 [[nodiscard]] Case case_of(const Evidence& evidence);

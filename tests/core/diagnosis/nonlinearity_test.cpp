@@ -5,6 +5,9 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/chance.hpp"
+#include "tests/support/long_run.hpp"
+
 namespace loopscope::core::diagnosis {
 namespace {
 
@@ -102,11 +105,12 @@ TEST(Nonlinearity, TheSecondLookSaysHowItWasTaken) {
 /// The bounds are 2 and 7 %: 2000 records give 5 % to within 1 % (two errors).
 TEST(Nonlinearity, NoiseIsFoundNonlinearAtTheNominalRate) {
   constexpr int kRecords = 2000;
+  const auto records = static_cast<int>(loopscope::tests::records(kRecords));
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
   for (const double pole : {0.0, 0.9, 1.0}) {
     int found = 0;
-    for (int record = 0; record < kRecords; ++record) {
+    for (int record = 0; record < records; ++record) {
       std::vector<double> signal(4096);
       double state = 0.0;
       for (double& value : signal) value = state = pole * state + normal(random);
@@ -114,8 +118,10 @@ TEST(Nonlinearity, NoiseIsFoundNonlinearAtTheNominalRate) {
       evidence.hos = hos::analyse(signal, {});
       found += judge_nonlinearity(evidence, {}).found ? 1 : 0;
     }
-    EXPECT_LE(found, 0.07 * kRecords) << "pole " << pole;
-    EXPECT_GE(found, 0.02 * kRecords) << "pole " << pole;
+    EXPECT_LE(found, loopscope::tests::at_most(0.07 * kRecords, kRecords, records))
+        << "pole " << pole;
+    EXPECT_GE(found, loopscope::tests::at_least(0.02 * kRecords, kRecords, records))
+        << "pole " << pole;
   }
 }
 

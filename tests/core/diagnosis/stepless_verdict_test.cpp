@@ -28,28 +28,22 @@ void creep(Evidence& evidence) {
   evidence.performance.harris_p = 1e-8;
 }
 
-void expect(const Evidence& evidence, VerdictCode code, std::optional<double> p) {
-  const Verdict verdict = decide(evidence, {});
-  EXPECT_EQ(name(verdict.code), name(code));
-  EXPECT_EQ(verdict.p, p);
-}
-
 TEST(SteplessVerdict, NothingLeftIsHealthyAndSurerThanWithoutAModel) {
-  expect(plain(calm_loop()), VerdictCode::healthy, std::nullopt);
+  expect_verdict(plain(calm_loop()), VerdictCode::healthy, std::nullopt);
   EXPECT_GT(decide(plain(calm_loop()), {}).confidence,
             decide(evidence_with(std::nullopt), {}).confidence);
-  expect(plain(std::nullopt), VerdictCode::healthy, std::nullopt);
+  expect_verdict(plain(std::nullopt), VerdictCode::healthy, std::nullopt);
 }
 
 TEST(SteplessVerdict, RingingAtTheLoopsOwnPeriodIsTuning) {
   Evidence evidence = plain(ringing_loop());
   oscillate(evidence, 58.0, 0.6);
-  expect(evidence, VerdictCode::tight_tuning, 1e-6);
+  expect_verdict(evidence, VerdictCode::tight_tuning, 1e-6);
   EXPECT_THAT(decide(evidence, {}).reasons, Contains(HasSubstr("peak sensitivity 4")));
 }
 
 TEST(SteplessVerdict, ATightLoopThatDoesNotOscillateIsNotAccused) {
-  expect(plain(ringing_loop()), VerdictCode::healthy, std::nullopt);
+  expect_verdict(plain(ringing_loop()), VerdictCode::healthy, std::nullopt);
 }
 
 TEST(SteplessVerdict, AControllerThatIsHardlyKnownIsAccusedLess) {
@@ -65,40 +59,40 @@ TEST(SteplessVerdict, AnotherPeriodComesFromOutside) {
     Evidence evidence = plain(loop);
     oscillate(evidence, 130.0, 0.5);
     show_stiction_shapes(evidence);
-    expect(evidence, VerdictCode::external_disturbance, 1e-6);
+    expect_verdict(evidence, VerdictCode::external_disturbance, 1e-6);
   }
 }
 
 TEST(SteplessVerdict, AtADampedResonanceTheLineDecides) {
   Evidence evidence = plain(calm_loop());
   oscillate(evidence, 60.0, 0.95);
-  expect(evidence, VerdictCode::external_disturbance, 1e-6);
+  expect_verdict(evidence, VerdictCode::external_disturbance, 1e-6);
   oscillate(evidence, 60.0, 0.5);
-  expect(evidence, VerdictCode::tight_tuning, 1e-6);
+  expect_verdict(evidence, VerdictCode::tight_tuning, 1e-6);
   EXPECT_LT(decide(evidence, {}).confidence, 0.3) << "below what is flagged";
 }
 
 TEST(SteplessVerdict, WithoutAControllerTheLineDecides) {
   Evidence evidence = plain(std::nullopt);
   oscillate(evidence, 60.0, 0.95);
-  expect(evidence, VerdictCode::external_disturbance, 1e-6);
+  expect_verdict(evidence, VerdictCode::external_disturbance, 1e-6);
   oscillate(evidence, 60.0, 0.3);
-  expect(evidence, VerdictCode::tight_tuning, 1e-6);
+  expect_verdict(evidence, VerdictCode::tight_tuning, 1e-6);
 }
 
 TEST(SteplessVerdict, AtRestAnErrorThatRemembersForLongIsSlowTuning) {
   Evidence evidence = plain(slow_loop());
-  expect(evidence, VerdictCode::healthy, std::nullopt);
+  expect_verdict(evidence, VerdictCode::healthy, std::nullopt);
   creep(evidence);
-  expect(evidence, VerdictCode::sluggish_tuning, 1e-8);
+  expect_verdict(evidence, VerdictCode::sluggish_tuning, 1e-8);
   evidence.integrating = true;
-  expect(evidence, VerdictCode::healthy, std::nullopt);
+  expect_verdict(evidence, VerdictCode::healthy, std::nullopt);
   evidence.integrating = false;
   evidence.performance.error_memory_s = 119.0;
-  expect(evidence, VerdictCode::healthy, std::nullopt);
+  expect_verdict(evidence, VerdictCode::healthy, std::nullopt);
   evidence.performance.harris_p.reset();
   evidence.performance.error_memory_s = 200.0;
-  expect(evidence, VerdictCode::sluggish_tuning, 1.0);
+  expect_verdict(evidence, VerdictCode::sluggish_tuning, 1.0);
 }
 
 TEST(SteplessVerdict, NextToPureIntegralActionADoubtfulMemoryIsNamedAndNotFlagged) {
@@ -107,13 +101,13 @@ TEST(SteplessVerdict, NextToPureIntegralActionADoubtfulMemoryIsNamedAndNotFlagge
   creep(evidence);
   evidence.performance.error_memory_s = 30.0;
   evidence.model->closed_loop->integral_time_s = 2.0;
-  expect(evidence, VerdictCode::sluggish_tuning, 1e-8);
+  expect_verdict(evidence, VerdictCode::sluggish_tuning, 1e-8);
   EXPECT_LT(decide(evidence, {}).confidence, kLeastOfAFlag);
   evidence.performance.error_memory_s = 18.0;
-  expect(evidence, VerdictCode::healthy, std::nullopt);
+  expect_verdict(evidence, VerdictCode::healthy, std::nullopt);
   evidence.performance.error_memory_s = 30.0;
   evidence.performance.harris_low = evidence.performance.harris_high = 0.8;
-  expect(evidence, VerdictCode::healthy, std::nullopt);
+  expect_verdict(evidence, VerdictCode::healthy, std::nullopt);
 }
 
 TEST(SteplessVerdict, WhereTheSetpointMovesProcessAndControllerAreCompared) {
@@ -150,28 +144,28 @@ TEST(SteplessVerdict, ALineThatLeavesThePolesUndampedComesFromOutside) {
   Evidence evidence = plain(ringing_loop());
   evidence.model->closed_loop->damping = 0.001;
   oscillate(evidence, 60.0, 0.95);
-  expect(evidence, VerdictCode::external_disturbance, 1e-6);
+  expect_verdict(evidence, VerdictCode::external_disturbance, 1e-6);
   oscillate(evidence, 60.0, 0.6);
-  expect(evidence, VerdictCode::tight_tuning, 1e-6);
+  expect_verdict(evidence, VerdictCode::tight_tuning, 1e-6);
 }
 
 TEST(SteplessVerdict, CouplingWithoutAnEffectStaysUnexplained) {
   Evidence evidence = plain(calm_loop());
   evidence.hos->nonlinear_p = 1e-6;
-  expect(evidence, VerdictCode::nonlinear_unexplained, 1e-6);
+  expect_verdict(evidence, VerdictCode::nonlinear_unexplained, 1e-6);
   oscillate(evidence, 130.0);
-  expect(evidence, VerdictCode::nonlinear_unexplained, 1e-6);
+  expect_verdict(evidence, VerdictCode::nonlinear_unexplained, 1e-6);
   oscillate(evidence, 60.0, 0.6);
   evidence.model->closed_loop = ringing_loop();
-  expect(evidence, VerdictCode::tight_tuning, 1e-6);
+  expect_verdict(evidence, VerdictCode::tight_tuning, 1e-6);
 }
 
 TEST(SteplessVerdict, AStructuredRestIsUnexplained) {
   Evidence evidence = plain(calm_loop());
   evidence.model->unexplained.whiteness_p = 1e-7;
-  expect(evidence, VerdictCode::unexplained, structure_p(*evidence.model));
+  expect_verdict(evidence, VerdictCode::unexplained, structure_p(*evidence.model));
   evidence.model->unexplained.whiteness_p = 0.01;
-  expect(evidence, VerdictCode::healthy, std::nullopt);
+  expect_verdict(evidence, VerdictCode::healthy, std::nullopt);
 }
 
 TEST(SteplessVerdict, StructureHoldsTuningToo) {
@@ -192,15 +186,15 @@ TEST(SteplessVerdict, TuningAdviceWaitsForTheSensor) {
   EXPECT_THAT(verdict.action, HasSubstr("transmitter"));
   EXPECT_THAT(verdict.reasons, Contains(HasSubstr("No advice on tuning")));
   evidence.oscillation = {};
-  expect(evidence, VerdictCode::sensor_fault, std::nullopt);
+  expect_verdict(evidence, VerdictCode::sensor_fault, std::nullopt);
 }
 
 TEST(SteplessVerdict, AnOversizedValveIsNamedByItsSpans) {
   Evidence evidence = plain(calm_loop());
   evidence.valve_gain = {0.6, 0.3};
-  expect(evidence, VerdictCode::healthy, std::nullopt);
+  expect_verdict(evidence, VerdictCode::healthy, std::nullopt);
   oscillate(evidence, 130.0);
-  expect(evidence, VerdictCode::valve_oversized, 1e-6);
+  expect_verdict(evidence, VerdictCode::valve_oversized, 1e-6);
 }
 
 }  // namespace

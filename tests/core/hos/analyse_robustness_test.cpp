@@ -12,12 +12,13 @@
 #include "core/hos/analyse.hpp"
 #include "core/simulate/limit_cycle.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using loopscope::tests::kInfinity;
+using loopscope::tests::kNaN;
 
 bool is_p(double p) {
   return p > 0.0 && p <= 1.0;
@@ -44,18 +45,11 @@ std::vector<double> exact_wave(double period, double (*shape)(double turn)) {
   return wave;
 }
 
-double sine(double turn) {
-  return std::sin(2.0 * std::numbers::pi * turn);
-}
-double square(double turn) {
-  return turn < 0.5 ? 1.0 : -1.0;
-}
-double triangle(double turn) {
-  return std::abs(4.0 * turn - 2.0) - 1.0;
-}
-double sawtooth(double turn) {
-  return 2.0 * turn - 1.0;
-}
+using tests::sawtooth;
+using tests::sine;
+using tests::square;
+using tests::triangle;
+
 double pulse(double turn) {
   return turn < 0.1 ? 1.0 : 0.0;
 }
@@ -80,14 +74,14 @@ TEST(HosAnalyseRobustness, NoLengthBreaksIt) {
 
 TEST(HosAnalyseRobustness, MissingAndInfiniteSamplesAreLeftOut) {
   auto record = tests::exponential_noise(2);
-  for (std::size_t n = 500; n < 1500; ++n) record[n] = n % 2 == 0 ? kNan : kInfinity;
+  for (std::size_t n = 500; n < 1500; ++n) record[n] = n % 2 == 0 ? kNaN : kInfinity;
   record[3000] = -kInfinity;
   expect_sound(record, "gaps and infinities");
-  EXPECT_FALSE(analyse(std::vector<double>(tests::kRecord, kNan), Settings{}).has_value());
+  EXPECT_FALSE(analyse(std::vector<double>(tests::kRecord, kNaN), Settings{}).has_value());
   EXPECT_FALSE(analyse(std::vector<double>(tests::kRecord, kInfinity), Settings{}).has_value());
   for (const std::size_t every : {65U, 96U, 130U, 300U}) {
     auto torn = tests::exponential_noise(3);
-    for (std::size_t n = 0; n < torn.size(); n += every) torn[n] = kNan;
+    for (std::size_t n = 0; n < torn.size(); n += every) torn[n] = kNaN;
     expect_sound(torn, "a gap every " + std::to_string(every));
   }
 }

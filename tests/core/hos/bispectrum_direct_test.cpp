@@ -15,18 +15,20 @@ namespace {
 // Every bifrequency has the relative standard error sqrt((sum w^2)^3 / K) / (sum w^3 skewness) =
 // sqrt(24.4^3 / 8191) / (20.3 * 2) = 0.033; the tolerance is six of them, for the largest error of
 // a thousand bifrequencies.
-constexpr std::size_t kLength = 1 << 18;
-constexpr double kTolerance = 0.2;
+constexpr std::size_t kDirectLength = 1 << 18;
+constexpr double kDirectTolerance = 0.2;
 
 TEST(HosBispectrumDirect, IsTheThirdMomentOnWhiteNoise) {
-  const auto bispectrum = bispectrum_direct(tests::exponential_noise(21, kLength), Settings{});
-  tests::expect_near_linear(bispectrum, {1.0}, Settings{}, kTolerance);
+  const auto bispectrum =
+      bispectrum_direct(tests::exponential_noise(21, kDirectLength), Settings{});
+  tests::expect_near_linear(bispectrum, {1.0}, Settings{}, kDirectTolerance);
 }
 
 TEST(HosBispectrumDirect, FollowsTheTransferFunctionOfALinearProcess) {
   const std::vector<double> taps = {1.0, -0.6, 0.3};
-  const auto signal = tests::moving_average(tests::exponential_noise(22, kLength), taps);
-  tests::expect_near_linear(bispectrum_direct(signal, Settings{}), taps, Settings{}, kTolerance);
+  const auto signal = tests::moving_average(tests::exponential_noise(22, kDirectLength), taps);
+  tests::expect_near_linear(bispectrum_direct(signal, Settings{}), taps, Settings{},
+                            kDirectTolerance);
 }
 
 TEST(HosBispectrumDirect, TimeReversalConjugates) {

@@ -14,18 +14,20 @@ namespace loopscope::core::hos {
 namespace {
 
 // Windowed to half a segment the estimate varies less than the direct one.
-constexpr std::size_t kLength = 1 << 16;
-constexpr double kTolerance = 0.2;
+constexpr std::size_t kIndirectLength = 1 << 16;
+constexpr double kIndirectTolerance = 0.2;
 
 TEST(HosBispectrumIndirect, IsTheThirdMomentOnWhiteNoise) {
-  const auto bispectrum = bispectrum_indirect(tests::exponential_noise(31, kLength), Settings{});
-  tests::expect_near_linear(bispectrum, {1.0}, Settings{}, kTolerance);
+  const auto bispectrum =
+      bispectrum_indirect(tests::exponential_noise(31, kIndirectLength), Settings{});
+  tests::expect_near_linear(bispectrum, {1.0}, Settings{}, kIndirectTolerance);
 }
 
 TEST(HosBispectrumIndirect, FollowsTheTransferFunctionOfALinearProcess) {
   const std::vector<double> taps = {1.0, -0.6, 0.3};
-  const auto signal = tests::moving_average(tests::exponential_noise(32, kLength), taps);
-  tests::expect_near_linear(bispectrum_indirect(signal, Settings{}), taps, Settings{}, kTolerance);
+  const auto signal = tests::moving_average(tests::exponential_noise(32, kIndirectLength), taps);
+  tests::expect_near_linear(bispectrum_indirect(signal, Settings{}), taps, Settings{},
+                            kIndirectTolerance);
 }
 
 TEST(HosBispectrumIndirect, AgreesWithTheDirectMethodOnTheSameSamples) {
@@ -35,7 +37,7 @@ TEST(HosBispectrumIndirect, AgreesWithTheDirectMethodOnTheSameSamples) {
   // their difference stays below twice that. Bins near zero frequency are left out: there the
   // direct method has lost the means of its segments.
   const std::vector<double> taps = {1.0, -0.6, 0.3};
-  const auto signal = tests::moving_average(tests::exponential_noise(33, kLength), taps);
+  const auto signal = tests::moving_average(tests::exponential_noise(33, kIndirectLength), taps);
   const auto direct = bispectrum_direct(signal, Settings{});
   const auto indirect = bispectrum_indirect(signal, Settings{});
   ASSERT_EQ(direct.size(), indirect.size());
@@ -60,11 +62,12 @@ TEST(HosBispectrumIndirect, TimeReversalConjugates) {
 }
 
 TEST(HosBispectrumIndirect, MissingSamplesLeaveTheLevel) {
-  auto signal = tests::exponential_noise(35, kLength);
+  auto signal = tests::exponential_noise(35, kIndirectLength);
   for (std::size_t k = 0; k < signal.size(); k += 50) {
     signal[k] = std::nan("");
   }
-  tests::expect_near_linear(bispectrum_indirect(signal, Settings{}), {1.0}, Settings{}, kTolerance);
+  tests::expect_near_linear(bispectrum_indirect(signal, Settings{}), {1.0}, Settings{},
+                            kIndirectTolerance);
 }
 
 TEST(HosBispectrumIndirect, EmptyWithoutASample) {

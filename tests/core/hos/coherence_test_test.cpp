@@ -10,9 +10,12 @@
 
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/uniformity.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
+
+using loopscope::tests::four_errors;
 
 using Complex = std::complex<double>;
 using Sequence = std::vector<Complex>;
@@ -88,7 +91,7 @@ TEST(HosCoherenceTest, IsUniformForIndependentSegmentsWhateverIsFollowed) {
       for (Complex& value : w) value *= value * value * std::norm(value);
       return w;
     };
-    const int draws = tests::records_or(5000);
+    const int draws = tests::records(5000);
     EXPECT_LT(tests::distance_from_uniform(p_values(draws, count, kIndependent, noise, noise)),
               tests::kLargestDistance);
     EXPECT_LT(
@@ -111,15 +114,14 @@ TEST(HosCoherenceTest, HoldsItsLevelOnOverlappingSegments) {
   // Correlations of 1/6 (half overlap) and 0.49 (three quarters), turning as at some frequency;
   // what is followed is correlated the same way, which is the worst case.
   constexpr std::size_t kCount = 127;
-  const int draws = tests::records_or(10'000);
+  const int draws = tests::records(10'000);
   for (const Complex weight : {Complex(0.17), std::polar(0.17, 2.0), std::polar(0.8, 1.0)}) {
     const Sequence correlation = {1.0, weight / (1.0 + std::norm(weight))};
     const auto p = p_values(draws, kCount, correlation, moving_average(kCount, weight),
                             moving_average(kCount, weight));
     for (const double level : {0.05, 0.01, 0.001}) {
       // The power's freedom is matched in its second moment only: a fifth of the level.
-      EXPECT_NEAR(tests::share_below(p, level), level,
-                  tests::four_errors(level, draws) + 0.2 * level)
+      EXPECT_NEAR(tests::share_below(p, level), level, four_errors(level, draws) + 0.2 * level)
           << weight << ' ' << level;
     }
   }

@@ -10,12 +10,13 @@
 #include <stdexcept>
 
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+using loopscope::tests::kNaN;
+using loopscope::tests::kTurn;
 
 std::vector<double> cosine(double frequency, double phase, std::size_t length) {
   std::vector<double> x(length);
@@ -78,8 +79,8 @@ TEST_P(Decimate, KeepsSoManySamples) {
 TEST_P(Decimate, AConstantStaysWhatItIsAroundGapsToo) {
   const std::size_t factor = GetParam();
   std::vector<double> x(60 * factor, 1e6);
-  x[30 * factor + 1] = kGap;
-  for (std::size_t k = 45 * factor; k < 48 * factor; ++k) x[k] = kGap;
+  x[30 * factor + 1] = kNaN;
+  for (std::size_t k = 45 * factor; k < 48 * factor; ++k) x[k] = kNaN;
   std::size_t missing = 0;
   for (const double value : decimate(x, factor)) {
     missing += std::isnan(value) ? 1U : 0U;
@@ -100,7 +101,7 @@ TEST_P(Decimate, WhatIsKeptBesideGapsIsNearlyWhatItWouldBe) {
     for (int gap = 0; gap < 5; ++gap) {
       const std::size_t start = random() % (270 * factor);
       const std::size_t length = 1 + random() % (24 * factor);
-      std::fill_n(gappy.begin() + static_cast<std::ptrdiff_t>(start), length, kGap);
+      std::fill_n(gappy.begin() + static_cast<std::ptrdiff_t>(start), length, kNaN);
     }
     const std::vector<double> expected = decimate(whole, factor);
     const std::vector<double> kept = decimate(gappy, factor);

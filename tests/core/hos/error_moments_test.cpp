@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "core/simulate/coloured_noise.hpp"
+#include "tests/core/hos/signals.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
 using simulate::Innovation;
-
-std::vector<double> noise(Innovation law, std::size_t samples, std::uint64_t seed,
-                          double pole = 0.0) {
-  return simulate::coloured_noise(simulate::real_pole(pole), law, samples, seed);
-}
 
 TEST(ErrorMoments, OfTheSameErrorsDifferByChiSquared) {
   for (const Innovation law :
@@ -23,8 +19,8 @@ TEST(ErrorMoments, OfTheSameErrorsDifferByChiSquared) {
     constexpr int kRecords = 400;
     double mean = 0.0;
     for (std::uint64_t seed = 1; seed <= kRecords; ++seed) {
-      const ErrorMoments a(noise(law, 1024, 2 * seed));
-      const ErrorMoments b(noise(law, 1024, 2 * seed + 1));
+      const ErrorMoments a(tests::coloured(law, 0.0, 2 * seed, 1024));
+      const ErrorMoments b(tests::coloured(law, 0.0, 2 * seed + 1, 1024));
       mean += a.difference_from(b).chi_squared / kRecords;
     }
     // Five standard errors. The mean of each sub-window is scaled by its own spread.
@@ -33,22 +29,22 @@ TEST(ErrorMoments, OfTheSameErrorsDifferByChiSquared) {
 }
 
 TEST(ErrorMoments, OfOtherCorrelationsDiffer) {
-  const ErrorMoments white(noise(Innovation::gaussian, 2048, 1));
-  const ErrorMoments red(noise(Innovation::gaussian, 2048, 2, 0.5));
+  const ErrorMoments white(tests::coloured(Innovation::gaussian, 0.0, 1, 2048));
+  const ErrorMoments red(tests::coloured(Innovation::gaussian, 0.5, 2, 2048));
   const ErrorMoments::Difference difference = white.difference_from(red);
   EXPECT_GT(difference.chi_squared, 100.0);
   EXPECT_NEAR(difference.size, 0.33, 0.1);  // 0.5^2 + 0.25^2 + ...
 }
 
 TEST(ErrorMoments, LoudnessDoesNotCount) {
-  std::vector<double> errors = noise(Innovation::gaussian, 512, 1);
+  std::vector<double> errors = tests::coloured(Innovation::gaussian, 0.0, 1, 512);
   const ErrorMoments quiet(errors);
   for (double& error : errors) error *= 1e9;
   EXPECT_NEAR(quiet.difference_from(ErrorMoments(errors)).chi_squared, 0.0, 1e-9);
 }
 
 TEST(ErrorMoments, NothingToCompareIsNoDifference) {
-  const ErrorMoments some(noise(Innovation::gaussian, 512, 1));
+  const ErrorMoments some(tests::coloured(Innovation::gaussian, 0.0, 1, 512));
   for (const auto& errors : {std::vector<double>{}, std::vector<double>(100, 0.0),
                              std::vector<double>(100, std::numeric_limits<double>::quiet_NaN())}) {
     const ErrorMoments::Difference difference = some.difference_from(ErrorMoments(errors));
@@ -58,7 +54,7 @@ TEST(ErrorMoments, NothingToCompareIsNoDifference) {
 }
 
 TEST(ErrorMoments, AddUp) {
-  const std::vector<double> errors = noise(Innovation::gaussian, 512, 3);
+  const std::vector<double> errors = tests::coloured(Innovation::gaussian, 0.0, 3, 512);
   ErrorMoments sum;
   sum += ErrorMoments(errors);
   sum += ErrorMoments(errors);

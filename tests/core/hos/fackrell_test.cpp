@@ -8,9 +8,12 @@
 #include "core/simulate/paper_signals.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
+
+using loopscope::tests::four_errors;
 
 TEST(HosFackrell, CountsWhatPassesTheQuantile) {
   // 2 K bic2 against -2 ln(0.05) = 5.9915: K = 10 puts the limit at bic2 = 0.29957.
@@ -28,18 +31,18 @@ TEST(HosFackrell, CountIsBinomial) {
 }
 
 TEST(HosFackrell, OnlyTheCountHasItsLevel) {
-  const int records = tests::records_or(2000);
+  const int records = tests::records(2000);
   const auto draw = [](std::uint64_t seed) { return tests::white_noise(seed); };
   const auto shares = tests::rejections(draw, independent_segments(tests::kRecord), 0.05, records);
   // A count takes steps and stays below its level; 1 - 0.95^256 of records have some significant
   // bifrequency.
-  EXPECT_LE(shares.fackrell_count, 0.05 + tests::four_errors(0.05, records));
+  EXPECT_LE(shares.fackrell_count, 0.05 + four_errors(0.05, records));
   EXPECT_GE(shares.fackrell_count, 0.01);
   EXPECT_GT(shares.fackrell_some, 0.99);
 }
 
 TEST(HosFackrell, SeesTheSquareOf41) {
-  const int records = tests::records_or(200);
+  const int records = tests::records(200);
   const auto draw = [](std::uint64_t seed) {
     return simulate::narrow_band_squared(tests::kRecord, seed);
   };

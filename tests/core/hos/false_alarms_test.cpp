@@ -4,30 +4,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <gtest/gtest.h>
 
 #include "core/hos/analyse.hpp"
+#include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-/// Records per signal; LOOPSCOPE_RECORDS=20000 gives the README's table.
-int records() {
-  const char* const text = std::getenv("LOOPSCOPE_RECORDS");
-  return text != nullptr ? std::max(1, std::atoi(text)) : 500;
-}
+using loopscope::tests::four_errors;
 
-/// Four standard errors of a share of records() whose expectation is `rate`.
-double four_errors(double rate) {
-  return 4.0 * std::sqrt(rate * (1.0 - rate) / records());
+/// Per signal; LOOPSCOPE_RECORDS=20000 gives the README's table.
+int records() {
+  return tests::records(500);
 }
 
 /// Mean and standard deviation of K times the mean bic2 (which eq. 9 has at 1 and 1 / sqrt(L) =
 /// 0.031), and shares of records for which a rule fires.
-struct Rates {
+struct AlarmRates {
   double mean = 0.0;
   double square = 0.0;
   [[nodiscard]] double deviation() const { return std::sqrt(square - mean * mean); }
@@ -37,9 +34,9 @@ struct Rates {
   double any_peak = 0.0;
 };
 
-Rates measure(const char* signal,
-              const std::function<std::vector<double>(std::uint64_t seed)>& draw) {
-  Rates rates;
+AlarmRates measure(const char* signal,
+                   const std::function<std::vector<double>(std::uint64_t seed)>& draw) {
+  AlarmRates rates;
   const Settings settings;
   const int count = records();
   const double share = 1.0 / count;
@@ -62,25 +59,25 @@ Rates measure(const char* signal,
 // Expected are the rates over 20 000 records of white noise.
 TEST(HosFalseAlarms, ThePublishedRulesFireFarMoreOftenThanTheyClaim) {
   std::printf("| linear, Gaussian     | K mean | std | NGI > 0 | > 0.001 | NLI>.01 | a peak  |\n");
-  const Rates white = measure("white", [](auto seed) { return tests::white_noise(seed); });
-  EXPECT_NEAR(white.ngi_above_zero, 0.409, four_errors(0.409));
-  EXPECT_NEAR(white.ngi_above_beta, 0.072, four_errors(0.072));
+  const AlarmRates white = measure("white", [](auto seed) { return tests::white_noise(seed); });
+  EXPECT_NEAR(white.ngi_above_zero, 0.409, four_errors(0.409, records()));
+  EXPECT_NEAR(white.ngi_above_beta, 0.072, four_errors(0.072, records()));
   EXPECT_GT(white.nli_above_beta, 0.98);
-  EXPECT_NEAR(white.any_peak, 0.043, four_errors(0.043));
+  EXPECT_NEAR(white.any_peak, 0.043, four_errors(0.043, records()));
 }
 
 TEST(HosFalseAlarms, ColourDoesNotCureThem) {
   for (const double pole : {0.9, 0.99, 1.0}) {
     char label[32];
     std::snprintf(label, sizeof label, "AR(1), pole %.2f", pole);
-    const Rates rates =
+    const AlarmRates rates =
         measure(label, [pole](auto seed) { return tests::first_order_noise(seed, pole); });
     // Nominal 5 %: far outside whatever the colour.
-    EXPECT_GT(rates.ngi_above_zero, 0.05 + four_errors(0.05)) << pole;
+    EXPECT_GT(rates.ngi_above_zero, 0.05 + four_errors(0.05, records())) << pole;
   }
-  const Rates sinusoid = measure("sinusoid, period 300",
-                                 [](auto seed) { return tests::sinusoid_in_noise(seed, 300.0); });
-  EXPECT_GT(sinusoid.ngi_above_zero, 0.05 + four_errors(0.05));
+  const AlarmRates sinusoid = measure(
+      "sinusoid, period 300", [](auto seed) { return tests::sinusoid_in_noise(seed, 300.0); });
+  EXPECT_GT(sinusoid.ngi_above_zero, 0.05 + four_errors(0.05, records()));
 }
 
 }  // namespace

@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::kTurn;
 
 /// Three harmonics of amplitude 2, 0.7 and 0.3 and a parabola.
 std::vector<double> harmonics_and_parabola(double period, std::size_t samples) {

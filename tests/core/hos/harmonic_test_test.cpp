@@ -17,13 +17,17 @@
 #include "core/simulate/limit_cycle.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
+using loopscope::tests::four_errors;
+
 using simulate::WaveShape;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::kTurn;
 
 std::optional<HarmonicStatistics> statistics_of(const std::vector<double>& signal) {
   const auto period = dominant_period(signal);
@@ -78,7 +82,7 @@ TEST(HosHarmonicTest, EachHarmonicIsSeenByItsOwnEvidence) {
 }
 
 TEST(HosHarmonicTest, SeesWavesOfEveryPeriod) {
-  const int records = tests::records_or(25);
+  const int records = tests::records(25);
   for (const WaveShape shape : {WaveShape::square, WaveShape::triangle, WaveShape::sawtooth}) {
     for (const double period : {16.0, 30.0, 64.0, 130.0, 400.0}) {
       int seen = 0;
@@ -111,7 +115,7 @@ Sizes sizes(double level, int records, const Draw& draw) {
 }
 
 TEST(HosHarmonicTest, HoldsItsLevelOnLinearNoise) {
-  const int records = tests::records_or(600);
+  const int records = tests::records(600);
   for (const auto& [name, filter] :
        {std::pair{"white", simulate::real_pole(0.0)},
         std::pair{"random walk", simulate::real_pole(1.0)},
@@ -123,18 +127,18 @@ TEST(HosHarmonicTest, HoldsItsLevelOnLinearNoise) {
       });
       std::printf("| %s | %.0f %% | %.1f %% | %.1f %% |\n", name, 100.0 * level,
                   100.0 * found.quadratic, 100.0 * found.cubic);
-      EXPECT_LE(found.quadratic, most + tests::four_errors(most, records)) << name;
-      EXPECT_LE(found.cubic, most + tests::four_errors(most, records)) << name;
+      EXPECT_LE(found.quadratic, most + four_errors(most, records)) << name;
+      EXPECT_LE(found.cubic, most + four_errors(most, records)) << name;
     }
   }
 }
 
 TEST(HosHarmonicTest, ASineAloneIsNotCoupled) {
-  const int records = tests::records_or(200);
+  const int records = tests::records(200);
   const Sizes found =
       sizes(0.05, records, [](std::uint64_t seed) { return tests::sinusoid_in_noise(seed, 50.0); });
-  EXPECT_LE(found.quadratic, 0.07 + tests::four_errors(0.07, records));
-  EXPECT_LE(found.cubic, 0.07 + tests::four_errors(0.07, records));
+  EXPECT_LE(found.quadratic, 0.07 + four_errors(0.07, records));
+  EXPECT_LE(found.cubic, 0.07 + four_errors(0.07, records));
 }
 
 /// Sizes at 5 % on white noise that is `factor` times as loud in a share of the record from its
@@ -158,7 +162,7 @@ Sizes sizes_on_changing_noise(double share, double factor, double period, bool w
 /// The quadratic test holds its level. The cubic one does not yet, the less the shorter the period:
 /// LOOPSCOPE_RECORDS=1000 gives 10.1 and 13.9 % at period 20, 7.5 and 8.8 % at 100.
 TEST(HosHarmonicTest, LevelsTakeMostOfWhatChangingVarianceFakes) {
-  const int records = tests::records_or(200);
+  const int records = tests::records(200);
   for (const auto& [share, factor] : {std::pair{0.5, 2.0}, std::pair{0.1, 3.0}}) {
     for (const double period : {20.0, 100.0}) {
       const Sizes plain = sizes_on_changing_noise(share, factor, period, false, records);
@@ -166,7 +170,7 @@ TEST(HosHarmonicTest, LevelsTakeMostOfWhatChangingVarianceFakes) {
       std::printf("| %.0f %% times %.0f, period %.0f | %.1f %% | %.1f %% | %.1f %% | %.1f %% |\n",
                   100.0 * share, factor, period, 100.0 * plain.quadratic, 100.0 * plain.cubic,
                   100.0 * levelled.quadratic, 100.0 * levelled.cubic);
-      EXPECT_LE(levelled.quadratic, 0.07 + tests::four_errors(0.07, records)) << period;
+      EXPECT_LE(levelled.quadratic, 0.07 + four_errors(0.07, records)) << period;
       EXPECT_LT(levelled.cubic, 0.7 * plain.cubic) << period;
     }
   }

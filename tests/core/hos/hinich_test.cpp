@@ -12,11 +12,14 @@
 #include "core/simulate/paper_signals.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr std::size_t kSegments = 64;
+using loopscope::tests::four_errors;
+
+constexpr std::size_t kHinichSegments = 64;
 
 /// bic2 whose values 2 K bic2 are noncentral chi-square with two degrees of freedom, bound to 1 as
 /// a squared bicoherence is.
@@ -27,7 +30,7 @@ std::vector<double> noncentral(double lambda, std::size_t count) {
   for (double& value : bic2) {
     const double shifted = normal(generator) + std::sqrt(lambda);
     const double plain = normal(generator);
-    value = (shifted * shifted + plain * plain) / (2.0 * kSegments);
+    value = (shifted * shifted + plain * plain) / (2.0 * kHinichSegments);
   }
   return bic2;
 }
@@ -35,14 +38,14 @@ std::vector<double> noncentral(double lambda, std::size_t count) {
 TEST(HosHinich, GaussianityIsTheTailOfTheChiSquare) {
   // With 2P degrees of freedom P(chi2 >= S) = exp(-S/2) sum of (S/2)^j / j! for j below P.
   const std::vector<double> bic2 = {0.01, 0.02, 0.05, 0.08, 0.03};
-  const double half = kSegments * (0.01 + 0.02 + 0.05 + 0.08 + 0.03);
+  const double half = kHinichSegments * (0.01 + 0.02 + 0.05 + 0.08 + 0.03);
   double term = std::exp(-half);
   double tail = 0.0;
   for (int j = 0; j < 5; ++j) {
     tail += term;
     term *= half / (j + 1);
   }
-  const HinichTest test = hinich(bic2, kSegments);
+  const HinichTest test = hinich(bic2, kHinichSegments);
   EXPECT_NEAR(test.statistic, 2.0 * half, 1e-12);
   EXPECT_NEAR(test.gaussianity_p, tail, 1e-12);
   EXPECT_NEAR(test.lambda, 2.0 * half / 5.0 - 2.0, 1e-12);
@@ -51,7 +54,7 @@ TEST(HosHinich, GaussianityIsTheTailOfTheChiSquare) {
 TEST(HosHinich, WithoutNoncentralityTheRangeIsThatOfAnExponential) {
   // Quartiles of chi-square with two degrees of freedom: -2 ln(3/4) and -2 ln(1/4); its density
   // there is half of 3/4 and half of 1/4.
-  const HinichTest test = hinich(std::vector<double>(100, 0.5 / kSegments), kSegments);
+  const HinichTest test = hinich(std::vector<double>(100, 0.5 / kHinichSegments), kHinichSegments);
   EXPECT_EQ(test.lambda, 0.0);
   EXPECT_EQ(test.iqr, 0.0);
   EXPECT_NEAR(test.expected_iqr, 2.0 * std::log(3.0), 1e-9);
@@ -66,7 +69,7 @@ TEST(HosHinich, WithoutNoncentralityTheRangeIsThatOfAnExponential) {
 TEST(HosHinich, RangeOfNoncentralValuesIsTheOneExpected) {
   for (const double lambda : {0.5, 3.0, 20.0}) {
     // Four standard errors of the range, and lambda's own error of sqrt(4 (1 + lambda) / P).
-    const HinichTest test = hinich(noncentral(lambda, 20'000), kSegments);
+    const HinichTest test = hinich(noncentral(lambda, 20'000), kHinichSegments);
     EXPECT_NEAR(test.lambda, lambda, 4.0 * std::sqrt(4.0 * (1.0 + lambda) / 20'000.0));
     EXPECT_NEAR(test.iqr, test.expected_iqr, 4.0 * test.iqr_std) << lambda;
     EXPECT_GT(test.linearity_p, 1e-4) << lambda;
@@ -77,13 +80,13 @@ TEST(HosHinich, MixedNoncentralityIsNoLinearity) {
   std::vector<double> bic2 = noncentral(0.0, 500);
   const std::vector<double> coupled = noncentral(40.0, 500);
   bic2.insert(bic2.end(), coupled.begin(), coupled.end());
-  const HinichTest spread = hinich(bic2, kSegments);
+  const HinichTest spread = hinich(bic2, kHinichSegments);
   EXPECT_GT(spread.iqr, spread.expected_iqr);
   EXPECT_LT(spread.linearity_p, 1e-6);
   // A few strong peaks raise the mean, and the range falls behind it.
   std::vector<double> peaks = noncentral(0.0, 1000);
   std::fill_n(peaks.begin(), 30, 1.0);
-  const HinichTest narrow = hinich(peaks, kSegments);
+  const HinichTest narrow = hinich(peaks, kHinichSegments);
   EXPECT_LT(narrow.iqr, narrow.expected_iqr);
   EXPECT_LT(narrow.linearity_p, 1e-6);
 }
@@ -92,18 +95,18 @@ TEST(HosHinich, MixedNoncentralityIsNoLinearity) {
 // of the nominal ones: the asymptotic law takes lambda as known, but the estimate of lambda rises
 // and falls with the range, so that their difference varies less than the law says.
 TEST(HosHinich, HasItsLevelOrLessWhereItsTheoryHolds) {
-  const int records = tests::records_or(2000);
+  const int records = tests::records(2000);
   const auto draw = [](std::uint64_t seed) { return tests::white_noise(seed); };
   const Settings settings = independent_segments(tests::kRecord);
   for (const auto& [level, linearity] : {std::pair{0.05, 0.0214}, std::pair{0.01, 0.0027}}) {
     const auto shares = tests::rejections(draw, settings, level, records);
-    EXPECT_NEAR(shares.gaussianity, level, tests::four_errors(level, records)) << level;
-    EXPECT_NEAR(shares.linearity, linearity, tests::four_errors(linearity, records)) << level;
+    EXPECT_NEAR(shares.gaussianity, level, four_errors(level, records)) << level;
+    EXPECT_NEAR(shares.linearity, linearity, four_errors(linearity, records)) << level;
   }
 }
 
 TEST(HosHinich, SeesTheSquareOf41) {
-  const int records = tests::records_or(200);
+  const int records = tests::records(200);
   const auto draw = [](std::uint64_t seed) {
     return simulate::narrow_band_squared(tests::kRecord, seed);
   };
@@ -115,7 +118,7 @@ TEST(HosHinich, SeesTheSquareOf41) {
 /// Documentation that runs: neither taper makes the test hold its level on coloured noise. The
 /// figures of the README are what this test prints with LOOPSCOPE_RECORDS=2000.
 TEST(HosHinich, ATaperTradesLeakageForDependence) {
-  const int records = tests::records_or(300);
+  const int records = tests::records(300);
   Settings plain = independent_segments(tests::kRecord);
   Settings tapered = plain;
   tapered.window = WindowShape::hann;
@@ -127,9 +130,9 @@ TEST(HosHinich, ATaperTradesLeakageForDependence) {
                 100.0 * leaking.gaussianity, 100.0 * leaking.linearity,
                 100.0 * leaking.fackrell_count, 100.0 * dependent.gaussianity,
                 100.0 * dependent.linearity, 100.0 * dependent.fackrell_count);
-    EXPECT_GT(dependent.gaussianity, 0.05 + tests::four_errors(0.05, records)) << pole;
+    EXPECT_GT(dependent.gaussianity, 0.05 + four_errors(0.05, records)) << pole;
     if (pole > 0.0) {
-      EXPECT_GT(leaking.gaussianity, 0.05 + tests::four_errors(0.05, records)) << pole;
+      EXPECT_GT(leaking.gaussianity, 0.05 + four_errors(0.05, records)) << pole;
     }
   }
 }
@@ -140,7 +143,7 @@ TEST(HosHinich, RefusesTooLittle) {
 }
 
 TEST(HosHinich, FullCouplingHasNoDoubt) {
-  const HinichTest test = hinich(std::vector<double>(256, 1.0), kSegments);
+  const HinichTest test = hinich(std::vector<double>(256, 1.0), kHinichSegments);
   EXPECT_EQ(test.gaussianity_p, 0.0);
   EXPECT_TRUE(std::isfinite(test.linearity_p));
 }

@@ -10,29 +10,30 @@
 #include "core/hos/bicoherence.hpp"
 #include "core/simulate/calibration_families.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using loopscope::tests::kNaN;
 
-struct Case {
+struct NamedSignal {
   std::string name;
   std::vector<double> signal;
 };
 
-std::vector<Case> cases() {
-  std::vector<Case> all = {{"white", tests::white_noise(1)},
-                           {"red", tests::first_order_noise(2, 0.99)},
-                           {"exponential", tests::exponential_noise(3)},
-                           {"coupled", tests::triple(4, 0.1, 0.2, true)},
-                           {"two segments", tests::white_noise(5, 96)},
-                           {"odd K", tests::white_noise(6, 64 + 32 * 12 + 5)},
-                           {"huge", tests::affine(tests::white_noise(7), 1e300, 0.0)},
-                           {"small", tests::affine(tests::white_noise(8), 1e-300, 0.0)},
-                           {"offset", tests::affine(tests::white_noise(9), 1.0, 1e6)}};
-  Case gaps{"gaps", tests::white_noise(10)};
-  for (std::size_t n = 50; n < gaps.signal.size(); n += 333) gaps.signal[n] = kNan;
+std::vector<NamedSignal> kernel_inputs() {
+  std::vector<NamedSignal> all = {{"white", tests::white_noise(1)},
+                                  {"red", tests::first_order_noise(2, 0.99)},
+                                  {"exponential", tests::exponential_noise(3)},
+                                  {"coupled", tests::triple(4, 0.1, 0.2, true)},
+                                  {"two segments", tests::white_noise(5, 96)},
+                                  {"odd K", tests::white_noise(6, 64 + 32 * 12 + 5)},
+                                  {"huge", tests::affine(tests::white_noise(7), 1e300, 0.0)},
+                                  {"small", tests::affine(tests::white_noise(8), 1e-300, 0.0)},
+                                  {"offset", tests::affine(tests::white_noise(9), 1.0, 1e6)}};
+  NamedSignal gaps{"gaps", tests::white_noise(10)};
+  for (std::size_t n = 50; n < gaps.signal.size(); n += 333) gaps.signal[n] = kNaN;
   all.push_back(gaps);
   return all;
 }
@@ -47,7 +48,7 @@ TEST(HosKernels, AllGiveTheSameBicoherence) {
   for (const Settings& settings :
        {Settings{}, Settings{.segment_length = 32, .overlap = 0.75, .dft_length = 64},
         Settings{.segment_length = 48, .dft_length = 96}}) {
-    for (const Case& one : cases()) {
+    for (const NamedSignal& one : kernel_inputs()) {
       Bicoherence reference(settings, kPortableKernels);
       const auto expected = reference.estimate(one.signal);
       for (const Kernels* kernels : runnable_kernels()) {

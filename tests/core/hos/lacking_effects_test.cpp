@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <gtest/gtest.h>
 #include <span>
@@ -18,6 +17,8 @@
 #include "core/hos/quadratic_test.hpp"
 #include "core/hos/tested_spectra.hpp"
 #include "core/simulate/calibration_families.hpp"
+#include "tests/core/hos/family_rates.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -27,26 +28,22 @@ using Decision = std::function<bool(Signal)>;
 
 constexpr double kLevel = 0.05;
 
-struct Rates {
+struct BeforeAndAfter {
   double before = 0.0;
   double after = 0.0;
 };
 
 std::size_t record_count() {
-  const char* const wanted = std::getenv("LOOPSCOPE_RECORDS");
-  return wanted != nullptr ? std::stoul(wanted) : 100;
+  return loopscope::tests::records(100);
 }
 
-const simulate::CalibrationFamily& family(std::string_view name) {
-  return *std::ranges::find(simulate::calibration_families(), name,
-                            [](const auto& one) { return std::string_view(one.name); });
-}
+using tests::family;
 
 /// Compares two tests on the same records and prints a line of the table.
-Rates compare(const char* effect, std::string_view name, const Decision& before,
-              const Decision& after) {
+BeforeAndAfter compare(const char* effect, std::string_view name, const Decision& before,
+                       const Decision& after) {
   const std::size_t records = record_count();
-  Rates rates;
+  BeforeAndAfter rates;
   for (std::size_t seed = 0; seed < records; ++seed) {
     const auto record = family(name).draw(family(name).samples, 40'000 + seed);
     rates.before += before(record) ? 1.0 / static_cast<double>(records) : 0.0;
@@ -58,7 +55,7 @@ Rates compare(const char* effect, std::string_view name, const Decision& before,
 }
 
 /// The size has to hold; 3.5 standard errors of the records drawn are allowed on top.
-void expect_held(const Rates& rates, double least_before) {
+void expect_held(const BeforeAndAfter& rates, double least_before) {
   const double error = std::sqrt(0.07 * 0.93 / static_cast<double>(record_count()));
   EXPECT_LE(rates.after, 0.07 + 3.5 * error);
   EXPECT_GE(rates.before, least_before);

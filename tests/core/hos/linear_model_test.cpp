@@ -16,11 +16,6 @@ namespace {
 
 using simulate::Innovation;
 
-std::vector<double> resonance(std::uint64_t seed, std::size_t samples = 4096) {
-  return simulate::coloured_noise(simulate::resonance(20.0, 0.95), Innovation::gaussian, samples,
-                                  seed);
-}
-
 /// Mean of x(t) x(t + lag) over pairs that are both there.
 double covariance(const std::vector<double>& x, std::size_t lag) {
   double sum = 0.0;
@@ -45,7 +40,7 @@ void expect_resonance(const LinearModel& model) {
 TEST(HosLinearModel, RecoversAResonance) {
   std::size_t orders = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const auto model = LinearModel::fit(tests::affine(resonance(seed), 3.0, 50.0));
+    const auto model = LinearModel::fit(tests::affine(tests::resonance(seed), 3.0, 50.0));
     ASSERT_TRUE(model.has_value());
     expect_resonance(*model);
     orders += model->coefficients().size();
@@ -55,7 +50,7 @@ TEST(HosLinearModel, RecoversAResonance) {
 
 TEST(HosLinearModel, AGapAddsNothing) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const auto signal = simulate::with_gaps(resonance(seed), 0.4, 10, seed);
+    const auto signal = simulate::with_gaps(tests::resonance(seed), 0.4, 10, seed);
     const auto model = LinearModel::fit(signal);
     ASSERT_TRUE(model.has_value());
     expect_resonance(*model);
@@ -84,7 +79,7 @@ TEST(HosLinearModel, IsStableOnARandomWalkAndOnLines) {
 }
 
 TEST(HosLinearModel, DrawsRecordsOfTheSameSpectrum) {
-  const auto record = resonance(5, 16'384);
+  const auto record = tests::resonance(5, 16'384);
   const auto model = LinearModel::fit(record);
   std::mt19937_64 random(2);
   const auto drawn = model->draw(record, random);
@@ -98,7 +93,7 @@ TEST(HosLinearModel, DrawsRecordsOfTheSameSpectrum) {
 }
 
 TEST(HosLinearModel, DrawsAreMissingWhereTheRecordIs) {
-  auto record = simulate::with_gaps(resonance(6), 0.3, 5, 1);
+  auto record = simulate::with_gaps(tests::resonance(6), 0.3, 5, 1);
   record[7] = std::numeric_limits<double>::infinity();
   const auto model = LinearModel::fit(record);
   std::mt19937_64 random(3);
@@ -113,7 +108,7 @@ TEST(HosLinearModel, KeepsTheNoiseOfTheRecord) {
   const auto skewed =
       simulate::coloured_noise(simulate::real_pole(0.9), Innovation::exponential, 4096, 7);
   EXPECT_EQ(LinearModel::fit(skewed)->noise().core(), ResidualNoise::Core::other);
-  EXPECT_EQ(LinearModel::fit(resonance(8))->noise().core(), ResidualNoise::Core::gaussian);
+  EXPECT_EQ(LinearModel::fit(tests::resonance(8))->noise().core(), ResidualNoise::Core::gaussian);
 }
 
 TEST(HosLinearModel, NeedsVarianceAndSamplesThatFollowEachOther) {
@@ -122,7 +117,7 @@ TEST(HosLinearModel, NeedsVarianceAndSamplesThatFollowEachOther) {
   EXPECT_FALSE(LinearModel::fit(std::vector<double>(4096, std::nan(""))).has_value());
   EXPECT_FALSE(LinearModel::fit(tests::white_noise(1, 99)).has_value());
   EXPECT_TRUE(LinearModel::fit(tests::white_noise(1, 200)).has_value());
-  auto torn = resonance(9);
+  auto torn = tests::resonance(9);
   for (std::size_t n = 0; n < torn.size(); n += 3) torn[n] = std::nan("");
   EXPECT_NO_THROW((void)LinearModel::fit(torn));
 }

@@ -12,9 +12,12 @@
 #include "core/simulate/limit_cycle.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
+
+using loopscope::tests::four_errors;
 
 Spectra spectra_of(const std::vector<double>& signal, const Settings& settings = {}) {
   Spectra spectra(settings);
@@ -38,10 +41,10 @@ double false_lines(const Settings& settings, std::size_t samples, int records) {
 }
 
 TEST(HosLockedLine, WhiteNoiseHasOneInAThousandRecordsAtMost) {
-  const int records = tests::records_or(4000);
+  const int records = tests::records(4000);
   Settings flat;
   flat.overlap = 0.0;
-  const double limit = 1e-3 + tests::four_errors(1e-3, records);
+  const double limit = 1e-3 + four_errors(1e-3, records);
   // Slow settings too: segments that overlap by three quarters add up in phase at some bins.
   for (const auto& [settings, samples] :
        {std::pair{Settings{}, 4096U}, std::pair{flat, 4096U}, std::pair{Settings{}, 544U},

@@ -27,7 +27,7 @@ double fires(const simulate::LimitCycle& cycle, int records) {
 }
 
 TEST(HosLockedLines, APeriodThatDividesTheHopLooksCoupled) {
-  const int records = tests::records_or(50);
+  const int records = tests::records(50);
   for (const double period : {16.0, 32.0}) {
     EXPECT_GT(fires({simulate::WaveShape::sine, period, 20.0, 0.0}, records), 0.9) << period;
     EXPECT_GT(fires({simulate::WaveShape::sine, period, 20.0, 0.1}, records), 0.9) << period;
@@ -35,14 +35,14 @@ TEST(HosLockedLines, APeriodThatDividesTheHopLooksCoupled) {
 }
 
 TEST(HosLockedLines, APeriodBesideItDoesNot) {
-  const int records = tests::records_or(50);
+  const int records = tests::records(50);
   for (const double period : {16.7, 33.4}) {
     EXPECT_LT(fires({simulate::WaveShape::sine, period, 20.0, 0.0}, records), 0.2) << period;
   }
 }
 
 TEST(HosLockedLines, SquaresAndTrianglesAreSeenByThatAlone) {
-  const int records = tests::records_or(50);
+  const int records = tests::records(50);
   for (const auto shape : {simulate::WaveShape::square, simulate::WaveShape::triangle}) {
     EXPECT_GT(fires({shape, 16.0, 10.0, 0.1}, records), 0.7);
     EXPECT_LT(fires({shape, 16.7, 10.0, 0.1}, records), 0.25);

@@ -5,23 +5,25 @@
 #include <limits>
 #include <vector>
 
+#include "tests/support/numbers.hpp"
+
 namespace loopscope::core::hos {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using loopscope::tests::kInfinity;
+using loopscope::tests::kNaN;
 
 TEST(HosMagnitude, MissingSamplesHaveNone) {
-  EXPECT_EQ(largest_magnitude(std::vector{kNan, -3.0, kInfinity, 2.0}), 3.0);
-  EXPECT_EQ(largest_magnitude(std::vector{kNan, -kInfinity}), 0.0);
-  EXPECT_EQ(first_finite(std::vector{kNan, kInfinity, -3.0, 2.0}), -3.0);
-  EXPECT_EQ(first_finite(std::vector{kNan}), 0.0);
+  EXPECT_EQ(largest_magnitude(std::vector{kNaN, -3.0, kInfinity, 2.0}), 3.0);
+  EXPECT_EQ(largest_magnitude(std::vector{kNaN, -kInfinity}), 0.0);
+  EXPECT_EQ(first_finite(std::vector{kNaN, kInfinity, -3.0, 2.0}), -3.0);
+  EXPECT_EQ(first_finite(std::vector{kNaN}), 0.0);
   EXPECT_EQ(first_finite({}), 0.0);
 }
 
 TEST(HosMagnitude, ScalingToUnitIsExactAndKeepsWhatIsMissing) {
   for (const double gain : {1.0, 0x1p900, 0x1p-900}) {
-    const auto scaled = scaled_to_unit(std::vector{3.0 * gain, kNan, -5.0 * gain, kInfinity});
+    const auto scaled = scaled_to_unit(std::vector{3.0 * gain, kNaN, -5.0 * gain, kInfinity});
     EXPECT_EQ(scaled[0], 0.75);
     EXPECT_TRUE(std::isnan(scaled[1]));
     EXPECT_EQ(scaled[2], -1.25);

@@ -12,11 +12,15 @@
 #include "core/hos/combine_p.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::four_errors;
+
+using loopscope::tests::kTurn;
 
 QuadraticTest paper_test() {
   return QuadraticTest(Settings{});
@@ -69,7 +73,7 @@ double bent(double turn) {
 }
 
 TEST(HosNliP, SeesASecondHarmonicThatSegmentsOf64CannotHold) {
-  const int records = tests::records_or(60);
+  const int records = tests::records(60);
   for (const double period : {100.0, 400.0}) {
     double seen = 0.0;
     double seen_by_all = 0.0;
@@ -81,7 +85,7 @@ TEST(HosNliP, SeesASecondHarmonicThatSegmentsOf64CannotHold) {
     }
     std::printf("| second harmonic 30 %%, period %.0f | %.1f %% | %.1f %% |\n", period,
                 100.0 * seen, 100.0 * seen_by_all);
-    EXPECT_GE(seen, 0.95 - tests::four_errors(0.95, records)) << period;
+    EXPECT_GE(seen, 0.95 - four_errors(0.95, records)) << period;
   }
 }
 

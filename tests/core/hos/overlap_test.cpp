@@ -53,12 +53,12 @@ TEST(HosOverlap, OfARectangleIsTheSharedShare) {
 }
 
 /// K bic2 averaged over the testable cells of white noise: mean and variance over records.
-struct Moments {
+struct MomentsOfMeans {
   double mean = 0.0;
   double variance = 0.0;
 };
 
-Moments of_white_noise(const Settings& settings, int records) {
+MomentsOfMeans of_white_noise(const Settings& settings, int records) {
   Bicoherence bicoherence(settings);
   const TestableCells cells(settings);
   double sum = 0.0;
@@ -77,13 +77,13 @@ Moments of_white_noise(const Settings& settings, int records) {
 }
 
 TEST(HosOverlap, GivesMeanAndSpreadOfWhiteNoise) {
-  const int records = tests::records_or(1500);
+  const int records = tests::records(1500);
   for (const Settings& settings :
        {Settings{}, Settings{.overlap = 0.0}, Settings{.window = WindowShape::hamming},
         Settings{.segment_length = 32, .overlap = 0.75, .dft_length = 64}}) {
     const Overlap overlap(settings);
     const TestableCells cells(settings);
-    const Moments found = of_white_noise(settings, records);
+    const MomentsOfMeans found = of_white_noise(settings, records);
     const double expected =
         std::sqrt(overlap.correlated_cells() / static_cast<double>(cells.count()));
     EXPECT_NEAR(found.mean, overlap.mean(),

@@ -11,7 +11,7 @@
 namespace loopscope::core::hos {
 namespace {
 
-constexpr std::size_t kSegments = 127;
+constexpr std::size_t kPaperSegments = 127;
 
 /// Zero but for the given values.
 std::vector<double> surface(std::initializer_list<std::pair<Bifrequency, double>> values) {
@@ -28,7 +28,7 @@ TEST(HosPeaks, LevelIsTheBonferroniQuantileOfTheExponential) {
 }
 
 TEST(HosPeaks, AreSortedAndInCyclesPerSample) {
-  const auto peaks = find_peaks(surface({{{20, 10}, 0.3}, {{40, 16}, 0.8}}), kSegments, {});
+  const auto peaks = find_peaks(surface({{{20, 10}, 0.3}, {{40, 16}, 0.8}}), kPaperSegments, {});
   ASSERT_EQ(peaks.size(), 2U);
   EXPECT_EQ(peaks[0].f1, 40.0 / 128.0);
   EXPECT_EQ(peaks[0].f2, 16.0 / 128.0);
@@ -40,7 +40,7 @@ TEST(HosPeaks, AreSortedAndInCyclesPerSample) {
 TEST(HosPeaks, WithinTheMainLobeOnlyTheStrongestCounts) {
   // Four bins either way: two cycles per segment of 64 in a DFT of 128.
   const auto peaks =
-      find_peaks(surface({{{30, 10}, 0.8}, {{34, 14}, 0.5}, {{30, 15}, 0.4}}), kSegments, {});
+      find_peaks(surface({{{30, 10}, 0.8}, {{34, 14}, 0.5}, {{30, 15}, 0.4}}), kPaperSegments, {});
   ASSERT_EQ(peaks.size(), 2U);
   EXPECT_EQ(peaks[1].f2, 15.0 / 128.0);
 }
@@ -52,24 +52,24 @@ TEST(HosPeaks, AShoulderIsNoPeak) {
   for (std::size_t k1 = 20; k1 <= 30; ++k1) {
     bic2[domain.index({k1, 10})] = 0.9 - 0.05 * static_cast<double>(k1 - 20);
   }
-  EXPECT_EQ(find_peaks(bic2, kSegments, {}).size(), 1U);
+  EXPECT_EQ(find_peaks(bic2, kPaperSegments, {}).size(), 1U);
 }
 
 TEST(HosPeaks, BelowTheLevelThereAreNone) {
-  const double level = peak_level(kSegments, 1024, 0.05);
-  EXPECT_TRUE(find_peaks(surface({{{20, 10}, 0.99 * level}}), kSegments, {}).empty());
-  EXPECT_EQ(find_peaks(surface({{{20, 10}, 1.01 * level}}), kSegments, {}).size(), 1U);
+  const double level = peak_level(kPaperSegments, 1024, 0.05);
+  EXPECT_TRUE(find_peaks(surface({{{20, 10}, 0.99 * level}}), kPaperSegments, {}).empty());
+  EXPECT_EQ(find_peaks(surface({{{20, 10}, 1.01 * level}}), kPaperSegments, {}).size(), 1U);
 }
 
 TEST(HosPeaks, NoMoreThanAskedFor) {
   const auto bic2 = surface({{{20, 10}, 0.3}, {{40, 16}, 0.8}, {{50, 2}, 0.5}});
-  EXPECT_EQ(find_peaks(bic2, kSegments, {.max_peaks = 2}).size(), 2U);
-  EXPECT_TRUE(find_peaks(bic2, kSegments, {.max_peaks = 0}).empty());
+  EXPECT_EQ(find_peaks(bic2, kPaperSegments, {.max_peaks = 2}).size(), 2U);
+  EXPECT_TRUE(find_peaks(bic2, kPaperSegments, {.max_peaks = 0}).empty());
 }
 
 TEST(HosPeaks, CornersOfTheDomainAreFound) {
   for (const Bifrequency corner : {Bifrequency{1, 1}, {63, 1}, {32, 32}}) {
-    const auto peaks = find_peaks(surface({{corner, 0.5}}), kSegments, {});
+    const auto peaks = find_peaks(surface({{corner, 0.5}}), kPaperSegments, {});
     ASSERT_EQ(peaks.size(), 1U);
     EXPECT_EQ(peaks[0].f1, static_cast<double>(corner.k1) / 128.0);
   }

@@ -10,9 +10,12 @@
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
 #include "tests/core/hos/uniformity.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
+
+using loopscope::tests::four_errors;
 
 TEST(HosQuadraticTest, MeasuresTheMeanOverTheTestableCells) {
   Bicoherence bicoherence(Settings{});
@@ -27,7 +30,7 @@ TEST(HosQuadraticTest, MeasuresTheMeanOverTheTestableCells) {
 }
 
 TEST(HosQuadraticTest, HoldsItsLevelsOnNoiseOfAnyColourAndOverlap) {
-  const int records = tests::records_or(1500);
+  const int records = tests::records(1500);
   for (const Settings& settings :
        {Settings{}, Settings{.overlap = 0.0}, Settings{.segment_length = 32, .dft_length = 64}}) {
     for (const double pole : {0.0, 0.95}) {
@@ -43,7 +46,7 @@ TEST(HosQuadraticTest, HoldsItsLevelsOnNoiseOfAnyColourAndOverlap) {
         largest_p.push_back(test.largest_p(found));
       }
       for (const double level : {0.05, 0.01}) {
-        const double most = 1.4 * level + tests::four_errors(level, records);
+        const double most = 1.4 * level + four_errors(level, records);
         EXPECT_LE(tests::share_below(mean_p, level), most) << pole;
         EXPECT_LE(tests::share_below(largest_p, level), most) << pole;
       }

@@ -8,12 +8,13 @@
 
 #include "core/hos/kernels.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using loopscope::tests::kInfinity;
+using loopscope::tests::kNaN;
 
 /// Records of every length up to `most`, some samples missing.
 template <class Check>
@@ -21,7 +22,7 @@ void for_each_record(std::size_t most, const Check& check) {
   for (const Kernels* kernels : runnable_kernels()) {
     for (std::size_t length = 0; length <= most; ++length) {
       std::vector<double> record = tests::white_noise(length + 1, length);
-      if (length > 9) record[length / 2] = kNan;
+      if (length > 9) record[length / 2] = kNaN;
       if (length > 20) record[length / 3] = -kInfinity;
       check(*kernels, record);
     }

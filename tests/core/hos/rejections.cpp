@@ -1,22 +1,14 @@
 #include "tests/core/hos/rejections.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-
 #include "core/hos/bicoherence.hpp"
 #include "core/hos/fackrell.hpp"
 #include "core/hos/hinich.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core::hos::tests {
 
-int records_or(int records) {
-  const char* const text = std::getenv("LOOPSCOPE_RECORDS");
-  return text != nullptr ? std::max(1, std::atoi(text)) : records;
-}
-
-double four_errors(double rate, int records) {
-  return 4.0 * std::sqrt(rate * (1.0 - rate) / records);
+int records(int full) {
+  return static_cast<int>(loopscope::tests::records(static_cast<std::size_t>(full)));
 }
 
 Rejections rejections(const Draw& draw, const Settings& settings, double level, int records) {

@@ -11,12 +11,8 @@ namespace loopscope::core::hos::tests {
 /// A signal per seed.
 using Draw = std::function<std::vector<double>(std::uint64_t seed)>;
 
-/// Records that a size or power is measured on; the environment's LOOPSCOPE_RECORDS replaces
-/// `records`.
-[[nodiscard]] int records_or(int records);
-
-/// Four standard errors of a share of `records` records whose expectation is `rate`.
-[[nodiscard]] double four_errors(double rate, int records);
+/// loopscope::tests::records() as a divisor of shares.
+[[nodiscard]] int records(int full);
 
 /// Shares of records that Hinich's and Fackrell's tests reject at a level.
 struct Rejections {

@@ -8,13 +8,12 @@
 #include "core/simulate/coloured_noise.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-std::vector<double> noise(simulate::Innovation law, std::uint64_t seed) {
-  return simulate::coloured_noise(simulate::real_pole(0.8), law, 4096, seed);
-}
+using loopscope::tests::four_errors;
 
 Replicates drawn_from(const std::vector<double>& record, std::uint64_t seed,
                       std::optional<double> period = 30.0) {
@@ -32,7 +31,7 @@ double mean_of(const std::vector<double>& record) {
 }
 
 TEST(HosReplicates, TheSameSeedGivesTheSameFigures) {
-  const auto record = noise(simulate::Innovation::exponential, 1);
+  const auto record = tests::coloured(simulate::Innovation::exponential, 0.8, 1);
   const Replicates one = drawn_from(record, 7);
   const Replicates same = drawn_from(record, 7);
   const Replicates other = drawn_from(record, 8);
@@ -49,18 +48,19 @@ TEST(HosReplicates, OfNormalNoiseLeaveTheFirstPassAsItIs) {
   constexpr int kRecords = 30;
   int unchanged = 0;
   for (std::uint64_t seed = 1; seed <= kRecords; ++seed) {
-    const Replicates drawn = drawn_from(noise(simulate::Innovation::gaussian, seed), seed);
+    const Replicates drawn =
+        drawn_from(tests::coloured(simulate::Innovation::gaussian, 0.8, seed), seed);
     EXPECT_NEAR(drawn.mean_p(1.01), 0.5, 0.35);
     EXPECT_LT(drawn.mean_p(2.0), 1e-3);
     unchanged += drawn.nli_p(1e-3) == 1e-3 && drawn.cubic_p(1e-3) == 1e-3 ? 1 : 0;
   }
-  EXPECT_GE(unchanged, (0.92 - tests::four_errors(0.08, kRecords)) * kRecords);
+  EXPECT_GE(unchanged, (0.92 - four_errors(0.08, kRecords)) * kRecords);
 }
 
 TEST(HosReplicates, OfSkewedNoiseExpectItsBicoherence) {
   // Exponential noise has a squared bicoherence everywhere: what is far out for normal noise is
   // usual for it.
-  const auto record = noise(simulate::Innovation::exponential, 3);
+  const auto record = tests::coloured(simulate::Innovation::exponential, 0.8, 3);
   const double mean = mean_of(record);
   ASSERT_LT(QuadraticTest(Settings{}).mean_p({mean, 0.0}, 127), 1e-10);
   EXPECT_GT(drawn_from(record, 3).mean_p(mean), 1e-3);
@@ -68,7 +68,7 @@ TEST(HosReplicates, OfSkewedNoiseExpectItsBicoherence) {
 
 TEST(HosReplicates, NeverLowerWhatTheFirstPassFound) {
   for (const auto law : {simulate::Innovation::laplace, simulate::Innovation::exponential}) {
-    const Replicates drawn = drawn_from(noise(law, 4), 4);
+    const Replicates drawn = drawn_from(tests::coloured(law, 0.8, 4), 4);
     double before = 0.0;
     for (double p = 1e-300; p <= 1.0; p *= 10.0) {
       EXPECT_GE(drawn.nli_p(p), p);
@@ -82,12 +82,13 @@ TEST(HosReplicates, NeverLowerWhatTheFirstPassFound) {
 }
 
 TEST(HosReplicates, WithoutAPeriodTheCubicPStays) {
-  const Replicates drawn = drawn_from(noise(simulate::Innovation::laplace, 5), 5, std::nullopt);
+  const Replicates drawn =
+      drawn_from(tests::coloured(simulate::Innovation::laplace, 0.8, 5), 5, std::nullopt);
   EXPECT_EQ(drawn.cubic_p(1e-3), 1e-3);
 }
 
 TEST(HosReplicates, WithoutASegmentSayNothing) {
-  auto torn = noise(simulate::Innovation::exponential, 6);
+  auto torn = tests::coloured(simulate::Innovation::exponential, 0.8, 6);
   for (std::size_t n = 0; n < torn.size(); n += 60) torn[n] = std::nan("");
   const Replicates drawn = drawn_from(torn, 6, std::nullopt);
   EXPECT_EQ(drawn.mean_p(5.0), 1.0);

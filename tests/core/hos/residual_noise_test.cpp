@@ -24,7 +24,7 @@ struct Verdicts {
 };
 
 Verdicts verdicts(const char* name, const tests::Draw& draw) {
-  const int records = tests::records_or(400);
+  const int records = tests::records(400);
   Verdicts shares;
   for (int seed = 1; seed <= records; ++seed) {
     const Core core = ResidualNoise(draw(static_cast<std::uint64_t>(seed))).core();

@@ -12,9 +12,12 @@
 #include "core/simulate/disturbances.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
+
+using loopscope::tests::four_errors;
 
 SegmentLevels levels_of(const std::vector<double>& signal) {
   Spectra spectra{Settings{}};
@@ -51,22 +54,22 @@ double false_changes(const simulate::AllPole& filter, std::size_t samples, int r
 }
 
 TEST(HosSegmentLevels, ConstantVarianceDoesNotVary) {
-  const int records = tests::records_or(1000);
+  const int records = tests::records(1000);
   for (const Linear& linear : linear_noises()) {
     const double share = false_changes(linear.filter, 4096, records);
     std::printf("| %s | 127 | %.2f %% |\n", linear.name, 100.0 * share);
-    EXPECT_LE(share, 0.003 + tests::four_errors(0.003, records)) << linear.name;
+    EXPECT_LE(share, 0.003 + four_errors(0.003, records)) << linear.name;
   }
 }
 
 /// Few segments vary more than the limit that is set for the paper's: documentation that runs.
 TEST(HosSegmentLevels, ShortRecordsOfConstantVarianceVaryMoreOften) {
-  const int records = tests::records_or(500);
+  const int records = tests::records(500);
   for (const Linear& linear : linear_noises()) {
     for (const std::size_t segments : {15U, 20U, 30U}) {
       const double share = false_changes(linear.filter, 32 * (segments + 1), records);
       std::printf("| %s | %zu | %.2f %% |\n", linear.name, segments, 100.0 * share);
-      EXPECT_LE(share, 0.025 + tests::four_errors(0.025, records)) << linear.name << segments;
+      EXPECT_LE(share, 0.025 + four_errors(0.025, records)) << linear.name << segments;
     }
   }
 }

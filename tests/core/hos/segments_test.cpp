@@ -4,13 +4,15 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "tests/support/numbers.hpp"
+
 namespace loopscope::core::hos {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+using loopscope::tests::kNaN;
 
 TEST(HosSegments, PaperSettingsGive127) {
   const std::vector<double> record(4096);
@@ -33,7 +35,7 @@ TEST(HosSegments, TheLastSegmentIsWhole) {
 
 TEST(HosSegments, ThoseThatTouchAGapAreDroppedAndTheOthersStay) {
   std::vector<double> record(256);
-  record[95] = kMissing;  // in the segments that start at 32 and 64
+  record[95] = kNaN;  // in the segments that start at 32 and 64
   EXPECT_THAT(segment_starts(record, Settings{}), ElementsAre(0, 96, 128, 160, 192));
   record[0] = std::numeric_limits<double>::infinity();
   EXPECT_THAT(segment_starts(record, Settings{}), ElementsAre(96, 128, 160, 192));

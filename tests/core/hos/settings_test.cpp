@@ -9,7 +9,7 @@
 namespace loopscope::core::hos {
 namespace {
 
-struct Case {
+struct BadSetting {
   const char* setting;
   std::function<void(Settings&)> spoil;
 };
@@ -25,7 +25,7 @@ TEST(HosSettings, DefaultsAndLimitsAreInRange) {
 }
 
 TEST(HosSettings, EverySettingOutOfRangeIsNamed) {
-  const Case cases[] = {
+  const BadSetting cases[] = {
       {"segment_length", [](Settings& s) { s.segment_length = 14; }},
       {"segment_length", [](Settings& s) { s.segment_length = 65; }},
       {"segment_length", [](Settings& s) { s.segment_length = 4098; }},
@@ -41,7 +41,7 @@ TEST(HosSettings, EverySettingOutOfRangeIsNamed) {
       {"nli_threshold", [](Settings& s) { s.nli_threshold = 1.5; }},
       {"max_peaks", [](Settings& s) { s.max_peaks = 51; }},
   };
-  for (const Case& spoiled : cases) {
+  for (const BadSetting& spoiled : cases) {
     Settings settings;
     spoiled.spoil(settings);
     try {

@@ -4,10 +4,12 @@
 #include <numbers>
 #include <random>
 
+#include "tests/support/numbers.hpp"
+
 namespace loopscope::core::hos::tests {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::kTurn;
 
 double cosine(double frequency, std::size_t k, double phase) {
   return std::cos(kTurn * frequency * static_cast<double>(k) + phase);
@@ -97,6 +99,32 @@ std::vector<double> jittered_wave(std::uint64_t seed, double period, std::size_t
     sample = shape(turn - std::floor(turn)) + noise * normal(generator);
   }
   return x;
+}
+
+double sine(double turn) {
+  return std::numbers::sqrt2 * std::sin(kTurn * turn);
+}
+
+double square(double turn) {
+  return turn < 0.5 ? 1.0 : -1.0;
+}
+
+double triangle(double turn) {
+  return std::numbers::sqrt3 * (turn < 0.5 ? 4.0 * turn - 1.0 : 3.0 - 4.0 * turn);
+}
+
+double sawtooth(double turn) {
+  return std::numbers::sqrt3 * (2.0 * turn - 1.0);
+}
+
+std::vector<double> coloured(simulate::Innovation law, double pole, std::uint64_t seed,
+                             std::size_t length) {
+  return simulate::coloured_noise(simulate::real_pole(pole), law, length, seed);
+}
+
+std::vector<double> resonance(std::uint64_t seed, std::size_t length) {
+  return simulate::coloured_noise(simulate::resonance(20.0, 0.95), simulate::Innovation::gaussian,
+                                  length, seed);
 }
 
 std::vector<double> affine(std::span<const double> x, double gain, double offset) {

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "core/simulate/coloured_noise.hpp"
+
 namespace loopscope::core::hos::tests {
 
 /// Length of the paper's records.
@@ -36,6 +38,20 @@ inline constexpr std::size_t kRecord = 4096;
 /// starts at random and wanders by 0.1 radians (standard deviation) a cycle.
 [[nodiscard]] std::vector<double> jittered_wave(std::uint64_t seed, double period,
                                                 std::size_t length, double (*shape)(double turn));
+
+/// Waves of variance 1, by the phase in turns, 0 to 1.
+[[nodiscard]] double sine(double turn);
+[[nodiscard]] double square(double turn);
+[[nodiscard]] double triangle(double turn);
+[[nodiscard]] double sawtooth(double turn);
+
+/// Innovations of that law through a real pole.
+[[nodiscard]] std::vector<double> coloured(simulate::Innovation law, double pole,
+                                           std::uint64_t seed, std::size_t length = kRecord);
+
+/// Resonance of period 20, poles' radius 0.95, driven by Gaussian noise: standard deviation
+/// about 3.
+[[nodiscard]] std::vector<double> resonance(std::uint64_t seed, std::size_t length = kRecord);
 
 /// y(k) = gain x(k) + offset.
 [[nodiscard]] std::vector<double> affine(std::span<const double> x, double gain, double offset);

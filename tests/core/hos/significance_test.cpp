@@ -25,8 +25,8 @@ namespace {
 using simulate::Innovation;
 
 /// A record with the spectra that are tested; holds what these point to.
-struct Looked {
-  explicit Looked(std::vector<double> record)
+struct TestedRecord {
+  explicit TestedRecord(std::vector<double> record)
       : signal(std::move(record)),
         bicoherence(Settings{}),
         tested(signal, bicoherence, bicoherence.estimate(signal), Settings{}) {}
@@ -37,16 +37,12 @@ struct Looked {
 };
 
 Significance measure(const std::vector<double>& signal, std::uint64_t seed = 1) {
-  return measure_significance(Looked(signal).tested, seed);
-}
-
-std::vector<double> noise(Innovation law, std::uint64_t seed) {
-  return simulate::coloured_noise(simulate::real_pole(0.9), law, 4096, seed);
+  return measure_significance(TestedRecord(signal).tested, seed);
 }
 
 /// What the first pass says, from its parts.
 Significance first_pass(const std::vector<double>& signal) {
-  const Looked looked(signal);
+  const TestedRecord looked(signal);
   const QuadraticTest test(looked.tested.settings());
   const auto found = test.measure(looked.tested.bicoherence(), looked.tested.bic2());
   const SegmentLevels* levels = looked.tested.levels() ? &*looked.tested.levels() : nullptr;
@@ -67,7 +63,7 @@ TEST(HosSignificance, TheSecondPassRunsWhereItCanChangeSomething) {
   int clear = 0;
   int passes = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const auto signal = noise(Innovation::gaussian, seed);
+    const auto signal = tests::coloured(Innovation::gaussian, 0.9, seed);
     const Significance found = measure(signal);
     const Significance first = first_pass(signal);
     const bool near = std::min({first.ngi_p, first.nli_p, *first.cubic_p}) < 0.05;
@@ -80,7 +76,7 @@ TEST(HosSignificance, TheSecondPassRunsWhereItCanChangeSomething) {
   }
   EXPECT_GE(clear, 45);
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    passes += measure(noise(Innovation::exponential, seed)).second_pass ? 1 : 0;
+    passes += measure(tests::coloured(Innovation::exponential, 0.9, seed)).second_pass ? 1 : 0;
   }
   EXPECT_EQ(passes, 10);
 }
@@ -88,7 +84,7 @@ TEST(HosSignificance, TheSecondPassRunsWhereItCanChangeSomething) {
 TEST(HosSignificance, NoPIsBelowTheFirstPass) {
   for (const Innovation law : {Innovation::exponential, Innovation::uniform, Innovation::laplace}) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-      const auto signal = noise(law, seed);
+      const auto signal = tests::coloured(law, 0.9, seed);
       const Significance found = measure(signal);
       const Significance first = first_pass(signal);
       EXPECT_EQ(found.ngi_p, first.ngi_p);
@@ -101,17 +97,17 @@ TEST(HosSignificance, NoPIsBelowTheFirstPass) {
 }
 
 TEST(HosSignificance, SeedsMatterInTheSecondPassOnly) {
-  const auto skewed = noise(Innovation::exponential, 1);
+  const auto skewed = tests::coloured(Innovation::exponential, 0.9, 1);
   EXPECT_EQ(measure(skewed, 5).nonlinear_p, measure(skewed, 5).nonlinear_p);
   EXPECT_NE(measure(skewed, 5).nonlinear_p, measure(skewed, 6).nonlinear_p);
   EXPECT_EQ(measure(skewed, 5).ngi_p, measure(skewed, 6).ngi_p);
-  const auto normal = noise(Innovation::gaussian, 1);
+  const auto normal = tests::coloured(Innovation::gaussian, 0.9, 1);
   ASSERT_FALSE(measure(normal).second_pass);
   EXPECT_EQ(measure(normal, 5).nonlinear_p, measure(normal, 6).nonlinear_p);
 }
 
 TEST(HosSignificance, DoesNotDependOnScale) {
-  const auto skewed = noise(Innovation::exponential, 2);
+  const auto skewed = tests::coloured(Innovation::exponential, 0.9, 2);
   const Significance before = measure(skewed);
   ASSERT_TRUE(before.second_pass);
   for (const double gain : {0x1p990, 0x1p-990, 0x1p20}) {

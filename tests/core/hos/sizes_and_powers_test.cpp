@@ -9,22 +9,25 @@
 
 #include "tests/core/hos/family_rates.hpp"
 #include "tests/core/hos/rejections.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
+
+using loopscope::tests::four_errors;
 
 using simulate::FamilyKind;
 
 /// `most` and the four standard errors of a rate that is just that.
 double at_most(double most, int records) {
-  return most + tests::four_errors(most, records);
+  return most + four_errors(most, records);
 }
 
 /// A size between 2 % and 7 % at 5 %, up to 2 % at 1 %; a single test may be more careful.
 void expect_sizes(const std::string& name, const tests::FamilyPValues& p, int records) {
   const tests::FamilyRates five = p.at(0.05);
   const tests::FamilyRates one = p.at(0.01);
-  EXPECT_GE(five.nonlinear, 0.02 - tests::four_errors(0.02, records)) << name;
+  EXPECT_GE(five.nonlinear, 0.02 - four_errors(0.02, records)) << name;
   for (const double size : {five.ngi, five.nli, five.cubic, five.nonlinear}) {
     EXPECT_LE(size, at_most(0.07, records)) << name;
   }
@@ -34,7 +37,7 @@ void expect_sizes(const std::string& name, const tests::FamilyPValues& p, int re
 }
 
 TEST(HosSizes, OnLinearGaussianFamilies) {
-  const int records = tests::records_or(150);
+  const int records = tests::records(150);
   for (const auto& family : simulate::calibration_families()) {
     if (family.kind != FamilyKind::linear_gaussian) continue;
     const tests::FamilyPValues p = tests::p_values(family, records);
@@ -46,7 +49,7 @@ TEST(HosSizes, OnLinearGaussianFamilies) {
 /// Skewness is no nonlinearity. The combination holds 5 % on symmetric noise; on exponential noise
 /// it does not yet: 8.2 to 10.8 % of 500 records. The bound there keeps it from getting worse.
 TEST(HosSizes, OfLinearityOnLinearNonGaussianFamilies) {
-  const int records = tests::records_or(40);
+  const int records = tests::records(40);
   for (const auto& family : simulate::calibration_families()) {
     if (family.kind != FamilyKind::linear_non_gaussian) continue;
     const tests::FamilyPValues p = tests::p_values(family, records);
@@ -62,18 +65,18 @@ TEST(HosSizes, OfLinearityOnLinearNonGaussianFamilies) {
 }
 
 TEST(HosPowers, OfNonlinearPOnThePapersExamples) {
-  const int records = tests::records_or(60);
+  const int records = tests::records(60);
   for (const auto& [name, least] :
        {std::pair{"paper_4_1_nonlinear", 1.0}, std::pair{"paper_4_2_nonlinear", 1.0},
         std::pair{"paper_5_4", 0.95}, std::pair{"paper_5_4_kano", 0.95}}) {
     const tests::FamilyPValues p = tests::p_values(tests::family(name), records);
     tests::print_row(name, p);
-    EXPECT_GE(p.at(0.05).nonlinear, least - tests::four_errors(least, records)) << name;
+    EXPECT_GE(p.at(0.05).nonlinear, least - four_errors(least, records)) << name;
   }
 }
 
 TEST(HosPowers, OfNonlinearPOnLimitCycles) {
-  const int records = tests::records_or(20);
+  const int records = tests::records(20);
   for (const char* const shape : {"square", "triangle", "sawtooth", "asymmetric_square"}) {
     for (const auto& [period, least] :
          {std::pair{"16", 0.95}, std::pair{"30", 0.95}, std::pair{"64", 0.95},
@@ -81,7 +84,7 @@ TEST(HosPowers, OfNonlinearPOnLimitCycles) {
       const std::string name = std::string(shape) + "_" + period;
       const tests::FamilyPValues p = tests::p_values(tests::family(name), records);
       tests::print_row(name, p);
-      EXPECT_GE(p.at(0.05).nonlinear, least - tests::four_errors(least, records)) << name;
+      EXPECT_GE(p.at(0.05).nonlinear, least - four_errors(least, records)) << name;
     }
   }
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <gtest/gtest.h>
 #include <limits>
@@ -16,26 +15,23 @@
 
 #include "core/hos/decimate.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/long_run.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::kTurn;
 constexpr std::size_t kFirstSeed = 9001;
+/// Per signal; LOOPSCOPE_RECORDS=1000 gives the README's tables.
+constexpr std::size_t kSlowRecords = 40;
+
+using tests::sawtooth;
+using tests::sine;
+using tests::square;
+using tests::triangle;
 
 // Shapes of variance 1.
-double sine(double turn) {
-  return std::numbers::sqrt2 * std::sin(kTurn * turn);
-}
-double square(double turn) {
-  return turn < 0.5 ? 1.0 : -1.0;
-}
-double triangle(double turn) {
-  return std::numbers::sqrt3 * (turn < 0.5 ? 4.0 * turn - 1.0 : 3.0 - 4.0 * turn);
-}
-double sawtooth(double turn) {
-  return std::numbers::sqrt3 * (2.0 * turn - 1.0);
-}
 double unequal_square(double turn) {  // 30 % up
   return turn < 0.3 ? std::sqrt(7.0 / 3.0) : -std::sqrt(3.0 / 7.0);
 }
@@ -68,12 +64,6 @@ std::size_t span_for(double period) {
   return std::clamp(slow_span(period, {}), tests::kRecord, 4 * tests::kRecord);
 }
 
-/// Records per signal; LOOPSCOPE_RECORDS=1000 gives the README's tables.
-std::size_t records() {
-  const char* const text = std::getenv("LOOPSCOPE_RECORDS");
-  return text != nullptr ? static_cast<std::size_t>(std::max(1, std::atoi(text))) : 40;
-}
-
 struct Spread {
   double low, median, high;  ///< 5th, 50th, 95th percentile
 };
@@ -98,8 +88,9 @@ BothLooks measure(const char* name, double period,
                   const std::function<std::vector<double>(std::uint64_t)>& draw) {
   std::vector<double> first, slow;
   BothLooks both;
-  const auto share = 1.0 / static_cast<double>(records());
-  for (std::size_t seed = kFirstSeed; seed < kFirstSeed + records(); ++seed) {
+  const std::size_t records = loopscope::tests::records(kSlowRecords);
+  const auto share = 1.0 / static_cast<double>(records);
+  for (std::size_t seed = kFirstSeed; seed < kFirstSeed + records; ++seed) {
     const std::vector<double> x = draw(seed);
     const auto look = look_slowly(x, period, {});
     first.push_back(analyse(last_of(x, tests::kRecord), {})->ngi);

@@ -7,14 +7,15 @@
 
 #include "core/simulate/calibration_families.hpp"
 #include "core/simulate/coloured_noise.hpp"
+#include "tests/core/hos/signals.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
-constexpr std::size_t kSamples = 4096;
+using tests::kRecord;
 
 std::vector<double> coloured(const simulate::AllPole& filter, std::uint64_t seed) {
-  return simulate::coloured_noise(filter, simulate::Innovation::gaussian, kSamples, seed);
+  return simulate::coloured_noise(filter, simulate::Innovation::gaussian, kRecord, seed);
 }
 
 /// One process up to sample `at`, another one from there on.
@@ -32,7 +33,7 @@ TEST(StationaryStretch, EndsWhereTheSpectrumChanges) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     const auto record =
         changed(simulate::resonance(40.0, 0.9), simulate::real_pole(0.5), 1536, seed);
-    right += stationary_stretch(record) == Stretch{1664, kSamples - 1664} ? 1 : 0;
+    right += stationary_stretch(record) == Stretch{1664, kRecord - 1664} ? 1 : 0;
   }
   EXPECT_GE(right, 48);
 }

@@ -17,9 +17,12 @@
 #include "tests/core/hos/family_rates.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
+#include "tests/support/chance.hpp"
 
 namespace loopscope::core::hos {
 namespace {
+
+using loopscope::tests::four_errors;
 
 /// A record with the spectra that are tested; holds what these point to.
 struct Looked {
@@ -63,9 +66,9 @@ double share(std::string_view name, int records, const Holds& holds) {
 }
 
 TEST(HosTestedSpectra, WhiteNoiseNeedsNoPrecaution) {
-  const int records = tests::records_or(1000);
+  const int records = tests::records(1000);
   const auto untouched = [](const Looked& looked) { return looked.untouched(); };
-  EXPECT_GE(share("white", records, untouched), 0.99 - tests::four_errors(0.01, records));
+  EXPECT_GE(share("white", records, untouched), 0.99 - four_errors(0.01, records));
 }
 
 TEST(HosTestedSpectra, AnIntegratedWalkIsDifferenced) {
@@ -92,40 +95,38 @@ TEST(HosTestedSpectra, DifferencesAreThoseOfTheRecord) {
 }
 
 TEST(HosTestedSpectra, ALockedLineGetsAnotherOverlap) {
-  const int records = tests::records_or(50);
+  const int records = tests::records(50);
   for (const auto* const name : {"sinusoid_16_at_20_db", "sinusoid_32_at_20_db"}) {
     const auto unlocked = [](const Looked& looked) {
       const double overlap = looked.tested.precautions().overlap;
       return overlap != 0.5 && looked.tested.settings().overlap == overlap &&
              !has_locked_line(looked.tested.bicoherence().spectra());
     };
-    EXPECT_GE(share(name, records, unlocked), 1.0 - tests::four_errors(0.01, records)) << name;
+    EXPECT_GE(share(name, records, unlocked), 1.0 - four_errors(0.01, records)) << name;
   }
 }
 
 TEST(HosTestedSpectra, AHalfTwiceAsLoudGetsLevels) {
-  const int records = tests::records_or(50);
+  const int records = tests::records(50);
   const auto levelled = [](const Looked& looked) {
     return looked.tested.levels() && looked.masked() == 0;
   };
-  EXPECT_GE(share("ar1_0.9_half_twice", records, levelled),
-            0.99 - tests::four_errors(0.01, records));
+  EXPECT_GE(share("ar1_0.9_half_twice", records, levelled), 0.99 - four_errors(0.01, records));
 }
 
 TEST(HosTestedSpectra, OneStepIsMasked) {
-  const int records = tests::records_or(50);
+  const int records = tests::records(50);
   const auto masked_there = [](const Looked& looked) {
     return std::isnan(looked.tested.signal()[2048]) && looked.masked() <= 256;
   };
-  EXPECT_GE(share("ar1_0.9_one_step", records, masked_there),
-            0.95 - tests::four_errors(0.05, records));
+  EXPECT_GE(share("ar1_0.9_one_step", records, masked_there), 0.95 - four_errors(0.05, records));
 }
 
 TEST(HosTestedSpectra, ALimitCyclesJumpsAreNotMasked) {
-  const int records = tests::records_or(100);
+  const int records = tests::records(100);
   const auto masked = [](const Looked& looked) { return looked.masked() > 0; };
-  EXPECT_LE(share("square_400", records, masked), tests::four_errors(0.01, records));
-  EXPECT_LE(share("square_64", records, masked), tests::four_errors(0.01, records));
+  EXPECT_LE(share("square_400", records, masked), four_errors(0.01, records));
+  EXPECT_LE(share("square_64", records, masked), four_errors(0.01, records));
 }
 
 TEST(HosTestedSpectra, TheNextReplicateIsAsIfItWereTheFirst) {

@@ -6,13 +6,14 @@
 
 #include "core/loop/record_spectrum.hpp"
 #include "tests/core/loop/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::loop {
 namespace {
 
 using signals::Series;
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::kTurn;
 
 Series cosine(std::size_t count, double amplitude, double period, double phase) {
   Series series(count);

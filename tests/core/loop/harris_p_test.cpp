@@ -1,51 +1,19 @@
 #include "core/loop/harris_p.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <gtest/gtest.h>
-#include <string>
 
 #include "core/loop/harris.hpp"
+#include "tests/core/loop/harris_null.hpp"
 #include "tests/core/loop/null_families.hpp"
 
 namespace loopscope::core::loop {
 namespace {
 
+using signals::kMaxDelay;
+using signals::mixture;
+using signals::p_of;
 using signals::Random;
-using signals::Series;
-
-constexpr std::size_t kMinDelay = 2, kMaxDelay = 10, kOrder = 20;
-
-double p_of(const Series& error) {
-  return measure_harris(error, kMinDelay, kMaxDelay, kOrder).value().p;
-}
-
-double middle_of(const Series& error) {
-  const HarrisRange range = measure_harris(error, kMinDelay, kMaxDelay, kOrder).value();
-  return std::sqrt(range.low * range.high);
-}
-
-/// Noise of variance 1 with a slow AR(1) part that carries `share` of it.
-Series mixture(Random& random, std::size_t samples, double phi, double share) {
-  const double unit = std::sqrt(1.0 - phi * phi);
-  const Series slow = signals::ar1(random, samples, phi);
-  Series fast = signals::white(random, samples);
-  for (double& value : fast) value *= std::sqrt(1.0 - share);
-  return signals::sum(std::move(fast), slow, unit * std::sqrt(share));
-}
-
-/// The share at which the middle index is that of the null, by bisection on one long record.
-double share_at_null(double phi) {
-  double low = 0.001, high = 0.999;
-  for (int step = 0; step < 14; ++step) {
-    Random random(99);
-    const double middle = 0.5 * (low + high);
-    (middle_of(mixture(random, 400'000, phi, middle)) > kWellTunedHarris ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
+using signals::share_at_null;
 
 TEST(HarrisP, WellTunedIsOneAndSlowIsCertain) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -75,43 +43,6 @@ TEST(HarrisP, HoldsItsSizeAtTheEdgeOfTheNull) {
     rejected += p_of(mixture(random, 4096, 0.97, share)) <= 0.05 ? 1 : 0;
   }
   EXPECT_LE(rejected, 0.07 * 400);
-}
-
-// ---- The table of README.md.
-
-template <typename Draw>
-void print_sizes(const std::string& name, std::size_t samples, int records, const Draw& draw) {
-  constexpr std::array kSizes{0.05, 0.01, 1e-3, 1e-4, 1e-6};
-  std::array<int, kSizes.size()> counts{};
-  for (int k = 0; k < records; ++k) {
-    const double p = p_of(draw(static_cast<std::uint64_t>(700'000 + k)));
-    for (std::size_t i = 0; i < kSizes.size(); ++i) counts[i] += p <= kSizes[i] ? 1 : 0;
-  }
-  std::printf("| %s | %zu | %d |", name.c_str(), samples, records);
-  for (const int count : counts) std::printf(" %.4g |", static_cast<double>(count) / records);
-  std::puts("");
-  std::fflush(stdout);
-}
-
-TEST(HarrisP, DISABLED_Size) {
-  std::puts("| records | samples | number | p <= 0.05 | 0.01 | 1e-3 | 1e-4 | 1e-6 |");
-  std::puts("|---|---|---|---|---|---|---|---|");
-  for (const std::size_t samples : {std::size_t{751}, std::size_t{4096}}) {
-    for (const char* scenario :
-         {"healthy_flow", "paper_5_1", "paper_5_2_printed", "level_loop", "sluggish_tuning"}) {
-      print_sizes(scenario, samples, 5000, [=](std::uint64_t seed) {
-        return signals::scenario_error(scenario, samples, seed);
-      });
-    }
-    for (const double phi : {0.9, 0.97, 0.99, 0.999}) {
-      const double share = share_at_null(phi);
-      const std::string name = "edge of the null, slow part AR(1) " + std::to_string(phi);
-      print_sizes(name, samples, 20'000, [=](std::uint64_t seed) {
-        Random random(seed);
-        return mixture(random, samples, phi, share);
-      });
-    }
-  }
 }
 
 }  // namespace

@@ -11,18 +11,18 @@ namespace {
 using signals::Random;
 using signals::Series;
 
-constexpr int kSeeds = 30;
+constexpr int kHarrisRecords = 30;
 
 TEST(Harris, Ar1HasItsClosedForm) {
   // psi_i = phi^i, so sigma_mv^2 / sigma^2 = 1 - phi^(2 d).
   const double phi = 0.9;
   double low = 0.0, high = 0.0;
-  for (int seed = 0; seed < kSeeds; ++seed) {
+  for (int seed = 0; seed < kHarrisRecords; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const auto range = measure_harris(signals::ar1(random, 4096, phi), 2, 10, 20);
     ASSERT_TRUE(range);
-    low += range->low / kSeeds;
-    high += range->high / kSeeds;
+    low += range->low / kHarrisRecords;
+    high += range->high / kHarrisRecords;
   }
   // One estimate scatters by 0.03 and 0.04 (variance of an AR(1) over 4096 samples), the mean of 30
   // by 0.007.
@@ -31,7 +31,7 @@ TEST(Harris, Ar1HasItsClosedForm) {
 }
 
 TEST(Harris, WhiteNoiseIsAsGoodAsItGets) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
+  for (int seed = 0; seed < kHarrisRecords; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const auto range = measure_harris(signals::white(random, 4096), 2, 10, 20);
     ASSERT_TRUE(range);
@@ -42,7 +42,7 @@ TEST(Harris, WhiteNoiseIsAsGoodAsItGets) {
 }
 
 TEST(Harris, LongerDelayExcusesMore) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
+  for (int seed = 0; seed < kHarrisRecords; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const Series error = signals::resonance(random, 1000, 30.0, 0.95);
     double before = 0.0;

@@ -1,11 +1,8 @@
 #include "core/loop/oscillation_p.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <gtest/gtest.h>
 #include <limits>
-#include <string>
 
 #include "core/loop/oscillation.hpp"
 #include "tests/core/loop/null_families.hpp"
@@ -65,47 +62,6 @@ TEST(OscillationP, QuietRecordsSeldomPass) {
 TEST(OscillationP, StrongOscillationsAreCertain) {
   for (const Family& family : signals::oscillating_families()) {
     EXPECT_GE(share_at(family, 4096, 40, 1e-5), 0.95) << family.name;
-  }
-}
-
-// ---- The tables of README.md. Disabled: minutes, and nothing that the tests above do not assert
-// on fewer seeds.
-
-void print_sizes(const Family& family, std::size_t samples, int records) {
-  constexpr std::array kSizes{0.05, 0.01, 1e-3, 1e-4, 1e-5};
-  std::array<int, kSizes.size()> counts{};
-  for (int k = 0; k < records; ++k) {
-    const auto series = family.draw(samples, 700'000 + static_cast<std::uint64_t>(k));
-    const double p = find_oscillation(series, 1.0).p.value();
-    for (std::size_t i = 0; i < kSizes.size(); ++i) counts[i] += p <= kSizes[i] ? 1 : 0;
-  }
-  std::printf("| %s | %zu | %d |", std::string(family.name).c_str(), samples, records);
-  for (const int count : counts) std::printf(" %.4g |", static_cast<double>(count) / records);
-  std::puts("");
-  std::fflush(stdout);
-}
-
-void print_head() {
-  std::puts("| records | samples | number | p <= 0.05 | 0.01 | 1e-3 | 1e-4 | 1e-5 |");
-  std::puts("|---|---|---|---|---|---|---|---|");
-}
-
-TEST(OscillationP, DISABLED_Size) {
-  print_head();
-  for (const std::size_t samples : {std::size_t{751}, std::size_t{4096}}) {
-    for (const Family& family : signals::quiet_families()) print_sizes(family, samples, 20'000);
-  }
-  for (const Family& family : signals::damped_families()) {
-    for (const std::size_t samples : {std::size_t{751}, std::size_t{4096}})
-      print_sizes(family, samples, 2000);
-  }
-}
-
-TEST(OscillationP, DISABLED_Power) {
-  print_head();
-  for (const Family& family : signals::oscillating_families()) {
-    for (const std::size_t samples : {std::size_t{751}, std::size_t{4096}})
-      print_sizes(family, samples, 500);
   }
 }
 

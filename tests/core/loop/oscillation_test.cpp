@@ -13,11 +13,11 @@ using signals::Random;
 using signals::Series;
 using signals::Wave;
 
-constexpr int kSeeds = 40;
+constexpr int kWaveRecords = 40;
 
 int count_present(const std::function<Series(Random&)>& draw) {
   int present = 0;
-  for (int seed = 0; seed < kSeeds; ++seed) {
+  for (int seed = 0; seed < kWaveRecords; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     if (find_oscillation(draw(random), 1.0).present) ++present;
   }
@@ -44,11 +44,11 @@ TEST(Oscillation, WavesInNoiseAreFound) {
   for (const double period : {20.0, 100.0, 300.0}) {
     EXPECT_EQ(
         count_present([=](Random& r) { return noisy_wave(r, 4096, Wave::sine, period, 0.0); }),
-        kSeeds);
+        kWaveRecords);
   }
   for (const Wave kind : {Wave::sine, Wave::square, Wave::triangle}) {
     EXPECT_EQ(count_present([=](Random& r) { return noisy_wave(r, 751, kind, 40.0, 10.0); }),
-              kSeeds);
+              kWaveRecords);
   }
 }
 
@@ -67,10 +67,10 @@ TEST(Oscillation, FiguresOfASinusoidAreItsOwn) {
 TEST(Oscillation, NoiseDrivenResonanceIsRecognisedByItsPersistence) {
   // Poles of modulus 0.97: the autocorrelation keeps 0.97^60 = 0.16 over three periods of 20.
   double persistence = 0.0;
-  for (int seed = 0; seed < kSeeds; ++seed) {
+  for (int seed = 0; seed < kWaveRecords; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const Oscillation result = find_oscillation(signals::resonance(random, 4096, 20.0, 0.97), 1.0);
-    persistence += result.persistence.value_or(1.0) / kSeeds;
+    persistence += result.persistence.value_or(1.0) / kWaveRecords;
   }
   // One estimate scatters by 0.1, the mean of 40 by 0.016; clamping at 0 lifts it a little.
   EXPECT_NEAR(persistence, 0.16, 0.08);
@@ -79,7 +79,7 @@ TEST(Oscillation, NoiseDrivenResonanceIsRecognisedByItsPersistence) {
 TEST(Oscillation, QuarterDecayIsNone) {
   // 0.9^20 = 0.12 of the response is left after a period: a well-tuned loop.
   EXPECT_LE(count_present([](Random& r) { return signals::resonance(r, 4096, 20.0, 0.9); }),
-            kSeeds / 3);
+            kWaveRecords / 3);
 }
 
 TEST(Oscillation, IsNotHiddenByDrift) {
@@ -87,7 +87,7 @@ TEST(Oscillation, IsNotHiddenByDrift) {
               return signals::sum(noisy_wave(r, 4096, Wave::sine, 100.0, 10.0),
                                   signals::ar1(r, 4096, 1.0), 0.2);
             }),
-            kSeeds - 2);
+            kWaveRecords - 2);
   Random random(4);
   Series ramped = noisy_wave(random, 4096, Wave::sine, 100.0, 10.0);
   for (std::size_t k = 0; k < ramped.size(); ++k) {
@@ -100,7 +100,7 @@ TEST(Oscillation, IsFoundThroughGaps) {
   EXPECT_EQ(count_present([](Random& r) {
               return signals::with_missing(r, noisy_wave(r, 4096, Wave::sine, 20.0, 0.0), 0.3);
             }),
-            kSeeds);
+            kWaveRecords);
   Random random(5);
   Series gap = noisy_wave(random, 4096, Wave::sine, 100.0, 10.0);
   std::fill(gap.begin() + 1000, gap.begin() + 1800, std::nan(""));

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/numbers.hpp"
+
 namespace loopscope::core::loop::signals {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using loopscope::tests::kTurn;
 constexpr std::size_t kSettling = 1500;
 
 double variance(const Series& series) {

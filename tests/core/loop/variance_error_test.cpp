@@ -9,6 +9,7 @@
 
 #include "core/signal/spread.hpp"
 #include "tests/core/loop/signals.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::loop {
 namespace {
@@ -17,8 +18,8 @@ using signals::Random;
 using signals::Series;
 using signals::Wave;
 
-constexpr std::size_t kSamples = 4096;
-constexpr int kSeeds = 200;
+using loopscope::tests::kWindow;
+constexpr int kScatterRecords = 200;
 
 /// What the formula says beside what 200 records show.
 struct Scatter {
@@ -28,14 +29,14 @@ struct Scatter {
 
 Scatter scatter_of(const std::function<Series(Random&)>& draw) {
   std::vector<double> said, logs;
-  for (int seed = 1; seed <= kSeeds; ++seed) {
+  for (int seed = 1; seed <= kScatterRecords; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     const Series series = draw(random);
     said.push_back(log_variance_error(series).value());
     logs.push_back(2.0 * std::log(signal::measure_spread(series)->std));
   }
-  std::nth_element(said.begin(), said.begin() + kSeeds / 2, said.end());
-  return {said[kSeeds / 2], signal::measure_spread(logs)->std};
+  std::nth_element(said.begin(), said.begin() + kScatterRecords / 2, said.end());
+  return {said[kScatterRecords / 2], signal::measure_spread(logs)->std};
 }
 
 /// The shown scatter of 200 records is itself known to 5 %; the formula is taken to hold where the
@@ -47,8 +48,8 @@ void expect_agreement(const Scatter& scatter) {
 TEST(VarianceError, WhiteNoiseHasItsClosedForm) {
   // var(s^2) / s^4 = 2 / n.
   const Scatter scatter =
-      scatter_of([](Random& random) { return signals::white(random, kSamples); });
-  EXPECT_NEAR(scatter.said, std::sqrt(2.0 / kSamples), 0.002);
+      scatter_of([](Random& random) { return signals::white(random, kWindow); });
+  EXPECT_NEAR(scatter.said, std::sqrt(2.0 / kWindow), 0.002);
   expect_agreement(scatter);
 }
 
@@ -56,32 +57,31 @@ TEST(VarianceError, Ar1HasItsClosedForm) {
   // Bartlett: 2 / n (1 + phi^2) / (1 - phi^2).
   const double phi = 0.9;
   const Scatter scatter =
-      scatter_of([&](Random& random) { return signals::ar1(random, kSamples, phi); });
-  EXPECT_NEAR(scatter.said, std::sqrt(2.0 / kSamples * (1.0 + phi * phi) / (1.0 - phi * phi)),
-              0.01);
+      scatter_of([&](Random& random) { return signals::ar1(random, kWindow, phi); });
+  EXPECT_NEAR(scatter.said, std::sqrt(2.0 / kWindow * (1.0 + phi * phi) / (1.0 - phi * phi)), 0.01);
   expect_agreement(scatter);
 }
 
 TEST(VarianceError, HoldsForSlowNoiseAndResonances) {
-  expect_agreement(scatter_of([](Random& random) { return signals::ar1(random, kSamples, 0.98); }));
+  expect_agreement(scatter_of([](Random& random) { return signals::ar1(random, kWindow, 0.98); }));
   expect_agreement(
-      scatter_of([](Random& random) { return signals::resonance(random, kSamples, 40.0, 0.98); }));
+      scatter_of([](Random& random) { return signals::resonance(random, kWindow, 40.0, 0.98); }));
 }
 
 TEST(VarianceError, SustainedWaveIsKnownBetterThanNoiseOfItsSpectrum) {
   const auto wave = [](Random& random) {
-    return signals::at_snr(signals::wave(random, kSamples, Wave::triangle, 50.0),
-                           signals::white(random, kSamples), 10.0);
+    return signals::at_snr(signals::wave(random, kWindow, Wave::triangle, 50.0),
+                           signals::white(random, kWindow), 10.0);
   };
   const auto noise = [](Random& random) {
-    return signals::resonance(random, kSamples, 50.0, 0.995);
+    return signals::resonance(random, kWindow, 50.0, 0.995);
   };
   EXPECT_LT(scatter_of(wave).said, 0.2 * scatter_of(noise).said);
 }
 
 TEST(VarianceError, NeitherUnitNorLevelCounts) {
   Random random(3);
-  const Series series = signals::ar1(random, kSamples, 0.9);
+  const Series series = signals::ar1(random, kWindow, 0.9);
   Series moved = series;
   for (double& value : moved) value = 1000.0 * value + 7.0;
   EXPECT_NEAR(log_variance_error(series).value(), log_variance_error(moved).value(), 1e-9);
@@ -89,7 +89,7 @@ TEST(VarianceError, NeitherUnitNorLevelCounts) {
 
 TEST(VarianceError, MissingSamplesCostWhatTheyKnew) {
   Random random(4);
-  const Series series = signals::white(random, kSamples);
+  const Series series = signals::white(random, kWindow);
   const Series half = signals::with_missing(random, series, 0.5);
   EXPECT_NEAR(log_variance_error(half).value() / log_variance_error(series).value(), std::sqrt(2.0),
               0.15);
@@ -102,8 +102,8 @@ TEST(VarianceError, NothingToMeasureIsNothing) {
 }
 
 TEST(VarianceError, SquareWaveScattersNotAtAll) {
-  Series square(kSamples);
-  for (std::size_t k = 0; k < kSamples; ++k) square[k] = (k / 8) % 2 == 0 ? 1.0 : -1.0;
+  Series square(kWindow);
+  for (std::size_t k = 0; k < kWindow; ++k) square[k] = (k / 8) % 2 == 0 ? 1.0 : -1.0;
   EXPECT_NEAR(log_variance_error(square).value(), 0.0, 1e-9);
 }
 

@@ -7,17 +7,18 @@
 #include "core/model/process_report.hpp"
 #include "core/model/trial.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 4096;
-constexpr std::uint64_t kSeeds = 5;
-const NoiseModel kNoise{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
+using loopscope::tests::kWindow;
+constexpr std::uint64_t kBaselineRecords = 5;
+using tests::kNoise;
 
 LoopData record_of(const ProcessShape& shape, double gain, std::uint64_t seed) {
-  const tests::Series op = tests::stepping_op(kSamples, seed);
-  const tests::Series noise = tests::coloured_noise(kNoise, kSamples, seed + 100, 0.3);
+  const tests::Series op = tests::stepping_op(kWindow, seed);
+  const tests::Series noise = tests::coloured_noise(kNoise, kWindow, seed + 100, 0.3);
   return make_loop_data(tests::process_record(shape, gain, op, noise), op, 1.0);
 }
 
@@ -29,7 +30,7 @@ Structure first_guess() {
 
 TEST(Baseline, FindsDelayGainAndTimeConstant) {
   for (const std::size_t delay : {1U, 4U, 15U}) {
-    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (std::uint64_t seed = 1; seed <= kBaselineRecords; ++seed) {
       const LoopData data = record_of(tests::one_lag(0.9, delay), -1.3, seed);
       const ProcessFit found = report_process(data, search_process(data, first_guess()));
       EXPECT_FALSE(found.integrating) << delay << " " << seed;
@@ -42,7 +43,7 @@ TEST(Baseline, FindsDelayGainAndTimeConstant) {
 
 /// Whatever the order that it chose: delay, gain and mean answer are those of the two lags.
 TEST(Baseline, FindsTwoLags) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kBaselineRecords; ++seed) {
     const LoopData data = record_of(tests::two_lags(0.95, 0.8, 3), 1.5, seed);
     const Fit fit = search_process(data, first_guess());
     EXPECT_NEAR(fit.gain() * data.pv_scale, 1.5, 0.15) << seed;
@@ -54,16 +55,16 @@ TEST(Baseline, FindsTwoLags) {
 
 TEST(Baseline, KnowsAnIntegrator) {
   int integrating = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const tests::Series op = tests::stepping_op(kSamples, seed);
-    const tests::Series noise = tests::white_noise(kSamples, seed + 100, 0.05);
+  for (std::uint64_t seed = 1; seed <= kBaselineRecords; ++seed) {
+    const tests::Series op = tests::stepping_op(kWindow, seed);
+    const tests::Series noise = tests::white_noise(kWindow, seed + 100, 0.05);
     const LoopData data =
         make_loop_data(tests::process_record(tests::integrator(3), 0.02, op, noise), op, 1.0);
     const Fit fit = search_process(data, first_guess());
     integrating += fit.structure.process.integrating;
     EXPECT_LT(fit.score_error * data.pv_scale * data.pv_scale, 1.1 * 0.0025) << seed;
   }
-  EXPECT_GE(integrating, static_cast<int>(kSeeds) - 1);
+  EXPECT_GE(integrating, static_cast<int>(kBaselineRecords) - 1);
 }
 
 TEST(Baseline, NeverWithoutADelayAndWithinItsLimits) {
@@ -95,11 +96,11 @@ TEST(Baseline, SettlingIsNeverWorseAndFindsTheNextDelay) {
 
 /// A bent flow that is right glances better than the straight one.
 TEST(Baseline, AGlanceSeesTheSaturation) {
-  tests::Series op = tests::stepping_op(kSamples, 1), flow = op;
+  tests::Series op = tests::stepping_op(kWindow, 1), flow = op;
   for (double& value : flow) value = std::min(value, 53.0);
-  const LoopData data = make_loop_data(tests::process_record(tests::one_lag(0.8, 3), 1.5, flow,
-                                                             tests::white_noise(kSamples, 2, 0.2)),
-                                       op, 1.0);
+  const LoopData data = make_loop_data(
+      tests::process_record(tests::one_lag(0.8, 3), 1.5, flow, tests::white_noise(kWindow, 2, 0.2)),
+      op, 1.0);
   Structure structure = first_guess();
   const auto glanced_error = [&] {
     structure.process = glance(data, structure);

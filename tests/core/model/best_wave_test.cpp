@@ -11,13 +11,13 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 4000;
-const NoiseModel kNoise{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
+constexpr std::size_t kWaveSamples = 4000;
+using tests::kNoise;
 
 LoopData waving(const std::function<double(double)>& wave, std::uint64_t seed) {
-  const tests::Series op = tests::stepping_op(kSamples, seed);
-  tests::Series load = tests::coloured_noise(kNoise, kSamples, seed + 50, 0.5);
-  for (std::size_t k = 0; k < kSamples; ++k) load[k] += wave(static_cast<double>(k));
+  const tests::Series op = tests::stepping_op(kWaveSamples, seed);
+  tests::Series load = tests::coloured_noise(kNoise, kWaveSamples, seed + 50, 0.5);
+  for (std::size_t k = 0; k < kWaveSamples; ++k) load[k] += wave(static_cast<double>(k));
   return make_loop_data(tests::process_record(tests::one_lag(0.8, 3), 1.5, op, load), op, 1.0);
 }
 

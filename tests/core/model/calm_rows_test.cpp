@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 4096;
+using loopscope::tests::kWindow;
 
 Rows rows_of() {
-  return make_loop_data(tests::white_noise(kSamples, 1), tests::stepping_op(kSamples, 2), 1.0).rows;
+  return make_loop_data(tests::white_noise(kWindow, 1), tests::stepping_op(kWindow, 2), 1.0).rows;
 }
 
 bool holds(const std::vector<Range>& rows, std::size_t at) {
@@ -24,7 +25,7 @@ TEST(CalmRows, GaussianNoiseIsCalm) {
   const Rows rows = rows_of();
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     Fit fit;
-    fit.innovations = tests::white_noise(kSamples, seed, 3.7);
+    fit.innovations = tests::white_noise(kWindow, seed, 3.7);
     EXPECT_EQ(calm_rows(rows, fit).fit_count(), rows.fit_count());
   }
 }
@@ -33,7 +34,7 @@ TEST(CalmRows, GrossErrorsAndWhatFollowsThemGo) {
   const Rows rows = rows_of();
   const std::size_t at = rows.fit[10].first + 10;
   Fit fit;
-  fit.innovations = tests::white_noise(kSamples, 1);
+  fit.innovations = tests::white_noise(kWindow, 1);
   fit.innovations[at] = -12.0;
   const Rows calm = calm_rows(rows, fit);
   EXPECT_LT(calm.fit_count(), rows.fit_count());
@@ -46,8 +47,8 @@ TEST(CalmRows, GrossErrorsAndWhatFollowsThemGo) {
 TEST(CalmRows, WhatIsLeftWasThereBefore) {
   const Rows rows = rows_of();
   Fit fit;
-  fit.innovations = tests::white_noise(kSamples, 1);
-  for (std::size_t k = 0; k < kSamples; k += 97) fit.innovations[k] = 50.0;
+  fit.innovations = tests::white_noise(kWindow, 1);
+  for (std::size_t k = 0; k < kWindow; k += 97) fit.innovations[k] = 50.0;
   const Rows calm = calm_rows(rows, fit);
   std::size_t end = 0;
   for (const Range& range : calm.fit) {
@@ -65,8 +66,8 @@ TEST(CalmRows, WhatIsLeftWasThereBefore) {
 TEST(CalmRows, ScalesWithTheErrors) {
   const Rows rows = rows_of();
   Fit small, large;
-  small.innovations = tests::white_noise(kSamples, 1);
-  for (std::size_t k = 0; k < kSamples; k += 50) small.innovations[k] = 20.0;
+  small.innovations = tests::white_noise(kWindow, 1);
+  for (std::size_t k = 0; k < kWindow; k += 50) small.innovations[k] = 20.0;
   large.innovations = tests::scaled(small.innovations, 1e6);
   EXPECT_EQ(calm_rows(rows, small).fit_count(), calm_rows(rows, large).fit_count());
   EXPECT_LT(calm_rows(rows, small).fit_count(), rows.fit_count());

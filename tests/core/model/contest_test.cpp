@@ -8,17 +8,16 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 2000;
+constexpr std::size_t kContestSamples = 2000;
 constexpr std::size_t kAt = 1100;
 const ProcessShape kShape = tests::one_lag(0.8, 3);
 
 /// What enters the process from kAt on, in % of op; a level and a part of the flow.
 LoopData changed(double level, double part, std::uint64_t seed) {
-  const tests::Series op = tests::stepping_op(kSamples, seed);
-  tests::Series more(kSamples, 0.0);
-  for (std::size_t k = kAt; k < kSamples; ++k) more[k] = level + part * (op[k] - 50.0);
-  const tests::Series noise =
-      tests::coloured_noise({1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}}, kSamples, seed + 50, 1.0);
+  const tests::Series op = tests::stepping_op(kContestSamples, seed);
+  tests::Series more(kContestSamples, 0.0);
+  for (std::size_t k = kAt; k < kContestSamples; ++k) more[k] = level + part * (op[k] - 50.0);
+  const tests::Series noise = tests::coloured_noise(tests::kNoise, kContestSamples, seed + 50, 1.0);
   const tests::Series rest = tests::sum(tests::scaled(answer(kShape, more), 1.5), noise);
   return make_loop_data(tests::process_record(kShape, 1.5, op, rest), op, 1.0);
 }

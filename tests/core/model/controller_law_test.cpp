@@ -9,6 +9,7 @@
 
 #include "core/simulate/random.hpp"
 #include "tests/core/model/known_loops.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using known::Records;
 using known::Series;
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+using loopscope::tests::kNaN;
 
 Records healthy(std::uint64_t seed = 1) {
   return known::run(known::scenario("healthy_flow").settings, seed);
@@ -106,9 +107,9 @@ TEST(ControllerLaw, WithoutSetpointTheOffsetIsFound) {
 
 TEST(ControllerLaw, ManualGapsAndJumpsAreLeftOut) {
   Records records = healthy();
-  for (std::size_t k = 1000; k < 2000; ++k) records.error[k] = kMissing;
+  for (std::size_t k = 1000; k < 2000; ++k) records.error[k] = kNaN;
   for (std::size_t k = 1000; k < 2000; ++k) records.op[k] = 30.0;
-  for (std::size_t k = 100; k < 200; k += 10) records.op[k] = kMissing;
+  for (std::size_t k = 100; k < 200; k += 10) records.op[k] = kNaN;
   for (std::size_t k = 3000; k < records.op.size(); ++k) records.op[k] += 7.0;  // bumpless transfer
   const ControllerLaw law = known::find_law(records);
   EXPECT_NEAR(law.gain, 0.27, 1e-6);

@@ -3,11 +3,19 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/model/known_loops.hpp"
+#include "tests/support/chance.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr int kSeeds = 100;
+using loopscope::tests::at_least;
+using loopscope::tests::at_most;
+
+constexpr int kRandomLoops = 100;
+int random_loops() {
+  return static_cast<int>(loopscope::tests::records(kRandomLoops));
+}
 
 TEST(ControllerTrap, InverseOfTheLawHasDistanceZero) {
   const known::Records records = known::run(known::scenario("healthy_flow").settings, 1);
@@ -24,26 +32,26 @@ TEST(ControllerTrap, InverseOfTheLawHasDistanceZero) {
 TEST(ControllerTrap, NaiveFitsAreCaught) {
   for (const int order : {1, 2}) {
     int caught = 0;
-    for (int seed = 1; seed <= kSeeds; ++seed) {
+    for (int seed = 1; seed <= random_loops(); ++seed) {
       const auto s = static_cast<std::uint64_t>(seed);
       const known::Records records = known::run(known::random_loop(s).settings, s);
       const SampledProcess naive = known::fit_without_delay(records, order);
       caught += judge_controller_trap(naive, known::find_law(records), records.op).refused;
     }
-    EXPECT_GE(caught, 95 * kSeeds / 100) << "order " << order;
+    EXPECT_GE(caught, at_least(95, kRandomLoops, random_loops())) << "order " << order;
   }
 }
 
 TEST(ControllerTrap, RightModelsAreKept) {
   int refused = 0;
-  for (int seed = 1; seed <= kSeeds; ++seed) {
+  for (int seed = 1; seed <= random_loops(); ++seed) {
     const auto s = static_cast<std::uint64_t>(seed);
     const known::KnownLoop loop = known::random_loop(s);
     const known::Records records = known::run(loop.settings, s);
     const ProcessFit fit = known::off_by_a_fifth(loop.process, s);
     refused += judge_controller_trap(fit, known::find_law(records), records.op, 1.0).refused;
   }
-  EXPECT_LE(refused, 2 * kSeeds / 100);
+  EXPECT_LE(refused, at_most(2, kRandomLoops, random_loops()));
 }
 
 TEST(ControllerTrap, RightModelsOfPlantLoopsAreKept) {

@@ -5,16 +5,12 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/core/model/model_records.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
-std::vector<double> sine(std::size_t count, double period) {
-  std::vector<double> wave(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    wave[k] = std::sin(2.0 * std::numbers::pi * static_cast<double>(k) / period);
-  }
-  return wave;
-}
+using tests::sine;
 
 double amplitude(const std::vector<double>& signal) {
   double sum = 0.0;

@@ -7,21 +7,12 @@
 #include <vector>
 
 #include "core/simulate/random.hpp"
+#include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-using Signal = std::vector<double>;
-
-Signal sine(std::size_t samples, double period, double noise = 0.0) {
-  simulate::GaussianSource source(7);
-  Signal signal(samples);
-  for (std::size_t k = 0; k < samples; ++k) {
-    signal[k] =
-        std::sin(2.0 * std::numbers::pi * static_cast<double>(k) / period) + noise * source.next();
-  }
-  return signal;
-}
+using tests::sine;
 
 bool holds_period(const std::vector<double>& periods, double period) {
   return std::ranges::any_of(periods, [&](double p) { return std::abs(p / period - 1.0) < 0.1; });
@@ -40,7 +31,7 @@ TEST(CyclePeriod, TheTurnsOfTheOutputShowSixCycles) {
 }
 
 TEST(CyclePeriod, AnOutputThatOnlyDriftsAddsNothing) {
-  Signal drift(1000);
+  std::vector<double> drift(1000);
   for (std::size_t k = 0; k < drift.size(); ++k) drift[k] = static_cast<double>(k);
   EXPECT_EQ(candidate_periods(sine(1000, 40.0), drift).size(), 1U);
 }

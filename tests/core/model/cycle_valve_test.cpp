@@ -11,9 +11,9 @@
 namespace loopscope::core::model {
 namespace {
 
-using tests::model::field_families;
-using tests::model::FieldFamily;
-using tests::model::FieldLoop;
+using loopscope::tests::model::field_families;
+using loopscope::tests::model::FieldFamily;
+using loopscope::tests::model::FieldLoop;
 
 CycleCause cause_of(double score, double travel) {
   CycleCause cause;

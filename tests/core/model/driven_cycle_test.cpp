@@ -8,12 +8,12 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 2000;
+constexpr std::size_t kCycleSamples = 2000;
 
 std::vector<double> wave(double amplitude, double cycles) {
   std::vector<double> result;
-  for (std::size_t k = 0; k < kSamples; ++k) {
-    const double turn = 2.0 * std::numbers::pi * cycles * static_cast<double>(k) / kSamples;
+  for (std::size_t k = 0; k < kCycleSamples; ++k) {
+    const double turn = 2.0 * std::numbers::pi * cycles * static_cast<double>(k) / kCycleSamples;
     result.push_back(50.0 + amplitude * std::sin(turn));
   }
   return result;
@@ -42,7 +42,7 @@ TEST(DrivenCycle, TwiceAsOftenIsTheLoopsOwn) {
 
 TEST(DrivenCycle, ASetpointThatHardlyMovesOrIsNotRecordedDrivesNothing) {
   EXPECT_FALSE(driven(wave(0.05, 10.0)));
-  EXPECT_FALSE(driven(std::vector<double>(kSamples, 50.0)));
+  EXPECT_FALSE(driven(std::vector<double>(kCycleSamples, 50.0)));
   EXPECT_FALSE(driven({}));
 }
 

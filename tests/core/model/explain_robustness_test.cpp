@@ -7,12 +7,13 @@
 #include "core/model/explain.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 /// Whatever was recorded, an explanation is a value: no exception, no NaN; in any unit the same.
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using loopscope::tests::kNaN;
 
 const char* const kScenarios[] = {"healthy_flow", "sticking_valve", "outside_oscillation",
                                   "load_upsets", "level_loop"};

@@ -10,18 +10,15 @@
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/known_loops.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-simulate::LoopRecord record_of(std::string_view scenario, std::uint64_t seed = 1) {
-  return simulate::simulate_scenario(scenario, {}, seed);
-}
+using loopscope::tests::kNaN;
 
 TEST(Explain, NothingToFitIsNoExplanation) {
-  const simulate::LoopRecord record = record_of("healthy_flow");
+  const simulate::LoopRecord record = tests::scenario_record("healthy_flow");
   simulate::LoopRecord changed = record;
   changed.op.clear();
   EXPECT_FALSE(tests::explain_record(changed));
@@ -38,17 +35,17 @@ TEST(Explain, NothingToFitIsNoExplanation) {
 
 /// 400 samples on which both are known, wherever the others are.
 TEST(Explain, FewerThanFourHundredSamplesAreNotFitted) {
-  simulate::LoopRecord record = record_of("healthy_flow");
+  simulate::LoopRecord record = tests::scenario_record("healthy_flow");
   for (std::size_t k = 0; k < 2000; ++k) record.pv[k] = kNaN;
   for (std::size_t k = 2399; k < 4096; ++k) record.op[k] = kNaN;
   EXPECT_FALSE(tests::explain_record(record));
-  const simulate::LoopRecord again = record_of("healthy_flow");
+  const simulate::LoopRecord again = tests::scenario_record("healthy_flow");
   record.op[2399] = again.op[2399];
   EXPECT_TRUE(tests::explain_record(record));
 }
 
 TEST(Explain, UnequalLengthsThrow) {
-  const simulate::LoopRecord record = record_of("healthy_flow");
+  const simulate::LoopRecord record = tests::scenario_record("healthy_flow");
   const tests::Series error = simulate::control_error(record);
   const std::span<const double> pv(record.pv), op(record.op), sp(record.sp), e(error);
   EXPECT_THROW(std::ignore = explain({pv, op.first(4000), sp, e, 1.0}), std::invalid_argument);
@@ -57,7 +54,7 @@ TEST(Explain, UnequalLengthsThrow) {
 }
 
 TEST(Explain, SetpointAndErrorNeedNotBeRecorded) {
-  const simulate::LoopRecord record = record_of("sticking_valve");
+  const simulate::LoopRecord record = tests::scenario_record("sticking_valve");
   const auto explanation = explain({record.pv, record.op, {}, {}, 1.0});
   ASSERT_TRUE(explanation);
   EXPECT_FALSE(explanation->closed_loop);
@@ -180,7 +177,7 @@ TEST(Explain, AHeldSensorHidesNoneOfTheProcess) {
 }
 
 TEST(Explain, OfTooFewRenewalsNothingIsToldButTheHold) {
-  simulate::LoopRecord record = record_of("load_upsets");
+  simulate::LoopRecord record = tests::scenario_record("load_upsets");
   record.pv = tests::held(record.pv, 60);
   const auto explanation = tests::explain_record(record);
   ASSERT_TRUE(explanation);

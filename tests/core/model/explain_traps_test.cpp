@@ -6,20 +6,22 @@
 #include "core/model/explain.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/chance.hpp"
+#include "tests/support/long_run.hpp"
 
 /// The two ways to a model that fits and means nothing: a loop that was never excited, and the
 /// controller run backwards.
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::uint64_t kSeeds = 40;
+constexpr std::uint64_t kTrapRecords = 40;
+std::uint64_t trap_records() {
+  return loopscope::tests::records(kTrapRecords);
+}
 
-bool claims_hardware(const Explanation& explanation) {
-  for (const Step& step : explanation.steps) {
-    if (step.effect != EffectKind::load_step && step.effect != EffectKind::external_oscillation)
-      return true;
-  }
-  return false;
+/// So many of kTrapRecords.
+int at_most(int bound) {
+  return loopscope::tests::at_most(bound, kTrapRecords, trap_records());
 }
 
 TEST(ExplainTraps, ConstantOpClaimsNothing) {
@@ -34,7 +36,7 @@ TEST(ExplainTraps, ConstantOpClaimsNothing) {
 /// op moves, pv does not care: neither excited by it nor any effect of valve or process.
 TEST(ExplainTraps, AnOpThatPvDoesNotFollowClaimsNothing) {
   int excited = 0, claimed = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= trap_records(); ++seed) {
     const tests::Series op = tests::stepping_op(4096, seed);
     const NoiseModel noise{1, {0.98, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
     const tests::Series pv = tests::coloured_noise(noise, 4096, seed + 500, 1.0);
@@ -42,12 +44,12 @@ TEST(ExplainTraps, AnOpThatPvDoesNotFollowClaimsNothing) {
     const auto explanation = explain({pv, op, sp, error, 1.0});
     if (!explanation) continue;
     excited += explanation->excited;
-    claimed += explanation->excited && claims_hardware(*explanation);
+    claimed += tests::claims_hardware(*explanation);
   }
   std::printf("independent op: excited %d, claimed %d of %d\n", excited, claimed,
-              static_cast<int>(kSeeds));
-  EXPECT_LE(claimed, 2);
-  EXPECT_LE(excited, 4);
+              static_cast<int>(trap_records()));
+  EXPECT_LE(claimed, at_most(2));
+  EXPECT_LE(excited, at_most(4));
 }
 
 /// op is what a PI controller makes of pv, and the valve is shut off: the only law in the record is
@@ -62,15 +64,15 @@ tests::Series controller_output(const tests::Series& error) {
 
 TEST(ExplainTraps, AControllerAloneIsNoFaultyValveOrProcess) {
   int claimed = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= trap_records(); ++seed) {
     const NoiseModel load{1, {0.9, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
     const tests::Series pv = tests::coloured_noise(load, 4096, seed, 1.0);
     const tests::Series sp(4096, 0.0), error = tests::scaled(pv, -1.0);
     const auto explanation = explain({pv, controller_output(error), sp, error, 1.0, false});
-    claimed += explanation && explanation->excited && claims_hardware(*explanation);
+    claimed += explanation && tests::claims_hardware(*explanation);
   }
-  std::printf("controller alone: claimed %d of %d\n", claimed, static_cast<int>(kSeeds));
-  EXPECT_LE(claimed, 2);
+  std::printf("controller alone: claimed %d of %d\n", claimed, static_cast<int>(trap_records()));
+  EXPECT_LE(claimed, at_most(2));
 }
 
 /// A historian that stamps op one sample early shows pv(k) = -op(k-1) / C, without error: behind
@@ -91,13 +93,13 @@ TEST(ExplainTraps, AFitThatFindsTheControllerIsRefused) {
 /// A right model of a loop at rest is no controller run backwards.
 TEST(ExplainTraps, RightModelsAreNotDoubted) {
   int doubted = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= trap_records(); ++seed) {
     const auto explanation = tests::explain_scenario("healthy_flow", seed);
     ASSERT_TRUE(explanation);
     doubted += !explanation->process_doubt.empty();
   }
-  std::printf("healthy_flow: doubted %d of %d\n", doubted, static_cast<int>(kSeeds));
-  EXPECT_LE(doubted, 4);
+  std::printf("healthy_flow: doubted %d of %d\n", doubted, static_cast<int>(trap_records()));
+  EXPECT_LE(doubted, at_most(4));
 }
 
 /// An outside sinusoid is odd and makes op and pv run a quarter of a cycle apart, which Horch's

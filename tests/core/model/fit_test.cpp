@@ -6,34 +6,35 @@
 
 #include "core/model/effects/load_step.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 4096;
+using loopscope::tests::kWindow;
 
 struct Arma {
   ProcessShape shape = tests::one_lag(0.8, 3);
-  NoiseModel noise{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
+  NoiseModel noise = tests::kNoise;
   double gain = 1.5;
   double deviation = 0.5;
 };
 
 LoopData simulated(const Arma& truth, std::uint64_t seed) {
-  const tests::Series op = tests::stepping_op(kSamples, seed);
+  const tests::Series op = tests::stepping_op(kWindow, seed);
   const tests::Series noise =
-      tests::coloured_noise(truth.noise, kSamples, seed + 1, truth.deviation);
+      tests::coloured_noise(truth.noise, kWindow, seed + 1, truth.deviation);
   return make_loop_data(tests::process_record(truth.shape, truth.gain, op, noise), op, 1.0);
 }
 
 TEST(Fit, KnownGainsComeBackExactlyWithoutNoise) {
-  const tests::Series op = tests::stepping_op(kSamples, 1);
+  const tests::Series op = tests::stepping_op(kWindow, 1);
   ProcessShape taps = tests::one_lag(0.8, 3);
   taps.numerator = {3.0, -2.0};
   for (const ProcessShape& shape : {tests::one_lag(0.8, 3), tests::two_lags(0.95, 0.7, 1), taps,
                                     tests::one_lag(0.0, 10), tests::integrator(2)}) {
     const LoopData data = make_loop_data(
-        tests::process_record(shape, -0.7, op, tests::Series(kSamples, 0.0)), op, 1.0);
+        tests::process_record(shape, -0.7, op, tests::Series(kWindow, 0.0)), op, 1.0);
     const Fit fit = evaluate(data, tests::structure_of(shape));
     EXPECT_NEAR(fit.gain() * data.pv_scale, -0.7, 1e-5);
     EXPECT_LT(fit.fit_error, 1e-9);
@@ -42,11 +43,11 @@ TEST(Fit, KnownGainsComeBackExactlyWithoutNoise) {
 }
 
 TEST(Fit, ANumeratorComesBack) {
-  const tests::Series op = tests::stepping_op(kSamples, 1);
+  const tests::Series op = tests::stepping_op(kWindow, 1);
   ProcessShape shape = tests::one_lag(0.8, 3);
   shape.numerator = {1.45 / 0.45, -1.0 / 0.45};
   const LoopData data =
-      make_loop_data(tests::process_record(shape, 2.25, op, tests::Series(kSamples, 0.0)), op, 1.0);
+      make_loop_data(tests::process_record(shape, 2.25, op, tests::Series(kWindow, 0.0)), op, 1.0);
   const Fit fit = evaluate(data, tests::structure_of(shape));
   EXPECT_NEAR(fit.structure.process.numerator[0], shape.numerator[0], 1e-4);
   EXPECT_NEAR(fit.structure.process.numerator[1], shape.numerator[1], 1e-4);
@@ -54,9 +55,9 @@ TEST(Fit, ANumeratorComesBack) {
 
 /// Other units of pv and op are the same model.
 TEST(Fit, ShiftedAndScaledRecordsGiveTheSameModel) {
-  const tests::Series op = tests::stepping_op(kSamples, 1);
+  const tests::Series op = tests::stepping_op(kWindow, 1);
   const Arma truth;
-  const tests::Series noise = tests::coloured_noise(truth.noise, kSamples, 2, 0.5);
+  const tests::Series noise = tests::coloured_noise(truth.noise, kWindow, 2, 0.5);
   const tests::Series pv = tests::process_record(truth.shape, 1.5, op, noise);
   Structure structure = tests::structure_of(truth.shape);
   structure.noise = truth.noise;
@@ -64,8 +65,8 @@ TEST(Fit, ShiftedAndScaledRecordsGiveTheSameModel) {
   for (const double unit : {1e-6, 0.01, 1e6}) {
     for (const double zero : {-3.0, 0.0, 200.0}) {
       const tests::Series other =
-          tests::sum(tests::scaled(pv, unit), tests::Series(kSamples, zero * unit));
-      const tests::Series moved = tests::sum(op, tests::Series(kSamples, zero));
+          tests::sum(tests::scaled(pv, unit), tests::Series(kWindow, zero * unit));
+      const tests::Series moved = tests::sum(op, tests::Series(kWindow, zero));
       const Fit same = evaluate(make_loop_data(other, moved, 1.0), structure);
       EXPECT_NEAR(same.fit_error / fit.fit_error, 1.0, 1e-6);
       EXPECT_NEAR(same.score_error / fit.score_error, 1.0, 1e-6);
@@ -77,7 +78,7 @@ TEST(Fit, ShiftedAndScaledRecordsGiveTheSameModel) {
 TEST(Fit, ErrorsAreTheMeanSquaresOfTheInnovations) {
   const LoopData data = simulated({}, 5);
   const Fit fit = evaluate(data, tests::structure_of(tests::one_lag(0.8, 3)));
-  ASSERT_EQ(fit.innovations.size(), kSamples);
+  ASSERT_EQ(fit.innovations.size(), kWindow);
   double sum = 0.0;
   for (const Range& range : data.rows.score) {
     for (std::size_t k = range.first; k < range.end; ++k) sum += std::pow(fit.innovations[k], 2);
@@ -173,24 +174,24 @@ TEST(Fit, PolishFindsPoleAndRootsOfASimulatedRecord) {
 }
 
 TEST(Fit, TheModelRunOnOpIsPvWithoutNoise) {
-  const tests::Series op = tests::stepping_op(kSamples, 1);
+  const tests::Series op = tests::stepping_op(kWindow, 1);
   for (const ProcessShape& shape : {tests::one_lag(0.8, 3), tests::integrator(2)}) {
-    const LoopData data = make_loop_data(
-        tests::process_record(shape, 1.5, op, tests::Series(kSamples, 0.0)), op, 1.0);
+    const LoopData data =
+        make_loop_data(tests::process_record(shape, 1.5, op, tests::Series(kWindow, 0.0)), op, 1.0);
     Structure structure = tests::structure_of(shape);
     structure.noise = {1, {0.9, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
     const tests::Series output = deterministic_output(data, evaluate(data, structure));
-    for (std::size_t k = 0; k < kSamples; ++k) EXPECT_NEAR(output[k], data.pv[k], 1e-3) << k;
+    for (std::size_t k = 0; k < kWindow; ++k) EXPECT_NEAR(output[k], data.pv[k], 1e-3) << k;
   }
 }
 
 /// Seen at every ninth sample, from op at every one.
 TEST(Fit, AHeldSensorShowsTheProcessAtTheRateOfOp) {
-  const tests::Series op = tests::stepping_op(kSamples, 1);
+  const tests::Series op = tests::stepping_op(kWindow, 1);
   for (const ProcessShape& truth :
        {tests::one_lag(0.85, 5), tests::two_lags(0.95, 0.8, 2), tests::integrator(4)}) {
     const tests::Series pv =
-        tests::process_record(truth, 1.5, op, tests::white_noise(kSamples, 2, 0.02));
+        tests::process_record(truth, 1.5, op, tests::white_noise(kWindow, 2, 0.02));
     const LoopData data = make_loop_data(pv, op, 1.0, {9, 2});
     Structure start = tests::structure_of(truth);
     start.process.pole = truth.integrating ? 1.0 : truth.pole - 0.05;

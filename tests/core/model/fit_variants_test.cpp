@@ -13,14 +13,13 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 1500;
+constexpr std::size_t kVariantSamples = 1500;
 
-LoopData record(unsigned seed = 1) {
-  const NoiseModel noise{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
-  const tests::Series op = tests::stepping_op(kSamples, seed);
+LoopData noisy_record(unsigned seed = 1) {
+  const tests::Series op = tests::stepping_op(kVariantSamples, seed);
   return make_loop_data(
       tests::process_record(tests::one_lag(0.8, 3), 1.5, op,
-                            tests::coloured_noise(noise, kSamples, seed + 1, 0.5)),
+                            tests::coloured_noise(tests::kNoise, kVariantSamples, seed + 1, 0.5)),
       op, 1.0);
 }
 
@@ -62,7 +61,7 @@ void expect_alike(const FitVariants& variants, const std::vector<EffectPtr>& las
   }
 }
 
-void expect_the_slow_way(const LoopData& data, const std::vector<EffectPtr>& lasts) {
+void expect_variants_the_slow_way(const LoopData& data, const std::vector<EffectPtr>& lasts) {
   for (std::vector<EffectPtr> effects : companies()) {
     effects.push_back(lasts.front());
     for (Structure structure : structures(effects)) {
@@ -78,25 +77,26 @@ void expect_the_slow_way(const LoopData& data, const std::vector<EffectPtr>& las
 }
 
 TEST(FitVariants, AreTheErrorsOfWholeFits) {
-  const LoopData data = record();
-  expect_the_slow_way(data, {std::make_shared<LoadStep>(500), std::make_shared<LoadStep>(504)});
-  expect_the_slow_way(
+  const LoopData data = noisy_record();
+  expect_variants_the_slow_way(data,
+                               {std::make_shared<LoadStep>(500), std::make_shared<LoadStep>(504)});
+  expect_variants_the_slow_way(
       data, {std::make_shared<ExternalOscillation>(50.0), std::make_shared<GainChange>(400, 900),
              std::make_shared<ProcessNonlinearity>()});
 }
 
 TEST(FitVariants, AreTheErrorsOfWholeFitsBehindAValve) {
-  expect_the_slow_way(record(),
-                      {valve(3.0, 1.0), valve(3.3, 0.0), std::make_shared<Saturation>(-5.0, 1e9)});
+  expect_variants_the_slow_way(
+      noisy_record(), {valve(3.0, 1.0), valve(3.3, 0.0), std::make_shared<Saturation>(-5.0, 1e9)});
 }
 
 TEST(FitVariants, OfManyValvesAreThoseOfEach) {
-  expect_the_slow_way(record(), {valve(3.0, 1.0), valve(3.3, 0.0), valve(2.0, 2.0)});
+  expect_variants_the_slow_way(noisy_record(), {valve(3.0, 1.0), valve(3.3, 0.0), valve(2.0, 2.0)});
 }
 
 /// Stems between the samples, each behind a process of its own.
 TEST(FitVariants, OfManyStemsAndProcessesAreThoseOfEach) {
-  const LoopData data = record();
+  const LoopData data = noisy_record();
   for (const std::vector<EffectPtr>& company : companies()) {
     std::vector<EffectPtr> effects = company;
     effects.push_back(valve(3.0, 1.0));
@@ -128,7 +128,7 @@ TEST(FitVariants, OfManyStemsAndProcessesAreThoseOfEach) {
 /// has by itself. Side by side and by itself differ by rounding: their filters run in other blocks.
 TEST(FitVariants, TheBestIsTakenAndOfEqualOnesTheFirst) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const LoopData data = record(seed);
+    const LoopData data = noisy_record(seed);
     const FitVariants variants(data, structures({valve(3.0, 1.0)}).front());
     const double linear = variants.fit_error(valve(1e-6, 0.0));
     BestVariant best{nullptr, linear};
@@ -148,14 +148,14 @@ TEST(FitVariants, TheBestIsTakenAndOfEqualOnesTheFirst) {
 }
 
 TEST(FitVariants, SeeTheRowsOfTheFitAlone) {
-  const LoopData data = mirrored(record());
-  expect_the_slow_way(data, {std::make_shared<LoadStep>(500)});
-  expect_the_slow_way(data, {valve(2.0, 2.0)});
+  const LoopData data = mirrored(noisy_record());
+  expect_variants_the_slow_way(data, {std::make_shared<LoadStep>(500)});
+  expect_variants_the_slow_way(data, {valve(2.0, 2.0)});
 }
 
 /// pv seen at every sixth sample; two taps are for records with a row for each.
 TEST(FitVariants, OfAHeldSensorAreTheErrorsOfWholeFits) {
-  const LoopData whole = record();
+  const LoopData whole = noisy_record();
   const LoopData data = make_loop_data(whole.pv, whole.op, 1.0, {6, 2});
   for (const EffectPtr& last : {valve(3.0, 1.0), EffectPtr(std::make_shared<LoadStep>(500, 6)),
                                 EffectPtr(std::make_shared<GainChange>(400, 900))}) {

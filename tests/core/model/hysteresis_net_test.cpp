@@ -7,6 +7,7 @@
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/simulate/scenario.hpp"
+#include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -23,10 +24,6 @@ Loop loop_of(const char* scenario, std::uint64_t seed) {
   return loop;
 }
 
-const Valve& valve_of(const NetFind& find) {
-  return dynamic_cast<const ValveEffect&>(*find.structure.effects.back()).valve();
-}
-
 /// n ln of the errors on the fit rows.
 double gain_of(const Loop& loop, const NetFind& find) {
   return static_cast<double>(loop.data.rows.fit_count()) *
@@ -39,7 +36,7 @@ TEST(HysteresisNet, FindsThePlayOfAWornLinkage) {
     const auto play = find_play(loop.data, loop.linear);
     ASSERT_TRUE(play);
     EXPECT_GT(gain_of(loop, *play), 30.0) << seed;
-    EXPECT_EQ(valve_of(*play).slip_jump_percent, 0.0);
+    EXPECT_EQ(tests::valve_of(*play).slip_jump_percent, 0.0);
   }
 }
 
@@ -62,7 +59,7 @@ TEST(HysteresisNet, ASlippingValveGainsMoreThanPlay) {
   ASSERT_FALSE(found.empty());
   const auto best = std::ranges::min_element(found, {}, &NetFind::fit_error);
   EXPECT_LT(best->fit_error, play->fit_error);
-  EXPECT_GT(valve_of(*best).slip_jump_percent, 0.0);
+  EXPECT_GT(tests::valve_of(*best).slip_jump_percent, 0.0);
 }
 
 TEST(HysteresisNet, AnOutputThatStandsHasNoPlay) {
@@ -76,7 +73,7 @@ TEST(HysteresisNet, APlayThatBeatsWhatItHasToIsFoundAllTheSame) {
   const auto play = find_play(loop.data, loop.linear);
   const auto bounded = find_play(loop.data, loop.linear, 0.99 * loop.linear.fit_error);
   ASSERT_TRUE(play && bounded);
-  EXPECT_EQ(valve_of(*bounded).stickband_percent, valve_of(*play).stickband_percent);
+  EXPECT_EQ(tests::valve_of(*bounded).stickband_percent, tests::valve_of(*play).stickband_percent);
   EXPECT_EQ(bounded->fit_error, play->fit_error);
 }
 

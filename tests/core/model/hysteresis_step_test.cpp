@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/simulate/scenario.hpp"
+#include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -15,7 +16,7 @@ std::vector<Answer> witness(double p) {
   return {answer};
 }
 
-constexpr std::size_t kManyTurns = 100;
+using tests::kManyTurns;
 
 int accused(const char* scenario, double p, int seeds) {
   int count = 0;

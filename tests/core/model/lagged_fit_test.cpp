@@ -12,15 +12,15 @@
 namespace loopscope::core::model {
 namespace {
 
-struct Record {
+struct LaggedRecord {
   std::vector<double> pv, mv;
   std::vector<std::uint8_t> fit, known;
 };
 
 /// pv(k) = 0.8 pv(k-1) + 0.5 mv(k-3) + noise, with gaps in pv and blocks left out of the fit.
-Record record(double noise_std) {
+LaggedRecord lagged_record(double noise_std) {
   simulate::GaussianSource noise(11);
-  Record r;
+  LaggedRecord r;
   for (std::size_t k = 0; k < 900; ++k) {
     r.mv.push_back(noise.next());
     const double past = k > 0 ? 0.8 * r.pv[k - 1] : 0.0;
@@ -33,14 +33,14 @@ Record record(double noise_std) {
 }
 
 TEST(LaggedFit, FindsTheProcess) {
-  const Record r = record(1e-3);
+  const LaggedRecord r = lagged_record(1e-3);
   const LaggedModel model = fit_lagged(lagged_rows(r.pv, r.fit, r.known, 1), r.mv);
   EXPECT_NEAR(model.weights[kOutputLags + 3], 0.5, 1e-3);
   EXPECT_NEAR(model.weights[kOutputLags + 1], 0.0, 1e-3);
 }
 
 TEST(LaggedFit, IsTheLeastSquaresFitOfTheRows) {
-  Record r = record(0.3);
+  LaggedRecord r = lagged_record(0.3);
   for (std::size_t k = 200; k < 215; ++k) {
     r.pv[k] = std::numeric_limits<double>::quiet_NaN();
   }
@@ -72,7 +72,7 @@ TEST(LaggedFit, IsTheLeastSquaresFitOfTheRows) {
 }
 
 TEST(LaggedFit, LeavesOutWhatTouchesAGap) {
-  Record r = record(0.3);
+  LaggedRecord r = lagged_record(0.3);
   std::fill(r.fit.begin(), r.fit.end(), std::uint8_t{1});
   const std::size_t whole = lagged_rows(r.pv, r.fit, r.known, 1).rows;
   r.pv[400] = std::numeric_limits<double>::quiet_NaN();
@@ -83,7 +83,7 @@ TEST(LaggedFit, LeavesOutWhatTouchesAGap) {
 }
 
 TEST(LaggedFit, BearsAnInputMadeOfPv) {
-  Record r = record(0.3);
+  LaggedRecord r = lagged_record(0.3);
   std::vector<double> op(r.pv.size(), 0.0);
   for (std::size_t k = 1; k < op.size(); ++k) {
     op[k] = op[k - 1] - 0.3 * (r.pv[k] - r.pv[k - 1]) - 0.1 * r.pv[k];

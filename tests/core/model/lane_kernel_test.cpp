@@ -11,7 +11,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 1500;
+constexpr std::size_t kLaneSamples = 1500;
 
 /// The kernels that this processor can run beside the portable one.
 std::vector<const LaneKernel*> others() {
@@ -25,18 +25,18 @@ std::vector<const LaneKernel*> others() {
 
 /// op about its mean, what pv answers, whitened columns, one of them silent at both ends, and rows
 /// that begin and end anywhere.
-struct Setting {
-  tests::Series op = tests::stepping_op(kSamples, 3);
-  tests::Series pv =
-      tests::process_record(tests::one_lag(0.8, 3), 1.5, op, tests::white_noise(kSamples, 8, 0.2));
+struct LaneSetting {
+  tests::Series op = tests::stepping_op(kLaneSamples, 3);
+  tests::Series pv = tests::process_record(tests::one_lag(0.8, 3), 1.5, op,
+                                           tests::white_noise(kLaneSamples, 8, 0.2));
   std::vector<tests::Series> columns;
   std::vector<Signal> signals;
-  std::vector<Range> rows{{40, 63}, {64, 65}, {130, 301}, {302, 306}, {500, kSamples}};
+  std::vector<Range> rows{{40, 63}, {64, 65}, {130, 301}, {302, 306}, {500, kLaneSamples}};
 
-  Setting() {
+  LaneSetting() {
     for (double& value : op) value -= 50.0;
     for (std::uint64_t seed = 4; seed < 11; ++seed)
-      columns.push_back(tests::white_noise(kSamples, seed));
+      columns.push_back(tests::white_noise(kLaneSamples, seed));
     std::fill_n(columns[2].begin(), 400, 0.0);
     for (const tests::Series& column : columns) signals.push_back(column.data());
   }
@@ -48,8 +48,8 @@ TEST(LaneKernel, TheBestOneIsAmongThem) {
   EXPECT_EQ(best_lane_kernel().name, best->name);
 }
 
-/// As many valves as leave some lanes idle, of every law, at the samples and between them.
-std::vector<ValveEffect> valves() {
+/// As many lane_valves as leave some lanes idle, of every law, at the samples and between them.
+std::vector<ValveEffect> lane_valves() {
   std::vector<ValveEffect> result;
   for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
     for (int i = 0; i < 37; ++i) {
@@ -65,10 +65,10 @@ std::vector<ValveEffect> valves() {
 }
 
 TEST(LaneKernel, AnswersOfValvesAreTheSame) {
-  const Setting setting;
+  const LaneSetting setting;
   const NoiseModel noise{2, {0.97, 0.4, 0.0}, {-0.6, 0.1, 0.0}};
   const AnswerTask task{setting.op, noise, 2, setting.signals, setting.rows};
-  const std::vector<ValveEffect> all = valves();
+  const std::vector<ValveEffect> all = lane_valves();
   const ProcessShape process = tests::two_lags(0.9, 0.5, 4);
   std::vector<ValveAndProcess> pairs;
   for (const ValveEffect& valve : all) pairs.push_back({&valve, &process});
@@ -81,8 +81,8 @@ TEST(LaneKernel, AnswersOfValvesAreTheSame) {
 }
 
 TEST(LaneKernel, TrackedValvesAreTheSame) {
-  const Setting setting;
-  const std::vector<std::uint8_t> every(kSamples, 1);
+  const LaneSetting setting;
+  const std::vector<std::uint8_t> every(kLaneSamples, 1);
   TrackedRecord record;
   record.rows = lagged_rows(setting.pv, every, every, 1);
   record.op = setting.op;

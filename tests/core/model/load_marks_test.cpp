@@ -7,7 +7,7 @@
 namespace loopscope::core::model {
 namespace {
 
-const NoiseModel kNoise{1, {0.95, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
+using tests::kNoise;
 
 Structure lagged() {
   Structure structure = tests::structure_of(tests::one_lag(0.8, 3));

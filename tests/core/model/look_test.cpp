@@ -10,7 +10,7 @@ namespace loopscope::core::model {
 namespace {
 
 /// A flow loop whose setpoint moves.
-struct Recorded {
+struct MovingLoop {
   simulate::LoopRecord record = tests::noiseless_loop(simulate::LoadStep{.at_s = 1e9}, 5.0);
   tests::Series pv = tests::sum(record.pv, tests::white_noise(record.pv.size(), 1, 0.05));
   tests::Series error = simulate::control_error(record);
@@ -20,7 +20,7 @@ struct Recorded {
 };
 
 TEST(Look, TheLinearLoopAloneHasNoSteps) {
-  const Recorded recorded;
+  const MovingLoop recorded;
   const Look look = look_at(recorded.input());
   const Explanation linear = tell_linear(look);
   EXPECT_TRUE(linear.steps.empty());
@@ -30,7 +30,7 @@ TEST(Look, TheLinearLoopAloneHasNoSteps) {
 }
 
 TEST(Look, BothHalvesAreScored) {
-  const Recorded recorded;
+  const MovingLoop recorded;
   const Look look = look_at(recorded.input());
   const double square = look.story.data.pv_scale * look.story.data.pv_scale;
   const double one = look.baseline_error();
@@ -42,7 +42,7 @@ TEST(Look, BothHalvesAreScored) {
 /// The controller waits for a held sensor by half a hold in the mean, which makes the same process
 /// harder to control.
 TEST(Look, AHeldSensorDelaysTheImpliedLoop) {
-  const Recorded recorded;
+  const MovingLoop recorded;
   const Explanation whole = tell_linear(look_at(recorded.input()));
   const RowGrid grid{5, 0};
   const tests::Series pv = at_rows(grid, recorded.pv), op = at_rows(grid, recorded.record.op);
@@ -56,7 +56,7 @@ TEST(Look, AHeldSensorDelaysTheImpliedLoop) {
 /// Where there is no story all questions are asked for the report, and only those that the story
 /// starts from before.
 TEST(Look, TheLinearReportAsksMoreThanTheLook) {
-  const Recorded recorded;
+  const MovingLoop recorded;
   const Look look = look_at(recorded.input());
   const Explanation linear = tell_linear(look);
   EXPECT_EQ(p_of(look.answers, "white"), 1.0);

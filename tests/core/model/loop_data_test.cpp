@@ -8,15 +8,16 @@
 #include <utility>
 
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kSamples = 4096;
+using loopscope::tests::kNaN;
+using loopscope::tests::kWindow;
 
 LoopData full_record() {
-  return make_loop_data(tests::white_noise(kSamples, 1), tests::stepping_op(kSamples, 2), 1.0);
+  return make_loop_data(tests::white_noise(kWindow, 1), tests::stepping_op(kWindow, 2), 1.0);
 }
 
 std::vector<int> seen(const std::vector<Range>& rows, std::size_t size) {
@@ -32,7 +33,7 @@ std::size_t shortest_guard(const Rows& rows) {
   std::vector<Range> all = rows.fit;
   all.insert(all.end(), rows.score.begin(), rows.score.end());
   std::ranges::sort(all, {}, &Range::first);
-  std::size_t shortest = kSamples;
+  std::size_t shortest = kWindow;
   for (std::size_t i = 1; i < all.size(); ++i) {
     shortest = std::min(shortest, all[i].first - all[i - 1].end);
   }
@@ -41,9 +42,9 @@ std::size_t shortest_guard(const Rows& rows) {
 
 TEST(LoopData, NoSampleIsFittedAndScored) {
   const LoopData data = full_record();
-  const auto fit = seen(data.rows.fit, kSamples);
-  const auto score = seen(data.rows.score, kSamples);
-  for (std::size_t k = 0; k < kSamples; ++k) EXPECT_LE(fit[k] + score[k], 1) << k;
+  const auto fit = seen(data.rows.fit, kWindow);
+  const auto score = seen(data.rows.score, kWindow);
+  for (std::size_t k = 0; k < kWindow; ++k) EXPECT_LE(fit[k] + score[k], 1) << k;
   EXPECT_GE(shortest_guard(data.rows), 1U);
 }
 
@@ -59,23 +60,23 @@ TEST(LoopData, BlocksAlternateAndShareTheRecord) {
   const auto fit = static_cast<double>(data.rows.fit_count());
   const auto score = static_cast<double>(data.rows.score_count());
   EXPECT_NEAR(fit / (fit + score), 0.5, 0.05);
-  EXPECT_GT(fit + score, 0.8 * kSamples);
+  EXPECT_GT(fit + score, 0.8 * kWindow);
 }
 
 TEST(LoopData, CountsAreTheSumsOfTheRanges) {
   const LoopData data = full_record();
-  const auto fit = seen(data.rows.fit, kSamples);
+  const auto fit = seen(data.rows.fit, kWindow);
   EXPECT_EQ(data.rows.fit_count(), static_cast<std::size_t>(std::ranges::count(fit, 1)));
 }
 
 /// Setpoint moves and cycles that come at regular times have to fall to both kinds alike.
 TEST(LoopData, RegularEventsFallToBothKinds) {
   const LoopData data = full_record();
-  const auto fit = seen(data.rows.fit, kSamples);
-  const auto score = seen(data.rows.score, kSamples);
+  const auto fit = seen(data.rows.fit, kWindow);
+  const auto score = seen(data.rows.score, kWindow);
   for (std::size_t period = 20; period <= 200; period += 7) {
     int fitted = 0, scored = 0;
-    for (std::size_t k = 60; k < kSamples; k += period) fitted += fit[k], scored += score[k];
+    for (std::size_t k = 60; k < kWindow; k += period) fitted += fit[k], scored += score[k];
     EXPECT_GT(std::min(fitted, scored), std::max(fitted, scored) / 5) << period;
   }
 }
@@ -98,7 +99,7 @@ TEST(LoopData, DistancesFromTheMeanInStandardDeviations) {
 }
 
 TEST(LoopData, GapsAreBridgedByStraightLinesAndInNoRow) {
-  tests::Series pv = tests::white_noise(kSamples, 1), op = tests::stepping_op(kSamples, 2);
+  tests::Series pv = tests::white_noise(kWindow, 1), op = tests::stepping_op(kWindow, 2);
   for (std::size_t k = 1000; k < 1011; ++k) pv[k] = kNaN;
   for (std::size_t k = 2000; k < 2300; ++k) op[k] = kNaN;
   const LoopData data = make_loop_data(pv, op, 1.0);
@@ -137,8 +138,8 @@ TEST(LoopData, TheMirrorOfTheMirrorIsTheRecord) {
   const LoopData data = full_record();
   const LoopData once = mirrored(data);
   EXPECT_EQ(once.rows.fit_count(), data.rows.score_count());
-  EXPECT_EQ(seen(once.rows.score, kSamples), seen(data.rows.fit, kSamples));
-  EXPECT_EQ(seen(mirrored(once).rows.fit, kSamples), seen(data.rows.fit, kSamples));
+  EXPECT_EQ(seen(once.rows.score, kWindow), seen(data.rows.fit, kWindow));
+  EXPECT_EQ(seen(mirrored(once).rows.fit, kWindow), seen(data.rows.fit, kWindow));
 }
 
 TEST(LoopData, SeenByBothAddsTheWindowToBothAndNothingElse) {
@@ -147,8 +148,8 @@ TEST(LoopData, SeenByBothAddsTheWindowToBothAndNothingElse) {
     const Rows rows = seen_by_both(data.rows, at, 16);
     for (const auto& [now, before] :
          {std::pair{rows.fit, data.rows.fit}, std::pair{rows.score, data.rows.score}}) {
-      const auto after = seen(now, kSamples), earlier = seen(before, kSamples);
-      for (std::size_t k = 0; k < kSamples; ++k) {
+      const auto after = seen(now, kWindow), earlier = seen(before, kWindow);
+      for (std::size_t k = 0; k < kWindow; ++k) {
         EXPECT_EQ(after[k], k >= at && k < at + 16 ? 1 : earlier[k]) << k;
       }
     }
@@ -160,27 +161,27 @@ TEST(LoopData, SeenWholeFitsTheRowsOfBothKinds) {
   LoopData data = full_record();
   data.rows = seen_by_both(data.rows, 1000, 40);
   const LoopData whole = seen_whole(data);
-  const auto fit = seen(data.rows.fit, kSamples);
-  const auto score = seen(data.rows.score, kSamples);
-  const auto both = seen(whole.rows.fit, kSamples);
-  for (std::size_t k = 0; k < kSamples; ++k) EXPECT_EQ(both[k], std::max(fit[k], score[k])) << k;
+  const auto fit = seen(data.rows.fit, kWindow);
+  const auto score = seen(data.rows.score, kWindow);
+  const auto both = seen(whole.rows.fit, kWindow);
+  for (std::size_t k = 0; k < kWindow; ++k) EXPECT_EQ(both[k], std::max(fit[k], score[k])) << k;
   EXPECT_EQ(whole.rows.score_count(), data.rows.score_count());
 }
 
 TEST(LoopData, SeenByBothStaysWithinTheRecord) {
   const LoopData data = full_record();
-  const Rows rows = seen_by_both(data.rows, kSamples + 100, 16);
-  for (const auto* kind : {&rows.fit, &rows.score}) EXPECT_LE(kind->back().end, kSamples);
+  const Rows rows = seen_by_both(data.rows, kWindow + 100, 16);
+  for (const auto* kind : {&rows.fit, &rows.score}) EXPECT_LE(kind->back().end, kWindow);
   EXPECT_TRUE(seen_by_both(Rows{}, 5, 16).fit.empty());
 }
 
 TEST(LoopData, OfAHeldSensorTheRowsAreFewerThanTheSamples) {
-  const tests::Series pv = tests::white_noise(kSamples, 1), op = tests::stepping_op(kSamples, 2);
+  const tests::Series pv = tests::white_noise(kWindow, 1), op = tests::stepping_op(kWindow, 2);
   const RowGrid grid{15, 4};
   const LoopData data = make_loop_data(pv, op, 2.0, grid);
   EXPECT_EQ(data.sample_interval_s, 2.0);
-  EXPECT_EQ(data.samples(), kSamples);
-  ASSERT_EQ(data.size(), grid.rows_in(kSamples));
+  EXPECT_EQ(data.samples(), kWindow);
+  ASSERT_EQ(data.size(), grid.rows_in(kWindow));
   for (std::size_t row = 0; row < data.size(); ++row) {
     EXPECT_NEAR(data.pv[row] * data.pv_scale + data.pv_mean, pv[grid.sample_of(row)], 1e-9);
   }
@@ -192,7 +193,7 @@ TEST(LoopData, OfAHeldSensorTheRowsAreFewerThanTheSamples) {
 }
 
 TEST(LoopData, ARowThatWaitsForAMissingOpIsNone) {
-  tests::Series pv = tests::white_noise(kSamples, 1), op = tests::stepping_op(kSamples, 2);
+  tests::Series pv = tests::white_noise(kWindow, 1), op = tests::stepping_op(kWindow, 2);
   const LoopData whole = make_loop_data(pv, op, 1.0, {10, 3});
   op[2004] = kNaN;  // row 200 is at 2003, the next one at 2013
   for (std::size_t k = 1003; k < 1013; ++k) pv[k] = kNaN;

@@ -7,8 +7,11 @@
 #include <numeric>
 #include <random>
 
+#include "core/model/effects/valve.hpp"
+#include "core/model/trial.hpp"
 #include "core/simulate/random.hpp"
 #include "core/simulate/scenario.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model::tests {
 
@@ -29,6 +32,25 @@ Series white_noise(std::size_t samples, std::uint64_t seed, double deviation) {
   Series noise(samples);
   for (double& value : noise) value = deviation * source.next();
   return noise;
+}
+
+Series sine(std::size_t samples, double period, double noise) {
+  simulate::GaussianSource source(7);
+  Series signal(samples);
+  for (std::size_t k = 0; k < samples; ++k) {
+    signal[k] =
+        std::sin(loopscope::tests::kTurn * static_cast<double>(k) / period) + noise * source.next();
+  }
+  return signal;
+}
+
+Series triangle(std::size_t samples, std::size_t half) {
+  Series signal(samples);
+  for (std::size_t k = 0; k < samples; ++k) {
+    const std::size_t phase = k % (2 * half);
+    signal[k] = static_cast<double>(phase < half ? phase : 2 * half - phase);
+  }
+  return signal;
 }
 
 Series coloured_noise(const NoiseModel& noise, std::size_t samples, std::uint64_t seed,
@@ -121,6 +143,10 @@ ProcessShape noiseless_process() {
   return one_lag(0.6, 2);
 }
 
+Fit fit_noiseless(const LoopData& data, EffectPtr effect) {
+  return evaluate(data, structure_of(noiseless_process(), {std::move(effect)}));
+}
+
 Series last_coefficients(const Fit& fit) {
   std::size_t first = fit.taps();
   const auto& effects = fit.structure.effects;
@@ -138,13 +164,28 @@ double value_of(const std::vector<Parameter>& parameters, std::string_view name)
   return found == parameters.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }
 
+const Valve& valve_of(const NetFind& find) {
+  return dynamic_cast<const ValveEffect&>(*find.structure.effects.back()).valve();
+}
+
+simulate::LoopRecord scenario_record(std::string_view name, std::uint64_t seed) {
+  return simulate::simulate_scenario(name, {}, seed);
+}
+
 std::optional<Explanation> explain_record(const simulate::LoopRecord& record, std::uint64_t seed) {
   const Series error = simulate::control_error(record);
   return explain({record.pv, record.op, record.sp, error, record.sample_interval_s, true, seed});
 }
 
 std::optional<Explanation> explain_scenario(std::string_view name, std::uint64_t seed) {
-  return explain_record(simulate::simulate_scenario(name, {}, seed), seed);
+  return explain_record(scenario_record(name, seed), seed);
+}
+
+bool claims_hardware(const Explanation& explanation) {
+  return explanation.excited && std::ranges::any_of(explanation.steps, [](const Step& step) {
+           return step.effect != EffectKind::load_step &&
+                  step.effect != EffectKind::external_oscillation;
+         });
 }
 
 }  // namespace loopscope::core::model::tests

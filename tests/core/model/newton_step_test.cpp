@@ -8,13 +8,13 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 2000;
+constexpr std::size_t kStepSamples = 2000;
 
-LoopData record(double pole) {
-  const tests::Series op = tests::stepping_op(kSamples, 1);
-  return make_loop_data(
-      tests::process_record(tests::one_lag(pole, 3), 1.5, op, tests::white_noise(kSamples, 2, 0.1)),
-      op, 1.0);
+LoopData record_with(double pole) {
+  const tests::Series op = tests::stepping_op(kStepSamples, 1);
+  return make_loop_data(tests::process_record(tests::one_lag(pole, 3), 1.5, op,
+                                              tests::white_noise(kStepSamples, 2, 0.1)),
+                        op, 1.0);
 }
 
 Solution solved(const LoopData& data, const Structure& structure) {
@@ -31,7 +31,7 @@ Solution solved(const LoopData& data, const Structure& structure) {
 }
 
 TEST(NewtonStep, GoesTowardsTheTruePole) {
-  const LoopData data = record(0.8);
+  const LoopData data = record_with(0.8);
   const Structure start = tests::structure_of(tests::one_lag(0.75, 3));
   const Structure next = NewtonStep(data, solved(data, start), start).take(1e-3).structure;
   EXPECT_NEAR(next.process.pole, 0.8, 0.02);
@@ -39,7 +39,7 @@ TEST(NewtonStep, GoesTowardsTheTruePole) {
 }
 
 TEST(NewtonStep, IsShorterWithMoreDampingAndTheSameWhenTakenAgain) {
-  const LoopData data = record(0.8);
+  const LoopData data = record_with(0.8);
   const Structure start = tests::structure_of(tests::one_lag(0.75, 3));
   const NewtonStep step(data, solved(data, start), start);
   const double freely = step.take(1e-3).structure.process.pole - start.process.pole;
@@ -52,7 +52,7 @@ TEST(NewtonStep, IsShorterWithMoreDampingAndTheSameWhenTakenAgain) {
 
 /// Near the best fit the error is a parabola.
 TEST(NewtonStep, PromisesWhatItGains) {
-  const LoopData data = record(0.8);
+  const LoopData data = record_with(0.8);
   const Structure start = tests::structure_of(tests::one_lag(0.79, 3));
   const Solution before = solved(data, start);
   const NextStructure next = NewtonStep(data, before, start).take(1e-9);

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 4096;
+using loopscope::tests::kWindow;
 
 struct Judged {
   double floor, error;
@@ -16,10 +17,10 @@ struct Judged {
 /// `pole`, `delay`, `noise`: of the fitted model; the truth is 0.8, 3 and AR(1) 0.9, w of
 /// variance 1.
 Judged judged(double pole, std::size_t delay, double noise_pole, std::uint64_t seed) {
-  const tests::Series op = tests::stepping_op(kSamples, seed);
+  const tests::Series op = tests::stepping_op(kWindow, seed);
   const NoiseModel truth{1, {0.9, 0.0, 0.0}, {0.0, 0.0, 0.0}};
   const tests::Series pv = tests::process_record(
-      tests::one_lag(0.8, 3), 1.5, op, tests::coloured_noise(truth, kSamples, seed + 1, 1.0));
+      tests::one_lag(0.8, 3), 1.5, op, tests::coloured_noise(truth, kWindow, seed + 1, 1.0));
   const LoopData data = make_loop_data(pv, op, 1.0);
   Structure structure = tests::structure_of(tests::one_lag(pole, delay));
   structure.noise.poles[0] = noise_pole;

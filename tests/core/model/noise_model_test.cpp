@@ -10,10 +10,10 @@
 namespace loopscope::core::model {
 namespace {
 
-const NoiseModel kFirst{1, {0.95, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
+const NoiseModel kFirstOrder{1, {0.95, 0.0, 0.0}, {-0.3, 0.0, 0.0}};
 /// Zeros 0.6 +- 0.4i.
-const NoiseModel kSecond{2, {0.95, 0.8, 0.0}, {-1.2, 0.52, 0.0}};
-const NoiseModel kThird = extended(kSecond, 0.7, 0.5);
+const NoiseModel kSecondOrder{2, {0.95, 0.8, 0.0}, {-1.2, 0.52, 0.0}};
+const NoiseModel kThirdOrder = extended(kSecondOrder, 0.7, 0.5);
 
 std::vector<double> wave(double pace) {
   std::vector<double> v(103);
@@ -50,15 +50,15 @@ TEST_P(Noises, AConstantStaysOne) {
   for (const double value : ones) EXPECT_NEAR(value, whitened_level(GetParam()), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Orders, Noises, testing::Values(kFirst, kSecond, kThird));
+INSTANTIATE_TEST_SUITE_P(Orders, Noises, testing::Values(kFirstOrder, kSecondOrder, kThirdOrder));
 
 TEST(NoiseModel, ExtendedMultipliesTheZeroIn) {
   // (1 - 1.2 z + 0.52 z^2)(1 - 0.5 z)
-  EXPECT_EQ(kThird.order, 3U);
-  EXPECT_NEAR(kThird.zeros[0], -1.7, 1e-12);
-  EXPECT_NEAR(kThird.zeros[1], 1.12, 1e-12);
-  EXPECT_NEAR(kThird.zeros[2], -0.26, 1e-12);
-  EXPECT_EQ(extended(kThird, 0.1, 0.1).order, 3U);
+  EXPECT_EQ(kThirdOrder.order, 3U);
+  EXPECT_NEAR(kThirdOrder.zeros[0], -1.7, 1e-12);
+  EXPECT_NEAR(kThirdOrder.zeros[1], 1.12, 1e-12);
+  EXPECT_NEAR(kThirdOrder.zeros[2], -0.26, 1e-12);
+  EXPECT_EQ(extended(kThirdOrder, 0.1, 0.1).order, 3U);
 }
 
 TEST(NoiseModel, ZerosOutsideAreDrawnIn) {
@@ -67,14 +67,14 @@ TEST(NoiseModel, ZerosOutsideAreDrawnIn) {
   const double radius = std::sqrt(noise.zeros[1]);
   EXPECT_LT(radius, 0.985);
   EXPECT_GT(radius, 0.9);
-  NoiseModel fine = kSecond;
+  NoiseModel fine = kSecondOrder;
   make_invertible(fine);
-  EXPECT_EQ(fine.zeros, kSecond.zeros);
+  EXPECT_EQ(fine.zeros, kSecondOrder.zeros);
 }
 
 /// The answer to a single sample is rounding by then.
 TEST(NoiseModel, WhiteningForgetsASample) {
-  for (const NoiseModel& noise : {kFirst, kSecond, kThird}) {
+  for (const NoiseModel& noise : {kFirstOrder, kSecondOrder, kThirdOrder}) {
     const std::size_t memory = whitening_memory(noise);
     std::vector<double> sample(memory + 100), answer(sample.size());
     sample[50] = 1.0;

@@ -14,7 +14,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::uint64_t kSeeds = 10;
+constexpr std::uint64_t kNominatedRecords = 10;
 
 struct Looked {
   LoopData data;
@@ -33,7 +33,7 @@ Looked looked_at(std::string_view scenario, std::uint64_t seed) {
 
 /// The place of a step is the largest of three: 0.2, 0.45 and 0.7 of the record.
 TEST(Nominate, FindsThePlaceOfALoadStep) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kNominatedRecords; ++seed) {
     const Looked looked = looked_at("load_upsets", seed);
     std::vector<long> places;
     for (const EffectPtr& effect : nominate_load_steps(looked.data, looked.fit)) {
@@ -50,7 +50,7 @@ TEST(Nominate, FindsThePlaceOfALoadStep) {
 /// The process still answers to what came before the record.
 TEST(Nominate, PlacesNoLoadStepWhereThePastIsStillSeen) {
   for (const double pole : {0.5, 0.95, 0.999}) {
-    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (std::uint64_t seed = 1; seed <= kNominatedRecords; ++seed) {
       Looked looked = looked_at("load_upsets", seed);
       looked.fit.structure.process.pole = pole;
       std::fill_n(looked.fit.innovations.begin() + 45, 3, 50.0);
@@ -63,7 +63,7 @@ TEST(Nominate, PlacesNoLoadStepWhereThePastIsStillSeen) {
 }
 
 TEST(Nominate, FindsThePeriodOfALine) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kNominatedRecords; ++seed) {
     const Looked looked = looked_at("outside_oscillation", seed);
     double nearest = 1e9;
     for (const EffectPtr& effect : nominate_oscillations(looked.data, looked.fit)) {

@@ -7,19 +7,13 @@
 #include <numbers>
 
 #include "core/simulate/random.hpp"
+#include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-std::vector<double> white(std::size_t count) {
-  simulate::GaussianSource source(1);
-  std::vector<double> result(count);
-  for (double& value : result) value = source.next();
-  return result;
-}
-
 TEST(OctavePower, WhiteNoiseHalvesFromOctaveToOctave) {
-  const auto octaves = octave_powers(white(65536));
+  const auto octaves = octave_powers(tests::white_noise(65536, 1));
   EXPECT_NEAR(octaves.front().power, 1.0, 0.03);
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_NEAR(octaves[i].share, std::exp2(-1.0 - static_cast<double>(i)), 0.05);
@@ -37,7 +31,7 @@ TEST(OctavePower, SinusoidStandsInItsOctave) {
 }
 
 TEST(OctavePower, GapsAreLeftOut) {
-  std::vector<double> noise = white(4096);
+  std::vector<double> noise = tests::white_noise(4096, 1);
   for (std::size_t k = 1000; k < 1500; ++k) noise[k] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NEAR(octave_powers(noise).front().power, 1.0, 0.1);
 }

@@ -9,14 +9,7 @@
 namespace loopscope::core::model {
 namespace {
 
-tests::Series triangle(std::size_t samples, std::size_t half) {
-  tests::Series op(samples);
-  for (std::size_t k = 0; k < samples; ++k) {
-    const std::size_t phase = k % (2 * half);
-    op[k] = static_cast<double>(phase < half ? phase : 2 * half - phase);
-  }
-  return op;
-}
+using tests::triangle;
 
 TEST(OpDirection, FollowsATriangleAFewStepsLate) {
   const tests::Series op = triangle(400, 50);

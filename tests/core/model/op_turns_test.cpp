@@ -4,20 +4,15 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "tests/core/model/model_records.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
-/// 0 up to 10 and back, period 20.
-std::vector<double> triangle(std::size_t count) {
-  std::vector<double> wave(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    wave[k] = 10.0 - std::abs(static_cast<double>(k % 20) - 10.0);
-  }
-  return wave;
-}
+using tests::triangle;
 
 TEST(OpTurns, FindsMaximaAndMinimaByTurns) {
-  const std::vector<OpTurn> turns = find_op_turns(triangle(60), 3.0);
+  const std::vector<OpTurn> turns = find_op_turns(triangle(60, 10), 3.0);
   ASSERT_EQ(turns.size(), 5U);
   for (std::size_t i = 0; i < turns.size(); ++i) {
     EXPECT_EQ(turns[i].sample, 10 * (i + 1));
@@ -27,12 +22,12 @@ TEST(OpTurns, FindsMaximaAndMinimaByTurns) {
 }
 
 TEST(OpTurns, SmallOnesAreNone) {
-  EXPECT_TRUE(find_op_turns(triangle(60), 11.0).empty());
+  EXPECT_TRUE(find_op_turns(triangle(60, 10), 11.0).empty());
   EXPECT_TRUE(find_op_turns({}, 1.0).empty());
 }
 
 TEST(OpTurns, AStickbandAboveTheTravelStandsBetweenTheTurns) {
-  const std::vector<double> op = triangle(60);
+  const std::vector<double> op = triangle(60, 10);
   const std::vector<OpTurn> turns = find_op_turns(op, 3.0);
   std::vector<double> mv(op.size());
   run_from_every_turn(14.0, 10.0, op, turns, mv);
@@ -42,7 +37,7 @@ TEST(OpTurns, AStickbandAboveTheTravelStandsBetweenTheTurns) {
 }
 
 TEST(OpTurns, WithoutAResetTheBandCounts) {
-  const std::vector<double> op = triangle(60);
+  const std::vector<double> op = triangle(60, 10);
   const std::vector<OpTurn> turns = find_op_turns(op, 3.0);
   std::vector<double> mv(op.size());
   run_from_first_turn(6.0, 6.0, op, turns, mv);

@@ -4,13 +4,14 @@
 #include <utility>
 
 #include "core/simulate/scenario.hpp"
+#include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
 using enum EffectKind;
 
-constexpr std::size_t kManyTurns = 100;
+using tests::kManyTurns;
 
 Step step_of(EffectKind effect, double before, double after) {
   Step step;

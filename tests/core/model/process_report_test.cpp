@@ -8,7 +8,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kInterval = 5.0;
+using tests::kInterval;
 
 ProcessFit reported(const ProcessShape& shape, double gain) {
   const tests::Series op = tests::stepping_op(2000, 1);

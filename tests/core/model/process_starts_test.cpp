@@ -10,14 +10,14 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 900;
+constexpr std::size_t kStartSamples = 900;
 constexpr std::size_t kLongest = 20;
 
-LoopData record() {
-  const tests::Series op = tests::stepping_op(kSamples, 1);
-  return make_loop_data(
-      tests::process_record(tests::one_lag(0.8, 4), 1.5, op, tests::white_noise(kSamples, 2, 0.3)),
-      op, 1.0);
+LoopData delayed_record() {
+  const tests::Series op = tests::stepping_op(kStartSamples, 1);
+  return make_loop_data(tests::process_record(tests::one_lag(0.8, 4), 1.5, op,
+                                              tests::white_noise(kStartSamples, 2, 0.3)),
+                        op, 1.0);
 }
 
 /// pv on the answer of that very shape, sample by sample; before the record there was nothing.
@@ -42,7 +42,7 @@ double error_of(const LoopData& data, const Structure& structure, ProcessShape s
   return total - both * both / square;
 }
 
-void expect_the_slow_way(const LoopData& data, const Structure& structure) {
+void expect_starts_the_slow_way(const LoopData& data, const Structure& structure) {
   ProcessShape vessel = tests::integrator(0);
   const std::array shapes = {tests::one_lag(0.8, 0), tests::two_lags(0.9, 0.6, 0), vessel};
   const auto starts = process_starts(data, structure, kLongest, shapes);
@@ -54,23 +54,23 @@ void expect_the_slow_way(const LoopData& data, const Structure& structure) {
 }
 
 TEST(ProcessStarts, LeaveWhatOneShapeAtATimeLeaves) {
-  const LoopData data = record();
+  const LoopData data = delayed_record();
   Structure structure;
-  expect_the_slow_way(data, structure);
+  expect_starts_the_slow_way(data, structure);
   structure.noise = {2, {0.98, 0.5, 0.0}, {-0.4, 0.1, 0.0}};
-  expect_the_slow_way(data, structure);
+  expect_starts_the_slow_way(data, structure);
   structure.effects.push_back(std::make_shared<Saturation>(-5.0, 5.0));
-  expect_the_slow_way(data, structure);
+  expect_starts_the_slow_way(data, structure);
 }
 
 TEST(ProcessStarts, RowsThatBeginBeforeTheDelayReadNothing) {
-  LoopData data = record();
+  LoopData data = delayed_record();
   data.rows.fit.insert(data.rows.fit.begin(), Range{0, 10});
-  expect_the_slow_way(data, {});
+  expect_starts_the_slow_way(data, {});
 }
 
 TEST(ProcessStarts, TheBestIsTheProcess) {
-  const LoopData data = record();
+  const LoopData data = delayed_record();
   const std::array shapes = {tests::one_lag(0.5, 0), tests::one_lag(0.8, 0),
                              tests::one_lag(0.95, 0)};
   const auto starts = process_starts(data, {}, kLongest, shapes);
@@ -100,7 +100,7 @@ TEST(ProcessStarts, OfAHeldSensorTriesEveryDelayWithinARow) {
 }
 
 TEST(ProcessStarts, ARowMayBeLongerThanTheLongestDelay) {
-  const LoopData data = record();
+  const LoopData data = delayed_record();
   LoopData sparse = make_loop_data(data.pv, data.op, 1.0, {30, 0});
   const std::array shapes = {tests::one_lag(0.8, 0)};
   EXPECT_EQ(process_starts(sparse, {}, kLongest, shapes).size(), kLongest);

@@ -1,18 +1,16 @@
 #include "core/model/question_residual.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <ctime>
 #include <gtest/gtest.h>
 #include <limits>
-#include <map>
 #include <stdexcept>
 #include <string>
 
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/questions/loops.hpp"
+#include "tests/core/model/questions/pass_rates.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -21,51 +19,17 @@ using tests::Questionable;
 using tests::Series;
 using tests::White;
 
-constexpr std::array kWhites = {White::gaussian, White::exponential, White::laplace,
-                                White::modulated, White::garch};
-
-struct Counts {
-  int asked = 0;
-  std::array<int, 3> passed{};  ///< at kLevels
-};
-constexpr std::array kLevels = {0.05, 0.01, 0.001};
-using Rates = std::map<std::string, Counts, std::less<>>;
-
-void count(const std::vector<Answer>& answers, Rates& rates) {
-  for (const Answer& answer : answers) {
-    Counts& counts = rates[std::string(answer.question.name)];
-    ++counts.asked;
-    for (std::size_t i = 0; i < kLevels.size(); ++i)
-      counts.passed[i] += answer.question.p <= kLevels[i] ? 1 : 0;
-  }
-}
-
-Rates sizes(White kind, std::size_t samples, int records) {
-  Rates rates;
-  for (int seed = 1; seed <= records; ++seed) {
-    const auto s = static_cast<std::uint64_t>(seed);
-    const Questionable loop = tests::closed_loop(tests::white(kind, samples, 131 * s), s);
-    count(question_residual_quickly(loop.view()), rates);
-  }
-  return rates;
-}
-
-Rates powers(const std::string& scenario, int records) {
-  Rates rates;
-  for (int seed = 1; seed <= records; ++seed) {
-    const auto record = simulate::simulate_scenario(scenario, {}, static_cast<std::uint64_t>(seed));
-    count(question_residual_quickly(tests::arx_residual(record).view()), rates);
-  }
-  return rates;
-}
+using tests::kWhites;
+using tests::powers;
+using tests::sizes;
 
 TEST(QuestionResidual, WhiteResidualsPass) {
-  constexpr int kRecords = 200;
+  const auto records = static_cast<double>(loopscope::tests::records(200));
   // Four standard deviations of a true rate of 5 %, and of one of 1 %.
-  const double most_5 = kRecords * 0.05 + 4.0 * std::sqrt(kRecords * 0.05 * 0.95);
-  const double most_1 = kRecords * 0.01 + 4.0 * std::sqrt(kRecords * 0.01 * 0.99);
+  const double most_5 = records * 0.05 + 4.0 * std::sqrt(records * 0.05 * 0.95);
+  const double most_1 = records * 0.01 + 4.0 * std::sqrt(records * 0.01 * 0.99);
   for (const White kind : kWhites) {
-    for (const auto& [question, counts] : sizes(kind, 750, kRecords)) {
+    for (const auto& [question, counts] : sizes(kind, 750, static_cast<std::size_t>(records))) {
       // A variance that changes is there to be found.
       if (kind == White::modulated && question == "time_spread") continue;
       EXPECT_LE(counts.passed[0], most_5) << question << ", " << tests::name(kind);
@@ -209,72 +173,6 @@ TEST(QuestionResidual, CouplingIsAskedWithTheSeed) {
   EXPECT_LT(tests::p_of(a, "ngi"), 1e-3) << "skewed noise";
   EXPECT_GT(tests::p_of(a, "nonlinear"), 0.01) << "is not nonlinear";
   EXPECT_EQ(tests::p_of(a, "nonlinear"), tests::p_of(b, "nonlinear"));
-}
-
-// ---- The tables of README.md. Disabled: minutes.
-
-void print(const std::string& title, const Rates& rates, std::size_t level) {
-  std::printf("%-24s", title.c_str());
-  for (const auto& [question, counts] : rates)
-    std::printf(" %s %.1f", question.c_str(), 100.0 * counts.passed[level] / counts.asked);
-  std::printf("\n");
-}
-
-TEST(QuestionResidual, DISABLED_Sizes) {
-  for (const std::size_t samples : {std::size_t{750}, std::size_t{4096}, std::size_t{16000}})
-    for (const White kind : kWhites) {
-      const Rates rates = sizes(kind, samples, samples == 16000 ? 400 : 1000);
-      for (std::size_t level = 0; level < kLevels.size(); ++level)
-        print(std::to_string(samples) + " " + std::string(tests::name(kind)) + " at " +
-                  std::to_string(kLevels[level]),
-              rates, level);
-    }
-}
-
-TEST(QuestionResidual, DISABLED_EventsInLaplacianGarchNoise) {
-  for (const std::size_t samples : {std::size_t{4096}, std::size_t{16000}}) {
-    Rates rates;
-    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
-      const Series r = tests::white(White::garch_laplace, samples, seed);
-      count(question_residual_quickly(tests::closed_loop(r, seed).view()), rates);
-    }
-    print(std::to_string(samples), rates, 0);
-  }
-}
-
-TEST(QuestionResidual, DISABLED_CouplingSizes) {
-  for (const std::size_t samples : {std::size_t{750}, std::size_t{4096}})
-    for (const White kind : kWhites) {
-      Rates rates;
-      for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-        const Questionable loop = tests::closed_loop(tests::white(kind, samples, 131 * seed), seed);
-        count(question_residual(loop.view(), seed), rates);
-      }
-      print(std::to_string(samples) + " " + std::string(tests::name(kind)), rates, 0);
-    }
-}
-
-TEST(QuestionResidual, DISABLED_Cost) {
-  const Questionable loop = tests::closed_loop(tests::white(White::gaussian, 4096, 5), 5);
-  double least_ms = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < 20; ++round) {
-    const std::clock_t begin = std::clock();
-    for (int k = 0; k < 20; ++k) (void)question_residual_quickly(loop.view());
-    least_ms = std::min(least_ms, 1e3 / 20.0 * double(std::clock() - begin) / CLOCKS_PER_SEC);
-  }
-  std::printf("question_residual_quickly, 4096 samples: %.2f ms\n", least_ms);
-}
-
-TEST(QuestionResidual, DISABLED_Powers) {
-  for (const char* scenario : {"healthy_flow",        "paper_5_1",      "paper_5_2_printed",
-                               "paper_5_2_excessive", "level_loop",     "tight_tuning",
-                               "sluggish_tuning",     "paper_5_3",      "outside_oscillation",
-                               "paper_5_4",           "paper_5_4_kano", "sticking_valve",
-                               "square_limit_cycle",  "sticking_level", "deadband",
-                               "saturated_valve",     "worn_valve",     "nonlinear_process",
-                               "process_gain_change", "load_upsets",    "quantised_sensor",
-                               "holding_sensor",      "oversized_valve"})
-    print(scenario, powers(scenario, 100), 1);
 }
 
 TEST(QuestionResidual, TheFirstAnswersAreThoseOfTheWholeRound) {

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "tests/support/numbers.hpp"
+
 namespace loopscope::core::model {
 namespace {
+
+using loopscope::tests::kNaN;
 
 TEST(RenewedRecord, KeepsOneRowForEachRenewalAtItsPhase) {
   std::vector<double> pv, op;
@@ -33,10 +37,8 @@ TEST(RenewedRecord, OneSampleARowIsTheRecord) {
 }
 
 TEST(RenewedRecord, MissingOpIsLeftOutOfTheMean) {
-  constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> pv{1.0, 2.0, 2.0, 3.0};
-  const RenewedRecord renewed =
-      renewed_record(pv, std::vector{1.0, kMissing, kMissing, 4.0}, {}, {}, 2);
+  const RenewedRecord renewed = renewed_record(pv, std::vector{1.0, kNaN, kNaN, 4.0}, {}, {}, 2);
   ASSERT_EQ(renewed.op.size(), 2U);
   EXPECT_EQ(renewed.op[0], 1.0);
   EXPECT_EQ(renewed.op[1], 4.0);

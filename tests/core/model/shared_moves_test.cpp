@@ -4,26 +4,23 @@
 
 #include "core/simulate/random.hpp"
 #include "tests/core/model/known_loops.hpp"
+#include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-known::Series white(std::uint64_t seed) {
-  simulate::GaussianSource noise(seed);
-  known::Series series(4096);
-  for (double& sample : series) sample = noise.next();
-  return series;
-}
-
 TEST(SharedMoves, ACopyIsSharedWholly) {
-  const known::Series noise = white(1);
+  const known::Series noise = tests::white_noise(loopscope::tests::kWindow, 1);
   EXPECT_NEAR(find_shared_moves(noise, noise).r_squared, 1.0, 1e-9);
 }
 
 TEST(SharedMoves, IndependentNoiseSharesWhatThreeCoefficientsTake) {
   double sum = 0.0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    const SharedMoves shared = find_shared_moves(white(seed), white(seed + 1000));
+    const SharedMoves shared =
+        find_shared_moves(tests::white_noise(loopscope::tests::kWindow, seed),
+                          tests::white_noise(loopscope::tests::kWindow, seed + 1000));
     // Greatest of eight scales of chi-squared with three degrees of freedom: about 8.
     EXPECT_LT(shared.chi_squared, 45.0);
     sum += shared.chi_squared / 100.0;

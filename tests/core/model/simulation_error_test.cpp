@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 4096;
+using loopscope::tests::kWindow;
 
 double error_of(const tests::Series& disturbance, double pole) {
-  const tests::Series op = tests::stepping_op(kSamples, 1);
+  const tests::Series op = tests::stepping_op(kWindow, 1);
   const tests::Series pv = tests::process_record(tests::one_lag(0.8, 3), 1.5, op, disturbance);
   const LoopData data = make_loop_data(pv, op, 1.0);
   const Fit fit = evaluate(data, tests::structure_of(tests::one_lag(pole, 3)));
@@ -18,26 +19,26 @@ double error_of(const tests::Series& disturbance, double pole) {
 }
 
 TEST(SimulationError, TheTruthLeavesNothing) {
-  EXPECT_LT(error_of(tests::Series(kSamples, 0.0), 0.8), 1e-6);
+  EXPECT_LT(error_of(tests::Series(kWindow, 0.0), 0.8), 1e-6);
 }
 
 TEST(SimulationError, WhiteNoiseLeavesItsVariance) {
-  EXPECT_NEAR(error_of(tests::white_noise(kSamples, 3), 0.8), 1.0, 0.1);
+  EXPECT_NEAR(error_of(tests::white_noise(kWindow, 3), 0.8), 1.0, 0.1);
 }
 
 /// Offset and slow drift are no error of the model.
 TEST(SimulationError, ACubicDriftCostsNothing) {
-  tests::Series drift(kSamples), drifting;
-  for (std::size_t k = 0; k < kSamples; ++k) {
-    const double t = static_cast<double>(k) / kSamples;
+  tests::Series drift(kWindow), drifting;
+  for (std::size_t k = 0; k < kWindow; ++k) {
+    const double t = static_cast<double>(k) / kWindow;
     drift[k] = 2.0 + 3.0 * t - 8.0 * t * t + 5.0 * t * t * t;
   }
-  const tests::Series noise = tests::white_noise(kSamples, 3, 0.1);
+  const tests::Series noise = tests::white_noise(kWindow, 3, 0.1);
   EXPECT_NEAR(error_of(tests::sum(noise, drift), 0.8), error_of(noise, 0.8), 0.002);
 }
 
 TEST(SimulationError, AWrongPoleCosts) {
-  const tests::Series noise = tests::white_noise(kSamples, 3, 0.3);
+  const tests::Series noise = tests::white_noise(kWindow, 3, 0.3);
   EXPECT_GT(error_of(noise, 0.3), 2.0 * error_of(noise, 0.8));
 }
 

@@ -10,7 +10,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 800;
+constexpr std::size_t kStrokeSamples = 800;
 
 /// Three strokes of 2 % in noise of 0.1: pv follows op, or the valve that sticks over `band` of it,
 /// behind a lag.
@@ -21,11 +21,11 @@ struct Strokes {
 Strokes strokes(double band, double lag_samples, std::uint64_t seed) {
   simulate::GaussianSource noise(seed);
   Strokes result;
-  for (std::size_t k = 0; k < kSamples; ++k) {
-    const double turn = 3.0 * std::numbers::pi * static_cast<double>(k) / kSamples;
+  for (std::size_t k = 0; k < kStrokeSamples; ++k) {
+    const double turn = 3.0 * std::numbers::pi * static_cast<double>(k) / kStrokeSamples;
     result.op.push_back(25.0 + std::asin(std::sin(turn)) * 2.0 / std::numbers::pi);
   }
-  result.pv.resize(kSamples);
+  result.pv.resize(kStrokeSamples);
   run_valve({ValveLaw::kano, band, 0.3 * band, 1.0}, result.op, result.pv);
   double level = result.pv.front();
   for (double& value : result.pv) {
@@ -74,7 +74,7 @@ TEST(SlowTravel, TheModelsThatWereComparedCanBeRun) {
   const auto travel = judge_slow_travel(records.pv, records.op);
   ASSERT_TRUE(travel);
   const SimulatedTravel simulated = simulate_travel(*travel, records.op);
-  ASSERT_EQ(simulated.linear.size(), kSamples / kTravelMean);
+  ASSERT_EQ(simulated.linear.size(), kStrokeSamples / kTravelMean);
   ASSERT_EQ(simulated.valve.size(), simulated.linear.size());
   double linear = 0.0, valve = 0.0;
   for (std::size_t i = 0; i < simulated.linear.size(); ++i) {
@@ -90,7 +90,7 @@ TEST(SlowTravel, TheModelsThatWereComparedCanBeRun) {
 }
 
 TEST(SlowTravel, NothingToJudge) {
-  const std::vector<double> still(kSamples, 1.0);
+  const std::vector<double> still(kStrokeSamples, 1.0);
   const Strokes records = strokes(1.0, 0.0, 1);
   EXPECT_FALSE(judge_slow_travel(still, records.op));
   EXPECT_FALSE(judge_slow_travel(records.pv, still));

@@ -10,13 +10,13 @@ namespace {
 
 using Series = tests::Series;
 
-constexpr std::size_t kSamples = 3000;
+constexpr std::size_t kStemSamples = 3000;
 constexpr std::size_t kVectors = 2;
 
 /// Steps, rests and a wander: stems rest, slip, move on all along and come to rest on the way.
 Series moving_op() {
-  const Series wander = tests::coloured_noise({1, {0.97, 0, 0}, {}}, kSamples, 7, 0.3);
-  return tests::sum(tests::stepping_op(kSamples, 6, 4.0), wander);
+  const Series wander = tests::coloured_noise({1, {0.97, 0, 0}, {}}, kStemSamples, 7, 0.3);
+  return tests::sum(tests::stepping_op(kStemSamples, 6, 4.0), wander);
 }
 
 /// Number `i` of some stems of that law: bands, jumps and lags of all sizes.

@@ -7,30 +7,31 @@
 #include "core/model/baseline.hpp"
 #include "core/model/effects/valve.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
 using tests::Series;
 
-constexpr std::size_t kSamples = 4096;
+using loopscope::tests::kWindow;
 
-struct Recorded {
+struct ValveRecord {
   LoopData data;
   Structure behind;  ///< the linear loop's process behind play of about the band
   Fit linear;
 };
 
 /// A wandering op behind that valve, one lag and a little noise.
-Recorded recorded(const Valve& valve, std::uint64_t seed) {
-  Series op = tests::stepping_op(kSamples, seed, 3.0);
-  const Series wander = tests::coloured_noise({1, {0.95, 0, 0}, {}}, kSamples, seed + 100, 0.5);
+ValveRecord recorded(const Valve& valve, std::uint64_t seed) {
+  Series op = tests::stepping_op(kWindow, seed, 3.0);
+  const Series wander = tests::coloured_noise({1, {0.95, 0, 0}, {}}, kWindow, seed + 100, 0.5);
   op = tests::sum(op, wander);
-  Series mv(kSamples);
+  Series mv(kWindow);
   run_valve(valve, op, mv);
   const Series pv = tests::process_record(tests::one_lag(0.8, 3), 1.5, mv,
-                                          tests::white_noise(kSamples, seed + 200, 0.3));
-  Recorded result{make_loop_data(pv, op, 1.0), {}, {}};
+                                          tests::white_noise(kWindow, seed + 200, 0.3));
+  ValveRecord result{make_loop_data(pv, op, 1.0), {}, {}};
   result.linear = search_process(result.data, {});
   result.behind = result.linear.structure;
   const Valve play{ValveLaw::he, 1.1 * valve.stickband_percent, 0.0, 1.0};
@@ -38,11 +39,7 @@ Recorded recorded(const Valve& valve, std::uint64_t seed) {
   return result;
 }
 
-const Valve& valve_of(const NetFind& find) {
-  return dynamic_cast<const ValveEffect&>(*find.structure.effects.back()).valve();
-}
-
-double gain_of(const Recorded& record, const NetFind& find) {
+double gain_of(const ValveRecord& record, const NetFind& find) {
   return static_cast<double>(record.data.rows.fit_count()) *
          std::log(record.linear.fit_error / find.fit_error);
 }
@@ -53,25 +50,25 @@ TEST(StemSearch, FindsTheBandOfAStemBetweenTheSamples) {
   for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const Valve truth{law, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}};
-      const Recorded record = recorded(truth, seed);
+      const ValveRecord record = recorded(truth, seed);
       const NetFind find = find_stem(record.data, record.behind, 4.4, law);
       EXPECT_GT(gain_of(record, find), 100.0);
-      found += std::abs(valve_of(find).stickband_percent - 4.0) < 0.12 ? 1 : 0;
+      found += std::abs(tests::valve_of(find).stickband_percent - 4.0) < 0.12 ? 1 : 0;
     }
   }
   EXPECT_GE(found, 5);
 }
 
 TEST(StemSearch, FindsTheSameTwice) {
-  const Recorded record = recorded({ValveLaw::he, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}}, 4);
+  const ValveRecord record = recorded({ValveLaw::he, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}}, 4);
   const NetFind first = find_stem(record.data, record.behind, 4.4, ValveLaw::he);
   const NetFind second = find_stem(record.data, record.behind, 4.4, ValveLaw::he);
   EXPECT_EQ(first.fit_error, second.fit_error);
-  EXPECT_EQ(valve_of(first).stickband_percent, valve_of(second).stickband_percent);
+  EXPECT_EQ(tests::valve_of(first).stickband_percent, tests::valve_of(second).stickband_percent);
 }
 
 TEST(StemSearch, ARecordShorterThanTheFirstWindowIsSearched) {
-  Recorded record = recorded({ValveLaw::he, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}}, 5);
+  ValveRecord record = recorded({ValveLaw::he, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}}, 5);
   LoopData& data = record.data;
   data = make_loop_data(std::span(data.pv).first(450), std::span(data.op).first(450), 1.0);
   const NetFind find = find_stem(data, record.behind, 4.4, ValveLaw::he);

@@ -6,20 +6,23 @@
 #include <random>
 #include <vector>
 
+#include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
 using testing::HasSubstr;
 
-constexpr std::size_t kSamples = 4096;
-constexpr double kInterval = 5.0;   // s
+using loopscope::tests::kWindow;
+using tests::kInterval;
 constexpr double kDelay = 6.0;      // samples
 constexpr std::size_t kPace = 200;  // samples between moves
 
 /// Moves up and down every kPace samples, from kPace on.
 std::vector<double> stepped_setpoint() {
   std::vector<double> sp;
-  for (std::size_t k = 0; k < kSamples; ++k) sp.push_back(static_cast<double>(k / kPace % 2));
+  for (std::size_t k = 0; k < kWindow; ++k) sp.push_back(static_cast<double>(k / kPace % 2));
   return sp;
 }
 
@@ -46,7 +49,7 @@ Explanation judged(const std::vector<double>& sp, const std::vector<double>& at_
 
 /// In manual from 700 to 800, where sp goes after pv, and back to where it was.
 TEST(StepsAfterMoves, NothingAnswersASetpointInManual) {
-  std::vector<double> sp(kSamples, 5.0), pv(kSamples, 5.0), error(kSamples, 0.0);
+  std::vector<double> sp(kWindow, 5.0), pv(kWindow, 5.0), error(kWindow, 0.0);
   for (std::size_t k = 700; k < 800; ++k) {
     sp[k] = pv[k] = 5.0 + 0.1 * static_cast<double>(k % 7);
     error[k] = std::nan("");
@@ -65,7 +68,7 @@ TEST(StepsAfterMoves, NothingAnswersASetpointInManual) {
 }
 
 /// From 4 samples before a move to 2 x 6 + 8 after it: 25 of 200 samples.
-const double kShare = 20.0 * 25.0 / static_cast<double>(kSamples);
+const double kShare = 20.0 * 25.0 / static_cast<double>(kWindow);
 
 TEST(StepsAfterMoves, OneComesWithAMoveAsOftenAsTheAnswersLast) {
   const std::vector<double> sp = stepped_setpoint();
@@ -97,8 +100,8 @@ TEST(StepsAfterMoves, OneOfThreeSaysNothing) {
 }
 
 TEST(StepsAfterMoves, OfARampItsBeginningAndItsEndCount) {
-  std::vector<double> sp(kSamples, 0.0);
-  for (std::size_t k = 1000; k < kSamples; ++k)
+  std::vector<double> sp(kWindow, 0.0);
+  for (std::size_t k = 1000; k < kWindow; ++k)
     sp[k] = std::min(1.0, (static_cast<double>(k) - 999.0) / 500.0);
   EXPECT_LT(judged(sp, {1007.0}).steps[0].setpoint_chance, 0.05);
   EXPECT_EQ(judged(sp, {1250.0}).steps[0].setpoint_chance, 1.0);
@@ -107,14 +110,14 @@ TEST(StepsAfterMoves, OfARampItsBeginningAndItsEndCount) {
 
 TEST(StepsAfterMoves, ASetpointThatNeverRestsProvesNothing) {
   std::vector<double> sp;
-  for (std::size_t k = 0; k < kSamples; ++k) sp.push_back(k % 2 == 0 ? 0.0 : 1.0);
+  for (std::size_t k = 0; k < kWindow; ++k) sp.push_back(k % 2 == 0 ? 0.0 : 1.0);
   EXPECT_NEAR(judged(sp, {700.0, 900.0, 2000.0}).steps[0].setpoint_chance, 1.0, 1e-2);
 }
 
 TEST(StepsAfterMoves, AMoveTooSmallToShowExplainsNoLoad) {
   std::vector<double> sp = stepped_setpoint();
   std::vector<double> pv;
-  for (std::size_t k = 0; k < kSamples; ++k) pv.push_back(k % 2 == 0 ? -1.0 : 1.0);
+  for (std::size_t k = 0; k < kWindow; ++k) pv.push_back(k % 2 == 0 ? -1.0 : 1.0);
   Explanation explanation = with_load_steps({3 * kPace + 7.0});
   ModelInput input;
   input.sp = sp;
@@ -130,7 +133,7 @@ TEST(StepsAfterMoves, AMoveTooSmallToShowExplainsNoLoad) {
 
 TEST(StepsAfterMoves, WithoutASetpointOrAMoveNothingIsBlamed) {
   EXPECT_EQ(judged({}, {700.0}).steps[0].setpoint_chance, 1.0);
-  EXPECT_EQ(judged(std::vector<double>(kSamples, 5.0), {700.0}).steps[0].setpoint_chance, 1.0);
+  EXPECT_EQ(judged(std::vector<double>(kWindow, 5.0), {700.0}).steps[0].setpoint_chance, 1.0);
 }
 
 TEST(StepsAfterMoves, OtherEffectsAreLeftAlone) {
@@ -147,7 +150,7 @@ TEST(StepsAfterMoves, OtherEffectsAreLeftAlone) {
 TEST(StepsAfterMoves, LoadsAreBlamedInAtMostTheShareThatTheChanceSays) {
   constexpr int kRecords = 3000;
   std::mt19937_64 random(20260);
-  std::uniform_real_distribution<double> anywhere(0.0, kSamples - 1.0);
+  std::uniform_real_distribution<double> anywhere(0.0, kWindow - 1.0);
   std::uniform_int_distribution<std::size_t> how_many(1, 3);
   const std::vector<double> sp = stepped_setpoint();
   int blamed = 0;

@@ -6,20 +6,21 @@
 
 #include "core/model/story.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::uint64_t kSeeds = 10;
-constexpr std::size_t kSamples = 4096;
+constexpr std::uint64_t kBentRecords = 10;
+using loopscope::tests::kWindow;
 constexpr double kMiddle = 50.0;
 
 tests::Series op_of(std::uint64_t seed) {
-  return tests::stepping_op(kSamples, seed, 20.0);
+  return tests::stepping_op(kWindow, seed, 20.0);
 }
 
 tests::Series noise_of(std::uint64_t seed) {
-  return tests::white_noise(kSamples, seed + 100, 0.5);
+  return tests::white_noise(kWindow, seed + 100, 0.5);
 }
 
 /// Equal percentage about the middle, R = 20.
@@ -42,7 +43,7 @@ tests::Series through_valve(const tests::Series& op, std::uint64_t seed, Map map
 
 /// What the process answers is bent.
 tests::Series through_process(const tests::Series& op, std::uint64_t seed) {
-  tests::Series pv = tests::process_record(slow(), 1.0, op, tests::Series(kSamples, 0.0));
+  tests::Series pv = tests::process_record(slow(), 1.0, op, tests::Series(kWindow, 0.0));
   for (double& value : pv) value = kMiddle + bent(value - kMiddle);
   return tests::sum(pv, noise_of(seed));
 }
@@ -54,7 +55,7 @@ std::vector<Contestant> contest(const tests::Series& pv, const tests::Series& op
 
 template <class Make>
 void expect_first(EffectKind kind, Make make) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kBentRecords; ++seed) {
     const tests::Series op = op_of(seed);
     const auto trials = contest(make(op, seed), op);
     ASSERT_FALSE(trials.empty());

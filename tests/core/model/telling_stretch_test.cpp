@@ -12,17 +12,17 @@ namespace {
 
 using tests::Series;
 
-constexpr std::size_t kSamples = 4000;
+constexpr std::size_t kStretchSamples = 4000;
 
 Series cycling_op(double period) {
-  Series op(kSamples);
-  for (std::size_t k = 0; k < kSamples; ++k)
+  Series op(kStretchSamples);
+  for (std::size_t k = 0; k < kStretchSamples; ++k)
     op[k] = 50.0 + 5.0 * std::sin(2.0 * std::numbers::pi * static_cast<double>(k) / period);
   return op;
 }
 
 Series nothing() {
-  return Series(kSamples, 0.0);
+  return Series(kStretchSamples, 0.0);
 }
 
 TEST(TellingStretch, ShowsSixCyclesOfOp) {
@@ -36,7 +36,7 @@ TEST(TellingStretch, HasTheFewestAskedForAndNoMoreThanThereAre) {
   EXPECT_EQ(telling_stretch(cycling_op(60.0), nothing(), 900).size(), 900U);
   const Range all = telling_stretch(cycling_op(60.0), nothing(), 9000);
   EXPECT_EQ(all.first, 0U);
-  EXPECT_EQ(all.end, kSamples);
+  EXPECT_EQ(all.end, kStretchSamples);
 }
 
 TEST(TellingStretch, LiesAboutAGainAtOnePlace) {
@@ -47,13 +47,13 @@ TEST(TellingStretch, LiesAboutAGainAtOnePlace) {
 }
 
 TEST(TellingStretch, StaysWithinTheRecord) {
-  for (const std::size_t at : {std::size_t{0}, kSamples - 1}) {
+  for (const std::size_t at : {std::size_t{0}, kStretchSamples - 1}) {
     Series gain = nothing();
     gain[at] = 1.0;
     const Range stretch = telling_stretch(cycling_op(60.0), gain, 0);
     EXPECT_LE(stretch.first, at);
     EXPECT_LT(at, stretch.end);
-    EXPECT_LE(stretch.end, kSamples);
+    EXPECT_LE(stretch.end, kStretchSamples);
   }
 }
 
@@ -69,7 +69,8 @@ TEST(TellingStretch, GoesWhereTheEffectIsAtWorkForLongest) {
 TEST(TellingStretch, WithoutAGainIsTheMiddle) {
   const Range stretch = telling_stretch(cycling_op(60.0), nothing(), 0);
   EXPECT_NEAR(static_cast<double>(stretch.first + stretch.end) / 2.0, 2000.0, 1.0);
-  EXPECT_EQ(telling_stretch(cycling_op(60.0), Series(kSamples, -1.0), 0).first, stretch.first);
+  EXPECT_EQ(telling_stretch(cycling_op(60.0), Series(kStretchSamples, -1.0), 0).first,
+            stretch.first);
 }
 
 }  // namespace

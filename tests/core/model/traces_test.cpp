@@ -10,6 +10,7 @@
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/model_records.hpp"
 #include "tests/core/model/traced_loop.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using enum EffectKind;
 using tests::Series;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using loopscope::tests::kNaN;
 
 void expect_equal(const Step& one, const Step& other) {
   EXPECT_EQ(one.effect, other.effect);

@@ -8,29 +8,29 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::size_t kSamples = 900;
+constexpr std::size_t kAnswerSamples = 900;
 
 /// op about its mean, two whitened columns and rows that begin and end anywhere.
-struct Setting {
-  tests::Series op = tests::stepping_op(kSamples, 3);
-  tests::Series first = tests::white_noise(kSamples, 4);
-  tests::Series second = tests::white_noise(kSamples, 5);
+struct AnswerSetting {
+  tests::Series op = tests::stepping_op(kAnswerSamples, 3);
+  tests::Series first = tests::white_noise(kAnswerSamples, 4);
+  tests::Series second = tests::white_noise(kAnswerSamples, 5);
   std::vector<Signal> steady{first.data(), second.data()};
   std::vector<Range> rows{{40, 63}, {64, 65}, {130, 301}, {500, 900}};
-  Setting() {
+  AnswerSetting() {
     for (double& value : op) value -= 50.0;
   }
 };
 
 /// The same one after the other: law, process, whitening, products.
-Eigen::MatrixXd slowly(const Setting& setting, const Structure& structure, const ValveEffect& valve,
-                       const ProcessShape& process) {
+Eigen::MatrixXd slowly(const AnswerSetting& setting, const Structure& structure,
+                       const ValveEffect& valve, const ProcessShape& process) {
   std::vector<tests::Series> taps{setting.op};
   valve.shape_flow(taps[0]);
   respond(process, tests::Series(taps[0]), taps[0]);
   whiten(structure.noise, taps[0], taps[0]);
   if (structure.two_taps) {
-    taps.emplace_back(kSamples);
+    taps.emplace_back(kAnswerSamples);
     put_later(taps[0], taps[1]);
   }
   std::vector<Signal> left;
@@ -56,7 +56,7 @@ void add_stems(std::vector<ValveEffect>& valves) {
 
 /// More than go side by side, of every law, at the samples and between them, from both directions,
 /// some put right on the way.
-std::vector<ValveEffect> valves() {
+std::vector<ValveEffect> answering_valves() {
   std::vector<ValveEffect> result;
   for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
     for (int i = 0; i < 19; ++i) {
@@ -102,8 +102,8 @@ std::vector<ProcessShape> processes(const ProcessShape& about, std::size_t count
 }
 
 void expect_the_slow_way(Digits digits, double tolerance) {
-  const Setting setting;
-  const std::vector<ValveEffect> all = valves();
+  const AnswerSetting setting;
+  const std::vector<ValveEffect> all = answering_valves();
   for (const Structure& structure : structures()) {
     const std::vector<ProcessShape> behind = processes(structure.process, all.size());
     std::vector<ValveAndProcess> each;
@@ -131,7 +131,7 @@ TEST(ValveAnswers, OfSingleDigitsAreNearlyThose) {
 }
 
 TEST(ValveAnswers, OfNoValvesAreNone) {
-  const Setting setting;
+  const AnswerSetting setting;
   const Structure structure = tests::structure_of(tests::one_lag(0.5, 1));
   EXPECT_TRUE(ValveAnswers(setting.op, structure, setting.steady, setting.rows)
                   .products({}, Digits::full)

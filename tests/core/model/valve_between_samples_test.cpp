@@ -7,31 +7,22 @@
 #include <vector>
 
 #include "core/simulate/random.hpp"
+#include "tests/core/model/valve_moves.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
 using Series = std::vector<double>;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using loopscope::tests::kNaN;
 
 Valve valve_with(ValveLaw law, double lag, double stem_lag = 0.0, double resting_speed = 0.0) {
   return {law, 3.0, 1.0, 1.0, {lag, stem_lag, resting_speed}};
 }
 
-Series positions(const Valve& valve, const Series& op) {
-  Series mv(op.size());
-  run_valve(valve, op, mv);
-  return mv;
-}
-
-Series wandering_op(std::uint64_t seed) {
-  simulate::GaussianSource noise(seed);
-  Series op(2000);
-  double state = 0.0;
-  for (double& value : op) value = 50.0 + (state = 0.9 * state + noise.next());
-  return op;
-}
+using tests::positions;
+using tests::wandering_op;
 
 Series ramp(double from, double by, std::size_t samples) {
   Series op(samples);

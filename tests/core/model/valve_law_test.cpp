@@ -8,29 +8,16 @@
 #include "core/simulate/effects/valve_deadband.hpp"
 #include "core/simulate/effects/valve_stiction.hpp"
 #include "core/simulate/random.hpp"
+#include "tests/core/model/valve_moves.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using loopscope::tests::kNaN;
 
-/// AR(1) around 50 %; with a grid, also values that stand still.
-std::vector<double> wandering_op(std::uint64_t seed, double grid = 0.0) {
-  simulate::GaussianSource noise(seed);
-  std::vector<double> op(2000);
-  double state = 0.0;
-  for (double& value : op) {
-    state = 0.9 * state + noise.next();
-    value = grid > 0.0 ? 50.0 + grid * std::round(state / grid) : 50.0 + state;
-  }
-  return op;
-}
-
-std::vector<double> positions(const Valve& valve, const std::vector<double>& op) {
-  std::vector<double> mv(op.size());
-  run_valve(valve, op, mv);
-  return mv;
-}
+using tests::positions;
+using tests::wandering_op;
 
 /// The simulator's valve after a move that ends at rest at `op` in that direction.
 simulate::StickingValve arrived(const Valve& valve, double op) {

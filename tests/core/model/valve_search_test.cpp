@@ -8,15 +8,13 @@
 #include <vector>
 
 #include "core/simulate/scenario.hpp"
+#include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-simulate::LoopRecord record(std::string_view scenario, std::uint64_t seed) {
-  return simulate::simulate_scenario(scenario, {}, seed);
-}
+using loopscope::tests::kNaN;
 
 /// Every fourth block of 64 samples is left unseen.
 std::vector<std::uint8_t> fit_mask(std::size_t samples) {
@@ -41,7 +39,7 @@ bool found(const ValveSearchResult& result, double band) {
 int hits(std::string_view scenario, double band) {
   int count = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    count += found(search(record(scenario, seed)), band) ? 1 : 0;
+    count += found(search(tests::scenario_record(scenario, seed)), band) ? 1 : 0;
   }
   return count;
 }
@@ -59,7 +57,7 @@ TEST(ValveSearch, FindsTheBandOfPlantValves) {
 
 TEST(ValveSearch, FindsThePlayOfALinkage) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const ValveSearchResult result = search(record("deadband", seed));
+    const ValveSearchResult result = search(tests::scenario_record("deadband", seed));
     ASSERT_TRUE(result.deadband.has_value());
     EXPECT_NEAR(result.deadband->valve.stickband_percent, 4.0, 0.6);
     EXPECT_EQ(result.deadband->valve.slip_jump_percent, 0.0);
@@ -67,7 +65,7 @@ TEST(ValveSearch, FindsThePlayOfALinkage) {
 }
 
 TEST(ValveSearch, ItsPositionsAreTheValves) {
-  const simulate::LoopRecord r = record("paper_5_4_kano", 3);
+  const simulate::LoopRecord r = tests::scenario_record("paper_5_4_kano", 3);
   const ValveSearchResult result = search(r);
   ASSERT_FALSE(result.candidates.empty());
   const ValveCandidate& best = result.candidates[0];
@@ -85,7 +83,7 @@ TEST(ValveSearch, ItsPositionsAreTheValves) {
 }
 
 TEST(ValveSearch, BearsGaps) {
-  simulate::LoopRecord r = record("sticking_valve", 2);
+  simulate::LoopRecord r = tests::scenario_record("sticking_valve", 2);
   for (std::size_t k = 0; k < r.pv.size(); ++k) {
     r.pv[k] = k % 97 == 5 || (k > 1500 && k < 1800) ? kNaN : r.pv[k];
     r.op[k] = k < 3 || k % 211 == 9 || (k > 2500 && k < 2700) ? kNaN : r.op[k];
@@ -94,7 +92,7 @@ TEST(ValveSearch, BearsGaps) {
 }
 
 TEST(ValveSearch, IsTheSameTwice) {
-  const simulate::LoopRecord r = record("sticking_valve", 1);
+  const simulate::LoopRecord r = tests::scenario_record("sticking_valve", 1);
   const ValveSearchResult a = search(r);
   const ValveSearchResult b = search(r);
   ASSERT_EQ(a.candidates.size(), b.candidates.size());

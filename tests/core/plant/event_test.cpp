@@ -4,34 +4,18 @@
 #include <vector>
 
 #include "tests/core/plant/oscillators.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::plant {
 namespace {
 
-using testing::Course;
-using testing::draw_course;
-using testing::draw_error;
-using testing::uniform;
+using tests::Course;
+using tests::draw_course;
+using tests::draw_error;
+using tests::OscillatingPlant;
+using tests::uniform;
 
-constexpr std::size_t kSamples = 4096;
-
-struct Plant {
-  std::vector<std::vector<double>> errors;
-  std::vector<MemberLoop> loops;
-
-  void add(const Course& course, double period, std::mt19937_64& random) {
-    const auto lag = static_cast<std::size_t>(uniform(0.0, period, random));
-    errors.push_back(draw_error(course, period, lag, uniform(0.2, 0.8, random), kSamples, random));
-    periods.push_back(period);
-  }
-  /// Once all are in: views do not survive a vector that grows.
-  void finish() {
-    for (std::size_t k = 0; k < errors.size(); ++k)
-      loops.push_back(
-          testing::oscillating_loop(static_cast<std::int64_t>(k), errors[k], periods[k]));
-  }
-  std::vector<double> periods;
-};
+using loopscope::tests::kWindow;
 
 TEST(Event, IndependentLoopsOfNearEqualPeriodsAreNotJoined) {
   // Twelve loops within 2 % of one period, each with a wander of its own: 66 pairs that all have to
@@ -40,12 +24,12 @@ TEST(Event, IndependentLoopsOfNearEqualPeriodsAreNotJoined) {
   std::mt19937_64 random(21);
   int false_events = 0;
   for (int plant_number = 0; plant_number < kPlants; ++plant_number) {
-    Plant plant;
+    OscillatingPlant plant;
     const double period = std::exp(uniform(std::log(15.0), std::log(200.0), random));
     for (int k = 0; k < 12; ++k) {
       const double own = period * uniform(0.98, 1.02, random);
       const double wander = std::exp(uniform(std::log(0.02), std::log(0.8), random));
-      plant.add(draw_course(kSamples + 600, own, wander, random), own, random);
+      plant.add(draw_course(kWindow + 600, own, wander, random), own, random);
     }
     plant.finish();
     false_events += find_events(plant.loops, {}).empty() ? 0 : 1;
@@ -59,13 +43,13 @@ TEST(Event, LoopsOfOneCourseAreOneEventAmongOthers) {
   std::mt19937_64 random(22);
   std::size_t found = 0, strangers = 0, events = 0;
   for (int plant_number = 0; plant_number < kPlants; ++plant_number) {
-    Plant plant;
+    OscillatingPlant plant;
     const double period = std::exp(uniform(std::log(15.0), std::log(200.0), random));
-    const Course course = draw_course(kSamples + 600, period, uniform(0.1, 0.6, random), random);
+    const Course course = draw_course(kWindow + 600, period, uniform(0.1, 0.6, random), random);
     for (int k = 0; k < 6; ++k) plant.add(course, period, random);
     for (int k = 0; k < 6; ++k) {
       const double own = period * uniform(0.9, 1.1, random);
-      plant.add(draw_course(kSamples + 600, own, 0.3, random), own, random);
+      plant.add(draw_course(kWindow + 600, own, 0.3, random), own, random);
     }
     plant.finish();
     const std::vector<Event> all = find_events(plant.loops, {});
@@ -80,8 +64,8 @@ TEST(Event, LoopsOfOneCourseAreOneEventAmongOthers) {
 
 TEST(Event, ALineNeedsSeveralLoops) {
   std::mt19937_64 random(23);
-  const Course line = draw_course(kSamples + 600, 60.0, 0.0, random);
-  Plant two, many;
+  const Course line = draw_course(kWindow + 600, 60.0, 0.0, random);
+  OscillatingPlant two, many;
   for (int k = 0; k < 2; ++k) two.add(line, 60.0, random);
   for (int k = 0; k < 10; ++k) many.add(line, 60.0, random);
   two.finish();
@@ -94,8 +78,8 @@ TEST(Event, ALineNeedsSeveralLoops) {
 
 TEST(Event, ALoopWithoutAPeriodOfItsOwnJoins) {
   std::mt19937_64 random(24);
-  const Course course = draw_course(kSamples + 600, 60.0, 0.4, random);
-  Plant plant;
+  const Course course = draw_course(kWindow + 600, 60.0, 0.4, random);
+  OscillatingPlant plant;
   for (int k = 0; k < 5; ++k) plant.add(course, 60.0, random);
   plant.finish();
   plant.loops[4].oscillation = {};
@@ -107,10 +91,10 @@ TEST(Event, ALoopWithoutAPeriodOfItsOwnJoins) {
 
 TEST(Event, StrengthIsTheShareOfTheVariance) {
   std::mt19937_64 random(25);
-  const Course course = draw_course(kSamples + 600, 60.0, 0.2, random);
-  Plant plant;
+  const Course course = draw_course(kWindow + 600, 60.0, 0.2, random);
+  OscillatingPlant plant;
   for (const double noise : {0.1, 0.1, 1.0}) {
-    plant.errors.push_back(draw_error(course, 60.0, 0, noise, kSamples, random));
+    plant.errors.push_back(draw_error(course, 60.0, 0, noise, kWindow, random));
     plant.periods.push_back(60.0);
   }
   plant.finish();
@@ -123,8 +107,8 @@ TEST(Event, StrengthIsTheShareOfTheVariance) {
 
 TEST(Event, NothingComesOfNothing) {
   EXPECT_TRUE(find_events({}, {}).empty());
-  const std::vector<double> still(kSamples, 0.0);
-  const std::vector<MemberLoop> loops(5, testing::oscillating_loop(1, still, 60.0));
+  const std::vector<double> still(kWindow, 0.0);
+  const std::vector<MemberLoop> loops(5, tests::oscillating_loop(1, still, 60.0));
   EXPECT_TRUE(find_events(loops, {}).empty());
 }
 

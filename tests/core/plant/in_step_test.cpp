@@ -4,16 +4,17 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/plant/oscillators.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::plant {
 namespace {
 
-using testing::Course;
-using testing::draw_course;
-using testing::draw_error;
-using testing::uniform;
+using tests::Course;
+using tests::draw_course;
+using tests::draw_error;
+using tests::uniform;
 
-constexpr std::size_t kSamples = 4096;
+using loopscope::tests::kWindow;
 
 struct Draw {
   double period = 0.0;
@@ -26,7 +27,7 @@ Draw draw(std::mt19937_64& random) {
 }
 
 Wander wander_of(const std::vector<double>& error, double frequency) {
-  return measure_wander(make_envelope(testing::oscillating_loop(1, error, 1.0), frequency));
+  return measure_wander(make_envelope(tests::oscillating_loop(1, error, 1.0), frequency));
 }
 
 /// Two oscillators of one wander law: of one course, or each of its own with periods up to 2 %
@@ -35,13 +36,13 @@ InStep draw_pair(bool shared, std::mt19937_64& random) {
   const Draw one = draw(random);
   const Draw two = shared ? one : draw(random);
   const double other_period = shared ? one.period : one.period * uniform(0.98, 1.02, random);
-  const Course first = draw_course(kSamples + 600, one.period, one.wander, random);
+  const Course first = draw_course(kWindow + 600, one.period, one.wander, random);
   const Course second =
-      shared ? first : draw_course(kSamples + 600, other_period, two.wander, random);
+      shared ? first : draw_course(kWindow + 600, other_period, two.wander, random);
   const auto lag = static_cast<std::size_t>(uniform(0.0, one.period, random));
   const double noise = uniform(0.1, 1.0, random);
-  const auto a = draw_error(first, one.period, 0, noise, kSamples, random);
-  const auto b = draw_error(second, other_period, lag, uniform(0.1, 1.0, random), kSamples, random);
+  const auto a = draw_error(first, one.period, 0, noise, kWindow, random);
+  const auto b = draw_error(second, other_period, lag, uniform(0.1, 1.0, random), kWindow, random);
   return compare(wander_of(a, 1.0 / one.period), wander_of(b, 1.0 / one.period));
 }
 
@@ -71,9 +72,9 @@ TEST(InStep, OneCourseIsRecognised) {
 
 TEST(InStep, TwoPerfectLinesHaveTheirFrequencyOnly) {
   std::mt19937_64 random(13);
-  const Course line = draw_course(kSamples, 40.0, 0.0, random);
-  const auto a = draw_error(line, 40.0, 0, 0.2, kSamples, random);
-  const auto b = draw_error(line, 40.0, 0, 0.2, kSamples, random);
+  const Course line = draw_course(kWindow, 40.0, 0.0, random);
+  const auto a = draw_error(line, 40.0, 0, 0.2, kWindow, random);
+  const auto b = draw_error(line, 40.0, 0, 0.2, kWindow, random);
   const InStep found = compare(wander_of(a, 1.0 / 40.0), wander_of(b, 1.0 / 40.0));
   EXPECT_LE(found.frequency_p, 0.1);
   EXPECT_GE(found.p, 1e-4);
@@ -81,8 +82,8 @@ TEST(InStep, TwoPerfectLinesHaveTheirFrequencyOnly) {
 
 TEST(InStep, ATimeThatIsNotSharedSaysNothing) {
   std::mt19937_64 random(14);
-  const Course course = draw_course(kSamples, 40.0, 0.3, random);
-  const auto error = draw_error(course, 40.0, 0, 0.2, kSamples, random);
+  const Course course = draw_course(kWindow, 40.0, 0.3, random);
+  const auto error = draw_error(course, 40.0, 0, 0.2, kWindow, random);
   Wander later = wander_of(error, 1.0 / 40.0);
   later.envelope.first += 10'000;
   const InStep found = compare(wander_of(error, 1.0 / 40.0), later);

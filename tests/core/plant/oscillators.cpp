@@ -1,12 +1,14 @@
 #include "tests/core/plant/oscillators.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/hos/normal_draw.hpp"
 #include "core/hos/uniform_draw.hpp"
+#include "tests/support/numbers.hpp"
 
-namespace loopscope::core::plant::testing {
+namespace loopscope::core::plant::tests {
 
 using hos::normal_draw;
 
@@ -57,4 +59,23 @@ MemberLoop oscillating_loop(std::int64_t id, const std::vector<double>& error, d
   return loop;
 }
 
-}  // namespace loopscope::core::plant::testing
+void OscillatingPlant::add(const Course& course, double period, std::mt19937_64& random,
+                           int group) {
+  constexpr double kLongestLag = 600.0;  // samples, before the window
+  const auto lag = static_cast<std::size_t>(uniform(0.0, std::min(kLongestLag, period), random));
+  errors.push_back(draw_error(course, period, lag, uniform(0.2, 0.8, random),
+                              loopscope::tests::kWindow, random));
+  periods.push_back(period);
+  groups.push_back(group);
+}
+
+const std::vector<MemberLoop>& OscillatingPlant::finish() {
+  loops.clear();
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    loops.push_back(oscillating_loop(static_cast<std::int64_t>(k), errors[k], periods[k]));
+    if (periods[k] == 0.0) loops.back().oscillation = {};
+  }
+  return loops;
+}
+
+}  // namespace loopscope::core::plant::tests

@@ -7,7 +7,7 @@
 
 #include "core/plant/member_loop.hpp"
 
-namespace loopscope::core::plant::testing {
+namespace loopscope::core::plant::tests {
 
 /// How an oscillator's phase and amplitude wander, sample by sample.
 struct Course {
@@ -30,6 +30,19 @@ struct Course {
 [[nodiscard]] MemberLoop oscillating_loop(std::int64_t id, const std::vector<double>& error,
                                           double period);
 
+/// Windows of loops that oscillate, each in its own noise.
+struct OscillatingPlant {
+  std::vector<std::vector<double>> errors;
+  std::vector<double> periods;    ///< 0 = no oscillation of its own
+  std::vector<int> groups;        ///< of the shared oscillation; -1 = none
+  std::vector<MemberLoop> loops;  ///< once finished
+
+  /// A loop that follows the course at most a period late.
+  void add(const Course& course, double period, std::mt19937_64& random, int group = -1);
+  /// Once all are in: views do not survive a vector that grows.
+  const std::vector<MemberLoop>& finish();
+};
+
 [[nodiscard]] double uniform(double low, double high, std::mt19937_64& random);
 
-}  // namespace loopscope::core::plant::testing
+}  // namespace loopscope::core::plant::tests

@@ -6,25 +6,25 @@
 #include <tuple>
 
 #include "tests/core/plant/oscillators.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::plant {
 namespace {
 
-constexpr std::size_t kSamples = 4096;
+using loopscope::tests::kWindow;
 
 /// Six loops of one course; the model of loop 2 has found a sticking valve.
-struct Plant {
+struct PlantOfSix {
   std::vector<std::vector<double>> errors;
   std::vector<MemberLoop> loops;
 
-  Plant() {
+  PlantOfSix() {
     std::mt19937_64 random(31);
-    const testing::Course course = testing::draw_course(kSamples + 600, 60.0, 0.3, random);
+    const tests::Course course = tests::draw_course(kWindow + 600, 60.0, 0.3, random);
     for (std::size_t k = 0; k < 6; ++k)
-      errors.push_back(testing::draw_error(course, 60.0, 5 * k, 0.3, kSamples, random));
+      errors.push_back(tests::draw_error(course, 60.0, 5 * k, 0.3, kWindow, random));
     for (std::size_t k = 0; k < 6; ++k)
-      loops.push_back(
-          testing::oscillating_loop(static_cast<std::int64_t>(100 + k), errors[k], 60.0));
+      loops.push_back(tests::oscillating_loop(static_cast<std::int64_t>(100 + k), errors[k], 60.0));
     loops[2].own = {1e-9, 1e-9, Fault::friction, 0.9, 1.2, 0.0, 0.0};
   }
 };
@@ -34,7 +34,7 @@ const SharingLoop& member(const SharedOscillation& event, std::size_t index) {
 }
 
 TEST(SharedOscillation, IsOneEventWithOneSource) {
-  const Plant plant;
+  const PlantOfSix plant;
   const std::vector<SharedOscillation> events = find_shared_oscillations(plant.loops);
   ASSERT_EQ(events.size(), 1U);
   const SharedOscillation& event = events.front();
@@ -53,7 +53,7 @@ TEST(SharedOscillation, IsOneEventWithOneSource) {
 }
 
 TEST(SharedOscillation, WithoutOwnFindingsNoSourceIsNamed) {
-  Plant plant;
+  PlantOfSix plant;
   plant.loops[2].own = {};
   const std::vector<SharedOscillation> events = find_shared_oscillations(plant.loops);
   ASSERT_EQ(events.size(), 1U);
@@ -63,7 +63,7 @@ TEST(SharedOscillation, WithoutOwnFindingsNoSourceIsNamed) {
 }
 
 TEST(SharedOscillation, AMemberWithAFaultOfItsOwnStaysOnTheList) {
-  Plant plant;
+  PlantOfSix plant;
   plant.loops[4].own.fault = Fault::sensor;
   plant.loops[4].own.confidence = 0.9;
   plant.loops[5].own.fault = Fault::tuning;
@@ -76,7 +76,7 @@ TEST(SharedOscillation, AMemberWithAFaultOfItsOwnStaysOnTheList) {
 }
 
 TEST(SharedOscillation, FrictionThatTheSharedCycleShowsIsNoFaultOfItsOwn) {
-  Plant plant;
+  PlantOfSix plant;
   plant.loops[4].own.fault = Fault::friction;
   plant.loops[4].own.confidence = 0.9;
   const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
@@ -92,7 +92,7 @@ TEST(SharedOscillation, FrictionThatTheSharedCycleShowsIsNoFaultOfItsOwn) {
 }
 
 TEST(SharedOscillation, WithoutASourceALoopThatIsTunedToSwingStaysOnTheList) {
-  Plant plant;
+  PlantOfSix plant;
   plant.loops[2].own = {};
   plant.loops[5].own.fault = Fault::tuning;
   plant.loops[5].own.confidence = 0.9;
@@ -103,12 +103,12 @@ TEST(SharedOscillation, WithoutASourceALoopThatIsTunedToSwingStaysOnTheList) {
 }
 
 TEST(SharedOscillation, ALoopThatItHardlyTouchesStaysOnTheList) {
-  Plant plant;
+  PlantOfSix plant;
   std::mt19937_64 random(32);
   std::vector<double> noisy = plant.errors[5];
-  const testing::Course other = testing::draw_course(kSamples, 11.0, 1.0, random);
-  const auto noise = testing::draw_error(other, 11.0, 0, 0.1, kSamples, random);
-  for (std::size_t k = 0; k < kSamples; ++k) noisy[k] += 3.0 * noise[k];
+  const tests::Course other = tests::draw_course(kWindow, 11.0, 1.0, random);
+  const auto noise = tests::draw_error(other, 11.0, 0, 0.1, kWindow, random);
+  for (std::size_t k = 0; k < kWindow; ++k) noisy[k] += 3.0 * noise[k];
   plant.loops[5].error = noisy;
   const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
   EXPECT_LT(member(event, 5).strength, 0.2);
@@ -118,12 +118,12 @@ TEST(SharedOscillation, ALoopThatItHardlyTouchesStaysOnTheList) {
 
 TEST(SharedOscillation, LagsAreTimesAfterTheSource) {
   // draw_error turns every loop by a phase of its own; without it the lags are the delays.
-  Plant plant;
+  PlantOfSix plant;
   std::mt19937_64 random(33);
-  const testing::Course course = testing::draw_course(kSamples + 600, 60.0, 0.3, random);
+  const tests::Course course = tests::draw_course(kWindow + 600, 60.0, 0.3, random);
   for (std::size_t k = 0; k < 6; ++k) {
     std::mt19937_64 same(34);
-    plant.errors[k] = testing::draw_error(course, 60.0, 0, 0.1, kSamples, same);
+    plant.errors[k] = tests::draw_error(course, 60.0, 0, 0.1, kWindow, same);
     std::rotate(plant.errors[k].begin(), plant.errors[k].end() - static_cast<long>(4 * k),
                 plant.errors[k].end());
     plant.loops[k].error = plant.errors[k];
@@ -134,7 +134,7 @@ TEST(SharedOscillation, LagsAreTimesAfterTheSource) {
 }
 
 TEST(SharedOscillation, TheOrderOfTheLoopsDoesNotMatter) {
-  const Plant plant;
+  const PlantOfSix plant;
   std::vector<MemberLoop> turned(plant.loops.rbegin(), plant.loops.rend());
   const SharedOscillation one = find_shared_oscillations(plant.loops).at(0);
   const SharedOscillation other = find_shared_oscillations(turned).at(0);
@@ -149,9 +149,9 @@ TEST(SharedOscillation, TheOrderOfTheLoopsDoesNotMatter) {
 }
 
 TEST(SharedOscillation, CascadesHaveRolesOfTheirOwn) {
-  Plant plant;
-  std::vector<double> output(kSamples), setpoint(kSamples);
-  for (std::size_t k = 0; k < kSamples; ++k) {
+  PlantOfSix plant;
+  std::vector<double> output(kWindow), setpoint(kWindow);
+  for (std::size_t k = 0; k < kWindow; ++k) {
     output[k] = 50.0 + 5.0 * plant.errors[0][k];
     setpoint[k] = 20.0 + 0.5 * output[k];
   }
@@ -165,7 +165,7 @@ TEST(SharedOscillation, CascadesHaveRolesOfTheirOwn) {
 }
 
 TEST(SharedOscillation, RefusesWhatCannotBe) {
-  Plant plant;
+  PlantOfSix plant;
   PlantSettings settings;
   settings.event_p = 1.5;
   EXPECT_THROW(std::ignore = find_shared_oscillations(plant.loops, settings),

@@ -3,10 +3,12 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "tests/core/signal/raw_rows.hpp"
+
 namespace loopscope::core::signal {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using tests::kSecond;
 
 RawSeries ramp(std::int64_t first_s, std::int64_t step_s, std::size_t count) {
   RawSeries rows;

@@ -7,19 +7,12 @@
 
 #include "core/signal/assemble.hpp"
 #include "core/signal/gaps.hpp"
+#include "tests/core/signal/raw_rows.hpp"
 
 namespace loopscope::core::signal {
 namespace {
 
-RawSeries rows_at(std::vector<double> times_s) {
-  std::sort(times_s.begin(), times_s.end());
-  RawSeries rows;
-  for (const double time_s : times_s) {
-    rows.time_us.push_back(std::llround(time_s * 1e6));
-    rows.value.push_back(time_s);
-  }
-  return rows;
-}
+using tests::rows_at;
 
 /// Scans every `interval_s`, each kept with this probability, stamps off by up to `jitter`
 /// intervals.
@@ -31,6 +24,7 @@ RawSeries scanned(double interval_s, double kept, double jitter, unsigned seed) 
     const double off = jitter * (2.0 * uniform(random) - 1.0);
     if (uniform(random) < kept) times_s.push_back((k + off) * interval_s);
   }
+  std::ranges::sort(times_s);
   return rows_at(times_s);
 }
 

@@ -6,24 +6,20 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <gtest/gtest.h>
 #include <optional>
 #include <span>
 
 #include "core/diagnosis/diagnose.hpp"
 #include "tests/core/signal/damages.hpp"
+#include "tests/support/chance.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core::signal {
 namespace {
 
-/// Records of each loop; LOOPSCOPE_RECORDS=30 gives the README's tables and takes all damages.
-std::optional<int> wanted_records() {
-  const char* const text = std::getenv("LOOPSCOPE_RECORDS");
-  return text != nullptr ? std::optional(std::max(1, std::atoi(text))) : std::nullopt;
-}
-
-constexpr int kQuickRecords = 12;
+/// Of each loop; LOOPSCOPE_RECORDS=30 gives the README's tables.
+constexpr std::size_t kGateRecords = 12;
 /// Other seeds than those on which the limits were chosen.
 constexpr std::uint64_t kFirstSeed = 900'000;
 
@@ -36,7 +32,7 @@ using P = std::optional<double> hos::Result::*;
 constexpr std::array<P, 4> kTests = {&hos::Result::nonlinear_p, &hos::Result::ngi_p,
                                      &hos::Result::nli_p, &hos::Result::cubic_p};
 
-struct Rates {
+struct GateCounts {
   int records = 0;
   int judged = 0;
   std::array<int, 4> computed{};
@@ -65,7 +61,7 @@ struct Rates {
   }
 };
 
-void add(const Damage& damage, const char* loop, int records, Rates& rates) {
+void add(const Damage& damage, const char* loop, int records, GateCounts& rates) {
   AnalysisSettings settings;
   settings.fit_model = false;
   for (int i = 0; i < records; ++i) {
@@ -75,23 +71,15 @@ void add(const Damage& damage, const char* loop, int records, Rates& rates) {
   }
 }
 
-/// What 5 % may come out as by chance, four standard errors above; the project allows 7 % in the
-/// long run.
-double most_by_chance(int records) {
-  return 0.05 + 4.0 * std::sqrt(0.05 * 0.95 / records);
-}
-
 class GateRates : public testing::TestWithParam<std::size_t> {
  protected:
-  void SetUp() override {
-    if (!wanted_records() && !is_quick(damage())) GTEST_SKIP() << "one of the long ones";
-  }
   [[nodiscard]] static const Damage& damage() { return all_damages()[GetParam()]; }
 
   /// `share` of the records that were asked for, of every loop.
-  [[nodiscard]] static Rates measure(std::span<const char* const> loops, int share) {
-    Rates rates;
-    const int records = std::max(1, wanted_records().value_or(kQuickRecords) / share);
+  [[nodiscard]] static GateCounts measure(std::span<const char* const> loops, int share) {
+    GateCounts rates;
+    const int records =
+        std::max(1, static_cast<int>(loopscope::tests::records(kGateRecords)) / share);
     for (const char* const loop : loops) add(damage(), loop, records, rates);
     rates.print(damage().name.c_str());
     return rates;
@@ -99,15 +87,17 @@ class GateRates : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(GateRates, HealthyLoopsStayHealthy) {
-  const Rates rates = measure(kHealthy, 1);
+  const GateCounts rates = measure(kHealthy, 1);
   EXPECT_GE(rates.judged, 0.9 * rates.records);
   for (std::size_t i = 0; i < kTests.size(); ++i) {
-    EXPECT_LE(rates.rate(i), most_by_chance(rates.records)) << "test " << i;
+    // 5 % by chance; the project allows 7 % in the long run.
+    EXPECT_LE(rates.rate(i), 0.05 + loopscope::tests::four_errors(0.05, rates.records))
+        << "test " << i;
   }
 }
 
 TEST_P(GateRates, NonlinearLoopsAreFound) {
-  const Rates rates = measure(kNonlinear, 3);
+  const GateCounts rates = measure(kNonlinear, 3);
   // All of them are found in whole data; the loudest damages hide half of them.
   EXPECT_GE(rates.rate(0), 0.4);
 }

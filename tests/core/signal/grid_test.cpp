@@ -4,21 +4,15 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "tests/core/signal/raw_rows.hpp"
+
 namespace loopscope::core::signal {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
+using tests::kSecond;
+using tests::rows_at;
 constexpr std::int64_t kEarliest = std::numeric_limits<std::int64_t>::min();
 constexpr std::int64_t kLatest = std::numeric_limits<std::int64_t>::max();
-
-RawSeries rows_at(std::initializer_list<double> seconds) {
-  RawSeries rows;
-  for (const double t : seconds) {
-    rows.time_us.push_back(std::llround(t * 1e6));
-    rows.value.push_back(static_cast<double>(rows.value.size()));
-  }
-  return rows;
-}
 
 TEST(Grid, PeriodicRowsFillTheirOwnSlots) {
   const Samples samples = align(rows_at({0, 10, 20, 30}), {0, 10.0, 4}, Hold::sample);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <gtest/gtest.h>
 
 #include "core/hos/analyse.hpp"
@@ -14,14 +13,21 @@
 #include "core/simulate/paper_loops.hpp"
 #include "core/simulate/plant_loops.hpp"
 #include "core/simulate/scenario.hpp"
+#include "tests/support/chance.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::core::signal {
 namespace {
 
-/// Records per line; LOOPSCOPE_RECORDS=1000 gives the README's table.
+/// Per line; LOOPSCOPE_RECORDS=1000 gives the README's table.
+constexpr std::size_t kStepRecords = 200;
 int records() {
-  const char* const text = std::getenv("LOOPSCOPE_RECORDS");
-  return text != nullptr ? std::max(1, std::atoi(text)) : 200;
+  return static_cast<int>(loopscope::tests::records(kStepRecords));
+}
+
+/// A bound that holds for the mean of kStepRecords.
+double for_records(double bound) {
+  return loopscope::tests::widened(bound, kStepRecords, records());
 }
 
 /// Segments of a whole record.
@@ -65,7 +71,7 @@ struct Rate {
   double segments = 0.0;
 };
 
-struct Rates {
+struct StepRates {
   Rate whole, masked;
   Rate unstepped;  ///< the same noise without steps, the same samples missing
   double masked_fraction = 0.0;
@@ -86,9 +92,9 @@ Samples difference(const Samples& a, const Samples& b) {
 
 /// The error of a linear loop is what it is without steps plus the answer to the steps: what the
 /// mask leaves of the answer, and what it prefers of the noise, can be told apart exactly.
-Rates measure(const simulate::LoopSettings& loop, double error_stds, std::size_t every) {
+StepRates measure(const simulate::LoopSettings& loop, double error_stds, std::size_t every) {
   const simulate::LoopSettings moved = stepped(loop, error_stds, every);
-  Rates rates;
+  StepRates rates;
   double left = 0.0, kept = 0.0, all = 0.0;
   for (int seed = 1; seed <= records(); ++seed) {
     const PreparedLoop record = record_of(moved, seed);
@@ -114,7 +120,7 @@ void print_head() {
   std::printf("| unstepped, scaled | K | gone | left | kept |\n");
 }
 
-void print(const char* name, double error_stds, std::size_t every, const Rates& r) {
+void print(const char* name, double error_stds, std::size_t every, const StepRates& r) {
   std::printf("| %s | %.0f | %zu ", name, error_stds, every);
   for (const double rate : {r.whole.published, r.masked.published, r.unstepped.published,
                             r.masked.scaled, r.unstepped.scaled}) {
@@ -128,12 +134,12 @@ void check(const char* name, const simulate::LoopSettings& loop) {
   print_head();
   for (const double error_stds : {1.0, 3.0, 10.0}) {
     for (const std::size_t every : {250U, 500U, 1500U}) {
-      const Rates rates = measure(loop, error_stds, every);
+      const StepRates rates = measure(loop, error_stds, every);
       print(name, error_stds, every, rates);
       // Paired records: the difference is far below the binomial spread of either.
-      EXPECT_NEAR(rates.masked.published, rates.unstepped.published, 0.03);
+      EXPECT_NEAR(rates.masked.published, rates.unstepped.published, for_records(0.03));
       EXPECT_LT(rates.residual, 0.05);
-      EXPECT_NEAR(rates.kept_variance, 1.0, 0.01);
+      EXPECT_NEAR(rates.kept_variance, 1.0, for_records(0.01));
       if (error_stds == 10.0) {
         EXPECT_GT(rates.whole.scaled, 3.0 * rates.masked.scaled);
       }
@@ -153,10 +159,10 @@ TEST(SetpointStepsRates, ASlowLoopNeedsLongRestsBetweenItsSteps) {
   print_head();
   const simulate::LoopSettings loop = simulate::sluggish_tuning({});
   for (const std::size_t every : {250U, 500U, 1500U}) {
-    const Rates rates = measure(loop, 10.0, every);
+    const StepRates rates = measure(loop, 10.0, every);
     print("sluggish_tuning", 10.0, every, rates);
     if (every == 1500U) {
-      EXPECT_NEAR(rates.masked.published, rates.unstepped.published, 0.03);
+      EXPECT_NEAR(rates.masked.published, rates.unstepped.published, for_records(0.03));
     }
   }
 }

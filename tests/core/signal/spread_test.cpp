@@ -5,10 +5,12 @@
 #include <limits>
 #include <vector>
 
+#include "tests/support/numbers.hpp"
+
 namespace loopscope::core::signal {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+using loopscope::tests::kNaN;
 
 TEST(Spread, OfKnownValues) {
   const auto spread = measure_spread(std::vector{2.0, kNaN, 4.0, 6.0});

@@ -6,7 +6,7 @@
 namespace loopscope::core::simulate {
 namespace {
 
-constexpr std::size_t kSamples = 400'000;
+constexpr std::size_t kDraws = 400'000;
 
 double moment(const std::vector<double>& values, int order) {
   double sum = 0.0;
@@ -20,19 +20,19 @@ double moment(const std::vector<double>& values, int order) {
 TEST(Innovations, HaveMeanZeroAndVarianceOne) {
   for (const auto law :
        {Innovation::gaussian, Innovation::exponential, Innovation::uniform, Innovation::laplace}) {
-    const auto values = innovations(law, kSamples, 1);
+    const auto values = innovations(law, kDraws, 1);
     EXPECT_NEAR(moment(values, 1), 0.0, 0.007) << name(law);
     EXPECT_NEAR(moment(values, 2), 1.0, 0.02) << name(law);
   }
 }
 
 TEST(Innovations, HaveTheShapeOfTheirLaw) {
-  EXPECT_NEAR(moment(innovations(Innovation::exponential, kSamples, 2), 3), 2.0, 0.12);
-  EXPECT_NEAR(moment(innovations(Innovation::uniform, kSamples, 2), 3), 0.0, 0.02);
-  EXPECT_NEAR(moment(innovations(Innovation::uniform, kSamples, 2), 4), 1.8, 0.02);
-  EXPECT_NEAR(moment(innovations(Innovation::laplace, kSamples, 2), 3), 0.0, 0.08);
-  EXPECT_NEAR(moment(innovations(Innovation::laplace, kSamples, 2), 4), 6.0, 0.4);
-  EXPECT_NEAR(moment(innovations(Innovation::gaussian, kSamples, 2), 4), 3.0, 0.08);
+  EXPECT_NEAR(moment(innovations(Innovation::exponential, kDraws, 2), 3), 2.0, 0.12);
+  EXPECT_NEAR(moment(innovations(Innovation::uniform, kDraws, 2), 3), 0.0, 0.02);
+  EXPECT_NEAR(moment(innovations(Innovation::uniform, kDraws, 2), 4), 1.8, 0.02);
+  EXPECT_NEAR(moment(innovations(Innovation::laplace, kDraws, 2), 3), 0.0, 0.08);
+  EXPECT_NEAR(moment(innovations(Innovation::laplace, kDraws, 2), 4), 6.0, 0.4);
+  EXPECT_NEAR(moment(innovations(Innovation::gaussian, kDraws, 2), 4), 3.0, 0.08);
 }
 
 TEST(Innovations, SameSeedSameNumbers) {

@@ -8,7 +8,7 @@
 namespace loopscope::core::simulate {
 namespace {
 
-constexpr std::size_t kSamples = 65'536;
+constexpr std::size_t kLongRecord = 65'536;
 
 LimitCycle clean(WaveShape shape, double period, double jitter_rad) {
   return {.shape = shape, .period_samples = period, .snr_db = 200.0, .jitter_rad = jitter_rad};
@@ -18,9 +18,9 @@ TEST(LimitCycle, WavesHaveMeanZeroAndVarianceOne) {
   for (const auto shape : {WaveShape::sine, WaveShape::square, WaveShape::triangle,
                            WaveShape::sawtooth, WaveShape::asymmetric_square}) {
     // 61.7 does not divide the record: every place of the cycle is visited.
-    const auto signal = limit_cycle(clean(shape, 61.7, 0.0), kSamples, 1);
+    const auto signal = limit_cycle(clean(shape, 61.7, 0.0), kLongRecord, 1);
     double mean = 0.0;
-    for (const double sample : signal) mean += sample / kSamples;
+    for (const double sample : signal) mean += sample / kLongRecord;
     EXPECT_NEAR(mean, 0.0, 0.01) << name(shape);
     EXPECT_NEAR(tests::variance(signal), 1.0, 0.01) << name(shape);
   }
@@ -29,15 +29,15 @@ TEST(LimitCycle, WavesHaveMeanZeroAndVarianceOne) {
 TEST(LimitCycle, NoiseHasTheRatioAskedFor) {
   LimitCycle cycle = clean(WaveShape::sine, 61.7, 0.0);
   cycle.snr_db = 0.0;
-  EXPECT_NEAR(tests::variance(limit_cycle(cycle, kSamples, 2)), 2.0, 0.05);
+  EXPECT_NEAR(tests::variance(limit_cycle(cycle, kLongRecord, 2)), 2.0, 0.05);
   cycle.snr_db = 10.0;
-  EXPECT_NEAR(tests::variance(limit_cycle(cycle, kSamples, 2)), 1.1, 0.02);
+  EXPECT_NEAR(tests::variance(limit_cycle(cycle, kLongRecord, 2)), 1.1, 0.02);
 }
 
 TEST(LimitCycle, HarmonicsAreThoseOfTheShape) {
   // 64 divides the segments of the estimate: harmonics fall on their bins.
   const auto harmonic = [](WaveShape shape, int order) {
-    const auto signal = limit_cycle(clean(shape, 64.0, 0.0), kSamples, 3);
+    const auto signal = limit_cycle(clean(shape, 64.0, 0.0), kLongRecord, 3);
     return tests::power_at(signal, order / 64.0) / tests::power_at(signal, 1.0 / 64.0);
   };
   EXPECT_NEAR(harmonic(WaveShape::square, 3), 1.0 / 9.0, 0.01);

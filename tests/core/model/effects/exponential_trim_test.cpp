@@ -19,7 +19,7 @@ LoopData through_trim(double growth_per_percent) {
   return make_loop_data(answer(tests::one_lag(0.6, 2), flow), op, 1.0);
 }
 
-Fit fitted(const LoopData& data, double growth) {
+Fit fit_trim(const LoopData& data, double growth) {
   return evaluate(data, tests::structure_of(tests::one_lag(0.6, 2),
                                             {std::make_shared<ExponentialTrim>(growth, kTravel)}));
 }
@@ -27,14 +27,14 @@ Fit fitted(const LoopData& data, double growth) {
 TEST(ExponentialTrim, IsAnEqualPercentageTrim) {
   for (const double growth : {-0.03, 0.01, 0.03}) {
     const LoopData data = through_trim(growth);
-    EXPECT_LT(fitted(data, growth * kTravel).score_error, 1e-8) << growth;
+    EXPECT_LT(fit_trim(data, growth * kTravel).score_error, 1e-8) << growth;
   }
 }
 
 TEST(ExponentialTrim, RefiningFindsTheGrowth) {
   for (const double growth : {-0.025, 0.025}) {
     const LoopData data = through_trim(growth);
-    const Fit fit = refine_last(data, fitted(data, std::copysign(0.4, growth)));
+    const Fit fit = refine_last(data, fit_trim(data, std::copysign(0.4, growth)));
     // f'' / 2 f' at 50 %, over half a span of 50: the same wherever op rests.
     EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fit), "curvature"), 25.0 * growth,
                 0.02);
@@ -43,7 +43,7 @@ TEST(ExponentialTrim, RefiningFindsTheGrowth) {
 
 TEST(ExponentialTrim, WithoutGrowthItIsAParabola) {
   const LoopData data = through_trim(0.02);
-  EXPECT_NEAR(fitted(data, 0.0).score_error, fitted(data, 1e-3).score_error, 1e-6);
+  EXPECT_NEAR(fit_trim(data, 0.0).score_error, fit_trim(data, 1e-3).score_error, 1e-6);
 }
 
 TEST(ExponentialTrim, ColumnsNeighboursAndWords) {

@@ -12,12 +12,6 @@
 namespace loopscope::core::model {
 namespace {
 
-Fit fitted(const LoopData& data, double period_samples) {
-  return evaluate(data,
-                  tests::structure_of(tests::noiseless_process(),
-                                      {std::make_shared<ExternalOscillation>(period_samples)}));
-}
-
 LoopData oscillating(double period_s, double amplitude, double interval_s) {
   const simulate::LoopRecord record = tests::noiseless_loop(
       simulate::ExternalOscillation{.period_s = period_s, .amplitude = amplitude}, 5.0);
@@ -27,7 +21,7 @@ LoopData oscillating(double period_s, double amplitude, double interval_s) {
 TEST(ExternalOscillation, FindsTheSimulatedAmplitude) {
   for (const double period : {7.3, 100.0, 811.0}) {
     const LoopData data = oscillating(period, 2.0, 1.0);
-    const Fit fit = fitted(data, period);
+    const Fit fit = tests::fit_noiseless(data, std::make_shared<ExternalOscillation>(period));
     EXPECT_LT(fit.score_error, 1e-9);
     const auto parameters = tests::last_parameters(data, fit);
     EXPECT_NEAR(tests::value_of(parameters, "amplitude"), 2.0, 1e-3);
@@ -38,14 +32,18 @@ TEST(ExternalOscillation, FindsTheSimulatedAmplitude) {
 
 TEST(ExternalOscillation, ItsPeriodIsInSeconds) {
   const LoopData data = oscillating(100.0, 2.0, 5.0);
-  EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fitted(data, 100.0)), "period_s"), 500.0,
-              1e-9);
+  EXPECT_NEAR(tests::value_of(tests::last_parameters(
+                                  data, tests::fit_noiseless(
+                                            data, std::make_shared<ExternalOscillation>(100.0))),
+                              "period_s"),
+              500.0, 1e-9);
 }
 
 TEST(ExternalOscillation, RefiningFindsThePeriod) {
   const LoopData data = oscillating(100.0, 2.0, 1.0);
   for (const double start : {99.2, 100.7}) {
-    const Fit fit = refine_last(data, fitted(data, start));
+    const Fit fit =
+        refine_last(data, tests::fit_noiseless(data, std::make_shared<ExternalOscillation>(start)));
     EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fit), "period_s"), 100.0, 0.1)
         << start;
   }

@@ -8,11 +8,6 @@
 namespace loopscope::core::model {
 namespace {
 
-Fit fitted(const LoopData& data, std::size_t at, std::size_t until) {
-  return evaluate(data, tests::structure_of(tests::noiseless_process(),
-                                            {std::make_shared<GainChange>(at, until)}));
-}
-
 LoopData changed(const simulate::GainChange& change) {
   const simulate::LoopRecord record = tests::noiseless_loop(change, 5.0);
   return make_loop_data(record.pv, record.op, 1.0);
@@ -21,7 +16,7 @@ LoopData changed(const simulate::GainChange& change) {
 TEST(GainChange, FindsTheSimulatedRatio) {
   for (const double ratio : {0.4, 0.8, 1.5, 2.5}) {
     const LoopData data = changed({.at_s = 2000.0, .ratio = ratio});
-    const Fit fit = fitted(data, 2000, 2000);
+    const Fit fit = tests::fit_noiseless(data, std::make_shared<GainChange>(2000, 2000));
     const auto parameters = tests::last_parameters(data, fit);
     EXPECT_NEAR(tests::value_of(parameters, "ratio"), ratio, 0.02 * ratio);
     EXPECT_EQ(tests::value_of(parameters, "at"), 2000.0);
@@ -33,7 +28,7 @@ TEST(GainChange, FindsTheSimulatedRatio) {
 /// From gain 1 to 2.5 within 2000 s: 1.5 / (2000 / 3600) per hour.
 TEST(GainChange, FindsTheSimulatedDrift) {
   const LoopData data = changed({.at_s = 1000.0, .ratio = 2.5, .rate_per_hour = 2.7});
-  const Fit fit = fitted(data, 1000, 3000);
+  const Fit fit = tests::fit_noiseless(data, std::make_shared<GainChange>(1000, 3000));
   const auto parameters = tests::last_parameters(data, fit);
   EXPECT_NEAR(tests::value_of(parameters, "ratio"), 2.5, 0.05);
   EXPECT_NEAR(tests::value_of(parameters, "rate"), 2.7, 0.1);
@@ -42,8 +37,11 @@ TEST(GainChange, FindsTheSimulatedDrift) {
 
 TEST(GainChange, NoChangeHasRatioOne) {
   const LoopData data = changed({.at_s = 2000.0, .ratio = 1.0});
-  EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fitted(data, 2000, 2000)), "ratio"), 1.0,
-              1e-4);
+  EXPECT_NEAR(tests::value_of(
+                  tests::last_parameters(
+                      data, tests::fit_noiseless(data, std::make_shared<GainChange>(2000, 2000))),
+                  "ratio"),
+              1.0, 1e-4);
 }
 
 /// Its flow is none at 30 %, far from the mean of op: the level that comes with it shows when.

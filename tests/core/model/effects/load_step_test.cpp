@@ -17,15 +17,10 @@ LoopData stepped(double size, double interval_s) {
   return make_loop_data(record.pv, record.op, interval_s);
 }
 
-Fit fitted(const LoopData& data, std::size_t at) {
-  return evaluate(
-      data, tests::structure_of(tests::noiseless_process(), {std::make_shared<LoadStep>(at)}));
-}
-
 TEST(LoadStep, FindsTheSimulatedSizeInPvUnits) {
   for (const double size : {-12.0, 0.5, 4.0}) {
     const LoopData data = stepped(size, 1.0);
-    const Fit fit = fitted(data, 1500);
+    const Fit fit = tests::fit_noiseless(data, std::make_shared<LoadStep>(1500));
     EXPECT_LT(fit.score_error, 1e-9);
     const auto parameters = tests::last_parameters(data, fit);
     EXPECT_NEAR(tests::value_of(parameters, "size"), size, 1e-3);
@@ -36,8 +31,11 @@ TEST(LoadStep, FindsTheSimulatedSizeInPvUnits) {
 
 TEST(LoadStep, ItsTimeIsInSeconds) {
   const LoopData data = stepped(4.0, 5.0);
-  EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fitted(data, 1500)), "at"), 7500.0,
-              1e-9);
+  EXPECT_NEAR(
+      tests::value_of(tests::last_parameters(
+                          data, tests::fit_noiseless(data, std::make_shared<LoadStep>(1500))),
+                      "at"),
+      7500.0, 1e-9);
 }
 
 /// A load that passes the process's own lag leaves nothing either.
@@ -77,7 +75,8 @@ TEST(LoadStep, RefiningFindsAStepThroughALagOfItsOwn) {
 TEST(LoadStep, RefiningFindsThePlace) {
   const LoopData data = stepped(6.0, 1.0);
   for (const std::size_t start : {1494U, 1507U}) {
-    const Fit fit = refine_last(data, fitted(data, start));
+    const Fit fit =
+        refine_last(data, tests::fit_noiseless(data, std::make_shared<LoadStep>(start)));
     EXPECT_EQ(tests::value_of(tests::last_parameters(data, fit), "at"), 1500.0) << start;
   }
 }

@@ -163,4 +163,9 @@ const Nomination* nomination_of(const std::vector<Answer>& answers, std::string_
   return found == answer->nominations.end() ? nullptr : &*found;
 }
 
+void add_sinusoid(Series& signal, double period, double amplitude) {
+  for (std::size_t k = 0; k < signal.size(); ++k)
+    signal[k] += amplitude * std::sin(2.0 * std::numbers::pi * static_cast<double>(k) / period);
+}
+
 }  // namespace loopscope::core::model::tests

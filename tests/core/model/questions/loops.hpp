@@ -18,6 +18,9 @@ enum class White { gaussian, exponential, laplace, modulated, garch, garch_lapla
 [[nodiscard]] std::string_view name(White kind);
 [[nodiscard]] Series white(White kind, std::size_t samples, std::uint64_t seed);
 
+/// Adds amplitude sin(2 pi k / period).
+void add_sinusoid(Series& signal, double period, double amplitude);
+
 /// What a ResidualView looks at.
 struct Questionable {
   Series innovation, op_percent, op_direction, response, pv;

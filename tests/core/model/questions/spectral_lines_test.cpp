@@ -1,11 +1,8 @@
 #include "core/model/questions/spectral_lines.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <gtest/gtest.h>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "tests/core/model/questions/loops.hpp"
@@ -13,12 +10,8 @@
 namespace loopscope::core::model {
 namespace {
 
+using tests::add_sinusoid;
 using tests::Series;
-
-void add_sinusoid(Series& signal, double period, double amplitude) {
-  for (std::size_t k = 0; k < signal.size(); ++k)
-    signal[k] += amplitude * std::sin(2.0 * std::numbers::pi * static_cast<double>(k) / period);
-}
 
 TEST(SpectralLines, ThreeLinesWithTheirPeriods) {
   Series signal = tests::white(tests::White::gaussian, 4096, 1);
@@ -70,28 +63,6 @@ TEST(SpectralLines, ARandomWalkHasNone) {
 TEST(SpectralLines, NothingInAConstantOrAShortRecord) {
   EXPECT_EQ(find_lines(Series(1000, 3.0)).p, 1.0);
   EXPECT_EQ(find_lines(Series(10, 3.0)).p, 1.0);
-}
-
-// The table of README.md.
-TEST(SpectralLines, DISABLED_Periods) {
-  for (const std::size_t samples : {std::size_t{4096}, std::size_t{750}})
-    for (const double amplitude : {0.15, 0.3, 1.0})
-      for (const double period : {20.3, 100.7, 401.3}) {
-        std::vector<double> errors;
-        for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-          Series signal = tests::white(tests::White::gaussian, samples, seed);
-          add_sinusoid(signal, period, amplitude);
-          const LineSearch found = find_lines(signal);
-          if (found.p <= 0.01)
-            errors.push_back(100.0 * std::abs(found.lines[0].period_samples / period - 1.0));
-        }
-        std::sort(errors.begin(), errors.end());
-        const auto at = [&errors](std::size_t tenths) {
-          return errors.empty() ? 0.0 : errors[(errors.size() - 1) * tenths / 10];
-        };
-        std::printf("%zu A %.2f period %.1f: found %zu %%, error %.3f %%, 90 %% below %.3f %%\n",
-                    samples, amplitude, period, errors.size(), at(5), at(9));
-      }
 }
 
 }  // namespace

@@ -1,19 +1,18 @@
+#include "core/model/valve_search.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <gtest/gtest.h>
 #include <string_view>
 #include <vector>
 
-#include "core/model/valve_search.hpp"
 #include "core/simulate/scenario.hpp"
+#include "tests/tables/table.hpp"
 
 namespace loopscope::core::model {
 namespace {
-
-/// Prints the table of README.valves.md; takes a minute and asserts nothing, so it runs on demand.
 
 constexpr std::uint64_t kSeeds = 50;
 
@@ -83,7 +82,7 @@ void print_row(const Row& row, double op_step) {
               1e3 * static_cast<double>(spent) / CLOCKS_PER_SEC / static_cast<double>(kSeeds));
 }
 
-TEST(ValveSearchTable, DISABLED_Print) {
+LOOPSCOPE_TABLE(valve_search, "bands, jumps and laws found in 50 records of each scenario") {
   for (const double op_step : {0.0, 0.1}) {
     std::printf("op rounded to %g\n", op_step);
     for (const Row& row : kRows) {

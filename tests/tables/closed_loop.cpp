@@ -1,7 +1,6 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <gtest/gtest.h>
 #include <string>
 
 #include "core/model/controller_trap.hpp"
@@ -9,20 +8,21 @@
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/known_loops.hpp"
 #include "tests/core/model/tuning_cases.hpp"
+#include "tests/tables/table.hpp"
 
 /// The tables of core/model/README.closed_loop.md. Disabled, because they assert nothing that the
 /// other tests do not assert on fewer seeds.
 namespace loopscope::core::model {
 namespace {
 
-constexpr std::uint64_t kSeeds = 100;
+constexpr std::uint64_t kLoops = 100;
 constexpr std::uint64_t kTrapLoops = 500;
 
 void print_scenario(std::string_view name) {
   const known::KnownLoop loop = known::scenario(name);
   int laws = 0, excited = 0, refused = 0, caught = 0;
   known::TuningCounts tuning;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kLoops; ++seed) {
     const known::Records records = known::run(loop.settings, seed);
     const ControllerLaw law = known::find_law(records);
     const ProcessFit fit = known::off_by_a_fifth(loop.process, seed);
@@ -37,7 +37,7 @@ void print_scenario(std::string_view name) {
               tuning.judged[3]);
 }
 
-TEST(ClosedLoopRates, DISABLED_Scenarios) {
+LOOPSCOPE_TABLE(closed_loop_scenarios, "laws, excitation, traps and tuning by scenario") {
   for (const simulate::Scenario& scenario : simulate::all_scenarios()) {
     if (scenario.is_loop) print_scenario(scenario.name);
   }
@@ -62,7 +62,7 @@ void print_trap(double op_step, double pv_noise) {
               percent * second);
 }
 
-TEST(ClosedLoopRates, DISABLED_Trap) {
+LOOPSCOPE_TABLE(closed_loop_trap, "fits that a controller explains, of random loops") {
   print_trap(0.0, 0.0);
   print_trap(0.01, 0.0);
   print_trap(0.1, 0.0);
@@ -76,7 +76,7 @@ void print_counts(const char* name, const known::TuningCounts& counts) {
               100.0 * counts.share(Tuning::sluggish), 100.0 * counts.share(Tuning::contradictory));
 }
 
-TEST(ClosedLoopRates, DISABLED_Tuning) {
+LOOPSCOPE_TABLE(closed_loop_tuning, "judgements of tuning by how the loops are tuned") {
   const known::TuningRates rates = known::tuning_rates(4000);
   print_counts("fine", rates.fine);
   print_counts("tight", rates.tight);
@@ -93,7 +93,7 @@ void print_cost(const char* name, Work&& work) {
               1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kRepeats);
 }
 
-TEST(ClosedLoopRates, DISABLED_Cost) {
+LOOPSCOPE_TABLE(closed_loop_cost, "microseconds of each judgement") {
   const known::KnownLoop loop = known::scenario("healthy_flow");
   known::Records records = known::run(loop.settings, 1);
   known::blur(records, 0.5, 0.0, 1);  // the search visits every span

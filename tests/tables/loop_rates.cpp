@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <gtest/gtest.h>
 #include <string>
 #include <utility>
 
@@ -11,9 +10,8 @@
 #include "core/loop/performance.hpp"
 #include "core/loop/shape.hpp"
 #include "tests/core/loop/signals.hpp"
+#include "tests/tables/table.hpp"
 
-/// The tables of core/loop/README.md. Disabled, because they take half a minute and assert nothing
-/// that the other tests do not assert on fewer seeds.
 namespace loopscope::core::loop {
 namespace {
 
@@ -99,7 +97,7 @@ void print_wave_rates(std::size_t count) {
   }
 }
 
-TEST(LoopRates, DISABLED_Oscillation) {
+LOOPSCOPE_TABLE(loop_oscillation, "records called oscillating, and what was measured") {
   std::puts("| signal | samples | present | period | regularity | amplitude | persistence |");
   std::puts("|---|---|---|---|---|---|---|");
   for (const std::size_t count : {std::size_t{4096}, std::size_t{751}}) {
@@ -132,7 +130,7 @@ void print_shape(const char* name, const std::function<SimulatedLoop(Random&)>& 
               median(width).c_str(), median(stuck).c_str());
 }
 
-TEST(LoopRates, DISABLED_Shape) {
+LOOPSCOPE_TABLE(loop_shape, "shape indicators of simulated loops") {
   std::puts("| loop | present | dtau | drho | shape index | ellipse | r2 | mv-op width | stuck |");
   std::puts("|---|---|---|---|---|---|---|---|---|");
   const auto simulated = [](const char* name, const signals::LoopSettings& settings) {
@@ -148,7 +146,7 @@ TEST(LoopRates, DISABLED_Shape) {
   simulated("dead band 3", {.stickband = 3.0, .walk_std = 0.224, .setpoint_step = 10.0});
 }
 
-TEST(LoopRates, DISABLED_ShapeIndexInNoise) {
+LOOPSCOPE_TABLE(loop_shape_index_in_noise, "shape index by wave and noise") {
   std::puts("| wave | period | 0 dB | 10 dB | 20 dB | 60 dB |");
   std::puts("|---|---|---|---|---|---|");
   for (const auto& [name, kind] : {std::pair{"sine", Wave::sine}, std::pair{"square", Wave::square},
@@ -182,7 +180,7 @@ double best_us(const std::function<void()>& work) {
   return best;
 }
 
-TEST(LoopRates, DISABLED_Speed) {
+LOOPSCOPE_TABLE(loop_speed, "microseconds of a window of 4096") {
   Random random(1);
   const SimulatedLoop whole = signals::simulate(
       random, 4096, {.stickband = 3.0, .slip_jump = 1.0, .walk_std = 0.1, .setpoint_step = 10.0});

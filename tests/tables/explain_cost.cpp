@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <gtest/gtest.h>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "core/model/explain.hpp"
 #include "core/simulate/scenario.hpp"
+#include "tests/tables/table.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -24,8 +26,7 @@ double quantile(std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// core_tests --gtest_also_run_disabled_tests --gtest_filter='ExplainCost.*'
-TEST(ExplainCost, DISABLED_CpuTimeOfEveryScenario) {
+LOOPSCOPE_TABLE(explain_cost, "CPU time of every scenario") {
   std::vector<double> all;
   for (const simulate::Scenario& scenario : simulate::all_scenarios()) {
     if (!scenario.is_loop) continue;
