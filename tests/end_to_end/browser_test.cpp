@@ -13,23 +13,13 @@ namespace {
 
 using testing::HasSubstr;
 
-void import_simulated(const Plant& plant, const std::string& name, const std::string& scenario,
-                      const std::string& seed) {
-  const std::string file = plant.folder() / ("simulated_" + seed + ".csv");
-  ASSERT_EQ(run_program(
-                {LOOPSCOPE_PROGRAM, "simulate", scenario, "--seed", seed, "--no-mv", "--out", file})
-                .exit_code,
-            0);
-  ASSERT_EQ(plant.loopscope("import", {"--create-table", "--loop", name, file}).exit_code, 0);
-}
-
 /// Several kinds of fault, under names that would break out of a page that lets them.
-void make_plant(const Plant& plant) {
-  import_simulated(plant, "FIC101", "sticking_valve", "102");
-  import_simulated(plant, "\"><script>alert(1)</script>", "tight_tuning", "104");
-  import_simulated(plant, "</style><img src=x onerror=alert(1)>", "quantised_sensor", "105");
-  import_simulated(plant, "LIC '% &amp; #1?a=b", "sticking_level", "106");
-  import_simulated(plant, "FIC103", "healthy_flow", "103");
+void make_hostile_plant(const Plant& plant) {
+  plant.import_simulated("FIC101", "sticking_valve", "102");
+  plant.import_simulated("\"><script>alert(1)</script>", "tight_tuning", "104");
+  plant.import_simulated("</style><img src=x onerror=alert(1)>", "quantised_sensor", "105");
+  plant.import_simulated("LIC '% &amp; #1?a=b", "sticking_level", "106");
+  plant.import_simulated("FIC103", "healthy_flow", "103");
   ASSERT_EQ(plant.loopscope("once").exit_code, 0);
 }
 
@@ -54,7 +44,7 @@ bool can_browse() {
 TEST(Browser, ReportAndLivePagesAreWhatTheyShouldBe) {
   if (!can_browse()) GTEST_SKIP() << "no chromium, chromium-driver or python3-selenium";
   const Plant plant;
-  make_plant(plant);
+  make_hostile_plant(plant);
   const std::string folder = plant.folder() / "reports";
   ASSERT_EQ(plant.loopscope("report", {"--out", folder}).exit_code, 0);
   plant.write_settings(Plant::settings(R"("daemon": {"http_address": "127.0.0.1:0"})"));

@@ -14,17 +14,17 @@
 namespace loopscope::tests {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::IsEmpty;
 using testing::Not;
 
-json dashboard() {
+Json dashboard() {
   std::ifstream file(source_dir() / "deploy" / "grafana" / "loopscope.json");
-  return json::parse(file);
+  return Json::parse(file);
 }
 
 /// Every value of this key, wherever it stands.
-std::vector<std::string> values_of(const json& part, const std::string& key) {
+std::vector<std::string> values_of(const Json& part, const std::string& key) {
   std::vector<std::string> found;
   for (const auto& [name, value] : part.items()) {
     if (part.is_object() && name == key && value.is_string()) found.push_back(value);
@@ -48,9 +48,9 @@ std::string expanded(std::string statement, const std::string& loop) {
   return statement;
 }
 
-std::vector<std::string> statements(const json& board) {
+std::vector<std::string> statements(const Json& board) {
   std::vector<std::string> found = values_of(board, "rawSql");
-  for (const json& variable : board["templating"]["list"])
+  for (const Json& variable : board["templating"]["list"])
     if (variable["type"] == "query") found.push_back(variable["query"]);
   return found;
 }
@@ -81,10 +81,10 @@ TEST(GrafanaDashboard, ANameWithAQuoteIsNoSql) {
 TEST(GrafanaDashboard, PanelsDoNotOverlapAndNameTheirAxes) {
   std::set<int> ids;
   std::set<std::pair<int, int>> taken;
-  for (const json& panel : dashboard()["panels"]) {
+  for (const Json& panel : dashboard()["panels"]) {
     SCOPED_TRACE(panel["title"]);
     EXPECT_TRUE(ids.insert(panel["id"].get<int>()).second);
-    const json& place = panel["gridPos"];
+    const Json& place = panel["gridPos"];
     for (int x = place["x"]; x < place["x"].get<int>() + place["w"].get<int>(); ++x)
       for (int y = place["y"]; y < place["y"].get<int>() + place["h"].get<int>(); ++y)
         EXPECT_TRUE(x < 24 && taken.insert({x, y}).second) << x << ", " << y;

@@ -11,8 +11,6 @@
 namespace loopscope::tests {
 namespace {
 
-constexpr const char* kPsql = "/usr/bin/psql";
-
 std::string server_connection() {
   if (auto server = test_server()) return *std::move(server);
   throw std::runtime_error("no test server: run through ctest, which starts one");
@@ -83,6 +81,16 @@ std::string Plant::import_loop(const std::string& name, std::size_t samples, uns
   const ProgramResult imported = loopscope("import", {"--create-table", "--loop", name, file});
   if (imported.exit_code != 0) throw std::runtime_error("import failed: " + imported.err);
   return file;
+}
+
+void Plant::import_simulated(const std::string& name, const std::string& scenario,
+                             const std::string& seed) const {
+  const std::string file = folder() / ("simulated_" + seed + ".csv");
+  const ProgramResult simulated = run_program(
+      {LOOPSCOPE_PROGRAM, "simulate", scenario, "--seed", seed, "--no-mv", "--out", file});
+  if (simulated.exit_code != 0) throw std::runtime_error("simulate failed: " + simulated.err);
+  const ProgramResult imported = loopscope("import", {"--create-table", "--loop", name, file});
+  if (imported.exit_code != 0) throw std::runtime_error("import failed: " + imported.err);
 }
 
 std::string noisy_loop_csv(std::size_t samples, unsigned seed) {

@@ -9,6 +9,8 @@
 
 namespace loopscope::tests {
 
+inline constexpr const char* kPsql = "/usr/bin/psql";
+
 /// A plant for one test: a database of its own on the throw-away server with the schema migrated
 /// and an empty historian, and a settings file. Everything is removed at the end.
 class Plant {
@@ -35,6 +37,10 @@ class Plant {
   /// Writes a recording of `samples` rows of a noisy loop and imports it; returns its file.
   std::string import_loop(const std::string& name, std::size_t samples = 1000,
                           unsigned seed = 1) const;
+
+  /// A loop of a simulated scenario, in historian and catalogue.
+  void import_simulated(const std::string& name, const std::string& scenario,
+                        const std::string& seed) const;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
   [[nodiscard]] std::string settings_file() const { return folder_.path() / "loopscope.json"; }

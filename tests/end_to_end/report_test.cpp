@@ -13,24 +13,11 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// A loop of a simulated scenario, in historian and catalogue.
-void import_simulated(const Plant& plant, const std::string& name, const std::string& scenario,
-                      const std::string& seed) {
-  const std::string file = plant.folder() / ("simulated_" + seed + ".csv");
-  ASSERT_EQ(run_program(
-                {LOOPSCOPE_PROGRAM, "simulate", scenario, "--seed", seed, "--no-mv", "--out", file})
-                .exit_code,
-            0);
-  const ProgramResult imported =
-      plant.loopscope("import", {"--create-table", "--loop", name, file});
-  ASSERT_EQ(imported.exit_code, 0) << imported.err;
-}
-
 /// Two faults and a healthy loop, analysed.
-void make_plant(const Plant& plant) {
-  import_simulated(plant, "FIC101", "sticking_valve", "102");
-  import_simulated(plant, "<b>\"TIC\" & co</b>", "tight_tuning", "104");
-  import_simulated(plant, "FIC103", "healthy_flow", "103");
+void make_faulty_plant(const Plant& plant) {
+  plant.import_simulated("FIC101", "sticking_valve", "102");
+  plant.import_simulated("<b>\"TIC\" & co</b>", "tight_tuning", "104");
+  plant.import_simulated("FIC103", "healthy_flow", "103");
   ASSERT_EQ(plant.loopscope("once").exit_code, 0);
 }
 
@@ -43,7 +30,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 TEST(Report, OneFileTellsOfEveryFlaggedLoopWithItsPictures) {
   const Plant plant;
-  make_plant(plant);
+  make_faulty_plant(plant);
   const std::string folder = plant.folder() / "reports";
   const ProgramResult result = plant.loopscope("report", {"--out", folder});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -62,7 +49,7 @@ TEST(Report, OneFileTellsOfEveryFlaggedLoopWithItsPictures) {
 
 TEST(Report, WithoutTheHistorianTheStoredFiguresStand) {
   const Plant plant;
-  make_plant(plant);
+  make_faulty_plant(plant);
   plant.sql("drop table history");
   const std::string folder = plant.folder() / "reports";
   const ProgramResult result = plant.loopscope("report", {"--out", folder});
@@ -87,7 +74,7 @@ TEST(Report, NothingIsWrittenWhenTheResultsAreAway) {
 
 TEST(Report, SaysWhichPackageIsMissing) {
   const Plant plant;
-  make_plant(plant);
+  make_faulty_plant(plant);
   const std::string folder = plant.folder() / "reports";
   std::vector<std::string> command{"/usr/bin/env", "PATH=/nonexistent"};
   for (const std::string& argument : plant.command_line("report")) command.push_back(argument);
@@ -107,7 +94,7 @@ TEST(Report, SaysWhichPackageIsMissing) {
 TEST(Report, ThePdfHasTheSameLoops) {
   if (!std::filesystem::exists("/usr/bin/weasyprint")) GTEST_SKIP() << "no weasyprint";
   const Plant plant;
-  make_plant(plant);
+  make_faulty_plant(plant);
   const std::string folder = plant.folder() / "reports";
   const ProgramResult result = plant.loopscope("report", {"--out", folder, "--pdf"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -122,7 +109,7 @@ TEST(Report, ThePdfHasTheSameLoops) {
 
 TEST(Report, TheDaemonWritesOneEverySoOftenAndKeepsAFew) {
   const Plant plant;
-  make_plant(plant);
+  make_faulty_plant(plant);
   const std::filesystem::path folder = plant.folder() / "reports";
   std::filesystem::create_directories(folder);
   std::filesystem::path old = folder / "loopscope-2020-01-01T0000Z.html";

@@ -3,11 +3,6 @@
 #include <stdexcept>
 
 namespace loopscope::tests {
-namespace {
-
-constexpr const char* kPsql = "/usr/bin/psql";
-
-}  // namespace
 
 ToldPlant::ToldPlant() {
   const std::string roles = source_dir() / "deploy" / "roles.sql";

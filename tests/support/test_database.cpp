@@ -17,9 +17,8 @@ namespace {
 
 using Connection = std::unique_ptr<PGconn, decltype(&PQfinish)>;
 using Result = std::unique_ptr<PGresult, decltype(&PQclear)>;
-using Table = std::vector<std::vector<std::string>>;
 
-Table run(const std::string& conninfo, const std::string& sql) {
+TextRows run(const std::string& conninfo, const std::string& sql) {
   const Connection connection(
       PQconnectdb((conninfo + " options='-c client_min_messages=warning'").c_str()), &PQfinish);
   const Result result(PQexec(connection.get(), sql.c_str()), &PQclear);
@@ -27,7 +26,7 @@ Table run(const std::string& conninfo, const std::string& sql) {
   if (status != PGRES_COMMAND_OK && status != PGRES_TUPLES_OK) {
     throw std::runtime_error(PQerrorMessage(connection.get()) + std::string("in: ") + sql);
   }
-  Table table;
+  TextRows table;
   for (int row = 0; row < PQntuples(result.get()); ++row) {
     table.emplace_back();
     for (int column = 0; column < PQnfields(result.get()); ++column) {
@@ -105,12 +104,12 @@ void TestDatabase::execute(const std::string& sql) const {
   run(conninfo(), sql);
 }
 
-Table TestDatabase::rows(const std::string& sql) const {
+TextRows TestDatabase::rows(const std::string& sql) const {
   return run(conninfo(), sql);
 }
 
 std::string TestDatabase::value(const std::string& sql) const {
-  const Table table = rows(sql);
+  const TextRows table = rows(sql);
   if (table.size() != 1 || table[0].empty()) {
     throw std::runtime_error(std::to_string(table.size()) + " rows instead of one in: " + sql);
   }

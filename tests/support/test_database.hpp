@@ -6,6 +6,9 @@
 
 namespace loopscope::tests {
 
+/// Rows of a query as text; NULL is "NULL".
+using TextRows = std::vector<std::vector<std::string>>;
+
 /// Connection string (superuser) of the throw-away server that ctest starts for tests with the
 /// label `server`, or that tests/support/postgres started by hand; nullopt when there is none.
 [[nodiscard]] std::optional<std::string> test_server();
@@ -37,8 +40,7 @@ class TestDatabase {
 
   /// Runs one or several commands.
   void execute(const std::string& sql) const;
-  /// Rows of a query as text; NULL is "NULL".
-  [[nodiscard]] std::vector<std::vector<std::string>> rows(const std::string& sql) const;
+  [[nodiscard]] TextRows rows(const std::string& sql) const;
   /// First column of the only row.
   [[nodiscard]] std::string value(const std::string& sql) const;
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/failure.hpp"
+#include "tests/daemon/data_failure.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -15,14 +15,8 @@ std::vector<CatalogueEntry> load(std::string_view text) {
   return parse_catalogue(parse_csv(text, "loops.csv"), {}, {});
 }
 
-std::string failure_of(std::string_view text) {
-  try {
-    static_cast<void>(load(text));
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::unusable_data);
-    return failure.what();
-  }
-  return "no failure";
+std::string catalogue_failure(std::string_view text) {
+  return data_failure([&] { return load(text); }).what();
 }
 
 TEST(CatalogueCsv, WrittenLoopsReadBack) {
@@ -71,19 +65,21 @@ TEST(CatalogueCsv, AKnownLoopKeepsWhatTheTableDoesNotSay) {
 }
 
 TEST(CatalogueCsv, ProblemsNameLineAndColumn) {
-  EXPECT_THAT(failure_of("name,pv_tag,colour\n"), HasSubstr("unknown column \"colour\""));
-  EXPECT_THAT(failure_of("name,pv_tag,period_s\nA,B,-5\n"),
+  EXPECT_THAT(catalogue_failure("name,pv_tag,colour\n"), HasSubstr("unknown column \"colour\""));
+  EXPECT_THAT(catalogue_failure("name,pv_tag,period_s\nA,B,-5\n"),
               HasSubstr("line 2, column period_s: -5 is out of range, 1 to 2592000 s"));
-  EXPECT_THAT(failure_of("name,pv_tag,enabled\nA,B,perhaps\n"),
+  EXPECT_THAT(catalogue_failure("name,pv_tag,enabled\nA,B,perhaps\n"),
               HasSubstr("neither true nor false"));
-  EXPECT_THAT(failure_of("name,pv_tag,name\nA,B,C\n"), HasSubstr("stands twice"));
-  EXPECT_THAT(failure_of("name,pv_tag,period_s\nA,B,1e300\n"), HasSubstr("out of range"));
-  EXPECT_THAT(failure_of("name,pv_tag,interval_s\nA,B,1e-9\n"), HasSubstr("out of range"));
-  EXPECT_THAT(failure_of("name,pv_tag\nA,\n"), HasSubstr("line 2: the pv tag is empty"));
-  EXPECT_THAT(failure_of("name,pv_tag\n,B\n"), HasSubstr("the name is empty"));
-  EXPECT_THAT(failure_of("name,pv_tag\nA,B\nA,C\n"), HasSubstr("line 3: \"A\" stands twice"));
-  EXPECT_THAT(failure_of("name,pv_tag,op_low\nA,B,0\n"), HasSubstr("both ends"));
-  EXPECT_THAT(failure_of("name,pv_tag,op_low,op_high\nA,B,5,5\n"), HasSubstr("low below high"));
+  EXPECT_THAT(catalogue_failure("name,pv_tag,name\nA,B,C\n"), HasSubstr("stands twice"));
+  EXPECT_THAT(catalogue_failure("name,pv_tag,period_s\nA,B,1e300\n"), HasSubstr("out of range"));
+  EXPECT_THAT(catalogue_failure("name,pv_tag,interval_s\nA,B,1e-9\n"), HasSubstr("out of range"));
+  EXPECT_THAT(catalogue_failure("name,pv_tag\nA,\n"), HasSubstr("line 2: the pv tag is empty"));
+  EXPECT_THAT(catalogue_failure("name,pv_tag\n,B\n"), HasSubstr("the name is empty"));
+  EXPECT_THAT(catalogue_failure("name,pv_tag\nA,B\nA,C\n"),
+              HasSubstr("line 3: \"A\" stands twice"));
+  EXPECT_THAT(catalogue_failure("name,pv_tag,op_low\nA,B,0\n"), HasSubstr("both ends"));
+  EXPECT_THAT(catalogue_failure("name,pv_tag,op_low,op_high\nA,B,5,5\n"),
+              HasSubstr("low below high"));
 }
 
 }  // namespace

@@ -3,22 +3,15 @@
 #include <gmock/gmock.h>
 #include <stdexcept>
 
-#include "daemon/failure.hpp"
+#include "tests/daemon/data_failure.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 using testing::HasSubstr;
 
-std::string failure_of(const std::string& csv) {
-  try {
-    static_cast<void>(parse_maintenance(parse_csv(csv, "work.csv")));
-    return "";
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::unusable_data);
-    EXPECT_FALSE(failure.hint().empty());
-    return failure.what();
-  }
+std::string maintenance_failure(const std::string& csv) {
+  return data_failure([&] { return parse_maintenance(parse_csv(csv, "work.csv")); }).what();
 }
 
 TEST(MaintenanceCsv, ColumnsStandInAnyOrder) {
@@ -35,14 +28,17 @@ TEST(MaintenanceCsv, ColumnsStandInAnyOrder) {
 }
 
 TEST(MaintenanceCsv, FaultsNameTheirLine) {
-  EXPECT_THAT(failure_of("loop,at,kind,description\na,2026-03-01,valve,x\na,soon,valve,x\n"),
-              HasSubstr("work.csv, line 3: \"soon\" is no time"));
-  EXPECT_THAT(failure_of("loop,at,kind,description\na,2026-03-01,vlave,x\n"),
+  EXPECT_THAT(
+      maintenance_failure("loop,at,kind,description\na,2026-03-01,valve,x\na,soon,valve,x\n"),
+      HasSubstr("work.csv, line 3: \"soon\" is no time"));
+  EXPECT_THAT(maintenance_failure("loop,at,kind,description\na,2026-03-01,vlave,x\n"),
               HasSubstr("no kind of work \"vlave\", did you mean valve (one of valve, sensor,"));
-  EXPECT_THAT(failure_of("loop,at,kind,description\na,2026-03-01,valve,\n"),
+  EXPECT_THAT(maintenance_failure("loop,at,kind,description\na,2026-03-01,valve,\n"),
               HasSubstr("line 2: what was done is not said"));
-  EXPECT_THAT(failure_of("loop,at,kind\na,2026-03-01,valve\n"), HasSubstr("line 1: the columns"));
-  EXPECT_THAT(failure_of("loop,at,kind,description,who\n"), HasSubstr("line 1: the columns"));
+  EXPECT_THAT(maintenance_failure("loop,at,kind\na,2026-03-01,valve\n"),
+              HasSubstr("line 1: the columns"));
+  EXPECT_THAT(maintenance_failure("loop,at,kind,description,who\n"),
+              HasSubstr("line 1: the columns"));
 }
 
 TEST(MaintenanceEntry, WithoutAZoneIsUtc) {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/failure.hpp"
+#include "tests/daemon/data_failure.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -14,15 +14,8 @@ Columns columns_of(const std::string& header) {
   return find_columns(parse_csv(header + "\n", "f.csv"));
 }
 
-std::string failure_of(const std::string& header) {
-  try {
-    static_cast<void>(columns_of(header));
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::unusable_data);
-    EXPECT_FALSE(failure.hint().empty());
-    return failure.what();
-  }
-  return "no failure";
+std::string columns_failure(const std::string& header) {
+  return data_failure([&] { return columns_of(header); }).what();
 }
 
 TEST(Columns, AnyOrderAndCase) {
@@ -41,14 +34,15 @@ TEST(Columns, SecondsGoBeforeIsoTimes) {
 }
 
 TEST(Columns, TimeAndProcessVariableAreNeeded) {
-  EXPECT_THAT(failure_of("a,b"), HasSubstr("neither \"t_s\" nor \"time\""));
-  EXPECT_THAT(failure_of("t_s,sp"), HasSubstr("no \"pv\" column"));
+  EXPECT_THAT(columns_failure("a,b"), HasSubstr("neither \"t_s\" nor \"time\""));
+  EXPECT_THAT(columns_failure("t_s,sp"), HasSubstr("no \"pv\" column"));
 }
 
 TEST(Columns, AKnownColumnStandsOnce) {
-  EXPECT_THAT(failure_of("t_s,sp,pv,op,pv"), HasSubstr("line 1: the column \"pv\" stands twice"));
+  EXPECT_THAT(columns_failure("t_s,sp,pv,op,pv"),
+              HasSubstr("line 1: the column \"pv\" stands twice"));
   for (const std::string name : {"t_s", "time", "sp", "op", "mv", "mode", "quality"}) {
-    EXPECT_THAT(failure_of("t_s,pv," + name + ", " + name + " "),
+    EXPECT_THAT(columns_failure("t_s,pv," + name + ", " + name + " "),
                 HasSubstr("\"" + name + "\" stands twice"));
   }
 }

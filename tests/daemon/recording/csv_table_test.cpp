@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/failure.hpp"
+#include "tests/daemon/data_failure.hpp"
 #include "tests/support/hostile_names.hpp"
 #include "tests/support/source_dir.hpp"
 
@@ -14,15 +14,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string failure_of(std::string_view text) {
-  try {
-    static_cast<void>(parse_csv(text, "f.csv"));
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::unusable_data);
-    EXPECT_FALSE(failure.hint().empty());
-    return failure.what();
-  }
-  return "no failure";
+std::string csv_failure(std::string_view text) {
+  return data_failure([&] { return parse_csv(text, "f.csv"); }).what();
 }
 
 TEST(CsvTable, HeaderAndRowsWithTheirLines) {
@@ -66,10 +59,10 @@ TEST(CsvTable, HostileNamesReadBack) {
 }
 
 TEST(CsvTable, ProblemsNameTheirLine) {
-  EXPECT_THAT(failure_of(""), HasSubstr("the file is empty"));
-  EXPECT_THAT(failure_of("\n\n"), HasSubstr("the file is empty"));
-  EXPECT_THAT(failure_of("a,b\n1,2\n1\n"), HasSubstr("line 3: 1 cells where the header has 2"));
-  EXPECT_THAT(failure_of("a,b\n1,\"2\n"), HasSubstr("line 2: a quote is opened"));
+  EXPECT_THAT(csv_failure(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(csv_failure("\n\n"), HasSubstr("the file is empty"));
+  EXPECT_THAT(csv_failure("a,b\n1,2\n1\n"), HasSubstr("line 3: 1 cells where the header has 2"));
+  EXPECT_THAT(csv_failure("a,b\n1,\"2\n"), HasSubstr("line 2: a quote is opened"));
 }
 
 TEST(CsvTable, FilesThatCannotBeRead) {

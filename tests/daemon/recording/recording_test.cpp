@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/failure.hpp"
+#include "tests/daemon/data_failure.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -15,15 +15,8 @@ Recording recording_of(std::string_view text) {
   return parse_recording(parse_csv(text, "f.csv"));
 }
 
-std::string failure_of(std::string_view text) {
-  try {
-    static_cast<void>(recording_of(text));
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::unusable_data);
-    EXPECT_FALSE(failure.hint().empty());
-    return failure.what();
-  }
-  return "no failure";
+std::string recording_failure(std::string_view text) {
+  return data_failure([&] { return recording_of(text); }).what();
 }
 
 TEST(Recording, ColumnsInAnyOrderAndCase) {
@@ -66,14 +59,14 @@ TEST(Recording, ModeWords) {
 }
 
 TEST(Recording, TextInANumberColumnIsRefused) {
-  EXPECT_THAT(failure_of("t_s,pv\n0,1\n1,abc\n"),
+  EXPECT_THAT(recording_failure("t_s,pv\n0,1\n1,abc\n"),
               HasSubstr("line 3, column \"pv\": \"abc\" is not a number"));
-  EXPECT_THAT(failure_of("t_s,pv\n0,1.5.2\n"), HasSubstr("is not a number"));
-  EXPECT_THAT(failure_of("t_s,pv\n0,\"1,5\"\n"), HasSubstr("is not a number"));
+  EXPECT_THAT(recording_failure("t_s,pv\n0,1.5.2\n"), HasSubstr("is not a number"));
+  EXPECT_THAT(recording_failure("t_s,pv\n0,\"1,5\"\n"), HasSubstr("is not a number"));
 }
 
 TEST(Recording, ANulByteDoesNotCutTheMessage) {
-  EXPECT_THAT(failure_of(std::string_view("t_s,pv\n0,1\0x2\n", 14)),
+  EXPECT_THAT(recording_failure(std::string_view("t_s,pv\n0,1\0x2\n", 14)),
               HasSubstr("\"1\\x00x2\" is not a number"));
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <initializer_list>
 
-#include "daemon/failure.hpp"
+#include "tests/daemon/data_failure.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -20,14 +20,8 @@ std::vector<std::int64_t> times_of(const std::string& column,
   return read_times(table, find_columns(table));
 }
 
-Failure failure_of(const std::string& column, std::initializer_list<const char*> cells) {
-  try {
-    static_cast<void>(times_of(column, cells));
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit_code(), ExitCode::unusable_data);
-    return failure;
-  }
-  return {ExitCode::done, "no failure", "no failure"};
+Failure times_failure(const std::string& column, std::initializer_list<const char*> cells) {
+  return data_failure([&] { return times_of(column, cells); });
 }
 
 TEST(RowTimes, SecondsAndIsoTimesAsMicroseconds) {
@@ -38,36 +32,37 @@ TEST(RowTimes, SecondsAndIsoTimesAsMicroseconds) {
 
 TEST(RowTimes, CellsThatAreNoTime) {
   for (const char* cell : {"", "nan", "inf", "1e300", "9.1e12", "-9.1e12", "noon"}) {
-    EXPECT_THAT(failure_of("t_s", {"0", cell}).what(),
+    EXPECT_THAT(times_failure("t_s", {"0", cell}).what(),
                 HasSubstr("line 3, column \"t_s\": \"" + std::string(cell) + "\" is not a time"));
   }
   for (const char* cell : {"yesterday", "10000-01-01T00:00:00Z", "0000-01-01T00:00:00Z"}) {
-    const Failure failure = failure_of("time", {cell});
+    const Failure failure = times_failure("time", {cell});
     EXPECT_THAT(failure.what(), HasSubstr("is not a time"));
     EXPECT_THAT(failure.hint(), HasSubstr("years 1 to 9999"));
   }
 }
 
 TEST(RowTimes, BackwardsInLocalTimeIsBlamedOnDaylightSaving) {
-  const Failure local = failure_of("time", {"2026-10-25 02:59:00", "2026-10-25 02:00:00"});
+  const Failure local = times_failure("time", {"2026-10-25 02:59:00", "2026-10-25 02:00:00"});
   EXPECT_THAT(local.what(), HasSubstr("line 3, column \"time\": the time \"2026-10-25 02:00:00\""));
   EXPECT_THAT(local.hint(), HasSubstr("local time repeats an hour"));
 }
 
 TEST(RowTimes, BackwardsElsewhereNeedsSorting) {
-  EXPECT_THAT(failure_of("t_s", {"5", "4"}).hint(), HasSubstr("sort the rows"));
-  EXPECT_THAT(failure_of("time", {"2026-10-25T02:59:00Z", "2026-10-25T02:00:00Z"}).hint(),
+  EXPECT_THAT(times_failure("t_s", {"5", "4"}).hint(), HasSubstr("sort the rows"));
+  EXPECT_THAT(times_failure("time", {"2026-10-25T02:59:00Z", "2026-10-25T02:00:00Z"}).hint(),
               HasSubstr("sort the rows"));
-  EXPECT_THAT(failure_of("time", {"2026-10-25T02:59:00+01:00", "2026-10-25T02:00:00+01:00"}).hint(),
-              HasSubstr("sort the rows"));
+  EXPECT_THAT(
+      times_failure("time", {"2026-10-25T02:59:00+01:00", "2026-10-25T02:00:00+01:00"}).hint(),
+      HasSubstr("sort the rows"));
 }
 
 TEST(RowTimes, TheSpanEndsBeforeATimeThatCannotBelongToIt) {
   EXPECT_EQ(times_of("t_s", {"8999999999999", "9e12"}).size(), 2U);
   EXPECT_EQ(times_of("t_s", {"-1.5e10", "1.5e10"}).size(), 2U);
-  EXPECT_THAT(failure_of("t_s", {"-9e12", "9e12"}).what(), HasSubstr("line 3, column \"t_s\""));
-  EXPECT_THAT(failure_of("t_s", {"0", "1", "30000000001"}).what(), HasSubstr("line 4"));
-  EXPECT_THAT(failure_of("time", {"0001-01-01", "2026-01-01"}).hint(), HasSubstr("years"));
+  EXPECT_THAT(times_failure("t_s", {"-9e12", "9e12"}).what(), HasSubstr("line 3, column \"t_s\""));
+  EXPECT_THAT(times_failure("t_s", {"0", "1", "30000000001"}).what(), HasSubstr("line 4"));
+  EXPECT_THAT(times_failure("time", {"0001-01-01", "2026-01-01"}).hint(), HasSubstr("years"));
 }
 
 }  // namespace

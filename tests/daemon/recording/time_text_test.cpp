@@ -2,22 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/daemon/times.hpp"
+
 namespace loopscope::daemon {
 namespace {
-
-constexpr std::int64_t kNoon = 1'772'366'400'000'000;  // 2026-03-01T12:00:00Z
 
 TEST(TimeText, SpellingsOfOneInstant) {
   for (const char* text :
        {"2026-03-01T12:00:00Z", "2026-03-01 12:00:00", "2026-03-01T12:00:00",
         "2026-03-01T13:00:00+01:00", "2026-03-01 07:00:00-0500", "2026-03-01T12:00Z",
         "2026-03-01T12:00:00.000Z", "2026-03-01T12:00", "2026-3-1 12:00", "2026-03-01T13:00+01"}) {
-    EXPECT_EQ(parse_time(text), kNoon) << text;
+    EXPECT_EQ(parse_time(text), kNoon_us) << text;
   }
 }
 
 TEST(TimeText, FractionsOfASecond) {
-  EXPECT_EQ(parse_time("2026-03-01T12:00:00.25Z"), kNoon + 250'000);
+  EXPECT_EQ(parse_time("2026-03-01T12:00:00.25Z"), kNoon_us + 250'000);
 }
 
 TEST(TimeText, AnythingElseIsNoTime) {
@@ -50,10 +50,11 @@ TEST(TimeText, ZonesAreNoticed) {
 }
 
 TEST(TimeText, FormattedTimesReadBack) {
-  for (const std::int64_t time : {kNoon, kNoon + 1, std::int64_t{0}, std::int64_t{-1'500'000}}) {
+  for (const std::int64_t time :
+       {kNoon_us, kNoon_us + 1, std::int64_t{0}, std::int64_t{-1'500'000}}) {
     EXPECT_EQ(parse_time(format_time(time)), time) << format_time(time);
   }
-  EXPECT_EQ(format_time(kNoon), "2026-03-01T12:00:00Z");
+  EXPECT_EQ(format_time(kNoon_us), "2026-03-01T12:00:00Z");
 }
 
 }  // namespace

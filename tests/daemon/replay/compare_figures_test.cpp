@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace loopscope::daemon::tests {
+namespace loopscope::daemon {
 namespace {
 
 using nlohmann::json;
@@ -53,4 +53,4 @@ TEST(CompareFigures, WhatIsMissingAndNullAgainstANumberAreNoMatterOfDigits) {
 }
 
 }  // namespace
-}  // namespace loopscope::daemon::tests
+}  // namespace loopscope::daemon

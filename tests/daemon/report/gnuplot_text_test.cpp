@@ -4,14 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/daemon/times.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr std::int64_t kNoon = 1'772'366'400'000'000;  // 2026-03-01T12:00:00Z
-constexpr std::int64_t kHour = std::int64_t{3600} * 1'000'000;
 
 TEST(GnuplotText, DataBlocksBreakWhereNothingIsKnown) {
   EXPECT_EQ(data_block("pv", std::vector<Point>{{1.0, 2.5}, {2.0, NAN}, {3.0, 1e-9}}),
@@ -19,15 +18,15 @@ TEST(GnuplotText, DataBlocksBreakWhereNothingIsKnown) {
 }
 
 TEST(GnuplotText, TimeAxesNameDayAndZoneAndCountInRoundTimes) {
-  const std::string hours = time_axis(kNoon, kNoon + 2 * kHour);
+  const std::string hours = time_axis(kNoon_us, kNoon_us + 2 * kHour_us);
   EXPECT_THAT(hours, HasSubstr("time (UTC) on 2026-03-01"));
   EXPECT_THAT(hours, HasSubstr("set xtics 1800\n"));
   EXPECT_THAT(hours, HasSubstr("'%H:%M'"));
-  const std::string weeks = time_axis(kNoon, kNoon + 500 * kHour);
+  const std::string weeks = time_axis(kNoon_us, kNoon_us + 500 * kHour_us);
   EXPECT_THAT(weeks, HasSubstr("time (UTC), 2026-03-01 to 2026-03-22"));
   EXPECT_THAT(weeks, HasSubstr("'%d %b'"));
-  EXPECT_THAT(time_axis(kNoon, kNoon + kHour / 200), HasSubstr("'%H:%M:%S'"));
-  EXPECT_THAT(silent_time_axis(kNoon, kNoon + kHour), HasSubstr("unset xlabel"));
+  EXPECT_THAT(time_axis(kNoon_us, kNoon_us + kHour_us / 200), HasSubstr("'%H:%M:%S'"));
+  EXPECT_THAT(silent_time_axis(kNoon_us, kNoon_us + kHour_us), HasSubstr("unset xlabel"));
 }
 
 TEST(GnuplotText, AnAxisHoldsItsValuesAndHasFewTics) {

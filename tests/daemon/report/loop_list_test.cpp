@@ -5,7 +5,7 @@
 
 #include "tests/daemon/report/markup.hpp"
 
-namespace loopscope::daemon::tests {
+namespace loopscope::daemon {
 namespace {
 
 using testing::HasSubstr;
@@ -30,4 +30,4 @@ TEST(LoopList, OfAVeryLargePlantTheFirstRowsAndHowManyThereAre) {
 }
 
 }  // namespace
-}  // namespace loopscope::daemon::tests
+}  // namespace loopscope::daemon

@@ -8,7 +8,7 @@
 #include "tests/daemon/report/sample_rows.hpp"
 #include "tests/support/hostile_names.hpp"
 
-namespace loopscope::daemon::tests {
+namespace loopscope::daemon {
 namespace {
 
 using core::model::EffectKind;
@@ -103,7 +103,7 @@ TEST(LoopSection, AModelThatClaimsNothingSaysSo) {
 
 TEST(LoopSection, NoHostileNameChangesTheMarkup) {
   const auto plain = tags_of(page({"FIC101", "FIC101", ""}, loop_section(story("FIC101"))));
-  for (const auto& [about, name] : loopscope::tests::hostile_names())
+  for (const auto& [about, name] : tests::hostile_names())
     EXPECT_EQ(tags_of(page({name, name, ""}, loop_section(story(name)))), plain)
         << about << ": " << name;
 }
@@ -121,4 +121,4 @@ TEST(Page, NamesItsStyleAndItsScriptAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace loopscope::daemon::tests
+}  // namespace loopscope::daemon

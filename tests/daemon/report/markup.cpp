@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-namespace loopscope::daemon::tests {
+namespace loopscope::daemon {
 namespace {
 
 constexpr std::array kEmptyElements{"img", "meta", "link", "!DOCTYPE", "br"};
@@ -57,4 +57,4 @@ std::string unbalanced(const std::string& html) {
   return open.empty() ? "" : open.back();
 }
 
-}  // namespace loopscope::daemon::tests
+}  // namespace loopscope::daemon

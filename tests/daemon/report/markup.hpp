@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace loopscope::daemon::tests {
+namespace loopscope::daemon {
 
 /// The names of all tags of a page in their order, "/p" for the end of one, with the names of their
 /// attributes: what a browser would build. A reader of its own, so that the program does not check
@@ -13,4 +13,4 @@ namespace loopscope::daemon::tests {
 /// The first tag that is not closed in its turn; empty = all are.
 [[nodiscard]] std::string unbalanced(const std::string& html);
 
-}  // namespace loopscope::daemon::tests
+}  // namespace loopscope::daemon

@@ -7,7 +7,7 @@
 #include "tests/daemon/report/sample_rows.hpp"
 #include "tests/support/hostile_names.hpp"
 
-namespace loopscope::daemon::tests {
+namespace loopscope::daemon {
 namespace {
 
 using testing::HasSubstr;
@@ -60,11 +60,11 @@ TEST(PlantSection, APlantWithoutFlagsSaysSo) {
 
 TEST(PlantSection, NoHostileNameChangesTheMarkup) {
   const std::string plain = plant_section(plant_facts("FIC101"), LoopLinks::pages);
-  for (const auto& [about, name] : loopscope::tests::hostile_names()) {
+  for (const auto& [about, name] : tests::hostile_names()) {
     const std::string text = plant_section(plant_facts(name), LoopLinks::pages);
     EXPECT_EQ(tags_of(text), tags_of(plain)) << about << ": " << name;
   }
 }
 
 }  // namespace
-}  // namespace loopscope::daemon::tests
+}  // namespace loopscope::daemon

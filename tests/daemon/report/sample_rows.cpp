@@ -1,6 +1,6 @@
 #include "tests/daemon/report/sample_rows.hpp"
 
-namespace loopscope::daemon::tests {
+namespace loopscope::daemon {
 namespace {
 
 constexpr std::int64_t kSlot = 1'772'366'400'000'000;  // 2026-03-01T12:00:00Z
@@ -78,4 +78,4 @@ PlantFacts plant_facts(const std::string& text) {
   return facts;
 }
 
-}  // namespace loopscope::daemon::tests
+}  // namespace loopscope::daemon

@@ -5,7 +5,7 @@
 #include "daemon/report/plant_section.hpp"
 #include "storage/results/report_rows.hpp"
 
-namespace loopscope::daemon::tests {
+namespace loopscope::daemon {
 
 /// A flagged loop in which every text is `text`: a name that somebody typed may stand anywhere.
 [[nodiscard]] storage::FlaggedRow flagged_row(std::int64_t loop_id, const std::string& text);
@@ -13,4 +13,4 @@ namespace loopscope::daemon::tests {
 /// A plant with one of everything, every text being `text`.
 [[nodiscard]] PlantFacts plant_facts(const std::string& text);
 
-}  // namespace loopscope::daemon::tests
+}  // namespace loopscope::daemon

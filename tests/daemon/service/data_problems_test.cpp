@@ -3,14 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/daemon/times.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr std::int64_t kSecond = 1'000'000;
-constexpr std::int64_t kNow = 1'767'225'600 * kSecond;
+constexpr std::int64_t kNow = 1'767'225'600 * kSecond_us;
 
 storage::CatalogueEntry loop_of_10_s() {
   storage::CatalogueEntry loop;
@@ -30,7 +31,7 @@ LoopWindowAtSlot with(const TagReading& reading) {
 std::vector<std::string> problems_at_age(std::string_view role, std::int64_t age_s) {
   std::vector<std::string> found;
   for (const auto& problem : tag_problems(
-           loop_of_10_s(), with({role, kNow - age_s * kSecond, kNow, 0, 100, 0, 0, 0}), 4096)) {
+           loop_of_10_s(), with({role, kNow - age_s * kSecond_us, kNow, 0, 100, 0, 0, 0}), 4096)) {
     found.push_back(problem.code + " " + problem.role);
   }
   return found;
@@ -58,11 +59,12 @@ TEST(DataProblems, PvIsDeadAfter512SamplesOpAfterAWindow) {
 TEST(DataProblems, ALongPeriodIsWaitedFor) {
   storage::CatalogueEntry loop = loop_of_10_s();
   loop.period_s = 86'400.0;
-  EXPECT_THAT(tag_problems(loop, with({"pv", kNow - 170'000 * kSecond, kNow, 0, 1, 0, 0, 0}), 4096),
-              IsEmpty());
-  EXPECT_EQ(
-      tag_problems(loop, with({"pv", kNow - 180'000 * kSecond, kNow, 0, 1, 0, 0, 0}), 4096).size(),
-      1u);
+  EXPECT_THAT(
+      tag_problems(loop, with({"pv", kNow - 170'000 * kSecond_us, kNow, 0, 1, 0, 0, 0}), 4096),
+      IsEmpty());
+  EXPECT_EQ(tag_problems(loop, with({"pv", kNow - 180'000 * kSecond_us, kNow, 0, 1, 0, 0, 0}), 4096)
+                .size(),
+            1u);
 }
 
 TEST(DataProblems, MostlyBadRowsAndRowsInTheFuture) {

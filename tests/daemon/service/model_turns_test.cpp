@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <optional>
 
+#include "tests/daemon/times.hpp"
+
 namespace loopscope::daemon {
 namespace {
-
-constexpr std::int64_t kHour_us = 3'600'000'000;
 
 using core::diagnosis::VerdictCode;
 

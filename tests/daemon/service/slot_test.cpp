@@ -3,52 +3,53 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/daemon/times.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000;
-constexpr std::int64_t kHour = 3600 * kSecond;
-
 TEST(Slot, EndsAreWholePeriods) {
-  EXPECT_EQ(floor_to_period(5 * kHour + 17, 3600.0), 5 * kHour);
-  EXPECT_EQ(floor_to_period(5 * kHour, 3600.0), 5 * kHour);
-  EXPECT_EQ(floor_to_period(-1, 3600.0), -kHour);
-  EXPECT_EQ(floor_to_period(7 * kSecond, 2.5), 5 * kSecond);
+  EXPECT_EQ(floor_to_period(5 * kHour_us + 17, 3600.0), 5 * kHour_us);
+  EXPECT_EQ(floor_to_period(5 * kHour_us, 3600.0), 5 * kHour_us);
+  EXPECT_EQ(floor_to_period(-1, 3600.0), -kHour_us);
+  EXPECT_EQ(floor_to_period(7 * kSecond_us, 2.5), 5 * kSecond_us);
 }
 
 TEST(Slot, TheNextLookIsWhenTheNextSlotHasSettled) {
-  EXPECT_EQ(next_due(5 * kHour, 3600.0, 60.0), 6 * kHour + 60 * kSecond);
-  const std::int64_t due = next_due(5 * kHour, 3600.0, 60.0);
-  EXPECT_EQ(floor_to_period(due - 60 * kSecond, 3600.0), 6 * kHour);
+  EXPECT_EQ(next_due(5 * kHour_us, 3600.0, 60.0), 6 * kHour_us + 60 * kSecond_us);
+  const std::int64_t due = next_due(5 * kHour_us, 3600.0, 60.0);
+  EXPECT_EQ(floor_to_period(due - 60 * kSecond_us, 3600.0), 6 * kHour_us);
 }
 
 TEST(Slot, MissedOnesAreMadeUpForOldestFirst) {
-  EXPECT_EQ(slot_to_analyse(9 * kHour, std::nullopt, 3600.0, 6), 9 * kHour);
-  EXPECT_EQ(slot_to_analyse(9 * kHour, 8 * kHour, 3600.0, 6), 9 * kHour);
-  EXPECT_EQ(slot_to_analyse(9 * kHour, 5 * kHour, 3600.0, 6), 6 * kHour);
-  EXPECT_EQ(slot_to_analyse(9 * kHour, 9 * kHour, 3600.0, 6), 9 * kHour);
-  EXPECT_EQ(slot_to_analyse(9 * kHour, 10 * kHour, 3600.0, 6), 9 * kHour)
+  EXPECT_EQ(slot_to_analyse(9 * kHour_us, std::nullopt, 3600.0, 6), 9 * kHour_us);
+  EXPECT_EQ(slot_to_analyse(9 * kHour_us, 8 * kHour_us, 3600.0, 6), 9 * kHour_us);
+  EXPECT_EQ(slot_to_analyse(9 * kHour_us, 5 * kHour_us, 3600.0, 6), 6 * kHour_us);
+  EXPECT_EQ(slot_to_analyse(9 * kHour_us, 9 * kHour_us, 3600.0, 6), 9 * kHour_us);
+  EXPECT_EQ(slot_to_analyse(9 * kHour_us, 10 * kHour_us, 3600.0, 6), 9 * kHour_us)
       << "a clock that went back";
 }
 
 TEST(Slot, NoneIsMadeUpForThatIsTooOld) {
-  EXPECT_EQ(slot_to_analyse(9 * kHour, 1 * kHour, 3600.0, 6), 3 * kHour);
-  EXPECT_EQ(slot_to_analyse(9 * kHour, 1 * kHour, 3600.0, 0), 9 * kHour);
+  EXPECT_EQ(slot_to_analyse(9 * kHour_us, 1 * kHour_us, 3600.0, 6), 3 * kHour_us);
+  EXPECT_EQ(slot_to_analyse(9 * kHour_us, 1 * kHour_us, 3600.0, 0), 9 * kHour_us);
 }
 
 TEST(Slot, AfterAChangeOfPeriodTheyLieOnTheNewGrid) {
-  EXPECT_EQ(slot_to_analyse(9 * kHour, 6 * kHour + 600 * kSecond, 3600.0, 6), 7 * kHour);
+  EXPECT_EQ(slot_to_analyse(9 * kHour_us, 6 * kHour_us + 600 * kSecond_us, 3600.0, 6),
+            7 * kHour_us);
 }
 
 TEST(Slot, EarlierOnesBeginWithTheLastThatWasCompleted) {
   using testing::ElementsAre;
-  EXPECT_THAT(earlier_slots(5 * kHour, 4 * kHour, 3600.0, 2), ElementsAre(4 * kHour, 3 * kHour));
-  EXPECT_THAT(earlier_slots(5 * kHour, 1 * kHour, 3600.0, 2), ElementsAre(1 * kHour, 0))
+  EXPECT_THAT(earlier_slots(5 * kHour_us, 4 * kHour_us, 3600.0, 2),
+              ElementsAre(4 * kHour_us, 3 * kHour_us));
+  EXPECT_THAT(earlier_slots(5 * kHour_us, 1 * kHour_us, 3600.0, 2), ElementsAre(1 * kHour_us, 0))
       << "the monitor stood still for a while";
-  EXPECT_THAT(earlier_slots(5 * kHour, 5 * kHour, 3600.0, 1), ElementsAre(4 * kHour))
+  EXPECT_THAT(earlier_slots(5 * kHour_us, 5 * kHour_us, 3600.0, 1), ElementsAre(4 * kHour_us))
       << "the same slot is looked at again";
-  EXPECT_THAT(earlier_slots(5 * kHour, std::nullopt, 3600.0, 1), ElementsAre(4 * kHour));
-  EXPECT_THAT(earlier_slots(5 * kHour, 4 * kHour, 3600.0, 0), testing::IsEmpty());
+  EXPECT_THAT(earlier_slots(5 * kHour_us, std::nullopt, 3600.0, 1), ElementsAre(4 * kHour_us));
+  EXPECT_THAT(earlier_slots(5 * kHour_us, 4 * kHour_us, 3600.0, 0), testing::IsEmpty());
 }
 
 TEST(Slot, PausesDoubleUpToSixHours) {

@@ -16,14 +16,14 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST_F(WriterTest, MissingValuesAreNullWithBadQuality) {
   import_rows(settings(), layout, std::vector{rows_of("a", {0.1, kNan})}, false);
-  using Rows = std::vector<std::vector<std::string>>;
-  EXPECT_EQ(
-      database->rows("SELECT time, value, quality FROM history ORDER BY time"),
-      (Rows{{"2026-01-01 00:00:00+00", "0.1", "192"}, {"2026-01-01 00:00:01+00", "NULL", "0"}}));
+  using tests::TextRows;
+  EXPECT_EQ(database->rows("SELECT time, value, quality FROM history ORDER BY time"),
+            (TextRows{{"2026-01-01 00:00:00+00", "0.1", "192"},
+                      {"2026-01-01 00:00:01+00", "NULL", "0"}}));
   layout.quality.rule = QualityRule::zero;
   import_rows(settings(), layout, std::vector{rows_of("b", {0.1, kNan})}, false);
   EXPECT_EQ(database->rows("SELECT quality FROM history WHERE tag = 'b' ORDER BY time"),
-            (Rows{{"0"}, {"1"}}));
+            (TextRows{{"0"}, {"1"}}));
 }
 
 TEST_F(WriterTest, RowsThatAreThereAreRefusedOrReplaced) {

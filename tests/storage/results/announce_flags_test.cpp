@@ -16,7 +16,6 @@ using core::diagnosis::VerdictCode;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
-using Rows = std::vector<std::vector<std::string>>;
 
 /// Somebody who listens, as a hook does.
 class Listener {
@@ -29,9 +28,9 @@ class Listener {
   Listener& operator=(const Listener&) = delete;
 
   /// Channel and message of everything that has come; a question brings what waits on the way.
-  [[nodiscard]] Rows heard() const {
+  [[nodiscard]] TextRows heard() const {
     PQclear(PQexec(connection_, "SELECT 1"));
-    Rows messages;
+    TextRows messages;
     while (PGnotify* message = PQnotifies(connection_)) {
       messages.push_back({message->relname, message->extra});
       PQfreemem(message);
@@ -48,7 +47,7 @@ class AnnounceFlagsTest : public ViewsTest {
   FlagAnnouncement announce() const {
     return PlantRounds(settings_for(*database)).announce_flags();
   }
-  [[nodiscard]] Rows history() const {
+  [[nodiscard]] TextRows history() const {
     return database->rows(
         "SELECT loop_name, code, status, stands, ended_by, announced FROM loopscope.flag_history"
         " ORDER BY flag_notice_id");
@@ -59,7 +58,7 @@ TEST_F(AnnounceFlagsTest, TellsOfEachFlagOnce) {
   const Listener listener(database->conninfo());
   tell({{.loop = "a"}, {.loop = "fine", .code = VerdictCode::healthy}});
   EXPECT_THAT(announce().flagged, SizeIs(1));
-  const Rows heard = listener.heard();
+  const TextRows heard = listener.heard();
   ASSERT_THAT(heard, SizeIs(1));
   EXPECT_EQ(heard[0][0], "loopscope_flagged");
   const auto message = nlohmann::json::parse(heard[0][1]);
@@ -75,7 +74,7 @@ TEST_F(AnnounceFlagsTest, TellsOfEachFlagOnce) {
   tell({{.loop = "a", .slot_hours = 2}});
   EXPECT_THAT(announce().flagged, IsEmpty());
   EXPECT_THAT(listener.heard(), IsEmpty());
-  EXPECT_EQ(history(), (Rows{{"a", "valve_stiction", "watch", "t", "NULL", "t"}}));
+  EXPECT_EQ(history(), (TextRows{{"a", "valve_stiction", "watch", "t", "NULL", "t"}}));
 }
 
 TEST_F(AnnounceFlagsTest, TellsWhenAFlagIsConfirmed) {
@@ -86,7 +85,7 @@ TEST_F(AnnounceFlagsTest, TellsWhenAFlagIsConfirmed) {
   EXPECT_THAT(announce().confirmed, SizeIs(1));
   EXPECT_THAT(announce().confirmed, IsEmpty());
   EXPECT_EQ(listener.heard().back()[0], "loopscope_confirmed");
-  EXPECT_EQ(history(), (Rows{{"a", "valve_stiction", "confirmed", "t", "NULL", "t"}}));
+  EXPECT_EQ(history(), (TextRows{{"a", "valve_stiction", "confirmed", "t", "NULL", "t"}}));
 }
 
 TEST_F(AnnounceFlagsTest, AnotherVerdictIsAnotherFlag) {
@@ -96,8 +95,8 @@ TEST_F(AnnounceFlagsTest, AnotherVerdictIsAnotherFlag) {
   const FlagAnnouncement second = announce();
   EXPECT_THAT(second.flagged, SizeIs(1));
   EXPECT_EQ(second.ended, 1U);
-  EXPECT_EQ(history(), (Rows{{"a", "valve_stiction", "watch", "f", "verdict", "t"},
-                             {"a", "tight_tuning", "watch", "t", "NULL", "t"}}));
+  EXPECT_EQ(history(), (TextRows{{"a", "valve_stiction", "watch", "f", "verdict", "t"},
+                                 {"a", "tight_tuning", "watch", "t", "NULL", "t"}}));
 }
 
 TEST_F(AnnounceFlagsTest, SaysWhatEndedAFlag) {
@@ -126,7 +125,7 @@ TEST_F(AnnounceFlagsTest, SaysWhatEndedAFlag) {
                 {{id("a"), "source", 1, 0, {}}, {id("d"), "victim", 1, 0, {}}}}}});
   EXPECT_EQ(announce().ended, 4U);
   EXPECT_EQ(database->rows("SELECT loop_name, ended_by FROM loopscope.flag_history ORDER BY 1"),
-            (Rows{{"a", "annotation"}, {"b", "disabled"}, {"c", "threshold"}, {"d", "plant"}}));
+            (TextRows{{"a", "annotation"}, {"b", "disabled"}, {"c", "threshold"}, {"d", "plant"}}));
 }
 
 TEST_F(AnnounceFlagsTest, WhoComesBackAtOnceIsNotAnnouncedAgain) {
@@ -176,7 +175,7 @@ TEST_F(AnnounceFlagsTest, LongTextsAreCutToWhatAMessageMayHold) {
                       ", action = " + text + "; UPDATE loopscope.loop SET name = left(" + text +
                       ", 900); DELETE FROM loopscope.flag_notice");
     EXPECT_THAT(announce().flagged, SizeIs(1));
-    const Rows heard = listener.heard();
+    const TextRows heard = listener.heard();
     ASSERT_THAT(heard, SizeIs(1)) << text;
     const auto message = nlohmann::json::parse(heard[0][1]);
     EXPECT_TRUE(message["summary"].get<std::string>().ends_with("...")) << text;

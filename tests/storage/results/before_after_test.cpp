@@ -10,7 +10,6 @@ using core::diagnosis::VerdictCode;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-using Rows = std::vector<std::vector<std::string>>;
 
 /// Windows of 4095 s that end at whole hours; the work is done at hour 20.
 class BeforeAfterTest : public ViewsTest {
@@ -65,8 +64,6 @@ class BeforeAfterTest : public ViewsTest {
   }
 };
 
-constexpr VerdictCode kHealthy = VerdictCode::healthy;
-
 TEST_F(BeforeAfterTest, WindowsShareNoSampleAndStandNextToTheWork) {
   // A window is longer than an hour: of neighbours every second one is free of the last.
   see({10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20}, {});
@@ -107,7 +104,7 @@ TEST_F(BeforeAfterTest, WorkWithoutAWindowBetweenIsOneJob) {
   see({34}, {.code = kHealthy});
   EXPECT_EQ(database->rows("SELECT windows_before, windows_after, word"
                            " FROM loopscope.before_after_maintenance ORDER BY done_at"),
-            (Rows{{"2", "2", "fixed"}, {"2", "2", "fixed"}, {"2", "1", "unchanged"}}));
+            (TextRows{{"2", "2", "fixed"}, {"2", "2", "fixed"}, {"2", "1", "unchanged"}}));
   EXPECT_THAT(column("SELECT to_char(begins_at AT TIME ZONE 'UTC', 'HH24') || ' ' ||"
                      " to_char(ends_at AT TIME ZONE 'UTC', 'HH24')"
                      " FROM loopscope.maintenance_job JOIN loopscope.maintenance_event"
@@ -156,7 +153,7 @@ TEST_F(BeforeAfterTest, ImprovedWhenTheFaultIsSmaller) {
                      " round(after::numeric, 9)::float8, is_ratio,"
                      " change_high < 0.5 FROM loopscope.maintenance_figure"
                      " WHERE figure = 'friction_band'"),
-      (Rows{{"2", "2", "5", "1.5", "t", "t"}}));
+      (TextRows{{"2", "2", "5", "1.5", "t", "t"}}));
 }
 
 TEST_F(BeforeAfterTest, ImprovedWhenTheErrorIsSmaller) {

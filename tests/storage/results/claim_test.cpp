@@ -19,10 +19,6 @@ std::set<std::int64_t> ids(const std::vector<ClaimedLoop>& claimed) {
   return result;
 }
 
-/// Lets every lease end now, as if its time had passed.
-constexpr const char* kEndLeases =
-    "UPDATE loopscope.schedule SET visible_at = now() - interval '1 second'";
-
 TEST_F(ClaimTest, BringsTheWholeCatalogueEntry) {
   CatalogueEntry entry = loop_named("FIC \"101\" 'a', {b}\\");
   entry.source = "unit 2";

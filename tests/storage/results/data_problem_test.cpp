@@ -7,8 +7,6 @@
 namespace loopscope::storage {
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
-
 class DataProblemTest : public ResultsTest {
  protected:
   void SetUp() override {
@@ -39,7 +37,7 @@ class DataProblemTest : public ResultsTest {
     if (!usable) loop.problems.push_back({"insufficient_data", "", std::nullopt, std::nullopt});
     not_judged = results.finish(std::vector{loop}, {}).not_judged;
   }
-  [[nodiscard]] Rows problems() const {
+  [[nodiscard]] TextRows problems() const {
     return database->rows(
         "SELECT problem, role, tag, slots, since, judged FROM loopscope.data_problem"
         " ORDER BY problem, role");
@@ -52,11 +50,13 @@ TEST_F(DataProblemTest, SlotsInARowAreCountedFromTheFirst) {
   visit(1, {"op_constant"});
   visit(2, {"op_constant", "sp_missing"});
   visit(3, {"op_constant"});
-  EXPECT_EQ(problems(), (Rows{{"op_constant", "op", "a.OP", "3", "2026-01-01 01:00:00+00", "t"}}));
+  EXPECT_EQ(problems(),
+            (TextRows{{"op_constant", "op", "a.OP", "3", "2026-01-01 01:00:00+00", "t"}}));
   visit(4, {});
   EXPECT_TRUE(problems().empty()) << "what is over is not shown";
   visit(5, {"op_constant"});
-  EXPECT_EQ(problems(), (Rows{{"op_constant", "op", "a.OP", "1", "2026-01-01 05:00:00+00", "t"}}));
+  EXPECT_EQ(problems(),
+            (TextRows{{"op_constant", "op", "a.OP", "1", "2026-01-01 05:00:00+00", "t"}}));
   visit(5, {"op_constant"});
   EXPECT_EQ(problems().at(0).at(3), "1") << "the same slot again is no further slot";
 }
@@ -64,25 +64,25 @@ TEST_F(DataProblemTest, SlotsInARowAreCountedFromTheFirst) {
 TEST_F(DataProblemTest, DeadTagsStandInTheHealthOfTheMonitor) {
   visit(1, {}, {{"dead_tag", "pv", slot(-5), std::nullopt}, {"no_rows", "op", {}, {}}}, true);
   visit(2, {}, {{"dead_tag", "pv", slot(-5), std::nullopt}, {"no_rows", "op", {}, {}}}, true);
-  EXPECT_EQ(problems(), (Rows{{"dead_tag", "pv", "a.PV", "2", "2025-12-31 19:00:00+00", "t"},
-                              {"no_rows", "op", "a.OP", "2", "2026-01-01 01:00:00+00", "t"}}));
+  EXPECT_EQ(problems(), (TextRows{{"dead_tag", "pv", "a.PV", "2", "2025-12-31 19:00:00+00", "t"},
+                                  {"no_rows", "op", "a.OP", "2", "2026-01-01 01:00:00+00", "t"}}));
   const std::string health =
       "SELECT state, dead_roles, dead_tags, dead_since FROM loopscope.monitor_health";
   database->execute("UPDATE loopscope.schedule SET visible_at = now()");
   EXPECT_EQ(database->rows(health),
-            (Rows{{"dead_tag", "{op,pv}", "{a.OP,a.PV}",
-                   R"({"2026-01-01 01:00:00+00","2025-12-31 19:00:00+00"})"}}));
+            (TextRows{{"dead_tag", "{op,pv}", "{a.OP,a.PV}",
+                       R"({"2026-01-01 01:00:00+00","2025-12-31 19:00:00+00"})"}}));
   visit(3, {});
   database->execute("UPDATE loopscope.schedule SET visible_at = now()");
-  EXPECT_EQ(database->rows(health), (Rows{{"ok", "NULL", "NULL", "NULL"}}));
+  EXPECT_EQ(database->rows(health), (TextRows{{"ok", "NULL", "NULL", "NULL"}}));
 }
 
 TEST_F(DataProblemTest, WhatCannotBeJudgedSaysWhy) {
   visit(1, {}, {{"bad_quality", "pv", std::nullopt, 0.75}}, false);
   EXPECT_EQ(not_judged, 1u);
   EXPECT_EQ(problems(),
-            (Rows{{"bad_quality", "pv", "a.PV", "1", "2026-01-01 01:00:00+00", "f"},
-                  {"insufficient_data", "pv", "a.PV", "1", "2026-01-01 01:00:00+00", "f"}}));
+            (TextRows{{"bad_quality", "pv", "a.PV", "1", "2026-01-01 01:00:00+00", "f"},
+                      {"insufficient_data", "pv", "a.PV", "1", "2026-01-01 01:00:00+00", "f"}}));
   EXPECT_EQ(value("SELECT words FROM loopscope.data_problem WHERE problem = 'insufficient_data'"),
             "The loop cannot be judged: pv has no usable sample");
   EXPECT_EQ(value("SELECT figure FROM loopscope.data_problem WHERE problem = 'bad_quality'"),
@@ -92,7 +92,7 @@ TEST_F(DataProblemTest, WhatCannotBeJudgedSaysWhy) {
 TEST_F(DataProblemTest, AnUnknownFlagIsShownAsItIs) {
   visit(1, {"cubic_test_refused", "sp_moving"});
   EXPECT_EQ(database->rows("SELECT problem, role, words, remedy FROM loopscope.data_problem"),
-            (Rows{{"cubic_test_refused", "NULL", "cubic test refused", ""}}));
+            (TextRows{{"cubic_test_refused", "NULL", "cubic test refused", ""}}));
 }
 
 TEST_F(DataProblemTest, LoopsThatAreSwitchedOffHaveNone) {

@@ -7,7 +7,6 @@ namespace loopscope::storage {
 namespace {
 
 using testing::ElementsAre;
-using Rows = std::vector<std::vector<std::string>>;
 
 class ExplanationTest : public ResultsTest {
  protected:
@@ -25,7 +24,7 @@ class ExplanationTest : public ResultsTest {
     change(*loop.record);
     return results.finish(std::vector{loop}, {});
   }
-  [[nodiscard]] Rows rows(const std::string& sql) const { return database->rows(sql); }
+  [[nodiscard]] TextRows rows(const std::string& sql) const { return database->rows(sql); }
 };
 
 TEST_F(ExplanationTest, EveryStepIsARow) {
@@ -34,10 +33,10 @@ TEST_F(ExplanationTest, EveryStepIsARow) {
       rows("SELECT step, effect, parameters->>'S', parameters->>'law', intervals->'S'->>1,"
            " holdout_error_before, holdout_error_after, evidence, p, margin, simulation_ratio,"
            " steadiness, statement FROM loopscope.explanation_step ORDER BY step"),
-      (Rows{{"1", "valve_stiction", "4.2", "kano", "4.4", "1", "0.30000000000000004", "812.5",
-             "1e-300", "90", "0.5", "0.75", "The valve's \"stem\" sticks."},
-            {"2", "external_oscillation", "NULL", "NULL", "NULL", "0.5", "0.25", "12", "0.001",
-             "NULL", "NULL", "1", "A sinusoid enters."}}));
+      (TextRows{{"1", "valve_stiction", "4.2", "kano", "4.4", "1", "0.30000000000000004", "812.5",
+                 "1e-300", "90", "0.5", "0.75", "The valve's \"stem\" sticks."},
+                {"2", "external_oscillation", "NULL", "NULL", "NULL", "0.5", "0.25", "12", "0.001",
+                 "NULL", "NULL", "1", "A sinusoid enters."}}));
 }
 
 TEST_F(ExplanationTest, AnErrorThatIsNoNumberIsNullAndStopsNothing) {
@@ -51,15 +50,15 @@ TEST_F(ExplanationTest, LateDataKeepTheFormerSteps) {
   finish("d1", [](AnalysisRecord& record) { explain(record); });
   EXPECT_EQ(finish("d2", [](AnalysisRecord&) {}).revised, 1U);
   EXPECT_EQ(rows("SELECT input_revision, count(*) FROM loopscope.explanation_step GROUP BY 1"),
-            (Rows{{"1", "2"}}));
+            (TextRows{{"1", "2"}}));
   EXPECT_EQ(rows("SELECT input_revision, effects FROM loopscope.loop_history ORDER BY 1"),
-            (Rows{{"1", "{valve_stiction,external_oscillation}"}, {"2", "{}"}}));
+            (TextRows{{"1", "{valve_stiction,external_oscillation}"}, {"2", "{}"}}));
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.explanation"), "0")
       << "the newest analysis needs no effect";
   EXPECT_EQ(value("SELECT model FROM loopscope.analysis"), "NULL");
   finish("d3", [](AnalysisRecord& record) { explain(record); });
   EXPECT_EQ(rows("SELECT input_revision, step FROM loopscope.explanation ORDER BY step"),
-            (Rows{{"3", "1"}, {"3", "2"}}));
+            (TextRows{{"3", "1"}, {"3", "2"}}));
 }
 
 TEST_F(ExplanationTest, ARepeatWritesNoSecondStep) {
@@ -79,8 +78,8 @@ TEST_F(ExplanationTest, PeopleReadTheStoryOfALoop) {
   finish("d1", [](AnalysisRecord& record) { explain(record); });
   EXPECT_EQ(rows("SELECT step, effect, error_ratio, code FROM loopscope.explanation"
                  " WHERE loop_name = 'a' ORDER BY step"),
-            (Rows{{"1", "valve_stiction", "0.30000000000000004", "valve_stiction"},
-                  {"2", "external_oscillation", "0.5", "valve_stiction"}}));
+            (TextRows{{"1", "valve_stiction", "0.30000000000000004", "valve_stiction"},
+                      {"2", "external_oscillation", "0.5", "valve_stiction"}}));
 }
 
 }  // namespace

@@ -9,10 +9,6 @@ namespace {
 
 class FinishTest : public ResultsTest {};
 
-/// Lets every lease end now, as if its time had passed.
-constexpr const char* kEndLeases =
-    "UPDATE loopscope.schedule SET visible_at = now() - interval '1 second'";
-
 TEST_F(FinishTest, StoresAnalysisPeaksAndVerdict) {
   add_loops({"a"});
   ResultsDatabase results = connect();
@@ -21,22 +17,22 @@ TEST_F(FinishTest, StoresAnalysisPeaksAndVerdict) {
   EXPECT_EQ(count.inserted, 1u);
   EXPECT_EQ(count.revised + count.unchanged + count.failed + count.fenced_off, 0u);
 
-  using Rows = std::vector<std::vector<std::string>>;
-  EXPECT_EQ(database->rows("SELECT slot_end, algorithm_revision, input_revision, fence"
-                           " FROM loopscope.analysis"),
-            (Rows{{"2026-01-01 01:00:00+00", std::to_string(core::kAlgorithmRevision), "1", "1"}}));
+  EXPECT_EQ(
+      database->rows("SELECT slot_end, algorithm_revision, input_revision, fence"
+                     " FROM loopscope.analysis"),
+      (TextRows{{"2026-01-01 01:00:00+00", std::to_string(core::kAlgorithmRevision), "1", "1"}}));
   EXPECT_EQ(
       database->rows("SELECT rank, f1, f2, bic2, p FROM loopscope.bicoherence_peak ORDER BY 1"),
-      (Rows{{"1", "0.125", "0.0625", "0.5", "0.001"}, {"2", "0.25", "0.125", "0.25", "NULL"}}));
+      (TextRows{{"1", "0.125", "0.0625", "0.5", "0.001"}, {"2", "0.25", "0.125", "0.25", "NULL"}}));
   EXPECT_EQ(database->rows("SELECT code, confidence, summary, reasons[1], reasons[2], action,"
                            " analysis_id = (SELECT analysis_id FROM loopscope.analysis)"
                            " FROM loopscope.verdict"),
-            (Rows{{"valve_stiction", "0.875", "The valve sticks.", "first, with a comma",
-                   "second 'quoted' \"reason\"", "Stroke it.", "t"}}));
+            (TextRows{{"valve_stiction", "0.875", "The valve sticks.", "first, with a comma",
+                       "second 'quoted' \"reason\"", "Stroke it.", "t"}}));
   EXPECT_EQ(database->rows("SELECT owner, attempts, last_error, visible_at, last_slot_end,"
                            " result_slot_end FROM loopscope.schedule"),
-            (Rows{{"NULL", "0", "NULL", "2026-01-01 02:00:00+00", "2026-01-01 01:00:00+00",
-                   "2026-01-01 01:00:00+00"}}));
+            (TextRows{{"NULL", "0", "NULL", "2026-01-01 02:00:00+00", "2026-01-01 01:00:00+00",
+                       "2026-01-01 01:00:00+00"}}));
 }
 
 TEST_F(FinishTest, UnknownFiguresAreNull) {
@@ -77,11 +73,11 @@ TEST_F(FinishTest, LateRowsReviseEarlierSlotsBesideTheNewestOne) {
   EXPECT_EQ(count.revised, 0u) << "of newest slots";
   EXPECT_EQ(count.revised_earlier, 1u);
   EXPECT_EQ(results.finish(done, {}).revised_earlier, 0u) << "a repeat changes nothing";
-  using Rows = std::vector<std::vector<std::string>>;
-  EXPECT_EQ(database->rows("SELECT loop_name, slot_end, input_revision, former_code, code,"
-                           " code_changed, revised_at >= former_decided_at"
-                           " FROM loopscope.revised_verdict"),
-            (Rows{{"a", "2026-01-01 01:00:00+00", "2", "valve_stiction", "healthy", "t", "t"}}));
+  EXPECT_EQ(
+      database->rows("SELECT loop_name, slot_end, input_revision, former_code, code,"
+                     " code_changed, revised_at >= former_decided_at"
+                     " FROM loopscope.revised_verdict"),
+      (TextRows{{"a", "2026-01-01 01:00:00+00", "2", "valve_stiction", "healthy", "t", "t"}}));
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.verdict"), "5");
   EXPECT_EQ(value("SELECT min(slot_end) FROM loopscope.latest_verdict"), "2026-01-01 02:00:00+00");
 }
@@ -139,13 +135,12 @@ TEST_F(FinishTest, ChangedInputRevisesTheRowAndKeepsTheFormerVerdict) {
   EXPECT_EQ(count.revised, 1u);
   EXPECT_EQ(count.inserted, 0u);
 
-  using Rows = std::vector<std::vector<std::string>>;
   EXPECT_EQ(database->rows("SELECT input_revision, input_digest, fence FROM loopscope.analysis"),
-            (Rows{{"2", "d2", "2"}}));
+            (TextRows{{"2", "d2", "2"}}));
   EXPECT_EQ(value("SELECT analysis_id FROM loopscope.analysis"), id);
   EXPECT_EQ(database->rows("SELECT input_revision, code, is_current FROM loopscope.loop_history"
                            " ORDER BY 1"),
-            (Rows{{"1", "valve_stiction", "NULL"}, {"2", "healthy", "t"}}));
+            (TextRows{{"1", "valve_stiction", "NULL"}, {"2", "healthy", "t"}}));
   EXPECT_EQ(value("SELECT code FROM loopscope.latest_verdict"), "healthy");
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.bicoherence_peak WHERE input_revision = 2"), "1");
 }

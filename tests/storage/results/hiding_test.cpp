@@ -11,8 +11,6 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
-constexpr auto kHealthy = core::diagnosis::VerdictCode::healthy;
-using Rows = std::vector<std::vector<std::string>>;
 
 class HidingTest : public ViewsTest {
  protected:
@@ -52,12 +50,12 @@ TEST_F(HidingTest, VictimsLeaveTheListAndNobodyElse) {
   EXPECT_THAT(flagged(), UnorderedElementsAre("a", "d"));
   EXPECT_EQ(database->rows("SELECT loop_name, plant_oscillation_number FROM loopscope.flagged_loop"
                            " ORDER BY loop_name"),
-            (Rows{{"a", "1"}, {"d", "NULL"}}));
+            (TextRows{{"a", "1"}, {"d", "NULL"}}));
   EXPECT_EQ(database->rows("SELECT loop_name, hidden_by, reason, source_loop_name,"
                            " plant_oscillation_number, author FROM loopscope.hidden_loop"
                            " ORDER BY loop_name"),
-            (Rows{{"b", "victim", "a leads", "a", "1", "NULL"},
-                  {"c", "victim", "a leads", "a", "1", "NULL"}}));
+            (TextRows{{"b", "victim", "a leads", "a", "1", "NULL"},
+                      {"c", "victim", "a leads", "a", "1", "NULL"}}));
 }
 
 TEST_F(HidingTest, ARoundWithoutAFindingReleasesThem) {
@@ -105,18 +103,18 @@ TEST_F(HidingTest, WhatIsSuppressedByWhomAndUntilWhen) {
       " 'suppressed', now() + interval '1 h', 'shutdown' FROM loopscope.loop");
   EXPECT_EQ(database->rows("SELECT loop_name, code, hidden_by, reason, author = session_user,"
                            " until > now() FROM loopscope.hidden_loop"),
-            (Rows{{"a", "valve_stiction", "suppressed", "shutdown", "t", "t"}}));
+            (TextRows{{"a", "valve_stiction", "suppressed", "shutdown", "t", "t"}}));
   EXPECT_EQ(database->rows("SELECT loop_name, kind, state FROM loopscope.annotation_history"),
-            (Rows{{"a", "suppressed", "in_force"}}));
+            (TextRows{{"a", "suppressed", "in_force"}}));
   database->execute("UPDATE loopscope.annotation SET withdrawn_at = now()");
   EXPECT_THAT(column("SELECT hidden_by FROM loopscope.hidden_loop"), IsEmpty());
   EXPECT_EQ(database->rows("SELECT state, withdrawn_by = session_user"
                            " FROM loopscope.annotation_history"),
-            (Rows{{"withdrawn", "t"}}));
+            (TextRows{{"withdrawn", "t"}}));
   database->execute(
       "UPDATE loopscope.annotation SET withdrawn_at = NULL, until = now() - interval '1 s'");
   EXPECT_EQ(database->rows("SELECT state, withdrawn_by FROM loopscope.annotation_history"),
-            (Rows{{"ended", "NULL"}}));
+            (TextRows{{"ended", "NULL"}}));
 }
 
 TEST_F(HidingTest, AnAnnotationAboutAnotherVerdictHidesNothing) {

@@ -65,8 +65,8 @@ void LeaseModel::rest() {
   ++lost_leases;
 }
 
-std::vector<std::vector<std::string>> schedule_rows(const LeaseModels& loops) {
-  std::vector<std::vector<std::string>> rows;
+tests::TextRows schedule_rows(const LeaseModels& loops) {
+  tests::TextRows rows;
   for (const auto& [loop_id, loop] : loops) {
     rows.push_back({std::to_string(loop_id), std::to_string(loop.fence),
                     loop.owner.empty() ? "NULL" : loop.owner, loop.visible ? "t" : "f",
@@ -76,8 +76,8 @@ std::vector<std::vector<std::string>> schedule_rows(const LeaseModels& loops) {
   return rows;
 }
 
-std::vector<std::vector<std::string>> analysis_rows(const LeaseModels& loops) {
-  std::vector<std::vector<std::string>> rows;
+tests::TextRows analysis_rows(const LeaseModels& loops) {
+  tests::TextRows rows;
   for (const auto& [loop_id, loop] : loops) {
     for (const auto& [slot_end_us, row] : loop.rows) {
       const std::string revision = std::to_string(row.input_revision);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "storage/results/results_database.hpp"
+#include "tests/support/test_database.hpp"
 
 namespace loopscope::storage {
 
@@ -48,9 +49,9 @@ using LeaseModels = std::map<std::int64_t, LeaseModel>;
 
 /// The models as rows that the database has to show. Of the schedule: loop, fence, owner, whether
 /// it is due or its lease has ended, failures and lost leases in a row, newest slot.
-[[nodiscard]] std::vector<std::vector<std::string>> schedule_rows(const LeaseModels& loops);
+[[nodiscard]] tests::TextRows schedule_rows(const LeaseModels& loops);
 /// Of the analyses: loop, slot, digest, how many times it was written, verdicts (one of each time),
 /// and that its fence is not beyond the loop's.
-[[nodiscard]] std::vector<std::vector<std::string>> analysis_rows(const LeaseModels& loops);
+[[nodiscard]] tests::TextRows analysis_rows(const LeaseModels& loops);
 
 }  // namespace loopscope::storage

@@ -11,7 +11,6 @@ namespace {
 using testing::ElementsAre;
 using testing::Field;
 using testing::IsEmpty;
-using Rows = std::vector<std::vector<std::string>>;
 
 class PlantRoundsTest : public ViewsTest {
  protected:
@@ -31,7 +30,7 @@ class PlantRoundsTest : public ViewsTest {
     }
     return found;
   }
-  [[nodiscard]] Rows current() const {
+  [[nodiscard]] TextRows current() const {
     return database->rows(
         "SELECT number, period_s, source_loop_name, cardinality(loop_ids)"
         " FROM loopscope.current_plant_oscillation ORDER BY number");
@@ -41,15 +40,15 @@ class PlantRoundsTest : public ViewsTest {
 
 TEST_F(PlantRoundsTest, WritesARoundWithTheLargestEventFirst) {
   plant().store({slot(1), 1, 30, 5, {event(40, 2), event(90, 3)}});
-  EXPECT_EQ(current(), (Rows{{"1", "90", "a", "3"}, {"2", "40", "a", "2"}}));
+  EXPECT_EQ(current(), (TextRows{{"1", "90", "a", "3"}, {"2", "40", "a", "2"}}));
   EXPECT_EQ(database->rows("SELECT loops, oscillating, events FROM loopscope.newest_plant_round"),
-            (Rows{{"30", "5", "2"}}));
+            (TextRows{{"30", "5", "2"}}));
   EXPECT_EQ(database->rows("SELECT loop_name, role, strength, lag_s, score, is_source, is_current"
                            " FROM loopscope.plant_oscillation_member WHERE number = 1"
                            " ORDER BY lag_s"),
-            (Rows{{"a", "source", "0.5", "0", "2", "t", "t"},
-                  {"b", "victim", "0.5", "3", "1", "f", "t"},
-                  {"c", "victim", "0.5", "6", "0", "f", "t"}}));
+            (TextRows{{"a", "source", "0.5", "0", "2", "t", "t"},
+                      {"b", "victim", "0.5", "3", "1", "f", "t"},
+                      {"c", "victim", "0.5", "6", "0", "f", "t"}}));
 }
 
 TEST_F(PlantRoundsTest, ARoundWrittenAgainReplacesItself) {
@@ -60,7 +59,7 @@ TEST_F(PlantRoundsTest, ARoundWrittenAgainReplacesItself) {
   outside.p.reset();
   for (PlantMember& member : outside.members) member = {member.loop_id, "member", 0.5, 0.0, {}};
   rounds.store({slot(1), 1, 30, 2, {outside}});
-  EXPECT_EQ(current(), (Rows{{"1", "50", "NULL", "2"}}));
+  EXPECT_EQ(current(), (TextRows{{"1", "50", "NULL", "2"}}));
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_oscillation_member"), "2")
       << "nor is the second event of the first writing shown as a former one";
   EXPECT_EQ(value("SELECT bool_and(score IS NULL AND role = 'member')"
@@ -71,7 +70,7 @@ TEST_F(PlantRoundsTest, ARoundWrittenAgainReplacesItself) {
 TEST_F(PlantRoundsTest, TheNewestSlotHoldsWhateverTheOrderOfWriting) {
   plant().store({slot(2), 1, 30, 5, {event(40, 2)}});
   plant().store({slot(1), 1, 30, 5, {event(90, 3)}});
-  EXPECT_EQ(current(), (Rows{{"1", "40", "a", "2"}}));
+  EXPECT_EQ(current(), (TextRows{{"1", "40", "a", "2"}}));
   plant().store({slot(2), 2, 30, 5, {}});
   EXPECT_THAT(current(), IsEmpty()) << "a newer algorithm's word";
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_oscillation_member WHERE is_current"), "0");

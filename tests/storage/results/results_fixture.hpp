@@ -12,6 +12,8 @@
 
 namespace loopscope::storage {
 
+using tests::TextRows;
+
 /// Settings of a connection to a test database; an empty user means the superuser.
 [[nodiscard]] ConnectionSettings settings_for(const tests::TestDatabase& database,
                                               const std::string& user = "");
@@ -28,6 +30,10 @@ namespace loopscope::storage {
 /// A claim brought to its end with such a record.
 [[nodiscard]] CompletedLoop completed(const ClaimedLoop& claim, std::int64_t slot_end_us,
                                       const std::string& digest);
+
+/// Lets every lease end now, as if its time had passed.
+inline constexpr const char* kEndLeases =
+    "UPDATE loopscope.schedule SET visible_at = now() - interval '1 second'";
 
 /// Gives the record a loop model of two steps; `holdout_error_after` of the second as JSON.
 void explain(AnalysisRecord& record, const std::string& last_error = "0.25");

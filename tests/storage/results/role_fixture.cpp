@@ -40,7 +40,7 @@ void RoleTest::expect_state(const LoginSession& session, const std::string& comm
   }
 }
 
-std::vector<std::vector<std::string>> RoleTest::relations(const std::string& schema) const {
+tests::TextRows RoleTest::relations(const std::string& schema) const {
   return database->rows(
       "SELECT relname, relkind = 'v', relispartition FROM pg_class WHERE relkind IN"
       " ('r', 'p', 'v', 'm', 'f') AND relnamespace = '" +

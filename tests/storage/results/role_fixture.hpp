@@ -28,7 +28,7 @@ class RoleTest : public testing::Test {
   static void expect_state(const tests::LoginSession& session, const std::string& command,
                            bool allowed);
   /// Tables, views and partitions of a schema: name, whether a view, whether a partition.
-  [[nodiscard]] std::vector<std::vector<std::string>> relations(const std::string& schema) const;
+  [[nodiscard]] tests::TextRows relations(const std::string& schema) const;
   [[nodiscard]] std::vector<std::string> columns(const std::string& relation) const;
 
   std::unique_ptr<tests::TestDatabase> database;

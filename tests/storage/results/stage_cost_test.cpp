@@ -28,12 +28,11 @@ TEST_F(StageCostTest, LandsInItsOwnColumnsAndAddsUp) {
   ResultsDatabase results = connect();
   results.add_stage_cost({"host \"a\"", 3}, kCost);
   results.add_stage_cost({"host \"a\"", 3}, kCost);
-  using Rows = std::vector<std::vector<std::string>>;
   EXPECT_EQ(database->rows("SELECT host, lane, loops, analysed, modelled, sample_values, claim_s,"
                            " fetch_s, prepare_s, statistics_s, model_s, decide_s, write_s, wait_s"
                            " FROM loopscope.stage_cost"),
-            (Rows{{"host \"a\"", "3", "200", "180", "40", "24576", "0.25", "0.5", "0.75", "1",
-                   "1.25", "1.5", "1.75", "2"}}));
+            (TextRows{{"host \"a\"", "3", "200", "180", "40", "24576", "0.25", "0.5", "0.75", "1",
+                       "1.25", "1.5", "1.75", "2"}}));
   EXPECT_EQ(value("SELECT hour = date_trunc('hour', now()) FROM loopscope.stage_cost"), "t");
 }
 
@@ -41,10 +40,9 @@ TEST_F(StageCostTest, TheViewTellsMillisecondsALoop) {
   ResultsDatabase results = connect();
   results.add_stage_cost({"a", 0}, kCost);
   results.add_stage_cost({"a", 1}, kCost);
-  using Rows = std::vector<std::vector<std::string>>;
   EXPECT_EQ(database->rows("SELECT host, lanes, loops, fetch_ms, model_ms, ms_per_model, wait_ms"
                            " FROM loopscope.stage_breakdown"),
-            (Rows{{"a", "2", "200", "2.5", "6.25", "31.25", "10"}}));
+            (TextRows{{"a", "2", "200", "2.5", "6.25", "31.25", "10"}}));
 }
 
 TEST_F(StageCostTest, OldHoursAreDroppedWithTheResults) {

@@ -9,18 +9,17 @@ namespace loopscope::storage {
 namespace {
 
 using core::diagnosis::VerdictCode;
-using Rows = std::vector<std::vector<std::string>>;
 
 class VerdictRunTest : public ViewsTest {
  protected:
-  [[nodiscard]] Rows standing() const {
+  [[nodiscard]] TextRows standing() const {
     return database->rows(
         "SELECT status, extract(epoch FROM since - '2026-01-01 00:00+00') / 3600 = trunc(extract("
         "epoch FROM since - '2026-01-01 00:00+00') / 3600), trunc(extract(epoch FROM since -"
         " '2026-01-01 00:00+00') / 3600) FROM loopscope.flagged_loop");
   }
   void expect(const std::string& status, const std::string& since_hour) const {
-    EXPECT_EQ(standing(), (Rows{{status, "t", since_hour}}));
+    EXPECT_EQ(standing(), (TextRows{{status, "t", since_hour}}));
   }
   /// Late rows, or a newer program, judge a slot again.
   void judge_again(int hours, const char* code, int algorithm_more, int input_more) const {

@@ -7,6 +7,8 @@
 
 namespace loopscope::storage {
 
+inline constexpr auto kHealthy = core::diagnosis::VerdictCode::healthy;
+
 /// What a test of the views says about one loop; the rest is ordinary.
 struct Story {
   std::string loop;

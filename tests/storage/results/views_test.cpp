@@ -7,7 +7,6 @@ namespace {
 
 using core::diagnosis::VerdictCode;
 using testing::ElementsAre;
-using Rows = std::vector<std::vector<std::string>>;
 
 std::string state_of(const std::string& loop) {
   return "SELECT state FROM loopscope.monitor_health WHERE loop_name = '" + loop + "'";
@@ -30,8 +29,8 @@ TEST_F(ViewsTest, BeforeAndAfterMaintenance) {
   EXPECT_EQ(database->rows("SELECT code_before, code_after, error_std_before, error_std_after,"
                            " error_std_ratio, harris_low_before, harris_low_after"
                            " FROM loopscope.before_after_maintenance ORDER BY done_at"),
-            (Rows{{"valve_stiction", "healthy", "4", "1", "0.25", "0.2", "0.9"},
-                  {"healthy", "NULL", "1", "NULL", "NULL", "0.9", "NULL"}}))
+            (TextRows{{"valve_stiction", "healthy", "4", "1", "0.25", "0.2", "0.9"},
+                      {"healthy", "NULL", "1", "NULL", "NULL", "0.9", "NULL"}}))
       << "the window of hour 10 began before the second work was done";
 }
 
@@ -53,14 +52,14 @@ TEST_F(ViewsTest, MembersOfAPlantOscillation) {
       " min(loop_id), 'a leads' FROM loopscope.loop");
   EXPECT_EQ(database->rows("SELECT loop_name, strength, lag_s, is_source"
                            " FROM loopscope.plant_oscillation_member ORDER BY lag_s"),
-            (Rows{{"a", "0.5", "0", "t"}, {"b", "0.75", "3", "f"}}));
+            (TextRows{{"a", "0.5", "0", "t"}, {"b", "0.75", "3", "f"}}));
 }
 
 TEST_F(ViewsTest, DataQualityIsOfTheNewestAnalysis) {
   tell({{.loop = "a", .slot_hours = 1}, {.loop = "a", .slot_hours = 2, .usable = false}});
   EXPECT_EQ(database->rows("SELECT loop_name, usable, missing_fraction, flags[1], samples"
                            " FROM loopscope.data_quality"),
-            (Rows{{"a", "f", "0.25", "sp_missing", "4096"}}));
+            (TextRows{{"a", "f", "0.25", "sp_missing", "4096"}}));
 }
 
 TEST_F(ViewsTest, HealthOfTheMonitorItself) {
@@ -84,10 +83,10 @@ TEST_F(ViewsTest, HealthOfTheMonitorItself) {
   EXPECT_EQ(database->rows("SELECT failures, last_error, overdue_s BETWEEN 10800 AND 10860,"
                            " never_analysed FROM loopscope.monitor_health"
                            " WHERE loop_name = 'failing'"),
-            (Rows{{"2", "tag unknown", "t", "t"}}));
+            (TextRows{{"2", "tag unknown", "t", "t"}}));
   EXPECT_EQ(database->rows("SELECT leased, overdue_s, age_s, owner FROM loopscope.monitor_health"
                            " WHERE loop_name = 'held'"),
-            (Rows{{"t", "0", "NULL", "w"}}));
+            (TextRows{{"t", "0", "NULL", "w"}}));
   EXPECT_EQ(value("SELECT age_s = extract(epoch FROM now() - last_slot_end)::float8"
                   " FROM loopscope.monitor_health WHERE loop_name = 'ok'"),
             "t");

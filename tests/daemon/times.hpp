@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/signal/microseconds.hpp"
+
+/// Times that several tests use, in microseconds since 1970, UTC.
+namespace loopscope::daemon {
+
+using core::signal::kSecond_us;
+inline constexpr std::int64_t kHour_us = 3600 * kSecond_us;
+inline constexpr std::int64_t kNoon_us = 1'772'366'400'000'000;  // 2026-03-01T12:00:00Z
+
+}  // namespace loopscope::daemon
