@@ -43,10 +43,10 @@ class SegmentDft {
   };
   /// Steps of one complex DFT.
   struct Level {
-    std::size_t length;                    ///< of the complex DFT: n / 4
+    std::size_t length = 0;                ///< of the complex DFT: n / 4
     std::vector<Turn> input_turns;         ///< `length` of them
     std::vector<std::vector<Turn>> steps;  ///< per radix-4 step: w^i, w^2i, w^3i, i < block / 4
-    std::size_t last_radix;                ///< 8, 4, 2 or 1
+    std::size_t last_radix = 1;            ///< 8, 4, 2 or 1
     std::vector<Place> places;             ///< of the outputs of the last step, in their order
   };
 

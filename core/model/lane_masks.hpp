@@ -7,7 +7,7 @@ inline namespace LOOPSCOPE_PATH {
 
 template <std::size_t bytes>
 struct LongsOf {
-  typedef long long type __attribute__((vector_size(bytes)));
+  using type __attribute__((vector_size(bytes))) = long long;
 };
 
 /// Copies of memory: what returns a vector has to belong to the kind of processor, and

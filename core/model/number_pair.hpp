@@ -8,10 +8,10 @@ namespace loopscope::core::model {
 
 /// Two numbers that every processor adds, compares and chooses (`condition ? a : b`) as one: what
 /// compilers make of longer ones and of loops over lanes is slower than plain code.
-typedef double NumberPair __attribute__((vector_size(2 * sizeof(double))));
+using NumberPair __attribute__((vector_size(2 * sizeof(double)))) = double;
 
 /// Four numbers of half the digits, in the same room as a pair: enough to rank guesses of a search.
-typedef float ShortNumbers __attribute__((vector_size(4 * sizeof(float))));
+using ShortNumbers __attribute__((vector_size(4 * sizeof(float)))) = float;
 
 /// What a Number is made of: NumberPair, ShortNumbers, or double, which is one by itself.
 template <typename Number>

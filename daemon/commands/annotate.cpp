@@ -65,7 +65,7 @@ std::optional<std::string> verdict_meant(const AnnotateOptions& options,
   require_known(options.code, codes);
   if (options.code == kAnyCode) return std::nullopt;
   if (!options.code.empty()) return options.code;
-  const std::optional<std::string> newest = annotations.newest_code(options.loop);
+  std::optional<std::string> newest = annotations.newest_code(options.loop);
   if (newest && std::ranges::count(codes, *newest) > 0) return newest;
   throw Failure(ExitCode::usage,
                 fmt::format("loop \"{}\" has no fault: {}", options.loop,

@@ -41,7 +41,7 @@ PlantSeries series_of(const core::signal::LoopWindow& window,
   core::signal::PreparedLoop loop = core::first_look(window, settings).loop;
   PlantSeries series{loop.sample_interval_s, window.start_us, std::move(loop.error), {}, {}, {}};
   // The analysis may have cut the beginning of a longer window off.
-  const double cut = static_cast<double>(window.size() - series.error.size());
+  const auto cut = static_cast<double>(window.size() - series.error.size());
   series.start_us += static_cast<std::int64_t>(cut * window.sample_interval_s *
                                                core::signal::kMicrosecondsPerSecond);
   if (moves(loop.sp)) series.sp = std::move(loop.sp);

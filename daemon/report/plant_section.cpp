@@ -69,7 +69,7 @@ std::string unjudged(const storage::PlantCounts& counts) {
 /// A victim has no section of its own: it is not in the work list.
 std::string linked_name(const PlantOscillationRow::Member& member, const PlantFacts& facts,
                         LoopLinks links) {
-  const std::string name = "<bdi>" + html(member.loop_name) + "</bdi>";
+  std::string name = "<bdi>" + html(member.loop_name) + "</bdi>";
   const bool flagged = std::ranges::find(facts.flagged, member.loop_id,
                                          &storage::FlaggedRow::loop_id) != facts.flagged.end();
   if (links == LoopLinks::sections && !flagged) return name;

@@ -63,6 +63,7 @@ std::vector<std::vector<Scan>> by_span(std::vector<Scan> scans) {
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<Scan>> groups;
   for (Scan& scan : scans) groups[{scan.from_us, scan.to_us}].push_back(std::move(scan));
   std::vector<std::vector<Scan>> result;
+  result.reserve(groups.size());
   for (auto& [span, group] : groups) result.push_back(std::move(group));
   return result;
 }

@@ -19,6 +19,7 @@ std::set<std::size_t> candidates_of(std::span<const FlatRun> runs) {
   std::map<std::size_t, std::size_t> counts;
   for (const FlatRun& run : runs) ++counts[run.samples];
   std::vector<std::pair<std::size_t, std::size_t>> common;  // count, length
+  common.reserve(counts.size());
   for (const auto& [length, count] : counts) common.emplace_back(count, length);
   std::sort(common.rbegin(), common.rend());
   common.resize(std::min(common.size(), kMostLengths));
