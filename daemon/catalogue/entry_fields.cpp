@@ -14,14 +14,14 @@ namespace {
 using core::signal::kMissing;
 using storage::CatalogueEntry;
 
-template <std::string CatalogueEntry::*Member>
+template <std::string CatalogueEntry::*member>
 std::string read_text(const CatalogueEntry& entry) {
-  return entry.*Member;
+  return entry.*member;
 }
 
-template <std::string CatalogueEntry::*Member>
+template <std::string CatalogueEntry::*member>
 void write_text(CatalogueEntry& entry, std::string_view text) {
-  entry.*Member = std::string(text);
+  entry.*member = std::string(text);
 }
 
 double number_in(std::string_view text) {
@@ -50,14 +50,14 @@ double limited_number_in(std::string_view text, const Limits& limits) {
       fmt::format("{} is out of range, {} to {} {}", text, limits.low, limits.high, limits.unit));
 }
 
-template <double CatalogueEntry::*Member>
+template <double CatalogueEntry::*member>
 std::string read_number(const CatalogueEntry& entry) {
-  return fmt::format("{}", entry.*Member);
+  return fmt::format("{}", entry.*member);
 }
 
-template <double CatalogueEntry::*Member, const Limits& Range>
+template <double CatalogueEntry::*member, const Limits& range>
 void write_limited(CatalogueEntry& entry, std::string_view text) {
-  entry.*Member = limited_number_in(text, Range);
+  entry.*member = limited_number_in(text, range);
 }
 
 std::string read_interval(const CatalogueEntry& entry) {
@@ -69,20 +69,20 @@ void write_interval(CatalogueEntry& entry, std::string_view text) {
   if (!trimmed(text).empty()) entry.interval_s = limited_number_in(text, kInterval);
 }
 
-template <double core::signal::OpRange::*End>
+template <double core::signal::OpRange::*end>
 std::string read_op_end(const CatalogueEntry& entry) {
-  return entry.op_range ? fmt::format("{}", *entry.op_range.*End) : std::string();
+  return entry.op_range ? fmt::format("{}", *entry.op_range.*end) : std::string();
 }
 
 /// The ends come one after the other; check_entry() sees to it that both came.
-template <double core::signal::OpRange::*End>
+template <double core::signal::OpRange::*end>
 void write_op_end(CatalogueEntry& entry, std::string_view text) {
   if (trimmed(text).empty()) {
     entry.op_range.reset();
     return;
   }
   if (!entry.op_range) entry.op_range = core::signal::OpRange{kMissing, kMissing};
-  *entry.op_range.*End = number_in(text);
+  *entry.op_range.*end = number_in(text);
 }
 
 std::string read_enabled(const CatalogueEntry& entry) {

@@ -55,7 +55,7 @@ std::string suffix_of(const TagRole& role) {
 /// The catalogue's entry brought up to what the command line says; a new one gets tags NAME.PV and
 /// so on for the columns that the file has.
 CatalogueEntry entry_for(const ImportOptions& options, const config::Settings& settings,
-                         const Recording& recording, std::optional<CatalogueEntry> known) {
+                         const Recording& recording, const std::optional<CatalogueEntry>& known) {
   CatalogueEntry entry = known.value_or(CatalogueEntry{});
   if (!known) {
     entry.name = options.loop;

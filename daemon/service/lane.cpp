@@ -205,6 +205,7 @@ storage::WriteCount Lane::finish(const std::vector<storage::CompletedLoop>& comp
   const storage::WriteCount count = persistently(
       [&](storage::ResultsDatabase& database) { return database.finish(completed, failed); });
   std::vector<std::int64_t> given_back;
+  given_back.reserve(completed.size() + failed.size());
   for (const storage::CompletedLoop& loop : completed) given_back.push_back(loop.loop_id);
   for (const storage::FailedLoop& loop : failed) given_back.push_back(loop.loop_id);
   desk_.done(given_back);
@@ -218,6 +219,7 @@ void Lane::give_back(const std::string& reason) {
   const std::vector<ClaimedLoop> held = desk_.held();
   if (held.empty()) return;
   std::vector<storage::FailedLoop> failed;
+  failed.reserve(held.size());
   for (const ClaimedLoop& claim : held) {
     failed.push_back({claim.loop.loop_id, claim.fence, reason, kRefusedPause_s, false});
   }
