@@ -28,6 +28,9 @@ void add_controller_change(Draft& draft, Random& random);
 void add_overflow_weir(Draft& draft, Random& random);
 void add_sensor_drift(Draft& draft, Random& random);
 
+/// Of pv's noise variance: the controller hides most of a bend or a change of gain.
+inline constexpr double kLeastBend = 0.05;
+
 /// The record with the effect differs from that without by at least `share` of pv's noise
 /// variance.
 void require_visible(Draft& draft, double share);

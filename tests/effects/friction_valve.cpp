@@ -8,8 +8,6 @@
 namespace loopscope::tests::effects {
 namespace {
 
-constexpr double kStep = 1.0 / kSubsteps;
-
 /// Where He's stem stands next: still, or, once the pressure overcomes the static friction, where
 /// the kinetic friction balances it.
 double slipped(double stem, double pressure, Friction friction) {

@@ -5,8 +5,6 @@
 namespace loopscope::tests::effects {
 namespace {
 
-constexpr double kStep = 1.0 / kSubsteps;
-
 /// Row `state` of the transition: a lag (or vessel) of time constant tau that `source` drives.
 void add_lag(Eigen::Matrix3d& transition, Eigen::Index state, Eigen::Index source, double gain,
              double tau) {

@@ -9,6 +9,7 @@ namespace loopscope::tests::effects {
 
 /// Steps of the simulation in one sample: the friction of a valve and the lags act between samples.
 inline constexpr int kSubsteps = 20;
+inline constexpr double kStep = 1.0 / kSubsteps;  ///< samples
 
 /// A wandering load, white noise through AR(1) or an integrator and, when it enters at the process
 /// input, through the lags of the process: x+ = F x + (scale w, 0, 0), output c x, one substep

@@ -18,7 +18,6 @@ std::size_t settling_samples(const Process& process) {
 
 /// pv at the samples after op stepped by 1 at sample 0.
 std::vector<double> step_response(const Process& process) {
-  constexpr double kStep = 1.0 / kSubsteps;
   const auto delay = static_cast<std::size_t>(std::lround(process.delay * kSubsteps));
   const double share = 1.0 - std::exp(-kStep / process.tau);
   const double second = process.second_tau > 0 ? 1.0 - std::exp(-kStep / process.second_tau) : 1.0;

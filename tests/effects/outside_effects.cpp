@@ -8,7 +8,6 @@
 namespace loopscope::tests::effects {
 namespace {
 
-constexpr double kEnd = static_cast<double>(kSamples);
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 TimeFunction sum_of(const TimeFunction& first, const TimeFunction& second) {

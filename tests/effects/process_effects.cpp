@@ -7,11 +7,6 @@
 namespace loopscope::tests::effects {
 namespace {
 
-constexpr double kEnd = static_cast<double>(kSamples);
-
-/// Of pv's noise variance: the controller hides most of a bend or a change of gain.
-constexpr double kLeastBend = 0.05;
-
 /// Square-root outflow; the loop's gain and time constant hold at pv0.
 void make_tank(Draft& draft) {
   Process& process = draft.scenario.process;

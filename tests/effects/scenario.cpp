@@ -6,7 +6,6 @@
 namespace loopscope::tests::effects {
 namespace {
 
-constexpr double kStep = 1.0 / kSubsteps;
 constexpr std::size_t kTotal = kRunIn + kSamples;
 
 double at(const TimeFunction& function, double time, double otherwise) {

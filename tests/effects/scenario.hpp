@@ -12,7 +12,8 @@
 namespace loopscope::tests::effects {
 
 inline constexpr std::size_t kSamples = 4096;  ///< of a record
-inline constexpr std::size_t kRunIn = 1000;    ///< samples before it, thrown away
+inline constexpr double kEnd = static_cast<double>(kSamples);
+inline constexpr std::size_t kRunIn = 1000;  ///< samples before it, thrown away
 
 /// Of the time in samples, 0 = the first recorded sample.
 using TimeFunction = std::function<double(double)>;

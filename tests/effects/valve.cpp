@@ -8,8 +8,6 @@
 namespace loopscope::tests::effects {
 namespace {
 
-constexpr double kStep = 1.0 / kSubsteps;
-
 class BacklashValve final : public Valve {
  public:
   BacklashValve(double width, Actuator actuator, double response)

@@ -11,9 +11,6 @@ namespace {
 /// Slips that a record of a sticking valve has to hold to be called one.
 constexpr int kFewestSlips = 20;
 
-/// Of pv's noise variance: the controller hides most of a bend.
-constexpr double kLeastBend = 0.05;
-
 Actuator draw_actuator(const Draft& draft, Random& random) {
   return {random.log_uniform(0.05, 0.3), draft.base.op0};
 }

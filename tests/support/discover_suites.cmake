@@ -1,7 +1,7 @@
 # Asks a test program for its suites and writes a file for ctest that runs each in a process of its own:
 # thousands of processes cost more than most tests. Run after the program is linked.
 #
-#   cmake -DPROGRAM=... -DPREFIX=core. -DOUTPUT=... -DSUITES=tests/suites -DPROPERTIES=... -P this
+#   cmake -DPROGRAM=... -DPREFIX=core. -DOUTPUT=... -DSUITES=tests/suites -DLABELS=... -P this
 #
 # SUITES: lines "NAME label cost_s" for the suites that have a label or take long; `-` for no label.
 # A line that names none of this program's suites, though its prefix, is an error: it is out of date.
@@ -55,8 +55,8 @@ foreach(suite IN LISTS suites)
   if(cost_${name})
     string(APPEND script " COST ${cost_${name}}")
   endif()
-  if(FIXTURES)
-    string(APPEND script " FIXTURES_REQUIRED ${FIXTURES}")
+  if("server" IN_LIST labels)  # one of PostgreSQL that is started once (tests/support/postgres)
+    string(APPEND script " FIXTURES_REQUIRED postgres")
   endif()
   string(APPEND script ")\n")
 endforeach()
