@@ -66,21 +66,25 @@ std::vector<ValveRestart> restarts_of(std::size_t lane, const Series& op, std::s
   return {{put_at, op[put_at] - 0.2}};
 }
 
+/// Returns how many were compared.
 template <ValveLaw law>
-void expect_each_alone() {
+std::size_t expect_each_alone() {
   const Series op = moving_op();
   const std::vector<Series> lanes = side_by_side<NumberPair, law>(op, 1234);
   for (std::size_t lane = 0; lane < lanes.size(); ++lane)
     EXPECT_EQ(lanes[lane], alone(stem(law, lane), op, restarts_of(lane, op, 1234))) << lane;
+  return lanes.size();
 }
 
 TEST(StemLanes, AreEachAloneToTheLastDigit) {
-  expect_each_alone<ValveLaw::he>();
-  expect_each_alone<ValveLaw::kano>();
+  constexpr std::size_t kLanes = kVectors * kElements<NumberPair>;
+  EXPECT_EQ(expect_each_alone<ValveLaw::he>(), kLanes);
+  EXPECT_EQ(expect_each_alone<ValveLaw::kano>(), kLanes);
 }
 
+/// Returns how many were compared.
 template <ValveLaw law>
-void expect_nearly_each_alone() {
+std::size_t expect_nearly_each_alone() {
   const Series op = moving_op();
   const std::vector<Series> lanes = side_by_side<ShortNumbers, law>(op, 1234);
   for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
@@ -89,12 +93,14 @@ void expect_nearly_each_alone() {
     for (std::size_t k = 0; k < op.size(); ++k) apart += std::abs(lanes[lane][k] - mv[k]) > 1e-3;
     EXPECT_LT(apart, op.size() / 50) << lane;
   }
+  return lanes.size();
 }
 
 /// But where a pressure meets a threshold within their rounding.
 TEST(StemLanes, OfFewDigitsAreNearlyThose) {
-  expect_nearly_each_alone<ValveLaw::he>();
-  expect_nearly_each_alone<ValveLaw::kano>();
+  constexpr std::size_t kLanes = kVectors * kElements<ShortNumbers>;
+  EXPECT_EQ(expect_nearly_each_alone<ValveLaw::he>(), kLanes);
+  EXPECT_EQ(expect_nearly_each_alone<ValveLaw::kano>(), kLanes);
 }
 
 TEST(StemLanes, RestWhereOpLeavesThem) {
