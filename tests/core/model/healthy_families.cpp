@@ -112,7 +112,7 @@ FieldLoop sluggish(Draw& draw) {
   return waved(s, draw);
 }
 
-constexpr std::array kFamilies = {
+constexpr std::array kHealthyFamilies = {
     FieldFamily{"sine_flow", false, true, outside_wave<flow, Shape::sine, false>},
     FieldFamily{"lopsided_flow", false, false, outside_wave<flow, Shape::lopsided, false>},
     FieldFamily{"triangle_temperature", false, true,
@@ -140,7 +140,7 @@ constexpr std::array kFamilies = {
 }  // namespace
 
 std::span<const FieldFamily> healthy_families() {
-  return kFamilies;
+  return kHealthyFamilies;
 }
 
 }  // namespace loopscope::tests::model

@@ -139,7 +139,7 @@ FieldLoop play_and_moves(Draw& draw) {
   return with_play(s, draw);
 }
 
-constexpr std::array kFamilies = {
+constexpr std::array kPlantHealthyFamilies = {
     FieldFamily{"victim_of_stiction", false, false, victim},
     FieldFamily{"slow_wave", false, true, slow_wave},
     FieldFamily{"concentration_wave", false, true, concentration_wave},
@@ -159,7 +159,7 @@ constexpr std::array kFamilies = {
 }  // namespace
 
 std::span<const FieldFamily> plant_healthy_families() {
-  return kFamilies;
+  return kPlantHealthyFamilies;
 }
 
 }  // namespace loopscope::tests::model

@@ -57,7 +57,7 @@ FieldLoop complicated_stiction(Draw& draw) {
                           [](FieldSettings&, std::size_t) {});
 }
 
-constexpr std::array kFamilies = {
+constexpr std::array kPlantStickingFamilies = {
     FieldFamily{"stiction_few_cycles", true, false, few_cycles},
     FieldFamily{"stiction_concentration", true, true, slow_stiction_by_analyser},
     FieldFamily{"stiction_coarse", true, true, coarse_stiction},
@@ -72,7 +72,7 @@ constexpr std::array kFamilies = {
 }  // namespace
 
 std::span<const FieldFamily> plant_sticking_families() {
-  return kFamilies;
+  return kPlantStickingFamilies;
 }
 
 }  // namespace loopscope::tests::model

@@ -48,7 +48,7 @@ FieldLoop disturbed_stiction(Draw& draw) {
   });
 }
 
-constexpr std::array kFamilies = {
+constexpr std::array kStickingFamilies = {
     FieldFamily{"stiction_flow_he", true, true, plain_stiction<flow, Friction::he>},
     FieldFamily{"stiction_flow_karnopp", true, false, plain_stiction<flow, Friction::karnopp>},
     FieldFamily{"stiction_level_he", true, false, plain_stiction<level, Friction::he>},
@@ -65,7 +65,7 @@ constexpr std::array kFamilies = {
 }  // namespace
 
 std::span<const FieldFamily> sticking_families() {
-  return kFamilies;
+  return kStickingFamilies;
 }
 
 }  // namespace loopscope::tests::model
