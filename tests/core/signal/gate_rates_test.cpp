@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "core/diagnosis/diagnose.hpp"
 #include "tests/core/signal/damages.hpp"
@@ -102,7 +104,17 @@ TEST_P(GateRates, NonlinearLoopsAreFound) {
   EXPECT_GE(rates.rate(0), 0.4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Damages, GateRates, testing::Range(std::size_t{0}, all_damages().size()));
+/// The short form takes the quick ones.
+std::vector<std::size_t> chosen_damages() {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < all_damages().size(); ++i) {
+    if (loopscope::tests::is_long_run() || is_quick(all_damages()[i])) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+INSTANTIATE_TEST_SUITE_P(Damages, GateRates, testing::ValuesIn(chosen_damages()),
+                         [](const auto& tested) { return std::to_string(tested.param); });
 
 }  // namespace
 }  // namespace loopscope::core::signal
