@@ -28,6 +28,11 @@ finish() {
   [ "$_PROBLEMS" -eq 0 ]
 }
 
+# PROGRAM WORD...: the commands that its help lists.
+subcommands() {
+  "$@" --help | awk '/^Subcommands:/ { on = 1; next } on && /^  [a-z]/ { print $1 }'
+}
+
 # Each line that stands in the first list and not in the second.
 missing_from() {
   comm -23 <(sort -u <<<"$1") <(sort -u <<<"$2") | sed '/^$/d'

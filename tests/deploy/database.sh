@@ -1,0 +1,29 @@
+# shellcheck shell=bash
+# A migrated database of its own on the throw-away server of the tests. Source this after say.sh.
+#
+#   ask CONNINFO SQL                psql's bare answer
+#   make_database PROGRAM ENVFILE   makes $database and sets $connection; skips the test where ENVFILE
+#                                   names no server
+#   drop_database                   for the trap
+
+database=loopscope_deploy_$$
+
+ask() {
+  psql --no-psqlrc -v ON_ERROR_STOP=1 -qAt "$1" -c "$2"
+}
+
+make_database() {
+  local settings
+  server=$(sed -n 's/^LOOPSCOPE_TEST_DATABASE=//p' "$2")
+  [ -n "$server" ] || skip "no test server: run through ctest, which starts one"
+  ask "$server" "CREATE DATABASE $database"
+  connection=${server/dbname=postgres/dbname=$database}
+  settings=$(mktemp)
+  printf '{"results": {"connection": "%s"}, "historians": [{"connection": "%s"}]}\n' "$connection" "$connection" >"$settings"
+  "$1" migrate --config "$settings" >/dev/null
+  rm -f "$settings"
+}
+
+drop_database() {
+  [ -z "${server:-}" ] || ask "$server" "DROP DATABASE IF EXISTS $database WITH (FORCE)"
+}
