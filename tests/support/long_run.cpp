@@ -29,12 +29,13 @@ bool is_long_run() {
   return text != nullptr && std::string_view(text) != "0" && *text != '\0';
 }
 
-std::size_t records(std::size_t full) {
+std::size_t all_records(std::size_t full) {
   const char* const wanted = std::getenv("LOOPSCOPE_RECORDS");
-  if (wanted != nullptr) {
-    return whole_number(wanted);
-  }
-  return is_long_run() ? full : (full + kShortShare - 1) / kShortShare;
+  return wanted != nullptr ? whole_number(wanted) : full;
+}
+
+std::size_t records(std::size_t full) {
+  return all_records(is_long_run() ? full : (full + kShortShare - 1) / kShortShare);
 }
 
 }  // namespace loopscope::tests

@@ -14,4 +14,8 @@ namespace loopscope::tests {
 /// @throws std::invalid_argument LOOPSCOPE_RECORDS is not a whole number of at least 1
 [[nodiscard]] std::size_t records(std::size_t full);
 
+/// The same number in both forms, for what compares two rates and takes seconds;
+/// LOOPSCOPE_RECORDS=N replaces it.
+[[nodiscard]] std::size_t all_records(std::size_t full);
+
 }  // namespace loopscope::tests

@@ -18,6 +18,7 @@
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"
 #include "tests/support/chance.hpp"
+#include "tests/support/long_run.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace loopscope::core::hos {
@@ -162,7 +163,7 @@ Sizes sizes_on_changing_noise(double share, double factor, double period, bool w
 /// The quadratic test holds its level. The cubic one does not yet, the less the shorter the period:
 /// LOOPSCOPE_RECORDS=1000 gives 10.1 and 13.9 % at period 20, 7.5 and 8.8 % at 100.
 TEST(HosHarmonicTest, LevelsTakeMostOfWhatChangingVarianceFakes) {
-  const int records = tests::records(200);
+  const int records = static_cast<int>(loopscope::tests::all_records(200));
   for (const auto& [share, factor] : {std::pair{0.5, 2.0}, std::pair{0.1, 3.0}}) {
     for (const double period : {20.0, 100.0}) {
       const Sizes plain = sizes_on_changing_noise(share, factor, period, false, records);

@@ -34,7 +34,7 @@ struct BeforeAndAfter {
 };
 
 std::size_t record_count() {
-  return loopscope::tests::records(100);
+  return loopscope::tests::all_records(100);
 }
 
 using tests::family;
