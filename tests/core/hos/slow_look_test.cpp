@@ -88,7 +88,7 @@ BothLooks measure(const char* name, double period,
                   const std::function<std::vector<double>(std::uint64_t)>& draw) {
   std::vector<double> first, slow;
   BothLooks both;
-  const std::size_t records = loopscope::tests::records(kSlowRecords);
+  const std::size_t records = loopscope::tests::all_records(kSlowRecords);
   const auto share = 1.0 / static_cast<double>(records);
   for (std::size_t seed = kFirstSeed; seed < kFirstSeed + records; ++seed) {
     const std::vector<double> x = draw(seed);
