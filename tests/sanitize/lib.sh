@@ -52,11 +52,10 @@ sanitize_asan() {
 # NAME ROOMS TARGET...: the tests of these rooms that are short and need no server; those that need
 # one are skipped, and counted as such in the table.
 _sanitize_short_tests() {
-  local name=$1 rooms=$2 long _SANITIZE_ALLOWED=("${_SANITIZE_ALLOWED[@]}" tests/sanitize/no_server)
+  local name=$1 rooms=$2 _SANITIZE_ALLOWED=("${_SANITIZE_ALLOWED[@]}" tests/sanitize/no_server)
   shift 2
-  long=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' tests/sanitize/long_tests | paste -sd '|')
   _sanitize "$name" asan "$@" -- --tests-regex "^($rooms)\\." --fixture-exclude-any postgres \
-    --label-exclude '^long$' ${long:+--exclude-regex "^($long)\$"}
+    --label-exclude '^long$'
 }
 
 sanitize_asan_short() {
