@@ -36,8 +36,8 @@ void add_run(const double* x, std::size_t length, std::size_t order, Products& p
   }
   for (Eigen::Index i = 1; i < size; ++i) {
     for (Eigen::Index j = i; j < size; ++j) {
-      const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(order);
-      const std::ptrdiff_t last = static_cast<std::ptrdiff_t>(length);
+      const auto first = static_cast<std::ptrdiff_t>(order);
+      const auto last = static_cast<std::ptrdiff_t>(length);
       run(i, j) = run(i - 1, j - 1) + x[first - i] * x[first - j] - x[last - i] * x[last - j];
     }
   }

@@ -51,7 +51,7 @@ struct Fit {
 /// Poles, noise and coefficients by Gauss-Newton from where the structure stands; delay and
 /// effects as they are. At most `iterations` steps; never worse than evaluate(). Given up as it
 /// stands where even thrice of what the next step promises would not leave less than `to_beat`.
-[[nodiscard]] Fit polish(const LoopData& data, const Structure& structure, int iterations = 8,
+[[nodiscard]] Fit polish(const LoopData& data, const Structure& start, int iterations = 8,
                          double to_beat = std::numeric_limits<double>::infinity());
 
 /// The output of a fitted model run on op alone, scaled pv units: all columns at their

@@ -29,7 +29,7 @@ Fit scan_jump(const LoopData& data, Fit fit) {
 }
 
 /// The bands within an eighth of the valve's, with its own jump and a third.
-Fit sweep(const LoopData& data, const Structure& start, const ValveEffect& valve, Fit best) {
+Fit sweep(const LoopData& data, const Structure& start, const ValveEffect& valve, const Fit& best) {
   constexpr double kReach = 0.12, kStep = 0.006, kUsualJump = 1.0 / 3.0;
   const double jump = valve.valve().slip_jump_percent / valve.valve().stickband_percent;
   const FitVariants variants(data, start);
@@ -50,9 +50,9 @@ Fit scan_band(const LoopData& data, Fit fit) {
   const Structure start = fit.structure;
   const auto* valve = dynamic_cast<const ValveEffect*>(start.effects.back().get());
   if (valve == nullptr || !valve->valve().acts_at_samples()) return fit;
-  fit = sweep(data, start, *valve, std::move(fit));
+  fit = sweep(data, start, *valve, fit);
   for (const double direction : {-1.0, 1.0}) {
-    fit = sweep(data, start, *valve->by_law_alone(direction), std::move(fit));
+    fit = sweep(data, start, *valve->by_law_alone(direction), fit);
   }
   return fit;
 }

@@ -84,6 +84,7 @@ class PlayNet {
     std::ranges::sort(ranked);
     std::vector<std::size_t> places;
     ranked.resize(std::min(count, ranked.size()));
+    places.reserve(ranked.size());
     for (const auto& [error, place] : ranked) places.push_back(place);
     return places;
   }

@@ -70,7 +70,7 @@ void add_peaks(const std::vector<double>& signal, std::size_t count, std::vector
 std::size_t rows_under_the_past(const LoopData& data, const Fit& fit) {
   constexpr double kMostOfRecord = 0.125;
   const ProcessShape& process = fit.structure.process;
-  double samples = static_cast<double>(LoadStep::kEarliest + process.delay_samples);
+  auto samples = static_cast<double>(LoadStep::kEarliest + process.delay_samples);
   for (const double pole : {process.integrating ? 0.0 : process.pole, process.second_pole}) {
     if (pole > 0.0) samples += 3.0 / -std::log(pole);
   }
@@ -141,6 +141,7 @@ std::vector<EffectPtr> nominate_oscillations(const LoopData& data, const Fit& fi
   add_peaks(data.pv, 2, periods);
   const auto samples_per_row = static_cast<double>(data.grid.samples_per_row);
   std::vector<EffectPtr> result;
+  result.reserve(periods.size());
   for (const double period : periods)
     result.push_back(std::make_shared<ExternalOscillation>(samples_per_row * period));
   return result;

@@ -34,7 +34,7 @@ using PairTile = std::array<std::array<NumberPair, width>, height>;
 template <std::size_t height, std::size_t width>
 [[gnu::always_inline]] inline void add_pair(const Signal* left, const Signal* right, std::size_t k,
                                             PairTile<height, width>& sums) {
-  std::array<NumberPair, width> b;
+  std::array<NumberPair, width> b{};
   for (std::size_t j = 0; j < width; ++j) b[j] = load(right[j], k);
   for (std::size_t i = 0; i < height; ++i) {
     const NumberPair a = load(left[i], k);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <stdexcept>
 
 namespace loopscope::core::model {
@@ -65,7 +66,7 @@ Polynomial sum(const Polynomial& left, const Polynomial& right) {
 
 std::complex<double> value(const Polynomial& polynomial, std::complex<double> inverse_z) {
   std::complex<double> result = 0.0;
-  for (auto c = polynomial.rbegin(); c != polynomial.rend(); ++c) result = result * inverse_z + *c;
+  for (const double c : std::views::reverse(polynomial)) result = result * inverse_z + c;
   return result;
 }
 

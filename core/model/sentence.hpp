@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <locale>
 #include <sstream>
 #include <string>
@@ -19,7 +20,7 @@ template <typename... Part>
 
 /// A share of 0 to 1 in whole percent, e.g. "97".
 [[nodiscard]] inline long whole_percent(double share) {
-  return static_cast<long>(100.0 * share + 0.5);
+  return static_cast<long>(std::floor(100.0 * share + 0.5));
 }
 
 }  // namespace loopscope::core::model

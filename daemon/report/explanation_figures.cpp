@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <string>
 
 #include "core/signal/grid.hpp"
@@ -48,8 +49,8 @@ Series part(const Series& series, const Span& span) {
 
 /// Lowest and highest value of several series.
 struct Limits {
-  double low = INFINITY;
-  double high = -INFINITY;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
 
   void hold(const Series& series) {
     const auto spread = core::signal::measure_spread(series);

@@ -32,7 +32,7 @@ std::string verdict_cell(const LoopRow& row) {
 
 /// A loop that was never analysed has no page.
 std::string name_of(const LoopRow& row) {
-  const std::string name = "<bdi>" + html(row.name) + "</bdi>";
+  std::string name = "<bdi>" + html(row.name) + "</bdi>";
   if (!row.code) return name;
   return fmt::format("<a href=\"{}\">{}</a>", loop_link(LoopLinks::pages, row.loop_id, row.name),
                      name);

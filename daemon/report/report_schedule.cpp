@@ -63,12 +63,12 @@ class FolderLock {
 
 /// Reports by name, with all files of each.
 std::map<std::string, std::vector<fs::path>> reports_in(const fs::path& folder) {
-  static const std::regex kName(R"((loopscope-\d{4}-\d{2}-\d{2}T\d{4}Z)\.(html|pdf))");
+  static const std::regex names(R"((loopscope-\d{4}-\d{2}-\d{2}T\d{4}Z)\.(html|pdf))");
   std::map<std::string, std::vector<fs::path>> reports;
   for (const auto& entry : fs::directory_iterator(folder)) {
     std::smatch match;
     const std::string name = entry.path().filename().string();
-    if (std::regex_match(name, match, kName)) reports[match[1]].push_back(entry.path());
+    if (std::regex_match(name, match, names)) reports[match[1]].push_back(entry.path());
   }
   return reports;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -74,8 +75,8 @@ class Panels {
   }
 
   static std::string plot(const Panel& panel) {
-    double low = INFINITY;
-    double high = -INFINITY;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
     std::string curves;
     for (const SignalCurve& curve : panel.curves) {
       const auto spread = core::signal::measure_spread(curve.samples);

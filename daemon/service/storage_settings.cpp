@@ -107,6 +107,7 @@ std::vector<std::pair<std::string, double>> states_of(const config::HistorianSet
 /// Texts that config/ has found to be numbers.
 std::vector<double> numbers(const std::vector<std::string>& texts) {
   std::vector<double> values;
+  values.reserve(texts.size());
   for (const std::string& text : texts) values.push_back(std::stod(text));
   return values;
 }
