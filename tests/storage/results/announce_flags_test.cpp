@@ -13,7 +13,6 @@ namespace loopscope::storage {
 namespace {
 
 using core::diagnosis::VerdictCode;
-using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
