@@ -24,8 +24,8 @@ inline int count_assertion() {
 #error "this GoogleTest begins its assertions otherwise: look for another place to count them"
 #endif
 #undef GTEST_AMBIGUOUS_ELSE_BLOCKER_
-#define GTEST_AMBIGUOUS_ELSE_BLOCKER_                \
+#define GTEST_AMBIGUOUS_ELSE_BLOCKER_               \
   switch (::loopscope::tests::count_assertion()) /* \
-   NOLINT */                                         \
-  case 0:                                            \
+   NOLINT */                                        \
+  case 0:                                           \
   default:

@@ -10,7 +10,8 @@ namespace loopscope::tests {
 [[nodiscard]] bool is_long_run();
 
 /// Records (draws, seeds) of a sweep that takes `full` of them in the long form: a fifth, rounded
-/// up, but five at least, in the short one. LOOPSCOPE_RECORDS=N replaces both, for the tables of the READMEs.
+/// up, but five at least, in the short one. LOOPSCOPE_RECORDS=N replaces both, for the tables of
+/// the READMEs.
 /// @throws std::invalid_argument LOOPSCOPE_RECORDS is not a whole number of at least 1
 [[nodiscard]] std::size_t records(std::size_t full);
 
