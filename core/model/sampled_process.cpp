@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <numeric>
 #include <stdexcept>
 
 namespace loopscope::core::model {
@@ -65,9 +65,9 @@ Polynomial sum(const Polynomial& left, const Polynomial& right) {
 }
 
 std::complex<double> value(const Polynomial& polynomial, std::complex<double> inverse_z) {
-  std::complex<double> result = 0.0;
-  for (const double c : std::views::reverse(polynomial)) result = result * inverse_z + c;
-  return result;
+  return std::accumulate(
+      polynomial.rbegin(), polynomial.rend(), std::complex<double>(0.0),
+      [&](const std::complex<double>& sum, double c) { return sum * inverse_z + c; });
 }
 
 SampledProcess sample_process(const ProcessFit& fit, double interval_s) {
