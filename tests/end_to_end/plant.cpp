@@ -1,20 +1,13 @@
 #include "tests/end_to_end/plant.hpp"
 
+#include <cstdlib>
 #include <fstream>
 #include <random>
 #include <sstream>
 #include <stdexcept>
-#include <unistd.h>
-
-#include "tests/support/test_database.hpp"
 
 namespace loopscope::tests {
 namespace {
-
-std::string server_connection() {
-  if (auto server = test_server()) return *std::move(server);
-  throw std::runtime_error("no test server: run through ctest, which starts one");
-}
 
 ProgramResult psql(const std::string& connection, const std::string& query) {
   return run_program({kPsql, "-X", "-d", connection, "-v", "ON_ERROR_STOP=1", "-Atc", query});
@@ -27,21 +20,32 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
   }
 }
 
-}  // namespace
+std::string settings_for(const std::string& connection, const std::string& text) {
+  std::string filled = text;
+  replace_all(filled, "@CONNECTION@", connection);
+  return filled;
+}
 
-Plant::Plant() : server_(server_connection()) {
-  static int number = 0;
-  database_ = "plant_" + std::to_string(getpid()) + "_" + std::to_string(++number);
-  psql(server_, "create database " + database_);
-  connection_ = server_;
-  replace_all(connection_, "dbname=postgres", "dbname=" + database_);
-  write_settings(settings());
-  const ProgramResult migrated = loopscope("migrate");
+/// Through the program itself.
+void migrate(const std::string& connection) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "loopscope.json";
+  std::ofstream(file) << settings_for(connection, Plant::settings());
+  const ProgramResult migrated = run_program({LOOPSCOPE_PROGRAM, "migrate", "--config", file});
   if (migrated.exit_code != 0) throw std::runtime_error("migrate failed: " + migrated.err);
 }
 
-Plant::~Plant() {
-  psql(server_, "drop database " + database_ + " with (force)");
+/// Another program, another template: its migrations may differ.
+TemplateDatabase migrated() {
+  const auto built = std::filesystem::last_write_time(LOOPSCOPE_PROGRAM).time_since_epoch();
+  return {"plant_template_" + std::to_string(std::abs(built.count())), migrate};
+}
+
+}  // namespace
+
+Plant::Plant() : database_(migrated()), connection_(*test_server()) {
+  replace_all(connection_, "dbname=postgres", "dbname=" + database_.name());
+  write_settings(settings());
 }
 
 std::string Plant::settings(const std::string& more) {
@@ -53,9 +57,7 @@ std::string Plant::settings(const std::string& more) {
 }
 
 void Plant::write_settings(const std::string& text) const {
-  std::string filled = text;
-  replace_all(filled, "@CONNECTION@", connection_);
-  std::ofstream(settings_file()) << filled;
+  std::ofstream(settings_file()) << settings_for(connection_, text);
 }
 
 std::vector<std::string> Plant::command_line(const std::string& command) const {

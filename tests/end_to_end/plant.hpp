@@ -6,19 +6,18 @@
 
 #include "tests/support/run_program.hpp"
 #include "tests/support/source_dir.hpp"
+#include "tests/support/test_database.hpp"
 
 namespace loopscope::tests {
 
 inline constexpr const char* kPsql = "/usr/bin/psql";
 
-/// A plant for one test: a database of its own on the throw-away server with the schema migrated
-/// and an empty historian, and a settings file. Everything is removed at the end.
+/// A plant for one test: a database of its own on the throw-away server, a copy of the one that
+/// `loopscope migrate` made, with an empty historian, and a settings file. Everything is removed at
+/// the end.
 class Plant {
  public:
   Plant();
-  ~Plant();
-  Plant(const Plant&) = delete;
-  Plant& operator=(const Plant&) = delete;
 
   /// Runs the program: loopscope COMMAND --config FILE REST...
   [[nodiscard]] ProgramResult loopscope(const std::string& command,
@@ -48,8 +47,7 @@ class Plant {
 
  private:
   TemporaryFolder folder_;
-  std::string server_;
-  std::string database_;
+  TestDatabase database_;
   std::string connection_;
 };
 

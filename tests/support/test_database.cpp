@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <libpq-fe.h>
-#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <unistd.h>
@@ -15,37 +13,14 @@
 namespace loopscope::tests {
 namespace {
 
-using Connection = std::unique_ptr<PGconn, decltype(&PQfinish)>;
-using Result = std::unique_ptr<PGresult, decltype(&PQclear)>;
-
 TextRows run(const std::string& conninfo, const std::string& sql) {
-  const Connection connection(
-      PQconnectdb((conninfo + " options='-c client_min_messages=warning'").c_str()), &PQfinish);
-  const Result result(PQexec(connection.get(), sql.c_str()), &PQclear);
-  const ExecStatusType status = PQresultStatus(result.get());
-  if (status != PGRES_COMMAND_OK && status != PGRES_TUPLES_OK) {
-    throw std::runtime_error(PQerrorMessage(connection.get()) + std::string("in: ") + sql);
-  }
-  TextRows table;
-  for (int row = 0; row < PQntuples(result.get()); ++row) {
-    table.emplace_back();
-    for (int column = 0; column < PQnfields(result.get()); ++column) {
-      const bool is_null = PQgetisnull(result.get(), row, column) != 0;
-      table.back().emplace_back(is_null ? "NULL" : PQgetvalue(result.get(), row, column));
-    }
-  }
-  return table;
+  return SqlConnection(conninfo).run(sql);
 }
 
 std::string server() {
   const std::optional<std::string> found = test_server();
   if (!found) throw std::runtime_error(kNoServer);
   return *found;
-}
-
-/// libpq takes the last of equal keys.
-std::string with(const std::string& conninfo, const std::string& key, const std::string& value) {
-  return conninfo + " " + key + "=" + value;
 }
 
 /// Tests run side by side in processes of their own.
@@ -69,6 +44,10 @@ TestDatabase::TestDatabase(const std::string& encoding) : name_(unique_name()) {
   run(server(), "CREATE DATABASE " + name_ + " TEMPLATE template0 ENCODING '" + encoding + "'");
 }
 
+TestDatabase::TestDatabase(const TemplateDatabase& filled) : name_(unique_name()) {
+  copy_template(server(), filled, name_);
+}
+
 TestDatabase::~TestDatabase() {
   try {
     run(server(), "DROP DATABASE " + name_ + " WITH (FORCE)");
@@ -79,11 +58,11 @@ TestDatabase::~TestDatabase() {
 }
 
 std::string TestDatabase::conninfo() const {
-  return with(server(), "dbname", name_);
+  return with_key(server(), "dbname", name_);
 }
 
 std::string TestDatabase::conninfo(const std::string& user) const {
-  return with(conninfo(), "user", user);
+  return with_key(conninfo(), "user", user);
 }
 
 void TestDatabase::make_roles() {

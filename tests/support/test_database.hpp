@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-namespace loopscope::tests {
+#include "tests/support/sql_connection.hpp"
+#include "tests/support/template_database.hpp"
 
-/// Rows of a query as text; NULL is "NULL".
-using TextRows = std::vector<std::vector<std::string>>;
+namespace loopscope::tests {
 
 /// Connection string (superuser) of the throw-away server that ctest starts for tests with the
 /// label `server`, or that tests/support/postgres started by hand; nullopt when there is none.
@@ -17,13 +17,14 @@ using TextRows = std::vector<std::vector<std::string>>;
 inline constexpr const char* kNoServer =
     "no PostgreSQL server: run the test by ctest, which starts one";
 
-/// A fresh database on the throw-away server, dropped at the end with the logins made for it. Its
-/// SQL goes by another way than the program's, so that a test does not check the program by
-/// itself. Every function throws std::runtime_error with the server's words.
+/// A fresh database on the throw-away server, dropped at the end with the logins made for it. Every
+/// function throws std::runtime_error with the server's words.
 class TestDatabase {
  public:
   /// `encoding` is that of the database, e.g. "UTF8" or "LATIN1".
   explicit TestDatabase(const std::string& encoding = "UTF8");
+  /// A copy; it is filled once on the server.
+  explicit TestDatabase(const TemplateDatabase& filled);
   ~TestDatabase();
   TestDatabase(const TestDatabase&) = delete;
   TestDatabase& operator=(const TestDatabase&) = delete;

@@ -47,6 +47,7 @@ class ExportViewTest : public ViewsTest {
 };
 
 TEST_F(ExportViewTest, EveryViewOfTheListIsThereWithTheColumnsThatItsRowNames) {
+  EXPECT_FALSE(exported_views().empty());
   for (const ExportedView& view : exported_views()) {
     SCOPED_TRACE(view.name);
     const Table table = rows_of({&view, "", std::nullopt});

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/storage/results/plant_fixture.hpp"
+#include "tests/support/long_run.hpp"
 
 /// The false-discovery control of the view flagged_loop against core/plant/false_discovery.
 namespace loopscope::storage {
@@ -209,7 +210,15 @@ SimulatedPlant simulate_plant(Random& random, std::size_t loops, double faulty_s
 
 using Flagger = std::function<std::vector<bool>(const std::vector<PlantLoop>&)>;
 
-void expect_held(double faulty_share, int plants, const Flagger& flag) {
+/// Over the plants of the long form the rate of 5 % is held to within one percent, over fewer to as
+/// much more as chance then spreads.
+double most_false(int plants, int full) {
+  return 0.05 + 0.01 * std::sqrt(static_cast<double>(full) / plants);
+}
+
+/// `full`: plants of the long form.
+void expect_held(double faulty_share, int full, const Flagger& flag) {
+  const int plants = static_cast<int>(tests::records(static_cast<std::size_t>(full)));
   double false_share = 0.0, found_share = 0.0;
   for (int seed = 1; seed <= plants; ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
@@ -227,7 +236,7 @@ void expect_held(double faulty_share, int plants, const Flagger& flag) {
   std::printf(
       "%d plants, %.1f %% faulty: %.2f %% of the flags false, %.2f %% of the faulty flagged\n",
       plants, 100.0 * faulty_share, 100.0 * false_share, 100.0 * found_share);
-  EXPECT_LE(false_share, 0.06);
+  EXPECT_LE(false_share, most_false(plants, full));
   EXPECT_GE(found_share, 0.95);
 }
 
@@ -263,7 +272,9 @@ void time_view(const tests::TestDatabase& database, std::size_t loops) {
 }
 
 TEST_F(FalseDiscoveryViewTest, AnswersWithinASecond) {
-  for (const std::size_t loops : {std::size_t{10'000}, std::size_t{100'000}}) {
+  std::vector<std::size_t> sizes{10'000};
+  if (tests::is_long_run()) sizes.push_back(100'000);
+  for (const std::size_t loops : sizes) {
     Random random(1);
     fill(simulate_plant(random, loops, 0.02).loops);
     for (const double dependence : {0.0, 1.0}) {

@@ -1,8 +1,23 @@
 #include "tests/storage/results/results_fixture.hpp"
 
+#include <functional>
+
+#include "storage/results/embedded_migrations.hpp"
 #include "storage/results/migrate.hpp"
 
 namespace loopscope::storage {
+namespace {
+
+/// Other migrations, another template.
+tests::TemplateDatabase migrated() {
+  std::string digests;
+  for (const Migration& migration : embedded_migrations()) digests += migration.sha256;
+  return {
+      "loopscope_template_" + std::to_string(std::hash<std::string>{}(digests)),
+      [](const std::string& conninfo) { migrate({.conninfo = conninfo, .purpose = "results"}); }};
+}
+
+}  // namespace
 
 ConnectionSettings settings_for(const tests::TestDatabase& database, const std::string& user) {
   ConnectionSettings settings;
@@ -91,8 +106,7 @@ void explain(AnalysisRecord& record, const std::string& last_error) {
 
 void ResultsTest::SetUp() {
   if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
-  database = std::make_unique<tests::TestDatabase>();
-  migrate(settings_for(*database));
+  database = std::make_unique<tests::TestDatabase>(migrated());
   database->execute(
       "UPDATE loopscope.parameter SET value = 0.05 WHERE name = 'false_discovery_rate'");
 }

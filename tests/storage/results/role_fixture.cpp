@@ -7,6 +7,8 @@
 namespace loopscope::storage {
 
 using testing::AnyOf;
+using testing::IsEmpty;
+using testing::Not;
 using tests::LoginSession;
 
 void RoleTest::SetUp() {
@@ -41,10 +43,12 @@ void RoleTest::expect_state(const LoginSession& session, const std::string& comm
 }
 
 tests::TextRows RoleTest::relations(const std::string& schema) const {
-  return database->rows(
+  tests::TextRows found = database->rows(
       "SELECT relname, relkind = 'v', relispartition FROM pg_class WHERE relkind IN"
       " ('r', 'p', 'v', 'm', 'f') AND relnamespace = '" +
       schema + "'::regnamespace ORDER BY relname");
+  EXPECT_THAT(found, Not(IsEmpty())) << "whoever walks through them would find no fault";
+  return found;
 }
 
 std::vector<std::string> RoleTest::columns(const std::string& relation) const {
@@ -53,6 +57,7 @@ std::vector<std::string> RoleTest::columns(const std::string& relation) const {
        database->rows("SELECT attname FROM pg_attribute WHERE attrelid = '" + relation +
                       "'::regclass AND attnum > 0 AND NOT attisdropped"))
     names.push_back(row[0]);
+  EXPECT_THAT(names, Not(IsEmpty())) << relation;
   return names;
 }
 
