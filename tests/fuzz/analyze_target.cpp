@@ -5,19 +5,19 @@
 #include "daemon/recording/analyse_recording.hpp"
 #include "tests/fuzz/check_diagnosis.hpp"
 #include "tests/fuzz/require.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 
 namespace loopscope::tests::fuzz {
 namespace {
 
-struct Options {
+struct AnalyzeOptions {
   core::AnalysisSettings settings;
   std::optional<core::signal::OpRange> op_range;
   bool integrating = false;
 };
 
-Options options_of(std::uint8_t bits) {
-  Options options;
+AnalyzeOptions options_of(std::uint8_t bits) {
+  AnalyzeOptions options;
   options.settings.fit_model = (bits & 1U) != 0;
   if ((bits & 2U) != 0) options.op_range = core::signal::OpRange{0.0, 100.0};
   options.integrating = (bits & 4U) != 0;
@@ -25,13 +25,13 @@ Options options_of(std::uint8_t bits) {
   return options;
 }
 
-std::string analyse(const daemon::Recording& recording, const Options& options) {
+std::string analyse(const daemon::Recording& recording, const AnalyzeOptions& options) {
   const auto analysis = daemon::analyse_recording(recording, options.settings, options.op_range,
                                                   {.integrating = options.integrating});
   return check_diagnosis(analysis.input, analysis.diagnosis);
 }
 
-void check_text(const Options& options, std::string_view text) {
+void check_analysis(const AnalyzeOptions& options, std::string_view text) {
   const daemon::Recording recording =
       daemon::parse_recording(daemon::parse_csv(text, "recording.csv"));
   const std::string once = analyse(recording, options);
@@ -41,17 +41,16 @@ void check_text(const Options& options, std::string_view text) {
 }
 
 }  // namespace
-}  // namespace loopscope::tests::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope;
+int fuzz_analyze(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   try {
-    tests::fuzz::check_text(tests::fuzz::options_of(data[0]),
-                            {reinterpret_cast<const char*>(data) + 1, size - 1});
+    check_analysis(options_of(data[0]), {reinterpret_cast<const char*>(data) + 1, size - 1});
   } catch (const daemon::Failure& failure) {
-    tests::fuzz::require(failure.exit_code() == daemon::ExitCode::unusable_data,
-                         "a file that cannot be used has its own exit code");
+    require(failure.exit_code() == daemon::ExitCode::unusable_data,
+            "a file that cannot be used has its own exit code");
   }
   return 0;
 }
+
+}  // namespace loopscope::tests::fuzz

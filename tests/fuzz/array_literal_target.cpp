@@ -14,7 +14,7 @@
 #include "tests/fuzz/array_reader.hpp"
 #include "tests/fuzz/odd_number.hpp"
 #include "tests/fuzz/require.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 
 namespace loopscope::tests::fuzz {
 namespace {
@@ -92,15 +92,15 @@ void check_shown(const std::string& text) {
 }
 
 }  // namespace
-}  // namespace loopscope::tests::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope::tests::fuzz;
+int fuzz_array_literal(const std::uint8_t* data, std::size_t size) {
   check_shown({reinterpret_cast<const char*>(data), size});
   ByteSource source(data, size);
-  loopscope::storage::ArrayLiteral array;
+  storage::ArrayLiteral array;
   std::vector<Element> expected;
   while (!source.empty()) expected.push_back(add_element(array, source));
   require(read_array(array.text()) == expected, "what is put in comes out");
   return 0;
 }
+
+}  // namespace loopscope::tests::fuzz

@@ -5,7 +5,7 @@
 #include "storage/historian/binary_array.hpp"
 #include "tests/fuzz/byte_source.hpp"
 #include "tests/fuzz/require.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 #include "tests/fuzz/wire.hpp"
 
 namespace loopscope::tests::fuzz {
@@ -28,11 +28,8 @@ void check(std::span<const std::byte> bytes, ElementType type) {
 }
 
 }  // namespace
-}  // namespace loopscope::tests::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope;
-  using namespace tests::fuzz;
+int fuzz_binary_array(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const auto bytes = std::as_bytes(std::span(data, size)).subspan(1);
   try {
@@ -42,3 +39,5 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   }
   return 0;
 }
+
+}  // namespace loopscope::tests::fuzz

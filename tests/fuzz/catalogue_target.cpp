@@ -4,13 +4,13 @@
 #include "daemon/catalogue/catalogue_csv.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
 #include "tests/fuzz/require.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 #include "tests/fuzz/text_target.hpp"
 
 namespace loopscope::tests::fuzz {
 namespace {
 
-void check_text(std::string_view text) {
+void check_catalogue(std::string_view text) {
   const auto entries = daemon::parse_catalogue(daemon::parse_csv(text, "loops.csv"), {}, {});
   for (const storage::CatalogueEntry& entry : entries) daemon::check_entry(entry);
   const std::string written = daemon::catalogue_csv(entries);
@@ -22,9 +22,9 @@ void check_text(std::string_view text) {
 }
 
 }  // namespace
-}  // namespace loopscope::tests::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope::tests::fuzz;
-  return check_as_text(data, size, [](const auto& text) { check_text(text); });
+int fuzz_catalogue(const std::uint8_t* data, std::size_t size) {
+  return check_as_text(data, size, [](const auto& text) { check_catalogue(text); });
 }
+
+}  // namespace loopscope::tests::fuzz

@@ -7,7 +7,7 @@
 
 #include "daemon/catalogue/discover_loops.hpp"
 #include "tests/fuzz/require.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 
 namespace loopscope::tests::fuzz {
 namespace {
@@ -36,12 +36,9 @@ void check_tags(const daemon::NamingRules& rules, const std::vector<std::string>
 }
 
 }  // namespace
-}  // namespace loopscope::tests::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope;
-  std::vector<std::string> tags =
-      tests::fuzz::lines_of({reinterpret_cast<const char*>(data), size});
+int fuzz_discovery(const std::uint8_t* data, std::size_t size) {
+  std::vector<std::string> tags = lines_of({reinterpret_cast<const char*>(data), size});
   if (tags.empty()) return 0;
   daemon::NamingRules rules = daemon::naming_rules({}, {}, {});
   try {
@@ -50,6 +47,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return 0;
   }
   tags.erase(tags.begin());
-  tests::fuzz::check_tags(rules, tags);
+  check_tags(rules, tags);
   return 0;
 }
+
+}  // namespace loopscope::tests::fuzz

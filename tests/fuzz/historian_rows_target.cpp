@@ -13,7 +13,7 @@
 #include "tests/fuzz/array_reader.hpp"
 #include "tests/fuzz/historian_answer.hpp"
 #include "tests/fuzz/require.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 
 namespace loopscope::tests::fuzz {
 namespace {
@@ -98,11 +98,8 @@ void check_row(const HistorianAnswer& made, int row, std::vector<RawSeries>& par
 }
 
 }  // namespace
-}  // namespace loopscope::tests::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope;
-  using namespace tests::fuzz;
+int fuzz_historian_rows(const std::uint8_t* data, std::size_t size) {
   ByteSource source(data, size);
   const HistorianAnswer made = make_answer(source);
   check_question(made);
@@ -117,3 +114,5 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   check_use(parts, made.scan);
   return 0;
 }
+
+}  // namespace loopscope::tests::fuzz

@@ -7,7 +7,7 @@
 #include "daemon/output/window_csv.hpp"
 #include "daemon/recording/recording.hpp"
 #include "tests/fuzz/require.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 #include "tests/fuzz/text_target.hpp"
 
 namespace loopscope::tests::fuzz {
@@ -66,7 +66,7 @@ void check_written(const LoopWindow& window) {
   }
 }
 
-void check_text(std::string_view text) {
+void check_recording(std::string_view text) {
   const daemon::CsvTable table = daemon::parse_csv(text, "file");
   check_table(table);
   const daemon::Recording recording = daemon::parse_recording(table);
@@ -82,9 +82,9 @@ void check_text(std::string_view text) {
 }
 
 }  // namespace
-}  // namespace loopscope::tests::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope::tests::fuzz;
-  return check_as_text(data, size, [](const auto& text) { check_text(text); });
+int fuzz_recording(const std::uint8_t* data, std::size_t size) {
+  return check_as_text(data, size, [](const auto& text) { check_recording(text); });
 }
+
+}  // namespace loopscope::tests::fuzz

@@ -7,7 +7,7 @@
 #include "daemon/failure.hpp"
 #include "daemon/service/storage_settings.hpp"
 #include "tests/fuzz/require.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 
 namespace loopscope::tests::fuzz {
 namespace {
@@ -50,17 +50,17 @@ void check_use(const config::Settings& settings) {
 }
 
 }  // namespace
-}  // namespace loopscope::tests::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope;
+int fuzz_settings(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
     const config::Settings settings = config::parse_settings(text, "settings");
-    tests::fuzz::check_use(settings);
-    tests::fuzz::check_round_trip(settings);
+    check_use(settings);
+    check_round_trip(settings);
   } catch (const config::SettingsError& error) {
-    tests::fuzz::check_refusal(error);
+    check_refusal(error);
   }
   return 0;
 }
+
+}  // namespace loopscope::tests::fuzz

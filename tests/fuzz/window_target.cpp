@@ -7,7 +7,7 @@
 #include "tests/fuzz/check_diagnosis.hpp"
 #include "tests/fuzz/made_window.hpp"
 #include "tests/fuzz/require.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 
 namespace loopscope::tests::fuzz {
 namespace {
@@ -27,10 +27,8 @@ void check_window(const MadeWindow& made) {
 }
 
 }  // namespace
-}  // namespace loopscope::tests::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace loopscope::tests::fuzz;
+int fuzz_window(const std::uint8_t* data, std::size_t size) {
   ByteSource source(data, size);
   const MadeWindow made = make_window(source);
   try {
@@ -41,3 +39,5 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   }
   return 0;
 }
+
+}  // namespace loopscope::tests::fuzz
