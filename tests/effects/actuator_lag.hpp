@@ -3,20 +3,16 @@
 #include <cmath>
 
 #include "tests/effects/load_model.hpp"
+#include "tests/effects/valve.hpp"
+#include "tests/generators/lag.hpp"
 
 namespace loopscope::tests::effects {
 
-/// A first-order lag that is told its target once a substep; `time_constant` in samples, > 0.
-class Lag {
- public:
-  Lag(double time_constant, double start)
-      : share_(1.0 - std::exp(-1.0 / (kSubsteps * time_constant))), value_(start) {}
-  double step(double target) { return value_ += share_ * (target - value_); }
-  [[nodiscard]] double value() const { return value_; }
+using generators::Lag;
 
- private:
-  double share_;
-  double value_;
-};
+/// Told its target once a substep.
+[[nodiscard]] inline Lag lag_of(Actuator actuator) {
+  return Lag(1.0 - std::exp(-1.0 / (kSubsteps * actuator.lag)), actuator.start);
+}
 
 }  // namespace loopscope::tests::effects

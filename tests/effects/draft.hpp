@@ -32,6 +32,13 @@ struct LoopOptions {
   Range reach = {3.0, 12.0};  ///< % of span that small moves travel to either side
 };
 
+/// Standard deviation of pv in % of span, of flow and pressure transmitters in quiet service.
+inline constexpr Range kQuiet = {0.1, 1.0};
+
+/// % of span to either side: changes of grade and of load, where op has room for them. What shows
+/// where op travels shows then.
+inline constexpr Range kFarMoves = {6.0, 20.0};
+
 /// A loop in the making. Truth speaks in % and samples until the record is made.
 struct Draft {
   Scenario base;      ///< without its effects
@@ -60,8 +67,6 @@ void draw_moves(Draft& draft, Random& random);
 /// of the samples of at most `most_at_limit`.
 [[nodiscard]] bool stays_in_range(const Scenario& scenario, const Series& series,
                                   double most_at_limit);
-
-[[nodiscard]] double standard_deviation(const std::vector<double>& values);
 
 /// A draft whose loop is stable, within its limits and shows its effects, and what it records;
 /// `attempts` counts the loops that were drawn and thrown away.

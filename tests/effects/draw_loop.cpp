@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "tests/effects/draft.hpp"
+#include "tests/generators/simc.hpp"
+#include "tests/generators/values.hpp"
 
 namespace loopscope::tests::effects {
 namespace {
+
+using generators::standard_deviation;
 
 Process draw_process(const LoopOptions& options, Random& random) {
   Process process;
@@ -34,7 +37,8 @@ Controller simc(const Process& process, double speed) {
   }
   const double tau = process.tau + process.second_tau / 2.0;
   const double closed = speed * (tau + delay);
-  return {tau / (process.gain * (closed + delay)), std::min(tau, 4.0 * (closed + delay))};
+  const auto [kc, ti] = generators::simc_of_lag(process.gain, tau, closed + delay);
+  return {kc, ti};
 }
 
 /// Scales kc down until the loop is as robust as asked.
@@ -102,14 +106,6 @@ void draw_noise(Draft& draft, Random& random) {
 }
 
 }  // namespace
-
-double standard_deviation(const std::vector<double>& values) {
-  const double count = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
-  double sum = 0.0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum / count);
-}
 
 Draft draw_loop(const LoopOptions& options, Random& random) {
   Draft draft;

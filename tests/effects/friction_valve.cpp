@@ -8,18 +8,12 @@
 namespace loopscope::tests::effects {
 namespace {
 
-/// Where He's stem stands next: still, or, once the pressure overcomes the static friction, where
-/// the kinetic friction balances it.
-double slipped(double stem, double pressure, Friction friction) {
-  const double imbalance = pressure - stem;
-  if (std::abs(imbalance) <= friction.static_friction) return stem;
-  return pressure - std::copysign(friction.kinetic_friction, imbalance);
-}
+using generators::slipped;
 
 class HeValve final : public Valve {
  public:
   HeValve(Friction friction, Actuator actuator)
-      : friction_(friction), pressure_(actuator.lag, actuator.start), stem_(actuator.start) {}
+      : friction_(friction), pressure_(lag_of(actuator)), stem_(actuator.start) {}
 
   double step(double op) override { return stem_ = slipped(stem_, pressure_.step(op), friction_); }
 
@@ -33,7 +27,7 @@ class KarnoppValve final : public Valve {
  public:
   KarnoppValve(Friction friction, Actuator actuator, double response)
       : friction_(friction),
-        pressure_(actuator.lag, actuator.start),
+        pressure_(lag_of(actuator)),
         stem_(actuator.start),
         viscous_(response),
         mass_(response * response / kOverdamped) {}
@@ -81,7 +75,7 @@ class IntermittentValve final : public Valve {
  public:
   IntermittentValve(Friction friction, Actuator actuator, std::vector<double> switches)
       : friction_(friction),
-        pressure_(actuator.lag, actuator.start),
+        pressure_(lag_of(actuator)),
         stem_(actuator.start),
         switches_(std::move(switches)) {}
 
@@ -110,6 +104,12 @@ std::unique_ptr<Valve> make_he_valve(Friction friction, Actuator actuator) {
 
 std::unique_ptr<Valve> make_karnopp_valve(Friction friction, Actuator actuator, double response) {
   return std::make_unique<KarnoppValve>(friction, actuator, response);
+}
+
+std::unique_ptr<Valve> make_sticking_valve(bool karnopp, Friction friction, Actuator actuator,
+                                           double response) {
+  return karnopp ? make_karnopp_valve(friction, actuator, response)
+                 : make_he_valve(friction, actuator);
 }
 
 std::unique_ptr<Valve> make_intermittent_valve(Friction friction, Actuator actuator,

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "tests/generators/lag.hpp"
+
 namespace loopscope::tests::effects {
 namespace {
 
@@ -19,17 +21,16 @@ std::size_t settling_samples(const Process& process) {
 /// pv at the samples after op stepped by 1 at sample 0.
 std::vector<double> step_response(const Process& process) {
   const auto delay = static_cast<std::size_t>(std::lround(process.delay * kSubsteps));
-  const double share = 1.0 - std::exp(-kStep / process.tau);
-  const double second = process.second_tau > 0 ? 1.0 - std::exp(-kStep / process.second_tau) : 1.0;
+  const double share = generators::lag_share(process.tau, kStep);
+  generators::Lag second(generators::lag_share(process.second_tau, kStep));
   double x = 0.0;
-  double y = 0.0;
   std::vector<double> response;
   for (std::size_t i = 0; response.size() < settling_samples(process); ++i) {
-    if (i % kSubsteps == 0) response.push_back(y);
+    if (i % kSubsteps == 0) response.push_back(second.value());
     const double flow = i >= delay ? 1.0 : 0.0;
     x += process.integrating ? kStep * process.gain / process.tau * flow
                              : share * (process.gain * flow - x);
-    y += second * (x - y);
+    second.step(x);
   }
   return response;
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/effects/draft.hpp"
+#include "tests/generators/values.hpp"
 
 namespace loopscope::tests::effects {
 namespace {
@@ -28,8 +29,8 @@ double growth(const Process& process, Controller controller) {
   scenario.output_load = [](double time) { return time < 0.0 ? 1e-9 : 0.0; };
   const std::vector<double> pv = simulate(scenario).pv;
   const auto part = static_cast<std::ptrdiff_t>(pv.size() / 4);
-  return standard_deviation({pv.end() - part, pv.end()}) /
-         standard_deviation({pv.begin() + part / 4, pv.begin() + part});
+  return generators::standard_deviation({pv.end() - part, pv.end()}) /
+         generators::standard_deviation({pv.begin() + part / 4, pv.begin() + part});
 }
 
 void expect_edge_of_stability(const Process& process, Controller controller) {

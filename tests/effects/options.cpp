@@ -1,9 +1,10 @@
 #include "tests/effects/options.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <sstream>
 #include <thread>
+
+#include "tests/support/command_words.hpp"
 
 namespace loopscope::tests::effects {
 namespace {
@@ -14,7 +15,7 @@ class Reader {
 
   Options read() {
     options_.plan.threads = std::max(1U, std::thread::hardware_concurrency());
-    while (place_ < words_.size()) read_option(words_[place_++]);
+    while (!words_.done()) read_option(words_.next());
     if (options_.plan.kinds.empty())
       for (const KindInfo& kind : all_kinds()) options_.plan.kinds.push_back(kind.name);
     return options_;
@@ -33,33 +34,17 @@ class Reader {
     else if (word == "--with-mv")
       options_.with_mv = true;
     else if (word == "--seed")
-      options_.plan.seed = number(word, 0);
+      options_.plan.seed = words_.count(word, 0);
     else if (word == "--draws")
-      options_.plan.draws = number(word, 1);
+      options_.plan.draws = words_.count(word, 1);
     else if (word == "--threads")
-      options_.plan.threads = static_cast<unsigned>(number(word, 1));
+      options_.plan.threads = static_cast<unsigned>(words_.count(word, 1));
     else if (word == "--kinds")
-      read_kinds(value(word));
+      read_kinds(words_.value(word));
     else if (word == "--dump")
       read_dump(word);
     else
       throw WrongUsage("unknown option " + word);
-  }
-
-  const std::string& value(const std::string& option) {
-    if (place_ >= words_.size()) throw WrongUsage(option + " lacks a value");
-    return words_[place_++];
-  }
-
-  std::uint64_t number(const std::string& option, std::uint64_t least) {
-    const std::string& text = value(option);
-    std::uint64_t result = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    if (!whole || result < least)
-      throw WrongUsage(option + " wants a number of at least " + std::to_string(least) + ", not " +
-                       text);
-    return result;
   }
 
   static const std::string& known(const std::string& kind) {
@@ -76,13 +61,12 @@ class Reader {
   }
 
   void read_dump(const std::string& word) {
-    options_.dump_kind = known(value(word));
-    options_.dump_seed = number(word, 0);
-    options_.dump_file = value(word);
+    options_.dump_kind = known(words_.value(word));
+    options_.dump_seed = words_.count(word, 0);
+    options_.dump_file = words_.value(word);
   }
 
-  const std::vector<std::string>& words_;
-  std::size_t place_ = 0;
+  CommandWords words_;
   Options options_;
 };
 

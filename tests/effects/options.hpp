@@ -1,18 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "tests/effects/draws.hpp"
 
 namespace loopscope::tests::effects {
-
-/// A command line that cannot be understood; the message names the word.
-struct WrongUsage : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
-};
 
 struct Options {
   bool help = false;
@@ -25,7 +19,7 @@ struct Options {
   bool with_mv = false;
 };
 
-/// `words` = without the program's name.
+/// `words` = without the program's name. Throws WrongUsage.
 [[nodiscard]] Options read_options(const std::vector<std::string>& words);
 
 [[nodiscard]] std::string usage();

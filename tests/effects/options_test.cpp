@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/command_words.hpp"
+
 namespace loopscope::tests::effects {
 namespace {
 

@@ -8,12 +8,6 @@
 namespace loopscope::tests::effects {
 namespace {
 
-/// Standard deviation of pv in % of span, of flow and pressure transmitters in quiet service.
-constexpr Range kQuiet = {0.1, 1.0};
-
-/// % of span to either side: changes of grade and of load, where op has room for them.
-constexpr Range kFarMoves = {6.0, 20.0};
-
 constexpr std::array kSpread = {add_stiction,      add_deadband,
                                 add_saturation,    add_characteristic,
                                 add_oscillation,   add_nonlinear_neighbour,

@@ -1,10 +1,16 @@
 #include "tests/effects/scenario.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "tests/generators/lag.hpp"
+#include "tests/generators/pi_controller.hpp"
+#include "tests/generators/values.hpp"
 
 namespace loopscope::tests::effects {
 namespace {
+
+using generators::Lag;
+using generators::lag_share;
 
 constexpr std::size_t kTotal = kRunIn + kSamples;
 
@@ -13,9 +19,9 @@ double at(const TimeFunction& function, double time, double otherwise) {
 }
 
 /// The flow `delay` samples ago, of a flow that is told once a substep.
-class Pipe {
+class ChangingDelay {
  public:
-  Pipe() { past_.reserve(kTotal * kSubsteps); }
+  ChangingDelay() { past_.reserve(kTotal * kSubsteps); }
   double step(double flow, double delay) {
     past_.push_back(flow);
     const auto back = static_cast<std::size_t>(std::lround(delay * kSubsteps));
@@ -30,41 +36,25 @@ class ProcessState {
  public:
   explicit ProcessState(const Process& process)
       : process_(process),
-        share_(1.0 - std::exp(-kStep / process.tau)),
-        second_share_(process.second_tau > 0.0 ? 1.0 - std::exp(-kStep / process.second_tau)
-                                               : 1.0) {}
+        share_(lag_share(process.tau, kStep)),
+        second_(lag_share(process.second_tau, kStep)) {}
 
   void step(double flow) {
     if (process_.integrating)
       first_ += kStep * process_.gain / process_.tau * (flow - at(process_.loss, first_, 0.0));
     else
       first_ += share_ * (process_.gain * flow - first_);
-    second_ += second_share_ * (first_ - second_);
+    second_.step(first_);
   }
-  [[nodiscard]] double pv() const { return at(process_.output_curve, second_, second_); }
+  [[nodiscard]] double pv() const {
+    return at(process_.output_curve, second_.value(), second_.value());
+  }
 
  private:
   const Process& process_;
   double share_;
-  double second_share_;
   double first_ = 0.0;
-  double second_ = 0.0;
-};
-
-class ControllerState {
- public:
-  ControllerState(const Controller& controller, double op0) : controller_(controller), op_(op0) {}
-
-  double step(double error, double gain) {
-    const double move = error - last_ + error / controller_.ti;
-    last_ = error;
-    return op_ = std::clamp(op_ + gain * controller_.kc * move, 0.0, 100.0);
-  }
-
- private:
-  Controller controller_;
-  double op_;
-  double last_ = 0.0;
+  Lag second_;
 };
 
 class Run {
@@ -72,7 +62,7 @@ class Run {
   explicit Run(const Scenario& scenario)
       : s_(scenario),
         process_(scenario.process),
-        controller_(scenario.controller, scenario.op0),
+        controller_(scenario.op0),
         valve_(scenario.valve ? scenario.valve() : nullptr),
         load_noise_(seed_for("load", scenario.noise_seed)),
         sensor_noise_(seed_for("sensor", scenario.noise_seed)) {}
@@ -81,7 +71,8 @@ class Run {
     for (std::size_t k = 0; k < kTotal; ++k) {
       const double time = static_cast<double>(k) - static_cast<double>(kRunIn);
       sense(k, time);
-      const double op = controller_.step(s_.sp[k] - pv_, at(s_.controller_gain, time, 1.0));
+      const double gain = at(s_.controller_gain, time, 1.0) * s_.controller.kc;
+      const double op = controller_.step(s_.sp[k] - pv_, gain, s_.controller.ti);
       const double mv = hold_op(op, time);
       if (k >= kRunIn) record(k, op, mv);
     }
@@ -101,7 +92,7 @@ class Run {
   /// On a grid that starts at 0 % of the span, as a converter's does.
   [[nodiscard]] double rounded(double pv) const {
     if (s_.quantum <= 0.0) return pv;
-    return s_.quantum * std::round((pv + s_.pv0) / s_.quantum) - s_.pv0;
+    return generators::to_grid(pv + s_.pv0, s_.quantum) - s_.pv0;
   }
 
   double hold_op(double op, double time) {
@@ -127,11 +118,11 @@ class Run {
 
   const Scenario& s_;
   ProcessState process_;
-  ControllerState controller_;
+  generators::PiController controller_;
   std::unique_ptr<Valve> valve_;
   Random load_noise_;
   Random sensor_noise_;
-  Pipe pipe_;
+  ChangingDelay pipe_;
   Eigen::Vector3d load_ = Eigen::Vector3d::Zero();
   double pv_ = 0.0;
   double stochastic_ = 0.0;

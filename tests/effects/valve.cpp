@@ -11,7 +11,7 @@ namespace {
 class BacklashValve final : public Valve {
  public:
   BacklashValve(double width, Actuator actuator, double response)
-      : half_(width / 2.0), stem_(actuator.lag, actuator.start), plug_(response, actuator.start) {}
+      : half_(width / 2.0), stem_(lag_of(actuator)), plug_(lag_of({response, actuator.start})) {}
 
   double step(double op) override {
     const double stem = stem_.step(op);
@@ -27,7 +27,7 @@ class BacklashValve final : public Valve {
 class StopValve final : public Valve {
  public:
   StopValve(double low, double high, Actuator actuator)
-      : low_(low), high_(high), stem_(actuator.lag, actuator.start) {}
+      : low_(low), high_(high), stem_(lag_of(actuator)) {}
 
   double step(double op) override {
     const double position = stem_.step(op);
@@ -53,7 +53,7 @@ class HuntingValve final : public Valve {
   HuntingValve(double amplitude, double period, Actuator actuator)
       : amplitude_(amplitude),
         speed_(4.0 * amplitude / period),
-        target_(actuator.lag, actuator.start),
+        target_(lag_of(actuator)),
         stem_(actuator.start) {}
 
   double step(double op) override {

@@ -3,6 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "tests/generators/friction.hpp"
+
 namespace loopscope::tests::effects {
 
 /// A control valve from op to stem position, both in %; one call per substep of the simulation.
@@ -15,12 +17,7 @@ class Valve {
   [[nodiscard]] virtual double step(double op) = 0;
 };
 
-/// Friction in % of op: the stem moves off at an imbalance of `static_friction` and slides against
-/// `kinetic_friction`. S = static + kinetic, J = static - kinetic.
-struct Friction {
-  double static_friction = 1.0;
-  double kinetic_friction = 0.5;
-};
+using generators::Friction;
 
 /// Every actuator lags behind op with a time constant of `lag` samples, 0 < lag; starts at rest at
 /// `start`.
@@ -36,6 +33,10 @@ struct Actuator {
 /// at rest. `response` = time constant of the sliding stem in samples.
 [[nodiscard]] std::unique_ptr<Valve> make_karnopp_valve(Friction friction, Actuator actuator,
                                                         double response);
+
+/// Karnopp's valve, or He's, which needs no response.
+[[nodiscard]] std::unique_ptr<Valve> make_sticking_valve(bool karnopp, Friction friction,
+                                                         Actuator actuator, double response);
 
 /// Play between stem and plug; friction of the load holds the plug inside the play, and it closes
 /// up to the edge with a time constant of `response` samples. `width` = full width.

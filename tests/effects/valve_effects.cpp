@@ -18,7 +18,7 @@ Actuator draw_actuator(const Draft& draft, Random& random) {
 Friction draw_friction(Random& random, double most) {
   const double band = random.log_uniform(1.0, most);
   const double jump = band * random.uniform(0.2, 1.0);
-  return {(band + jump) / 2.0, (band - jump) / 2.0};
+  return generators::friction_of(band, jump);
 }
 
 /// Times at which a stem that stood moves off.

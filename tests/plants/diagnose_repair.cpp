@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "daemon/service/analyse_window.hpp"
+#include "tests/effects/window_of.hpp"
 
 namespace loopscope::tests::repairs {
 namespace {
@@ -16,22 +17,10 @@ std::int64_t in_us(double seconds) {
   return std::llround(seconds * 1e6);
 }
 
-core::signal::LoopWindow window_of(const effects::Series& series, double interval_s,
-                                   std::int64_t start_us) {
-  core::signal::LoopWindow window;
-  window.sample_interval_s = interval_s;
-  window.start_us = start_us;
-  window.sp = series.sp;
-  window.pv = series.pv;
-  window.op = series.op;
-  window.op_range = core::signal::OpRange{};
-  return window;
-}
-
 storage::AnalysisRecord analyse(const storage::CatalogueEntry& loop, const effects::Series& series,
                                 double interval_s, std::int64_t start_us) {
   daemon::LoopInput input;
-  input.at_slot.window = window_of(series, interval_s, start_us);
+  input.at_slot.window = effects::window_of(series, interval_s, start_us);
   input.at_slot.slot_end_us =
       start_us + in_us(interval_s * static_cast<double>(series.pv.size() - 1));
   return daemon::analyse_window(loop, input, {}, "{}");

@@ -1,12 +1,11 @@
 #include "tests/plants/diagnosed_loop.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <future>
 #include <string_view>
 
 #include "core/diagnosis/diagnose.hpp"
 #include "tests/effects/window_of.hpp"
+#include "tests/support/in_threads.hpp"
 
 namespace loopscope::tests::plants {
 namespace {
@@ -31,7 +30,8 @@ std::size_t tests_of(const core::Diagnosis& diagnosis) {
 DiagnosedLoop diagnose_loop(const PlantLoop& loop) {
   const effects::Record record = record_of(loop);
   const core::LoopFacts facts{.integrating = record.truth.loop.integrating, .seed = loop.seed};
-  const core::Diagnosis diagnosis = core::diagnose(effects::window_of(record), {}, facts);
+  const core::Diagnosis diagnosis =
+      core::diagnose(effects::window_of(record, record.interval_s), {}, facts);
   DiagnosedLoop diagnosed{std::string(name(diagnosis.verdict.code)),
                           diagnosis.verdict.confidence,
                           diagnosis.verdict.p,
@@ -45,13 +45,7 @@ DiagnosedLoop diagnose_loop(const PlantLoop& loop) {
 
 std::vector<DiagnosedLoop> diagnose_plant(const std::vector<PlantLoop>& plant, unsigned threads) {
   std::vector<DiagnosedLoop> all(plant.size());
-  std::atomic<std::size_t> next = 0;
-  std::vector<std::future<void>> workers;
-  for (unsigned i = 0; i < std::max(1U, threads); ++i)
-    workers.push_back(std::async(std::launch::async, [&] {
-      for (std::size_t k = next++; k < plant.size(); k = next++) all[k] = diagnose_loop(plant[k]);
-    }));
-  for (std::future<void>& worker : workers) worker.get();
+  in_threads(plant.size(), threads, [&](std::size_t k) { all[k] = diagnose_loop(plant[k]); });
   return all;
 }
 

@@ -5,11 +5,11 @@
 #include "tests/plants/plant_faults_options.hpp"
 #include "tests/plants/score_text.hpp"
 #include "tests/plants/write_plant.hpp"
+#include "tests/support/command_words.hpp"
 
 namespace {
 
 namespace plants = loopscope::tests::plants;
-using Task = plants::Options::Task;
 
 void print(const plants::Options& options, const std::vector<plants::SeedScore>& scores) {
   std::cout << (options.json ? plants::json_of(scores) : plants::table_of(scores));
@@ -29,25 +29,25 @@ void diagnose(const plants::Options& options) {
 void run(const plants::Options& options) {
   const auto plant = [&] { return plants::draw_plant(options.seed, options.size); };
   switch (options.task) {
-    case Task::help:
+    case plants::Options::Task::help:
       std::cout << plants::usage();
       break;
-    case Task::diagnose:
+    case plants::Options::Task::diagnose:
       diagnose(options);
       break;
-    case Task::history:
+    case plants::Options::Task::history:
       plants::write_history(std::cout, plant(), 0, options.end_us);
       break;
-    case Task::earlier_history:
+    case plants::Options::Task::earlier_history:
       plants::write_history(std::cout, plants::watched_before(plant()), 1, options.end_us);
       break;
-    case Task::catalogue:
+    case plants::Options::Task::catalogue:
       plants::write_catalogue(std::cout, plant());
       break;
-    case Task::earlier_catalogue:
+    case plants::Options::Task::earlier_catalogue:
       plants::write_catalogue(std::cout, plants::watched_before(plant()));
       break;
-    case Task::score:
+    case plants::Options::Task::score:
       print(options, {{options.seed, plants::score(plant(), plants::read_flags(std::cin))}});
       break;
   }
@@ -55,15 +55,7 @@ void run(const plants::Options& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  run(plants::read_options({argv + 1, argv + argc}));
-  std::cout.flush();
-  if (!std::cout) throw std::runtime_error("cannot write, standard output");
-  return 0;
-} catch (const plants::WrongUsage& wrong) {
-  std::cerr << "error: " << wrong.what() << "\nHINT: --help shows the options\n";
-  return 2;
-} catch (const std::exception& fault) {
-  std::cerr << "error: " << fault.what() << "\n";
-  return 1;
+int main(int argc, char** argv) {
+  return loopscope::tests::run_program(argc, argv,
+                                       [](const auto& words) { run(plants::read_options(words)); });
 }

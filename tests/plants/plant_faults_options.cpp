@@ -1,9 +1,10 @@
 #include "tests/plants/plant_faults_options.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <thread>
+
+#include "tests/support/command_words.hpp"
 
 namespace loopscope::tests::plants {
 namespace {
@@ -22,20 +23,11 @@ const std::map<std::string, Task>& tasks() {
   return kTasks;
 }
 
-template <typename Number>
-Number number(const std::string& option, const std::string& text, const char* wanted) {
-  Number result{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
-  if (error != std::errc() || end != text.data() + text.size())
-    throw WrongUsage(option + " wants " + wanted + ", not " + text);
-  return result;
-}
-
-double rate(const std::string& option, const std::string& text) {
-  constexpr const char* kWanted = "a share above 0 and below 1";
-  const auto result = number<double>(option, text, kWanted);
+double rate(CommandWords& words, const std::string& option) {
+  const std::string wanted = "a share above 0 and below 1";
+  const auto result = words.number<double>(option, wanted);
   if (!(result > 0.0 && result < 1.0))
-    throw WrongUsage(option + " wants " + kWanted + ", not " + text);
+    throw WrongUsage(option + " wants " + wanted + ", not " + std::to_string(result));
   return result;
 }
 
@@ -56,11 +48,11 @@ void set_number(Options& options, const std::string& option, std::uint64_t value
     throw WrongUsage("unknown option " + option);
 }
 
-void set(Options& options, const std::string& option, const std::string& text) {
+void set(Options& options, const std::string& option, CommandWords& words) {
   if (option == "--rate")
-    options.rule.false_discovery_rate = rate(option, text);
+    options.rule.false_discovery_rate = rate(words, option);
   else
-    set_number(options, option, number<std::uint64_t>(option, text, "a whole number"));
+    set_number(options, option, words.number<std::uint64_t>(option, "a whole number"));
 }
 
 }  // namespace
@@ -68,18 +60,16 @@ void set(Options& options, const std::string& option, const std::string& text) {
 Options read_options(const std::vector<std::string>& words) {
   Options options;
   options.threads = std::max(1U, std::thread::hardware_concurrency());
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (const auto task = tasks().find(words[i]); task != tasks().end())
+  for (CommandWords left(words); !left.done();) {
+    const std::string& word = left.next();
+    if (const auto task = tasks().find(word); task != tasks().end())
       options.task = task->second;
-    else if (words[i] == "--json")
+    else if (word == "--json")
       options.json = true;
-    else if (!words[i].starts_with("--"))
-      throw WrongUsage("unknown word " + words[i]);
-    else {
-      if (i + 1 == words.size()) throw WrongUsage(words[i] + " lacks a value");
-      set(options, words[i], words[i + 1]);
-      ++i;
-    }
+    else if (!word.starts_with("--"))
+      throw WrongUsage("unknown word " + word);
+    else
+      set(options, word, left);
   }
   if (options.size.faulty > options.size.loops) throw WrongUsage("more --faulty than --loops");
   return options;

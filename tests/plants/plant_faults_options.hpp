@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,11 +9,6 @@
 #include "tests/plants/plant.hpp"
 
 namespace loopscope::tests::plants {
-
-/// A command line that cannot be understood; the message names the word.
-struct WrongUsage : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
-};
 
 struct Options {
   enum class Task { diagnose, help, history, earlier_history, catalogue, earlier_catalogue, score };
@@ -28,7 +22,7 @@ struct Options {
   bool json = false;
 };
 
-/// `words` = without the program's name.
+/// `words` = without the program's name. Throws WrongUsage.
 [[nodiscard]] Options read_options(const std::vector<std::string>& words);
 
 [[nodiscard]] std::string usage();

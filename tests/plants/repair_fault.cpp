@@ -12,6 +12,8 @@ namespace {
 using effects::Actuator;
 using effects::Draft;
 using effects::Friction;
+using effects::kFarMoves;
+using effects::kQuiet;
 using effects::LoopFrequency;
 using effects::LoopOptions;
 using effects::Moves;
@@ -20,12 +22,8 @@ using effects::Range;
 using effects::Scenario;
 using effects::Tuning;
 
-/// Standard deviation of pv in % of span, of transmitters in quiet service.
-constexpr Range kQuiet = {0.1, 1.0};
 /// Of a loop that travels: its noise has to count beside moves of many percent.
 constexpr Range kFlowNoise = {0.3, 1.0};
-/// % of span to either side: a dead band shows where op travels.
-constexpr Range kFarMoves = {6.0, 20.0};
 
 double on_scale(double low, double high, double size) {
   return low * std::pow(high / low, size);
@@ -44,8 +42,7 @@ PutFault draw_stiction(const Draft& loop, Random& random) {
   return [=](Scenario& scenario, double size) {
     const Friction friction = friction_of(on_scale(1.0, 8.0, size), jump_share);
     scenario.valve = [=] {
-      return karnopp ? effects::make_karnopp_valve(friction, actuator, response)
-                     : effects::make_he_valve(friction, actuator);
+      return effects::make_sticking_valve(karnopp, friction, actuator, response);
     };
   };
 }

@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include "daemon/calibrate/in_threads.hpp"
+#include "tests/support/in_threads.hpp"
 
 namespace loopscope::tests::repairs {
 
 std::vector<DiagnosedRepair> run_repairs(const RepairPlan& plan) {
   std::vector<DiagnosedRepair> repairs(plan.repairs);
-  daemon::in_threads(plan.repairs, plan.threads, [&]() -> daemon::IndexedTask {
-    return [&](std::size_t i) {
-      const Repair repair = draw_repair(static_cast<Word>(i % kWords), plan.seed + i);
-      repairs[i] = diagnose_repair(repair, fmt::format("repair {:04}", i + 1));
-    };
+  in_threads(plan.repairs, plan.threads, [&](std::size_t i) {
+    const Repair repair = draw_repair(static_cast<Word>(i % kWords), plan.seed + i);
+    repairs[i] = diagnose_repair(repair, fmt::format("repair {:04}", i + 1));
   });
   return repairs;
 }

@@ -5,24 +5,18 @@
 #include <numeric>
 #include <vector>
 
+#include "tests/generators/simc.hpp"
+
 namespace loopscope::tests::model {
 
 std::size_t record_length(Draw& draw) {
   return static_cast<std::size_t>(draw.log_between(700.0, 4000.0));
 }
 
-double std_of(const std::vector<double>& x) {
-  const auto n = static_cast<double>(x.size());
-  const double mean = std::accumulate(x.begin(), x.end(), 0.0) / n;
-  double sum = 0.0;
-  for (const double v : x) sum += (v - mean) * (v - mean);
-  return std::sqrt(sum / n);
-}
-
 /// Mean period in samples by crossings of the mean with a quarter of the spread as hysteresis.
 double period_of(const std::vector<double>& x) {
   const double mean = std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
-  const double gate = 0.25 * std_of(x);
+  const double gate = 0.25 * standard_deviation(x);
   int side = 0;
   double ups = 0.0;
   for (const double v : x) {
@@ -68,8 +62,9 @@ FieldSettings temperature(Draw& draw) {
   s.dead_steps = draw.whole(2, 10);
   const double dead = static_cast<double>(s.dead_steps) + 0.5 * s.second_lag_steps;
   const double closed = dead * draw.between(0.8, 2.5);
-  s.controller_gain = s.lag_steps / (s.gain * (closed + dead));
-  s.integral_steps = std::min(s.lag_steps, 4.0 * (closed + dead));
+  const auto [gain, integral_steps] = generators::simc_of_lag(s.gain, s.lag_steps, closed + dead);
+  s.controller_gain = gain;
+  s.integral_steps = integral_steps;
   s.recording.every = draw.whole(1, 5);
   return s;
 }

@@ -4,18 +4,19 @@
 #include <vector>
 
 #include "tests/core/model/field_loop.hpp"
+#include "tests/generators/values.hpp"
 
 namespace loopscope::tests::model {
 
 /// Loops as plants have them, and what all families of recordings share.
 using Loop = FieldSettings (*)(Draw&);
 
+using generators::standard_deviation;
+
 /// Samples of a recording.
 using Length = std::size_t (*)(Draw&);
 
 std::size_t record_length(Draw& draw);
-
-double std_of(const std::vector<double>& x);
 
 /// Mean period in samples by crossings of the mean with a quarter of the spread as hysteresis.
 double period_of(const std::vector<double>& x);

@@ -1,9 +1,12 @@
 #include "tests/core/model/field_loop.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <deque>
 #include <numbers>
+
+#include "tests/generators/delay.hpp"
+#include "tests/generators/friction.hpp"
+#include "tests/generators/pi_controller.hpp"
+#include "tests/generators/values.hpp"
 
 namespace loopscope::tests::model {
 namespace {
@@ -11,9 +14,7 @@ namespace {
 constexpr double kMiddle = 50.0;
 constexpr std::size_t kRunIn = 800;
 
-double to_grid(double value, double grid) {
-  return grid > 0.0 ? grid * std::round(value / grid) : value;
-}
+using generators::to_grid;
 
 class Wave {
  public:
@@ -54,48 +55,44 @@ class Stem {
  public:
   explicit Stem(const FieldValve& valve)
       : valve_(valve),
-        static_(0.5 * (valve.stickband_percent + valve.slip_jump_percent)),
-        dynamic_(0.5 * (valve.stickband_percent - valve.slip_jump_percent)) {}
+        friction_(generators::friction_of(valve.stickband_percent, valve.slip_jump_percent)) {}
   double next(double op) {
     const bool away = valve_.stretch_steps > 0 && step_++ / valve_.stretch_steps % 2 == 1;
     if (away) velocity_ = 0.0;
     if (valve_.friction == Friction::none || away) return position_ = op;
-    if (valve_.friction == Friction::he) return he(op);
+    if (valve_.friction == Friction::he)
+      return position_ = generators::slipped(position_, op, on_the_way(op - position_));
     for (int i = 0; i < kSubSteps; ++i) karnopp(op);
     return position_;
   }
 
  private:
   static constexpr int kSubSteps = 20;
-  [[nodiscard]] double scale(double force) const {
-    return force > 0.0 ? 1.0 + valve_.asymmetry : 1.0 - valve_.asymmetry;
-  }
-  double he(double op) {
-    const double force = op - position_;
-    if (std::abs(force) > static_ * scale(force)) {
-      position_ = op - std::copysign(dynamic_ * scale(force), force);
-    }
-    return position_;
+  /// Friction against a motion with this sign.
+  [[nodiscard]] generators::Friction on_the_way(double force) const {
+    const double scale = force > 0.0 ? 1.0 + valve_.asymmetry : 1.0 - valve_.asymmetry;
+    return {friction_.static_friction * scale, friction_.kinetic_friction * scale};
   }
   void karnopp(double op) {
     constexpr double kStep = 1.0 / kSubSteps, kMass = 0.002, kViscous = 0.08, kRest = 0.02;
     const double force = op - position_;
     if (std::abs(velocity_) < kRest) {
-      if (std::abs(force) <= static_ * scale(force)) {
+      const generators::Friction friction = on_the_way(force);
+      if (std::abs(force) <= friction.static_friction) {
         velocity_ = 0.0;
         return;
       }
-      velocity_ += kStep * 0.1 * (force - std::copysign(dynamic_ * scale(force), force)) / kMass;
+      velocity_ += kStep * 0.1 * (force - std::copysign(friction.kinetic_friction, force)) / kMass;
     }
     const double sign = velocity_ > 0.0 ? 1.0 : -1.0;
     // Viscous drag is stiff against the step: taken implicitly.
-    const double drive = force - sign * dynamic_ * scale(sign);
+    const double drive = force - sign * on_the_way(sign).kinetic_friction;
     const double moved = (velocity_ + kStep * drive / kMass) / (1.0 + kStep * kViscous / kMass);
     velocity_ = moved * sign < 0.0 ? 0.0 : moved;
     position_ += kStep * velocity_;
   }
   FieldValve valve_;
-  double static_, dynamic_;
+  generators::Friction friction_;
   double position_ = kMiddle;
   double velocity_ = 0.0;
   std::size_t step_ = 0;
@@ -108,11 +105,9 @@ double pole(double lag) {
 class Plant {
  public:
   explicit Plant(const FieldSettings& s)
-      : s_(s), pipe_(s.dead_steps, 0.0), a1_(pole(s.lag_steps)), a2_(pole(s.second_lag_steps)) {}
+      : s_(s), pipe_(s.dead_steps), a1_(pole(s.lag_steps)), a2_(pole(s.second_lag_steps)) {}
   double next(double flow) {
-    pipe_.push_back(flow);
-    const double late = pipe_.front();
-    pipe_.pop_front();
+    const double late = pipe_.step(flow);
     first_ = s_.integrating ? first_ + s_.gain * late : a1_ * first_ + (1.0 - a1_) * s_.gain * late;
     second_ = a2_ * second_ + (1.0 - a2_) * first_;
     return second_;
@@ -120,7 +115,7 @@ class Plant {
 
  private:
   FieldSettings s_;
-  std::deque<double> pipe_;
+  generators::Delay pipe_;
   double a1_, a2_, first_ = 0.0, second_ = 0.0;
 };
 
@@ -178,30 +173,27 @@ FieldLoop run_field_loop(const FieldSettings& s, std::size_t samples, Draw& draw
   Wave master(s.master, draw);
   FieldLoop loop;
   const double actuator = pole(s.actuator_lag_steps), filter = pole(s.filter_steps);
-  double op = kMiddle, air = kMiddle, op_before = kMiddle, seen = 0.0, error_before = 0.0,
-         load = 0.0, pv = 0.0, sp_base = 0.0, sp_walk = 0.0;
+  generators::PiController controller(kMiddle, {s.op_low, s.op_high});
+  double air = kMiddle, seen = 0.0, load = 0.0, pv = 0.0, sp_base = 0.0, sp_walk = 0.0;
   const std::size_t steps = kRunIn + samples * s.recording.every;
   for (std::size_t k = 0; k < steps; ++k) {
     load = s.load_memory * load + s.load_step_std * draw.normal();
     double at_input = load, at_output = 0.0;
     for (Wave& wave : waves) (wave.at_input() ? at_input : at_output) += wave.next(draw);
     if (!s.neighbour.empty()) at_output += s.neighbour[k % s.neighbour.size()];
-    air = actuator * air + (1.0 - actuator) * op;
+    air = actuator * air + (1.0 - actuator) * controller.op();
     const double mv = stem.next(air);
     const double flow = (mv - kMiddle) * (1.0 + s.trim * (mv - kMiddle) / kMiddle);
     pv = plant.next(flow + at_input) + at_output;
     seen = filter * seen + (1.0 - filter) * pv;
     const double reading = sensor.next(seen + s.noise_std * draw.normal(), draw);
-    op_before = op;
+    const double op_before = controller.op();
     if (s.setpoint_every > 0.0 && draw.chance(1.0 / s.setpoint_every)) {
       sp_base = s.setpoint_step_std * draw.normal();
     }
     sp_walk = 0.99 * sp_walk + s.master_walk * std::sqrt(1.0 - 0.99 * 0.99) * draw.normal();
     const double sp = sp_base + sp_walk + master.next(draw);
-    const double error = sp - reading;
-    op += s.controller_gain * (error - error_before + error / s.integral_steps);
-    op = std::clamp(op, s.op_low, s.op_high);
-    error_before = error;
+    const double op = controller.step(sp - reading, s.controller_gain, s.integral_steps);
     if (k >= kRunIn && (k - kRunIn) % s.recording.every == 0) {
       loop.sp.push_back(100.0 + sp);
       loop.pv.push_back(100.0 + reading);

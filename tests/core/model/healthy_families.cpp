@@ -53,7 +53,7 @@ FieldLoop analyser(Draw& draw) {
   s = tightened(s, draw.between(0.7, 0.98), draw);
   s.load_step_std = 0.2;
   s.load_memory = 0.99;
-  const double swing = std_of(run_field_loop(s, 1000, draw).pv);
+  const double swing = standard_deviation(run_field_loop(s, 1000, draw).pv);
   s.recording.sensor_dead_zone = swing * draw.between(0.1, 0.6);
   return waved(s, draw);
 }
@@ -62,7 +62,7 @@ FieldLoop quantised(Draw& draw) {
   FieldSettings s = any_loop(draw);
   s.load_step_std = s.integrating ? 0.05 : 0.3;
   s.load_memory = draw.between(0.98, 0.999);
-  const double swing = std_of(run_field_loop(s, 1000, draw).pv);
+  const double swing = standard_deviation(run_field_loop(s, 1000, draw).pv);
   s.recording.pv_grid = swing * draw.between(0.2, 1.5);
   return waved(s, draw);
 }
@@ -70,7 +70,7 @@ FieldLoop quantised(Draw& draw) {
 FieldLoop faulty_sensor(Draw& draw) {
   FieldSettings s = any_loop(draw);
   s.load_step_std = s.integrating ? 0.02 : 0.1;
-  const double swing = std_of(run_field_loop(s, 1000, draw).pv);
+  const double swing = standard_deviation(run_field_loop(s, 1000, draw).pv);
   s.recording.sensor_wander = swing * draw.between(0.5, 3.0);
   s.recording.spike_rate = draw.chance(0.5) ? draw.log_between(0.002, 0.03) : 0.0;
   s.recording.sensor_hold = draw.chance(0.5) ? draw.whole(2, 20) : 1;
@@ -83,7 +83,7 @@ FieldLoop wandering(Draw& draw) {
   s.load_memory = draw.between(0.9, 0.999);
   s.load_step_std = s.integrating ? 0.05 : 0.3;
   const std::size_t samples = record_length(draw);
-  const double swing = std_of(run_field_loop(s, samples, draw).pv);
+  const double swing = standard_deviation(run_field_loop(s, samples, draw).pv);
   s.noise_std = swing * draw.log_between(0.05, 3.0);
   return run_field_loop(s, samples, draw);
 }

@@ -9,7 +9,7 @@ namespace {
 /// The settings with an archive set by what the loop does.
 FieldLoop archived(FieldSettings s, std::size_t samples, Draw& draw) {
   const FieldLoop clear = run_field_loop(s, samples, draw);
-  historian(s, std_of(clear.pv), std_of(clear.op), draw);
+  historian(s, standard_deviation(clear.pv), standard_deviation(clear.op), draw);
   return run_field_loop(s, samples, draw);
 }
 
@@ -20,7 +20,8 @@ bool runs_away(FieldSettings s, double factor, Draw& draw) {
   const FieldLoop loop = run_field_loop(s, 600, draw);
   const std::vector<double> early(loop.op.begin(), loop.op.begin() + 300);
   const std::vector<double> late(loop.op.begin() + 300, loop.op.end());
-  return std_of(loop.op) > 0.5 || std_of(late) > 3.0 * std_of(early);
+  return standard_deviation(loop.op) > 0.5 ||
+         standard_deviation(late) > 3.0 * standard_deviation(early);
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ OutsideWave outside(OutsideWave::Shape shape, bool at_input, Draw& draw) {
 FieldLoop waved(FieldSettings s, Draw& draw, bool archive_too, Length length) {
   const std::size_t samples = length(draw);
   const FieldLoop clear = run_field_loop(s, samples, draw);
-  const double swing_pv = std_of(clear.pv), swing_op = std_of(clear.op);
+  const double swing_pv = standard_deviation(clear.pv), swing_op = standard_deviation(clear.op);
   roughen(s, swing_pv, swing_op, draw);
   if (draw.chance(0.5)) {
     s.valve.friction = Friction::he;

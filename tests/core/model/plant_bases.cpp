@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tests/generators/simc.hpp"
+
 namespace loopscope::tests::model {
 
 Friction either(Draw& draw) {
@@ -29,7 +31,7 @@ FieldSettings concentration(Draw& draw) {
   s.dead_steps = draw.whole(5, 30);
   const auto dead = static_cast<double>(s.dead_steps);
   const double closed = dead * draw.between(0.8, 2.5);
-  s.controller_gain = s.lag_steps / (s.gain * (closed + dead));
+  s.controller_gain = generators::simc_of_lag(s.gain, s.lag_steps, closed + dead).gain;
   s.integral_steps = s.lag_steps;
   s.recording.every = draw.whole(1, 4);
   return s;

@@ -19,7 +19,7 @@ FieldLoop victim(Draw& draw) {
   source.noise_std = 0.0;
   FieldSettings s = any_loop(draw);
   s.neighbour = run_field_loop(source, 4000, draw).pv;
-  const double swing = std_of(s.neighbour);
+  const double swing = standard_deviation(s.neighbour);
   const double keep = std::exp(-1.0 / draw.log_between(0.3, 10.0));
   double lagged = s.neighbour.front();
   for (double& value : s.neighbour) {
@@ -61,8 +61,8 @@ FieldLoop coarse_wave(Draw& draw) {
   FieldSettings s = any_loop(draw);
   s.waves.push_back(outside(Shape::sine, s.integrating, draw));
   const FieldLoop clear = run_field_loop(s, 1000, draw);
-  s.recording.pv_grid = std_of(clear.pv) * draw.between(0.2, 0.8);
-  s.recording.archive_grid_op = std_of(clear.op) * draw.between(0.1, 0.5);
+  s.recording.pv_grid = standard_deviation(clear.pv) * draw.between(0.2, 0.8);
+  s.recording.archive_grid_op = standard_deviation(clear.op) * draw.between(0.1, 0.5);
   return waved(s, draw);
 }
 
@@ -107,9 +107,9 @@ FieldLoop complicated_tight(Draw& draw) {
 FieldLoop with_play(FieldSettings s, Draw& draw) {
   const std::size_t samples = record_length(draw);
   const FieldLoop clear = run_field_loop(s, samples, draw);
-  roughen(s, std_of(clear.pv), std_of(clear.op), draw);
+  roughen(s, standard_deviation(clear.pv), standard_deviation(clear.op), draw);
   s.valve.friction = Friction::he;
-  s.valve.stickband_percent = std_of(clear.op) * draw.between(0.2, 1.0);
+  s.valve.stickband_percent = standard_deviation(clear.op) * draw.between(0.2, 1.0);
   s.valve.slip_jump_percent = 0.0;
   return run_field_loop(s, samples, draw);
 }

@@ -24,8 +24,8 @@ FieldLoop slow_stiction_by_analyser(Draw& draw) {
 FieldLoop coarse_stiction(Draw& draw) {
   return visible_stiction(any_loop, either(draw), draw, [&](FieldSettings& s, std::size_t samples) {
     const FieldLoop clear = run_field_loop(s, samples, draw);
-    s.recording.pv_grid = std_of(clear.pv) * draw.between(0.2, 0.8);
-    s.recording.archive_grid_op = std_of(clear.op) * draw.between(0.1, 0.5);
+    s.recording.pv_grid = standard_deviation(clear.pv) * draw.between(0.2, 0.8);
+    s.recording.archive_grid_op = standard_deviation(clear.op) * draw.between(0.1, 0.5);
   });
 }
 
@@ -35,8 +35,8 @@ FieldLoop slave_stiction(Draw& draw) {
     s.master = outside(OutsideWave::Shape::sine, false, draw);
     s.master.period_steps =
         period_of(clear.op) * static_cast<double>(s.recording.every) * draw.between(3.0, 12.0);
-    s.master.amplitude = std_of(clear.pv) * draw.between(0.3, 2.0);
-    s.master_walk = std_of(clear.pv) * draw.between(0.0, 0.3);
+    s.master.amplitude = standard_deviation(clear.pv) * draw.between(0.3, 2.0);
+    s.master_walk = standard_deviation(clear.pv) * draw.between(0.0, 0.3);
   });
 }
 

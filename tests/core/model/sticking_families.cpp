@@ -17,13 +17,14 @@ FieldLoop archived_stiction(Draw& draw) {
   const Friction friction = draw.chance(0.5) ? Friction::he : Friction::karnopp;
   return visible_stiction(any_loop, friction, draw, [&](FieldSettings& s, std::size_t samples) {
     const FieldLoop clear = run_field_loop(s, samples, draw);
-    historian(s, std_of(clear.pv), std_of(clear.op), draw);
+    historian(s, standard_deviation(clear.pv), standard_deviation(clear.op), draw);
   });
 }
 
 FieldLoop moved_stiction(Draw& draw) {
   return visible_stiction(any_loop, Friction::he, draw, [&](FieldSettings& s, std::size_t samples) {
-    s.setpoint_step_std = std_of(run_field_loop(s, samples, draw).pv) * draw.between(1.0, 4.0);
+    s.setpoint_step_std =
+        standard_deviation(run_field_loop(s, samples, draw).pv) * draw.between(1.0, 4.0);
     s.setpoint_every = static_cast<double>(samples * s.recording.every) / draw.between(3.0, 12.0);
   });
 }
@@ -42,7 +43,7 @@ FieldLoop disturbed_stiction(Draw& draw) {
     OutsideWave wave;
     wave.period_steps = period_of(clear.op) * static_cast<double>(s.recording.every) *
                         (draw.chance(0.5) ? draw.between(0.2, 0.6) : draw.between(1.8, 4.0));
-    wave.amplitude = std_of(clear.pv) * draw.between(0.2, 0.8);
+    wave.amplitude = standard_deviation(clear.pv) * draw.between(0.2, 0.8);
     wave.phase_walk = 0.02;
     s.waves.push_back(wave);
   });

@@ -36,12 +36,12 @@ FieldSettings sticking(Loop base, Friction friction, std::size_t samples, Draw& 
     s.load_step_std = 1e-3 * s.valve.stickband_percent;
     const FieldLoop quiet = run_field_loop(s, samples, draw);
     const double period = period_of(quiet.op);
-    const double swing_op = std_of(quiet.op);
+    const double swing_op = standard_deviation(quiet.op);
     const bool cycles = period > 6.0 && period < static_cast<double>(samples) / 6.0;
     if (!cycles || swing_op < 0.1 * s.valve.stickband_percent ||
         swing_op > 4.0 * s.valve.stickband_percent)
       continue;
-    roughen(s, std_of(quiet.pv), 0.5 * s.valve.stickband_percent, draw);
+    roughen(s, standard_deviation(quiet.pv), 0.5 * s.valve.stickband_percent, draw);
     return s;
   }
 }
@@ -53,7 +53,8 @@ bool cycles_visibly(const FieldLoop& loop, const FieldSettings& s) {
   std::size_t longest = 0;
   for (std::size_t i = 1; i < places.size(); ++i)
     longest = std::max(longest, places[i] - places[i - 1]);
-  return static_cast<double>(longest) < 0.2 * samples && s.noise_std < 0.5 * std_of(loop.pv);
+  return static_cast<double>(longest) < 0.2 * samples &&
+         s.noise_std < 0.5 * standard_deviation(loop.pv);
 }
 
 FieldLoop visible_stiction(Loop base, Friction friction, Draw& draw, const Change& change,

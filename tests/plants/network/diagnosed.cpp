@@ -6,27 +6,16 @@
 #include "core/diagnosis/gather_evidence.hpp"
 #include "core/diagnosis/loop_model.hpp"
 #include "core/diagnosis/plant_member.hpp"
+#include "tests/effects/window_of.hpp"
 
 namespace loopscope::tests::network {
-namespace {
-
-core::signal::LoopWindow window_of(const LoopRecord& record) {
-  core::signal::LoopWindow window;
-  window.sample_interval_s = record.interval_s;
-  window.start_us = std::llround(record.start_s * 1e6);
-  window.sp = record.sp;
-  window.pv = record.pv;
-  window.op = record.op;
-  window.op_range = core::signal::OpRange{};
-  return window;
-}
-
-}  // namespace
 
 DiagnosedLoop diagnose(const LoopRecord& record, const TrueLoop& truth, std::uint64_t seed) {
   const core::AnalysisSettings settings;
   const core::LoopFacts facts{.integrating = truth.kind == LoopKind::level, .seed = seed};
-  const core::FirstLook first = core::first_look(window_of(record), settings);
+  const std::int64_t start_us = std::llround(record.start_s * 1e6);
+  const core::FirstLook first =
+      core::first_look(effects::window_of(record, record.interval_s, start_us), settings);
   core::Evidence evidence = core::gather_evidence(first, settings, facts, nullptr);
   if (core::can_be_modelled(first, evidence) &&
       core::gives_cause_for_a_model(evidence, settings.hos))
@@ -35,7 +24,7 @@ DiagnosedLoop diagnose(const LoopRecord& record, const TrueLoop& truth, std::uin
   DiagnosedLoop loop;
   loop.name = truth.name;
   loop.interval_s = record.interval_s;
-  loop.start_us = std::llround(record.start_s * 1e6);
+  loop.start_us = start_us;
   loop.error = first.loop.error;
   loop.sp = record.sp;
   loop.pv = first.loop.pv;

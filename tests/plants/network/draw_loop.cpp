@@ -1,11 +1,11 @@
 #include "tests/plants/network/draw_loop.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "tests/effects/load_model.hpp"
+#include "tests/generators/simc.hpp"
 #include "tests/plants/network/simulate.hpp"
 
 namespace loopscope::tests::network {
@@ -48,7 +48,8 @@ Controller simc(const Process& process, double scan_s, double speed) {
   const double closed = speed * delay + delay;
   if (process.integrating) return {1.0 / (process.gain * closed), 4.0 * closed, scan_s};
   const double slow = process.time_constant_s + process.second_time_constant_s / 2.0;
-  return {slow / (process.gain * closed), std::min(slow, 4.0 * closed), scan_s};
+  const auto [gain, integral_time_s] = generators::simc_of_lag(process.gain, slow, closed);
+  return {gain, integral_time_s, scan_s};
 }
 
 std::complex<double> open_loop(const LoopPlan& loop, double omega) {
@@ -118,14 +119,11 @@ void make_stick(LoopPlan& loop, Random& random) {
   }
   const double band = random.log_uniform(2.5, 12.0);
   const double jump = band * random.uniform(0.15, 1.0);
-  const effects::Friction friction{(band + jump) / 2.0, (band - jump) / 2.0};
+  const effects::Friction friction = generators::friction_of(band, jump);
   const effects::Actuator actuator = draw_actuator(loop, random);
   const double response = random.log_uniform(0.1, 1.0) / kValveSample_s;
   const bool karnopp = random.chance(0.5);
-  loop.valve = [=] {
-    return karnopp ? effects::make_karnopp_valve(friction, actuator, response)
-                   : effects::make_he_valve(friction, actuator);
-  };
+  loop.valve = [=] { return effects::make_sticking_valve(karnopp, friction, actuator, response); };
 }
 
 void make_tight(LoopPlan& loop, Random& random) {

@@ -1,9 +1,10 @@
 #include "tests/plants/network/options.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <thread>
+
+#include "tests/support/command_words.hpp"
 
 namespace loopscope::tests::network {
 namespace {
@@ -14,7 +15,7 @@ class Reader {
 
   Options read() {
     options_.threads = std::max(1U, std::thread::hardware_concurrency());
-    while (place_ < words_.size()) read_option(words_[place_++]);
+    while (!words_.done()) read_option(words_.next());
     options_.outside = outside_.value_or(options_.plants / 4);
     return options_;
   }
@@ -28,37 +29,20 @@ class Reader {
     else if (word == "--criteria")
       options_.criteria = true;
     else if (word == "--evidence")
-      options_.evidence_file = value(word);
+      options_.evidence_file = words_.value(word);
     else if (word == "--seed")
-      options_.seed = number(word, 0);
+      options_.seed = words_.count(word, 0);
     else if (word == "--plants")
-      options_.plants = number(word, 0);
+      options_.plants = words_.count(word, 0);
     else if (word == "--outside")
-      outside_ = number(word, 0);
+      outside_ = words_.count(word, 0);
     else if (word == "--threads")
-      options_.threads = static_cast<unsigned>(number(word, 1));
+      options_.threads = static_cast<unsigned>(words_.count(word, 1));
     else
       throw WrongUsage("unknown option " + word);
   }
 
-  const std::string& value(const std::string& option) {
-    if (place_ >= words_.size()) throw WrongUsage(option + " lacks a value");
-    return words_[place_++];
-  }
-
-  std::uint64_t number(const std::string& option, std::uint64_t least) {
-    const std::string& text = value(option);
-    std::uint64_t result = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    if (!whole || result < least)
-      throw WrongUsage(option + " wants a number of at least " + std::to_string(least) + ", not " +
-                       text);
-    return result;
-  }
-
-  const std::vector<std::string>& words_;
-  std::size_t place_ = 0;
+  CommandWords words_;
   std::optional<std::size_t> outside_;
   Options options_;
 };

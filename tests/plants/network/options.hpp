@@ -1,16 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace loopscope::tests::network {
-
-/// A command line that cannot be understood; the message names the word.
-struct WrongUsage : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
-};
 
 /// Plants `seed` to `seed + plants - 1`; those with a cause outside have the same numbers and share
 /// nothing with them.
@@ -25,7 +19,7 @@ struct Options {
   unsigned threads = 1;
 };
 
-/// `words` = without the program's name.
+/// `words` = without the program's name. Throws WrongUsage.
 [[nodiscard]] Options read_options(const std::vector<std::string>& words);
 
 [[nodiscard]] std::string usage();

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tuple>
 
+#include "tests/support/command_words.hpp"
+
 namespace loopscope::tests::network {
 namespace {
 

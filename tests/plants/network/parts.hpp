@@ -1,32 +1,16 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
+#include "tests/generators/delay.hpp"
+#include "tests/generators/lag.hpp"
 
 namespace loopscope::tests::network {
 
-/// What goes in comes out `delay_s` later; told once a step.
-class Pipe {
- public:
-  Pipe(double delay_s, double step_s);
-  double step(double value);
+using generators::Delay;
+using generators::Lag;
 
- private:
-  std::vector<double> held_;
-  std::size_t at_ = 0;
-};
-
-/// First-order lag of gain 1; `time_constant_s` 0 = none.
-class Lag {
- public:
-  Lag(double time_constant_s, double step_s);
-  double step(double target) { return value_ += share_ * (target - value_); }
-  [[nodiscard]] double value() const { return value_; }
-
- private:
-  double share_;
-  double value_ = 0.0;
-};
+/// Whole steps of a time.
+[[nodiscard]] Delay delay_of(double time_s, double step_s);
+[[nodiscard]] Lag lag_of(double time_constant_s, double step_s);  ///< 0 = none
 
 /// What lies between the flow through a valve and the sensor, in % of span and seconds.
 struct Process {
@@ -47,7 +31,7 @@ class ProcessState {
  private:
   Process process_;
   double step_s_;
-  Pipe pipe_;
+  Delay pipe_;
   Lag first_;
   Lag second_;
   double level_ = 0.0;
@@ -58,18 +42,6 @@ struct Controller {
   double gain = 1.0;  ///< % by %
   double integral_time_s = 10.0;
   double scan_s = 1.0;
-};
-
-class ControllerState {
- public:
-  ControllerState(const Controller& controller, double op0) : controller_(controller), op_(op0) {}
-  double step(double error);
-  [[nodiscard]] double op() const { return op_; }
-
- private:
-  Controller controller_;
-  double op_;
-  double last_ = 0.0;
 };
 
 }  // namespace loopscope::tests::network

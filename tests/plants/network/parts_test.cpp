@@ -3,20 +3,22 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "tests/generators/pi_controller.hpp"
+
 namespace loopscope::tests::network {
 namespace {
 
 constexpr double kStep = 0.2;
 
 TEST(PlantParts, APipeDelays) {
-  Pipe pipe(1.0, kStep);
+  Delay pipe = delay_of(1.0, kStep);
   for (int k = 0; k < 20; ++k) EXPECT_EQ(pipe.step(k), k < 5 ? 0.0 : k - 5);
-  Pipe none(0.0, kStep);
+  Delay none = delay_of(0.0, kStep);
   EXPECT_EQ(none.step(3.0), 3.0);
 }
 
 TEST(PlantParts, ALagReachesTwoThirdsInOneTimeConstant) {
-  Lag lag(10.0, kStep);
+  Lag lag = lag_of(10.0, kStep);
   for (int k = 0; k < 50; ++k) lag.step(1.0);
   EXPECT_NEAR(lag.value(), 1.0 - std::exp(-1.0), 1e-12);
 }
@@ -28,12 +30,13 @@ TEST(PlantParts, AVesselFills) {
 }
 
 TEST(PlantParts, AControllerIntegratesAndStopsAtItsLimits) {
-  ControllerState controller({2.0, 10.0, 1.0}, 50.0);
-  EXPECT_NEAR(controller.step(1.0), 50.0 + 2.0 * 1.1, 1e-12);
-  EXPECT_NEAR(controller.step(1.0), 50.0 + 2.0 * 1.2, 1e-12);
-  for (int k = 0; k < 1000; ++k) controller.step(10.0);
+  generators::PiController controller(50.0);
+  const auto step = [&](double error) { return controller.step(error, 2.0, 10.0); };
+  EXPECT_NEAR(step(1.0), 50.0 + 2.0 * 1.1, 1e-12);
+  EXPECT_NEAR(step(1.0), 50.0 + 2.0 * 1.2, 1e-12);
+  for (int k = 0; k < 1000; ++k) step(10.0);
   EXPECT_EQ(controller.op(), 100.0);
-  EXPECT_LT(controller.step(9.0), 100.0);
+  EXPECT_LT(step(9.0), 100.0);
 }
 
 }  // namespace

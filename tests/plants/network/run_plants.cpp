@@ -1,9 +1,6 @@
 #include "tests/plants/network/run_plants.hpp"
 
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
+#include "tests/support/in_threads.hpp"
 
 namespace loopscope::tests::network {
 namespace {
@@ -25,43 +22,16 @@ std::vector<Job> jobs_of(const Options& options) {
   return jobs;
 }
 
-class Workers {
- public:
-  explicit Workers(const Options& options)
-      : options_(options), jobs_(jobs_of(options)), outcomes_(jobs_.size()) {}
-
-  std::vector<Outcome> run() {
-    std::vector<std::thread> threads;
-    for (unsigned i = 0; i < options_.threads; ++i) threads.emplace_back([this] { work(); });
-    for (std::thread& thread : threads) thread.join();
-    if (failure_) std::rethrow_exception(failure_);
-    return std::move(outcomes_);
-  }
-
- private:
-  void work() {
-    const Extras extras{options_.criteria, !options_.evidence_file.empty()};
-    for (std::size_t job = next_++; job < jobs_.size(); job = next_++) try {
-        outcomes_[job] = run_plant(jobs_[job].seed, jobs_[job].origin, extras);
-      } catch (...) {
-        const std::lock_guard lock(mutex_);
-        failure_ = std::current_exception();
-        next_ = jobs_.size();
-      }
-  }
-
-  const Options& options_;
-  std::vector<Job> jobs_;
-  std::vector<Outcome> outcomes_;
-  std::atomic<std::size_t> next_ = 0;
-  std::mutex mutex_;
-  std::exception_ptr failure_;
-};
-
 }  // namespace
 
 std::vector<Outcome> run_plants(const Options& options) {
-  return Workers(options).run();
+  const std::vector<Job> jobs = jobs_of(options);
+  const Extras extras{options.criteria, !options.evidence_file.empty()};
+  std::vector<Outcome> outcomes(jobs.size());
+  in_threads(jobs.size(), options.threads, [&](std::size_t job) {
+    outcomes[job] = run_plant(jobs[job].seed, jobs[job].origin, extras);
+  });
+  return outcomes;
 }
 
 }  // namespace loopscope::tests::network

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "tests/effects/random.hpp"
+#include "tests/generators/pi_controller.hpp"
+#include "tests/generators/values.hpp"
 
 namespace loopscope::tests::network {
 namespace {
@@ -33,7 +35,7 @@ class RunningLoop {
         samples_(samples),
         random_(seed),
         process_(plan.process, kStep_s),
-        controller_(plan.controller, plan.op0),
+        controller_(plan.op0),
         keep_(std::exp(-plan.controller.scan_s / plan.load_tau_s)),
         fresh_(plan.load_sd * std::sqrt(1.0 - keep_ * keep_)),
         valve_(plan.valve ? plan.valve() : nullptr),
@@ -52,7 +54,8 @@ class RunningLoop {
       move_setpoint(master_op);
       sense();
       load_ = keep_ * load_ + fresh_ * random_.normal();
-      controller_.step(sp_ - sensed_);
+      controller_.step(sp_ - sensed_, plan_.controller.gain, plan_.controller.integral_time_s,
+                       plan_.controller.scan_s);
     }
     if (step >= first_ && record_.pv.size() < samples_ && (step - first_) % steps_a_sample_ == 0)
       record();
@@ -87,7 +90,7 @@ class RunningLoop {
 
   void sense() {
     const double value = process_.pv() + plan_.noise_sd * random_.normal();
-    sensed_ = plan_.quantum > 0.0 ? plan_.quantum * std::round(value / plan_.quantum) : value;
+    sensed_ = generators::to_grid(value, plan_.quantum);
   }
 
   void record() {
@@ -100,7 +103,7 @@ class RunningLoop {
   std::size_t samples_;
   Random random_;
   ProcessState process_;
-  ControllerState controller_;
+  generators::PiController controller_;
   double keep_;   ///< of the load over a scan
   double fresh_;  ///< that joins it
   std::unique_ptr<effects::Valve> valve_;
@@ -117,7 +120,9 @@ class RunningLoop {
 class RunningStream {
  public:
   explicit RunningStream(const Stream& stream)
-      : stream_(stream), pipe_(stream.delay_s, kStep_s), lag_(stream.lag_s, kStep_s) {}
+      : stream_(stream),
+        pipe_(delay_of(stream.delay_s, kStep_s)),
+        lag_(lag_of(stream.lag_s, kStep_s)) {}
 
   void step(const std::vector<RunningLoop>& loops, std::vector<double>& inflows) {
     const RunningLoop& from = loops[stream_.from];
@@ -127,7 +132,7 @@ class RunningStream {
 
  private:
   Stream stream_;
-  Pipe pipe_;
+  Delay pipe_;
   Lag lag_;
 };
 

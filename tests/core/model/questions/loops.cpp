@@ -9,6 +9,7 @@
 
 #include "core/simulate/innovations.hpp"
 #include "core/simulate/random.hpp"
+#include "tests/generators/values.hpp"
 
 namespace loopscope::core::model::tests {
 namespace {
@@ -19,16 +20,9 @@ double mean_of(const Series& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double std_of(const Series& values) {
-  const double mean = mean_of(values);
-  double sum = 0.0;
-  for (const double value : values) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
 /// The sign of the last motion of more than a tenth of op's standard deviation.
 Series direction_of(const Series& op) {
-  const double band = 0.1 * std_of(op);
+  const double band = 0.1 * loopscope::tests::generators::standard_deviation(op);
   Series direction(op.size());
   double turning = op.front();
   double now = 0.0;
