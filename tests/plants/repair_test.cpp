@@ -5,11 +5,14 @@
 #include <set>
 
 #include "tests/plants/repair_fault.hpp"
+#include "tests/support/long_run.hpp"
 
 namespace loopscope::tests::repairs {
 namespace {
 
-constexpr std::uint64_t kSeeds = 10;
+std::uint64_t last_seed() {
+  return records(10);
+}
 
 TEST(Repair, SameSeedSameRepair) {
   const Repair one = draw_repair(Word::improved, 3);
@@ -21,7 +24,7 @@ TEST(Repair, SameSeedSameRepair) {
 }
 
 TEST(Repair, HasOneToFourWindowsOfItsOwnOnEachSide) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(); ++seed) {
     const Repair repair = draw_repair(Word::unchanged, seed);
     std::set<std::vector<double>> records;
     for (const auto* side : {&repair.before, &repair.after}) {
@@ -37,7 +40,7 @@ TEST(Repair, HasOneToFourWindowsOfItsOwnOnEachSide) {
 
 /// What the words mean: the cost of the fault in the long run, under the same load and noise.
 TEST(Repair, WordsHoldOfTheLongRun) {
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= last_seed(); ++seed) {
     EXPECT_DOUBLE_EQ(draw_repair(Word::unchanged, seed).variance_ratio, 1.0);
     // A fault that leaves the variance alone (the sensor's, a bent valve) may be smaller or larger.
     EXPECT_LT(draw_repair(Word::improved, seed).variance_ratio, 1.2) << seed;
