@@ -86,7 +86,8 @@ TEST(GrafanaDashboard, ANameWithAQuoteIsNoSql) {
 TEST(GrafanaDashboard, PanelsDoNotOverlapAndNameTheirAxes) {
   std::set<int> ids;
   std::set<std::pair<int, int>> taken;
-  for (const Json& panel : dashboard()["panels"]) {
+  const Json board = dashboard();
+  for (const Json& panel : board["panels"]) {
     SCOPED_TRACE(panel["title"]);
     EXPECT_TRUE(ids.insert(panel["id"].get<int>()).second);
     const Json& place = panel["gridPos"];

@@ -3,7 +3,12 @@
 #include <chrono>
 #include <string>
 
+#include "config/http_address.hpp"
+
 namespace loopscope::daemon {
+
+/// One of this host that is free.
+inline const config::HttpAddress kAnyPort{"127.0.0.1", 0, true};
 
 /// A client that sends what it likes: one connection to a port of this host. Throws
 /// std::runtime_error when it cannot connect.
