@@ -5,8 +5,8 @@
 #include "tests/core/diagnosis/field_tallies.hpp"
 #include "tests/core/model/family_balance.hpp"
 #include "tests/core/model/field_families.hpp"
-#include "tests/core/model/field_recordings.hpp"
 #include "tests/support/long_run.hpp"
+#include "tests/tables/recordings.hpp"
 #include "tests/tables/table.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -41,9 +41,8 @@ LOOPSCOPE_TABLE(field_verdict_rates, "sensitivity and specificity of valve_stict
   }
 }
 
-/// A folder with manifest.csv and loops/.
 LOOPSCOPE_TABLE(field_verdict_recordings, "the recordings of LOOPSCOPE_RECORDINGS=FOLDER") {
-  for (const auto& recording : loopscope::tests::model::field_recordings()) {
+  for (const auto& recording : loopscope::tables::recordings()) {
     const bool level = recording.loop.find("LIC") != std::string::npos;
     const Verdict verdict = recorded_verdict(recording.sp, recording.pv, recording.op, level);
     std::printf("| %s | %s | %s | %.2f |\n", recording.name.c_str(), recording.label.c_str(),

@@ -7,8 +7,8 @@
 
 #include "tests/core/model/family_balance.hpp"
 #include "tests/core/model/field_families.hpp"
-#include "tests/core/model/field_recordings.hpp"
 #include "tests/core/model/limit_cycle_shares.hpp"
+#include "tests/tables/recordings.hpp"
 #include "tests/tables/table.hpp"
 
 namespace loopscope::core::model {
@@ -66,9 +66,8 @@ LOOPSCOPE_TABLE(limit_cycle_errors_alone, "what the errors decide alone") {
   }
 }
 
-/// A folder with manifest.csv and loops/.
 LOOPSCOPE_TABLE(limit_cycle_recordings, "the recordings of LOOPSCOPE_RECORDINGS=FOLDER") {
-  for (const auto& recording : loopscope::tests::model::field_recordings()) {
+  for (const auto& recording : loopscope::tables::recordings()) {
     const CycleCause cause = judge_limit_cycle(recording.pv, recording.op, recording.sp);
     const CycleEvidence& e = cause.evidence;
     std::printf("| %s | %s | %.0f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %s |\n",
