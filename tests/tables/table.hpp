@@ -28,7 +28,7 @@ void require(bool holds, const std::string& promise);
 }  // namespace loopscope::tables
 
 /// A table's name and what it shows, followed by the body that prints it.
-#define LOOPSCOPE_TABLE(name, about)                                                \
-  void name();                                                                      \
-  const ::loopscope::tables::Registration name##_registered({#name, about, &name}); \
+#define LOOPSCOPE_TABLE(name, about)                                                  \
+  void name();                                                                        \
+  const ::loopscope::tables::Registration name##_registered({#name, about, &(name)}); \
   void name()
