@@ -15,7 +15,7 @@ namespace {
 /// draws, more than three false flags once in a hundred.
 TEST(ReducedPlant, KeepsTheFigureFromRotting) {
   constexpr PlantSize kSize = {60, 8};
-  const std::size_t plants = records(3);
+  const std::size_t plants = (records(3 * kSize.loops) + kSize.loops - 1) / kSize.loops;
   std::size_t right = 0, false_flags = 0;
   for (std::uint64_t seed = 70001; seed <= 70000 + plants; ++seed) {
     const std::vector<PlantLoop> plant = draw_plant(seed, kSize);
