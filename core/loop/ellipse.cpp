@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/signal/symmetric_eigen.hpp"
+
 namespace loopscope::core::loop {
 namespace {
 
@@ -66,10 +68,9 @@ Whitening measure_whitening(const Points& points) {
   for (const auto& p : points) mean += p / count;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   for (const auto& p : points) covariance += (p - mean) * (p - mean).transpose() / count;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance);
-  const Eigen::Vector2d std = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  const Eigen::Matrix2d to_white =
-      std.cwiseInverse().asDiagonal() * solver.eigenvectors().transpose();
+  const signal::SymmetricEigen eigen = signal::symmetric_eigen(covariance);
+  const Eigen::Vector2d std = eigen.values.cwiseMax(0.0).cwiseSqrt();
+  const Eigen::Matrix2d to_white = std.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
   return {mean, to_white, std(0) / std(1)};
 }
 

@@ -25,18 +25,19 @@ struct BatchRecord {
 };
 
 /// Valves and processes side by side, from op to their sums; dead time and integrator are those of
-/// the first one. As few as there are: what is left of the lanes repeats the last one. `Batch` is
-/// SampledBatch or StemBatch of `vectors` Numbers.
-template <typename Number, std::size_t vectors, typename Batch>
+/// the first one. As few as there are: what is left of the lanes repeats the last one.
+template <typename Number, std::size_t vectors>
 class AnswerBatch {
  public:
   using Element = typename ElementOf<Number>::type;
-  using Numbers = typename Batch::Numbers;
+  using Numbers = NumberRow<Number, vectors>;
 
-  AnswerBatch(const BatchRecord<Element>& shared, std::span<const ValveAndProcess> all)
+  /// `valves`: of `shared.seen`, which this fills with `all`.
+  AnswerBatch(const BatchRecord<Element>& shared, ValveBatch<Numbers>& valves,
+              std::span<const ValveAndProcess> all)
       : shared_(shared),
         delay_(std::min(all.front().process->delay_samples, shared.samples())),
-        valves_(shared.seen),
+        valves_(valves),
         sums_(shared.rows, shared.columns, shared.taps) {
     for (std::size_t lane = 0; lane < vectors * kElements<Number>; ++lane) {
       const ValveAndProcess& one = all[std::min(lane, all.size() - 1)];
@@ -103,7 +104,7 @@ class AnswerBatch {
 
   const BatchRecord<Element>& shared_;
   std::size_t delay_;
-  Batch valves_;
+  ValveBatch<Numbers>& valves_;
   PoleLanes<Number, vectors> poles_;
   AnswerSums<Number, vectors> sums_;
   std::vector<LaneRestart> restarts_;

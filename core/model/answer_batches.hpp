@@ -93,17 +93,21 @@ class Batches {
   /// In as many vectors as they fill.
   template <std::size_t vectors, ValveLaw law>
   void put_products(std::span<const Place> places) {
-    if (places.front().first.sampled)
-      put_products_of<vectors, SampledBatch<Number, vectors, law>>(places);
-    else if constexpr (law != ValveLaw::choudhury)
-      put_products_of<vectors, StemBatch<Number, vectors, law>>(places);
+    if (places.front().first.sampled) {
+      SampledBatch<Number, vectors, law> valves(shared_.seen);
+      put_products_of<vectors>(places, valves);
+    } else if constexpr (law != ValveLaw::choudhury) {
+      StemBatch<Number, vectors, law> valves(shared_.seen);
+      put_products_of<vectors>(places, valves);
+    }
   }
 
-  template <std::size_t vectors, typename Batch>
-  void put_products_of(std::span<const Place> places) {
+  template <std::size_t vectors>
+  void put_products_of(std::span<const Place> places,
+                       ValveBatch<NumberRow<Number, vectors>>& valves) {
     std::vector<ValveAndProcess> together;
     for (const Place& place : places) together.push_back(valves_[place.second]);
-    AnswerBatch<Number, vectors, Batch> batch(shared_, together);
+    AnswerBatch<Number, vectors> batch(shared_, valves, together);
     batch.run();
     for (std::size_t lane = 0; lane < places.size(); ++lane)
       products_[places[lane].second] = batch.products(lane);

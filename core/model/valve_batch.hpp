@@ -14,17 +14,31 @@ struct SeenOp {
   std::vector<OpStep<Element>> steps;  ///< for valves that act at the samples
 };
 
+/// Valves side by side, whatever their law: what is done with their places is compiled once for all
+/// laws, a call for each stretch of samples.
+template <typename Numbers>
+class ValveBatch {
+ public:
+  virtual void put_in(std::size_t lane, const Valve& valve) = 0;
+  virtual void put(std::size_t lane, double place) = 0;
+  /// Where the valves are at so many samples from `first` on.
+  virtual void run(std::size_t first, std::size_t samples, Numbers* places) = 0;
+
+ protected:
+  ~ValveBatch() = default;
+};
+
 /// Valves side by side that act at the samples, of one law and direction at the start, each lane
 /// with its own friction. Number is NumberPair or ShortNumbers.
 template <typename Number, std::size_t count, ValveLaw law>
-class SampledBatch {
+class SampledBatch final : public ValveBatch<NumberRow<Number, count>> {
  public:
   using Element = typename ElementOf<Number>::type;
   using Numbers = NumberRow<Number, count>;
 
   explicit SampledBatch(const SeenOp<Element>& seen) : steps_(seen.steps) {}
 
-  void put_in(std::size_t lane, const Valve& valve) {
+  void put_in(std::size_t lane, const Valve& valve) override {
     const std::size_t v = lane / kElements<Number>, i = lane % kElements<Number>;
     const FrictionIn<Element> friction(valve);
     friction_[v].band[i] = friction.band;
@@ -35,13 +49,12 @@ class SampledBatch {
     valves_.position[v][i] = op - static_cast<Element>(valve.start_direction) * friction.lag;
     valves_.turn[v][i] = op;
   }
-  void put(std::size_t lane, double place) {
+  void put(std::size_t lane, double place) override {
     valves_.position[lane / kElements<Number>][lane % kElements<Number>] =
         static_cast<Element>(place);
   }
 
-  /// Where the valves are at so many samples from `first` on.
-  void run(std::size_t first, std::size_t samples, Numbers* places) {
+  void run(std::size_t first, std::size_t samples, Numbers* places) override {
     ValveLanes<Number, count> valves = valves_;
     const OpStep<Element>* steps = &steps_[first];
     for (std::size_t k = 0; k < samples; ++k) {
@@ -59,18 +72,18 @@ class SampledBatch {
 
 /// The same of stems between the samples, each lane with its own lags too. Law `he` or `kano`.
 template <typename Number, std::size_t count, ValveLaw law>
-class StemBatch {
+class StemBatch final : public ValveBatch<NumberRow<Number, count>> {
  public:
   using Element = typename ElementOf<Number>::type;
   using Numbers = NumberRow<Number, count>;
 
   explicit StemBatch(const SeenOp<Element>& seen) : op_(seen.op) {}
 
-  void put_in(std::size_t lane, const Valve& valve) {
+  void put_in(std::size_t lane, const Valve& valve) override {
     stems_.put_in(lane, valve, static_cast<double>(op_.front()));
   }
-  void put(std::size_t lane, double place) { stems_.put(lane, place); }
-  void run(std::size_t first, std::size_t samples, Numbers* places) {
+  void put(std::size_t lane, double place) override { stems_.put(lane, place); }
+  void run(std::size_t first, std::size_t samples, Numbers* places) override {
     stems_.template run<law>(op_.subspan(first, samples), places);
   }
 

@@ -1,10 +1,11 @@
 #include "core/model/questions/score_test.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "core/model/questions/tails.hpp"
+#include "core/signal/symmetric_eigen.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -67,13 +68,13 @@ Score quadratic_form(const ScoreSums& sums) {
   result.t = VectorXd::Zero(score.size());
   for (Index j = 0; j < score.size(); ++j)
     if (variance(j, j) > 0.0) result.t[j] = score[j] / std::sqrt(variance(j, j));
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(variance);
-  const double least = kRankTolerance * solver.eigenvalues().tail(1)[0];
+  const signal::SymmetricEigen eigen = signal::symmetric_eigen(variance);
+  const double least = kRankTolerance * eigen.values.tail(1)[0];
   double statistic = 0.0;
   for (Index j = 0; j < score.size(); ++j) {
-    const double value = solver.eigenvalues()[j];
+    const double value = eigen.values[j];
     if (!(value > least)) continue;
-    const double along = solver.eigenvectors().col(j).dot(score);
+    const double along = eigen.vectors.col(j).dot(score);
     statistic += along * along / value;
     ++result.freedom;
   }
@@ -105,14 +106,14 @@ MatrixXd orthonormal(const LaggedColumns& columns, const Eigen::ArrayXd& weights
   weighted.rightCols(columns.columns()) =
       weights.matrix().asDiagonal() * columns.block(0, columns.rows());
   for (Index j = 0; j < weighted.cols(); ++j) weighted.col(j).stableNormalize();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram(weighted));
-  const double largest = solver.eigenvalues().tail(1)[0];
+  const signal::SymmetricEigen eigen = signal::symmetric_eigen(gram(weighted));
+  const double largest = eigen.values.tail(1)[0];
   MatrixXd turn(weighted.cols(), 0);
   for (Index j = 0; j < weighted.cols(); ++j) {
-    const double value = solver.eigenvalues()[j];
+    const double value = eigen.values[j];
     if (!(value > kRankTolerance * largest)) continue;
     turn.conservativeResize(Eigen::NoChange, turn.cols() + 1);
-    turn.rightCols(1) = solver.eigenvectors().col(j) / std::sqrt(value);
+    turn.rightCols(1) = eigen.vectors.col(j) / std::sqrt(value);
   }
   return weighted * turn;
 }
