@@ -1,12 +1,12 @@
-#include "core/signal/symmetric_eigen.hpp"
+#include "core/loop/symmetric_eigen.hpp"
 
 #include <Eigen/Eigenvalues>
 
-namespace loopscope::core::signal {
+namespace loopscope::core::loop {
 
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-}  // namespace loopscope::core::signal
+}  // namespace loopscope::core::loop
