@@ -9,7 +9,7 @@
 # Where its commands are g++'s: a pragma that clang does not know, and its words about wide vectors
 # (as in the preset fuzz).
 _LINT_TIDY_ARGUMENTS=(--quiet --extra-arg=-Wno-unknown-pragmas --extra-arg=-Wno-psabi
-  --extra-arg=-Wno-unknown-warning-option)
+  --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-unused-command-line-argument)
 _LINT_DATABASE=build/separate
 _LINT_NO_REVISION=3
 
@@ -111,5 +111,5 @@ lint_clang_tidy() {
   need_packages build test bench
   configure separate -DBUILD_TESTING=ON >&2
   _lint_known <<<"$sources" | sed '/^$/d' |
-    _lint_each clang-tidy -p "$_LINT_DATABASE" "${_LINT_TIDY_ARGUMENTS[@]}" 2> >(grep -v ' generated\.$' >&2)
+    _lint_each tests/lint/tidy_file -p "$_LINT_DATABASE" "${_LINT_TIDY_ARGUMENTS[@]}"
 }
