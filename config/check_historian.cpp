@@ -37,10 +37,11 @@ class HistorianCheck {
  private:
   using Setting = std::pair<std::string_view, const std::string&>;
 
-  void add(const std::vector<std::string_view>& settings, std::string what, std::string hint) {
+  void add(const std::vector<std::string_view>& settings, const std::string& what,
+           const std::string& hint) {
     std::vector<std::string> paths;
     for (const std::string_view setting : settings) paths.push_back(path_of(setting));
-    problems_.add_unless_refused(paths, std::move(what), std::move(hint));
+    problems_.add_unless_refused(paths, what, hint);
   }
 
   [[nodiscard]] std::string path_of(std::string_view setting) const {

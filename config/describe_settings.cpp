@@ -12,7 +12,8 @@ namespace {
 std::string default_text(const Setting& setting, Settings& defaults) {
   const nlohmann::ordered_json value = slot_value(setting.slot(defaults, 0));
   if (value.is_number_float()) return "`" + number_text(value.get<double>()) + "`";
-  if (value != "") return "`" + value.dump() + "`";
+  const std::string text = value.dump();
+  if (text != R"("")") return "`" + text + "`";
   return may_be_empty(setting.limits.form) ? "empty" : "required";
 }
 

@@ -8,9 +8,9 @@ namespace loopscope::config {
 
 namespace {
 
-template <auto Member>
+template <auto member>
 Slot in_historian(Settings& settings, std::size_t index) {
-  return &(settings.historians.at(index).*Member);
+  return &(settings.historians.at(index).*member);
 }
 
 constexpr std::string_view kLayouts[] = {"narrow", "loop_row", "wide"};

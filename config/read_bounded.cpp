@@ -82,7 +82,7 @@ std::string read_bounded(const std::filesystem::path& file, std::size_t most_byt
   if (open_file.is_directory()) throw UnreadableFile("is a folder", "name a file in it");
   if (open_file.is_larger_than(most_bytes)) is_too_large(most_bytes);
   std::string text;
-  std::array<char, kChunkBytes> chunk;
+  std::array<char, kChunkBytes> chunk{};
   while (const std::size_t count = open_file.read_into(chunk)) {
     const std::string_view part(chunk.data(), count);
     if (part.find('\0') != std::string_view::npos) {

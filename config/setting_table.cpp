@@ -17,35 +17,35 @@ using core::signal::PrepareSettings;
 using Hos = core::hos::Settings;
 
 /// The slot that is reached from Settings over a chain of members.
-template <auto... Members>
+template <auto... members>
 Slot at(Settings& settings, std::size_t) {
-  return &(settings.*....*Members);
+  return &(settings.*....*members);
 }
 
-template <auto Member>
-constexpr auto in_results = at<&Settings::results, Member>;
-template <auto Member>
-constexpr auto in_schedule = at<&Settings::schedule, Member>;
-template <auto Member>
-constexpr auto in_daemon = at<&Settings::daemon, Member>;
-template <auto Member>
-constexpr auto in_flags = at<&Settings::flags, Member>;
-template <auto Member>
-constexpr auto in_plant = at<&Settings::plant, Member>;
-template <auto Member>
-constexpr auto in_discovery = at<&Settings::discovery, Member>;
-template <auto Member>
-constexpr auto in_report = at<&Settings::report, Member>;
-template <auto Member>
-constexpr auto in_analysis = at<&Settings::analysis, Member>;
-template <auto Member>
-constexpr auto in_prepare = at<&Settings::analysis, &AnalysisSettings::prepare, Member>;
-template <auto Member>
-constexpr auto in_hos = at<&Settings::analysis, &AnalysisSettings::hos, Member>;
-template <auto Member>
-constexpr auto in_oscillation = at<&Settings::analysis, &AnalysisSettings::oscillation, Member>;
-template <auto Member>
-constexpr auto in_performance = at<&Settings::analysis, &AnalysisSettings::performance, Member>;
+template <auto member>
+constexpr auto in_results = at<&Settings::results, member>;
+template <auto member>
+constexpr auto in_schedule = at<&Settings::schedule, member>;
+template <auto member>
+constexpr auto in_daemon = at<&Settings::daemon, member>;
+template <auto member>
+constexpr auto in_flags = at<&Settings::flags, member>;
+template <auto member>
+constexpr auto in_plant = at<&Settings::plant, member>;
+template <auto member>
+constexpr auto in_discovery = at<&Settings::discovery, member>;
+template <auto member>
+constexpr auto in_report = at<&Settings::report, member>;
+template <auto member>
+constexpr auto in_analysis = at<&Settings::analysis, member>;
+template <auto member>
+constexpr auto in_prepare = at<&Settings::analysis, &AnalysisSettings::prepare, member>;
+template <auto member>
+constexpr auto in_hos = at<&Settings::analysis, &AnalysisSettings::hos, member>;
+template <auto member>
+constexpr auto in_oscillation = at<&Settings::analysis, &AnalysisSettings::oscillation, member>;
+template <auto member>
+constexpr auto in_performance = at<&Settings::analysis, &AnalysisSettings::performance, member>;
 
 constexpr std::string_view kLogLevels[] = {"debug", "info", "warning", "error"};
 constexpr std::string_view kDependences[] = {"positive", "arbitrary"};

@@ -50,7 +50,7 @@ std::string remote_host(const Options& options) {
   const std::vector<std::string> addresses = parts_of(value_of(options, "hostaddr"));
   for (std::size_t k = 0; k < std::max(names.size(), addresses.size()); ++k) {
     const bool has_address = k < addresses.size() && !addresses[k].empty();
-    const std::string host = has_address ? addresses[k] : k < names.size() ? names[k] : "";
+    std::string host = has_address ? addresses[k] : k < names.size() ? names[k] : "";
     if (!is_local(host)) return host;
   }
   return {};

@@ -58,6 +58,7 @@ double triple_correlation(const std::vector<std::vector<Complex>>& lags, std::pt
 struct Key {
   std::size_t segment_length, hop, dft_length;
   WindowShape window;
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang 14 sees a 0 in what the compiler makes of it.
   friend auto operator<=>(const Key&, const Key&) = default;
 };
 

@@ -38,7 +38,8 @@ class Periodogram {
   }
 
   [[nodiscard]] std::size_t bin(double frequency) const {
-    const auto k = static_cast<std::size_t>(frequency * static_cast<double>(length_) + 0.5);
+    const auto k =
+        static_cast<std::size_t>(std::floor(frequency * static_cast<double>(length_) + 0.5));
     return std::clamp<std::size_t>(k, 1, power_.size() - 1);
   }
   [[nodiscard]] double frequency(double bin) const { return bin / static_cast<double>(length_); }

@@ -103,7 +103,7 @@ double largest_spread(const Settings& settings) {
   constexpr double kPerLength = 1.67;
   constexpr double kSafety = 1.7;
   const auto length = static_cast<double>(settings.segment_length);
-  const double span = static_cast<double>((2 * kReach + 1) * segment_hop(settings));
+  const auto span = static_cast<double>((2 * kReach + 1) * segment_hop(settings));
   const double segments = std::max(1.0, kPerLength * span / length);
   return kSafety * std::sqrt(kMedianVariance / (segments * length / 3.0));
 }

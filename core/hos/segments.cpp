@@ -6,7 +6,7 @@
 namespace loopscope::core::hos {
 
 std::size_t segment_hop(const Settings& settings) {
-  const double length = static_cast<double>(settings.segment_length);
+  const auto length = static_cast<double>(settings.segment_length);
   const auto repeated = static_cast<std::size_t>(std::lround(settings.overlap * length));
   return settings.segment_length - std::min(repeated, settings.segment_length - 1);
 }

@@ -84,7 +84,7 @@ Fit try_delay_neighbours(const LoopData& data, Fit fit) {
 
 /// BIC: a second lag costs one parameter, a second pair of noise roots two.
 Fit try_orders(const LoopData& data, Fit fit) {
-  const double count = static_cast<double>(data.rows.fit_count());
+  const auto count = static_cast<double>(data.rows.fit_count());
   Structure richer = fit.structure;
   // Between rows that lie apart a second tap says nothing that the delay does not.
   if (!richer.two_taps && data.grid.every_sample()) {

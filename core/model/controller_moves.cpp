@@ -25,7 +25,8 @@ std::vector<std::size_t> counts_before(const std::vector<char>& marks) {
 void mark_if_limit(std::span<const double> op, double extreme, std::vector<char>& marks) {
   const auto hits = static_cast<double>(std::ranges::count(op, extreme));
   if (hits < kLimitShare * static_cast<double>(op.size())) return;
-  for (std::size_t k = 0; k < op.size(); ++k) marks[k] |= static_cast<char>(op[k] == extreme);
+  for (std::size_t k = 0; k < op.size(); ++k)
+    if (op[k] == extreme) marks[k] = 1;
 }
 
 bool takes_many_values(std::span<const double> op) {
@@ -61,8 +62,9 @@ void ControllerMoves::mark_gaps() {
   error_sum_.assign(n + 1, 0.0);
   double last = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t k = 0; k < n; ++k) {
-    bad_error_[k] = !std::isfinite(record_.error[k]) || !std::isfinite(setpoint(k));
-    bad_op_[k] = !std::isfinite(record_.op[k]);
+    bad_error_[k] =
+        static_cast<char>(!std::isfinite(record_.error[k]) || !std::isfinite(setpoint(k)));
+    bad_op_[k] = static_cast<char>(!std::isfinite(record_.op[k]));
     error_sum_[k + 1] = error_sum_[k] + (bad_error_[k] ? 0.0 : record_.error[k]);
     if (bad_error_[k]) continue;
     setpoint_moves_ = setpoint_moves_ || (std::isfinite(last) && setpoint(k) != last);
@@ -73,7 +75,7 @@ void ControllerMoves::mark_gaps() {
 void ControllerMoves::mark_limits() {
   const std::span<const double> op = record_.op;
   for (std::size_t k = 0; record_.op_in_percent && k < op.size(); ++k) {
-    bad_op_[k] |= static_cast<char>(op[k] <= kAtLimitPercent || op[k] >= 100.0 - kAtLimitPercent);
+    if (op[k] <= kAtLimitPercent || op[k] >= 100.0 - kAtLimitPercent) bad_op_[k] = 1;
   }
   if (!takes_many_values(op)) return;
   double low = std::numeric_limits<double>::infinity();

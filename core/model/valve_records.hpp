@@ -38,7 +38,7 @@ class ValveRecords {
   [[nodiscard]] std::size_t samples() const { return op_.size(); }
 
  private:
-  Entry make(std::size_t first, std::size_t count, std::size_t samples_per_row) const;
+  [[nodiscard]] Entry make(std::size_t first, std::size_t count, std::size_t samples_per_row) const;
   [[nodiscard]] std::size_t best_stretch(std::size_t count) const;
 
   ValveSearchInput input_;

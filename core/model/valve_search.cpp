@@ -81,7 +81,7 @@ class Refinement {
     return best;
   }
 
-  ValveCandidate candidate(const Trial& trial) const {
+  [[nodiscard]] ValveCandidate candidate(const Trial& trial) const {
     ValveCandidate result;
     result.valve = trial.valve;
     result.evidence = trial.evidence;

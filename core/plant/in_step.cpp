@@ -70,8 +70,8 @@ double slowest_turn(const Products& products) {
   constexpr int kSteps = 20;  // to either side, a tenth of a resolution each
   const double duration = products.at.back() - products.at.front() + 1.0;
   std::array<double, 2 * kSteps + 1> power{};
-  for (int i = -kSteps; i <= kSteps; ++i)
-    power[static_cast<std::size_t>(i + kSteps)] = power_at(products, 0.1 * i / duration);
+  for (std::size_t i = 0; i < power.size(); ++i)
+    power[i] = power_at(products, 0.1 * (static_cast<int>(i) - kSteps) / duration);
   const auto best = static_cast<std::size_t>(std::ranges::max_element(power) - power.begin());
   if (best == 0 || best + 1 == power.size()) return 2.0;
   const double left = power[best - 1], middle = power[best], right = power[best + 1];

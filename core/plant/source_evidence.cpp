@@ -77,7 +77,7 @@ std::array<double, kSourceFigures> figures_of(const SourceEvidence& evidence) {
 std::vector<std::string> reasons_of(const SourceEvidence& evidence) {
   std::vector<std::string> reasons;
   if (evidence.writes_setpoint)
-    reasons.push_back("Its output is another loop's setpoint: it moves no valve of its own.");
+    reasons.emplace_back("Its output is another loop's setpoint: it moves no valve of its own.");
   if (evidence.valve_explained > kFaint)
     reasons.push_back("A valve that sticks or has play lowers the error of the loop's model " +
                       factor_text(evidence.valve_explained) + " on samples it has not seen.");

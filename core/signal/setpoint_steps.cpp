@@ -138,7 +138,7 @@ ErrorBetweenSteps error_between_steps(const PreparedLoop& loop) {
   if (moves.empty()) return {error, 0, 0.0};
   const std::optional<Usual> usual = usual_error(error);
   if (!usual) return {error, 0, 0.0};
-  const ErrorBetweenSteps first = mask(error, moves, *usual);
+  ErrorBetweenSteps first = mask(error, moves, *usual);
   if (first.masked_fraction <= 0.0) return first;
   // The transients widened what passed for usual: once more with what is left without them.
   const std::optional<Usual> calm = usual_error(first.error);

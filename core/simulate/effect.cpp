@@ -130,14 +130,14 @@ void check_range(const ValveDeadband& deadband) {
   ValveWithPlay{deadband};
 }
 
-/// The alternative called `wanted` with its standard values, searched from alternative I on.
-template <std::size_t I = 0>
+/// The alternative called `wanted` with its standard values, searched from number `at` on.
+template <std::size_t at = 0>
 Effect standard_effect(std::string_view wanted) {
-  if constexpr (I == std::variant_size_v<Effect>) {
+  if constexpr (at == std::variant_size_v<Effect>) {
     throw std::invalid_argument("no effect is called " + std::string(wanted));
   } else {
-    const std::variant_alternative_t<I, Effect> candidate;
-    return word(candidate) == wanted ? Effect(candidate) : standard_effect<I + 1>(wanted);
+    const std::variant_alternative_t<at, Effect> candidate;
+    return word(candidate) == wanted ? Effect(candidate) : standard_effect<at + 1>(wanted);
   }
 }
 

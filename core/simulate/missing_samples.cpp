@@ -19,7 +19,8 @@ std::size_t draw_place(UniformSource& source, std::size_t count) {
 
 std::vector<double> with_gaps(std::vector<double> signal, double share, std::size_t blocks,
                               std::uint64_t seed) {
-  const auto length = static_cast<std::size_t>(share * static_cast<double>(signal.size() / blocks));
+  const std::size_t longest = signal.size() / blocks;
+  const auto length = static_cast<std::size_t>(share * static_cast<double>(longest));
   // Places in what is left of the record when the blocks are cut out of it.
   UniformSource source(seed);
   std::vector<std::size_t> places(blocks);

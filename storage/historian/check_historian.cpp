@@ -39,7 +39,7 @@ Finding check_plan(PqConnection& connection, const ResolvedLayout& layout, std::
   Scan scan{{}, now_us - kRecentUs, now_us, 4096, {}};
   for (const ResolvedKey& key : layout.key) {
     // A key that fits the type and that no row need have.
-    scan.key.push_back(key.type == "uuid" ? "00000000-0000-0000-0000-000000000000" : "0");
+    scan.key.emplace_back(key.type == "uuid" ? "00000000-0000-0000-0000-000000000000" : "0");
   }
   scan.columns.push_back({any_value(connection, layout), false, {}});
   const Statement plan = historian_statements::explain(

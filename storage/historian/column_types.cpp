@@ -10,8 +10,8 @@
 namespace loopscope::storage {
 namespace {
 
-template <std::size_t N>
-bool is_among(const std::array<std::string_view, N>& known, const std::string& word) {
+template <std::size_t count>
+bool is_among(const std::array<std::string_view, count>& known, const std::string& word) {
   return std::find(known.begin(), known.end(), word) != known.end();
 }
 

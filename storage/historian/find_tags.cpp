@@ -110,7 +110,7 @@ class TagFinder {
   }
 
   /// The ids of one part of a tag; a text in the form of an id stands for itself.
-  std::vector<Id> ids_of(std::size_t part, const std::string& text) const {
+  [[nodiscard]] std::vector<Id> ids_of(std::size_t part, const std::string& text) const {
     const ResolvedKey& key = layout_.key[part];
     if (key.names) {
       for (const std::string& name : {text, without_provider(text)}) {
@@ -123,7 +123,7 @@ class TagFinder {
     return native ? std::vector<Id>{{*native, ""}} : std::vector<Id>{};
   }
 
-  std::vector<TagPlace> places_of(const std::vector<std::string>& parts) const {
+  [[nodiscard]] std::vector<TagPlace> places_of(const std::vector<std::string>& parts) const {
     std::vector<TagPlace> places{{{}, "", layout_.layout.hold.usual}};
     if (layout_.layout.shape != Shape::narrow) places.front().column = parts.back();
     for (std::size_t part = 0; part < layout_.key.size(); ++part) {

@@ -18,7 +18,7 @@ namespace {
 using historian_statements::PlainTable;
 
 // Large enough that sending costs nothing beside formatting, small enough for the cache.
-constexpr std::size_t kChunkBytes = 256 * 1024;
+constexpr std::size_t kChunkBytes = std::size_t{256} * 1024;
 
 /// A field of COPY's text format: backslash, tab and line ends would end it too early.
 std::string copy_field(const std::string& text) {

@@ -18,7 +18,7 @@ struct Column {
   std::string_view name;
   std::string_view type;
   void (*add)(ArrayLiteral&, const CompletedLoop&);
-  std::string_view cast = "";
+  std::string_view cast{};
 };
 
 const AnalysisRecord& record(const CompletedLoop& loop) {

@@ -39,8 +39,8 @@ MaintenanceRow read_maintenance(const pqxx::row& row) {
 }  // namespace
 
 std::span<const std::string> maintenance_kinds() {
-  static const std::vector<std::string> kKinds = {"valve", "sensor", "tuning", "process", "other"};
-  return kKinds;
+  static const std::vector<std::string> kinds = {"valve", "sensor", "tuning", "process", "other"};
+  return kinds;
 }
 
 struct MaintenanceLog::Impl {

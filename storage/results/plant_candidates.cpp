@@ -50,7 +50,7 @@ const Statement kPlantCandidates{"plant_candidates", "SELECT " LOOPSCOPE_LOOP_CO
 /// The next word of a text, which is cut off there.
 std::string next_word(std::string_view& text) {
   const std::size_t end = std::min(text.find(' '), text.size());
-  const std::string word(text.substr(0, end));
+  std::string word(text.substr(0, end));
   text.remove_prefix(std::min(end + 1, text.size()));
   return word;
 }

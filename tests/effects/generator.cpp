@@ -79,12 +79,12 @@ Record record_of(std::string_view kind, std::uint64_t seed, const Finished& fini
 }  // namespace
 
 const std::vector<KindInfo>& all_kinds() {
-  static const std::vector<KindInfo> kKinds = [] {
-    std::vector<KindInfo> kinds;
-    for (const Recipe& recipe : all_recipes()) kinds.push_back(recipe.info);
-    return kinds;
+  static const std::vector<KindInfo> kinds = [] {
+    std::vector<KindInfo> all;
+    for (const Recipe& recipe : all_recipes()) all.push_back(recipe.info);
+    return all;
   }();
-  return kKinds;
+  return kinds;
 }
 
 Record generate(std::string_view kind, std::uint64_t seed, Size size) {

@@ -127,9 +127,9 @@ std::vector<Recipe> make_recipes() {
 }  // namespace
 
 const std::vector<Recipe>& all_recipes(Size size) {
-  static const std::vector<Recipe> kFaint = make_recipes();
-  static const std::vector<Recipe> kRealistic = realistic(kFaint);
-  return size == Size::faint ? kFaint : kRealistic;
+  static const std::vector<Recipe> faint = make_recipes();
+  static const std::vector<Recipe> all_realistic = realistic(faint);
+  return size == Size::faint ? faint : all_realistic;
 }
 
 const Recipe& recipe_of(std::string_view kind, Size size) {

@@ -12,7 +12,7 @@ namespace loopscope::tests::generators {
 }
 
 [[nodiscard]] inline double standard_deviation(const std::vector<double>& values) {
-  const double count = static_cast<double>(values.size());
+  const auto count = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
   double sum = 0.0;
   for (const double value : values) sum += (value - mean) * (value - mean);

@@ -19,7 +19,7 @@ void print_sizes(const std::string& name, std::size_t samples, int records, cons
   constexpr std::array kSizes{0.05, 0.01, 1e-3, 1e-4, 1e-6};
   std::array<int, kSizes.size()> counts{};
   for (int k = 0; k < records; ++k) {
-    const double p = p_of(draw(static_cast<std::uint64_t>(700'000 + k)));
+    const double p = p_of(draw(static_cast<std::uint64_t>(k) + 700'000));
     for (std::size_t i = 0; i < kSizes.size(); ++i) counts[i] += p <= kSizes[i] ? 1 : 0;
   }
   std::printf("| %s | %zu | %d |", name.c_str(), samples, records);

@@ -188,15 +188,16 @@ LOOPSCOPE_TABLE(loop_speed, "microseconds of a window of 4096") {
   std::fill_n(with_gap.pv.begin() + 500, 100, std::nan(""));
   std::puts("| one window of 4096 | oscillation | performance | shape with mv |");
   std::puts("|---|---|---|---|");
-  for (const auto& [name, loop] : {std::pair{"complete", &whole},
-                                   std::pair{"100 samples missing", &std::as_const(with_gap)}}) {
+  for (const auto& named : {std::pair{"complete", &whole},
+                            std::pair{"100 samples missing", &std::as_const(with_gap)}}) {
+    const SimulatedLoop* const loop = named.second;
     const double oscillation = best_us([&] { (void)find_oscillation(loop->pv, 1.0); });
     const double performance =
         best_us([&] { (void)measure_performance(loop->pv, loop->op, {}, 1.0, true); });
     const double shape = best_us([&] {
       (void)measure_shape({{}, loop->pv, loop->op, loop->mv, 47.0, false});
     });
-    std::printf("| %s | %.0f us | %.0f us | %.0f us |\n", name, oscillation, performance, shape);
+    std::printf("| %s | %.0f us | %.0f us | %.0f us |\n", named.first, oscillation, performance, shape);
   }
 }
 

@@ -59,6 +59,7 @@ int main(int count, char** arguments) {
   if (first == "--list") return list(), EXIT_SUCCESS;
   if (first == "--help" || first == "-h") return print(kHelp), EXIT_SUCCESS;
   if (names.empty()) return refuse("which table?", "tables --list shows the names", kUsage);
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): there are no threads yet.
   setenv("LOOPSCOPE_LONG", "1", 1);  // a table has the records of the long form
   try {
     print_tables(names);

@@ -22,7 +22,7 @@ double quantised(const SensorQuantisation& quantisation, double pv) {
   return quantisation.step * std::round(pv / quantisation.step);
 }
 
-HoldingSensor::HoldingSensor(const SensorHold& hold) : period_(0) {
+HoldingSensor::HoldingSensor(const SensorHold& hold) {
   check(hold);
   period_ = std::lround(hold.samples);
 }

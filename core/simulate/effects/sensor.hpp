@@ -27,7 +27,7 @@ class HoldingSensor {
   double next(double pv);
 
  private:
-  long period_;
+  long period_ = 0;
   long age_ = 0;
   double held_ = 0.0;
 };
