@@ -123,9 +123,10 @@ TEST(Monitor, LoopsThatAnotherWorkerHoldsAreCounted) {
 }
 
 TEST(Monitor, AConnectionThatDiedIdleCostsNothing) {
+  wait_for_hour_with(std::chrono::seconds(40));
   const Plant plant;
-  plant.import_loop("FIC101");
   plant.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.2, "settle_s": 0})"));
+  plant.import_loop("FIC101");
   BackgroundProgram daemon(plant.command_line("run"), plant.folder() / "daemon.log");
   ASSERT_TRUE(becomes(plant, "select count(*) from loopscope.analysis", "1"));
   plant.sql(
@@ -139,9 +140,10 @@ TEST(Monitor, AConnectionThatDiedIdleCostsNothing) {
 }
 
 TEST(Monitor, TheDaemonWorksUntilItIsTold) {
+  wait_for_hour_with(std::chrono::seconds(40));
   const Plant plant;
-  plant.import_loop("FIC101");
   plant.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.2, "settle_s": 0})"));
+  plant.import_loop("FIC101");
   BackgroundProgram daemon(plant.command_line("run"), plant.folder() / "daemon.log");
   ASSERT_TRUE(becomes(plant, "select count(*) from loopscope.analysis", "1"));
   plant.import_loop("FIC102", 1000, 2);
@@ -153,6 +155,7 @@ TEST(Monitor, TheDaemonWorksUntilItIsTold) {
 }
 
 TEST(Monitor, ABadSettingsFileOnReloadLeavesTheOldOneInForce) {
+  wait_for_hour_with(std::chrono::seconds(40));
   const Plant plant;
   plant.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.2, "settle_s": 0})"));
   const std::string log = plant.folder() / "daemon.log";

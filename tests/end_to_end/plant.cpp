@@ -5,6 +5,7 @@
 #include <random>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace loopscope::tests {
 namespace {
@@ -93,6 +94,12 @@ void Plant::import_simulated(const std::string& name, const std::string& scenari
   if (simulated.exit_code != 0) throw std::runtime_error("simulate failed: " + simulated.err);
   const ProgramResult imported = loopscope("import", {"--create-table", "--loop", name, file});
   if (imported.exit_code != 0) throw std::runtime_error("import failed: " + imported.err);
+}
+
+void wait_for_hour_with(std::chrono::seconds time) {
+  const auto now = std::chrono::system_clock::now();
+  const auto next = std::chrono::ceil<std::chrono::hours>(now);
+  if (next - now < time) std::this_thread::sleep_until(next + std::chrono::seconds(1));
 }
 
 std::string noisy_loop_csv(std::size_t samples, unsigned seed) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -50,6 +51,10 @@ class Plant {
   TestDatabase database_;
   std::string connection_;
 };
+
+/// An import lies where the hour before ended, and a daemon judges each hour when it has ended: where
+/// less than `time` is left of this one, waits for the next. Import and daemon need the same settle_s.
+void wait_for_hour_with(std::chrono::seconds time);
 
 /// Text of `samples` rows t_s,sp,pv,op of a first-order loop under noise.
 [[nodiscard]] std::string noisy_loop_csv(std::size_t samples, unsigned seed);

@@ -59,6 +59,8 @@ std::string downstream_csv(const Rows& source, double lag, unsigned seed) {
 class PlantRound : public testing::Test {
  protected:
   void SetUp() override {
+    wait_for_hour_with(std::chrono::seconds(60));
+    plant.write_settings(Plant::settings(R"("schedule": {"settle_s": 0})"));
     const std::string sticking = plant.folder() / "sticking.csv";
     std::vector<std::string> simulate = plant.command_line("simulate");
     simulate = {simulate[0], "simulate", "sticking_valve", "--seed", "5", "--out", sticking};
@@ -114,7 +116,7 @@ TEST_F(PlantRound, IsMadeByTheDaemonOnItsSchedule) {
   BackgroundProgram daemon(plant.command_line("run"), plant.folder() / "daemon.log");
   for (int tries = 0; tries < 600 && members() != kOneSource; ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  EXPECT_EQ(members(), kOneSource);
+  EXPECT_EQ(members(), kOneSource) << content_of(plant.folder() / "daemon.log");
   daemon.send(SIGTERM);
   EXPECT_EQ(daemon.wait(30), 0);
 }

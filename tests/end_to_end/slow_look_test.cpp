@@ -143,6 +143,7 @@ TEST_F(SlowLook, NothingMoreIsReadWhereTheSettingForbidsIt) {
 }
 
 TEST_F(SlowLook, TheDaemonReadsLongerSpansToo) {
+  wait_for_hour_with(std::chrono::seconds(30));
   plant_.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.2, "settle_s": 0})"));
   import_slow("SLOW", 7);
   BackgroundProgram daemon(plant_.command_line("run"), plant_.folder() / "daemon.log");

@@ -22,6 +22,7 @@ constexpr const char* kLocks =
 /// A daemon over a plant, started by run(); killed at the end if it still runs.
 class Unattended : public testing::Test {
  protected:
+  void SetUp() override { wait_for_hour_with(std::chrono::seconds(60)); }
   void run(const std::string& schedule = "", const std::string& daemon = R"("workers": 1)") {
     plant.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.2, "settle_s": 0)" + schedule +
                                          R"(}, "daemon": {)" + daemon + "}"));
