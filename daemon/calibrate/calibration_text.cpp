@@ -10,7 +10,6 @@ namespace {
 
 using core::simulate::FamilyKind;
 
-constexpr double kPercent = 100.0;
 constexpr int kNameWidth = 36;
 constexpr int kCellWidth = 16;
 
@@ -22,8 +21,8 @@ std::string cell(const TestTally& tally, std::size_t level, FamilyKind kind) {
   const bool nothing_to_find =
       kind == FamilyKind::linear_gaussian || kind == FamilyKind::linear_disturbed;
   const bool too_often = nothing_to_find && share.low > kLevels[level];
-  return fmt::format("{:.1f} ({:.0f}-{:.0f}){}", kPercent * share.share, kPercent * share.low,
-                     kPercent * share.high, too_often ? "*" : " ");
+  return fmt::format("{:.1f} ({:.0f}-{:.0f}){}", 100.0 * share.share, 100.0 * share.low,
+                     100.0 * share.high, too_often ? "*" : " ");
 }
 
 std::string heading_line() {
@@ -58,7 +57,7 @@ std::string kind_line(FamilyKind kind) {
 
 std::string table(const Calibration& calibration, std::size_t level) {
   std::string text = fmt::format("Rejected at nominal {:.0f} %, in % of {} records (95 % limits)\n",
-                                 kPercent * kLevels[level], calibration.records);
+                                 100.0 * kLevels[level], calibration.records);
   text += heading_line();
   const FamilyTally* before = nullptr;
   for (const FamilyTally& tally : calibration.families) {
@@ -95,9 +94,9 @@ std::string plant_line(const PlantSummary& plant) {
   return what + fmt::format(
                     "{:.1f} flags, {:.1f} +- {:.1f} % of them false, {:.1f} +- {:.1f} % of "
                     "the faulty found{}\n",
-                    plant.flags.mean, kPercent * plant.false_share.mean,
-                    kPercent * plant.false_share.standard_error, kPercent * plant.found_share.mean,
-                    kPercent * plant.found_share.standard_error,
+                    plant.flags.mean, 100.0 * plant.false_share.mean,
+                    100.0 * plant.false_share.standard_error, 100.0 * plant.found_share.mean,
+                    100.0 * plant.found_share.standard_error,
                     plant.untested > 0 ? fmt::format(", {} loops untested", plant.untested) : "");
 }
 

@@ -21,7 +21,7 @@ struct CheckOptions {
 };
 
 /// As many are listed on a terminal; --out has them all.
-constexpr std::size_t kShown = 50;
+constexpr std::size_t kShownDeadEnds = 50;
 
 std::vector<bool> ask(const config::Settings& settings, const std::string& source,
                       std::span<const std::string> tags) {
@@ -35,14 +35,14 @@ std::vector<bool> ask(const config::Settings& settings, const std::string& sourc
 }
 
 void print(const TagCheck& check) {
-  for (std::size_t k = 0; k < std::min(check.dead_ends.size(), kShown); ++k) {
+  for (std::size_t k = 0; k < std::min(check.dead_ends.size(), kShownDeadEnds); ++k) {
     const DeadEnd& end = check.dead_ends[k];
     std::cout << fmt::format("{:<28} {:<5} {:<32} {}: {}\n", printable(end.loop), end.role,
                              printable(end.tag), end.source, end.problem);
   }
-  if (check.dead_ends.size() > kShown) {
+  if (check.dead_ends.size() > kShownDeadEnds) {
     std::cout << fmt::format("... and {} more: --out FILE.csv has them all\n",
-                             check.dead_ends.size() - kShown);
+                             check.dead_ends.size() - kShownDeadEnds);
   }
 }
 

@@ -5,7 +5,7 @@
 namespace loopscope::daemon {
 namespace {
 
-HttpAnswer page(const HealthAnswer& answer) {
+HttpAnswer http_answer(const HealthAnswer& answer) {
   return {answer.http_status(), answer.text};
 }
 
@@ -13,8 +13,8 @@ HttpAnswer page(const HealthAnswer& answer) {
 
 void add_monitor_pages(HttpServer& server, const Health& health, Metrics& metrics,
                        std::function<double()> seconds_since_progress) {
-  server.handle("/livez", [&health](const HttpRequest&) { return page(health.live()); });
-  server.handle("/readyz", [&health](const HttpRequest&) { return page(health.ready()); });
+  server.handle("/livez", [&health](const HttpRequest&) { return http_answer(health.live()); });
+  server.handle("/readyz", [&health](const HttpRequest&) { return http_answer(health.ready()); });
   server.handle("/metrics",
                 [&metrics, since = std::move(seconds_since_progress)](const HttpRequest&) {
                   metrics.since_progress(since());

@@ -106,6 +106,8 @@ Json shape_json(const core::Evidence& evidence) {
           {"pv_relative_span", number_or_null(evidence.valve_gain.pv_relative_span)}};
 }
 
+}  // namespace
+
 Json verdict_json(const core::diagnosis::Verdict& verdict) {
   return {{"code", core::diagnosis::name(verdict.code)},
           {"confidence", verdict.confidence},
@@ -114,8 +116,6 @@ Json verdict_json(const core::diagnosis::Verdict& verdict) {
           {"reasons", verdict.reasons},
           {"action", verdict.action}};
 }
-
-}  // namespace
 
 Json slow_look_json(const core::hos::SlowLook& look) {
   Json object = hos_json(look.result);

@@ -24,6 +24,9 @@ struct InputFacts {
 /// in cycles per kept sample.
 [[nodiscard]] nlohmann::ordered_json slow_look_json(const core::hos::SlowLook& look);
 
+/// The object `verdict`.
+[[nodiscard]] nlohmann::ordered_json verdict_json(const core::diagnosis::Verdict& verdict);
+
 /// The object as indented text in valid UTF-8, whatever bytes a file name holds: those that are no
 /// UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& object);

@@ -14,7 +14,7 @@
 namespace loopscope::daemon {
 namespace {
 
-constexpr const char* kSubject = "plant round";
+constexpr const char* kRoundSubject = "plant round";
 /// Another worker that is at it may be lost with its turn: so long, and others look again.
 constexpr double kLookAgain_s = 60.0;
 
@@ -28,11 +28,11 @@ bool goes_well(FaultLog& faults, Step step) {
     step();
     return true;
   } catch (const storage::DatabaseError& error) {
-    faults.fault(kSubject, std::string(error.what()) + " HINT: " + error.hint());
+    faults.fault(kRoundSubject, std::string(error.what()) + " HINT: " + error.hint());
   } catch (const Failure& failure) {
-    faults.fault(kSubject, std::string(failure.what()) + " HINT: " + failure.hint());
+    faults.fault(kRoundSubject, std::string(failure.what()) + " HINT: " + failure.hint());
   } catch (const std::exception& error) {
-    faults.fault(kSubject, error.what());
+    faults.fault(kRoundSubject, error.what());
   }
   return false;
 }
@@ -110,7 +110,7 @@ double PlantWatch::look(const config::Settings& settings) {
     well &= goes_well(tools_.faults, [&] { announce(*rounds); });
     pause_s = std::min(pause_s, plant.notice_s);
   }
-  if (well) tools_.faults.recovered(kSubject);
+  if (well) tools_.faults.recovered(kRoundSubject);
   return pause_s;
 }
 

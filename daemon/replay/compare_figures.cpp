@@ -7,8 +7,6 @@
 namespace loopscope::daemon {
 namespace {
 
-using Json = nlohmann::json;
-
 /// No matter of digits: numbers of opposite signs are 2 apart at most.
 constexpr double kOtherThing = 3.0;
 
@@ -21,7 +19,7 @@ std::string without_digits(const std::string& text) {
   return words;
 }
 
-double difference(const Json& before, const Json& after) {
+double difference(const nlohmann::json& before, const nlohmann::json& after) {
   if (before.is_number() && after.is_number()) {
     const double a = before.get<double>();
     const double b = after.get<double>();
@@ -33,8 +31,8 @@ double difference(const Json& before, const Json& after) {
   return kOtherThing;
 }
 
-void take(FigureComparison& result, const std::string& name, const Json& before,
-          const Json* after) {
+void take(FigureComparison& result, const std::string& name, const nlohmann::json& before,
+          const nlohmann::json* after) {
   ++result.compared;
   if (after != nullptr && before == *after) return;
   ++result.different;
@@ -48,10 +46,10 @@ void take(FigureComparison& result, const std::string& name, const Json& before,
 
 }  // namespace
 
-FigureComparison compare_figures(const Json& before, const Json& after) {
+FigureComparison compare_figures(const nlohmann::json& before, const nlohmann::json& after) {
   FigureComparison result;
-  const Json flat = before.flatten();
-  const Json other = after.flatten();
+  const nlohmann::json flat = before.flatten();
+  const nlohmann::json other = after.flatten();
   for (const auto& [name, value] : flat.items()) {
     const auto found = other.find(name);
     take(result, name.substr(std::min<std::size_t>(1, name.size())), value,

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::system_clock;
 
-constexpr const char* kSubject = "report";
+constexpr const char* kReportSubject = "report";
 /// How often the clock is looked at, and how soon a report that failed is tried again.
 constexpr std::chrono::minutes kLookEvery{1};
 
@@ -113,14 +113,14 @@ void ReportSchedule::run(const std::stop_token& stop) {
     lock.unlock();
     try {
       if (!settings->report.folder.empty()) write_due(*settings, stop);
-      faults_.recovered(kSubject);
+      faults_.recovered(kReportSubject);
     } catch (const Failure& failure) {
       if (!stop.stop_requested())
-        faults_.fault(kSubject, std::string(failure.what()) + " HINT: " + failure.hint());
+        faults_.fault(kReportSubject, std::string(failure.what()) + " HINT: " + failure.hint());
     } catch (const storage::DatabaseError& error) {
-      faults_.fault(kSubject, std::string(error.what()) + " HINT: " + error.hint());
+      faults_.fault(kReportSubject, std::string(error.what()) + " HINT: " + error.hint());
     } catch (const std::exception& error) {
-      faults_.fault(kSubject, error.what());
+      faults_.fault(kReportSubject, error.what());
     }
     lock.lock();
     changed_.wait_for(lock, stop, kLookEvery, [&] { return settings_ != settings; });

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 /// How often `stop` and the patience are looked at.
-constexpr milliseconds kSlice{50};
+constexpr milliseconds kPollSlice{50};
 /// More than any report: whoever writes that much has gone mad.
 constexpr std::size_t kMostBytes = std::size_t{256} * 1024 * 1024;
 constexpr std::size_t kMostComplaint = 2000;
@@ -177,7 +177,7 @@ class Child {
   void receive_all() {
     std::array<pollfd, 2> ready{pollfd{out_.number(), POLLIN, 0},
                                 pollfd{error_.number(), POLLIN, 0}};
-    if (::poll(ready.data(), ready.size(), static_cast<int>(kSlice.count())) <= 0) return;
+    if (::poll(ready.data(), ready.size(), static_cast<int>(kPollSlice.count())) <= 0) return;
     if (ready[0].revents != 0) receive(out_, result_.out, kMostBytes + 1);
     if (ready[1].revents != 0) receive(error_, result_.complaint, kMostComplaint);
   }

@@ -9,8 +9,6 @@ namespace loopscope::daemon {
 
 namespace {
 
-constexpr double kPercent = 100.0;
-
 std::string_view words(Agreement agreement) {
   switch (agreement) {
     case Agreement::met:
@@ -40,14 +38,14 @@ std::string decision_line(const Example& example, const Measurement& measurement
   const bool gaussian = example.decision == PaperDecision::gaussian;
   return fmt::format("  {:<12}{:>9}   the published rule decides so in {:.0f} % of the seeds\n",
                      "decision", gaussian ? "Gaussian" : "nonlinear",
-                     kPercent * measurement.decision_share);
+                     100.0 * measurement.decision_share);
 }
 
 std::string peak_lines(const Measurement& measurement) {
   std::string text;
   for (const PeakShare& peak : measurement.peaks) {
     text += fmt::format("  {:<9}({:.2f}, {:.2f})   found in {:.0f} % of the seeds{}\n", "peak",
-                        peak.peak.f1, peak.peak.f2, kPercent * peak.share,
+                        peak.peak.f1, peak.peak.f2, 100.0 * peak.share,
                         peak.in_principal_domain ? "" : " (outside the principal domain)");
   }
   if (!measurement.peaks.empty() && measurement.peak_seeds > 0.0) {
@@ -61,7 +59,7 @@ std::string loop_lines(const Example& example, const Measurement& measurement) {
   if (!measurement.verdict) return {};
   return figure_line("error std", {}, measurement.error_std) +
          fmt::format("  {:<24}{} in {:.0f} % of the seeds (the paper's cause: {})\n", "our verdict",
-                     measurement.verdict->code, kPercent * measurement.verdict->share,
+                     measurement.verdict->code, 100.0 * measurement.verdict->share,
                      example.paper_cause);
 }
 

@@ -15,7 +15,7 @@
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kFewestCycles = 6.0;
+constexpr double kFewestCyclesOfALine = 6.0;
 /// The bands of noise beside a line, in cycles per record: they begin outside the window's main
 /// lobe and are at most so wide, and half the frequency, where the spectrum bends most.
 constexpr double kGap = 2.0;
@@ -147,7 +147,8 @@ double p_at(const Tapered& spectrum, std::size_t bin, const std::vector<Found>& 
 
 Found strongest(const Tapered& spectrum, const std::vector<Found>& stronger) {
   Found found;
-  const auto first = static_cast<std::size_t>(std::ceil(kFewestCycles * spectrum.bins_per_cycle));
+  const auto first =
+      static_cast<std::size_t>(std::ceil(kFewestCyclesOfALine * spectrum.bins_per_cycle));
   for (std::size_t bin = first; bin + 1 < spectrum.power.size(); ++bin) {
     const double power = spectrum.power[bin];
     if (power < spectrum.power[bin - 1] || power < spectrum.power[bin + 1]) continue;

@@ -10,7 +10,7 @@
 namespace loopscope::core::model {
 namespace {
 
-struct GainChange {
+struct FoundGain {
   ChangePoint change;
   double ratio = 1.0;  ///< gain after over gain before
 };
@@ -27,11 +27,11 @@ double slope(std::span<const double> products, std::span<const double> answer, d
   return square > 0.0 ? unit * product / square : 0.0;
 }
 
-GainChange judge(const Centred& residual, const Centred& answer) {
+FoundGain judge(const Centred& residual, const Centred& answer) {
   std::vector<double> products(residual.values.size());
   std::transform(residual.values.begin(), residual.values.end(), answer.values.begin(),
                  products.begin(), [](double r, double x) { return r * x; });
-  GainChange result{find_change(products), 1.0};
+  FoundGain result{find_change(products), 1.0};
   const std::span<const double> all(products);
   const std::span<const double> x(answer.values);
   const std::size_t split = result.change.at_sample;
@@ -49,14 +49,14 @@ GainChange judge(const Centred& residual, const Centred& answer) {
 
 std::optional<Answer> ask_time_gain(const Questioned& questioned) {
   if (!questioned.response) return std::nullopt;
-  const GainChange level = judge(questioned.residual, *questioned.response);
-  GainChange move;
+  const FoundGain level = judge(questioned.residual, *questioned.response);
+  FoundGain move;
   if (const auto moves = centred(increments(questioned.view.response), kFewestAsked))
     move = judge(questioned.residual, *moves);
   const std::array parts = {level.change.p, move.change.p};
   Answer answer{{"time_gain", hos::combine_p(parts), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
-  const GainChange& best = level.change.p <= move.change.p ? level : move;
+  const FoundGain& best = level.change.p <= move.change.p ? level : move;
   answer.question.statement =
       "The process answers about " + in_digits(best.ratio) + " times as strongly from " +
       at_place(best.change.at_sample, questioned.view.sample_interval_s) + " on.";
