@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/loop/symmetric_eigen.hpp"
+#include "core/hos/symmetric_eigen.hpp"
 
 namespace loopscope::core::loop {
 namespace {
@@ -68,7 +68,7 @@ Whitening measure_whitening(const Points& points) {
   for (const auto& p : points) mean += p / count;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   for (const auto& p : points) covariance += (p - mean) * (p - mean).transpose() / count;
-  const SymmetricEigen eigen = symmetric_eigen(covariance);
+  const hos::SymmetricEigen eigen = hos::symmetric_eigen(covariance);
   const Eigen::Vector2d std = eigen.values.cwiseMax(0.0).cwiseSqrt();
   const Eigen::Matrix2d to_white = std.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
   return {mean, to_white, std(0) / std(1)};

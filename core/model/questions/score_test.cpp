@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/loop/symmetric_eigen.hpp"
+#include "core/hos/symmetric_eigen.hpp"
 #include "core/model/questions/tails.hpp"
 
 namespace loopscope::core::model {
@@ -68,7 +68,7 @@ Score quadratic_form(const ScoreSums& sums) {
   result.t = VectorXd::Zero(score.size());
   for (Index j = 0; j < score.size(); ++j)
     if (variance(j, j) > 0.0) result.t[j] = score[j] / std::sqrt(variance(j, j));
-  const loop::SymmetricEigen eigen = loop::symmetric_eigen(variance);
+  const hos::SymmetricEigen eigen = hos::symmetric_eigen(variance);
   const double least = kRankTolerance * eigen.values.tail(1)[0];
   double statistic = 0.0;
   for (Index j = 0; j < score.size(); ++j) {
@@ -106,7 +106,7 @@ MatrixXd orthonormal(const LaggedColumns& columns, const Eigen::ArrayXd& weights
   weighted.rightCols(columns.columns()) =
       weights.matrix().asDiagonal() * columns.block(0, columns.rows());
   for (Index j = 0; j < weighted.cols(); ++j) weighted.col(j).stableNormalize();
-  const loop::SymmetricEigen eigen = loop::symmetric_eigen(gram(weighted));
+  const hos::SymmetricEigen eigen = hos::symmetric_eigen(gram(weighted));
   const double largest = eigen.values.tail(1)[0];
   MatrixXd turn(weighted.cols(), 0);
   for (Index j = 0; j < weighted.cols(); ++j) {

@@ -1,12 +1,12 @@
-#include "core/loop/symmetric_eigen.hpp"
+#include "core/hos/symmetric_eigen.hpp"
 
 #include <Eigen/Eigenvalues>
 
-namespace loopscope::core::loop {
+namespace loopscope::core::hos {
 
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-}  // namespace loopscope::core::loop
+}  // namespace loopscope::core::hos

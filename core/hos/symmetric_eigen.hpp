@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace loopscope::core::loop {
+namespace loopscope::core::hos {
 
 /// matrix = vectors * values.asDiagonal() * vectors.transpose().
 struct SymmetricEigen {
@@ -14,4 +14,4 @@ struct SymmetricEigen {
 /// solver takes seconds to compile in each file that uses it, and again for each fixed size.
 [[nodiscard]] SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 
-}  // namespace loopscope::core::loop
+}  // namespace loopscope::core::hos
