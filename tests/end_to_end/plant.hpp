@@ -52,8 +52,9 @@ class Plant {
   std::string connection_;
 };
 
-/// An import lies where the hour before ended, and a daemon judges each hour when it has ended: where
-/// less than `time` is left of this one, waits for the next. Import and daemon need the same settle_s.
+/// An import lies where the hour before ended, and a daemon judges each hour when it has ended:
+/// where less than `time` is left of this one, waits for the next. Import and daemon need the same
+/// settle_s.
 void wait_for_hour_with(std::chrono::seconds time);
 
 /// Text of `samples` rows t_s,sp,pv,op of a first-order loop under noise.
