@@ -10,8 +10,13 @@
 namespace loopscope::tests {
 namespace {
 
-ProgramResult psql(const std::string& connection, const std::string& query) {
-  return run_program({kPsql, "-X", "-d", connection, "-v", "ON_ERROR_STOP=1", "-Atc", query});
+std::string as_lines(const TextRows& rows) {
+  std::string text;
+  for (const auto& row : rows) {
+    if (!text.empty()) text += '\n';
+    for (std::size_t k = 0; k < row.size(); ++k) text += (k == 0 ? "" : "|") + row[k];
+  }
+  return text;
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -73,9 +78,7 @@ ProgramResult Plant::loopscope(const std::string& command,
 }
 
 std::string Plant::sql(const std::string& query) const {
-  const ProgramResult result = psql(connection_, query);
-  if (result.exit_code != 0) throw std::runtime_error(result.err + " in " + query);
-  return result.out.empty() ? result.out : result.out.substr(0, result.out.size() - 1);
+  return as_lines(database_.rows(query, ""));
 }
 
 std::string Plant::import_loop(const std::string& name, std::size_t samples, unsigned seed) const {

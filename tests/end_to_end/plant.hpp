@@ -26,7 +26,8 @@ class Plant {
   /// The same arguments, for a program in the background.
   [[nodiscard]] std::vector<std::string> command_line(const std::string& command) const;
 
-  /// What psql prints for a query: columns separated by |, rows by line breaks.
+  /// Rows of the last of these commands as psql -At prints them: columns separated by |, rows by
+  /// line breaks, NULL as nothing.
   std::string sql(const std::string& query) const;
 
   /// Replaces the settings file; @CONNECTION@ stands for the database.

@@ -8,7 +8,7 @@ struct pg_conn;
 
 namespace loopscope::tests {
 
-/// Rows of a query as text; NULL is "NULL".
+/// Rows of a query as text; NULL is "NULL", unless another word was asked for.
 using TextRows = std::vector<std::vector<std::string>>;
 
 /// A connection that goes by another way than the program's, so that a test does not check the
@@ -21,7 +21,10 @@ class SqlConnection {
   /// Runs one or several commands; the rows are the last one's.
   /// @throws std::runtime_error with the server's words
   // NOLINTNEXTLINE(modernize-use-nodiscard): of most commands no rows are expected
-  TextRows run(const std::string& sql) const;
+  TextRows run(const std::string& sql, const std::string& null_text = "NULL") const;
+
+  /// False when the server has ended it, as far as has been heard of it, or a transaction is open.
+  [[nodiscard]] bool is_idle() const;
 
  private:
   struct Close {

@@ -5,7 +5,7 @@
 namespace loopscope::tests {
 namespace {
 
-bool exists(const SqlConnection& server, const std::string& database) {
+bool exists(const auto& server, const std::string& database) {
   return !server.run("SELECT FROM pg_database WHERE datname = '" + database + "'").empty();
 }
 
@@ -25,13 +25,12 @@ void make(const SqlConnection& server, const std::string& conninfo,
 /// The lock is the session's and ends with it.
 void make_once(const std::string& conninfo, const TemplateDatabase& filled) {
   const SqlConnection server(conninfo);
-  if (exists(server, filled.name)) return;
   server.run("SELECT pg_advisory_lock(hashtext('" + filled.name + "'))");
   if (!exists(server, filled.name)) make(server, conninfo, filled);
 }
 
 /// What ALTER DATABASE has set belongs to the database's name, not to what is copied.
-void copy_settings(const SqlConnection& server, const std::string& from, const std::string& to) {
+void copy_settings(const ReusedConnection& server, const std::string& from, const std::string& to) {
   const TextRows settings = server.run(
       "SELECT split_part(entry, '=', 1), quote_literal(substr(entry, strpos(entry, '=') + 1))"
       " FROM pg_db_role_setting JOIN pg_database ON pg_database.oid = setdatabase,"
@@ -44,12 +43,16 @@ void copy_settings(const SqlConnection& server, const std::string& from, const s
 
 }  // namespace
 
-void copy_template(const std::string& server, const TemplateDatabase& filled,
-                   const std::string& database) {
-  make_once(server, filled);
-  const SqlConnection connection(server);
-  connection.run("CREATE DATABASE " + database + " TEMPLATE " + filled.name);
-  copy_settings(connection, filled.name, database);
+std::string copy_strategy(const ReusedConnection& server) {
+  const bool can_choose = std::stoi(server.run("SHOW server_version_num")[0][0]) >= 150'000;
+  return can_choose ? " STRATEGY file_copy" : "";
+}
+
+void copy_template(const ReusedConnection& server, const std::string& conninfo,
+                   const TemplateDatabase& filled, const std::string& database) {
+  if (!exists(server, filled.name)) make_once(conninfo, filled);
+  server.run("CREATE DATABASE " + database + " TEMPLATE " + filled.name + copy_strategy(server));
+  copy_settings(server, filled.name, database);
 }
 
 }  // namespace loopscope::tests

@@ -13,14 +13,15 @@
 namespace loopscope::tests {
 namespace {
 
-TextRows run(const std::string& conninfo, const std::string& sql) {
-  return SqlConnection(conninfo).run(sql);
-}
-
 std::string server() {
   const std::optional<std::string> found = test_server();
   if (!found) throw std::runtime_error(kNoServer);
   return *found;
+}
+
+const ReusedConnection& administration() {
+  static const ReusedConnection connection(server());
+  return connection;
 }
 
 /// Tests run side by side in processes of their own.
@@ -40,18 +41,22 @@ std::optional<std::string> test_server() {
   return std::nullopt;
 }
 
-TestDatabase::TestDatabase(const std::string& encoding) : name_(unique_name()) {
-  run(server(), "CREATE DATABASE " + name_ + " TEMPLATE template0 ENCODING '" + encoding + "'");
+TestDatabase::TestDatabase(const std::string& encoding)
+    : name_(unique_name()), connection_(with_key(server(), "dbname", name_)) {
+  administration().run("CREATE DATABASE " + name_ + " TEMPLATE template0 ENCODING '" + encoding +
+                       "'");
 }
 
-TestDatabase::TestDatabase(const TemplateDatabase& filled) : name_(unique_name()) {
-  copy_template(server(), filled, name_);
+TestDatabase::TestDatabase(const TemplateDatabase& filled)
+    : name_(unique_name()), connection_(with_key(server(), "dbname", name_)) {
+  copy_template(administration(), server(), filled, name_);
 }
 
 TestDatabase::~TestDatabase() {
   try {
-    run(server(), "DROP DATABASE " + name_ + " WITH (FORCE)");
-    for (const std::string& login : logins_) run(server(), "DROP ROLE " + login);
+    connection_.close();
+    administration().run("DROP DATABASE " + name_ + " WITH (FORCE)");
+    for (const std::string& login : logins_) administration().run("DROP ROLE " + login);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
   }
@@ -80,11 +85,11 @@ std::string TestDatabase::make_login(const std::string& group) {
 }
 
 void TestDatabase::execute(const std::string& sql) const {
-  run(conninfo(), sql);
+  connection_.run(sql);
 }
 
-TextRows TestDatabase::rows(const std::string& sql) const {
-  return run(conninfo(), sql);
+TextRows TestDatabase::rows(const std::string& sql, const std::string& null_text) const {
+  return connection_.run(sql, null_text);
 }
 
 std::string TestDatabase::value(const std::string& sql) const {

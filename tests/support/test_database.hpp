@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/sql_connection.hpp"
+#include "tests/support/reused_connection.hpp"
 #include "tests/support/template_database.hpp"
 
 namespace loopscope::tests {
@@ -39,15 +39,16 @@ class TestDatabase {
   /// Makes a login that is a member of `group` (empty = of none) and returns its name.
   std::string make_login(const std::string& group);
 
-  /// Runs one or several commands.
+  /// Runs one or several commands; what they set for their session ends with them.
   void execute(const std::string& sql) const;
-  [[nodiscard]] TextRows rows(const std::string& sql) const;
+  [[nodiscard]] TextRows rows(const std::string& sql, const std::string& null_text = "NULL") const;
   /// First column of the only row.
   [[nodiscard]] std::string value(const std::string& sql) const;
 
  private:
   std::string name_;
   std::vector<std::string> logins_;
+  ReusedConnection connection_;
 };
 
 }  // namespace loopscope::tests
