@@ -23,9 +23,10 @@ inline int count_assertion() {
 #ifndef GTEST_AMBIGUOUS_ELSE_BLOCKER_
 #error "this GoogleTest begins its assertions otherwise: look for another place to count them"
 #endif
+// NOLINTBEGIN(readability-identifier-naming): the name is GoogleTest's.
 #undef GTEST_AMBIGUOUS_ELSE_BLOCKER_
-#define GTEST_AMBIGUOUS_ELSE_BLOCKER_               \
-  switch (::loopscope::tests::count_assertion()) /* \
-   NOLINT */                                        \
-  case 0:                                           \
+#define GTEST_AMBIGUOUS_ELSE_BLOCKER_            \
+  switch (::loopscope::tests::count_assertion()) \
+  case 0:                                        \
   default:
+// NOLINTEND(readability-identifier-naming)

@@ -41,6 +41,13 @@ std::optional<std::string> test_server() {
   return std::nullopt;
 }
 
+std::string roles_script() {
+  const std::ifstream file(source_dir() / "deploy" / "roles.sql");
+  std::ostringstream script;
+  script << file.rdbuf();
+  return script.str();
+}
+
 TestDatabase::TestDatabase(const std::string& encoding)
     : name_(unique_name()), connection_(with_key(server(), "dbname", name_)) {
   administration().run("CREATE DATABASE " + name_ + " TEMPLATE template0 ENCODING '" + encoding +
@@ -70,11 +77,8 @@ std::string TestDatabase::conninfo(const std::string& user) const {
   return with_key(conninfo(), "user", user);
 }
 
-void TestDatabase::make_roles() {
-  const std::ifstream file(source_dir() / "deploy" / "roles.sql");
-  std::ostringstream script;
-  script << file.rdbuf();
-  execute(script.str());
+void TestDatabase::make_roles() const {
+  execute(roles_script());
 }
 
 std::string TestDatabase::make_login(const std::string& group) {
@@ -104,7 +108,9 @@ std::string TestDatabase::value(const std::string& sql) const {
 
 // libpqxx 6.4.5 does not free the result of a statement whose connection breaks meanwhile: some 2
 // kB each time, which only a build with LeakSanitizer would report.
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): LeakSanitizer's name
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:libpqxx\n";
 }
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)

@@ -13,6 +13,9 @@ namespace loopscope::tests {
 /// label `server`, or that tests/support/postgres started by hand; nullopt when there is none.
 [[nodiscard]] std::optional<std::string> test_server();
 
+/// deploy/roles.sql, which makes the group roles.
+[[nodiscard]] std::string roles_script();
+
 /// What a test says when it is skipped for want of a server.
 inline constexpr const char* kNoServer =
     "no PostgreSQL server: run the test by ctest, which starts one";
@@ -34,8 +37,7 @@ class TestDatabase {
   [[nodiscard]] std::string conninfo() const;
   [[nodiscard]] std::string conninfo(const std::string& user) const;
 
-  /// Runs deploy/roles.sql, which makes the group roles.
-  void make_roles();
+  void make_roles() const;
   /// Makes a login that is a member of `group` (empty = of none) and returns its name.
   std::string make_login(const std::string& group);
 

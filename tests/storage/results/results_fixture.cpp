@@ -9,15 +9,35 @@ namespace loopscope::storage {
 namespace {
 
 /// Other migrations, another template.
-tests::TemplateDatabase migrated() {
-  std::string digests;
-  for (const Migration& migration : embedded_migrations()) digests += migration.sha256;
-  return {
-      "loopscope_template_" + std::to_string(std::hash<std::string>{}(digests)),
-      [](const std::string& conninfo) { migrate({.conninfo = conninfo, .purpose = "results"}); }};
+std::string template_name(const std::string& kind, std::string contents = "") {
+  for (const Migration& migration : embedded_migrations()) contents += migration.sha256;
+  return "loopscope_" + kind + "_" + std::to_string(std::hash<std::string>{}(contents));
+}
+
+void migrate_as_superuser(const std::string& conninfo) {
+  migrate({.conninfo = conninfo, .purpose = "results"});
+}
+
+/// The member leaves nothing behind: what it makes is its group's.
+void migrate_as_owner(const std::string& conninfo) {
+  const tests::SqlConnection database(conninfo);
+  database.run(tests::roles_script());
+  database.run("DROP ROLE IF EXISTS template_owner");
+  database.run("CREATE ROLE template_owner LOGIN IN ROLE loopscope_owner");
+  migrate({.conninfo = tests::with_key(conninfo, "user", "template_owner"), .purpose = "results"});
+  database.run("REVOKE loopscope_owner FROM template_owner; DROP ROLE template_owner");
 }
 
 }  // namespace
+
+std::unique_ptr<tests::TestDatabase> database_of_owner() {
+  const tests::TemplateDatabase migrated{template_name("owned", tests::roles_script()),
+                                         migrate_as_owner};
+  auto database = std::make_unique<tests::TestDatabase>(migrated);
+  // Rights to the database itself are not copied.
+  database->make_roles();
+  return database;
+}
 
 ConnectionSettings settings_for(const tests::TestDatabase& database, const std::string& user) {
   ConnectionSettings settings;
@@ -106,7 +126,8 @@ void explain(AnalysisRecord& record, const std::string& last_error) {
 
 void ResultsTest::SetUp() {
   if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
-  database = std::make_unique<tests::TestDatabase>(migrated());
+  database = std::make_unique<tests::TestDatabase>(
+      tests::TemplateDatabase{template_name("template"), migrate_as_superuser});
   database->execute(
       "UPDATE loopscope.parameter SET value = 0.05 WHERE name = 'false_discovery_rate'");
 }

@@ -18,6 +18,9 @@ using tests::TextRows;
 [[nodiscard]] ConnectionSettings settings_for(const tests::TestDatabase& database,
                                               const std::string& user = "");
 
+/// A database whose schema a login of the owner's group has made, as a site would do it.
+[[nodiscard]] std::unique_ptr<tests::TestDatabase> database_of_owner();
+
 /// 2026-01-01 00:00:00 UTC plus so many hours, in microseconds: a slot's end.
 [[nodiscard]] std::int64_t slot(int hours);
 

@@ -18,13 +18,11 @@ class RightsTest : public testing::Test {
  protected:
   void SetUp() override {
     if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
-    database = std::make_unique<tests::TestDatabase>();
-    database->make_roles();
+    database = database_of_owner();
     database->make_roles();
     owner = database->make_login("loopscope_owner");
     worker = database->make_login("loopscope_worker");
     reader = database->make_login("loopscope_reader");
-    migrate(settings_for(*database, owner));
   }
 
   void expect_refused(const std::string& user, const std::string& sql) const {
@@ -85,8 +83,8 @@ TEST_F(RightsTest, WorkerDoesItsWorkAndNoMore) {
         "UPDATE loopscope.verdict SET confidence = 1", "UPDATE loopscope.loop SET enabled = false",
         "UPDATE loopscope.schedule SET enabled = false",
         "UPDATE loopscope.parameter SET description = ''",
-        "INSERT INTO loopscope.loop (name, source, pv_tag, period_s)"
-        " VALUES ('x', 'y', 'z', 1)",
+        ("INSERT INTO loopscope.loop (name, source, pv_tag, period_s)"
+         " VALUES ('x', 'y', 'z', 1)"),
         "INSERT INTO loopscope.schema_migration VALUES (99, 'x', 'x')",
         "INSERT INTO loopscope.annotation (loop_id, kind) VALUES (1, 'x')",
         "CREATE TABLE loopscope.mine (x int)", "ALTER TABLE loopscope.loop ADD COLUMN x int",

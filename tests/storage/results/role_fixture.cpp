@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "storage/results/migrate.hpp"
-
 namespace loopscope::storage {
 
 using testing::AnyOf;
@@ -13,15 +11,13 @@ using tests::LoginSession;
 
 void RoleTest::SetUp() {
   if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
-  database = std::make_unique<tests::TestDatabase>();
-  database->make_roles();
+  database = database_of_owner();
   owner = database->make_login("loopscope_owner");
   worker = database->make_login("loopscope_worker");
   reader = database->make_login("loopscope_reader");
   engineer = database->make_login("loopscope_engineer");
   historian = database->make_login("loopscope_historian");
   stranger = database->make_login("");
-  migrate(settings_for(*database, owner));
   Catalogue(settings_for(*database, owner)).save(std::vector{loop_named("a")});
   database->execute(
       "CREATE SCHEMA site; CREATE TABLE site.history (tag text, time timestamptz, value real,"
@@ -73,8 +69,8 @@ std::vector<std::string> ddl_on(const std::string& relation, bool view) {
        {"TRUNCATE %", "ALTER TABLE % ADD COLUMN planted int", "ALTER TABLE % DISABLE TRIGGER ALL",
         "ALTER TABLE % ENABLE ROW LEVEL SECURITY", "CREATE POLICY p ON % USING (true)",
         "CREATE INDEX ON % ((1))", "REINDEX TABLE %", "LOCK TABLE % IN ACCESS EXCLUSIVE MODE",
-        "CREATE TRIGGER t BEFORE INSERT ON % EXECUTE FUNCTION"
-        " suppress_redundant_updates_trigger()"}) {
+        ("CREATE TRIGGER t BEFORE INSERT ON % EXECUTE FUNCTION"
+         " suppress_redundant_updates_trigger()")}) {
     std::string text = command;
     commands.push_back(text.replace(text.find('%'), 1, relation));
   }
