@@ -44,7 +44,7 @@ class Cluster:
         self.historian, self.mirror = self._server("historian"), self._server("mirror")
         self.historian.create()
         say("rows for the historian")
-        plant.fill_historian(self.historian, self.program, ahead_s)
+        plant.fill_historian(self.historian, self.program, self.loops, ahead_s)
         self.mirror.follow(self.historian, synchronous=False)
         self.primary, self.standby = self._server("first", DISK_MB), self._server("second", DISK_MB)
         self.primary.create()

@@ -133,7 +133,7 @@ def freeze_server(cluster, random):
 
 def late_rows(cluster, random):
     """Rows of one recording come late, some of them twice."""
-    number = random.randrange(plant.RECORDINGS)
+    number = random.randrange(plant.recordings(cluster.loops))
     where = f"tag LIKE 'R{number}.%' AND time > now() + interval '1 s' AND time <= now() + interval '9 s'"
     cluster.historian.sql(
         "CREATE TABLE IF NOT EXISTS late (LIKE history); TRUNCATE late;"

@@ -14,7 +14,6 @@ SETTLE_S = 2
 LEASE_S = 15
 POLL_S = 2
 BATCH_LOOPS = 8
-RECORDINGS = 40
 FAULTY = {0: "sticking_valve", 20: "tight_tuning"}
 # Rows come late by so much at most: as many slots back have to be looked at again.
 LATEST_S = 40
@@ -31,6 +30,11 @@ def periods_s(loops):
     return sorted({round(middle_s * (0.67 + 0.05 * step)) for step in range(14)})
 
 
+def recordings(loops):
+    """Of a large plant many loops share one."""
+    return min(40, loops)
+
+
 def _simulate(program, number, samples):
     scenario = FAULTY.get(number, ("healthy_flow", "paper_5_1")[number % 2])
     text = run([program, "simulate", scenario, "--seed", str(number + 1), "--samples", str(samples),
@@ -40,14 +44,14 @@ def _simulate(program, number, samples):
     return [[line.split(",")[column[name]] for name in ("sp", "pv", "op")] for line in lines[1:]]
 
 
-def fill_historian(server, program, ahead_s):
+def fill_historian(server, program, loops, ahead_s):
     """Rows from a window before now to `ahead_s` after it. Returns the first time, seconds."""
     server.sql(f"CREATE DATABASE {HISTORIAN}; CREATE ROLE reader LOGIN")
     server.sql("CREATE TABLE history (tag text NOT NULL, time timestamptz NOT NULL,"
                " value float8, quality smallint); GRANT SELECT ON history TO reader", HISTORIAN)
     first_s = int(time.time()) - 3 * WINDOW
     samples = 3 * WINDOW + int(ahead_s)
-    for number in range(RECORDINGS):
+    for number in range(recordings(loops)):
         rows = []
         for k, cells in enumerate(_simulate(program, number, samples)):
             rows += [f"R{number}.{role}\t@{first_s + k}\t{cell or chr(92) + 'N'}\t192"
@@ -68,13 +72,13 @@ def make_results(server, program, settings, source_dir, loops, database=RESULTS)
     server.sql("DO $$ BEGIN CREATE ROLE worker LOGIN IN ROLE loopscope_worker;"
                " EXCEPTION WHEN duplicate_object THEN NULL; END $$")
     run([program, "migrate", "--config", settings])
-    periods = periods_s(loops)
+    periods, shared = periods_s(loops), recordings(loops)
     server.sql(f"""
         INSERT INTO loopscope.loop (name, source, sp_tag, pv_tag, op_tag, interval_s, period_s,
                                     op_low, op_high, loop_type)
-        SELECT 'FC' || i, 'plant', 'R' || i % {RECORDINGS} || '.SP', 'R' || i % {RECORDINGS} || '.PV',
-               'R' || i % {RECORDINGS} || '.OP', {INTERVAL_S},
-               ('{{{",".join(map(str, periods))}}}'::int[])[1 + i * 7 / {RECORDINGS} % {len(periods)}],
+        SELECT 'FC' || i, 'plant', 'R' || i % {shared} || '.SP', 'R' || i % {shared} || '.PV',
+               'R' || i % {shared} || '.OP', {INTERVAL_S},
+               ('{{{",".join(map(str, periods))}}}'::int[])[1 + i * 7 / {shared} % {len(periods)}],
                0, 100, 'flow'
         FROM generate_series(0, {loops - 1}) AS i""", database)
 
