@@ -1,7 +1,5 @@
 #include "tests/support/reused_connection.hpp"
 
-#include <utility>
-
 namespace loopscope::tests {
 
 TextRows ReusedConnection::run(const std::string& sql, const std::string& null_text) const {

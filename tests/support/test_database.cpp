@@ -51,7 +51,7 @@ std::string roles_script() {
 TestDatabase::TestDatabase(const std::string& encoding)
     : name_(unique_name()), connection_(with_key(server(), "dbname", name_)) {
   administration().run("CREATE DATABASE " + name_ + " TEMPLATE template0 ENCODING '" + encoding +
-                       "'");
+                       "'" + copy_strategy(administration()));
 }
 
 TestDatabase::TestDatabase(const TemplateDatabase& filled)
