@@ -139,9 +139,11 @@ TEST_F(Unattended, ResultsThatAreRefusedGoBackWithoutBlame) {
               "'%not today%' and owner is null and attempts = 0 and lost_leases = 0 and "
               "visible_at > now() + interval '30 s'",
               "2"));
+  // Not by dropping the trigger: that locks the table and its partitions while the daemon uses them.
   plant.sql(
-      "drop trigger refuse on loopscope.analysis; update loopscope.schedule set visible_at = "
-      "now()");
+      "create or replace function refuse() returns trigger language plpgsql as $$ begin return "
+      "new; end $$");
+  plant.sql("update loopscope.schedule set visible_at = now()");
   EXPECT_TRUE(becomes(kCount, "2"));
   EXPECT_TRUE(logs("results database: works again"));
   EXPECT_EQ(stop(), 0);

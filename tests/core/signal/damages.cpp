@@ -206,8 +206,12 @@ std::vector<Damage> make_damages() {
   list.push_back(changed("5 % of the rows twice", repeated));
   list.push_back(changed("second half three times as loud", louder));
   list.push_back(changed("mean 2 standard deviations up halfway", shifted));
+  list.push_back(changed("another spectrum from 70 % on", another<70>));
+  // Of two stretches of the same length the later one is judged (core/hos/stationary_stretch.hpp).
   list.push_back(changed("another spectrum from halfway on", another<50>));
+  list.back().leaves_linear = true;
   list.push_back(changed("another spectrum from 30 % on", another<30>));
+  list.back().leaves_linear = true;
   list.push_back(changed("setpoint staircase of 3 standard deviations", staircase));
   list.push_back(changed("5 % frozen", frozen));
   return list;

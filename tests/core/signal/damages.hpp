@@ -24,6 +24,8 @@ struct LoopRecording {
 struct Damage {
   std::string name;
   std::function<LoopRecording(LoopRecording, std::uint64_t seed)> apply;
+  /// What is left of the record to judge, its longest stationary stretch, is a linear loop's.
+  bool leaves_linear = false;
 };
 
 /// Every kind that the gate is measured on.

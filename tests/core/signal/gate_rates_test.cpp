@@ -100,8 +100,12 @@ TEST_P(GateRates, HealthyLoopsStayHealthy) {
 
 TEST_P(GateRates, NonlinearLoopsAreFound) {
   const GateCounts rates = measure(kNonlinear, 3);
-  // All of them are found in whole data; the loudest damages hide half of them.
-  EXPECT_GE(rates.rate(0), 0.4);
+  if (damage().leaves_linear) {
+    EXPECT_LE(rates.rate(0), 0.05 + loopscope::tests::four_errors(0.05, rates.records));
+  } else {
+    // All of them are found in whole data; the loudest damages hide half of them.
+    EXPECT_GE(rates.rate(0), 0.4);
+  }
 }
 
 /// The short form takes the quick ones.
