@@ -61,7 +61,8 @@ void write_window(const WindowOptions& options) {
       claim_at(*loop, end_us.value_or(historian.now_us()), settings.schedule.settle_s);
   const SlotSettings slot_settings{settings.schedule.settle_s,
                                    end_us ? SlotRule::clock : SlotRule::newest_sample};
-  const auto slots = newest_slots(historian, std::vector{&claim}, slot_settings);
+  const auto slots =
+      newest_slots(historian, std::vector{&claim}, slot_settings, historian.now_us());
   RowMemory memory;
   const auto windows =
       read_windows(historian, slots, settings.analysis.prepare.window_samples, memory);

@@ -49,6 +49,11 @@ void Health::set(const storage::ScheduleHealth& schedule) {
   lag_s_ = schedule.lag_s;
 }
 
+void Health::set_clock_refusal(std::optional<std::string> why) {
+  const std::lock_guard lock(mutex_);
+  clock_refusal_ = std::move(why);
+}
+
 HealthAnswer Health::live() const {
   const std::optional<std::string> reason = why_not_live_();
   return reason ? answer({*reason}) : answer({});
@@ -68,6 +73,7 @@ std::vector<std::string> Health::why_not_ready() const {
                                   silence_s, limits_.max_silence_s));
   }
   if (schema_refusal_) reasons.push_back("schema: " + *schema_refusal_);
+  if (clock_refusal_) reasons.push_back("clock: " + *clock_refusal_);
   if (lag_s_ > limits_.max_lag_s) {
     reasons.push_back(fmt::format("lag: the most overdue loop waits for {:.0f} s, at most {:.0f} s",
                                   lag_s_, limits_.max_lag_s));

@@ -45,6 +45,8 @@ class Health {
   /// until results_answered().
   void schema_refused(std::string why);
   void set(const storage::ScheduleHealth& schedule);
+  /// Why the results server's clock is not believed; nullopt = it is.
+  void set_clock_refusal(std::optional<std::string> why);
 
   [[nodiscard]] HealthAnswer live() const;
   [[nodiscard]] HealthAnswer ready() const;
@@ -58,6 +60,7 @@ class Health {
   HealthLimits limits_;
   std::optional<Clock::time_point> answered_at_;
   std::optional<std::string> schema_refusal_;
+  std::optional<std::string> clock_refusal_;
   double lag_s_ = 0.0;
 };
 

@@ -92,6 +92,14 @@ struct Metrics::Impl {
   LabelledFamily<Gauge> standing{
       gauges(registry, "loopscope_fault_standing", "1 = the fault stands, 0 = it has ended"),
       "subject"};
+  LabelledFamily<Gauge> clock_ahead{
+      gauges(registry, "loopscope_clock_ahead_seconds",
+             "Clock beside that of the results server; negative = behind"),
+      "clock"};
+  LabelledFamily<Gauge> clock_wrong{
+      gauges(registry, "loopscope_clock_wrong",
+             "1 = the clock differs from two others, or (results) nobody confirms it"),
+      "clock"};
   LabelledFamily<Counter> unknown_quality{
       counters(registry, "loopscope_unknown_quality_total",
                "Values whose quality code nobody has explained; they count as bad"),
@@ -196,6 +204,19 @@ void Metrics::data_age(const std::string& source, double seconds) {
                                        std::chrono::duration<double>(seconds));
   const auto [newest, is_first] = impl_->newest_row.try_emplace(source, born);
   if (!is_first) newest->second = std::max(newest->second, born);
+}
+
+void Metrics::set_clocks(std::span<const ClockFigure> clocks) {
+  const std::lock_guard lock(impl_->mutex);
+  std::vector<std::string> names;
+  names.reserve(clocks.size());
+  for (const ClockFigure& clock : clocks) {
+    names.push_back(clock.clock);
+    impl_->clock_ahead.at(clock.clock).Set(clock.ahead_s);
+    impl_->clock_wrong.at(clock.clock).Set(clock.is_wrong ? 1.0 : 0.0);
+  }
+  impl_->clock_ahead.keep(names);
+  impl_->clock_wrong.keep(names);
 }
 
 void Metrics::unknown_quality(const std::string& source, std::size_t values) {

@@ -18,6 +18,13 @@ struct BuildInfo {
   std::string path;  ///< core::hos::processor_path()
 };
 
+/// A clock beside the results server's.
+struct ClockFigure {
+  std::string clock;     ///< results, host, historian NAME
+  double ahead_s = 0.0;  ///< of the results server's
+  bool is_wrong = false;
+};
+
 /// The figures of this process for Prometheus (README, "Monitoring": each name, its unit and what
 /// it means). Nothing here is per loop: a catalogue of a hundred thousand loops would be as many
 /// series; single loops are asked for in SQL. What is not known yet is left out instead of said to
@@ -53,6 +60,8 @@ class Metrics {
   void unknown_quality(const std::string& source, std::size_t values);
 
   void set(const storage::ScheduleHealth& health);
+  /// All clocks that were compared; others are forgotten.
+  void set_clocks(std::span<const ClockFigure> clocks);
   void settings_reload(bool success);
   /// Of the thread that stands still longest.
   void since_progress(double seconds);

@@ -98,7 +98,7 @@ double PlantWatch::look(const config::Settings& settings) {
   double pause_s = kLookAgain_s;
   if (plant.round_s <= 0.0 && plant.notice_s <= 0.0) return pause_s;
   std::optional<storage::PlantRounds> rounds;
-  bool well = goes_well(tools_.faults, [&] { rounds.emplace(results_connection(settings)); });
+  bool well = goes_well(tools_.faults, [&] { rounds.emplace(results_connection(settings), tools_.clocks.check()); });
   if (!well) return settings.schedule.poll_s;
   if (plant.round_s > 0.0) {
     const auto wait_s = compare(*rounds, settings);
@@ -115,7 +115,7 @@ double PlantWatch::look(const config::Settings& settings) {
 }
 
 void compare_all_loops(const config::Settings& settings, LaneTools& tools) {
-  storage::PlantRounds rounds(results_connection(settings));
+  storage::PlantRounds rounds(results_connection(settings), tools.clocks.check());
   if (settings.plant.round_s > 0.0) round_when_due(rounds, 0.0, settings, tools);
   if (settings.plant.notice_s > 0.0) announce(rounds);
 }

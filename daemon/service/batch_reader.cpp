@@ -79,11 +79,18 @@ BatchReader::Read BatchReader::with_source(const std::string& source, const Clai
 BatchReader::Read BatchReader::read_newest(const std::string& source, const Claims& claims,
                                            Batch& batch) {
   const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    return visit_newest(historian, claims, *settings_, slot_rule_, batch.rows,
+    return visit_newest(historian, claims, *settings_, time_of(source, historian), batch.rows,
                         {tools_.cores, desk_});
   });
   if (done == Read::all) note_data(source, batch.visits, tools_.metrics);
   return done;
+}
+
+/// Where a historian's clock is wrong nothing but its rows says how far its data go.
+SourceTime BatchReader::time_of(const std::string& source, storage::HistorianReader& historian) {
+  const storage::ServerClock clock = historian.clock();
+  tools_.clocks.note_historian(source, clock);
+  return {clock.now_us, tools_.clocks.is_wrong(source) ? SlotRule::newest_sample : slot_rule_};
 }
 
 /// Rows that came late for a slot that is stored change its window: a few earlier slots of each

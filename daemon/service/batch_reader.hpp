@@ -7,6 +7,7 @@
 #include "config/settings.hpp"
 #include "daemon/service/batch.hpp"
 #include "daemon/service/lane_tools.hpp"
+#include "daemon/service/read_visits.hpp"
 #include "daemon/service/slot.hpp"
 
 namespace loopscope::daemon {
@@ -34,6 +35,7 @@ class BatchReader {
   /// Runs `visit` on a connection to the source.
   template <typename Visit>
   Read with_source(const std::string& source, const Claims& claims, Batch& batch, Visit visit);
+  [[nodiscard]] SourceTime time_of(const std::string& source, storage::HistorianReader& historian);
   Read read_newest(const std::string& source, const Claims& claims, Batch& batch);
   Read read_earlier(const std::string& source, const Claims& claims, Batch& batch);
   [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopVisit>& visits);

@@ -33,7 +33,7 @@ Lane::Lane(std::shared_ptr<const config::Settings> settings, std::size_t index, 
       owner_(worker_name(index)),
       tools_(tools),
       desk_(tools.progress.desk()),
-      results_(settings_, tools.faults, tools.metrics, tools.bell),
+      results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.bell),
       reader_(settings_, settings_json_, slot_rule, tools, desk_, results_) {}
 
 template <typename Claim>

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <mutex>
 
+#include "daemon/service/clock_book.hpp"
 #include "daemon/service/core_gate.hpp"
 #include "daemon/service/fault_log.hpp"
 #include "daemon/service/historian_pool.hpp"
@@ -20,6 +21,7 @@ struct LaneTools {
   FaultLog faults{metrics};
   HistorianPool historians{metrics};
   CoreGate cores;
+  ClockBook clocks;
   ProgressBoard progress;
   /// Held by the one lane that works on a suspect: two that kill their worker cannot be told apart.
   std::mutex suspect_turn;

@@ -46,8 +46,8 @@ std::vector<std::size_t> future_rows(HistorianReader& historian,
   return counts;
 }
 
-/// `once` without any sample: the slot of the loop's registration, so that a second pass finds the
-/// same one.
+/// Without any sample, the newest sample is the loop's registration, so that a second pass of
+/// `once` finds the same slot.
 std::int64_t slot_end(const ClaimedLoop& claim, const TagReadings& tags, std::int64_t now_us,
                       const SlotSettings& settings) {
   const std::int64_t settle_us = core::signal::microseconds(settings.settle_s);
@@ -55,7 +55,7 @@ std::int64_t slot_end(const ClaimedLoop& claim, const TagReadings& tags, std::in
   if (settings.rule == SlotRule::newest_sample) {
     const TagReading* pv = find_reading(tags, "pv");
     const auto newest = pv == nullptr ? std::nullopt : pv->newest_row_us;
-    end = newest ? std::min(*newest, now_us - settle_us) : claim.loop.registered_us;
+    end = newest ? std::min({*newest, now_us - settle_us, end}) : claim.loop.registered_us;
   }
   const std::int64_t newest = floor_to_period(end, claim.loop.period_s);
   if (settings.rule == SlotRule::newest_sample) return newest;
@@ -66,9 +66,8 @@ std::int64_t slot_end(const ClaimedLoop& claim, const TagReadings& tags, std::in
 
 std::vector<LoopSlot> newest_slots(HistorianReader& historian,
                                    std::span<const ClaimedLoop* const> claims,
-                                   const SlotSettings& settings) {
+                                   const SlotSettings& settings, std::int64_t now_us) {
   const std::vector<std::string> tags = tags_of(claims);
-  const std::int64_t now_us = historian.now_us();
   const auto newest = historian.newest(tags, now_us);
   const std::vector<std::size_t> future = future_rows(historian, tags, now_us, settings);
   std::vector<LoopSlot> slots;

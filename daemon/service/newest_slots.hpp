@@ -26,11 +26,11 @@ struct SlotSettings {
 };
 
 /// The slot to analyse of claimed loops of ONE historian, in their order, and what is known of
-/// their tags: three round trips whatever the number of loops. No slot ends later than `settle_s`
-/// before the clock; rows stamped in the future are a fault of their sender's clock and end no
-/// slot. Throws storage::DatabaseError.
+/// their tags: two round trips whatever the number of loops. `now_us` is the historian's clock. No
+/// slot ends later than `settle_s` before it, nor before the results server's; rows stamped in the
+/// future are a fault of their sender's clock and end no slot. Throws storage::DatabaseError.
 [[nodiscard]] std::vector<LoopSlot> newest_slots(
     storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
-    const SlotSettings& settings);
+    const SlotSettings& settings, std::int64_t now_us);
 
 }  // namespace loopscope::daemon

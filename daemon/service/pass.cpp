@@ -10,6 +10,7 @@
 #include <mutex>
 #include <vector>
 
+#include "daemon/service/compare_clocks.hpp"
 #include "daemon/service/heartbeat.hpp"
 #include "daemon/service/lane.hpp"
 #include "daemon/service/progress_bar.hpp"
@@ -31,10 +32,10 @@ class Pass {
         pool_(lanes_left_) {}
 
   PassResult run() {
-    result_.enabled = ResultsLink(settings_, tools_.faults, tools_.metrics, tools_.bell)
-                          .with([](storage::ResultsDatabase& database) {
-                            return database.count_enabled_loops();
-                          });
+    ResultsLink results(settings_, tools_.faults, tools_.metrics, tools_.clocks, tools_.bell);
+    if (const auto refusal = compare_clocks(*settings_, tools_, results)) throw *refusal;
+    result_.enabled = results.with(
+        [](storage::ResultsDatabase& database) { return database.count_enabled_loops(); });
     const Heartbeat heartbeat(settings_, tools_);
     ProgressBar bar(result_.enabled);
     bar_ = &bar;

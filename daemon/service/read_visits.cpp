@@ -8,12 +8,13 @@ namespace loopscope::daemon {
 
 std::vector<LoopVisit> visit_newest(storage::HistorianReader& historian,
                                     std::span<const storage::ClaimedLoop* const> claims,
-                                    const config::Settings& settings, SlotRule slot_rule,
+                                    const config::Settings& settings, const SourceTime& time,
                                     RowMemory& memory, const Workplace& place) {
   using Milliseconds = std::chrono::duration<double, std::milli>;
   const auto start = std::chrono::steady_clock::now();
   const auto slots = newest_slots(
-      historian, claims, {settings.schedule.settle_s, slot_rule, settings.schedule.catch_up_slots});
+      historian, claims, {settings.schedule.settle_s, time.rule, settings.schedule.catch_up_slots},
+      time.now_us);
   std::vector<LoopInput> inputs = read_inputs(historian, slots, settings.analysis, memory, place);
   double reading_ms = Milliseconds(std::chrono::steady_clock::now() - start).count();
   for (const LoopInput& input : inputs) reading_ms -= input.first_look_ms;

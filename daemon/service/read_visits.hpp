@@ -13,11 +13,17 @@
 
 namespace loopscope::daemon {
 
+/// A historian's time, and how the ends of its slots are found.
+struct SourceTime {
+  std::int64_t now_us = 0;
+  SlotRule rule = SlotRule::clock;
+};
+
 /// Visits claimed loops of ONE historian: reads the newest slot of each, in the order of `claims`.
 /// Throws storage::DatabaseError.
 [[nodiscard]] std::vector<LoopVisit> visit_newest(
     storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
-    const config::Settings& settings, SlotRule slot_rule, RowMemory& memory,
+    const config::Settings& settings, const SourceTime& time, RowMemory& memory,
     const Workplace& place);
 
 /// Loop and slot of everything that the visits may find stored: the newest slots and `horizon`

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "config/settings.hpp"
+#include "daemon/service/clock_book.hpp"
 #include "daemon/service/fault_log.hpp"
 #include "daemon/service/retry_pause.hpp"
 #include "daemon/service/stop_bell.hpp"
@@ -22,8 +23,12 @@ enum class Perseverance {
 class ResultsLink {
  public:
   ResultsLink(std::shared_ptr<const config::Settings> settings, FaultLog& faults, Metrics& metrics,
-              StopBell& bell)
-      : settings_(std::move(settings)), faults_(faults), metrics_(metrics), bell_(bell) {}
+              ClockBook& clocks, StopBell& bell)
+      : settings_(std::move(settings)),
+        faults_(faults),
+        metrics_(metrics),
+        clocks_(clocks),
+        bell_(bell) {}
   ~ResultsLink() { faults_.leave(kSubject, this); }
   ResultsLink(const ResultsLink&) = delete;
   ResultsLink& operator=(const ResultsLink&) = delete;
@@ -88,6 +93,7 @@ class ResultsLink {
   std::shared_ptr<const config::Settings> settings_;
   FaultLog& faults_;
   Metrics& metrics_;
+  ClockBook& clocks_;
   StopBell& bell_;
   std::optional<storage::ResultsDatabase> database_;
 };

@@ -133,6 +133,7 @@ class Service {
     std::vector<std::string> sources;
     for (const auto& historian : settings_->historians) sources.push_back(historian.name);
     tools_.metrics.set_sources(sources);
+    tools_.clocks.keep_historians(sources);
   }
 
   /// What leaves the machine unprotected, or passwords that are ignored or shown.
@@ -177,8 +178,10 @@ class Service {
   void forget_faults_of_former(const std::vector<config::HistorianSettings>& former) {
     for (const config::HistorianSettings& historian : former) {
       if (std::ranges::find(settings_->historians, historian.name,
-                            &config::HistorianSettings::name) == settings_->historians.end())
-        tools_.faults.leave("historian " + historian.name);
+                            &config::HistorianSettings::name) != settings_->historians.end())
+        continue;
+      tools_.faults.leave("historian " + historian.name);
+      tools_.faults.leave("clock of historian " + historian.name);
     }
   }
 

@@ -8,6 +8,7 @@
 #include "daemon/failure.hpp"
 #include "daemon/monitor/monitor_pages.hpp"
 #include "daemon/monitor/service_manager.hpp"
+#include "daemon/service/compare_clocks.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -24,8 +25,6 @@ constexpr double kMostLimit_s = 300.0;
 /// What systemd is asked for while the last batches are finished, in all 90 s.
 constexpr std::chrono::seconds kStoppingPatience{30};
 constexpr std::chrono::seconds kLongestStopping{60};
-/// Loops that a clock ahead of time has put off are looked for so often.
-constexpr std::chrono::minutes kRecallEvery{5};
 
 HealthLimits limits(const config::Settings& settings) {
   // Three polls without an answer.
@@ -138,24 +137,26 @@ void ServiceWatch::run(const std::stop_token& stop) {
     const auto now_in_force = settings();
     if (linked_with != now_in_force) {
       linked_with = now_in_force;
-      link.emplace(linked_with, tools_.faults, tools_.metrics, tools_.bell);
+      link.emplace(linked_with, tools_.faults, tools_.metrics, tools_.clocks, tools_.bell);
     }
-    look(*link);
+    look(*link, *linked_with);
     std::unique_lock lock(mutex_);
     changed_.wait_for(lock, stop, duration<double>(linked_with->schedule.poll_s),
                       [&] { return settings_ != linked_with; });
   }
 }
 
-void ServiceWatch::look(ResultsLink& link) {
+void ServiceWatch::look(ResultsLink& link, const config::Settings& settings) {
   try {
+    const auto refusal = compare_clocks(settings, tools_, link);
+    health_.set_clock_refusal(refusal ? std::optional<std::string>(refusal->what()) : std::nullopt);
     const storage::ScheduleHealth schedule =
         link.with([](storage::ResultsDatabase& database) { return database.schedule_health(); });
     tools_.metrics.set(schedule);
     health_.results_answered();
     health_.set(schedule);
     tools_.faults.recovered("monitor");
-    recall_stray(link);
+    if (!refusal) recall_stray(link, settings.schedule.settle_s);
     if (stopping_) return;
     ServiceManager::status(fmt::format("{} loops, {} overdue by {:.0f} s at most, {} failing",
                                        schedule.enabled_loops, schedule.overdue_loops,
@@ -169,17 +170,13 @@ void ServiceWatch::look(ResultsLink& link) {
   }
 }
 
-void ServiceWatch::recall_stray(ResultsLink& link) {
-  const Clock::time_point now = Clock::now();
-  if (now - recalled_at_ < kRecallEvery) return;
-  recalled_at_ = now;
-  const double settle_s = settings()->schedule.settle_s;
+void ServiceWatch::recall_stray(ResultsLink& link, double settle_s) {
   const std::size_t count = link.with(
       [&](storage::ResultsDatabase& database) { return database.recall_stray(settle_s); });
   if (count > 0)
     spdlog::warn(
-        "{} loops were put off beyond their period: the clock of the results database was "
-        "ahead; they are due now",
+        "{} loops were put off beyond their period, or had slots in the future: the clock of the "
+        "results database was ahead, or a period has become shorter; they go on now",
         count);
 }
 

@@ -44,8 +44,8 @@ class ServiceWatch {
   [[nodiscard]] double silence_s();
   void open_pages();
   void run(const std::stop_token& stop);
-  void look(ResultsLink& link);
-  void recall_stray(ResultsLink& link);
+  void look(ResultsLink& link, const config::Settings& settings);
+  void recall_stray(ResultsLink& link, double settle_s);
   [[nodiscard]] std::shared_ptr<const config::Settings> settings();
 
   LaneTools& tools_;
@@ -53,7 +53,6 @@ class ServiceWatch {
   std::mutex mutex_;  ///< over settings_ and pulsed_at_
   std::shared_ptr<const config::Settings> settings_;
   Clock::time_point pulsed_at_ = Clock::now();
-  Clock::time_point recalled_at_;     ///< the own thread's
   Clock::time_point stopping_since_;  ///< the scheduling thread's
   std::atomic<bool> stopping_ = false;
   std::condition_variable_any changed_;

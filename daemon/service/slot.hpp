@@ -9,7 +9,7 @@ namespace loopscope::daemon {
 /// How the end of a slot is found (contract.md, "Recordings and windows").
 enum class SlotRule {
   clock,          ///< run: the database's time minus the settling time, floored to the period
-  newest_sample,  ///< once: the newest sample, floored in the same way
+  newest_sample,  ///< once, and where a historian's clock is wrong: the newest sample, floored
 };
 
 /// The last whole multiple of `period_s` since 1970 that is not after `time_us`.

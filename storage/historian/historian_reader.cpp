@@ -179,12 +179,13 @@ void HistorianReader::on_statement(std::function<void()> told) {
   impl_->connection.on_statement(std::move(told));
 }
 
-std::int64_t HistorianReader::now_us() {
-  std::int64_t now = 0;
+ServerClock HistorianReader::clock() {
+  ServerClock clock;
   run_decoded(impl_->connection, historian_statements::kNow, {}, [&](const PqRows& rows) {
-    now = static_cast<std::int64_t>(decode_value(rows.bytes(0, 0)));
+    clock.now_us = static_cast<std::int64_t>(decode_value(rows.bytes(0, 0)));
+    clock.started_us = static_cast<std::int64_t>(decode_value(rows.bytes(0, 1)));
   });
-  return now;
+  return clock;
 }
 
 }  // namespace loopscope::storage

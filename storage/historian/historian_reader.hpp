@@ -12,6 +12,7 @@
 #include "storage/connection_settings.hpp"
 #include "storage/error.hpp"
 #include "storage/historian/source_layout.hpp"
+#include "storage/server_clock.hpp"
 #include "storage/historian/tag_request.hpp"
 
 namespace loopscope::storage {
@@ -34,8 +35,10 @@ class HistorianReader {
                                                                 std::int64_t not_after_us);
   /// Calls `told` after every statement that was answered.
   void on_statement(std::function<void()> told);
-  /// The database's clock, microseconds UTC.
-  [[nodiscard]] std::int64_t now_us();
+  /// The database's clock.
+  [[nodiscard]] ServerClock clock();
+  /// The same without the server's start, microseconds UTC.
+  [[nodiscard]] std::int64_t now_us() { return clock().now_us; }
 
  private:
   struct Impl;

@@ -87,7 +87,9 @@ const Statement kIndexes{"indexes", R"(
 const Statement kFindZone{"find_zone",
                           "SELECT 1 FROM pg_catalog.pg_timezone_names WHERE name = $1::text"};
 
-const Statement kNow{"now", "SELECT (extract(epoch FROM clock_timestamp()) * 1000000)::int8",
+const Statement kNow{"now", R"(
+    SELECT (extract(epoch FROM clock_timestamp()) * 1000000)::int8,
+           (extract(epoch FROM pg_postmaster_start_time()) * 1000000)::int8)",
                      Rows::one};
 const Statement kBegin{"begin", "BEGIN", Rows::none};
 const Statement kCommit{"commit", "COMMIT", Rows::none};

@@ -1,6 +1,9 @@
 #include "storage/results/migrate.hpp"
 
+#include <set>
+
 #include "storage/results/embedded_migrations.hpp"
+#include "storage/results/results_clock.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
 #include "storage/results/statements.hpp"
@@ -76,24 +79,44 @@ std::vector<std::string> migrate_all(Transaction& transaction) {
   return names;
 }
 
+std::vector<std::string> expired_partitions(Transaction& transaction, const std::string& months) {
+  std::vector<std::string> names;
+  for (const pqxx::row& row : transaction.run(statements::kExpiredPartitions, {months})) {
+    names.emplace_back(row["name"].c_str());
+  }
+  return names;
+}
+
+void refuse_many(const std::vector<std::string>& partitions) {
+  std::set<std::string> months;
+  for (const std::string& name : partitions) {
+    months.insert(name.substr(name.size() - std::string("YYYY_MM").size()));
+  }
+  if (months.size() <= kMostMonthsAtOnce) return;
+  refuse(std::to_string(months.size()) + " months of results would be dropped at once, " +
+             *months.begin() + " to " + *months.rbegin(),
+         "look at the clock of the results server and at retention_months; if both are right: "
+         "loopscope maintain --config F --accept-clock");
+}
+
 /// Each partition in its own transaction: its parent is locked only for that moment.
-std::vector<std::string> drop_expired(Session& session, int retention_months) {
-  const std::string months = std::to_string(retention_months);
-  const pqxx::result expired = session.transact([&](Transaction& transaction) {
-    transaction.run(statements::kBecomeOwner);
-    transaction.run(statements::kDeleteOldRows, {months});
-    return transaction.run(statements::kExpiredPartitions, {months});
-  });
-  std::vector<std::string> dropped;
-  for (const pqxx::row& row : expired) {
-    const std::string name = row["name"].c_str();
-    session.transact([&](Transaction& transaction) {
+std::vector<std::string> drop_expired(Session& session, const MaintenanceOrders& orders) {
+  const std::string months = std::to_string(orders.retention_months);
+  const std::vector<std::string> expired =
+      transact_in_time(session, orders.check, [&](Transaction& transaction) {
+        transaction.run(statements::kBecomeOwner);
+        std::vector<std::string> names = expired_partitions(transaction, months);
+        if (!orders.drop_many) refuse_many(names);
+        transaction.run(statements::kDeleteOldRows, {months});
+        return names;
+      });
+  for (const std::string& name : expired) {
+    transact_in_time(session, orders.check, [&](Transaction& transaction) {
       transaction.run(statements::kBecomeOwner);
       transaction.run(statements::kDropPartition, {name});
     });
-    dropped.push_back(name);
   }
-  return dropped;
+  return expired;
 }
 
 }  // namespace
@@ -107,16 +130,16 @@ std::vector<std::string> migrate(const ConnectionSettings& owner) {
   return session.transact(migrate_all);
 }
 
-MaintenanceResult maintain(const ConnectionSettings& owner, int retention_months) {
+MaintenanceResult maintain(const ConnectionSettings& owner, const MaintenanceOrders& orders) {
   Session session(without_time_limit(owner));
   require_schema_version(session);
   MaintenanceResult result;
-  result.created = session.transact([](Transaction& transaction) {
+  result.created = transact_in_time(session, orders.check, [](Transaction& transaction) {
     transaction.run(statements::kLockMigrations);
     transaction.run(statements::kBecomeOwner);
     return make_partitions(transaction);
   });
-  if (retention_months > 0) result.dropped = drop_expired(session, retention_months);
+  if (orders.retention_months > 0) result.dropped = drop_expired(session, orders);
   return result;
 }
 

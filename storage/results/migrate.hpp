@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "storage/connection_settings.hpp"
+#include "storage/server_clock.hpp"
 
 namespace loopscope::storage {
 
@@ -24,9 +25,22 @@ struct MaintenanceResult {
   std::vector<std::string> dropped;  ///< partitions older than the retention
 };
 
-/// Makes partitions ahead and drops those that end before now minus `retention_months` (0 = keep
-/// all). A newer schema that still serves this program is kept up by its own functions, so that a
-/// program that was put back goes on; any other one is refused (DatabaseError).
-MaintenanceResult maintain(const ConnectionSettings& owner, int retention_months);
+/// What maintain() is to do.
+struct MaintenanceOrders {
+  int retention_months = 0;  ///< 0 = keep all
+  ClockCheck check = {};     ///< asked before anything is made or dropped
+  bool drop_many = false;    ///< a person says that more than kMostMonthsAtOnce may go
+};
+
+/// Run once a day, `maintain` drops a month at a time, or two after a month in which it failed.
+/// More at once looks like a clock that is ahead.
+inline constexpr int kMostMonthsAtOnce = 2;
+
+/// Makes partitions ahead and drops those that end `retention_months` before the newest result
+/// that is not after now(): a clock that has run on without results expires nothing. Where more
+/// than kMostMonthsAtOnce would go, nothing does and it throws DatabaseError. A newer schema that
+/// still serves this program is kept up by its own functions, so that a program that was put back
+/// goes on; any other one is refused (DatabaseError).
+MaintenanceResult maintain(const ConnectionSettings& owner, const MaintenanceOrders& orders);
 
 }  // namespace loopscope::storage

@@ -4,6 +4,7 @@
 
 #include "storage/array_literal.hpp"
 #include "storage/results/loop_row.hpp"
+#include "storage/results/results_clock.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
 
@@ -13,8 +14,8 @@ namespace {
 // A lock of the session and not of a transaction: a round reads the historians for minutes. The
 // first key is the program's ("loop"), the second says what is locked.
 const Statement kTakeTurn{"take_plant_turn", R"(
-    SELECT greatest(0, coalesce($1::float8 - extract(epoch FROM now() - max(found_at)), 0))::float8
-             AS wait_s,
+    SELECT greatest(0, coalesce($1::float8 - extract(epoch FROM now()
+             - max(found_at) FILTER (WHERE found_at <= now())), 0))::float8 AS wait_s,
            EXISTS (SELECT FROM loopscope.schedule WHERE enabled AND result_slot_end IS NOT NULL)
              AS analysed
     FROM loopscope.plant_round)",
@@ -23,30 +24,33 @@ const Statement kLockRounds{"lock_plant_rounds",
                             "SELECT pg_try_advisory_lock(1819242352, 1) AS mine", Rows::one};
 const Statement kNewestSlot{"newest_slot", R"(
     SELECT (extract(epoch FROM max(result_slot_end)) * 1000000)::bigint AS slot_end_us
-    FROM loopscope.schedule WHERE enabled)",
+    FROM loopscope.schedule WHERE enabled AND result_slot_end <= now())",
                             Rows::one};
 
 }  // namespace
 
 struct PlantRounds::Impl {
-  explicit Impl(const ConnectionSettings& settings) : session(settings) {
+  Impl(const ConnectionSettings& settings, ClockCheck clock_check)
+      : session(settings), check(std::move(clock_check)) {
     require_schema_version(session);
   }
   Session session;
+  ClockCheck check;
 };
 
-PlantRounds::PlantRounds(const ConnectionSettings& settings)
-    : impl_(std::make_unique<Impl>(settings)) {}
+PlantRounds::PlantRounds(const ConnectionSettings& settings, ClockCheck check)
+    : impl_(std::make_unique<Impl>(settings, std::move(check))) {}
 PlantRounds::~PlantRounds() = default;
 
 std::optional<double> PlantRounds::take_turn(double every_s) {
-  return impl_->session.transact([&](Transaction& transaction) -> std::optional<double> {
-    // The lock comes first: whoever waited for it would see the round of the one before.
-    if (!transaction.run(kLockRounds)[0]["mine"].as<bool>()) return std::nullopt;
-    const pqxx::row row = transaction.run(kTakeTurn, {number_text(every_s)})[0];
-    if (!row["analysed"].as<bool>()) return std::nullopt;
-    return row["wait_s"].as<double>();
-  });
+  return transact_in_time(
+      impl_->session, impl_->check, [&](Transaction& transaction) -> std::optional<double> {
+        // The lock comes first: whoever waited for it would see the round of the one before.
+        if (!transaction.run(kLockRounds)[0]["mine"].as<bool>()) return std::nullopt;
+        const pqxx::row row = transaction.run(kTakeTurn, {number_text(every_s)})[0];
+        if (!row["analysed"].as<bool>()) return std::nullopt;
+        return row["wait_s"].as<double>();
+      });
 }
 
 std::optional<std::int64_t> PlantRounds::newest_slot_us() {
@@ -60,12 +64,14 @@ std::vector<PlantCandidate> PlantRounds::candidates(std::int64_t slot_end_us, st
 }
 
 void PlantRounds::store(const PlantRoundRecord& round) {
-  impl_->session.transact([&](Transaction& transaction) { write_plant_round(transaction, round); });
+  transact_in_time(impl_->session, impl_->check,
+                   [&](Transaction& transaction) { write_plant_round(transaction, round); });
 }
 
 FlagAnnouncement PlantRounds::announce_flags() {
-  return impl_->session.transact(
-      [](Transaction& transaction) { return storage::announce_flags(transaction); });
+  return transact_in_time(impl_->session, impl_->check, [](Transaction& transaction) {
+    return storage::announce_flags(transaction);
+  });
 }
 
 }  // namespace loopscope::storage

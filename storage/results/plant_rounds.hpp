@@ -10,6 +10,7 @@
 #include "storage/results/announce_flags.hpp"
 #include "storage/results/plant_candidates.hpp"
 #include "storage/results/write_plant_round.hpp"
+#include "storage/server_clock.hpp"
 
 namespace loopscope::storage {
 
@@ -18,8 +19,9 @@ namespace loopscope::storage {
 /// throws DatabaseError; after Remedy::reconnect the object must be thrown away.
 class PlantRounds {
  public:
-  /// Connects and checks that the schema has the version this program was built for.
-  explicit PlantRounds(const ConnectionSettings& settings);
+  /// Connects and checks that the schema has the version this program was built for. Turns, rounds
+  /// and announcements ask `check` first, as in ResultsDatabase.
+  explicit PlantRounds(const ConnectionSettings& settings, ClockCheck check = {});
   ~PlantRounds();
 
   /// Seconds until the next round is due, by the database's clock: `every_s` after the last one was

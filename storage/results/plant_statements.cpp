@@ -64,7 +64,8 @@ const Statement kAnnounceFlags{"announce_flags", R"(
                SELECT FROM loopscope.flag_notice AS former
                JOIN loopscope.parameter AS quiet ON quiet.name = 'flag_quiet_hours'
                WHERE former.loop_id = list.loop_id AND former.code = list.code
-                 AND former.ended_at > now() - quiet.value * interval '1 h'),
+                 AND former.ended_at > now() - quiet.value * interval '1 h'
+                 AND former.ended_at <= now()),
              slot_end, since, status, confidence, rank, score, summary,
              CASE WHEN status = 'confirmed' THEN now() END
       FROM list

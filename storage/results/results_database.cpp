@@ -5,6 +5,7 @@
 
 #include "storage/array_literal.hpp"
 #include "storage/results/loop_row.hpp"
+#include "storage/results/results_clock.hpp"
 #include "storage/results/schedule_statements.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
@@ -33,12 +34,6 @@ std::vector<ClaimedLoop> read_claims(const pqxx::result& rows) {
   return claimed;
 }
 
-std::vector<ClaimedLoop> claim(Session& session, const Statement& statement,
-                               const std::vector<std::string>& parameters) {
-  return read_claims(session.transact(
-      [&](Transaction& transaction) { return transaction.run(statement, parameters); }));
-}
-
 /// The two arrays that name claims.
 std::vector<std::string> claim_keys(std::span<const ClaimedLoop> claimed) {
   ArrayLiteral loop_id, fence;
@@ -49,7 +44,19 @@ std::vector<std::string> claim_keys(std::span<const ClaimedLoop> claimed) {
   return {loop_id.text(), fence.text()};
 }
 
-/// Gives the completed loops back and returns those whose lease still held.
+/// Those whose lease holds but whose slot has not come are due again at once.
+void release_others(Transaction& transaction, std::span<const CompletedLoop> completed,
+                    const std::unordered_set<std::int64_t>& held) {
+  ArrayLiteral loop_id, fence;
+  for (const CompletedLoop& loop : completed) {
+    if (held.contains(loop.loop_id)) continue;
+    loop_id.add_integer(loop.loop_id);
+    fence.add_integer(loop.fence);
+  }
+  transaction.run(statements::kRelease, {loop_id.text(), fence.text()});
+}
+
+/// Gives the completed loops back and returns those whose lease still held and whose slot has come.
 std::vector<const CompletedLoop*> complete(Transaction& transaction,
                                            std::span<const CompletedLoop> completed) {
   ArrayLiteral loop_id, fence, slot_end, next_due, has_record;
@@ -66,6 +73,7 @@ std::vector<const CompletedLoop*> complete(Transaction& transaction,
            {loop_id.text(), fence.text(), slot_end.text(), next_due.text(), has_record.text()})) {
     held.insert(row["loop_id"].as<std::int64_t>());
   }
+  if (held.size() < completed.size()) release_others(transaction, completed, held);
   std::vector<const CompletedLoop*> kept;
   for (const CompletedLoop& loop : completed) {
     if (held.contains(loop.loop_id)) kept.push_back(&loop);
@@ -141,14 +149,25 @@ WriteCount finish_all(Transaction& transaction, std::span<const CompletedLoop> c
 }  // namespace
 
 struct ResultsDatabase::Impl {
-  explicit Impl(const ConnectionSettings& settings) : session(settings) {
+  Impl(const ConnectionSettings& settings, ClockCheck clock_check)
+      : session(settings), check(std::move(clock_check)) {
     require_schema_version(session);
   }
+  template <typename Work>
+  auto transact_in_time(Work&& work) {
+    return storage::transact_in_time(session, check, std::forward<Work>(work));
+  }
+  std::vector<ClaimedLoop> claim(const Statement& statement,
+                                 const std::vector<std::string>& parameters) {
+    return read_claims(transact_in_time(
+        [&](Transaction& transaction) { return transaction.run(statement, parameters); }));
+  }
   Session session;
+  ClockCheck check;
 };
 
-ResultsDatabase::ResultsDatabase(const ConnectionSettings& settings)
-    : impl_(std::make_unique<Impl>(settings)) {}
+ResultsDatabase::ResultsDatabase(const ConnectionSettings& settings, ClockCheck check)
+    : impl_(std::make_unique<Impl>(settings, std::move(check))) {}
 ResultsDatabase::~ResultsDatabase() = default;
 ResultsDatabase::ResultsDatabase(ResultsDatabase&&) noexcept = default;
 ResultsDatabase& ResultsDatabase::operator=(ResultsDatabase&&) noexcept = default;
@@ -158,16 +177,16 @@ std::vector<ClaimedLoop> ResultsDatabase::claim_due(const std::string& owner, do
                                                     const std::vector<std::string>& but_of) {
   const std::vector<std::string> parameters{make_storable(owner), number_text(lease_s),
                                             std::to_string(limit)};
-  if (but_of.empty()) return claim(impl_->session, statements::kClaimDue, parameters);
+  if (but_of.empty()) return impl_->claim(statements::kClaimDue, parameters);
   ArrayLiteral sources;
   for (const std::string& source : but_of) sources.add_text(source);
-  return claim(impl_->session, statements::kClaimDueElsewhere,
-               {parameters[0], parameters[1], parameters[2], sources.text()});
+  return impl_->claim(statements::kClaimDueElsewhere,
+                      {parameters[0], parameters[1], parameters[2], sources.text()});
 }
 
 std::vector<ClaimedLoop> ResultsDatabase::claim_suspect(const std::string& owner, double lease_s) {
   const std::vector<std::string> parameters{make_storable(owner), number_text(lease_s)};
-  return read_claims(impl_->session.transact([&](Transaction& transaction) {
+  return read_claims(impl_->transact_in_time([&](Transaction& transaction) {
     transaction.run(statements::kRestSuspects);
     return transaction.run(statements::kClaimSuspect, parameters);
   }));
@@ -175,9 +194,8 @@ std::vector<ClaimedLoop> ResultsDatabase::claim_suspect(const std::string& owner
 
 std::vector<ClaimedLoop> ResultsDatabase::claim_next(const std::string& owner, double lease_s,
                                                      int limit, std::int64_t after) {
-  return claim(
-      impl_->session, statements::kClaimNext,
-      {make_storable(owner), number_text(lease_s), std::to_string(limit), std::to_string(after)});
+  return impl_->claim(statements::kClaimNext, {make_storable(owner), number_text(lease_s),
+                                               std::to_string(limit), std::to_string(after)});
 }
 
 std::vector<StoredDigest> ResultsDatabase::stored_digests(
@@ -204,24 +222,24 @@ std::vector<StoredDigest> ResultsDatabase::stored_digests(
 
 WriteCount ResultsDatabase::finish(std::span<const CompletedLoop> completed,
                                    std::span<const FailedLoop> failed) {
-  return impl_->session.transact(
+  return impl_->transact_in_time(
       [&](Transaction& transaction) { return finish_all(transaction, completed, failed); });
 }
 
 void ResultsDatabase::release(std::span<const ClaimedLoop> claimed) {
-  impl_->session.transact([&](Transaction& transaction) {
+  impl_->transact_in_time([&](Transaction& transaction) {
     transaction.run(statements::kRelease, claim_keys(claimed));
   });
 }
 
 void ResultsDatabase::release_owned(const std::string& owner) {
-  impl_->session.transact([&](Transaction& transaction) {
+  impl_->transact_in_time([&](Transaction& transaction) {
     transaction.run(statements::kReleaseOwned, {make_storable(owner)});
   });
 }
 
 std::size_t ResultsDatabase::recall_stray(double settle_s) {
-  return impl_->session.transact([&](Transaction& transaction) {
+  return impl_->transact_in_time([&](Transaction& transaction) {
     return static_cast<std::size_t>(
         transaction.run(statements::kRecallStray, {number_text(settle_s)}).size());
   });
@@ -230,7 +248,7 @@ std::size_t ResultsDatabase::recall_stray(double settle_s) {
 std::vector<ClaimKey> ResultsDatabase::extend(std::span<const ClaimedLoop> claimed,
                                               double lease_s) {
   const std::vector<std::string> keys = claim_keys(claimed);
-  const pqxx::result rows = impl_->session.transact([&](Transaction& transaction) {
+  const pqxx::result rows = impl_->transact_in_time([&](Transaction& transaction) {
     transaction.run(statements::kExtend, {keys[0], keys[1], number_text(lease_s)});
     return transaction.run(statements::kLostClaims, keys);
   });
@@ -241,7 +259,7 @@ std::vector<ClaimKey> ResultsDatabase::extend(std::span<const ClaimedLoop> claim
 }
 
 void ResultsDatabase::see_worker(const WorkerSign& sign) {
-  impl_->session.transact([&](Transaction& transaction) {
+  impl_->transact_in_time([&](Transaction& transaction) {
     transaction.run(
         statements::kSeeWorker,
         {make_storable(sign.worker), sign.program_version, std::to_string(sign.algorithm_revision),
@@ -259,6 +277,14 @@ std::size_t ResultsDatabase::count_enabled_loops() {
   return impl_->session.transact([](Transaction& transaction) {
     return transaction.run(statements::kCountEnabled)[0][0].as<std::size_t>();
   });
+}
+
+ServerClock ResultsDatabase::clock() {
+  return impl_->session.transact(transaction_clock);
+}
+
+AcceptedClocks ResultsDatabase::accepted_clocks() {
+  return storage::accepted_clocks(impl_->session);
 }
 
 ScheduleHealth ResultsDatabase::schedule_health() {
@@ -284,7 +310,7 @@ void ResultsDatabase::add_stage_cost(const CostBearer& bearer, const StageCost& 
                                cost.model_s, cost.decide_s, cost.write_s, cost.wait_s}) {
     parameters.push_back(number_text(seconds));
   }
-  impl_->session.transact(
+  impl_->transact_in_time(
       [&](Transaction& transaction) { transaction.run(statements::kAddStageCost, parameters); });
 }
 

@@ -9,12 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "storage/accepted_clocks.hpp"
 #include "storage/analysis_record.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/connection_settings.hpp"
 #include "storage/data_problem.hpp"
 #include "storage/error.hpp"
 #include "storage/results/schedule_health.hpp"
+#include "storage/server_clock.hpp"
 #include "storage/stage_cost.hpp"
 
 namespace loopscope::storage {
@@ -101,8 +103,10 @@ struct StoredDigest {
 /// be thrown away.
 class ResultsDatabase {
  public:
-  /// Connects and checks that the schema has the version this program was built for.
-  explicit ResultsDatabase(const ConnectionSettings& settings);
+  /// Connects and checks that the schema has the version this program was built for. Whatever
+  /// claims or writes asks `check` first and does nothing where that throws; an empty one lets
+  /// everything pass.
+  explicit ResultsDatabase(const ConnectionSettings& settings, ClockCheck check = {});
   ~ResultsDatabase();
   ResultsDatabase(ResultsDatabase&&) noexcept;
   ResultsDatabase& operator=(ResultsDatabase&&) noexcept;
@@ -126,14 +130,17 @@ class ResultsDatabase {
       std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision,
       const std::string& settings_json = "{}");
   /// Writes results and gives the loops back in ONE transaction. A loop whose fence is no longer
-  /// the claimed one is skipped and counted. Repeating the call after a lost commit is harmless.
+  /// the claimed one, or whose slot is after now(), is skipped and counted. Repeating the call
+  /// after a lost commit is harmless.
   WriteCount finish(std::span<const CompletedLoop> completed, std::span<const FailedLoop> failed);
   /// Gives claimed loops back untouched (shutdown): they are due at once.
   void release(std::span<const ClaimedLoop> claimed);
   /// Gives everything back untouched that this owner holds: what it claimed and never heard of.
   void release_owned(const std::string& owner);
-  /// Makes loops due that are put off for longer than their period and any pause: the database's
-  /// clock had jumped ahead. Returns how many.
+  /// Undoes what a clock that was ahead has left behind: loops that are put off for longer than
+  /// their period (or their pause after failures) are due now, claims end within the time for which
+  /// they were made, and slots after now() make way for the newest stored one before. Returns of
+  /// how many loops.
   std::size_t recall_stray(double settle_s);
   /// Lets these claims end `lease_s` seconds from now; returns those that are outdated because
   /// somebody has claimed the loop since. What is being given back in this moment is left alone.
@@ -144,6 +151,9 @@ class ResultsDatabase {
   /// overdue; nullopt = there is none.
   [[nodiscard]] std::optional<double> next_due_in_s();
 
+  [[nodiscard]] ServerClock clock();
+  /// What a person has said of clocks that differ (table loopscope.accepted_clock).
+  [[nodiscard]] AcceptedClocks accepted_clocks();
   [[nodiscard]] std::size_t count_enabled_loops();
   /// How far the work as a whole is behind.
   [[nodiscard]] ScheduleHealth schedule_health();

@@ -13,8 +13,9 @@ namespace {
   "WITH claimed AS ("                                                                           \
   "  UPDATE loopscope.schedule AS s SET"                                                        \
   "    owner = $1, fence = s.fence + 1, visible_at = now() + $2::float8 * interval '1 second'," \
-  "    attempts = s.attempts + (s.owner IS NOT NULL)::integer,"                                 \
-  "    lost_leases = s.lost_leases + (s.owner IS NOT NULL)::integer,"                           \
+  "    hold_s = $2::float8,"                                                                    \
+  "    attempts = least(s.attempts + (s.owner IS NOT NULL)::integer, 1000000),"                 \
+  "    lost_leases = least(s.lost_leases + (s.owner IS NOT NULL)::integer, 1000000),"           \
   "    last_error = CASE WHEN s.owner IS NULL THEN s.last_error"                                \
   "                      ELSE 'the lease of ' || s.owner || ' ended without a result' END"      \
   "  WHERE s.loop_id = ANY (ARRAY(" CHOICE                                                      \
@@ -60,7 +61,8 @@ const Statement kClaimSuspect{
 // hours.
 const Statement kRestSuspects{"rest_suspects", R"(
     UPDATE loopscope.schedule AS s SET
-      owner = NULL, attempts = s.attempts + 1, lost_leases = s.lost_leases + 1,
+      owner = NULL, attempts = least(s.attempts + 1, 1000000),
+      lost_leases = least(s.lost_leases + 1, 1000000),
       visible_at = now() + least(60 * 2 ^ least(s.lost_leases - 3, 9), 21600) * interval '1 second',
       last_error = 'the lease of ' || s.owner || ' ended without a result, alone'
     WHERE s.loop_id = ANY (ARRAY(
@@ -85,7 +87,8 @@ const Statement kClaimNext{"claim_next", LOOPSCOPE_CLAIM(R"(
 // Rows that are locked are being given back in this moment: to wait for them could end in a
 // deadlock.
 const Statement kExtend{"extend_leases", R"(
-    UPDATE loopscope.schedule AS s SET visible_at = now() + $3::float8 * interval '1 second'
+    UPDATE loopscope.schedule AS s SET
+      visible_at = now() + $3::float8 * interval '1 second', hold_s = $3::float8
     WHERE s.loop_id = ANY (ARRAY(
       SELECT free.loop_id FROM loopscope.schedule AS free
       JOIN unnest($1::bigint[], $2::bigint[]) AS held (loop_id, fence)
@@ -119,35 +122,65 @@ const Statement kReleaseOwned{"release_owned", R"(
     UPDATE loopscope.schedule SET owner = NULL, visible_at = now() WHERE owner = $1)",
                               Rows::none};
 
-// No loop waits longer than its period or the longest pause after failures (6 h), unless the
-// database's clock was ahead when it was given back.
+// What a clock ahead has put off. A loop without failures waits for its next slot, one with
+// failures for the pause that its attempts give (daemon/service/slot.hpp, retry_pause_s); a claim
+// ends after the time for which it was made, and does so from now on: a worker that lives prolongs
+// it before. Beyond the settling time nothing else adds to either.
 const Statement kRecallStray{"recall_stray", R"(
-    UPDATE loopscope.schedule AS s SET visible_at = now()
-    FROM loopscope.loop
-    WHERE loop.loop_id = s.loop_id AND s.enabled AND s.owner IS NULL
-      AND s.visible_at > now() + greatest(loop.period_s + $1::float8, 21600) * interval '1 second'
-                         + interval '10 minutes'
+    WITH stray AS (
+      SELECT s.loop_id,
+             CASE WHEN s.visible_at <= now() + bound.wait_s * interval '1 second' THEN s.visible_at
+                  WHEN s.owner IS NULL THEN now()
+                  ELSE now() + bound.wait_s * interval '1 second' END AS visible_at,
+             s.last_slot_end > now() OR s.result_slot_end > now() AS has_future_slot
+      FROM loopscope.schedule AS s
+      JOIN loopscope.loop USING (loop_id)
+      CROSS JOIN LATERAL (SELECT CASE
+        WHEN s.owner IS NOT NULL THEN coalesce(s.hold_s, 86400)
+        WHEN s.last_error IS NULL THEN loop.period_s + $1::float8
+        ELSE greatest(loop.period_s + $1::float8, least(60 * 2 ^ least(s.attempts, 9), 21600))
+        END AS wait_s) AS bound
+      WHERE s.enabled AND (
+        s.visible_at > now() + bound.wait_s * interval '1 second'
+        OR s.last_slot_end > now() OR s.result_slot_end > now())
+    ), known AS (
+      SELECT stray.*, (SELECT max(verdict.slot_end) FROM loopscope.verdict
+                       WHERE stray.has_future_slot AND verdict.loop_id = stray.loop_id
+                         AND verdict.slot_end <= now()) AS slot_end
+      FROM stray
+    )
+    UPDATE loopscope.schedule AS s SET
+      visible_at = known.visible_at,
+      last_slot_end = CASE WHEN s.last_slot_end > now() THEN known.slot_end
+                           ELSE s.last_slot_end END,
+      result_slot_end = CASE WHEN s.result_slot_end > now() THEN known.slot_end
+                             ELSE s.result_slot_end END
+    FROM known WHERE s.loop_id = known.loop_id
     RETURNING s.loop_id)"};
 
 // The owner is not asked for: a repeat after a commit in doubt finds it gone and must still count
-// as this worker's, which the fence proves.
+// as this worker's, which the fence proves. A slot after now() was noted under a clock ahead: what
+// is done now is newer in truth; one that is done under such a clock has not come yet.
 const Statement kComplete{"complete", R"(
     UPDATE loopscope.schedule AS s SET
       owner = NULL, visible_at = done.next_due, attempts = 0, lost_leases = 0,
       last_error = NULL,
-      last_slot_end = greatest(s.last_slot_end, done.slot_end),
-      result_slot_end = CASE WHEN done.has_record THEN greatest(s.result_slot_end, done.slot_end)
+      last_slot_end = CASE WHEN s.last_slot_end > now() THEN done.slot_end
+                           ELSE greatest(s.last_slot_end, done.slot_end) END,
+      result_slot_end = CASE WHEN s.result_slot_end > now() THEN done.slot_end
+                             WHEN done.has_record THEN greatest(s.result_slot_end, done.slot_end)
                              ELSE s.result_slot_end END
     FROM unnest($1::bigint[], $2::bigint[], $3::timestamptz[], $4::timestamptz[], $5::boolean[])
       AS done (loop_id, fence, slot_end, next_due, has_record)
-    WHERE s.loop_id = done.loop_id AND s.fence = done.fence
+    WHERE s.loop_id = done.loop_id AND s.fence = done.fence AND done.slot_end <= now()
     RETURNING s.loop_id)"};
 
 // A repeat finds no owner and counts no second failure. The worker lived to tell: no lease is lost.
 const Statement kSetAside{"set_aside", R"(
     UPDATE loopscope.schedule AS s SET
       owner = NULL, visible_at = now() + failed.retry_after_s * interval '1 second',
-      attempts = s.attempts + (s.owner IS NOT NULL AND failed.at_fault)::integer, lost_leases = 0,
+      attempts = least(s.attempts + (s.owner IS NOT NULL AND failed.at_fault)::integer, 1000000),
+      lost_leases = 0,
       last_error = failed.error
     FROM unnest($1::bigint[], $2::bigint[], $3::text[], $4::float8[], $5::boolean[])
       AS failed (loop_id, fence, error, retry_after_s, at_fault)

@@ -54,7 +54,8 @@ const Statement kInsertSteps{"insert_steps", R"(
     CROSS JOIN jsonb_array_elements(model::jsonb->'steps') WITH ORDINALITY AS s (taken, number))",
                              Rows::none};
 
-// A problem that stood at the loop's slot before goes on; one that was away begins anew.
+// A problem that stood at the loop's slot before goes on; one that was away begins anew. One that
+// was last seen after now(), under a clock ahead, goes on if it began before.
 const Statement kNoteProblems{"note_problems", R"(
     INSERT INTO loopscope.standing_problem AS kept
       (loop_id, code, role, first_slot, last_slot, previous_slot, slots, last_row, figure)
@@ -64,12 +65,15 @@ const Statement kNoteProblems{"note_problems", R"(
       AS found (loop_id, code, role, slot, previous_slot, last_row, figure)
     ON CONFLICT (loop_id, code, role) DO UPDATE SET
       first_slot = CASE WHEN kept.last_slot IN (EXCLUDED.last_slot, EXCLUDED.previous_slot)
+                          OR kept.last_slot > now() AND kept.first_slot <= EXCLUDED.last_slot
                         THEN kept.first_slot ELSE EXCLUDED.first_slot END,
       slots = CASE WHEN kept.last_slot = EXCLUDED.last_slot THEN kept.slots
-                   WHEN kept.last_slot = EXCLUDED.previous_slot THEN kept.slots + 1 ELSE 1 END,
+                   WHEN kept.last_slot = EXCLUDED.previous_slot THEN kept.slots + 1
+                   WHEN kept.last_slot > now() AND kept.first_slot <= EXCLUDED.last_slot
+                   THEN kept.slots ELSE 1 END,
       last_slot = EXCLUDED.last_slot, previous_slot = EXCLUDED.previous_slot,
       last_row = EXCLUDED.last_row, figure = EXCLUDED.figure
-    WHERE kept.last_slot <= EXCLUDED.last_slot)",
+    WHERE kept.last_slot <= EXCLUDED.last_slot OR kept.last_slot > now())",
                               Rows::none};
 
 const Statement kAddStageCost{"add_stage_cost", R"(
@@ -193,12 +197,14 @@ const Statement kMakePartitions{"make_partitions",
 const Statement kGrantRights{"grant_rights", "SELECT loopscope.grant_rights()", Rows::one};
 
 const Statement kExpiredPartitions{"expired_partitions", R"(
-    SELECT loopscope.expired_partitions(now() - make_interval(months => $1::integer)) AS name)"};
+    SELECT loopscope.expired_partitions(least(now(), loopscope.newest_result())
+                                        - make_interval(months => $1::integer)) AS name)"};
 
 const Statement kDropPartition{"drop_partition", "SELECT loopscope.drop_partition($1)", Rows::one};
 
 const Statement kDeleteOldRows{"delete_old_rows", R"(
-    SELECT loopscope.delete_old_rows(now() - make_interval(months => $1::integer)))",
+    SELECT loopscope.delete_old_rows(least(now(), loopscope.newest_result())
+                                     - make_interval(months => $1::integer)))",
                                Rows::one};
 
 // One row per right: whether the connected user has it, and whether it should.

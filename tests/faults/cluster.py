@@ -24,6 +24,8 @@ class Cluster:
         self.servers, self.workers, self.network = [], [], None
         self.deaths = 0     # of workers, by themselves
         self.conflicts = 0  # queries that a standby cancelled
+        self.wrong_times = []  # (from, to) that the results server's clock showed while it was wrong
+        self.late_lists = 0  # times that the flagged list was not right again within two polls
         self.abandoned = 0  # loops that a fault took out of a worker's hands
         self.folder = Path(tempfile.mkdtemp(prefix=f"{remains.FOLDER_PREFIX}{os.getpid()}.",
                                             dir=remains.FOLDERS))
@@ -84,6 +86,10 @@ class Cluster:
         rows = self.sql("SELECT loop_id, fence FROM loopscope.schedule"
                         f" WHERE owner LIKE '{worker.name()}/%'")
         return {tuple(map(int, row.split("|"))) for row in rows.splitlines()}
+
+    def flagged(self):
+        """{loop_id} of the list."""
+        return set(self.sql("SELECT loop_id FROM loopscope.flagged_loop").splitlines())
 
     def all_work(self, since_s):
         """Whether every worker has signed in after that time."""

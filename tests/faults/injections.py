@@ -114,6 +114,49 @@ def move_clock(cluster, random):
     return worker.host, None
 
 
+def move_server_clock(cluster, random):
+    """The clock of the results server is wrong for five seconds, by seconds up to months. The list
+    of flagged loops has to be what it was within two polls."""
+    cluster.primary.restart_with_clock(True)
+    wait_until(lambda: any(cluster.claims(worker) for worker in cluster.workers), 60, "work", 0.05)
+    wait_until(lambda: len(cluster.flagged()) > 0, 60, "flagged loops", 0.5)
+    before = cluster.flagged()
+    days, hours = 86400, 3600
+    size_s = random.choice((random.randint(20, 50), random.randint(1, 12) * hours, 30 * days, 200 * days))
+    offset_s = random.choice((-1, 1)) * size_s
+    from_s = time.time() + offset_s
+    cluster.primary.set_clock(offset_s)
+    time.sleep(5)
+    cluster.primary.set_clock(0)
+    time.sleep(1)  # it looks once a second
+    cluster.wrong_times.append((from_s - 1, time.time() + offset_s + 1))
+    ended = time.monotonic()
+    wait_until(lambda: cluster.flagged() == before, 60, "the list of before", 0.2)
+    list_s = time.monotonic() - ended
+    cluster.late_lists += list_s > 2 * plant.POLL_S
+    return (f"{cluster.primary.host} ({offset_s:+d} s; list after {list_s:.1f} s)",
+            lambda: cluster.primary.restart_with_clock(False))
+
+
+def poisoned_row(cluster, random):
+    """A thief of the worker's password spoils rows: what would stop every claim is refused, what is
+    allowed stops its loop no longer than a lease."""
+    loop = "WHERE loop_id = (SELECT loop_id FROM loopscope.loop ORDER BY random() LIMIT 1)"
+    for poison in ("fence = 9223372036854775807", "fence = 0", "last_slot_end = 'infinity'",
+                   "attempts = 2147483647"):
+        try:
+            cluster.primary.sql(f"SET ROLE worker; UPDATE loopscope.schedule SET {poison} {loop}", plant.RESULTS)
+        except RuntimeError:
+            continue
+        raise RuntimeError(f"not refused: {poison}")
+    owner = random.choice(("NULL", "'thief/1/0'"))
+    cluster.primary.sql(
+        "SET ROLE worker; UPDATE loopscope.schedule SET visible_at = now() + interval '10 years',"
+        " last_slot_end = now() + interval '10 years', result_slot_end = now() + interval '10 years',"
+        f" owner = {owner} {loop}", plant.RESULTS)
+    return f"owner {owner}", None
+
+
 def end_sessions(cluster, random):
     """All sessions of all workers at one of the servers."""
     server = random.choice((cluster.primary, cluster.mirror))
@@ -149,7 +192,8 @@ def late_rows(cluster, random):
 KINDS = {function.__name__: function for function in (
     kill_worker, stop_worker, crash_results, crash_historian, conflict_on_standby, promote_standby,
     pull_cable,
-    lose_packets, fill_disk, move_clock, end_sessions, freeze_server, late_rows)}
+    lose_packets, fill_disk, move_clock, move_server_clock, poisoned_row, end_sessions,
+    freeze_server, late_rows)}
 
 
 def plan(faults, random, only=()):

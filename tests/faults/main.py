@@ -107,13 +107,13 @@ def judge(cluster, events, fences, begun, exit_codes):
         "loops": cluster.loops, "workers": len(cluster.workers), "slots": len(wanted),
         "lost": len(wanted - set(rows)) + cluster.loops - len(found),
         "duplicated": len(rows) - len(set(rows)) + proof.duplicated(cluster.primary),
-        "surplus": len(set(rows) - wanted), "too_early": proof.too_early(cluster.primary),
+        "surplus": len(set(rows) - wanted), "too_early": proof.too_early(cluster.primary, cluster.wrong_times),
         "identical": not different, "different": len(different),
         "digest": proof.digest_of_all(ours),
         "revised": int(cluster.sql("SELECT count(*) FROM loopscope.analysis"
                                    " WHERE input_revision > 1")),
         "fence_regressions": fences.regressions, "fence_looks": fences.looks,
-        "abandoned": cluster.abandoned, "conflicts": cluster.conflicts,
+        "late_lists": cluster.late_lists, "abandoned": cluster.abandoned, "conflicts": cluster.conflicts,
         "deaths": cluster.deaths, "exit_codes": exit_codes,
         "leases_left": int(cluster.sql("SELECT count(*) FROM loopscope.schedule"
                                        " WHERE owner IS NOT NULL")),
@@ -129,7 +129,7 @@ def judge(cluster, events, fences, begun, exit_codes):
 
 def passed(result):
     nothing = ("lost", "duplicated", "surplus", "too_early", "fence_regressions", "leases_left",
-               "deaths", "not_recovered")
+               "deaths", "not_recovered", "late_lists")
     took_over = result["abandoned"] > 0 or not {"kill_worker", "stop_worker"} & set(result["faults"])
     return (all(result[key] == 0 for key in nothing) and result["identical"] and took_over
             and result["fence_looks"] > 0 and set(result["exit_codes"]) == {0}
@@ -142,7 +142,7 @@ def print_table(result):
         seconds = result["recovery_s"][kind]
         print(f"| {kind} | {times} | {seconds['median']:.1f} | {seconds['max']:.1f} |")
     for key in ("loops", "workers", "slots", "lost", "duplicated", "surplus", "too_early",
-                "identical", "revised", "fence_regressions", "abandoned", "conflicts", "deaths",
+                "identical", "revised", "fence_regressions", "late_lists", "abandoned", "conflicts", "deaths",
                 "exit_codes", "leases_left", "not_recovered", "max_recovery_s", "lease_s", "poll_s"):
         print(f"{key}: {result[key]}")
 

@@ -34,10 +34,13 @@ def stored(server, database=plant.RESULTS):
     return [(name, int(slot)) for name, slot in (row.split("|") for row in rows.splitlines())]
 
 
-def too_early(server, database=plant.RESULTS):
-    """Analyses of slots that had not settled by the database's clock."""
+def too_early(server, wrong_times, database=plant.RESULTS):
+    """Analyses of slots that had not settled by the database's clock, but for those that were
+    written while it was wrong."""
+    right = "".join(f" AND extract(epoch FROM analysed_at) NOT BETWEEN {begun} AND {ended}"
+                    for begun, ended in wrong_times)
     return int(server.sql("SELECT count(*) FROM loopscope.analysis WHERE analysed_at"
-                          f" < slot_end + interval '{plant.SETTLE_S} s'", database))
+                          f" < slot_end + interval '{plant.SETTLE_S} s'{right}", database))
 
 
 def duplicated(server, database=plant.RESULTS):

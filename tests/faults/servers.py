@@ -9,6 +9,7 @@ from pathlib import Path
 
 import plant
 from shell import run, wait_until
+from workers import faketime
 
 PORT = 5432
 PROGRAMS = sorted(Path("/usr/lib/postgresql").glob("*/bin"), key=lambda p: int(p.parts[-2]))[-1]
@@ -43,6 +44,7 @@ class Server:
             run(["mount", "-t", "tmpfs", "-o", f"size={size_mb}m", "tmpfs", self.folder])
         shutil.chown(self.folder, "postgres", "postgres")
         self.data = self.folder / "data"
+        self.clock = None  # a file that says how far its clock is wrong
 
     def _as_postgres(self, *command):
         # PostgreSQL refuses root, and pg_ctl a working directory that it cannot read.
@@ -84,11 +86,27 @@ class Server:
             "synchronous_standby_names = '*'\n" if wanted else "", encoding="utf-8")
         self._as_postgres(PROGRAMS / "pg_ctl", "reload", f"--pgdata={self.data}", "--silent")
 
+    def restart_with_clock(self, movable):
+        """From then on set_clock() moves its clock, or no longer. No time-out is to be relied upon
+        meanwhile: those of PostgreSQL do not fire under libfaketime."""
+        self.stop("fast")
+        self.clock = self.folder.parent / f"{self.host}.clock" if movable else None
+        if movable:
+            self.set_clock(0)
+        self.start()
+
+    def set_clock(self, offset_s):
+        self.clock.write_text(f"{offset_s:+d}s", encoding="utf-8")
+        self.clock.chmod(0o644)
+
     def start(self):
+        environment = [f"{key}={value}" for key, value in faketime(self.clock).items()] \
+            if self.clock else []
+
         # As a supervisor does: a server that cannot start yet is tried again.
         def try_start():
             try:
-                self._as_postgres(PROGRAMS / "pg_ctl", "start", f"--pgdata={self.data}", "--wait",
+                self._as_postgres("env", *environment, PROGRAMS / "pg_ctl", "start", f"--pgdata={self.data}", "--wait",
                                   "--timeout=20", "--silent", f"--log={self.folder}/server.log")
             except RuntimeError:
                 return self.answers()

@@ -8,6 +8,14 @@ from pathlib import Path
 FAKETIME = next(Path("/usr/lib").glob("*/faketime/libfaketimeMT.so.1"), None)
 
 
+def faketime(clock):
+    """The environment in which the wall clock is what the file `clock` says, looked at once a
+    second. A jump of the wall clock leaves the monotonic one alone."""
+    return {"LD_PRELOAD": str(FAKETIME), "FAKETIME_DONT_FAKE_MONOTONIC": "1",
+            "DONT_FAKE_MONOTONIC": "1", "FAKETIME_TIMESTAMP_FILE": str(clock),
+            "FAKETIME_CACHE_DURATION": "1"}
+
+
 class Worker:
     def __init__(self, network, host, program, settings, folder):
         self.network, self.host, self.program, self.settings = network, host, program, settings
@@ -16,18 +24,11 @@ class Worker:
         self.clock.write_text("+0s", encoding="utf-8")
         self.process = None
 
-    def _environment(self):
-        # A jump of the wall clock leaves the monotonic one alone.
-        return {**os.environ, "LD_PRELOAD": str(FAKETIME), "FAKETIME_DONT_FAKE_MONOTONIC": "1",
-                "DONT_FAKE_MONOTONIC": "1", "FAKETIME_TIMESTAMP_FILE": str(self.clock),
-                "FAKETIME_CACHE_DURATION": "1"}
-
     def start(self):
         with open(self.log, "ab") as log:
             self.process = subprocess.Popen(
                 [*self.network.inside(self.host), "env",
-                 *(f"{key}={value}" for key, value in self._environment().items()
-                   if os.environ.get(key) != value),
+                 *(f"{key}={value}" for key, value in faketime(self.clock).items()),
                  str(self.program), "run", "--config", str(self.settings)],
                 stdin=subprocess.DEVNULL, stdout=log, stderr=log)
 

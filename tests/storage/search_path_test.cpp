@@ -126,7 +126,7 @@ TEST_F(SearchPathTest, MigratingWorkingAndMaintainingStepIntoNone) {
   results.set_parameter("min_confidence", 0.5);
   EXPECT_EQ(Catalogue(as_worker).list().size(), 2U);
   for (const Finding& found : check_results(as_worker)) EXPECT_TRUE(found.ok) << found.what;
-  static_cast<void>(maintain(as_owner, 12));
+  static_cast<void>(maintain(as_owner, {.retention_months = 12}));
 }
 
 TEST_F(SearchPathTest, ReadingAHistorianStepsIntoNone) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/storage/results/results_fixture.hpp"
+#include "tests/support/login_session.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -8,6 +9,8 @@ namespace {
 /// Claims beside the ordinary run of things: sources that are away, answers that were lost, clocks
 /// that were wrong.
 class ClaimUpkeepTest : public ResultsTest {};
+
+constexpr const char* kCheck = "23514";  // SQLSTATE check_violation
 
 TEST_F(ClaimUpkeepTest, LeavesOutSourcesThatAreAway) {
   add_loops({"a", "b", "c"});
@@ -33,9 +36,72 @@ TEST_F(ClaimUpkeepTest, RecallsWhatAClockThatWasAheadHasPutOff) {
       "UPDATE loopscope.schedule SET visible_at = now() + CASE loop_id % 3"
       " WHEN 0 THEN interval '1 day' WHEN 1 THEN interval '5 hours' ELSE interval '1 hour' END");
   ResultsDatabase results = connect();
-  EXPECT_EQ(results.recall_stray(60), 1U);
+  EXPECT_EQ(results.recall_stray(60), 2U) << "the period is an hour";
   EXPECT_EQ(results.recall_stray(60), 0U);
-  EXPECT_EQ(claim_all(results, 5).size(), 1U);
+  EXPECT_EQ(claim_all(results, 5).size(), 2U);
+}
+
+TEST_F(ClaimUpkeepTest, APauseAfterFailuresIsNoStray) {
+  add_loops({"a", "b", "c"});
+  database->execute(
+      "UPDATE loopscope.schedule SET last_error = 'no rows', attempts = 8 * (loop_id % 3),"
+      " visible_at = now() + interval '4 hours'");
+  ResultsDatabase results = connect();
+  EXPECT_EQ(results.recall_stray(60), 1U) << "after one failure nobody waits for four hours";
+  EXPECT_EQ(value("SELECT attempts FROM loopscope.schedule WHERE visible_at <= now()"), "0");
+}
+
+TEST_F(ClaimUpkeepTest, AClaimMadeUnderAClockAheadEndsInItsTime) {
+  add_loops({"a", "b"});
+  ResultsDatabase results = connect();
+  ASSERT_EQ(results.claim_due("dead", 100, 1).size(), 1U);
+  database->execute("UPDATE loopscope.schedule SET visible_at = visible_at + interval '30 days'");
+  EXPECT_EQ(results.recall_stray(60), 2U);
+  EXPECT_EQ(value("SELECT string_agg(round(extract(epoch FROM visible_at - now()) / 10)::text, ' '"
+                  " ORDER BY owner) FROM loopscope.schedule"),
+            "10 0")
+      << "whoever lives prolongs it before";
+  EXPECT_EQ(value("SELECT count(owner) FROM loopscope.schedule"), "1");
+}
+
+TEST_F(ClaimUpkeepTest, SlotsOfAClockAheadMakeWayForTheNewestStoredOne) {
+  add_loops({"a", "b"});
+  ResultsDatabase results = connect();
+  for (const ClaimedLoop& claim : claim_all(results, 60))
+    results.finish(std::vector{completed(claim, slot(1), "d1")}, {});
+  database->execute(
+      "UPDATE loopscope.schedule SET last_slot_end = now() + interval '30 days',"
+      " result_slot_end = now() + interval '30 days' WHERE loop_id = 1");
+  EXPECT_EQ(results.recall_stray(60), 1U);
+  EXPECT_EQ(
+      database->rows("SELECT DISTINCT last_slot_end, result_slot_end FROM loopscope.schedule"),
+      (TextRows{{"2026-01-01 01:00:00+00", "2026-01-01 01:00:00+00"}}));
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.latest_verdict"), "2");
+}
+
+TEST_F(ClaimUpkeepTest, NoValueOfAWorkerStopsTheClaims) {
+  database = database_of_owner();
+  add_loops({"a", "b"});
+  const std::string worker = database->make_login("loopscope_worker");
+  ResultsDatabase results(settings_for(*database, worker));
+  const tests::LoginSession thief(database->conninfo(worker));
+  for (const char* const poison :
+       {"fence = 9223372036854775807", "fence = 0 - 1", "fence = fence + 2",
+        "attempts = 2147483647", "lost_leases = 2147483647", "last_slot_end = 'infinity'",
+        "result_slot_end = '-infinity'", "result_slot_end = '294276-12-31'",
+        "visible_at = 'infinity'"}) {
+    EXPECT_EQ(thief.state_of("UPDATE loopscope.schedule SET " + std::string(poison)), kCheck)
+        << poison;
+  }
+  for (const char* const strange :
+       {"visible_at = now(), attempts = 1000000, lost_leases = 1, owner = 'x'",
+        "visible_at = now(), last_slot_end = '293999-12-31', result_slot_end = '293999-12-31'",
+        "visible_at = now(), last_slot_end = '4713-01-01 BC', result_slot_end = '4713-01-01 BC'",
+        "visible_at = '4713-01-01 BC'"}) {
+    EXPECT_EQ(thief.state_of_bare("UPDATE loopscope.schedule SET " + std::string(strange)), "");
+    EXPECT_EQ(claim_all(results, 60).size(), 2U) << strange;
+    database->execute("UPDATE loopscope.schedule SET owner = NULL, lost_leases = 0");
+  }
 }
 
 }  // namespace

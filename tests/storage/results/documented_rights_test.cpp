@@ -141,7 +141,8 @@ TEST_F(DocumentedRightsTest, MigrateTakesBackWhatIsNotDocumented) {
 TEST_F(DocumentedRightsTest, TheOwnerNeedsTheDatabaseOnlyForTheFirstMigrate) {
   database->execute("REVOKE CREATE ON DATABASE " + database->name() + " FROM loopscope_owner");
   EXPECT_TRUE(migrate(settings_for(*database, owner)).empty());
-  EXPECT_NO_THROW(static_cast<void>(maintain(settings_for(*database, owner), 12)));
+  EXPECT_NO_THROW(
+      static_cast<void>(maintain(settings_for(*database, owner), {.retention_months = 12})));
   EXPECT_EQ(log_in(owner).state_of("CREATE SCHEMA planted"), kRefused);
 }
 

@@ -35,6 +35,33 @@ TEST_F(FinishTest, StoresAnalysisPeaksAndVerdict) {
                        "2026-01-01 01:00:00+00"}}));
 }
 
+TEST_F(FinishTest, ASlotAfterNowIsNotNewerThanOneOfToday) {
+  add_loops({"a"});
+  ResultsDatabase results = connect();
+  const CompletedLoop done = completed(claim_all(results).at(0), slot(1), "d1");
+  database->execute(
+      "UPDATE loopscope.schedule SET last_slot_end = now() + interval '30 days',"
+      " result_slot_end = now() + interval '30 days'");
+  results.finish(std::vector{done}, {});
+  EXPECT_EQ(database->rows("SELECT last_slot_end, result_slot_end FROM loopscope.schedule"),
+            (TextRows{{"2026-01-01 01:00:00+00", "2026-01-01 01:00:00+00"}}));
+}
+
+TEST_F(FinishTest, ASlotThatHasNotComeIsNotStoredAndItsLoopIsDueAtOnce) {
+  add_loops({"a", "b"});
+  ResultsDatabase results = connect();
+  const std::vector<ClaimedLoop> claims = claim_all(results);
+  const std::int64_t tomorrow = results.clock().now_us + 86'400'000'000;
+  const WriteCount count = results.finish(
+      std::vector{completed(claims[0], tomorrow, "d"), completed(claims[1], slot(1), "d")}, {});
+  EXPECT_EQ(count.inserted, 1u);
+  EXPECT_EQ(count.fenced_off, 1u);
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.schedule WHERE owner IS NULL AND attempts = 0"
+                  " AND visible_at <= now()"),
+            "2");
+  EXPECT_EQ(value("SELECT max(slot_end) <= now() FROM loopscope.analysis"), "t");
+}
+
 TEST_F(FinishTest, UnknownFiguresAreNull) {
   add_loops({"a"});
   ResultsDatabase results = connect();

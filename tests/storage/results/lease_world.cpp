@@ -26,10 +26,10 @@ void LeaseWorld::begin() {
       // Few rows in many partitions: TRUNCATE would make every one of them anew.
       "DELETE FROM loopscope.analysis; DELETE FROM loopscope.verdict;"
       " DELETE FROM loopscope.bicoherence_peak; DELETE FROM loopscope.explanation_step;"
-      "UPDATE loopscope.schedule SET fence = 0, owner = NULL, visible_at = now() - interval '1 "
-      "s',"
-      " attempts = 0, lost_leases = 0, last_error = NULL, last_slot_end = NULL,"
-      " result_slot_end = NULL");
+      // A fence that stands is never turned back.
+      " DELETE FROM loopscope.schedule;"
+      " INSERT INTO loopscope.schedule (loop_id, enabled, visible_at)"
+      " SELECT loop_id, enabled, now() - interval '1 s' FROM loopscope.loop");
   loops_.clear();
   for (const auto& row : database_.rows("SELECT loop_id FROM loopscope.schedule"))
     loops_[std::stoll(row.at(0))] = {};

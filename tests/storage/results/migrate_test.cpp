@@ -110,7 +110,7 @@ TEST_F(MigrateTest, NewerSchemaThatWasOnlyAddedToIsMaintained) {
       "'loopscope.verdict' || to_char(now() AT TIME ZONE 'UTC' + interval '1 month', '_YYYY_MM')";
   database->execute("DO $$ BEGIN EXECUTE 'DROP TABLE ' || " + newest + "; END $$");
   migrate_further(*database, required_schema_version());
-  const MaintenanceResult result = maintain(settings_for(*database), 24);
+  const MaintenanceResult result = maintain(settings_for(*database), {.retention_months = 24});
   EXPECT_EQ(result.created.size(), 1u);
   EXPECT_EQ(result.dropped.size(), 4u);
   EXPECT_EQ(database->value("SELECT to_regclass(" + newest + ") IS NOT NULL"), "t");
@@ -121,7 +121,7 @@ TEST_F(MigrateTest, NewerSchemaIsRefused) {
   migrate_further(*database, required_schema_version() + 1);
   EXPECT_THAT(error_of_connecting(), HasSubstr("newer than this program's"));
   EXPECT_THROW(migrate(settings_for(*database)), DatabaseError);
-  EXPECT_THROW(maintain(settings_for(*database), 0), DatabaseError);
+  EXPECT_THROW(maintain(settings_for(*database), {}), DatabaseError);
 }
 
 TEST_F(MigrateTest, OlderSchemaIsRefusedByTheWorker) {
@@ -182,6 +182,17 @@ class PartitionTest : public ResultsTest {
                       " '', '{}', '' FROM loopscope.loop WHERE name = '" +
                       loop + "'");
   }
+  /// `slot_end` as SQL.
+  void store_analysis(const std::string& slot_end) {
+    database->execute(
+        "INSERT INTO loopscope.analysis (loop_id, slot_end, algorithm_revision, fence,"
+        " program_version, settings, input_digest, fetch_ms, analyse_ms, window_start, window_end,"
+        " samples, interval_s, usable, oscillating, flags)"
+        " SELECT loop_id, at.time, 1, 1, '', '{}', 'd', 0, 0, at.time, at.time, 0, 1, false, "
+        "false, '{}'"
+        " FROM loopscope.loop, (SELECT (" +
+        slot_end + ")::timestamptz) AS at (time)");
+  }
   [[nodiscard]] std::string where(const std::string& slot_end) const {
     return value("SELECT tableoid::regclass FROM loopscope.verdict WHERE slot_end = '" + slot_end +
                  "'");
@@ -196,7 +207,7 @@ TEST_F(PartitionTest, ThisMonthAndThreeMoreAreThere) {
                   " to_char(date_trunc('month', now() AT TIME ZONE 'UTC') + interval '3 months',"
                   " 'YYYY_MM')) IS NOT NULL"),
             "t");
-  EXPECT_THAT(maintain(settings_for(*database), 0).created, IsEmpty());
+  EXPECT_THAT(maintain(settings_for(*database), {}).created, IsEmpty());
 }
 
 TEST_F(PartitionTest, RowsOfAMonthWithoutPartitionMoveWhenItIsMade) {
@@ -231,8 +242,9 @@ TEST_F(PartitionTest, OldMonthsAreDroppedAndStrayRowsDeleted) {
       "INSERT INTO loopscope.plant_oscillation (slot_end, algorithm_revision, number, period_s,"
       " loop_ids, strengths, lags_s, statement)"
       " VALUES ('2019-01-01', 1, 1, 40, '{1,2}', '{1,1}', '{0,0}', '')");
-  EXPECT_THAT(maintain(settings_for(*database), 0).dropped, IsEmpty()) << "0 keeps all";
-  const MaintenanceResult result = maintain(settings_for(*database), 24);
+  EXPECT_THAT(maintain(settings_for(*database), {}).dropped, IsEmpty()) << "0 keeps all";
+  store_analysis("now() - interval '1 hour'");
+  const MaintenanceResult result = maintain(settings_for(*database), {.retention_months = 24});
   EXPECT_EQ(result.dropped,
             (std::vector<std::string>{"bicoherence_peak_2020_02", "explanation_step_2020_02",
                                       "verdict_2020_02", "analysis_2020_02"}));
@@ -241,6 +253,46 @@ TEST_F(PartitionTest, OldMonthsAreDroppedAndStrayRowsDeleted) {
   EXPECT_EQ(value("SELECT count(*) FROM pg_inherits"
                   " WHERE inhparent = 'loopscope.analysis'::regclass"),
             "5");
+}
+
+TEST_F(PartitionTest, AClockThatRanOnWithoutResultsExpiresNothing) {
+  add_loops({"a"});
+  database->execute("SELECT loopscope.make_partitions('2020-02-15', 2)");
+  store_analysis("'2020-03-02'");
+  store("a", "2020-02-02 00:00:00+00");
+  store("a", "2020-03-02 00:00:00+00");
+  EXPECT_THAT(maintain(settings_for(*database), {.retention_months = 1}).dropped, IsEmpty());
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.verdict"), "2");
+}
+
+TEST_F(PartitionTest, ManyMonthsAtOnceNeedAPersonsWord) {
+  add_loops({"a"});
+  database->execute("SELECT loopscope.make_partitions('2020-02-15', 3)");
+  store_analysis("now() - interval '1 hour'");
+  store("a", "2019-02-02 00:00:00+00");
+  try {
+    maintain(settings_for(*database), {.retention_months = 24});
+    ADD_FAILURE() << "dropped three months";
+  } catch (const DatabaseError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("3 months of results would be dropped at once, 2020_02 to"));
+    EXPECT_THAT(error.hint(), HasSubstr("--accept-clock"));
+  }
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.verdict"), "1");
+  const MaintenanceOrders orders{.retention_months = 24, .check = {}, .drop_many = true};
+  EXPECT_EQ(maintain(settings_for(*database), orders).dropped.size(), 12U);
+}
+
+TEST_F(PartitionTest, NothingIsMadeOrDroppedUnderAClockThatIsNotBelieved) {
+  database->execute("DROP TABLE loopscope.analysis_" +
+                    value("SELECT to_char(now() AT TIME ZONE 'UTC', 'YYYY_MM')"));
+  MaintenanceOrders orders{.retention_months = 24, .check = {}, .drop_many = true};
+  orders.check = [](const ServerClock&) {
+    throw DatabaseError("the clock is wrong", "set it", Remedy::retry);
+  };
+  const std::string before = value("SELECT count(*) FROM pg_inherits");
+  EXPECT_THROW(maintain(settings_for(*database), orders), DatabaseError);
+  EXPECT_EQ(value("SELECT count(*) FROM pg_inherits"), before);
 }
 
 TEST_F(PartitionTest, WorkersWriteWhileAMonthIsMade) {

@@ -76,6 +76,21 @@ TEST_F(PlantRoundsTest, TheNewestSlotHoldsWhateverTheOrderOfWriting) {
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_oscillation_member WHERE is_current"), "0");
 }
 
+TEST_F(PlantRoundsTest, ARoundOfAClockAheadNeitherHoldsNorPutsOffTheNext) {
+  tell({{.loop = "a"}});
+  plant().store({slot(1), 1, 30, 5, {event(40, 2)}});
+  plant().store({slot(2), 1, 30, 5, {event(90, 3)}});
+  database->execute(
+      "UPDATE loopscope.plant_oscillation SET slot_end = now() + interval '30 days'"
+      " WHERE slot_end = '2026-01-01 02:00+00';"
+      "UPDATE loopscope.plant_round SET slot_end = now() + interval '30 days',"
+      " found_at = now() + interval '30 days' WHERE slot_end = '2026-01-01 02:00+00';"
+      "UPDATE loopscope.plant_round SET found_at = now() - interval '1 day'"
+      " WHERE slot_end = '2026-01-01 01:00+00'");
+  EXPECT_EQ(current(), (TextRows{{"1", "40", "a", "2"}}));
+  EXPECT_EQ(plant().take_turn(3600), 0.0);
+}
+
 TEST_F(PlantRoundsTest, AllOrNothing) {
   PlantEvent lonely = event(40, 1);
   EXPECT_THROW(plant().store({slot(1), 1, 30, 5, {event(90, 3), lonely}}), DatabaseError);

@@ -56,7 +56,7 @@ TEST_F(RightsTest, OwnersGroupOwnsTheSchemaSoThatEveryMemberCanMaintainIt) {
   const std::string second = database->make_login("loopscope_owner");
   EXPECT_TRUE(migrate(settings_for(*database, second)).empty());
   database->execute("SET ROLE loopscope_owner; SELECT loopscope.make_partitions('2020-01-01', 1)");
-  EXPECT_EQ(maintain(settings_for(*database, second), 12).dropped.size(), 4u);
+  EXPECT_EQ(maintain(settings_for(*database, second), {.retention_months = 12}).dropped.size(), 4u);
 }
 
 TEST_F(RightsTest, WorkerDoesItsWorkAndNoMore) {

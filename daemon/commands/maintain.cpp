@@ -1,0 +1,74 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/read_settings.hpp"
+#include "daemon/commands/commands.hpp"
+#include "daemon/service/compare_clocks.hpp"
+#include "daemon/service/storage_settings.hpp"
+#include "storage/results/accept_clocks.hpp"
+#include "storage/results/migrate.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+struct MaintainOptions {
+  std::string config;
+  bool accept_clock = false;
+};
+
+/// The clocks beside the results server's; those of the historians only where they are needed: on
+/// most days nobody waits for them.
+ClockBook::State compare(const config::Settings& settings, LaneTools& tools, bool ask_all) {
+  const storage::ResultsTime time = storage::results_time(owner_connection(settings));
+  tools.clocks.accept(time.accepted);
+  const ClockBook::State state = tools.clocks.note_results(time.clock);
+  if (!ask_all && !refusal(state)) return state;
+  ask_historians(settings, tools);
+  return tools.clocks.note_results(storage::results_time(owner_connection(settings)).clock);
+}
+
+/// Whoever says so has looked: what differs now is known, and no reason to stand still.
+void accept_clocks(const config::Settings& settings, LaneTools& tools) {
+  const ClockBook::State state = compare(settings, tools, true);
+  std::vector<ClockReading> clocks = state.historians;
+  clocks.push_back(state.host);
+  storage::AcceptedClocks accepted;
+  for (const ClockReading& reading : clocks) {
+    if (clocks_agree(reading.ahead_s, 0.0)) continue;
+    accepted[reading.clock] = reading.ahead_s;
+    std::cout << fmt::format("accepted {}: {}\n", reading.clock, difference_text(reading.ahead_s));
+  }
+  storage::accept_clocks(owner_connection(settings), accepted);
+  if (accepted.empty()) std::cout << "no clock differs from that of the results server\n";
+  tools.clocks.accept(accepted);
+}
+
+void maintain(const MaintainOptions& options) {
+  const config::Settings settings = config::read_settings(options.config);
+  LaneTools tools(1, Perseverance::one_lease);
+  if (options.accept_clock) accept_clocks(settings, tools);
+  if (const auto why = refusal(compare(settings, tools, false))) throw *why;
+  const auto result = storage::maintain(
+      owner_connection(settings),
+      {settings.results.retention_months, tools.clocks.check(), options.accept_clock});
+  for (const std::string& name : result.created) std::cout << "created " << name << '\n';
+  for (const std::string& name : result.dropped) std::cout << "dropped " << name << '\n';
+}
+
+}  // namespace
+
+void add_maintain(CLI::App& program) {
+  CLI::App& command = *program.add_subcommand(
+      "maintain", "Makes partitions ahead and drops old ones (owner role, by timer)");
+  const auto options = std::make_shared<MaintainOptions>();
+  command.add_option("--config", options->config, "Settings file")->required();
+  command.add_flag("--accept-clock", options->accept_clock,
+                   "The results server's clock is right, whatever others say; noted in the schema");
+  command.callback([options] { maintain(*options); });
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "storage/accepted_clocks.hpp"
+#include "storage/connection_settings.hpp"
+#include "storage/server_clock.hpp"
+
+namespace loopscope::storage {
+
+/// The results server's clock and what a person has said of those that differ.
+struct ResultsTime {
+  ServerClock clock;
+  AcceptedClocks accepted;
+};
+
+/// As the schema's owner sees it. Throws DatabaseError.
+[[nodiscard]] ResultsTime results_time(const ConnectionSettings& owner);
+
+/// A person says that the results server's clock is the right one beside these, whose differences
+/// are known from now on; what was said before is forgotten. Throws DatabaseError.
+void accept_clocks(const ConnectionSettings& owner, const AcceptedClocks& clocks);
+
+}  // namespace loopscope::storage

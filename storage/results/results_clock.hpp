@@ -1,0 +1,24 @@
+#pragma once
+
+#include "storage/accepted_clocks.hpp"
+#include "storage/results/session.hpp"
+#include "storage/server_clock.hpp"
+
+namespace loopscope::storage {
+
+/// The server's clock at the beginning of the transaction: what now() gives in it.
+[[nodiscard]] ServerClock transaction_clock(Transaction& transaction);
+
+/// As Session::transact(), once `check` has let the transaction's now() pass. An empty check lets
+/// everything pass.
+template <typename Work>
+auto transact_in_time(Session& session, const ClockCheck& check, Work&& work) {
+  return session.transact([&](Transaction& transaction) {
+    if (check) check(transaction_clock(transaction));
+    return work(transaction);
+  });
+}
+
+[[nodiscard]] AcceptedClocks accepted_clocks(Session& session);
+
+}  // namespace loopscope::storage
