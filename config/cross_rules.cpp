@@ -5,6 +5,7 @@
 #include <string>
 
 #include "config/check_historian.hpp"
+#include "config/host_name.hpp"
 #include "config/http_address.hpp"
 #include "config/number_text.hpp"
 
@@ -60,6 +61,15 @@ void check_http_address(const std::string& address, ProblemList& problems) {
   problems.add_unless_refused(
       {"/daemon/http_address"}, "is no address with a port",
       R"(write "127.0.0.1:9470" or "[::1]:9470", an address and no name; "" = no HTTP)");
+}
+
+void check_http_names(const std::vector<std::string>& names, ProblemList& problems) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (is_host_name(names[i])) continue;
+    problems.add_unless_refused(
+        {"/daemon/http_names/" + std::to_string(i)}, "is no name of a host",
+        R"(write "loopscope.plant.example", without scheme, port and "*"; addresses need no entry)");
+  }
 }
 
 void check_report(const ReportSettings& report, ProblemList& problems) {
@@ -136,6 +146,7 @@ void check_cross_rules(const Settings& settings, ProblemList& problems) {
   check_historians(settings, problems);
   check_schedule(settings.schedule, problems);
   check_http_address(settings.daemon.http_address, problems);
+  check_http_names(settings.daemon.http_names, problems);
   check_report(settings.report, problems);
   check_window(settings.analysis.prepare, problems);
   check_segments(settings.analysis, problems);

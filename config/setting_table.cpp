@@ -120,6 +120,9 @@ constexpr std::array kOtherSettings = {
             "of `/livez`, `/readyz`, `/metrics` and the pages for people: `127.0.0.1:PORT` or "
             "`[::1]:PORT`; addresses, "
             "no names; port 0 = any free one; empty = none"},
+    Setting{"/daemon/http_names", in_daemon<&DaemonSettings::http_names>, any(Form::texts),
+            "of this host, under which it may be asked there beside addresses and `localhost`; a "
+            "request that calls it otherwise is refused (421)"},
     Setting{"/daemon/max_lag_s", in_daemon<&DaemonSettings::max_lag_s>, range(1, 2592000, "s"),
             "that the most overdue loop may be late before `/readyz` says no"},
 

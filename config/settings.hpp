@@ -99,6 +99,7 @@ struct DaemonSettings {
   std::string log_level = "info";   ///< debug, info, warning, error
   std::string log_format = "text";  ///< text or json
   std::string http_address = "127.0.0.1:9470";  ///< see http_address.hpp; empty = no HTTP
+  std::vector<std::string> http_names;          ///< it may be called so; see host_name.hpp
   /// Seconds that the most overdue loop may be late before /readyz says no, 1 to 2592000.
   double max_lag_s = 3600.0;
 };

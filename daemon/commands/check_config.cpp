@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "config/http_address.hpp"
 #include "config/read_settings.hpp"
@@ -28,21 +29,33 @@ int print_findings(const std::string& about, const std::vector<storage::Finding>
   return problems;
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += ", " + name;
+  return text;
+}
+
 /// The pages need no login: whoever reaches the address reads them.
-std::vector<storage::Finding> check_http(const std::string& address) {
-  const auto parsed = config::parse_http_address(address);
+std::vector<storage::Finding> check_http(const config::DaemonSettings& daemon) {
+  const auto parsed = config::parse_http_address(daemon.http_address);
   if (!parsed) return {{true, "none", "", false}};
-  if (parsed->loopback) return {{true, address + ", for this host alone", "", false}};
-  return {{true, address + " is not of the loopback: anyone who reaches it can read the pages",
-           "write 127.0.0.1 or [::1] and let a proxy with a login stand before it, or guard the "
-           "port by a firewall",
-           true}};
+  const storage::Finding names{
+      true, "answers to addresses and localhost" + joined(daemon.http_names), "", false};
+  if (parsed->loopback)
+    return {{true, daemon.http_address + ", for this host alone", "", false}, names};
+  return {
+      {true,
+       daemon.http_address + " is not of the loopback: anyone who reaches it can read the pages",
+       "write 127.0.0.1 or [::1] and let a proxy with a login stand before it, or guard the "
+       "port by a firewall",
+       true},
+      names};
 }
 
 void check_config(const std::string& file) {
   const config::Settings settings = config::read_settings(file);
   std::cout << fmt::format("{:<8} {}: no problem in the file\n", "ok", file);
-  print_findings("HTTP", check_http(settings.daemon.http_address));
+  print_findings("HTTP", check_http(settings.daemon));
   int problems =
       print_findings("results database", storage::check_results(results_connection(settings)));
   for (const config::HistorianSettings& historian : settings.historians) {

@@ -7,38 +7,37 @@
 #include "daemon/monitor/plain_line.hpp"
 
 namespace loopscope::daemon {
+namespace {
+
+HttpAnswer reading_only() {
+  HttpAnswer refusal{405, "only GET and HEAD\n"};
+  refusal.headers.emplace("Allow", "GET, HEAD");
+  return refusal;
+}
+
+}  // namespace
 
 void HttpRoutes::add(const std::string& path, HttpHandler handler) {
-  exact_[path] = std::move(handler);
+  add_deferred(path,
+               [handler = std::move(handler)](const HttpRequest& request, const HttpReply& reply) {
+                 reply.send(handler(request));
+               });
 }
 
-void HttpRoutes::add_below(const std::string& prefix, HttpHandler handler) {
-  below_[prefix] = std::move(handler);
+void HttpRoutes::add_deferred(const std::string& path, DeferredHandler handler) {
+  handlers_[path] = std::move(handler);
 }
 
-const HttpHandler* HttpRoutes::handler_of(const std::string& path) const {
-  if (const auto found = exact_.find(path); found != exact_.end()) return &found->second;
-  const HttpHandler* longest = nullptr;
-  for (const auto& [prefix, handler] : below_) {  // of one path the shorter prefix comes first
-    if (path.starts_with(prefix)) longest = &handler;
-  }
-  return longest;
-}
-
-HttpAnswer HttpRoutes::answer(const std::string& method, const HttpRequest& request) const {
-  if (method != "GET" && method != "HEAD") {
-    HttpAnswer refusal{405, "only GET and HEAD\n"};
-    refusal.headers.emplace("Allow", "GET, HEAD");
-    return refusal;
-  }
-  const HttpHandler* handler = handler_of(request.path);
-  if (handler == nullptr) return {404, "there is nothing here\n"};
+void HttpRoutes::answer(const HttpRequest& request, const HttpReply& reply) const {
+  if (request.method != "GET" && request.method != "HEAD") return reply.send(reading_only());
+  const auto found = handlers_.find(request.path);
+  if (found == handlers_.end()) return reply.send(HttpAnswer{404, "there is nothing here\n"});
   try {
-    return (*handler)(request);
+    found->second(request, reply);
   } catch (const std::exception& error) {
     constexpr std::size_t kMostPathBytes = 200;
     spdlog::error("HTTP: {}: {}", plain_line(request.path, kMostPathBytes), error.what());
-    return {500, "this failed: the log says why\n"};
+    reply.send(HttpAnswer{500, "this failed: the log says why\n"});
   }
 }
 

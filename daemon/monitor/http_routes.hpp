@@ -4,41 +4,29 @@
 #include <map>
 #include <string>
 
+#include "daemon/monitor/http_answer.hpp"
+#include "daemon/monitor/http_reply.hpp"
+#include "daemon/monitor/http_request.hpp"
+
 namespace loopscope::daemon {
 
-struct HttpRequest {
-  std::string path;  ///< decoded
-  std::multimap<std::string, std::string> query;
-};
-
-struct HttpAnswer {
-  int status = 200;
-  std::string body;
-  std::string content_type = "text/plain; charset=utf-8";
-  std::multimap<std::string, std::string> headers = {};  ///< more of them, never out of a request
-};
-
-/// Called from several threads at once.
+/// Called on the one thread that serves everybody: it has to answer within a millisecond or so.
 using HttpHandler = std::function<HttpAnswer(const HttpRequest&)>;
+/// The same of an answer that takes longer: returns at once, and replies later, on any thread.
+using DeferredHandler = std::function<void(const HttpRequest&, const HttpReply&)>;
 
 /// Which handler answers which path. Reading only: GET and HEAD, everything else is 405.
 class HttpRoutes {
  public:
-  /// The handler of exactly this path.
   void add(const std::string& path, HttpHandler handler);
-  /// The handler of every path that begins with `prefix` and has none of its own; of several the
-  /// longest prefix counts.
-  void add_below(const std::string& prefix, HttpHandler handler);
+  void add_deferred(const std::string& path, DeferredHandler handler);
 
   /// Never throws for a handler's sake: what one throws goes to the log, its words not to the
   /// client, who gets 500.
-  [[nodiscard]] HttpAnswer answer(const std::string& method, const HttpRequest& request) const;
+  void answer(const HttpRequest& request, const HttpReply& reply) const;
 
  private:
-  [[nodiscard]] const HttpHandler* handler_of(const std::string& path) const;
-
-  std::map<std::string, HttpHandler> exact_;
-  std::map<std::string, HttpHandler> below_;
+  std::map<std::string, DeferredHandler> handlers_;
 };
 
 }  // namespace loopscope::daemon

@@ -2,33 +2,35 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "config/http_address.hpp"
 #include "daemon/monitor/http_routes.hpp"
 
 namespace loopscope::daemon {
 
-/// Answers by its routes. Answers are never stored by anybody (Cache-Control: no-store) nor guessed
-/// at (nosniff). A few threads serve; whoever is slow loses his place to those who wait, so that no
-/// client can starve the others.
+/// Answers by its routes, on one thread that waits for nobody: clients that are slow, silent or
+/// many hold a place in a table and nothing else (HttpConnection, ConnectionTable).
 ///
 ///   HttpServer server(address);
 ///   server.handle("/livez", [&](const HttpRequest&) { ... });
 ///   server.start();
 class HttpServer {
  public:
-  explicit HttpServer(config::HttpAddress address);
+  /// `names`: what it may be called beside addresses and localhost (HostNames).
+  explicit HttpServer(config::HttpAddress address, std::vector<std::string> names = {});
   ~HttpServer();  ///< stops
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// See HttpRoutes; both before start(). A handler should take milliseconds: it holds one of the
-  /// few threads.
+  /// See HttpRoutes; both before start().
   void handle(const std::string& path, HttpHandler handler);
-  void handle_below(const std::string& prefix, HttpHandler handler);
+  void handle_deferred(const std::string& path, DeferredHandler handler);
 
   /// Listens from now on. Throws Failure (configuration) when the address cannot be had.
   void start();
+  /// Other names from now on. Thread-safe.
+  void use_names(std::vector<std::string> names);
   /// Answers nobody from now on; returns when the last answer that had begun is out, within a
   /// moment.
   void stop();

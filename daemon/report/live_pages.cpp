@@ -56,21 +56,24 @@ LiveReader& LivePages::reader() {
 }
 
 void LivePages::add_to(HttpServer& server) {
-  server.handle("/", [this](const HttpRequest&) {
-    return worker_.answer("/", [this](const std::stop_token&) {
-      return read_page([this] { return reader().plant(); });
-    });
+  server.handle_deferred("/", [this](const HttpRequest&, const HttpReply& reply) {
+    worker_.answer(
+        "/",
+        [this](const std::stop_token&) { return read_page([this] { return reader().plant(); }); },
+        reply);
   });
-  server.handle("/loops", [this](const HttpRequest&) {
-    return worker_.answer("/loops", [this](const std::stop_token&) {
-      return read_page([this] { return reader().loops(); });
-    });
+  server.handle_deferred("/loops", [this](const HttpRequest&, const HttpReply& reply) {
+    worker_.answer(
+        "/loops",
+        [this](const std::stop_token&) { return read_page([this] { return reader().loops(); }); },
+        reply);
   });
-  server.handle("/loop", [this](const HttpRequest& request) {
+  server.handle_deferred("/loop", [this](const HttpRequest& request, const HttpReply& reply) {
     const std::string name = value_of(request, "name");
-    return worker_.answer("/loop " + name, [this, name](const std::stop_token& stop) {
+    const auto make = [this, name](const std::stop_token& stop) {
       return read_page([&] { return reader().loop(name, stop); });
-    });
+    };
+    worker_.answer("/loop " + name, make, reply);
   });
 }
 

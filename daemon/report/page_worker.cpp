@@ -14,18 +14,20 @@ namespace {
 /// Pages of a few hundred kilobytes each.
 constexpr std::size_t kMostPages = 16;
 
-HttpAnswer later(const std::string& words) {
-  HttpAnswer answer{503, words};
+HttpAnswer later() {
+  HttpAnswer answer{503, "others are reading: try again\n"};
   answer.headers.emplace("Retry-After", "2");
   return answer;
 }
 
 HttpAnswer made(const PageWorker::Make& make, const std::string& key, const std::stop_token& stop) {
   try {
-    return make(stop);
+    HttpAnswer answer = make(stop);
+    add_gzipped(answer);
+    return answer;
   } catch (const std::exception& error) {
     spdlog::error("page {}: {}", key, error.what());
-    return {500, "this failed: the log says why\n"};
+    return HttpAnswer{500, "this failed: the log says why\n"};
   }
 }
 
@@ -47,7 +49,20 @@ const PageWorker::Page* PageWorker::at_hand(const std::string& key) const {
   return &found->second;
 }
 
-void PageWorker::keep(const std::string& key, HttpAnswer answer) {
+void PageWorker::forget_readers_that_left() {
+  std::erase_if(waiting_, [](const Reader& reader) { return !reader.reply.wanted(); });
+}
+
+void PageWorker::answer(const std::string& key, const Make& make, const HttpReply& reply) {
+  const std::lock_guard lock(mutex_);
+  if (const Page* page = at_hand(key)) return reply.send(page->answer);
+  if (waiting_.size() >= limits_.most_waiting) forget_readers_that_left();
+  if (waiting_.size() >= limits_.most_waiting) return reply.send(later());
+  waiting_.push_back({key, make, reply});
+  changed_.notify_one();
+}
+
+void PageWorker::keep(const std::string& key, Answer answer) {
   std::erase_if(pages_, [&](const auto& page) {
     return Clock::now() - page.second.made_at > limits_.freshness;
   });
@@ -55,36 +70,27 @@ void PageWorker::keep(const std::string& key, HttpAnswer answer) {
   pages_[key] = {std::move(answer), Clock::now()};
 }
 
-HttpAnswer PageWorker::answer(const std::string& key, const Make& make) {
-  const Clock::time_point deadline = Clock::now() + limits_.patience;
-  std::unique_lock lock(mutex_);
-  if (const Page* page = at_hand(key)) return page->answer;
-  if (waiting_ >= limits_.most_waiting) return later("others are reading: try again\n");
-  ++waiting_;
-  const auto ready = [&] { return !job_ || at_hand(key) != nullptr; };
-  while (at_hand(key) == nullptr) {
-    if (!job_) {
-      job_ = Job{key, make};
-      changed_.notify_all();
-    }
-    if (!changed_.wait_until(lock, deadline, ready)) break;
-  }
-  --waiting_;
-  if (const Page* page = at_hand(key)) return page->answer;
-  return later("the page is being made: try again\n");
+void PageWorker::hand_out(const std::string& key, const Answer& answer) {
+  std::erase_if(waiting_, [&](const Reader& reader) {
+    if (reader.key != key) return false;
+    reader.reply.send(answer);
+    return true;
+  });
 }
 
 void PageWorker::run(const std::stop_token& stop) {
   yield_to_analysis();
   std::unique_lock lock(mutex_);
-  while (changed_.wait(lock, stop, [this] { return job_.has_value(); })) {
-    const Job job = *job_;
+  while (changed_.wait(lock, stop, [this] { return !waiting_.empty(); })) {
+    forget_readers_that_left();
+    if (waiting_.empty()) continue;
+    const std::string key = waiting_.front().key;
+    const Make make = waiting_.front().make;
     lock.unlock();
-    HttpAnswer answer = made(job.make, job.key, stop);
+    const auto answer = std::make_shared<const HttpAnswer>(made(make, key, stop));
     lock.lock();
-    keep(job.key, std::move(answer));
-    job_.reset();
-    changed_.notify_all();
+    keep(key, answer);
+    hand_out(key, answer);
   }
 }
 

@@ -2,31 +2,33 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
-#include "daemon/monitor/http_routes.hpp"
+#include "daemon/monitor/http_reply.hpp"
 
 namespace loopscope::daemon {
 
 /// Makes pages that take more than milliseconds, one at a time, on one thread of low priority, so
-/// that readers neither disturb the analysis nor hold the few threads of the HTTP server. A page
-/// that was just made is handed out again. Thread-safe.
+/// that readers do not disturb the analysis. A page is compressed when it is made, once for all its
+/// readers, and handed out again while it is fresh. Thread-safe; nobody waits here but the thread.
 class PageWorker {
  public:
   using Make = std::function<HttpAnswer(const std::stop_token&)>;
   using Clock = std::chrono::steady_clock;
 
-  /// How long things last; tests shorten them.
   struct Limits {
-    Clock::duration patience = std::chrono::seconds(4);   ///< of a reader
     Clock::duration freshness = std::chrono::seconds(5);  ///< of a page that is handed out again
-    int most_waiting = 2;                                 ///< readers that wait at a time
+    /// Readers that wait at a time: half of the connections that one address may have, so that
+    /// others of that address (a proxy, this host) get theirs (ConnectionTable).
+    std::size_t most_waiting = 128;
   };
 
   PageWorker() : PageWorker(Limits{}) {}
@@ -36,32 +38,36 @@ class PageWorker {
   PageWorker(const PageWorker&) = delete;
   PageWorker& operator=(const PageWorker&) = delete;
 
-  /// The page `key`, made by `make` unless it is at hand. 503 with Retry-After when others are in
-  /// the way or it takes too long: it is finished all the same, and there when it is asked for
-  /// again. What `make` throws becomes 500 and a line of the log.
-  [[nodiscard]] HttpAnswer answer(const std::string& key, const Make& make);
+  /// Replies with the page `key`, made by `make` unless it is at hand; with 503 and Retry-After
+  /// when too many wait. A page that is being made when its last reader goes is finished all the
+  /// same, and there when it is asked for again. What `make` throws becomes 500 and a line of the
+  /// log.
+  void answer(const std::string& key, const Make& make, const HttpReply& reply);
 
  private:
+  using Answer = std::shared_ptr<const HttpAnswer>;
   struct Page {
-    HttpAnswer answer;
+    Answer answer;
     Clock::time_point made_at;
   };
-  struct Job {
+  struct Reader {
     std::string key;
     Make make;
+    HttpReply reply;
   };
 
   [[nodiscard]] const Page* at_hand(const std::string& key) const;
-  void keep(const std::string& key, HttpAnswer answer);
+  void forget_readers_that_left();
+  void keep(const std::string& key, Answer answer);
+  void hand_out(const std::string& key, const Answer& answer);
   void run(const std::stop_token& stop);
 
   Limits limits_;
   std::mutex mutex_;  ///< over all below
   std::condition_variable_any changed_;
   std::map<std::string, Page> pages_;
-  std::optional<Job> job_;  ///< wanted, or being made
-  int waiting_ = 0;
-  std::jthread thread_;  // last: it ends before what it uses
+  std::vector<Reader> waiting_;  ///< who came first is first
+  std::jthread thread_;          // last: it ends before what it uses
 };
 
 }  // namespace loopscope::daemon

@@ -65,7 +65,7 @@ void ServiceWatch::open_pages() {
   const auto address = config::parse_http_address(settings_->daemon.http_address);
   if (!address) return;
   try {
-    server_.emplace(*address);
+    server_.emplace(*address, settings_->daemon.http_names);
     add_monitor_pages(*server_, health_, tools_.metrics, [this] { return silence_s(); });
     pages_.add_to(*server_);
     server_->start();
@@ -82,6 +82,7 @@ void ServiceWatch::use(std::shared_ptr<const config::Settings> settings) {
   const std::lock_guard lock(mutex_);
   health_.set_limits(limits(*settings));
   reports_.use(settings);
+  if (server_) server_->use_names(settings->daemon.http_names);
   settings_ = std::move(settings);
   changed_.notify_all();
 }

@@ -26,8 +26,8 @@ const std::array kRooms = {
     Room{"storage", kCore, {"libpqxx", "libpq"}, false, true},
     Room{"daemon",
          {"core", "config", "storage"},
-         {"Asio", "spdlog", "fmt", "CLI11", "nlohmann-json", "date", "Boost.Math", "prometheus-cpp",
-          "cpp-httplib", "libsystemd"},
+         {"Asio", "spdlog", "fmt", "CLI11", "nlohmann-json", "date", "Boost.Math", "Boost.Beast",
+          "prometheus-cpp", "zlib", "libsystemd"},
          false,
          true},
 };
@@ -52,7 +52,9 @@ constexpr std::array kLibraries = {
     Library{"CLI11", "CLI/"},
     Library{"date", "date/"},
     Library{"prometheus-cpp", "prometheus/"},
-    Library{"cpp-httplib", "httplib.h"},
+    Library{"Boost.Beast", "boost/beast/"},
+    Library{"Boost.Beast", "boost/asio/buffer.hpp"},  // what its parser reads from
+    Library{"zlib", "zlib.h"},
     Library{"libsystemd", "systemd/"},
     Library{"GoogleTest", "gtest/"},
     Library{"GoogleTest", "gmock/"},

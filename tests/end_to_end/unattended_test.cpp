@@ -139,7 +139,8 @@ TEST_F(Unattended, ResultsThatAreRefusedGoBackWithoutBlame) {
               "'%not today%' and owner is null and attempts = 0 and lost_leases = 0 and "
               "visible_at > now() + interval '30 s'",
               "2"));
-  // Not by dropping the trigger: that locks the table and its partitions while the daemon uses them.
+  // Not by dropping the trigger: that locks the table and its partitions while the daemon uses
+  // them.
   plant.sql(
       "create or replace function refuse() returns trigger language plpgsql as $$ begin return "
       "new; end $$");
@@ -172,7 +173,7 @@ TEST_F(Unattended, ThePagesTellOfLifeReadinessAndFigures) {
   const auto page = [&](const std::string& path) {
     return run_program({"/bin/bash", "-c",
                         "exec 3<>/dev/tcp/127.0.0.1/" + port + "; printf 'GET " + path +
-                            " HTTP/1.1\\r\\nHost: x\\r\\n\\r\\n' >&3; cat <&3"})
+                            " HTTP/1.1\\r\\nHost: localhost\\r\\n\\r\\n' >&3; cat <&3"})
         .out;
   };
   EXPECT_THAT(page("/livez"), HasSubstr("200 OK"));

@@ -56,7 +56,7 @@ std::string answer_to(int port, const std::string& request) {
 }
 
 std::string http_get(int port, const std::string& path) {
-  return answer_to(port, "GET " + path + " HTTP/1.1\r\nHost: x\r\n\r\n");
+  return answer_to(port, "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
 }
 
 std::string body_of(const std::string& answer) {

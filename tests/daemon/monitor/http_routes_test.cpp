@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 
+#include "tests/daemon/monitor/reply_slot.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
@@ -14,47 +16,49 @@ HttpHandler saying(const std::string& words) {
   return [words](const HttpRequest&) { return HttpAnswer{200, words}; };
 }
 
-std::string body(const HttpRoutes& routes, const std::string& path) {
-  return routes.answer("GET", {path, {}}).body;
-}
-
-TEST(HttpRoutes, ExactPathGoesBeforePrefixAndLongPrefixBeforeShort) {
-  HttpRoutes routes;
-  routes.add_below("/loop/", saying("loop"));
-  routes.add_below("/loop/list/", saying("list"));
-  routes.add_below("/loop/list", saying("shorter"));
-  routes.add("/loop/list/all", saying("all"));
-  EXPECT_EQ(body(routes, "/loop/x"), "loop");
-  EXPECT_EQ(body(routes, "/loop/list/x"), "list");
-  EXPECT_EQ(body(routes, "/loop/list/all"), "all");
-  EXPECT_EQ(body(routes, "/loop/list/all/"), "list");
+HttpAnswer answer(const HttpRoutes& routes, const std::string& path,
+                  const std::string& method = "GET") {
+  ReplySlot slot;
+  routes.answer({path, {}, method}, slot.reply());
+  return slot.get();
 }
 
 TEST(HttpRoutes, WhatHasNoHandlerIsNotThere) {
   HttpRoutes routes;
   routes.add("/a", saying("a"));
-  routes.add_below("/b/", saying("b"));
+  EXPECT_EQ(answer(routes, "/a").body, "a");
   for (const char* path : {"", "/", "/A", "/a/", "/ab", "/b", "a"})
-    EXPECT_EQ(routes.answer("GET", {path, {}}).status, 404) << path;
+    EXPECT_EQ(answer(routes, path).status, 404) << path;
 }
 
 TEST(HttpRoutes, OnlyReadingIsAllowedWhateverThePath) {
   HttpRoutes routes;
   routes.add("/a", saying("a"));
   for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "get", ""}) {
-    const HttpAnswer answer = routes.answer(method, {"/a", {}});
-    EXPECT_EQ(answer.status, 405) << method;
-    EXPECT_THAT(answer.headers, ElementsAre(Pair("Allow", "GET, HEAD")));
+    const HttpAnswer refusal = answer(routes, "/a", method);
+    EXPECT_EQ(refusal.status, 405) << method;
+    EXPECT_THAT(refusal.headers, ElementsAre(Pair("Allow", "GET, HEAD")));
   }
-  EXPECT_EQ(routes.answer("HEAD", {"/a", {}}).status, 200);
+  EXPECT_EQ(answer(routes, "/a", "HEAD").status, 200);
 }
 
 TEST(HttpRoutes, FaultOfAHandlerKeepsItsWords) {
   HttpRoutes routes;
   routes.add("/a", [](const HttpRequest&) -> HttpAnswer { throw std::runtime_error("secret"); });
-  const HttpAnswer answer = routes.answer("GET", {"/a", {}});
-  EXPECT_EQ(answer.status, 500);
-  EXPECT_EQ(answer.body.find("secret"), std::string::npos);
+  const HttpAnswer fault = answer(routes, "/a");
+  EXPECT_EQ(fault.status, 500);
+  EXPECT_EQ(fault.body.find("secret"), std::string::npos);
+}
+
+TEST(HttpRoutes, DeferredAnswerComesWhenItIsThere) {
+  HttpRoutes routes;
+  std::optional<HttpReply> later;
+  routes.add_deferred("/a", [&](const HttpRequest&, const HttpReply& reply) { later = reply; });
+  ReplySlot slot;
+  routes.answer({"/a", {}}, slot.reply());
+  EXPECT_FALSE(slot.answered_within(std::chrono::milliseconds(1)));
+  later->send(HttpAnswer{200, "at last"});
+  EXPECT_EQ(slot.get().body, "at last");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
+#include <future>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <optional>
 #include <thread>
 
 #include "daemon/failure.hpp"
@@ -78,11 +80,11 @@ TEST(HttpServer, ListensOnIPv6) {
     GTEST_SKIP() << "this host has no IPv6";
   }
   const HttpClient client(server.port(), "::1");
-  client.send("GET / HTTP/1.1\r\nHost: x\r\n\r\n");
+  client.send("GET / HTTP/1.1\r\nHost: [::1]\r\n\r\n");
   EXPECT_EQ(body_of(client.receive()), "six");
 }
 
-/// The library leaves off accepting after errors that pass, as it does when its socket is shut.
+/// Errors of accepting pass by themselves, as that of a socket which was shut.
 TEST(HttpServer, ListensAgainAfterItsSocketFailed) {
   HttpServer server(kAnyPort);
   server.handle("/", [](const HttpRequest&) { return HttpAnswer{200, "back"}; });
@@ -98,6 +100,26 @@ TEST(HttpServer, ListensAgainAfterItsSocketFailed) {
     }
   }
   FAIL() << "nobody listens";
+}
+
+/// A page may be made for longer than the server lives.
+TEST(HttpServer, ReplyMayComeAfterItsEnd) {
+  std::optional<HttpReply> late;
+  std::promise<void> asked;
+  std::optional<HttpServer> server(std::in_place, kAnyPort);
+  server->handle_deferred("/", [&](const HttpRequest&, const HttpReply& reply) {
+    late = reply;
+    asked.set_value();
+  });
+  server->start();
+  const HttpClient client(server->port());
+  client.send("GET / HTTP/1.0\r\n\r\n");
+  asked.get_future().wait();
+  EXPECT_TRUE(late->wanted());
+  server.reset();
+  EXPECT_FALSE(late->wanted());
+  late->send(HttpAnswer{200, "too late"});
+  EXPECT_EQ(client.receive(), "");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "daemon/monitor/http_server.hpp"
 
+#include <array>
 #include <atomic>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +10,9 @@
 #include <thread>
 #include <vector>
 
+#include "tests/daemon/monitor/gunzip.hpp"
 #include "tests/daemon/monitor/http_client.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -29,17 +32,20 @@ class HttpServerTest : public testing::Test {
     server.handle("/broken", [](const HttpRequest&) -> HttpAnswer {
       throw std::runtime_error("password=secret");
     });
-    server.handle("/large", [](const HttpRequest&) {
-      return HttpAnswer{200, std::string(4'000'000, 'x')};
-    });
+    const auto large =
+        std::make_shared<const HttpAnswer>(HttpAnswer{200, std::string(4'000'000, 'x')});
+    server.handle_deferred(
+        "/large", [large](const HttpRequest&, const HttpReply& reply) { reply.send(large); });
     server.handle("/echo", [](const HttpRequest& request) {
       const auto value = request.query.find("q");
       return HttpAnswer{200, value == request.query.end() ? "none" : value->second};
     });
-    server.handle_below("/loop/", [](const HttpRequest& request) {
-      return HttpAnswer{200, "<p>" + request.path + "</p>", "text/html; charset=utf-8"};
+    server.handle_deferred("/never", [](const HttpRequest&, const HttpReply&) {});
+    server.handle_deferred("/page", [](const HttpRequest&, const HttpReply& reply) {
+      HttpAnswer page{200, std::string(100'000, 'y'), "text/html; charset=utf-8"};
+      add_gzipped(page);
+      std::thread([reply, page = std::move(page)] { reply.send(page); }).detach();
     });
-    server.handle_below("/loop/list/", [](const HttpRequest&) { return HttpAnswer{200, "list"}; });
     server.start();
   }
 
@@ -66,10 +72,29 @@ TEST_F(HttpServerTest, QueryIsDecodedAndPathToo) {
   EXPECT_EQ(body_of(get("/live%7A")), "ok\n");
 }
 
-TEST_F(HttpServerTest, LongestPrefixAnswersWhatHasNoPathOfItsOwn) {
-  EXPECT_EQ(body_of(get("/loop/FIC-101")), "<p>/loop/FIC-101</p>");
-  EXPECT_THAT(get("/loop/x"), HasSubstr("Content-Type: text/html; charset=utf-8"));
-  EXPECT_EQ(body_of(get("/loop/list/all")), "list");
+TEST_F(HttpServerTest, DeferredAnswersComeInTheFormThatIsWanted) {
+  EXPECT_EQ(body_of(get("/page")), std::string(100'000, 'y'));
+  const auto page = [this](const std::string& accept) {
+    return answer_to(server.port(), "GET /page HTTP/1.1\r\nHost: [::1]:1\r\nAccept-Encoding: " +
+                                        accept + "\r\n\r\n");
+  };
+  EXPECT_EQ(gunzip(body_of(page("gzip, deflate, br"))), std::string(100'000, 'y'));
+  EXPECT_EQ(body_of(page("br, gzip;q=0")), std::string(100'000, 'y'));
+  EXPECT_THAT(page("*;q=0"), StartsWith("HTTP/1.1 406 "));
+}
+
+TEST_F(HttpServerTest, AnswersToItsOwnNamesOnly) {
+  const auto asked = [this](const std::string& host) {
+    return answer_to(server.port(), "GET /livez HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
+  };
+  EXPECT_THAT(asked("evil.example:80"),
+              AllOf(StartsWith("HTTP/1.1 421 Misdirected Request\r\n"),
+                    HasSubstr("/daemon/http_names"), Not(HasSubstr("evil"))));
+  EXPECT_EQ(body_of(asked("127.0.0.1:80")), "ok\n");
+  server.use_names({"scada.example"});
+  EXPECT_EQ(body_of(asked("scada.example:80")), "ok\n");
+  // HTTP/1.0 knows no Host, and what speaks it is no browser.
+  EXPECT_EQ(body_of(answer_to(server.port(), "GET /livez HTTP/1.0\r\n\r\n")), "ok\n");
 }
 
 TEST_F(HttpServerTest, NothingElseIsThere) {
@@ -81,8 +106,9 @@ TEST_F(HttpServerTest, NothingElseIsThere) {
 }
 
 TEST_F(HttpServerTest, RefusalsCarryTheSameHeadersAndNothingOfTheRequest) {
-  const std::string answer = answer_to(
-      server.port(), "GET /nowhere<script>evil HTTP/1.1\r\nHost: evil\r\nX-Mine: evil\r\n\r\n");
+  const std::string answer =
+      answer_to(server.port(),
+                "GET /nowhere<script>evil HTTP/1.1\r\nHost: localhost\r\nX-Mine: evil\r\n\r\n");
   EXPECT_THAT(answer, AllOf(HasSubstr("no-store"), HasSubstr("nosniff"), Not(HasSubstr("evil"))));
   const std::string bad = answer_to(server.port(), "evil\r\n\r\n");
   EXPECT_THAT(bad, AllOf(StartsWith("HTTP/1.1 400 "), HasSubstr("no-store"), HasSubstr("nosniff"),
@@ -92,18 +118,19 @@ TEST_F(HttpServerTest, RefusalsCarryTheSameHeadersAndNothingOfTheRequest) {
 TEST_F(HttpServerTest, OnlyReads) {
   for (const char* method : {"POST", "PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "CONNECT"}) {
     const std::string answer = answer_to(
-        server.port(),
-        std::string(method) + " /livez HTTP/1.1\r\nHost: x\r\nContent-Length: 4\r\n\r\nbody");
+        server.port(), std::string(method) +
+                           " /livez HTTP/1.1\r\nHost: localhost\r\nContent-Length: 4\r\n\r\nbody");
     EXPECT_THAT(answer, AllOf(StartsWith("HTTP/1.1 405 "), HasSubstr("\r\nAllow: GET, HEAD\r\n"),
                               Not(HasSubstr("body"))))
         << method;
   }
-  EXPECT_THAT(answer_to(server.port(), "BREW /livez HTTP/1.1\r\nHost: x\r\n\r\n"),
-              StartsWith("HTTP/1.1 400 "));
+  EXPECT_THAT(answer_to(server.port(), "BREW /livez HTTP/1.1\r\nHost: [::1]\r\n\r\n"),
+              StartsWith("HTTP/1.1 405 "));
 }
 
 TEST_F(HttpServerTest, HeadHasNoBody) {
-  const std::string answer = answer_to(server.port(), "HEAD /livez HTTP/1.1\r\nHost: x\r\n\r\n");
+  const std::string answer =
+      answer_to(server.port(), "HEAD /livez HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_THAT(answer, AllOf(StartsWith("HTTP/1.1 200 "), HasSubstr("Content-Length: 3")));
   EXPECT_EQ(body_of(answer), "");
 }
@@ -114,11 +141,14 @@ TEST_F(HttpServerTest, FaultOfAHandlerKeepsItsWords) {
 }
 
 TEST_F(HttpServerTest, LargeRequestsAreRefused) {
-  const std::string long_path = "GET /" + std::string(9000, 'a') + " HTTP/1.1\r\n\r\n";
+  const std::string long_path =
+      "GET /" + std::string(9000, 'a') + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
   EXPECT_THAT(answer_to(server.port(), long_path), StartsWith("HTTP/1.1 414 "));
   std::string many_headers = "GET /livez HTTP/1.1\r\n";
   for (int i = 0; i < 4000; ++i) many_headers += "X-" + std::to_string(i) + ": 0123456789\r\n";
   EXPECT_THAT(answer_to(server.port(), many_headers + "\r\n"), Not(HasSubstr("200 OK")));
+  const std::string long_header = "GET / HTTP/1.1\r\nX: " + std::string(kMostHeadBytes, 'a');
+  EXPECT_THAT(answer_to(server.port(), long_header), StartsWith("HTTP/1.1 431 "));
   EXPECT_THAT(answer_to(server.port(), std::string(1'000'000, 'a')), Not(HasSubstr("200 OK")));
   EXPECT_EQ(body_of(get("/livez")), "ok\n");
 }
@@ -126,8 +156,8 @@ TEST_F(HttpServerTest, LargeRequestsAreRefused) {
 TEST_F(HttpServerTest, RangesMultiplyNothing) {
   std::string ranges = "bytes=0-";
   while (ranges.size() < 8000) ranges += ",0-";
-  const std::string answer =
-      answer_to(server.port(), "GET /livez HTTP/1.1\r\nHost: x\r\nRange: " + ranges + "\r\n\r\n");
+  const std::string answer = answer_to(
+      server.port(), "GET /livez HTTP/1.1\r\nHost: localhost\r\nRange: " + ranges + "\r\n\r\n");
   EXPECT_THAT(answer, StartsWith("HTTP/1.1 "));
   EXPECT_LT(answer.size(), 1000U);
 }
@@ -136,7 +166,7 @@ TEST_F(HttpServerTest, SurvivesBytesAtRandom) {
   std::mt19937 random(20260101);  // NOLINT: the same bytes in every run
   std::uniform_int_distribution<int> byte(0, 255);
   std::uniform_int_distribution<int> length(0, 300);
-  const std::string start = "GET /livez?q=%41 HTTP/1.1\r\nHost: x\r\nRange: bytes=0-1\r\n";
+  const std::string start = "GET /livez?q=%41 HTTP/1.1\r\nHost: localhost\r\nRange: bytes=0-1\r\n";
   for (int round = 0; round < 1000; ++round) {
     std::string request = start.substr(0, static_cast<std::size_t>(length(random)) % start.size());
     for (int i = length(random); i > 0; --i) request += static_cast<char>(byte(random));
@@ -166,19 +196,30 @@ TEST_F(HttpServerTest, ManyClientsAtOnceAllGetTheirAnswer) {
   EXPECT_EQ(answered, 16 * 20);
 }
 
-/// As many that never end their request, each kept open, as would take every thread many times.
-TEST_F(HttpServerTest, SlowClientsDoNotStarveTheOthers) {
+/// Twice as many as there are places: some say nothing, some half a request, some do not read.
+TEST_F(HttpServerTest, SlowClientsDelayNobody) {
   std::vector<std::unique_ptr<HttpClient>> slow;
-  for (int number = 0; number < 24; ++number) {
+  for (std::size_t number = 0; number < 600; ++number) {
     slow.push_back(std::make_unique<HttpClient>(server.port()));
-    slow.back()->send(number % 2 == 0 ? "GET /livez HTTP/1.1\r\nX-Slow: " : "");
+    const std::array<std::string, 3> words = {
+        "", "GET /livez HTTP/1.1\r\nX-Slow: ", "GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n"};
+    slow.back()->send(words[number % words.size()]);
   }
   const auto start = Clock::now();
-  EXPECT_EQ(body_of(get("/livez")), "ok\n");
-  // 24 before it, four threads, a quarter of a second each: 1.5 s; the rest is the machine's.
+  const HttpClient prober(server.port());
+  prober.send("GET /livez HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  EXPECT_EQ(body_of(prober.receive(60s)), "ok\n");
   const std::chrono::duration<double> delay = Clock::now() - start;
   std::cout << "answered after " << delay.count() << " s\n";
-  EXPECT_LT(delay, 3s);
+  // Milliseconds; the rest is the machine's, or a sanitizer's.
+  EXPECT_LT(delay, tests::kSanitized ? 60s : 3s);
+}
+
+TEST_F(HttpServerTest, WhoWaitsTooLongForAPageIsToldToComeAgain) {
+  const auto start = Clock::now();
+  EXPECT_THAT(get("/never"),
+              AllOf(StartsWith("HTTP/1.1 503 "), HasSubstr("\r\nRetry-After: 2\r\n")));
+  EXPECT_LT(Clock::now() - start, 8s);
 }
 
 TEST_F(HttpServerTest, ClientThatTricklesLosesItsPlaceToo) {
@@ -190,21 +231,14 @@ TEST_F(HttpServerTest, ClientThatTricklesLosesItsPlaceToo) {
   EXPECT_LT(Clock::now() - start, 7s);
 }
 
-TEST_F(HttpServerTest, ClientThatDoesNotReadHoldsNoThreadForEver) {
-  std::vector<std::unique_ptr<HttpClient>> deaf;
-  for (int number = 0; number < 8; ++number) {
-    deaf.push_back(std::make_unique<HttpClient>(server.port()));
-    deaf.back()->send("GET /large HTTP/1.1\r\nHost: x\r\n\r\n");
-  }
-  const auto start = Clock::now();
-  EXPECT_EQ(body_of(get("/livez")), "ok\n");
-  EXPECT_LT(Clock::now() - start, 4s);
-}
-
 TEST_F(HttpServerTest, StopsAtOnceThoughClientsAreOpen) {
   const HttpClient silent(server.port());
   const HttpClient half(server.port());
   half.send("GET /livez HTT");
+  const HttpClient waiting(server.port());
+  waiting.send("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  const HttpClient deaf(server.port());
+  deaf.send("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
   std::this_thread::sleep_for(50ms);
   const auto start = Clock::now();
   server.stop();

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "daemon/monitor/http_request.hpp"
+
+namespace loopscope::daemon {
+
+struct HttpAnswer {
+  int status = 200;
+  std::string body;
+  std::string content_type = "text/plain; charset=utf-8";
+  std::multimap<std::string, std::string> headers = {};  ///< more of them, never out of a request
+  std::string gzipped = {};  ///< the body once more, for who wants it so; empty = not made
+};
+
+/// An answer as it goes to one client. Bodies are shared by all clients of a page.
+struct HttpMessage {
+  std::string head;
+  std::shared_ptr<const std::string> body;
+};
+
+/// The form that the request asks for: 406 where it wants none that there is. An answer is stored
+/// by nobody (no-store), nor guessed at (nosniff), and is the last one of its connection.
+[[nodiscard]] HttpMessage make_message(std::shared_ptr<const HttpAnswer> answer,
+                                       const HttpRequest& request);
+
+/// Makes `gzipped`, where that saves anything.
+void add_gzipped(HttpAnswer& answer);
+
+}  // namespace loopscope::daemon
