@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <regex>
 
 #include "tests/end_to_end/plant.hpp"
 #include "tests/support/source_dir.hpp"
@@ -23,18 +22,6 @@ void make_hostile_plant(const Plant& plant) {
   ASSERT_EQ(plant.loopscope("once").exit_code, 0);
 }
 
-/// Where the daemon says that its pages are; empty when it does not.
-std::string address_in(const std::filesystem::path& log) {
-  const std::regex words("health, metrics and pages: (http://[0-9.:]+)");
-  for (int k = 0; k < 200; ++k) {
-    std::smatch match;
-    const std::string text = content_of(log);
-    if (std::regex_search(text, match, words)) return match[1];
-    usleep(100'000);
-  }
-  return {};
-}
-
 bool can_browse() {
   for (const char* program : {"/usr/bin/chromium", "/usr/bin/chromedriver", "/usr/bin/python3"})
     if (!std::filesystem::exists(program)) return false;
@@ -50,7 +37,7 @@ TEST(Browser, ReportAndLivePagesAreWhatTheyShouldBe) {
   plant.write_settings(Plant::settings(R"("daemon": {"http_address": "127.0.0.1:0"})"));
   const std::filesystem::path log = plant.folder() / "daemon.log";
   BackgroundProgram daemon(plant.command_line("run"), log);
-  const std::string address = address_in(log);
+  const std::string address = pages_of(log);
   ASSERT_NE(address, "") << content_of(log);
   const char* kept = std::getenv("LOOPSCOPE_SCREENSHOTS");
   const std::string pictures = kept != nullptr ? kept : plant.folder() / "screenshots";

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <random>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -97,6 +98,17 @@ void Plant::import_simulated(const std::string& name, const std::string& scenari
   if (simulated.exit_code != 0) throw std::runtime_error("simulate failed: " + simulated.err);
   const ProgramResult imported = loopscope("import", {"--create-table", "--loop", name, file});
   if (imported.exit_code != 0) throw std::runtime_error("import failed: " + imported.err);
+}
+
+std::string pages_of(const std::filesystem::path& log) {
+  const std::regex words("health, metrics and pages: (http://[0-9.:]+)");
+  for (int tries = 0; tries < 200; ++tries) {
+    std::smatch match;
+    const std::string text = content_of(log);
+    if (std::regex_search(text, match, words)) return match[1];
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return {};
 }
 
 void wait_for_hour_with(std::chrono::seconds time) {

@@ -53,6 +53,10 @@ class Plant {
   std::string connection_;
 };
 
+/// Where a daemon with this log says that its pages are, "http://127.0.0.1:9470"; empty when it
+/// does not within 20 s.
+[[nodiscard]] std::string pages_of(const std::filesystem::path& log);
+
 /// An import lies where the hour before ended, and a daemon judges each hour when it has ended:
 /// where less than `time` is left of this one, waits for the next. Import and daemon need the same
 /// settle_s.
