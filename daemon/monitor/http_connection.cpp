@@ -39,9 +39,9 @@ HttpAnswer not_yet() {
 
 }  // namespace
 
-HttpConnection::HttpConnection(std::shared_ptr<asio::io_context> io, asio::ip::tcp::socket socket,
-                               const HttpSite& site)
-    : io_(std::move(io)), socket_(std::move(socket)), deadline_(*io_), site_(site) {
+HttpConnection::HttpConnection(const std::shared_ptr<asio::io_context>& io,
+                               asio::ip::tcp::socket socket, const HttpSite& site)
+    : io_(io), socket_(std::move(socket)), deadline_(*io), site_(site) {
   std::error_code gone;  // a client that has gone already comes from nowhere, and is soon closed
   from_ = socket_.remote_endpoint(gone).address();
   socket_.set_option(asio::socket_base::send_buffer_size(kSendBufferBytes), gone);
@@ -114,7 +114,7 @@ void HttpConnection::ask() {
 }
 
 HttpReply HttpConnection::reply() {
-  auto send = [io = io_, weak = weak_from_this()](std::shared_ptr<const HttpAnswer> answer) {
+  auto send = [io = io_.lock(), weak = weak_from_this()](std::shared_ptr<const HttpAnswer> answer) {
     asio::dispatch(*io, [weak, answer = std::move(answer)] {
       const auto self = weak.lock();
       if (self && self->phase_ == Phase::waiting) self->write(answer);

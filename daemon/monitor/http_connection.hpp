@@ -33,7 +33,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   using Clock = std::chrono::steady_clock;
 
   /// The site outlives it.
-  HttpConnection(std::shared_ptr<asio::io_context> io, asio::ip::tcp::socket socket,
+  HttpConnection(const std::shared_ptr<asio::io_context>& io, asio::ip::tcp::socket socket,
                  const HttpSite& site);
 
   /// To be called once.
@@ -60,7 +60,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void finish();
   void discard(std::size_t so_far);
 
-  std::shared_ptr<asio::io_context> io_;
+  std::weak_ptr<asio::io_context> io_;  ///< whose handlers own this
   asio::ip::tcp::socket socket_;
   asio::steady_timer deadline_;
   const HttpSite& site_;
