@@ -22,8 +22,10 @@ std::string pass_text(const PassResult& pass) {
   std::string text = count_text(pass.count);
   const std::size_t left = pass.enabled - std::min(pass.enabled, pass.loops);
   if (left > 0 && pass.signal == 0) {
-    text += fmt::format("; {} more are held by other workers or by leases that have not ended yet",
-                        left);
+    text += fmt::format(
+        "; {} more are held by other workers or by leases that have not ended yet, or rest because "
+        "a worker was lost with them alone",
+        left);
   } else if (left > 0) {
     text += fmt::format("; stopped by a signal, {} more are left for the next pass", left);
   }

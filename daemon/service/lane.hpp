@@ -40,7 +40,7 @@ class Lane {
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
   /// Claims one loop that may be what kills the workers, if no other lane has one in hand.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_suspect();
-  /// Claims the next loops after `after` in the order of the catalogue.
+  /// Claims the next loops after `after` in the order of the catalogue; no suspects.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_next(std::int64_t after);
   /// Brings claimed loops to their end. Throws storage::DatabaseError when the results cannot be
   /// written; the loops are then given back or, where that fails too, their claims run out.

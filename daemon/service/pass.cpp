@@ -29,6 +29,7 @@ class Pass {
         tools_(worker_count(settings_->daemon), Perseverance::one_lease),
         signals_(context_, SIGINT, SIGTERM),
         lanes_left_(lane_count(settings_->daemon)),
+        walking_lanes_(lanes_left_),
         pool_(lanes_left_) {}
 
   PassResult run() {
@@ -63,10 +64,9 @@ class Pass {
   void work(std::size_t index) {
     try {
       Lane lane(settings_, index, SlotRule::newest_sample, tools_);
-      for (auto claims = next_claims(lane); !claims.empty(); claims = next_claims(lane)) {
-        const storage::WriteCount count = lane.process(claims);
-        asio::post(context_, [this, count, loops = claims.size()] { account(count, loops); });
-      }
+      process_all(lane, [&] { return next_claims(lane); });
+      // The last lane, so that a suspect which kills the process takes nothing with it.
+      if (--walking_lanes_ == 0) process_all(lane, [&] { return next_suspect(lane); });
       lane.store_cost();
       asio::post(context_, [this, failure = lane.first_failure(), cost = lane.cost()] {
         if (!result_.first_failure) result_.first_failure = failure;
@@ -81,6 +81,22 @@ class Pass {
     asio::post(context_, [this] {
       if (--lanes_left_ == 0) signals_.cancel();
     });
+  }
+
+  /// Until there is nothing to claim.
+  template <typename Claim>
+  void process_all(Lane& lane, Claim claim) {
+    for (auto claims = claim(); !claims.empty(); claims = claim()) {
+      const storage::WriteCount count = lane.process(claims);
+      asio::post(context_, [this, count, loops = claims.size()] { account(count, loops); });
+    }
+  }
+
+  /// Each at most once, since one that is done is none any more. Those that rest are left out: they
+  /// have killed a process that had nothing else in hand.
+  std::vector<storage::ClaimedLoop> next_suspect(Lane& lane) {
+    if (stopping_) return {};
+    return lane.claim_suspect();
   }
 
   /// Claims are taken one lane at a time, so that all walk through the catalogue together.
@@ -105,6 +121,7 @@ class Pass {
   asio::io_context context_;
   asio::signal_set signals_;
   std::size_t lanes_left_;
+  std::atomic<std::size_t> walking_lanes_;  ///< that may still find a batch
   asio::thread_pool pool_;
   std::mutex cursor_mutex_;
   std::int64_t cursor_ = 0;

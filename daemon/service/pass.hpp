@@ -23,9 +23,9 @@ struct PassResult {
 };
 
 /// One full pass over all enabled loops on all cores, with a progress bar on a terminal. Loops
-/// that another worker holds are left to it. SIGTERM or SIGINT finishes what is in hand and ends
-/// early. Throws the first storage::DatabaseError of the results database after every worker has
-/// stopped.
+/// that another worker holds are left to it; suspects, which may be what kills the process, come
+/// one by one at the end. SIGTERM or SIGINT finishes what is in hand and ends early. Throws the
+/// first storage::DatabaseError of the results database after every worker has stopped.
 [[nodiscard]] PassResult run_pass(const std::shared_ptr<const config::Settings>& settings);
 
 }  // namespace loopscope::daemon

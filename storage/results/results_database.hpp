@@ -121,7 +121,7 @@ class ResultsDatabase {
   /// its own, a minute up to six hours.
   [[nodiscard]] std::vector<ClaimedLoop> claim_suspect(const std::string& owner, double lease_s);
   /// Claims up to `limit` enabled loops with loop_id > `after` that no living lease holds, due or
-  /// not, in the order of loop_id: one pass over the catalogue.
+  /// not, in the order of loop_id: one pass over the catalogue, but for suspects.
   [[nodiscard]] std::vector<ClaimedLoop> claim_next(const std::string& owner, double lease_s,
                                                     int limit, std::int64_t after);
   /// Digests of those (loop, slot, revision) that are already stored; `settings_json` is compared

@@ -78,11 +78,12 @@ const Statement kNextDue{"next_due", R"(
     FROM loopscope.schedule WHERE enabled)",
                          Rows::one};
 
-const Statement kClaimNext{"claim_next", LOOPSCOPE_CLAIM(R"(
-    SELECT free.loop_id FROM loopscope.schedule AS free
-    WHERE free.enabled AND free.loop_id > $4::bigint
-      AND (free.owner IS NULL OR free.visible_at <= now())
-    ORDER BY free.loop_id LIMIT $3::bigint FOR UPDATE SKIP LOCKED)")};
+const Statement kClaimNext{
+    "claim_next", LOOPSCOPE_CLAIM("SELECT due.loop_id FROM loopscope.schedule AS due "
+                                  "WHERE due.enabled AND due.loop_id > $4::bigint"
+                                  "  AND (due.owner IS NULL OR due.visible_at <= now())"
+                                  "  AND NOT (" LOOPSCOPE_SUSPECT ") "
+                                  "ORDER BY due.loop_id LIMIT $3::bigint FOR UPDATE SKIP LOCKED")};
 
 // Rows that are locked are being given back in this moment: to wait for them could end in a
 // deadlock.

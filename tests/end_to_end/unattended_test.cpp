@@ -110,6 +110,24 @@ TEST_F(Unattended, ALoopThatWasLostAloneRests) {
   EXPECT_EQ(plant.sql(kCount), "0");
 }
 
+TEST_F(Unattended, OnceTakesWhatMayKillItAloneAndLast) {
+  for (unsigned seed = 1; seed <= 3; ++seed)
+    plant.import_loop("loop " + std::to_string(seed), 600, seed);
+  plant.write_settings(Plant::settings(R"("schedule": {"settle_s": 0})"));
+  // The first two have killed two workers and a third; the first one alone since.
+  plant.sql(
+      "update loopscope.schedule set owner = 'gone', visible_at = now(), lost_leases = 4 - loop_id"
+      " where loop_id < 3");
+  const ProgramResult once = plant.loopscope("once");
+  EXPECT_EQ(once.exit_code, 0) << once.err;
+  EXPECT_THAT(once.out, HasSubstr("1 more are held by other workers"));
+  EXPECT_EQ(plant.sql("select string_agg(loop_id::text, ' ' order by analysis_id)"
+                      " from loopscope.analysis"),
+            "3 2");
+  EXPECT_EQ(plant.sql("select loop_id, lost_leases from loopscope.schedule where lost_leases > 0"),
+            "1|4");
+}
+
 TEST_F(Unattended, WhatIsHeldLongerThanALeaseStaysHeldWhileWorkGoesOn) {
   for (unsigned seed = 1; seed <= 4; ++seed)
     plant.import_loop("loop " + std::to_string(seed), 600, seed);

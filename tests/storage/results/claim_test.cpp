@@ -222,6 +222,17 @@ TEST_F(ClaimTest, WhatWasLostTwiceInARowIsClaimedAlone) {
   EXPECT_TRUE(results.claim_suspect("worker", 100).empty());
 }
 
+TEST_F(ClaimTest, NextLeavesSuspectsOutHoweverItComesAcrossThem) {
+  add_loops({"a", "b", "c"});
+  ResultsDatabase results = connect();
+  database->execute(
+      "UPDATE loopscope.schedule SET owner = 'dead/1/0', lost_leases = 2, visible_at = now()"
+      " WHERE loop_id = 1;"
+      "UPDATE loopscope.schedule SET lost_leases = 3 WHERE loop_id = 2");
+  EXPECT_THAT(ids(results.claim_next("once", 100, 10, 0)), testing::ElementsAre(3));
+  EXPECT_EQ(results.claim_suspect("once", 100).size(), 1u);
+}
+
 TEST_F(ClaimTest, OneThatDiesAloneRestsLongerEachTime) {
   add_loops({"a"});
   ResultsDatabase results = connect();
