@@ -107,6 +107,17 @@ constexpr char kLock[] =
 #undef LOOPSCOPE_AGAIN
 constexpr char kSlow[] =
     "the server was too slow: look for a missing index with `loopscope check-config`";
+
+/// The server stops a statement that waits for a lock by lock_timeout. Where the statement's own
+/// time was over first, only its context tells: "while locking tuple (0,1) in relation ...".
+std::string hint_time_out(const RawError& error, const ErrorPlace& place) {
+  const bool waited_for_row = error.message.find("ing tuple (") != std::string::npos;
+  return waited_for_row || place.statement.starts_with("lock_") ? kLock : kSlow;
+}
+
+constexpr char kDependent[] =
+    "an object of the site is built on one of the schema: let its owner drop it, repeat this, and "
+    "make it again";
 constexpr char kReadOnly[] =
     "the server is a standby or read-only: name the primary, or all hosts, in the connection "
     "string";
@@ -135,11 +146,11 @@ constexpr char kDatabase[] = "check dbname in the connection string, or create t
 constexpr char kConstraint[] = "the value breaks a rule of the schema: see the detail above";
 constexpr char kServerFault[] = "a fault of the server: read its log";
 
-constexpr std::array<StateRule, 25> kStates{{
+constexpr std::array<StateRule, 26> kStates{{
     {"08", Remedy::reconnect, fixed<kGone>},
     {"57P04", Remedy::give_up, fixed<kDatabase>},
     {"57P", Remedy::reconnect, fixed<kGone>},
-    {"57014", Remedy::retry, fixed<kSlow>},
+    {"57014", Remedy::retry, hint_time_out},
     {"25P03", Remedy::reconnect, fixed<kGone>},
     {"25006", Remedy::reconnect, fixed<kReadOnly>},
     {"40", Remedy::retry, fixed<kAgain>},
@@ -157,6 +168,7 @@ constexpr std::array<StateRule, 25> kStates{{
     {"22", Remedy::give_up, hint_type},
     {"23", Remedy::give_up, fixed<kConstraint>},
     {"28", Remedy::give_up, fixed<kPassword>},
+    {"2BP01", Remedy::give_up, fixed<kDependent>},
     {"3D000", Remedy::give_up, fixed<kDatabase>},
     {"XX", Remedy::give_up, fixed<kServerFault>},
     {"58", Remedy::give_up, fixed<kServerFault>},

@@ -5,7 +5,9 @@
 namespace loopscope::storage {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 DatabaseError explained(const std::string& sqlstate, const std::string& message,
                         DatabaseKind kind = DatabaseKind::results) {
@@ -49,6 +51,34 @@ TEST(ExplainError, HintsNameTheCommandOrTheSetting) {
               HasSubstr("`time_kind`"));
   EXPECT_THAT(explained("53100", "ERROR:  could not extend file").hint(), HasSubstr("free space"));
   EXPECT_THAT(explained("55P03", "ERROR:  x").hint(), HasSubstr("pg_locks"));
+}
+
+TEST(ExplainError, WaitingForALockIsNotTakenForAMissingIndex) {
+  const DatabaseError announcing =
+      explain({"ERROR:  canceling statement due to statement timeout", "57014", false},
+              {DatabaseKind::results, "T database", "anna", "lock_flags"});
+  EXPECT_EQ(announcing.remedy(), Remedy::retry);
+  EXPECT_THAT(announcing.hint(), AllOf(HasSubstr("pg_locks"), Not(HasSubstr("index"))));
+  // The server says where it stood when the time was over.
+  EXPECT_THAT(explained("57014",
+                        "ERROR:  canceling statement due to statement timeout\n"
+                        "CONTEXT:  while updating tuple (0,1) in relation \"loop\"")
+                  .hint(),
+              HasSubstr("pg_locks"));
+  EXPECT_THAT(explained("57014", "ERROR:  canceling statement due to statement timeout").hint(),
+              HasSubstr("missing index"));
+}
+
+TEST(ExplainError, SiteOwnViewInTheWayIsTheSitesToDropAndRecreate) {
+  const DatabaseError error = explained(
+      "2BP01",
+      "ERROR:  cannot drop view loopscope.flagged_loop because other objects depend on it\n"
+      "DETAIL:  view public.mine depends on view loopscope.flagged_loop\n"
+      "HINT:  Use DROP ... CASCADE to drop the dependent objects too.");
+  EXPECT_EQ(error.remedy(), Remedy::give_up);
+  EXPECT_THAT(error.what(), HasSubstr("view public.mine depends on"));
+  EXPECT_THAT(error.hint(), AllOf(HasSubstr("drop it"), HasSubstr("make it again"),
+                                  Not(HasSubstr("fault of the server"))));
 }
 
 TEST(ExplainError, PrivilegeNamesTheGrant) {
