@@ -25,19 +25,15 @@ struct Keepalive {
   static constexpr int kCount = 3;
 };
 
-// Custom plans: a generic one takes LIMIT $n for a tenth of the table and scans it all. The time
-// zone and the float digits make results independent of the server's configuration. Locks are
-// waited for briefly, because whoever waits holds a lease that runs out.
-constexpr const char* kSession =
-    "-c TimeZone=UTC -c DateStyle=ISO -c extra_float_digits=1 -c client_min_messages=warning"
-    " -c jit=off -c plan_cache_mode=force_custom_plan -c lock_timeout=5s";
-
-// Statements name the schemas of their tables; what they leave open are functions and operators.
-constexpr const char* kSearchPath = " -c search_path=pg_catalog,pg_temp";
-
 // Memory for the bitmap and the arrays of one batch (heap_order.hpp): with the usual 4 MB the
 // bitmap forgets rows and whole pages are looked through, 17 ms a loop instead of 12.
-constexpr const char* kReading = " -c default_transaction_read_only=on -c work_mem=32MB";
+constexpr const char* kReadingMemory = "32MB";
+
+// Statements name the schemas of their tables; what they leave open are functions and operators.
+constexpr const char* kSearchPath = "pg_catalog, pg_temp";
+
+// Locks are waited for briefly, because whoever waits holds a lease that runs out.
+constexpr int kLongestLockWait_ms = 5'000;
 
 bool may_hold_secret(const std::string& conninfo) {
   return conninfo.find("password") != std::string::npos || conninfo.find('@') != std::string::npos;
@@ -90,22 +86,19 @@ void add_network_options(const ConnectionSettings& settings, Options& options) {
 
 /// The server has to notice our end as well: what it holds for a session whose client is gone (row
 /// locks above all) is held against everybody else.
-std::string server_side_network_options(const ConnectionSettings& settings) {
+void add_server_side_network(const ConnectionSettings& settings, SessionSettings& session) {
   const Keepalive keepalive(settings.network_timeout_s);
-  return " -c tcp_keepalives_idle=" + std::to_string(keepalive.idle_s) +
-         " -c tcp_keepalives_interval=" + std::to_string(keepalive.interval_s) +
-         " -c tcp_keepalives_count=" + std::to_string(Keepalive::kCount) +
-         " -c tcp_user_timeout=" + std::to_string(1000 * settings.network_timeout_s);
+  session["tcp_keepalives_idle"] = std::to_string(keepalive.idle_s);
+  session["tcp_keepalives_interval"] = std::to_string(keepalive.interval_s);
+  session["tcp_keepalives_count"] = std::to_string(Keepalive::kCount);
+  session["tcp_user_timeout"] = std::to_string(1000 * settings.network_timeout_s);
 }
 
-std::string session_options(const ConnectionSettings& settings) {
-  std::string options = kSession;
-  options += " -c statement_timeout=" + std::to_string(settings.statement_timeout_s) + "s";
-  options += " -c idle_in_transaction_session_timeout=" + std::to_string(settings.idle_timeout_s) +
-             "s" + server_side_network_options(settings);
-  if (!settings.keep_search_path) options += kSearchPath;
-  if (settings.read_only) options += kReading;
-  return options;
+/// Half of a statement's time at most: then it is the server that says that a lock was in the way,
+/// and not a statement that seems to be slow.
+std::string lock_timeout(const ConnectionSettings& settings) {
+  const int half_ms = 500 * settings.statement_timeout_s;
+  return std::to_string(half_ms > 0 ? std::min(half_ms, kLongestLockWait_ms) : kLongestLockWait_ms);
 }
 
 std::string join(const Options& options) {
@@ -133,10 +126,39 @@ std::string complete_conninfo(const ConnectionSettings& settings) {
   options["client_encoding"] = "UTF8";
   // After a failover the former primary may still answer: writing there cannot work.
   if (!settings.read_only) options.try_emplace("target_session_attrs", "read-write");
-  // The server takes the last of equal settings: the user's come after ours.
-  std::string& session = options["options"];
-  session = session_options(settings) + (session.empty() ? "" : " " + session);
+  // What a pooler refuses or drops here is set once the connection stands (session_setup.hpp).
+  // Empty, so that libpq takes none from a service file or PGOPTIONS.
+  options["options"] = split_startup_options(options["options"]).rest;
   return join(options);
+}
+
+SessionSettings user_settings(const ConnectionSettings& settings) {
+  return split_startup_options(parse(settings)["options"]).settings;
+}
+
+SessionSettings session_settings(const ConnectionSettings& settings) {
+  SessionSettings session = user_settings(settings);
+  SessionSettings ours{
+      // The time zone and the float digits make results independent of the server's configuration.
+      {"timezone", "UTC"},
+      {"datestyle", "ISO"},
+      {"extra_float_digits", "1"},
+      {"client_min_messages", "warning"},
+      {"jit", "off"},
+      // A generic plan takes LIMIT $n for a tenth of the table and scans it all.
+      {"plan_cache_mode", "force_custom_plan"},
+      {"lock_timeout", lock_timeout(settings)},
+      {"statement_timeout", std::to_string(settings.statement_timeout_s) + "s"},
+      {"idle_in_transaction_session_timeout", std::to_string(settings.idle_timeout_s) + "s"},
+      {"search_path", kSearchPath}};
+  add_server_side_network(settings, ours);
+  if (settings.read_only) {
+    ours["default_transaction_read_only"] = "on";
+    ours["work_mem"] = kReadingMemory;
+  }
+  session.merge(ours);  // what the user sets there wins
+  session["client_encoding"] = "UTF8";
+  return session;
 }
 
 std::string describe_target(const ConnectionSettings& settings) {

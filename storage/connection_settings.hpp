@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "storage/startup_options.hpp"
+
 namespace loopscope::storage {
 
 /// How to reach one database. Secrets stay in ~/.pgpass or pg_service.conf.
@@ -13,17 +15,24 @@ struct ConnectionSettings {
   int network_timeout_s = 20;    ///< seconds after which an unreachable peer is given up, >= 2
   int idle_timeout_s = 60;  ///< seconds that the server keeps an idle transaction, 0 = for ever
   bool read_only = false;   ///< historian readers never write
-  /// Else pg_catalog alone: no schema can put a now() of its own into the place of PostgreSQL's.
-  bool keep_search_path = false;
 };
 
-/// `settings.conninfo` completed with time-outs, keepalives, application_name
-/// ("loopscope/<purpose>/<host>/<pid>") and the session options of every connection (UTC, no JIT,
-/// custom plans, statement_timeout, lock_timeout). What the user's conninfo already sets is left
-/// alone, with two exceptions: `options` is extended (what the user sets there wins), and
-/// client_encoding is always UTF8. Session options of a pg_service.conf entry are replaced by ours,
-/// because libpq merges no two of them. Throws DatabaseError (give_up) when libpq cannot parse it.
+/// `settings.conninfo` completed with time-outs, keepalives and application_name
+/// ("loopscope/<purpose>/<host>/<pid>"). What the user's conninfo already sets is left alone, with
+/// two exceptions: client_encoding is always UTF8, and of `options` only what sets nothing stays:
+/// no pooler takes it, so that settings are sent once the connection stands. Throws DatabaseError
+/// (give_up) when libpq cannot parse it.
 [[nodiscard]] std::string complete_conninfo(const ConnectionSettings& settings);
+
+/// What the user sets for a session: `-c NAME=VALUE` of `options` in the connection string. Throws
+/// like complete_conninfo.
+[[nodiscard]] SessionSettings user_settings(const ConnectionSettings& settings);
+
+/// What every session of such a connection is set to (UTC, no JIT, custom plans, statement_timeout,
+/// lock_timeout, a search path of pg_catalog alone, ...); what the user sets by `options` in the
+/// connection string wins. `options` of a service file and PGOPTIONS do not count. Throws like
+/// complete_conninfo.
+[[nodiscard]] SessionSettings session_settings(const ConnectionSettings& settings);
 
 /// "results database (host=db1 dbname=plant user=monitor)" for messages, without any secret.
 /// Throws like complete_conninfo.

@@ -4,6 +4,9 @@
 #include <array>
 #include <string_view>
 
+#include "storage/lost_session.hpp"
+#include "storage/session_setup.hpp"
+
 namespace loopscope::storage {
 namespace {
 
@@ -118,6 +121,12 @@ std::string hint_time_out(const RawError& error, const ErrorPlace& place) {
 constexpr char kDependent[] =
     "an object of the site is built on one of the schema: let its owner drop it, repeat this, and "
     "make it again";
+constexpr char kOwnSetting[] =
+    "the server refuses a setting: see options= in the connection string, and leave out what it "
+    "names";
+constexpr char kStartupParameter[] =
+    "PgBouncer refuses it at the start of a connection: leave it out of the connection string "
+    "and of the environment (PGGEQO); settings as -c NAME=VALUE in options= are sent later";
 constexpr char kReadOnly[] =
     "the server is a standby or read-only: name the primary, or all hosts, in the connection "
     "string";
@@ -177,12 +186,13 @@ constexpr std::array<StateRule, 26> kStates{{
 
 // What a server that ends or a network that breaks leaves behind in a TLS handshake comes before
 // the other words of TLS, which stand for settings and certificates.
-constexpr std::array<WordsRule, 25> kConnecting{{
+constexpr std::array<WordsRule, 26> kConnecting{{
     {"does not match host name", Remedy::give_up, kOtherName},
     {"certificate verify failed", Remedy::give_up, kNotVerified},
     {"server does not support SSL", Remedy::give_up, kPlainServer},
     {"root certificate file", Remedy::give_up, kRootCertificate},
     {"private key file", Remedy::give_up, kPrivateKey},
+    {"unsupported startup parameter", Remedy::give_up, kStartupParameter},
     {"no password supplied", Remedy::give_up, kNoPassword},
     {"role \"", Remedy::give_up,
      "check user= in the connection string, or create the login: CREATE ROLE name LOGIN IN ROLE "
@@ -239,6 +249,13 @@ std::string place_text(const ErrorPlace& place) {
                                  : "statement " + place.statement + ", " + place.target;
 }
 
+/// No such setting, not this value, no right to it, not after the start.
+bool refuses_setting(const RawError& error, const ErrorPlace& place) {
+  return place.statement == kSettingStatement &&
+         (error.sqlstate.starts_with("22") || error.sqlstate.starts_with("42") ||
+          error.sqlstate == "55P02");
+}
+
 DatabaseError explain_connecting(const RawError& error, const ErrorPlace& place) {
   const auto what_of = [&](std::string_view words) {
     return primary_message(error, words) + ", " + place_text(place);
@@ -260,10 +277,14 @@ DatabaseError explain_connecting(const RawError& error, const ErrorPlace& place)
 
 DatabaseError explain(const RawError& error, const ErrorPlace& place) {
   if (error.sqlstate.empty() && place.statement.empty()) return explain_connecting(error, place);
+  if (const auto setting = lost_setting(error.message)) {
+    return explain_lost_session(*setting, place.target);
+  }
   const std::string what = primary_message(error) + ", " + place_text(place);
   if (error.sqlstate.empty() || error.connection_lost) {
     return {what, kGone, Remedy::reconnect, error.sqlstate};
   }
+  if (refuses_setting(error, place)) return {what, kOwnSetting, Remedy::give_up, error.sqlstate};
   for (const StateRule& rule : kStates) {
     if (error.sqlstate.starts_with(rule.code)) {
       return {what, rule.hint(error, place), rule.remedy, error.sqlstate};

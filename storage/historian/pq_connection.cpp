@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <cstring>
 #include <new>
 #include <poll.h>
 
@@ -13,34 +11,21 @@
 namespace loopscope::storage {
 namespace {
 
-std::string result_message(const PGresult* result) {
-  return PQresultErrorMessage(result);
-}
-
-std::string result_sqlstate(const PGresult* result) {
-  const char* state = PQresultErrorField(result, PG_DIAG_SQLSTATE);
-  return state == nullptr ? "" : state;
-}
-
-bool is_error(const PGresult* result) {
-  const ExecStatusType status = PQresultStatus(result);
+bool is_error(ExecStatusType status) {
   return status == PGRES_FATAL_ERROR || status == PGRES_BAD_RESPONSE;
 }
 
-std::string conninfo_of(ConnectionSettings settings) {
-  // It is taken over once the login's own one is known.
-  settings.keep_search_path = true;
-  return complete_conninfo(settings);
-}
+// Written so that no schema in the login's search path has a say in it.
+const Statement kOwnSchemas{"own_schemas",
+                            "SELECT pg_catalog.current_schemas(false)::pg_catalog.text", Rows::one};
 
-// Both are written so that no schema in the login's search path has a say in them.
-const Statement kSearchPath{"search_path", R"(
-    SELECT pg_catalog.current_schemas(false)::pg_catalog.text, source
-    FROM pg_catalog.pg_settings WHERE name OPERATOR(pg_catalog.=) 'search_path')",
-                            Rows::one};
-const Statement kTakeSearchPath{
-    "take_search_path", "SELECT pg_catalog.set_config('search_path', 'pg_catalog, pg_temp', false)",
-    Rows::one};
+std::vector<std::string> first_row(const PqRows& rows) {
+  std::vector<std::string> columns;
+  for (int column = 0; rows.size() > 0 && column < rows.columns(); ++column) {
+    columns.push_back(rows.text(0, column));
+  }
+  return columns;
+}
 
 /// libpq could not keep the answer: an error of its own, without a state.
 bool ran_out_of_memory(const std::string& message, const std::string& sqlstate) {
@@ -49,26 +34,9 @@ bool ran_out_of_memory(const std::string& message, const std::string& sqlstate) 
 
 }  // namespace
 
-std::span<const std::byte> PqRows::bytes(int row, int column) const {
-  const char* value = PQgetvalue(result_.get(), row, column);
-  const auto length = static_cast<std::size_t>(PQgetlength(result_.get(), row, column));
-  return std::as_bytes(std::span(value, length));
-}
-
-std::string PqRows::text(int row, int column) const {
-  return PQgetvalue(result_.get(), row, column);
-}
-
-std::size_t PqRows::affected() const {
-  const char* text = PQcmdTuples(result_.get());
-  std::size_t count = 0;
-  std::from_chars(text, text + std::strlen(text), count);
-  return count;
-}
-
 PqConnection::PqConnection(const ConnectionSettings& settings)
-    : place_{DatabaseKind::historian, describe_target(settings), "", ""} {
-  connection_.reset(PQconnectdb(conninfo_of(settings).c_str()));
+    : settings_(settings), place_{DatabaseKind::historian, describe_target(settings), "", ""} {
+  connection_.reset(PQconnectdb(complete_conninfo(settings).c_str()));
   if (!connection_ || PQstatus(connection_.get()) != CONNECTION_OK) {
     throw explain({connection_ ? PQerrorMessage(connection_.get()) : "out of memory", "", true},
                   place_);
@@ -79,37 +47,51 @@ PqConnection::PqConnection(const ConnectionSettings& settings)
       connection_.get(), [](void*, const char*) {}, nullptr);
   patience_ = patience(settings);
   PQsetnonblocking(connection_.get(), 1);
-  take_search_path();
+  set_up();
 }
 
-void PqConnection::take_search_path() {
-  const PqRows own = run(kSearchPath);
-  own_schemas_ = own.text(0, 0);
-  const bool chosen_by_settings = own.text(0, 1) == "client";
-  if (!chosen_by_settings) run(kTakeSearchPath);
+void PqConnection::set_up() {
+  // A search path that the user names in the connection string counts as the login's own.
+  const bool chosen = user_settings(settings_).contains("search_path");
+  if (!chosen) own_schemas_ = run(kOwnSchemas).text(0, 0);
+  session_ =
+      set_up_session(settings_, PQbackendPID(connection_.get()),
+                     [this](const Statement& statement) { return first_row(run(statement)); });
+  if (chosen) own_schemas_ = run(kOwnSchemas).text(0, 0);
 }
 
 PqRows PqConnection::run(const Statement& statement, const std::vector<std::string>& parameters,
                          ResultFormat format) {
   start(statement);
-  std::vector<const char*> values;
-  for (const std::string& parameter : parameters) values.push_back(parameter.c_str());
-  if (PQsendQueryParams(connection_.get(), statement.sql.c_str(), static_cast<int>(values.size()),
-                        nullptr, values.data(), nullptr, nullptr, static_cast<int>(format)) == 0) {
-    fail_connection();
-  }
+  if (PQenterPipelineMode(connection_.get()) == 0) fail_connection();
+  // One round trip and one transaction: where the check fails the server passes over the rest.
+  if (!session_.check_sql.empty()) send(session_.check_sql, {}, ResultFormat::text);
+  send(statement.sql, parameters, format);
+  if (PQpipelineSync(connection_.get()) == 0) fail_connection();
   flush();
-  PqRows rows = finish();
+  PqRows rows = finish_pipeline();
   check_rows(statement, static_cast<std::size_t>(rows.size()));
   if (told_) told_();
   return rows;
 }
 
+void PqConnection::send(const std::string& sql, const std::vector<std::string>& parameters,
+                        ResultFormat format) {
+  std::vector<const char*> values;
+  for (const std::string& parameter : parameters) values.push_back(parameter.c_str());
+  if (PQsendQueryParams(connection_.get(), sql.c_str(), static_cast<int>(values.size()), nullptr,
+                        values.data(), nullptr, nullptr, static_cast<int>(format)) == 0) {
+    fail_connection();
+  }
+}
+
 void PqConnection::begin_copy(const Statement& statement) {
   start(statement);
-  if (PQsendQuery(connection_.get(), statement.sql.c_str()) == 0) fail_connection();
+  const std::string checked = session_.check_sql + "; " + statement.sql;
+  if (PQsendQuery(connection_.get(), checked.c_str()) == 0) fail_connection();
   flush();
-  const PqRows ready(next_result());
+  const PqRows check = next_result();
+  const PqRows ready = next_result();
 }
 
 void PqConnection::send_copy(std::string_view chunk) {
@@ -168,9 +150,29 @@ void PqConnection::flush() {
 }
 
 PqRows PqConnection::finish() {
-  PqRows rows(next_result());
+  PqRows rows = next_result();
   // The protocol ends a statement with an empty result; without it the next one is refused.
-  while (PGresult* rest = next_result()) PqRows dropped(rest);
+  while (const PqRows rest = next_result()) {
+  }
+  return rows;
+}
+
+PqRows PqConnection::finish_pipeline() {
+  PqRows rows(nullptr);
+  PqRows error(nullptr);
+  for (ExecStatusType status = PGRES_EMPTY_QUERY; status != PGRES_PIPELINE_SYNC;) {
+    PqRows answer(await_result());
+    // Between two answers there is an empty one; a connection that broke has nothing else left.
+    if (!answer) answer = PqRows(await_result());
+    if (!answer) break;
+    status = answer.status();
+    if (is_error(status) && !error) error = std::move(answer);
+    if (status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK) rows = std::move(answer);
+  }
+  // Leaves the connection ready for the next statement.
+  PQexitPipelineMode(connection_.get());
+  if (error) fail(error);
+  if (!rows) fail_connection();
   return rows;
 }
 
@@ -182,18 +184,13 @@ PGresult* PqConnection::await_result() {
   return PQgetResult(connection_.get());
 }
 
-PGresult* PqConnection::next_result() {
-  PGresult* result = await_result();
-  if (result != nullptr && is_error(result)) {
-    const PqRows owner(result);
-    const std::string message = result_message(result);
-    const std::string sqlstate = result_sqlstate(result);
-    // Leaves the connection ready for the next statement.
-    while (PGresult* rest = await_result()) PQclear(rest);
-    if (ran_out_of_memory(message, sqlstate)) throw std::bad_alloc();
-    fail(message, sqlstate);
+PqRows PqConnection::next_result() {
+  PqRows result(await_result());
+  if (!result || !is_error(result.status())) return result;
+  // Leaves the connection ready for the next statement.
+  while (const PqRows rest{await_result()}) {
   }
-  return result;
+  fail(result);
 }
 
 void PqConnection::wait(short events) {
@@ -207,9 +204,19 @@ void PqConnection::wait(short events) {
     }
     const int ready = poll(&socket, 1, timeout_ms);
     if (ready > 0) return;
-    if (ready == 0) fail("the server did not answer in time", "08006");
+    if (ready == 0) give_up();
     if (errno != EINTR) fail("the socket cannot be waited for", "08006");
   }
+}
+
+void PqConnection::give_up() {
+  cancel_statement(settings_, session_.process);
+  fail("the server did not answer in time", "08006");
+}
+
+void PqConnection::fail(const PqRows& error) {
+  if (ran_out_of_memory(error.message(), error.sqlstate())) throw std::bad_alloc();
+  fail(error.message(), error.sqlstate());
 }
 
 void PqConnection::fail(const std::string& message, const std::string& sqlstate) {

@@ -6,7 +6,6 @@
 #include <libpq-fe.h>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,33 +13,11 @@
 
 #include "storage/connection_settings.hpp"
 #include "storage/explain_error.hpp"
+#include "storage/historian/pq_rows.hpp"
+#include "storage/session_setup.hpp"
 #include "storage/statement.hpp"
 
 namespace loopscope::storage {
-
-struct PqDelete {
-  void operator()(PGconn* connection) const { PQfinish(connection); }
-  void operator()(PGresult* result) const { PQclear(result); }
-  void operator()(char* text) const { PQfreemem(text); }
-};
-
-/// Rows of a statement. Row and column count from 0.
-class PqRows {
- public:
-  explicit PqRows(PGresult* result) : result_(result) {}
-  [[nodiscard]] int size() const { return PQntuples(result_.get()); }
-  [[nodiscard]] bool is_null(int row, int column) const {
-    return PQgetisnull(result_.get(), row, column) != 0;
-  }
-  /// The value as it was sent: text, or binary when the statement was run so.
-  [[nodiscard]] std::span<const std::byte> bytes(int row, int column) const;
-  [[nodiscard]] std::string text(int row, int column) const;
-  /// Rows that an INSERT, DELETE or COPY wrote.
-  [[nodiscard]] std::size_t affected() const;
-
- private:
-  std::unique_ptr<PGresult, PqDelete> result_;
-};
 
 enum class ResultFormat { text = 0, binary = 1 };
 
@@ -49,8 +26,9 @@ enum class ResultFormat { text = 0, binary = 1 };
 inline constexpr std::size_t kLongestIdentifier = 63;
 
 /// One libpq connection to a historian: binary results, COPY, and a deadline of our own
-/// (patience.hpp). Its search path is pg_catalog alone, unless `options` in the connection string
-/// sets another one.
+/// (patience.hpp), after which the statement is cancelled. Its search path is pg_catalog alone,
+/// unless `options` in the connection string sets another one. No statement runs in a session that
+/// is not set up (session_setup.hpp).
 class PqConnection {
  public:
   explicit PqConnection(const ConnectionSettings& settings);
@@ -87,21 +65,30 @@ class PqConnection {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void take_search_path();
+  void set_up();
+  void send(const std::string& sql, const std::vector<std::string>& parameters,
+            ResultFormat format);
   void begin_copy(const Statement& statement);
   void send_copy(std::string_view chunk);
   std::size_t end_copy();
   void start(const Statement& statement);
   void flush();
   PqRows finish();
+  /// The last answer of a pipeline; throws the first that is an error.
+  PqRows finish_pipeline();
   [[nodiscard]] PGresult* await_result();
-  [[nodiscard]] PGresult* next_result();
+  [[nodiscard]] PqRows next_result();
   /// Waits until the socket is ready for `events` (poll); throws when the deadline has passed.
   void wait(short events);
+  /// Nobody waits for the statement any more.
+  [[noreturn]] void give_up();
+  [[noreturn]] void fail(const PqRows& error);
   [[noreturn]] void fail(const std::string& message, const std::string& sqlstate);
   [[noreturn]] void fail_connection();
 
+  ConnectionSettings settings_;
   std::unique_ptr<PGconn, PqDelete> connection_;
+  ReadySession session_;
   ErrorPlace place_;
   std::string own_schemas_;
   std::optional<std::chrono::seconds> patience_;

@@ -13,6 +13,13 @@ pqxx::connection connect(const ConnectionSettings& settings, const ErrorPlace& p
   }
 }
 
+std::vector<std::string> first_row(const pqxx::result& rows) {
+  std::vector<std::string> columns;
+  if (rows.empty()) return columns;
+  for (const pqxx::field& field : rows.front()) columns.emplace_back(field.c_str());
+  return columns;
+}
+
 }  // namespace
 
 pqxx::result Transaction::run(const Statement& statement,
@@ -32,13 +39,28 @@ void Transaction::run_script(const char* name, const char* sql) {
 }
 
 Session::Session(const ConnectionSettings& settings)
-    : place_{DatabaseKind::results, describe_target(settings), "", ""},
+    : settings_(settings),
+      place_{DatabaseKind::results, describe_target(settings), "", ""},
       connection_(connect(settings, place_)),
-      deadline_(connection_.sock(), patience(settings)) {
+      deadline_(connection_.sock(), patience(settings),
+                [this] { cancel_statement(settings_, process_); }) {
   place_.user = connection_.username();
+  set_up();
 }
 
-void Session::commit(pqxx::work& transaction) {
+void Session::set_up() {
+  const auto ask = [this](const Statement& statement) {
+    return watched(statement.name, [&] {
+      deadline_.restart();
+      pqxx::nontransaction autocommit(connection_);
+      return first_row(autocommit.exec(statement.sql));
+    });
+  };
+  session_ = set_up_session(settings_, connection_.backendpid(), ask);
+  process_ = session_.process;
+}
+
+void Session::commit(pqxx::dbtransaction& transaction) {
   statement_ = "commit";
   deadline_.restart();
   transaction.commit();
@@ -53,8 +75,11 @@ void Session::refuse_if_dead() const {
 
 void Session::fail(const std::string& message, const std::string& sqlstate, bool connection_lost) {
   place_.statement = statement_;
-  const std::string what = deadline_.expired() ? "the server did not answer in time" : message;
-  const DatabaseError error = explain({what, sqlstate, connection_lost}, place_);
+  // Its answer may have come all the same: that the statement was cancelled.
+  const bool late = deadline_.expired();
+  const DatabaseError error = explain({late ? "the server did not answer in time" : message,
+                                       late ? "" : sqlstate, late || connection_lost},
+                                      place_);
   dead_ = error.remedy() == Remedy::reconnect;
   throw error;
 }

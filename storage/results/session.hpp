@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <pqxx/pqxx>
 #include <string>
 #include <type_traits>
@@ -9,7 +10,9 @@
 #include "storage/connection_settings.hpp"
 #include "storage/error.hpp"
 #include "storage/explain_error.hpp"
+#include "storage/results/checked_transaction.hpp"
 #include "storage/results/socket_deadline.hpp"
+#include "storage/session_setup.hpp"
 #include "storage/statement.hpp"
 
 namespace loopscope::storage {
@@ -34,6 +37,8 @@ class Transaction {
 };
 
 /// One connection to the results database and the only place that knows libpqxx's exceptions.
+/// Every transaction begins with the check of its session (session_setup.hpp); a statement whose
+/// time is over is cancelled.
 ///
 /// libpqxx 6.4 reconnects by itself on the third use of a broken connection and has lost the
 /// session by then: after the first broken use every later one is refused here.
@@ -46,7 +51,7 @@ class Session {
   template <typename Work>
   auto transact(Work&& work) {
     return watched("begin", [&] {
-      pqxx::work transaction(connection_);
+      CheckedTransaction transaction(connection_, kReadWrite, session_.check_sql);
       Transaction facade(transaction, statement_, deadline_);
       if constexpr (std::is_void_v<decltype(work(facade))>) {
         work(facade);
@@ -76,13 +81,17 @@ class Session {
       explain_current_exception();
     }
   }
-  void commit(pqxx::work& transaction);
+  void set_up();
+  void commit(pqxx::dbtransaction& transaction);
   void refuse_if_dead() const;
   [[noreturn]] void explain_current_exception();
   [[noreturn]] void fail(const std::string& message, const std::string& sqlstate,
                          bool connection_lost);
 
+  ConnectionSettings settings_;
   ErrorPlace place_;
+  ReadySession session_;
+  std::atomic<int> process_ = 0;  ///< that of session_, for the watch of the deadline
   std::string statement_;
   bool dead_ = false;
   pqxx::connection connection_;

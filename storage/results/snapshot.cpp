@@ -3,7 +3,10 @@
 namespace loopscope::storage {
 
 Snapshot::Snapshot(Session& session) : session_(session) {
-  session_.watched("begin", [this] { reading_ = std::make_unique<Reading>(session_.connection_); });
+  session_.watched("begin", [this] {
+    reading_ = std::make_unique<CheckedTransaction>(session_.connection_, kOneMoment,
+                                                    session_.session_.check_sql);
+  });
 }
 
 Snapshot::~Snapshot() {

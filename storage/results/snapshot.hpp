@@ -10,8 +10,8 @@
 namespace loopscope::storage {
 
 /// One moment of the database: a read-only transaction at REPEATABLE READ that lives as long as
-/// this object, on a session that does nothing else meanwhile. What it answers is as of its first
-/// question.
+/// this object, on a session that does nothing else meanwhile. What it answers is as of its
+/// beginning.
 class Snapshot {
  public:
   explicit Snapshot(Session& session);
@@ -23,10 +23,8 @@ class Snapshot {
   pqxx::result run(const Statement& statement, const std::vector<std::string>& parameters = {});
 
  private:
-  using Reading = pqxx::transaction<pqxx::repeatable_read, pqxx::read_only>;
-
   Session& session_;
-  std::unique_ptr<Reading> reading_;
+  std::unique_ptr<CheckedTransaction> reading_;
 };
 
 }  // namespace loopscope::storage

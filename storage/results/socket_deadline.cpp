@@ -1,11 +1,13 @@
 #include "storage/results/socket_deadline.hpp"
 
 #include <sys/socket.h>
+#include <utility>
 
 namespace loopscope::storage {
 
-SocketDeadline::SocketDeadline(int socket, std::optional<std::chrono::seconds> patience)
-    : socket_(socket), patience_(patience) {
+SocketDeadline::SocketDeadline(int socket, std::optional<std::chrono::seconds> patience,
+                               std::function<void()> tell_server)
+    : socket_(socket), patience_(patience), tell_server_(std::move(tell_server)) {
   if (patience_) {
     watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
   }
@@ -35,12 +37,18 @@ void SocketDeadline::watch(const std::stop_token& stop) {
     const Clock::time_point until = *deadline_;
     changed_.wait_until(lock, stop, until, [] { return false; });
     if (stop.stop_requested()) return;
-    if (deadline_ && *deadline_ <= Clock::now()) {
-      ::shutdown(socket_, SHUT_RDWR);
-      expired_ = true;
-      deadline_.reset();
-    }
+    if (deadline_ && *deadline_ <= Clock::now()) expire(lock);
   }
+}
+
+void SocketDeadline::expire(std::unique_lock<std::mutex>& lock) {
+  expired_ = true;
+  deadline_.reset();
+  // The owner may learn meanwhile that the statement was ended, and that it has expired.
+  lock.unlock();
+  tell_server_();
+  ::shutdown(socket_, SHUT_RDWR);
+  lock.lock();
 }
 
 }  // namespace loopscope::storage

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -9,11 +10,14 @@
 namespace loopscope::storage {
 
 /// Ends a blocking wait on a socket from outside: libpqxx 6.4 has no deadlines of its own. When an
-/// armed deadline passes, the socket is shut down, which libpq sees as a connection that broke.
+/// armed deadline passes, the server is told that nobody waits any more, and the socket is shut
+/// down, which libpq sees as a connection that broke.
 class SocketDeadline {
  public:
   /// `socket` must stay open as long as this object lives; without `patience` nothing ever happens.
-  SocketDeadline(int socket, std::optional<std::chrono::seconds> patience);
+  /// `tell_server` is called by another thread, before the socket is shut down.
+  SocketDeadline(int socket, std::optional<std::chrono::seconds> patience,
+                 std::function<void()> tell_server);
 
   /// The deadline is armed as long as the guard lives.
   class Guard {
@@ -30,7 +34,7 @@ class SocketDeadline {
   /// Counts from now: each statement under one guard has the whole time.
   void restart();
 
-  /// Whether the deadline passed and the socket was shut down.
+  /// Whether the deadline passed: the connection is given up.
   [[nodiscard]] bool expired();
 
  private:
@@ -38,9 +42,11 @@ class SocketDeadline {
 
   void disarm();
   void watch(const std::stop_token& stop);
+  void expire(std::unique_lock<std::mutex>& lock);
 
   int socket_;
   std::optional<std::chrono::seconds> patience_;
+  std::function<void()> tell_server_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::optional<Clock::time_point> deadline_;

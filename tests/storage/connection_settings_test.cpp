@@ -44,27 +44,45 @@ TEST(ConnectionSettings, AddsTimeoutsAndTheSession) {
   EXPECT_EQ(options.at("client_encoding"), "UTF8");
   EXPECT_EQ(options.at("target_session_attrs"), "read-write");
   EXPECT_THAT(options.at("application_name"), StartsWith("loopscope/results/"));
-  EXPECT_THAT(options.at("options"), HasSubstr("-c TimeZone=UTC"));
-  EXPECT_THAT(options.at("options"), HasSubstr("-c statement_timeout=60s"));
-  EXPECT_THAT(options.at("options"), Not(HasSubstr("read_only")));
+  EXPECT_EQ(options.at("options"), "") << "poolers refuse it, or drop it";
+  const SessionSettings session = session_settings(settings("host=db1"));
+  EXPECT_EQ(session.at("timezone"), "UTC");
+  EXPECT_EQ(session.at("statement_timeout"), "60s");
+  EXPECT_EQ(session.at("search_path"), "pg_catalog, pg_temp");
+  EXPECT_FALSE(session.contains("default_transaction_read_only"));
 }
 
 TEST(ConnectionSettings, ReaderIsReadOnlyAndTakesAnyHost) {
   ConnectionSettings reader = settings("host=db1");
   reader.read_only = true;
   const auto options = options_of(reader);
-  EXPECT_THAT(options.at("options"), HasSubstr("default_transaction_read_only=on"));
+  EXPECT_EQ(session_settings(reader).at("default_transaction_read_only"), "on");
   EXPECT_FALSE(options.contains("target_session_attrs"));
 }
 
+TEST(ConnectionSettings, LocksAreWaitedForLessThanTheStatement) {
+  ConnectionSettings timed = settings("host=db1");
+  for (const auto& [statement_s, lock_ms] :
+       {std::pair(60, "5000"), std::pair(10, "5000"), std::pair(3, "1500"), std::pair(0, "5000")}) {
+    timed.statement_timeout_s = statement_s;
+    EXPECT_EQ(session_settings(timed).at("lock_timeout"), lock_ms) << statement_s;
+  }
+}
+
 TEST(ConnectionSettings, LeavesWhatTheUserSays) {
-  const auto options = options_of(
-      settings("connect_timeout=77 application_name='my name' options='-c statement_timeout=5s'"));
+  const ConnectionSettings own = settings(
+      "connect_timeout=77 application_name='my name'"
+      " options='-c statement_timeout=5s --TimeZone=Asia/Kathmandu -S 1000'");
+  const auto options = options_of(own);
   EXPECT_EQ(options.at("connect_timeout"), "77");
   EXPECT_EQ(options.at("application_name"), "my name");
   EXPECT_EQ(options.at("client_encoding"), "UTF8") << "all text in the program is UTF-8";
-  EXPECT_THAT(options.at("options"), EndsWith(" -c statement_timeout=5s"));
-  EXPECT_THAT(options.at("options"), HasSubstr("jit=off"));
+  EXPECT_EQ(options.at("options"), "-S 1000");
+  const SessionSettings session = session_settings(own);
+  EXPECT_EQ(session.at("statement_timeout"), "5s");
+  EXPECT_EQ(session.at("timezone"), "Asia/Kathmandu");
+  EXPECT_EQ(session.at("jit"), "off");
+  EXPECT_EQ(session.at("client_encoding"), "UTF8");
 }
 
 TEST(ConnectionSettings, NoNameHidesTheProcessOrGetsIntoTheOptions) {
@@ -78,16 +96,9 @@ TEST(ConnectionSettings, NoNameHidesTheProcessOrGetsIntoTheOptions) {
     EXPECT_THAT(name, EndsWith(pid));
     for (const char c : name) EXPECT_TRUE(c >= ' ' && c <= '~') << hostile.about;
     EXPECT_EQ(options.at("host"), "db1");
-    EXPECT_EQ(options.at("options"), options_of(settings("host=db1")).at("options"));
+    EXPECT_EQ(options.at("options"), "");
+    EXPECT_EQ(session_settings(named), session_settings(settings("host=db1")));
   }
-}
-
-TEST(ConnectionSettings, SessionsLookIntoPgCatalogAlone) {
-  EXPECT_THAT(options_of(settings("host=db1")).at("options"),
-              HasSubstr("-c search_path=pg_catalog,pg_temp"));
-  ConnectionSettings own = settings("host=db1");
-  own.keep_search_path = true;
-  EXPECT_THAT(options_of(own).at("options"), Not(HasSubstr("search_path")));
 }
 
 TEST(ConnectionSettings, TakesUrisAndOddCharacters) {

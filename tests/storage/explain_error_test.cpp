@@ -81,6 +81,37 @@ TEST(ExplainError, SiteOwnViewInTheWayIsTheSitesToDropAndRecreate) {
                                   Not(HasSubstr("fault of the server"))));
 }
 
+TEST(ExplainError, SessionThatIsNotTheProgramsAnyMoreIsToldInAnyLanguage) {
+  const DatabaseError lost =
+      explained("22P02", "FEHLER:  ungültige Syntax: »loopscope session lost [statement_timeout]«");
+  EXPECT_STREQ(lost.what(),
+               "the session no longer has the program's setting statement_timeout, T database");
+  const DatabaseError other =
+      explained("26000", "FEHLER:  vorbereitete Anweisung »loopscope_check_42« existiert nicht");
+  EXPECT_STREQ(other.what(), "the session is no longer the one that was set up, T database");
+  for (const DatabaseError& error : {lost, other}) {
+    EXPECT_EQ(error.remedy(), Remedy::reconnect);
+    EXPECT_THAT(error.hint(), HasSubstr("pool_mode = session"));
+  }
+}
+
+TEST(ExplainError, SettingThatIsRefusedIsLookedForInOptions) {
+  const ErrorPlace place{DatabaseKind::results, "T database", "anna", "session_settings"};
+  for (const char* state : {"22023", "42704", "42501", "55P02"}) {
+    const DatabaseError error = explain({"ERROR:  x", state, false}, place);
+    EXPECT_EQ(error.remedy(), Remedy::give_up);
+    EXPECT_THAT(error.hint(), HasSubstr("options=")) << state;
+  }
+}
+
+TEST(ExplainError, PoolerThatRefusesWhatIsSetAtTheStartIsNamed) {
+  const DatabaseError error = connecting(
+      "connection to server at \"db1\" (10.0.0.1), port 6432 failed: FATAL:  "
+      "unsupported startup parameter: options");
+  EXPECT_EQ(error.remedy(), Remedy::give_up);
+  EXPECT_THAT(error.hint(), HasSubstr("PgBouncer"));
+}
+
 TEST(ExplainError, PrivilegeNamesTheGrant) {
   EXPECT_EQ(explained("42501", "ERROR:  permission denied for view seen\n", DatabaseKind::historian)
                 .hint(),

@@ -4,6 +4,7 @@
 
 #include "storage/error.hpp"
 #include "tests/storage/historian/historian_fixture.hpp"
+#include "tests/storage/running_statement.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -66,6 +67,30 @@ TEST_F(PqConnectionTest, ServerThatStandsStillIsGivenUp) {
   } catch (const DatabaseError& error) {
     EXPECT_EQ(error.remedy(), Remedy::reconnect);
     EXPECT_THAT(error.what(), HasSubstr("did not answer in time"));
+  }
+  EXPECT_TRUE(ends_soon(*database, "SELECT pg_sleep(60)")) << "cancelled, not left to itself";
+}
+
+TEST_F(PqConnectionTest, SettingsThatAreLostEndItBeforeTheNextStatement) {
+  for (const char* loss :
+       {"SET statement_timeout = 0", "SET search_path = public", "RESET ALL", "DEALLOCATE ALL"}) {
+    PqConnection connection(settings());
+    connection.run({"loss", loss});
+    for (const bool copies : {false, true}) {
+      try {
+        if (copies) {
+          connection.copy_in({"copy", "COPY public.history FROM STDIN"},
+                             [](std::string&) { return false; });
+        } else {
+          connection.run({"delete", "DELETE FROM public.history"});
+        }
+        ADD_FAILURE() << loss;
+      } catch (const DatabaseError& error) {
+        EXPECT_EQ(error.remedy(), Remedy::reconnect);
+        EXPECT_THAT(error.what(), HasSubstr("no longer"));
+        EXPECT_THAT(error.hint(), HasSubstr("pooler"));
+      }
+    }
   }
 }
 

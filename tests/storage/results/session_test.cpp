@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "tests/storage/results/results_fixture.hpp"
+#include "tests/storage/running_statement.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -89,13 +90,13 @@ TEST_F(SessionTest, BrokenPromiseAboutRowsIsAnError) {
 
 TEST_F(SessionTest, SerialisationFailureAsksForARetry) {
   database->execute("CREATE TABLE counter (x int); INSERT INTO counter VALUES (0)");
-  Session session(settings_for(*database));
-  const Statement isolate{"isolate", "SET TRANSACTION ISOLATION LEVEL REPEATABLE READ", Rows::none};
+  ConnectionSettings settings = settings_for(*database);
+  settings.conninfo += R"( options='-c default_transaction_isolation=repeatable\\ read')";
+  Session session(settings);
   const Statement read{"read", "SELECT x FROM public.counter", Rows::one};
   const Statement write{"write", "UPDATE public.counter SET x = x + 1", Rows::none};
   try {
     session.transact([&](Transaction& t) {
-      t.run(isolate);
       t.run(read);
       database->execute("UPDATE counter SET x = 10");
       t.run(write);
@@ -138,6 +139,35 @@ TEST_F(SessionTest, ServerThatStandsStillIsGivenUp) {
     EXPECT_EQ(error.remedy(), Remedy::reconnect);
     EXPECT_THAT(error.what(), HasSubstr("did not answer in time"));
   }
+  EXPECT_TRUE(ends_soon(*database, "SELECT pg_sleep(60)")) << "cancelled, not left to itself";
+}
+
+TEST_F(SessionTest, SettingsThatAreLostEndItBeforeTheNextStatement) {
+  database->execute("CREATE TABLE kept (x int)");
+  const Statement insert{"insert", "INSERT INTO public.kept VALUES (1)", Rows::none};
+  for (const char* loss :
+       {"SET statement_timeout = 0", "SET search_path = public", "RESET ALL", "DEALLOCATE ALL"}) {
+    Session session(settings_for(*database));
+    session.transact([&](Transaction& t) { t.run({"loss", loss}); });
+    try {
+      session.transact([&](Transaction& t) { t.run(insert); });
+      ADD_FAILURE() << loss;
+    } catch (const DatabaseError& error) {
+      EXPECT_EQ(error.remedy(), Remedy::reconnect);
+      EXPECT_THAT(error.what(), HasSubstr("no longer"));
+      EXPECT_THAT(error.hint(), HasSubstr("pooler"));
+    }
+  }
+  EXPECT_EQ(database->value("SELECT count(*) FROM kept"), "0");
+}
+
+TEST_F(SessionTest, SettingThatTheServerRefusesIsLookedForInOptions) {
+  ConnectionSettings settings = settings_for(*database);
+  settings.conninfo += " options='-c statement_timeout=soon'";
+  const DatabaseError error = connect_error(settings);
+  EXPECT_EQ(error.remedy(), Remedy::give_up);
+  EXPECT_THAT(error.what(), HasSubstr("statement_timeout"));
+  EXPECT_THAT(error.hint(), HasSubstr("options="));
 }
 
 }  // namespace

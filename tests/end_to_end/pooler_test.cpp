@@ -1,0 +1,57 @@
+#include "tests/support/pooler.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <optional>
+
+#include "tests/end_to_end/plant.hpp"
+
+namespace loopscope::tests {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A plant whose program reaches both of its databases by way of a PgBouncer.
+class ThroughPooler : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_pooler()) GTEST_SKIP() << kNoPooler;
+    plant.import_loop("FIC101");
+  }
+  void start(const std::string& mode, const std::string& more = "") {
+    pooler.emplace(mode, std::vector<std::string>{"postgres"}, more);
+    const std::string through = pooler->conninfo(plant.connection());
+    plant.write_settings(R"({"results": {"connection": ")" + through +
+                         R"("}, "historians": [{"name": "plant", "connection": ")" + through +
+                         R"("}]})");
+  }
+
+  Plant plant;
+  std::optional<Pooler> pooler;
+};
+
+TEST_F(ThroughPooler, SessionModeWorks) {
+  start("session");
+  const ProgramResult checked = plant.loopscope("check-config");
+  EXPECT_EQ(checked.exit_code, 0) << checked.out << checked.err;
+  const ProgramResult once = plant.loopscope("once");
+  EXPECT_EQ(once.exit_code, 0) << once.err;
+  EXPECT_EQ(plant.sql("select count(*) from loopscope.analysis"), "1");
+}
+
+TEST_F(ThroughPooler, TransactionModeIsRefusedByEveryCommand) {
+  start("transaction", "ignore_startup_parameters = options\n");
+  for (const char* command : {"check-config", "once"}) {
+    const ProgramResult refused = plant.loopscope(command);
+    EXPECT_EQ(refused.exit_code, 4) << command << refused.out;
+    EXPECT_THAT(refused.out + refused.err,
+                AllOf(HasSubstr("another client was given the same session"), HasSubstr("HINT: "),
+                      HasSubstr("pool_mode = session")))
+        << command;
+  }
+  EXPECT_EQ(plant.sql("select count(*) from loopscope.analysis"), "0");
+}
+
+}  // namespace
+}  // namespace loopscope::tests
