@@ -124,7 +124,8 @@ void LeaseWorld::claim_next(LeaseWorker& worker, std::size_t which) {
   const std::int64_t after = id_of(which);
   std::vector<std::int64_t> next;
   for (const auto& [loop_id, loop] : loops_)
-    if (next.empty() && loop_id > after && (loop.owner.empty() || loop.visible))
+    if (next.empty() && loop_id > after && (loop.owner.empty() || loop.visible) &&
+        !loop.is_suspect())
       next.push_back(loop_id);
   take_claims(worker, worker.results.claim_next(worker.name, kLease_s, 1, after), next);
 }
