@@ -16,6 +16,10 @@
 -- public; and queries are no longer compiled (jit), which takes longer than the views themselves: tens of seconds.
 -- A database that is shared is left as it is: its other users may need that.
 
+-- Whoever may create functions in a schema of the search path could put one of his own into the place of PostgreSQL's
+-- (format(text, name), say), and it would run with a superuser's rights.
+SET search_path = pg_catalog, pg_temp;
+
 DO $$
 DECLARE role record;
 BEGIN

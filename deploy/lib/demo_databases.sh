@@ -20,7 +20,7 @@ demo_psql() {
   local folder=$1 user=$2 database=$3
   shift 3
   # PSQLRC and a pager are the user's, not the demo's.
-  PGOPTIONS='-c client_min_messages=warning' psql --no-psqlrc --quiet --set ON_ERROR_STOP=1 \
+  PGOPTIONS='-c client_min_messages=warning -c search_path=pg_catalog,pg_temp' psql --no-psqlrc --quiet --set ON_ERROR_STOP=1 \
     --pset pager=off "$@" "$(demo_conninfo "$folder" "$user" "$database")"
 }
 

@@ -7,6 +7,8 @@
 #include "storage/results/migrate.hpp"
 #include "tests/storage/historian/historian_fixture.hpp"
 #include "tests/storage/results/results_fixture.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/source_dir.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -14,63 +16,7 @@ namespace {
 using testing::ElementsAre;
 
 /// Somebody who may make objects in `public` puts functions, operators and tables there that stand
-/// in for PostgreSQL's, and the logins of the program look into `public` first. Each of them ends
-/// the statement that falls for it.
-constexpr const char* kTraps = R"(
-  CREATE FUNCTION public.trap() RETURNS boolean LANGUAGE plpgsql VOLATILE
-    AS $$ BEGIN RAISE EXCEPTION 'a trap was run'; END $$;
-  DO $$
-  DECLARE copied record; arguments text; result text;
-  BEGIN
-    -- Every function that statements call, with each of its signatures.
-    FOR copied IN
-      SELECT p.oid, p.proname, p.prokind, pg_get_function_identity_arguments(p.oid) AS arguments,
-             pg_get_function_result(p.oid) AS result, p.proargnames
-      FROM pg_proc AS p
-      WHERE p.pronamespace = 'pg_catalog'::regnamespace AND p.prokind = 'f'
-        AND p.proname IN ('now', 'clock_timestamp', 'unnest', 'lower', 'btrim', 'date_trunc',
-          'extract', 'make_interval', 'jsonb_array_elements', 'set_config', 'pg_has_role',
-          'has_table_privilege', 'has_schema_privilege', 'has_database_privilege', 'to_regclass',
-          'pg_advisory_xact_lock', 'current_schemas', 'current_database', 'abs', 'encode',
-          'convert_to', 'float8', 'int8', 'text', 'timezone', 'format', 'quote_ident', 'to_char',
-          'generate_series', 'array_to_string', 'jsonb_typeof', 'to_regrole')
-        AND p.proretset = ANY (ARRAY[false, true])
-    LOOP
-      BEGIN
-        EXECUTE format('CREATE FUNCTION public.%I(%s) RETURNS %s LANGUAGE plpgsql VOLATILE AS %L',
-          copied.proname, copied.arguments, copied.result,
-          'BEGIN RAISE EXCEPTION ''a trap was run''; END');
-      EXCEPTION WHEN OTHERS THEN NULL;  -- what cannot be copied cannot be put in its place
-      END;
-    END LOOP;
-    -- Every comparison and sum of the types in use, and those between types that PostgreSQL has
-    -- no operator of its own for: these are taken even when pg_catalog is looked into first.
-    FOR copied IN
-      SELECT o.op, l.type AS l, r.type AS r
-      FROM unnest('{=,<>,<,<=,>,>=,+,-,*,/,||,&,->,->>,~}'::text[]) AS o (op),
-           unnest('{text,varchar,name,int2,int4,int8,float4,float8,numeric,timestamptz,timestamp,
-                    interval,jsonb,bool,oid,"char"}'::text[]) AS l (type),
-           unnest('{text,varchar,name,int2,int4,int8,float4,float8,numeric,timestamptz,timestamp,
-                    interval,jsonb,bool,oid,"char"}'::text[]) AS r (type)
-    LOOP
-      EXECUTE format('CREATE OR REPLACE FUNCTION public.trap_op(%s, %s) RETURNS boolean
-                      LANGUAGE plpgsql VOLATILE AS %L', copied.l, copied.r,
-                     'BEGIN RAISE EXCEPTION ''a trap was run''; END');
-      EXECUTE format('CREATE OPERATOR public.%s (FUNCTION = public.trap_op, LEFTARG = %s,
-                      RIGHTARG = %s)', copied.op, copied.l, copied.r);
-    END LOOP;
-  END $$;
-  CREATE TABLE public.pg_class (x int);
-  CREATE TABLE public.pg_namespace (x int);
-  CREATE TABLE public.pg_roles (x int);
-  CREATE TABLE public.pg_timezone_names (x int);
-  CREATE TABLE public.pg_inherits (x int);
-  CREATE TABLE public.pg_settings (x int);
-  CREATE TABLE public.loop (x int);
-  CREATE DOMAIN public.timestamptz AS text;
-  CREATE DOMAIN public.regclass AS text;
-)";
-
+/// in for PostgreSQL's (tests/support/traps.sql), and the logins of the program look there first.
 class SearchPathTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -83,7 +29,10 @@ class SearchPathTest : public testing::Test {
     database->execute("CREATE SCHEMA site; GRANT USAGE ON SCHEMA site TO loopscope_historian");
   }
 
-  void lay_traps() const { database->execute(kTraps); }
+  /// Each of them ends the statement that falls for it.
+  void lay_traps() const {
+    database->execute(tests::content_of(tests::source_dir() / "tests" / "support" / "traps.sql"));
+  }
 
   /// Looks into public first, as `ALTER ROLE ... SET search_path` may say.
   std::string login(const std::string& group) const {
