@@ -1,6 +1,7 @@
 #include "storage/results/check_results.hpp"
 
 #include "storage/check_connection.hpp"
+#include "storage/results/schema_owner.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
 #include "storage/results/statements.hpp"
@@ -26,6 +27,20 @@ Finding check_right(const pqxx::row& row) {
   return finding;
 }
 
+/// Whose the schema is decides what runs in it, and with which rights.
+void check_owner(const SchemaOwner& found, std::vector<Finding>& findings) {
+  if (!found.owner.empty())
+    findings.push_back({true, "the schema loopscope belongs to " + found.owner, "", false});
+}
+
+/// A session goes on as loopscope_owner then, which may do far more than a worker needs.
+void check_superuser(const SchemaOwner& found, std::vector<Finding>& findings) {
+  if (!found.superuser_login) return;
+  findings.push_back(
+      {true, "the login " + found.login + " is a superuser; its sessions go on as loopscope_owner",
+       "connect as a login that is only a member of loopscope_worker", true});
+}
+
 }  // namespace
 
 std::vector<Finding> check_results(const ConnectionSettings& settings) {
@@ -34,6 +49,9 @@ std::vector<Finding> check_results(const ConnectionSettings& settings) {
     findings = check_connection(settings);
     Session session(settings);
     findings.push_back({true, "connected to the " + describe_target(settings), "", false});
+    const SchemaOwner owner = session.transact(find_schema_owner);
+    check_superuser(owner, findings);
+    check_owner(owner, findings);
     require_schema_version(session);
     findings.push_back({true, "the schema loopscope has this program's version", "", false});
     const pqxx::result rights = session.transact(

@@ -1,6 +1,7 @@
 #include "storage/results/session.hpp"
 
 #include "storage/patience.hpp"
+#include "storage/results/schema_owner.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -46,6 +47,7 @@ Session::Session(const ConnectionSettings& settings)
                 [this] { cancel_statement(settings_, process_); }) {
   place_.user = connection_.username();
   set_up();
+  transact(enter_schema);
 }
 
 void Session::set_up() {

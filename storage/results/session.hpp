@@ -44,6 +44,7 @@ class Transaction {
 /// session by then: after the first broken use every later one is refused here.
 class Session {
  public:
+  /// Connects, and refuses a schema that is not to be trusted: enter_schema().
   explicit Session(const ConnectionSettings& settings);
 
   /// Runs `work(Transaction&)` in one transaction, commits it and returns what work returned.

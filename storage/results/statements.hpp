@@ -31,6 +31,8 @@ extern const Statement kListMaintenance;    ///< whether of these names only, na
 extern const Statement kHasSchema;
 extern const Statement kSchemaVersion;
 extern const Statement kOldestProgram;
+extern const Statement kFindSchemaOwner;
+extern const Statement kLeaveSuperuser;
 extern const Statement kBecomeOwner;
 extern const Statement kLockMigrations;
 extern const Statement kAppliedMigrations;

@@ -145,6 +145,7 @@ class Results:
             "historians": [{"name": "plant", "connection": historian.conninfo(),
                             "table": "public.history"}],
             "schedule": {"settle_s": 60, **schedule}}))
+        self.sql((SOURCE_DIR / "deploy/roles.sql").read_text(encoding="utf-8"))
         run([program, "migrate", "--config", self.settings])
         self.sql(f"""
             INSERT INTO loopscope.loop (name, source, sp_tag, pv_tag, op_tag, interval_s, period_s,

@@ -7,6 +7,7 @@
 #   drop_database                   for the trap
 
 database=loopscope_deploy_$$
+_ROLES_SQL=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)/deploy/roles.sql
 
 ask() {
   psql --no-psqlrc -v ON_ERROR_STOP=1 -qAt "$1" -c "$2"
@@ -18,6 +19,7 @@ make_database() {
   [ -n "$server" ] || skip "no test server: run through ctest, which starts one"
   ask "$server" "CREATE DATABASE $database"
   connection=${server/dbname=postgres/dbname=$database}
+  psql --no-psqlrc -v ON_ERROR_STOP=1 -q "$connection" -f "$_ROLES_SQL" 2>/dev/null
   settings=$(mktemp)
   printf '{"results": {"connection": "%s"}, "historians": [{"connection": "%s"}]}\n' "$connection" "$connection" >"$settings"
   "$1" migrate --config "$settings" >/dev/null

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/sql_connection.hpp"
+
 namespace loopscope::tests {
 namespace {
 
@@ -33,8 +35,9 @@ std::string settings_for(const std::string& connection, const std::string& text)
   return filled;
 }
 
-/// Through the program itself.
+/// Through the program itself, which goes on as the owner's group.
 void migrate(const std::string& connection) {
+  SqlConnection(connection).run(roles_script());
   const TemporaryFolder folder;
   const std::string file = folder.path() / "loopscope.json";
   std::ofstream(file) << settings_for(connection, Plant::settings());

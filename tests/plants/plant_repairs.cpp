@@ -41,6 +41,7 @@ void run(const Options& options) {
   std::unique_ptr<loopscope::tests::TestDatabase> throw_away;
   if (options.database.empty()) throw_away = std::make_unique<loopscope::tests::TestDatabase>();
   const auto database = settings_for(throw_away ? throw_away->conninfo() : options.database);
+  loopscope::tests::SqlConnection(database.conninfo).run(loopscope::tests::roles_script());
   storage::migrate(database);
   const auto done = repairs::run_repairs(options.plan);
   const auto rows = repairs::store_repairs(database, done);

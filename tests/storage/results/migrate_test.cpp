@@ -21,6 +21,7 @@ class MigrateTest : public testing::Test {
   void SetUp() override {
     if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
     database = std::make_unique<tests::TestDatabase>();
+    database->make_roles();
   }
   [[nodiscard]] std::string error_of_connecting() const {
     try {
@@ -144,7 +145,9 @@ TEST_F(MigrateTest, ChangedHistoryIsRefused) {
 }
 
 TEST_F(MigrateTest, FailureLeavesNothingBehind) {
-  database->execute("CREATE SCHEMA loopscope; CREATE TABLE loopscope.verdict (in_the_way int)");
+  database->execute(
+      "SET ROLE loopscope_owner; CREATE SCHEMA loopscope;"
+      " CREATE TABLE loopscope.verdict (in_the_way int)");
   EXPECT_THROW(migrate(settings_for(*database)), DatabaseError);
   EXPECT_EQ(database->value("SELECT count(*) FROM pg_class WHERE relnamespace ="
                             " 'loopscope'::regnamespace"),

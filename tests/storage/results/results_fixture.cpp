@@ -14,7 +14,9 @@ std::string template_name(const std::string& kind, std::string contents = "") {
   return "loopscope_" + kind + "_" + std::to_string(std::hash<std::string>{}(contents));
 }
 
+/// Who goes on as the owner's group.
 void migrate_as_superuser(const std::string& conninfo) {
+  tests::SqlConnection(conninfo).run(tests::roles_script());
   migrate({.conninfo = conninfo, .purpose = "results"});
 }
 
@@ -126,8 +128,8 @@ void explain(AnalysisRecord& record, const std::string& last_error) {
 
 void ResultsTest::SetUp() {
   if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
-  database = std::make_unique<tests::TestDatabase>(
-      tests::TemplateDatabase{template_name("template"), migrate_as_superuser});
+  database = std::make_unique<tests::TestDatabase>(tests::TemplateDatabase{
+      template_name("template", tests::roles_script()), migrate_as_superuser});
   database->execute(
       "UPDATE loopscope.parameter SET value = 0.05 WHERE name = 'false_discovery_rate'");
 }

@@ -16,6 +16,7 @@ class SessionTest : public testing::Test {
   void SetUp() override {
     if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
     database = std::make_unique<tests::TestDatabase>();
+    database->make_roles();
   }
   std::unique_ptr<tests::TestDatabase> database;
 };
@@ -68,7 +69,7 @@ TEST_F(SessionTest, SessionIsSetUpTheSameOnEveryServer) {
 }
 
 TEST_F(SessionTest, FailedWorkStoresNothingAndTheSessionGoesOn) {
-  database->execute("CREATE TABLE kept (x int)");
+  database->execute("CREATE TABLE kept (x int); GRANT ALL ON kept TO PUBLIC");
   Session session(settings_for(*database));
   const Statement insert{"insert", "INSERT INTO public.kept VALUES (1)", Rows::none};
   const Statement wrong{"wrong", "SELECT * FROM no_such_table"};
@@ -89,7 +90,9 @@ TEST_F(SessionTest, BrokenPromiseAboutRowsIsAnError) {
 }
 
 TEST_F(SessionTest, SerialisationFailureAsksForARetry) {
-  database->execute("CREATE TABLE counter (x int); INSERT INTO counter VALUES (0)");
+  database->execute(
+      "CREATE TABLE counter (x int); INSERT INTO counter VALUES (0);"
+      " GRANT ALL ON counter TO PUBLIC");
   ConnectionSettings settings = settings_for(*database);
   settings.conninfo += R"( options='-c default_transaction_isolation=repeatable\\ read')";
   Session session(settings);
