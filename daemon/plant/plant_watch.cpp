@@ -10,6 +10,7 @@
 #include "daemon/plant/plant_round.hpp"
 #include "daemon/service/stopwatch.hpp"
 #include "daemon/service/storage_settings.hpp"
+#include "daemon/service/workforce.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -37,15 +38,22 @@ bool goes_well(FaultLog& faults, Step step) {
   return false;
 }
 
-/// nullopt = the turn is another worker's.
-std::optional<double> round_when_due(storage::PlantRounds& rounds, double every_s,
-                                     const config::Settings& settings, LaneTools& tools) {
-  const std::optional<double> wait_s = rounds.take_turn(every_s);
-  if (!wait_s || *wait_s > 0.0) return wait_s;
+/// A round reads the historians for minutes, and its lease is not extended.
+constexpr double kLeastHold_s = 300.0;
+
+/// A round of a large plant may take as many looks; beyond them its holder is worth a line.
+constexpr int kRefusalsToSay = 10;
+
+storage::PlantTurn round_when_due(storage::PlantRounds& rounds, double every_s,
+                                  const config::Settings& settings, LaneTools& tools) {
+  storage::PlantTurn turn =
+      rounds.take_turn(every_s, process_name(), std::max(settings.schedule.lease_s, kLeastHold_s));
+  if (turn.wait_s != 0.0) return turn;
   Stopwatch watch;
   if (const auto round = make_plant_round(rounds, settings, tools))
     spdlog::info("plant round: {} ({:.1f} s)", printable(round_text(*round)), watch.lap_s());
-  return every_s;
+  turn.wait_s = every_s;
+  return turn;
 }
 
 void announce(storage::PlantRounds& rounds) {
@@ -86,11 +94,21 @@ std::optional<double> PlantWatch::compare(storage::PlantRounds& rounds,
   if (Clock::now() < next_round_) return std::nullopt;
   double wait_s = kLookAgain_s;
   const auto round = [&] {
-    wait_s = round_when_due(rounds, settings.plant.round_s, settings, tools_).value_or(wait_s);
+    const storage::PlantTurn turn =
+        round_when_due(rounds, settings.plant.round_s, settings, tools_);
+    count_refusal(turn.holder);
+    wait_s = turn.wait_s.value_or(wait_s);
   };
   if (goes_well(tools_.faults, round)) return wait_s;
   next_round_ = Clock::now() + kAfterFailure;
   return std::nullopt;
+}
+
+void PlantWatch::count_refusal(const std::string& holder) {
+  refusals_ = holder.empty() ? 0 : refusals_ + 1;
+  if (refusals_ == kRefusalsToSay)
+    spdlog::warn("plant round: {} has had the turn at {} looks in a row", printable(holder),
+                 refusals_);
 }
 
 double PlantWatch::look(const config::Settings& settings) {
@@ -98,7 +116,8 @@ double PlantWatch::look(const config::Settings& settings) {
   double pause_s = kLookAgain_s;
   if (plant.round_s <= 0.0 && plant.notice_s <= 0.0) return pause_s;
   std::optional<storage::PlantRounds> rounds;
-  bool well = goes_well(tools_.faults, [&] { rounds.emplace(results_connection(settings), tools_.clocks.check()); });
+  bool well = goes_well(
+      tools_.faults, [&] { rounds.emplace(results_connection(settings), tools_.clocks.check()); });
   if (!well) return settings.schedule.poll_s;
   if (plant.round_s > 0.0) {
     const auto wait_s = compare(*rounds, settings);
@@ -116,7 +135,11 @@ double PlantWatch::look(const config::Settings& settings) {
 
 void compare_all_loops(const config::Settings& settings, LaneTools& tools) {
   storage::PlantRounds rounds(results_connection(settings), tools.clocks.check());
-  if (settings.plant.round_s > 0.0) round_when_due(rounds, 0.0, settings, tools);
+  if (settings.plant.round_s > 0.0) {
+    const storage::PlantTurn turn = round_when_due(rounds, 0.0, settings, tools);
+    if (!turn.holder.empty())
+      spdlog::info("plant round: left to {}, who has the turn", printable(turn.holder));
+  }
   if (settings.plant.notice_s > 0.0) announce(rounds);
 }
 

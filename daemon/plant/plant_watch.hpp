@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "config/settings.hpp"
@@ -32,9 +33,12 @@ class PlantWatch {
   double look(const config::Settings& settings);
   /// Compares when it is time; seconds until it will be, nullopt = it failed, now or lately.
   std::optional<double> compare(storage::PlantRounds& rounds, const config::Settings& settings);
+  /// Says who has the turn when it has been another's at many looks in a row.
+  void count_refusal(const std::string& holder);
 
   LaneTools& tools_;
   Clock::time_point next_round_{};  ///< not before; of the thread
+  int refusals_ = 0;                ///< looks in a row at which another had the turn; of the thread
   std::mutex mutex_;                ///< over settings_
   std::shared_ptr<const config::Settings> settings_;
   std::condition_variable_any changed_;

@@ -8,11 +8,13 @@ const Statement kListAnnotations{"list_annotations", R"(
     FROM loopscope.annotation_in_force
     ORDER BY loop_name, entered_at)"};
 
-// Only withdrawn_at is written: an engineer may change nothing else of what was said.
+// Only withdrawn_at is written: an engineer may change nothing else of what was said. It is asked
+// for again, since another may have taken it back while this one waited for the row.
 const Statement kReplaceAnnotations{"replace_annotations", R"(
     UPDATE loopscope.annotation AS said SET withdrawn_at = now()
     FROM loopscope.annotation_in_force AS holds
-    WHERE holds.annotation_id = said.annotation_id AND holds.loop_name = $1 AND holds.kind = $2
+    WHERE holds.annotation_id = said.annotation_id AND said.withdrawn_at IS NULL
+      AND holds.loop_name = $1 AND holds.kind = $2
       AND holds.code IS NOT DISTINCT FROM nullif($3, '')
     RETURNING said.annotation_id)"};
 
@@ -25,8 +27,8 @@ const Statement kAddAnnotation{"add_annotation", R"(
 const Statement kWithdrawAnnotations{"withdraw_annotations", R"(
     UPDATE loopscope.annotation AS said SET withdrawn_at = now()
     FROM loopscope.annotation_in_force AS holds
-    WHERE holds.annotation_id = said.annotation_id AND holds.loop_name = $1
-      AND ($2 = '' OR holds.code = $2)
+    WHERE holds.annotation_id = said.annotation_id AND said.withdrawn_at IS NULL
+      AND holds.loop_name = $1 AND ($2 = '' OR holds.code = $2)
     RETURNING said.annotation_id)"};
 
 const Statement kNewestCode{"newest_code",

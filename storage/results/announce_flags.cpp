@@ -21,7 +21,7 @@ FlagNotice read_notice(const pqxx::row& row) {
 }  // namespace
 
 FlagAnnouncement announce_flags(Transaction& transaction) {
-  // A statement of its own: the next one then sees what the lock's former holder has committed.
+  // A statement of its own: the next one then sees what the row's former holder has committed.
   transaction.run(statements::kLockFlags);
   FlagAnnouncement announcement;
   for (const pqxx::row& row : transaction.run(statements::kAnnounceFlags)) {

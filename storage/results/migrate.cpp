@@ -4,6 +4,7 @@
 
 #include "storage/results/embedded_migrations.hpp"
 #include "storage/results/results_clock.hpp"
+#include "storage/results/schema_owner.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
 #include "storage/results/statements.hpp"
@@ -14,6 +15,10 @@ namespace {
 // This month and the next three: `maintain` may fail to run for a quarter of a year before rows
 // end up in DEFAULT.
 constexpr int kMonthsAhead = 4;
+
+/// SQLSTATE unique_violation: another program made the schema while this one wanted to, and has
+/// left little to do.
+constexpr const char* kMadeMeanwhile = "23505";
 
 /// Moving a month's rows out of DEFAULT or dropping a month may take longer than any query of the
 /// worker is allowed to.
@@ -65,8 +70,9 @@ std::vector<std::string> make_partitions(Transaction& transaction) {
 }
 
 std::vector<std::string> migrate_all(Transaction& transaction) {
-  transaction.run(statements::kLockMigrations);
   transaction.run(statements::kBecomeOwner);
+  if (find_schema_owner(transaction).owner.empty()) transaction.run(statements::kMakeSchema);
+  transaction.run(statements::kLockSchema);
   std::size_t applied = 0;
   if (transaction.run(statements::kHasSchema)[0][0].as<bool>()) {
     const pqxx::result rows = transaction.run(statements::kAppliedMigrations);
@@ -127,6 +133,11 @@ int required_schema_version() {
 
 std::vector<std::string> migrate(const ConnectionSettings& owner) {
   Session session(without_time_limit(owner));
+  try {
+    return session.transact(migrate_all);
+  } catch (const DatabaseError& error) {
+    if (error.sqlstate() != kMadeMeanwhile) throw;
+  }
   return session.transact(migrate_all);
 }
 
@@ -135,8 +146,8 @@ MaintenanceResult maintain(const ConnectionSettings& owner, const MaintenanceOrd
   require_schema_version(session);
   MaintenanceResult result;
   result.created = transact_in_time(session, orders.check, [](Transaction& transaction) {
-    transaction.run(statements::kLockMigrations);
     transaction.run(statements::kBecomeOwner);
+    transaction.run(statements::kLockSchema);
     return make_partitions(transaction);
   });
   if (orders.retention_months > 0) result.dropped = drop_expired(session, orders);

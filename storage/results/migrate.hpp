@@ -11,9 +11,9 @@ namespace loopscope::storage {
 /// The schema version that this program reads and writes: the number of its newest migration.
 [[nodiscard]] int required_schema_version();
 
-/// Brings the schema `loopscope` up to date in one transaction under an advisory lock, makes the
-/// partitions of this month and the next three, and grants rights to those of the roles
-/// loopscope_worker and loopscope_reader that exist. A member of loopscope_owner makes everything
+/// Brings the schema `loopscope` up to date in one transaction, one program at a time, makes the
+/// partitions of this month and the next three, and grants rights to those of the group roles that
+/// exist. A member of loopscope_owner makes everything
 /// as that role, so that every other member can change it. Returns the names of the migrations
 /// applied (empty = nothing to do). Refuses (DatabaseError) a schema newer than the program and one
 /// whose recorded migrations differ from the compiled-in ones.

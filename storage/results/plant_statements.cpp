@@ -25,8 +25,29 @@ const Statement kWritePlantEvent{"write_plant_event", R"(
       p = EXCLUDED.p, found_at = now())",
                                  Rows::none};
 
-const Statement kLockFlags{"lock_flags", "SELECT pg_advisory_xact_lock(7310868735423867748)",
+// Rows of task_lease can be locked by workers alone, advisory locks by everybody who may connect.
+const Statement kLockFlags{"lock_flags", R"(
+    SELECT FROM loopscope.task_lease WHERE task = 'announce_flags' FOR UPDATE)",
                            Rows::one};
+
+// By the database's clock alone. A lease that ends later than it was given for comes of a clock
+// that was ahead, and does not hold; the minute is for one that was put back a little meanwhile.
+const Statement kTakeRound{"take_round", R"(
+    UPDATE loopscope.task_lease SET
+      owner = $1, until = now() + $2::float8 * interval '1 second', hold_s = $2::float8
+    WHERE task = 'plant_round'
+      AND (owner IS NULL OR owner = $1 OR until <= now()
+           OR until > now() + hold_s * interval '1 second' + interval '1 minute')
+    RETURNING owner)"};
+
+const Statement kGiveRoundBack{"give_round_back", R"(
+    UPDATE loopscope.task_lease SET owner = NULL, until = NULL, hold_s = NULL
+    WHERE task = 'plant_round' AND owner = $1)",
+                               Rows::none};
+
+const Statement kRoundHolder{"round_holder", R"(
+    SELECT coalesce(owner, '') AS owner FROM loopscope.task_lease WHERE task = 'plant_round')",
+                             Rows::one};
 
 // A message may have 7999 bytes. The longer form nearly always fits; the shorter one always does,
 // because no character takes more than six bytes in JSON.

@@ -10,6 +10,9 @@ extern const Statement kWritePlantRound;  ///< slot_end, revision, loops, oscill
 /// statement, roles, scores, p ("" = none)
 extern const Statement kWritePlantEvent;
 extern const Statement kLockFlags;
+extern const Statement kTakeRound;      ///< owner, seconds; no row = another has the turn
+extern const Statement kGiveRoundBack;  ///< owner
+extern const Statement kRoundHolder;
 extern const Statement kAnnounceFlags;
 
 }  // namespace loopscope::storage::statements

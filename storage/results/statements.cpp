@@ -94,8 +94,12 @@ const Statement kAddStageCost{"add_stage_cost", R"(
       write_s = kept.write_s + EXCLUDED.write_s, wait_s = kept.wait_s + EXCLUDED.wait_s)",
                               Rows::none};
 
+// A value that stands already is not written again: every new connection sets some, and would wait
+// for whoever holds their rows.
 const Statement kSetParameter{"set_parameter", R"(
-    UPDATE loopscope.parameter SET value = $2::float8 WHERE name = $1 RETURNING name)"};
+    WITH changed AS (
+      UPDATE loopscope.parameter SET value = $2::float8 WHERE name = $1 AND value <> $2::float8)
+    SELECT name FROM loopscope.parameter WHERE name = $1)"};
 
 const Statement kListLoops{"list_loops",
                            "SELECT " LOOPSCOPE_LOOP_COLUMNS " FROM loopscope.loop ORDER BY name"};
@@ -200,9 +204,16 @@ const Statement kBecomeOwner{"become_owner", R"(
                THEN has_database_privilege(owner.oid, current_database(), 'CREATE')
                ELSE schema.nspowner = owner.oid END)"};
 
-// Any fixed number does, as long as nothing else in the database uses it.
-const Statement kLockMigrations{"lock_migrations",
-                                "SELECT pg_advisory_xact_lock(7310868735423867747)", Rows::one};
+// Two that make it at the same time meet at its name: the second waits for the first and fails.
+const Statement kMakeSchema{"make_schema", "CREATE SCHEMA IF NOT EXISTS loopscope", Rows::none};
+
+// A comment locks what it is about until the transaction ends, against other comments and nothing
+// else, and only the schema's owner can write one: anybody may take advisory locks. The words are
+// those of the first migration.
+const Statement kLockSchema{"lock_schema", R"(
+    COMMENT ON SCHEMA loopscope IS
+      'Control-loop diagnoses: loops, schedule, analyses, verdicts and views for people')",
+                            Rows::none};
 
 const Statement kAppliedMigrations{
     "applied_migrations",
@@ -258,6 +269,7 @@ const Statement kCheckRights{"check_rights", R"(
       ('INSERT', 'loopscope.plant_oscillation', true), ('UPDATE', 'loopscope.plant_oscillation', true),
       ('INSERT', 'loopscope.plant_round', true), ('UPDATE', 'loopscope.plant_round', true),
       ('INSERT', 'loopscope.flag_notice', true), ('UPDATE', 'loopscope.flag_notice', true),
+      ('UPDATE', 'loopscope.task_lease', true),
       ('SELECT', 'loopscope.parameter', true), ('UPDATE', 'loopscope.parameter', true),
       ('SELECT', 'loopscope.schema_migration', true),
       ('EXECUTE', 'function loopscope.oldest_program()', true),

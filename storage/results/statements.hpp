@@ -34,7 +34,8 @@ extern const Statement kOldestProgram;
 extern const Statement kFindSchemaOwner;
 extern const Statement kLeaveSuperuser;
 extern const Statement kBecomeOwner;
-extern const Statement kLockMigrations;
+extern const Statement kMakeSchema;
+extern const Statement kLockSchema;
 extern const Statement kAppliedMigrations;
 extern const Statement kRecordMigration;  ///< version, name, sha256
 extern const Statement kMakePartitions;   ///< months

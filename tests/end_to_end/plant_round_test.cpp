@@ -138,5 +138,25 @@ TEST_F(PlantRound, ARoundThatFailsKeepsNoFlagBack) {
   EXPECT_EQ(daemon.wait(30), 0);
 }
 
+TEST_F(PlantRound, WhoeverKeepsTheTurnIsNamed) {
+  plant.sql(
+      "UPDATE loopscope.task_lease SET owner = 'host/9', hold_s = 3600,"
+      " until = now() + interval '1 h' WHERE task = 'plant_round'");
+  const ProgramResult pass = plant.loopscope("once");
+  ASSERT_EQ(pass.exit_code, 0) << pass.err;
+  EXPECT_THAT(pass.err, HasSubstr("plant round: left to host/9, who has the turn"));
+  EXPECT_EQ(plant.sql("select count(*) from loopscope.plant_round"), "0");
+  plant.write_settings(Plant::settings(
+      R"("plant": {"round_s": 0.5, "notice_s": 0.1}, "schedule": {"poll_s": 0.5, "settle_s": 0})"));
+  const std::string log = plant.folder() / "daemon.log";
+  BackgroundProgram daemon(plant.command_line("run"), log);
+  const std::string words = "plant round: host/9 has had the turn at 10 looks in a row";
+  for (int tries = 0; tries < 300 && content_of(log).find(words) == std::string::npos; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_THAT(content_of(log), HasSubstr(words));
+  daemon.send(SIGTERM);
+  EXPECT_EQ(daemon.wait(30), 0);
+}
+
 }  // namespace
 }  // namespace loopscope::tests

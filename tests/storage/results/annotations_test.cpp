@@ -1,5 +1,7 @@
 #include "storage/results/annotations.hpp"
 
+#include <chrono>
+#include <future>
 #include <gmock/gmock.h>
 
 #include "storage/results/migrate.hpp"
@@ -104,6 +106,45 @@ TEST_F(AnnotationsTest, NobodySpeaksForSomebodyElse) {
                     " description) SELECT loop_id, now(), 'valve', 'new packing'"
                     " FROM loopscope.loop"),
             "");
+}
+
+/// What one engineer has taken back, with the time given to another to say so.
+TEST_F(AnnotationsTest, WhatWasTakenBackStaysSo) {
+  annotations().add({"a", "suppressed", {}, in_an_hour(), "shutdown", "", 0});
+  EXPECT_EQ(annotations().withdraw("a", std::nullopt), 1U);
+  const std::string second = database->make_login("loopscope_engineer");
+  const tests::SqlConnection other(database->conninfo(second));
+  for (const char* time : {"NULL", "'1999-01-01'", "now() + interval '1 day'"}) {
+    EXPECT_THROW(other.run(std::string("UPDATE loopscope.annotation SET withdrawn_at = ") + time),
+                 std::runtime_error)
+        << time;
+  }
+  EXPECT_EQ(value("SELECT state FROM loopscope.annotation_history"), "withdrawn");
+  EXPECT_EQ(value("SELECT withdrawn_by FROM loopscope.annotation_history"), login);
+  EXPECT_EQ(annotations().withdraw("a", std::nullopt), 0U) << "there is nothing left";
+}
+
+TEST_F(AnnotationsTest, TheServerNotesWhenOneWasTakenBack) {
+  annotations().add({"a", "acknowledged", {}, {}, "", "", 0});
+  tests::SqlConnection(database->conninfo(login))
+      .run("UPDATE loopscope.annotation SET withdrawn_at = '1999-01-01'");
+  EXPECT_EQ(value("SELECT withdrawn_at >= entered_at AND withdrawn_at <= now()"
+                  " FROM loopscope.annotation_history"),
+            "t");
+}
+
+TEST_F(AnnotationsTest, TwoWhoTakeTheSameOneBackTakeItBackOnce) {
+  annotations().add({"a", "acknowledged", {}, {}, "", "", 0});
+  const tests::SqlConnection other(database->conninfo(login));
+  other.run("BEGIN; UPDATE loopscope.annotation SET withdrawn_at = now()");
+  std::future<std::size_t> second =
+      std::async(std::launch::async, [this] { return annotations().withdraw("a", std::nullopt); });
+  // Until it waits for the first.
+  while (value("SELECT count(*) FROM pg_locks WHERE NOT granted") == "0") {
+    ASSERT_EQ(second.wait_for(std::chrono::milliseconds(20)), std::future_status::timeout);
+  }
+  other.run("COMMIT");
+  EXPECT_EQ(second.get(), 0U);
 }
 
 }  // namespace

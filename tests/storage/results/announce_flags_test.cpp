@@ -130,9 +130,10 @@ TEST_F(AnnounceFlagsTest, SaysWhatEndedAFlag) {
 TEST_F(AnnounceFlagsTest, WhoComesBackAtOnceIsNotAnnouncedAgain) {
   tell({{.loop = "a"}});
   static_cast<void>(announce());
-  database->execute(
+  const char* acknowledge =
       "INSERT INTO loopscope.annotation (loop_id, kind) SELECT loop_id, 'acknowledged'"
-      " FROM loopscope.loop");
+      " FROM loopscope.loop";
+  database->execute(acknowledge);
   static_cast<void>(announce());
   database->execute("UPDATE loopscope.annotation SET withdrawn_at = now()");
   const Listener listener(database->conninfo());
@@ -140,10 +141,10 @@ TEST_F(AnnounceFlagsTest, WhoComesBackAtOnceIsNotAnnouncedAgain) {
   ASSERT_THAT(back.flagged, SizeIs(1));
   EXPECT_FALSE(back.flagged[0].announced);
   EXPECT_THAT(listener.heard(), IsEmpty());
-  database->execute("UPDATE loopscope.annotation SET withdrawn_at = NULL");
+  database->execute(acknowledge);
   static_cast<void>(announce());
   database->execute(
-      "UPDATE loopscope.annotation SET withdrawn_at = now();"
+      "UPDATE loopscope.annotation SET withdrawn_at = now() WHERE withdrawn_at IS NULL;"
       "UPDATE loopscope.flag_notice SET ended_at = ended_at - interval '25 h'");
   EXPECT_TRUE(announce().flagged.at(0).announced) << "a day later it is news";
   EXPECT_THAT(listener.heard(), SizeIs(1));

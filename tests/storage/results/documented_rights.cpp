@@ -41,6 +41,8 @@ void DocumentedRights::read_row(const std::string& privilege, const std::string&
     schema_ = true;
   } else if (objects.starts_with("every table and view")) {
     select_all_ = privilege == "SELECT";
+  } else if (objects.starts_with("every sequence")) {
+    read_sequences_ = privilege == "SELECT";
   } else if (names.empty()) {
     throw std::runtime_error("storage/README.md, a right on nothing: " + objects);
   } else if (objects.starts_with("sequence ")) {

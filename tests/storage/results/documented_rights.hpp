@@ -15,6 +15,9 @@ class DocumentedRights {
   [[nodiscard]] bool on_table(const std::string& privilege, const std::string& table) const;
   [[nodiscard]] bool update_of(const std::string& table, const std::string& column) const;
   [[nodiscard]] bool insert_of(const std::string& table, const std::string& column) const;
+  /// To look at every sequence, as pg_dump does.
+  [[nodiscard]] bool reads_sequences() const { return read_sequences_; }
+  /// To take numbers from it.
   [[nodiscard]] bool on_sequence(const std::string& sequence) const;
   [[nodiscard]] bool on_function(const std::string& function) const;
   [[nodiscard]] bool on_schema() const { return schema_; }
@@ -24,6 +27,7 @@ class DocumentedRights {
 
   bool schema_ = false;
   bool select_all_ = false;
+  bool read_sequences_ = false;
   std::set<std::string> tables_;     ///< "INSERT verdict"
   std::set<std::string> columns_;    ///< "parameter.value"
   std::set<std::string> partly_;     ///< tables of which only some columns may be inserted ...

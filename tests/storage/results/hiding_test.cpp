@@ -112,9 +112,11 @@ TEST_F(HidingTest, WhatIsSuppressedByWhomAndUntilWhen) {
                            " FROM loopscope.annotation_history"),
             (TextRows{{"withdrawn", "t"}}));
   database->execute(
-      "UPDATE loopscope.annotation SET withdrawn_at = NULL, until = now() - interval '1 s'");
-  EXPECT_EQ(database->rows("SELECT state, withdrawn_by FROM loopscope.annotation_history"),
-            (TextRows{{"ended", "NULL"}}));
+      "INSERT INTO loopscope.annotation (loop_id, kind, until, reason) SELECT loop_id,"
+      " 'suppressed', now() - interval '1 s', 'shutdown' FROM loopscope.loop");
+  EXPECT_EQ(database->rows("SELECT state FROM loopscope.annotation_history"
+                           " WHERE withdrawn_by IS NULL"),
+            (TextRows{{"ended"}}));
 }
 
 TEST_F(HidingTest, AnAnnotationAboutAnotherVerdictHidesNothing) {

@@ -101,26 +101,54 @@ TEST_F(PlantRoundsTest, AllOrNothing) {
 }
 
 TEST_F(PlantRoundsTest, NothingToDoBeforeTheFirstAnalysis) {
-  EXPECT_EQ(plant().take_turn(0), std::nullopt);
+  const PlantTurn turn = plant().take_turn(0, "host/1", 60);
+  EXPECT_EQ(turn.wait_s, std::nullopt);
+  EXPECT_EQ(turn.holder, "");
   EXPECT_EQ(plant().newest_slot_us(), std::nullopt);
 }
 
 TEST_F(PlantRoundsTest, OneAtATimeMakesARoundAndOnlyWhenItIsDue) {
   tell({{.loop = "a"}});
-  {
-    PlantRounds first(settings_for(*database)), second(settings_for(*database));
-    EXPECT_EQ(first.take_turn(3600), 0.0);
-    EXPECT_EQ(second.take_turn(3600), std::nullopt);
-    EXPECT_EQ(first.take_turn(3600), 0.0) << "it is its own";
-    EXPECT_EQ(first.newest_slot_us(), slot(1));
-    first.store({slot(1), 1, 30, 0, {}});
-    const std::optional<double> wait_s = first.take_turn(3600);
-    ASSERT_TRUE(wait_s);
-    EXPECT_NEAR(*wait_s, 3600.0, 60.0) << "made just now";
-    EXPECT_EQ(first.take_turn(0), 0.0);
-    EXPECT_EQ(second.take_turn(0), std::nullopt);
+  PlantRounds first(settings_for(*database)), second(settings_for(*database));
+  EXPECT_EQ(first.take_turn(3600, "host/1", 60).wait_s, 0.0);
+  const PlantTurn refused = second.take_turn(3600, "host/2", 60);
+  EXPECT_EQ(refused.wait_s, std::nullopt);
+  EXPECT_EQ(refused.holder, "host/1");
+  EXPECT_EQ(first.take_turn(3600, "host/1", 60).wait_s, 0.0) << "it is its own";
+  EXPECT_EQ(first.newest_slot_us(), slot(1));
+  first.store({slot(1), 1, 30, 0, {}});
+  for (PlantRounds* rounds : {&first, &second}) {
+    const PlantTurn turn = rounds->take_turn(3600, "host/3", 60);
+    ASSERT_TRUE(turn.wait_s);
+    EXPECT_NEAR(*turn.wait_s, 3600.0, 60.0) << "made just now";
+    EXPECT_EQ(turn.holder, "");
   }
-  EXPECT_EQ(plant().take_turn(0), 0.0) << "whoever dies gives way";
+  EXPECT_EQ(second.take_turn(0, "host/2", 60).wait_s, 0.0) << "given back with the round";
+  EXPECT_EQ(first.take_turn(0, "host/1", 60).holder, "host/2");
+}
+
+TEST_F(PlantRoundsTest, WhoeverEndsGivesTheTurnBack) {
+  tell({{.loop = "a"}});
+  EXPECT_EQ(plant().take_turn(0, "host/1", 60).wait_s, 0.0);
+  EXPECT_EQ(plant().take_turn(0, "host/2", 60).wait_s, 0.0);
+}
+
+TEST_F(PlantRoundsTest, TheTurnOfAWorkerThatDiedEnds) {
+  tell({{.loop = "a"}});
+  database->execute(
+      "UPDATE loopscope.task_lease SET owner = 'gone/1', until = now() + interval '20 s',"
+      " hold_s = 60 WHERE task = 'plant_round'");
+  EXPECT_EQ(plant().take_turn(0, "host/1", 60).holder, "gone/1");
+  database->execute("UPDATE loopscope.task_lease SET until = now() WHERE task = 'plant_round'");
+  EXPECT_EQ(plant().take_turn(0, "host/1", 60).wait_s, 0.0);
+}
+
+TEST_F(PlantRoundsTest, ATurnOfAClockThatWasAheadDoesNotHold) {
+  tell({{.loop = "a"}});
+  database->execute(
+      "UPDATE loopscope.task_lease SET owner = 'gone/1', until = now() + interval '30 days',"
+      " hold_s = 60 WHERE task = 'plant_round'");
+  EXPECT_EQ(plant().take_turn(0, "host/1", 60).wait_s, 0.0);
 }
 
 TEST_F(PlantRoundsTest, ComparesEnabledLoopsWithAUsableWindow) {
@@ -143,7 +171,7 @@ TEST_F(PlantRoundsTest, AWorkersRightsAreEnough) {
   migrate(settings_for(*database));
   tell({{.loop = "a"}});
   PlantRounds worker(settings_for(*database, database->make_login("loopscope_worker")));
-  EXPECT_EQ(worker.take_turn(3600), 0.0);
+  EXPECT_EQ(worker.take_turn(3600, "host/1", 60).wait_s, 0.0);
   worker.store({slot(1), 1, 30, 5, {event(40, 2)}});
   worker.store({slot(1), 1, 30, 5, {event(90, 3)}});
   EXPECT_THAT(worker.announce_flags().flagged, ElementsAre(Field(&FlagNotice::loop_name, "a")));

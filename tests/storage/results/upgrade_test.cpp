@@ -1,0 +1,153 @@
+#include <gmock/gmock.h>
+
+#include "storage/results/embedded_migrations.hpp"
+#include "storage/results/migrate.hpp"
+#include "storage/results/plant_rounds.hpp"
+#include "tests/storage/results/results_fixture.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/source_dir.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+using testing::IsEmpty;
+
+/// A schema of the version before, in use: what a later migration changes is changed under rows,
+/// partitions and rights that are there.
+class UpgradeTest : public testing::Test {
+ protected:
+  static constexpr int kFrom = 15;
+
+  void SetUp() override {
+    if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
+    database = std::make_unique<tests::TestDatabase>();
+    database->make_roles();
+    owner = database->make_login("loopscope_owner");
+    worker = database->make_login("loopscope_worker");
+    reader = database->make_login("loopscope_reader");
+    make_former_schema(*database, "loopscope_owner");
+    database->execute(kRows);
+    for (const char* table :
+         {"loop", "schedule", "analysis", "verdict", "annotation", "plant_round", "parameter"})
+      selects.push_back(database->value(
+          std::string(
+              "SELECT 'SELECT row(' || string_agg(attname, ', ' ORDER BY attnum) || ')::text"
+              " FROM ' || attrelid::regclass || ' ORDER BY 1' FROM pg_attribute WHERE"
+              " attnum > 0 AND attrelid = 'loopscope.") +
+          table + "'::regclass GROUP BY attrelid"));
+    before = contents();
+  }
+
+  /// As `migrate` of that version left it.
+  static void make_former_schema(const tests::TestDatabase& made, const std::string& by) {
+    std::string script = "SET ROLE " + by + ";";
+    for (const Migration& migration : embedded_migrations().first(kFrom)) {
+      script += migration.sql;
+      script += "INSERT INTO loopscope.schema_migration VALUES (" +
+                std::to_string(migration.number) + ", '" + migration.name + "', '" +
+                migration.sha256 + "');";
+    }
+    made.execute(script +
+                 "SELECT loopscope.make_partitions(now(), 4); SELECT loopscope.grant_rights();"
+                 // By `maintain`, which granted nothing.
+                 "SELECT loopscope.make_partitions('2026-01-01', 1)");
+  }
+
+  /// Two loops, one held by a worker, with a verdict, and an annotation of each state.
+  static constexpr const char* kRows = R"(
+    SET ROLE loopscope_owner;
+    INSERT INTO loopscope.loop (name, source, pv_tag, period_s, enabled)
+      VALUES ('a', 'plant', 'a.PV', 3600, true), ('b', 'plant', 'b.PV', 3600, true),
+             ('off', 'plant', 'off.PV', 3600, false);
+    INSERT INTO loopscope.analysis (loop_id, slot_end, algorithm_revision, analysis_id, fence,
+        program_version, settings, input_digest, fetch_ms, analyse_ms, window_start, window_end,
+        samples, interval_s, usable, flags, oscillating)
+      SELECT loop_id, '2026-01-01 01:00:00+00', 1, nextval('loopscope.analysis_id'), 1, '0.1.0', '{}',
+             'd', 1, 1, '2026-01-01 00:00:00+00', '2026-01-01 01:00:00+00', 4096, 1, true, '{}', false
+      FROM loopscope.loop WHERE enabled;
+    INSERT INTO loopscope.verdict (loop_id, slot_end, algorithm_revision, input_revision, analysis_id,
+        code, confidence, summary, reasons, action)
+      SELECT loop_id, slot_end, 1, 1, analysis_id, 'valve_stiction', 0.9, 'sticks', '{}', 'stroke it'
+      FROM loopscope.analysis;
+    UPDATE loopscope.schedule SET owner = 'host/1/0', fence = 7, attempts = 2, lost_leases = 1,
+        visible_at = now() - interval '1 s', last_slot_end = '2026-01-01 01:00:00+00',
+        result_slot_end = '2026-01-01 01:00:00+00'
+      WHERE loop_id = (SELECT loop_id FROM loopscope.loop WHERE name = 'a');
+    INSERT INTO loopscope.annotation (loop_id, kind, withdrawn_at)
+      SELECT loop_id, 'acknowledged', CASE name WHEN 'a' THEN now() END FROM loopscope.loop
+      WHERE enabled;
+    INSERT INTO loopscope.plant_round VALUES ('2026-01-01 01:00:00+00', 1, 2, 0, 0, now());
+    UPDATE loopscope.parameter SET value = 0.4 WHERE name = 'min_confidence')";
+
+  /// In the columns that there were.
+  [[nodiscard]] TextRows contents() const {
+    TextRows rows;
+    for (const std::string& select : selects) {
+      for (const auto& row : database->rows(select)) rows.push_back(row);
+    }
+    return rows;
+  }
+
+  std::unique_ptr<tests::TestDatabase> database;
+  std::string owner, worker, reader;
+  std::vector<std::string> selects;
+  TextRows before;
+};
+
+TEST_F(UpgradeTest, KeepsEveryRowAndServesTheNewProgram) {
+  const ConnectionSettings as_owner = settings_for(*database, owner);
+  EXPECT_EQ(static_cast<int>(migrate(as_owner).size()), required_schema_version() - kFrom);
+  EXPECT_EQ(contents(), before);
+  EXPECT_THAT(migrate(as_owner), IsEmpty());
+  ResultsDatabase results(settings_for(*database, worker));
+  EXPECT_EQ(results.claim_due("host/2/0", 60, 10).size(), 2U);
+  EXPECT_EQ(PlantRounds(settings_for(*database, worker)).take_turn(0, "host/2", 60).wait_s, 0.0);
+  EXPECT_NO_THROW(static_cast<void>(maintain(as_owner, 0)));
+}
+
+TEST_F(UpgradeTest, MonthsThatMaintainHadMadeCanBeReadAfterwards) {
+  const std::string month = "SELECT count(*) FROM loopscope.analysis_2026_01";
+  const tests::SqlConnection session(database->conninfo(reader));
+  EXPECT_THROW(session.run(month), std::runtime_error);
+  migrate(settings_for(*database, owner));
+  EXPECT_EQ(tests::SqlConnection(database->conninfo(reader)).run(month), (TextRows{{"2"}}));
+}
+
+/// A superuser was given as owner, and nobody had run roles.sql.
+TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
+  const tests::TestDatabase other;
+  make_former_schema(other, "postgres");
+  EXPECT_THROW(migrate(settings_for(other)), DatabaseError);
+  other.make_roles();
+  const std::string runbook = tests::content_of(tests::source_dir() / "deploy" / "RUNBOOK.md");
+  const std::string begin = "<<'SQL'\n";
+  const std::size_t at = runbook.find(begin, runbook.find("## A schema that a superuser owns"));
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t from = at + begin.size();
+  other.execute(runbook.substr(from, runbook.find("\nSQL\n", from) - from));
+  EXPECT_EQ(static_cast<int>(migrate(settings_for(other, owner)).size()),
+            required_schema_version() - kFrom);
+  EXPECT_THAT(other.rows("SELECT oid::regclass::text FROM pg_class WHERE relnamespace ="
+                         " 'loopscope'::regnamespace AND relowner <> 'loopscope_owner'::regrole"
+                         " UNION ALL SELECT oid::regproc::text FROM pg_proc WHERE pronamespace ="
+                         " 'loopscope'::regnamespace AND proowner <> 'loopscope_owner'::regrole"),
+              IsEmpty());
+  EXPECT_NO_THROW(static_cast<void>(maintain(settings_for(other, owner), 12)));
+}
+
+/// `oldest_program` promises it: workers follow one by one.
+TEST_F(UpgradeTest, TheFormerProgramsStatementsStillWork) {
+  migrate(settings_for(*database, owner));
+  const tests::SqlConnection session(database->conninfo(worker));
+  EXPECT_EQ(session.run("SELECT loopscope.oldest_program() <= 15")[0][0], "t");
+  EXPECT_EQ(session.run("UPDATE loopscope.parameter SET value = 0.5 WHERE name = 'min_confidence'"
+                        " RETURNING name"),
+            (TextRows{{"min_confidence"}}));
+  EXPECT_EQ(session.run("SELECT pg_try_advisory_lock(1819242352, 1)"), (TextRows{{"t"}}));
+  EXPECT_EQ(session.run("INSERT INTO loopscope.plant_round (slot_end, algorithm_revision, loops,"
+                        " oscillating, events) VALUES ('2026-01-02', 1, 2, 0, 0) RETURNING loops"),
+            (TextRows{{"2"}}));
+}
+
+}  // namespace
+}  // namespace loopscope::storage
