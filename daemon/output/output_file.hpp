@@ -1,35 +1,39 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include "daemon/output/descriptor.hpp"
+#include "daemon/output/partial_file.hpp"
 
 namespace loopscope::daemon {
 
-/// A file that is written piece by piece, links followed.
+/// A file that is written piece by piece, links of its own followed (find_output_target).
 ///
-/// A regular file or one that does not exist yet is written whole or not at all: under another
-/// name in the same folder first, then renamed; a file that was there keeps its permissions.
-/// Anything else (device, pipe) is never replaced but written to directly. Every function throws
-/// Failure (usage) naming the file and the system's reason when it cannot do its work.
+/// A regular file or one that does not exist yet is written whole or not at all (PartialFile); a
+/// file that was there keeps its permissions. Anything else (device, pipe, /dev/stdout) is never
+/// replaced but written to directly. Every function throws Failure (usage) naming the file and the
+/// system's reason when it cannot do its work.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& file);
-  /// Without finish() nothing is left behind.
-  ~OutputFile();
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view text);
   void finish();
 
  private:
-  void require_good();
+  void open();
+  void flush();
+  /// Carries `work` out; what the system refuses is said with the file's name.
+  template <typename Work>
+  void attempt(Work&& work);
 
-  std::filesystem::path file_;     ///< as the caller calls it
-  std::filesystem::path target_;   ///< what is replaced; empty = nothing is
-  std::filesystem::path written_;  ///< what is open
-  std::ofstream stream_;
+  std::filesystem::path file_;          ///< as the caller calls it
+  std::optional<PartialFile> partial_;  ///< what is written where a file is replaced
+  Descriptor in_place_;                 ///< what is written elsewhere
+  std::string pending_;                 ///< not written yet
 };
 
 }  // namespace loopscope::daemon

@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <fcntl.h>
 #include <map>
 #include <regex>
 #include <spdlog/spdlog.h>
-#include <sys/file.h>
-#include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
 #include "core/signal/microseconds.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/recording/time_text.hpp"
+#include "daemon/report/folder_lock.hpp"
 #include "daemon/report/report.hpp"
 #include "daemon/report/thread_priority.hpp"
 #include "daemon/service/slot.hpp"
@@ -36,30 +33,6 @@ std::int64_t now_us() {
              system_clock::now().time_since_epoch())
       .count();
 }
-
-/// Held by the one process that writes into a folder; the kernel frees it when that one dies.
-class FolderLock {
- public:
-  explicit FolderLock(const fs::path& folder)
-      : descriptor_(::open((folder / ".loopscope-report.lock").c_str(),
-                           O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-    if (descriptor_ < 0) {
-      throw Failure(ExitCode::usage,
-                    "cannot write into the folder " + folder.string() + ": " +
-                        std::generic_category().message(errno),
-                    "let the user of the service write there (deploy/RUNBOOK.md, Reports)");
-    }
-    held_ = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
-  }
-  ~FolderLock() { ::close(descriptor_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-  [[nodiscard]] bool held() const { return held_; }
-
- private:
-  int descriptor_;
-  bool held_ = false;
-};
 
 /// Reports by name, with all files of each.
 std::map<std::string, std::vector<fs::path>> reports_in(const fs::path& folder) {

@@ -14,6 +14,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "daemon/output/descriptor.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
@@ -30,28 +32,6 @@ void require(int error, const std::filesystem::path& program) {
   if (error != 0)
     throw std::system_error(error, std::generic_category(), "cannot run " + program.string());
 }
-
-/// A descriptor that is closed at the end.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    close();
-    number_ = std::exchange(other.number_, -1);
-    return *this;
-  }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-  [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool open() const { return number_ >= 0; }
-
- private:
-  int number_;
-};
 
 struct Pipe {
   Descriptor ours, theirs;
