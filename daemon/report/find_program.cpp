@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <system_error>
 #include <unistd.h>
 
 namespace loopscope::daemon {
@@ -12,7 +13,8 @@ std::optional<std::filesystem::path> find_program(std::string_view name,
     const std::size_t end = std::min(search_path.find(':', begin), search_path.size());
     const std::filesystem::path folder = search_path.substr(begin, end - begin);
     const std::filesystem::path program = folder / name;
-    if (folder.is_absolute() && std::filesystem::is_regular_file(program) &&
+    std::error_code unseen;  // a folder that may not be entered has no program for us
+    if (folder.is_absolute() && std::filesystem::is_regular_file(program, unseen) &&
         ::access(program.c_str(), X_OK) == 0)
       return program;
     begin = end + 1;
