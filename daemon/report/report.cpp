@@ -145,8 +145,9 @@ ReportResult write_report(const config::Settings& settings, const ReportOptions&
     result.files.push_back(options.folder / (options.name + ending));
     write_file(result.files.back(), text);
   };
-  write(".html", page);
+  // The page last: a report whose page is there is complete, and the daemon makes no other.
   if (options.pdf) write(".pdf", pdf);
+  write(".html", page);
   result.flagged = content.stories.size();
   for (const LoopStory& story : content.stories) {
     if (story.trouble.empty()) continue;

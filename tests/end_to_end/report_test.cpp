@@ -107,6 +107,23 @@ TEST(Report, ThePdfHasTheSameLoops) {
   EXPECT_THAT(text, HasSubstr("<b>\"TIC\" & co</b>"));
 }
 
+// The daemon takes a page that is there for a whole report: one without its PDF would stay so.
+TEST(Report, ThePageComesWithItsPdfOrNotAtAll) {
+  if (!std::filesystem::exists("/usr/bin/weasyprint")) GTEST_SKIP() << "no weasyprint";
+  const Plant plant;
+  make_faulty_plant(plant);
+  const std::string folder = plant.folder() / "reports";
+  std::filesystem::create_directories(folder + "/report.pdf");  // in its way
+  const std::vector<std::string> arguments{"--out", folder, "--pdf", "--no-pictures"};
+  const ProgramResult refused = plant.loopscope("report", arguments);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("report.pdf"));
+  EXPECT_FALSE(std::filesystem::exists(folder + "/report.html"));
+  std::filesystem::remove(folder + "/report.pdf");
+  EXPECT_EQ(plant.loopscope("report", arguments).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder + "/report.html"));
+}
+
 TEST(Report, TheDaemonWritesOneEverySoOftenAndKeepsAFew) {
   const Plant plant;
   make_faulty_plant(plant);
