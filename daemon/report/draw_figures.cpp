@@ -39,8 +39,11 @@ std::string script_of(std::span<const Figure> figures) {
 std::filesystem::path find_gnuplot() {
   const char* path = std::getenv("PATH");
   if (const auto program = find_program("gnuplot", path == nullptr ? "" : path)) return *program;
-  throw Failure(ExitCode::configuration, "gnuplot is not installed, which draws the pictures",
-                "apt-get install gnuplot-nox, or ask for a report without pictures: --no-pictures");
+  throw Failure(
+      ExitCode::configuration,
+      "gnuplot, which draws the pictures, is not there or may not be started",
+      "apt-get install gnuplot-nox, and let the unit start it (examples/reports.conf); or "
+      "ask for a report without pictures: --no-pictures");
 }
 
 std::vector<std::string> split_svg(const std::string& output) {

@@ -18,8 +18,10 @@ constexpr std::chrono::minutes kPatience{10};
 std::filesystem::path find_pdf_engine() {
   const char* path = std::getenv("PATH");
   if (const auto program = find_program("weasyprint", path == nullptr ? "" : path)) return *program;
-  throw Failure(ExitCode::configuration, "weasyprint is not installed, which makes the PDF",
-                "apt-get install weasyprint, or print report.html from a browser");
+  throw Failure(ExitCode::configuration,
+                "weasyprint, which makes the PDF, is not there or may not be started",
+                "apt-get install weasyprint, and let the unit start it (examples/reports.conf); or "
+                "print report.html from a browser");
 }
 
 std::string make_pdf(const std::string& page, const std::filesystem::path& engine,

@@ -40,6 +40,7 @@ loopscope_debian_files(${DOC_DIR}
   ${DEPLOY_DIR}/package/copyright ${DEPLOY_DIR}/RUNBOOK.md)
 loopscope_debian_files(${DOC_DIR}/examples
   ${DEPLOY_DIR}/package/examples/loopscope.json ${DEPLOY_DIR}/package/examples/pg_service.conf
+  ${DEPLOY_DIR}/package/examples/reports.conf
   ${DEPLOY_DIR}/roles.sql)
 loopscope_debian_files(${DOC_DIR}/examples/prometheus
   ${DEPLOY_DIR}/prometheus/loopscope.rules.yml)

@@ -66,8 +66,13 @@ proof_plant_settings() {
     put /etc/loopscope/pgpass 0600 root
   printf 'localhost:5432:*:%s\n' plant_owner:owner-secret plant_writer:writer-secret plant_historian:historian-secret |
     put /etc/loopscope/owner/pgpass 0600 root
-  _settings "one worker" "" | put /etc/loopscope/loopscope.json 0640 loopscope
+  _settings "one worker" "$(_report)" | put /etc/loopscope/loopscope.json 0640 loopscope
   _settings "another instance" "$(proof_other_http)" | put /etc/loopscope/north.json 0640 loopscope
+}
+
+# Every report with its PDF, into the one folder that a worker can write to.
+_report() {
+  printf ',\n  "report": {"folder": "/var/lib/loopscope", "pdf": true}'
 }
 
 # Two instances cannot listen on one port.

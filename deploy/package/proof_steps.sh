@@ -151,6 +151,8 @@ proof_come_back() {
 }
 
 proof_purge() {
+  expect "the reports are kept until now" booted_root_run test -d /var/lib/loopscope
   expect "apt purges, with the packages that nothing else needs" _apt purge --autoremove loopscope
+  refuse "no report is left to the next user of that number" booted_root_run test -e /var/lib/loopscope
   expect "the results are kept" test "$(_verdicts valve_stiction)" = 1
 }

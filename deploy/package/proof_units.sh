@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # What systemd makes of the units. Source this file after proof_steps.sh.
 #
-#   proof_units, proof_watchdog, proof_secrets
+#   proof_units, proof_maintain, proof_watchdog, proof_secrets, proof_reports
 
 _second_loop_is_judged() {
   [ "$(proof_sql loopscope "SELECT count(DISTINCT loop_id) FROM loopscope.analysis")" = 2 ]
@@ -27,7 +27,20 @@ proof_units() {
   booted_root_run kill -KILL "$pid"
   expect "killed, it comes back" _soon _new_main_pid loopscope.service "$pid"
   expect "a second instance runs beside it" booted_root_run systemctl start loopscope@north.service
+}
+
+_waits_to_try_again() {
+  [ "$(booted_root_run systemctl show --property SubState --value "$1")" = auto-restart ]
+}
+
+# Without its password it fails as it does without a server.
+proof_maintain() {
   expect "maintain runs under the owner" booted_root_run systemctl start loopscope-maintain.service
+  booted_root_run mv /etc/loopscope/owner/pgpass /etc/loopscope/owner/pgpass.away
+  refuse "it fails where the database refuses it" booted_root_run systemctl start loopscope-maintain.service
+  expect "and is to be tried again" _waits_to_try_again loopscope-maintain.service
+  booted_root_run mv /etc/loopscope/owner/pgpass.away /etc/loopscope/owner/pgpass
+  expect "which a person need not wait for" booted_root_run systemctl restart loopscope-maintain.service
   expect "the timer can be enabled" booted_root_run systemctl enable --quiet --now loopscope-maintain.timer
 }
 
@@ -70,8 +83,8 @@ _forget_probe() {
 }
 
 # Root, but where the worker is.
-_starts_a_shell() {
-  booted_root_run nsenter --target "$(_main_pid loopscope.service)" --mount /bin/sh -c true
+_starts_there() {
+  booted_root_run nsenter --target "$(_main_pid loopscope.service)" --mount "$@"
 }
 
 proof_secrets() {
@@ -83,8 +96,35 @@ proof_secrets() {
   expect "without a file of passwords it starts as well" _worker_reads /run/credentials/loopscope@probe.service/pgpass
   booted_root_run mv /etc/loopscope/pgpass.away /etc/loopscope/pgpass
   _forget_probe
-  refuse "no program can be started there" _starts_a_shell
+  refuse "no shell can be started there" _starts_there /bin/sh -c true
+  refuse "no interpreter" _starts_there /usr/bin/python3.11 -c ''
   refuse "no password stands in the environment or the command line" booted_root_run sh -c \
     "cat /proc/$(_main_pid loopscope.service)/environ /proc/$(_main_pid loopscope.service)/cmdline | grep -a secret"
   refuse "nor in the journal" booted_root_run sh -c 'journalctl --no-pager | grep secret'
+}
+
+_journal_says() {
+  booted_root_run journalctl --no-pager --unit loopscope.service | grep -q "$1"
+}
+
+_report_is_there() {
+  booted_root_run sh -c 'ls /var/lib/loopscope/loopscope-*.html /var/lib/loopscope/loopscope-*.pdf'
+}
+
+_may_start_python() {
+  booted_root_run systemctl show --property ExecPaths "$1" | grep -q python
+}
+
+# Pictures and PDFs are for sites that ask for them.
+proof_reports() {
+  local drop_in=/etc/systemd/system/loopscope.service.d
+  expect "a report waits for leave to start what draws it" _soon _journal_says 'may not be started'
+  booted_root_run install -D -m 0644 /usr/share/doc/loopscope/examples/reports.conf $drop_in/reports.conf
+  booted_root_run systemctl daemon-reload
+  booted_root_run systemctl restart loopscope.service
+  expect "with it the page and its PDF are written" _soon _report_is_there
+  refuse "maintain has no interpreter all the same" _may_start_python loopscope-maintain.service
+  booted_root_run rm -r $drop_in
+  booted_root_run systemctl daemon-reload
+  booted_root_run systemctl restart loopscope.service
 }
