@@ -153,6 +153,9 @@ constexpr char kRootCertificate[] =
 constexpr char kPrivateKey[] = "chmod 0600 the file of sslkey=, and let this user own it";
 constexpr char kDatabase[] = "check dbname in the connection string, or create the database";
 constexpr char kConstraint[] = "the value breaks a rule of the schema: see the detail above";
+constexpr char kDependent[] =
+    "something of the site's own stands on what changes (the detail names it): drop it, run this "
+    "again, make it anew";
 constexpr char kServerFault[] = "a fault of the server: read its log";
 
 constexpr std::array<StateRule, 26> kStates{{
@@ -179,6 +182,7 @@ constexpr std::array<StateRule, 26> kStates{{
     {"28", Remedy::give_up, fixed<kPassword>},
     {"2BP01", Remedy::give_up, fixed<kDependent>},
     {"3D000", Remedy::give_up, fixed<kDatabase>},
+    {"2BP01", Remedy::give_up, fixed<kDependent>},
     {"XX", Remedy::give_up, fixed<kServerFault>},
     {"58", Remedy::give_up, fixed<kServerFault>},
     {"", Remedy::give_up, fixed<kServerFault>},

@@ -73,6 +73,10 @@ struct Metrics::Impl {
   Family<Gauge>& default_rows =
       gauges(registry, "loopscope_default_partition_rows",
              "Rows in DEFAULT partitions, counted up to 10001; 0 is healthy");
+  Family<Gauge>& oldest = gauges(registry, "loopscope_oldest_partition_months",
+                                 "Months from the oldest partition to the running one");
+  Family<Gauge>& retention =
+      gauges(registry, "loopscope_retention_months", "Months that the settings keep; 0 = all");
   Family<Gauge>& progress = gauges(registry, "loopscope_seconds_since_progress",
                                    "Since the thread that stands still longest advanced");
   Family<Gauge>& reload = gauges(registry, "loopscope_settings_reload_success",
@@ -224,13 +228,15 @@ void Metrics::unknown_quality(const std::string& source, std::size_t values) {
   impl_->unknown_quality.at(source).Increment(static_cast<double>(values));
 }
 
-void Metrics::set(const storage::ScheduleHealth& health) {
+void Metrics::set(const storage::ScheduleHealth& health, int retention_months) {
   impl_->enabled.Add({}).Set(static_cast<double>(health.enabled_loops));
   impl_->overdue.Add({}).Set(static_cast<double>(health.overdue_loops));
   impl_->lag.Add({}).Set(health.lag_s);
   impl_->failing.Add({}).Set(static_cast<double>(health.failing_loops));
   impl_->months.Add({}).Set(static_cast<double>(health.partition_months_ahead));
   impl_->default_rows.Add({}).Set(static_cast<double>(health.default_partition_rows));
+  impl_->oldest.Add({}).Set(static_cast<double>(health.oldest_partition_months));
+  impl_->retention.Add({}).Set(static_cast<double>(retention_months));
 }
 
 void Metrics::settings_reload(bool success) {

@@ -59,7 +59,7 @@ class Metrics {
   void data_age(const std::string& source, double seconds);
   void unknown_quality(const std::string& source, std::size_t values);
 
-  void set(const storage::ScheduleHealth& health);
+  void set(const storage::ScheduleHealth& health, int retention_months);
   /// All clocks that were compared; others are forgotten.
   void set_clocks(std::span<const ClockFigure> clocks);
   void settings_reload(bool success);

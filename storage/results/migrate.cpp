@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "storage/results/brief_locks.hpp"
 #include "storage/results/embedded_migrations.hpp"
 #include "storage/results/results_clock.hpp"
 #include "storage/results/schema_owner.hpp"
@@ -85,6 +86,15 @@ std::vector<std::string> migrate_all(Transaction& transaction) {
   return names;
 }
 
+/// In tries that keep no reader waiting, each under a clock that is believed.
+template <typename Work>
+auto maintain_in_time(Session& session, const MaintenanceOrders& orders, Work work) {
+  return transact_between_others(session, [&](Transaction& transaction) {
+    check_time(transaction, orders.check);
+    return work(transaction);
+  });
+}
+
 std::vector<std::string> expired_partitions(Transaction& transaction, const std::string& months) {
   std::vector<std::string> names;
   for (const pqxx::row& row : transaction.run(statements::kExpiredPartitions, {months})) {
@@ -109,7 +119,7 @@ void refuse_many(const std::vector<std::string>& partitions) {
 std::vector<std::string> drop_expired(Session& session, const MaintenanceOrders& orders) {
   const std::string months = std::to_string(orders.retention_months);
   const std::vector<std::string> expired =
-      transact_in_time(session, orders.check, [&](Transaction& transaction) {
+      maintain_in_time(session, orders, [&](Transaction& transaction) {
         transaction.run(statements::kBecomeOwner);
         std::vector<std::string> names = expired_partitions(transaction, months);
         if (!orders.drop_many) refuse_many(names);
@@ -117,12 +127,22 @@ std::vector<std::string> drop_expired(Session& session, const MaintenanceOrders&
         return names;
       });
   for (const std::string& name : expired) {
-    transact_in_time(session, orders.check, [&](Transaction& transaction) {
+    maintain_in_time(session, orders, [&](Transaction& transaction) {
       transaction.run(statements::kBecomeOwner);
       transaction.run(statements::kDropPartition, {name});
     });
   }
   return expired;
+}
+
+/// What is no result goes by its own age, also where all results are kept: workers without a word
+/// for a month, what stages cost two years ago.
+void delete_old_notes(Session& session, const MaintenanceOrders& orders) {
+  maintain_in_time(session, orders, [](Transaction& transaction) {
+    transaction.run(statements::kBecomeOwner);
+    transaction.run(statements::kDeleteLostWorkers);
+    transaction.run(statements::kDeleteOldCosts);
+  });
 }
 
 }  // namespace
@@ -145,12 +165,13 @@ MaintenanceResult maintain(const ConnectionSettings& owner, const MaintenanceOrd
   Session session(without_time_limit(owner));
   require_schema_version(session);
   MaintenanceResult result;
-  result.created = transact_in_time(session, orders.check, [](Transaction& transaction) {
+  result.created = maintain_in_time(session, orders, [](Transaction& transaction) {
     transaction.run(statements::kBecomeOwner);
     transaction.run(statements::kLockSchema);
     return make_partitions(transaction);
   });
   if (orders.retention_months > 0) result.dropped = drop_expired(session, orders);
+  delete_old_notes(session, orders);
   return result;
 }
 

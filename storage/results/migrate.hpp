@@ -38,9 +38,11 @@ inline constexpr int kMostMonthsAtOnce = 2;
 
 /// Makes partitions ahead and drops those that end `retention_months` before the newest result
 /// that is not after now(): a clock that has run on without results expires nothing. Where more
-/// than kMostMonthsAtOnce would go, nothing does and it throws DatabaseError. A newer schema that
-/// still serves this program is kept up by its own functions, so that a program that was put back
-/// goes on; any other one is refused (DatabaseError).
+/// than kMostMonthsAtOnce would go, nothing does and it throws DatabaseError. Each is done in tries
+/// that keep no reader waiting (transact_between_others). Workers that are gone and old figures of
+/// what stages cost go whatever is kept. A newer schema that still serves this program is kept up
+/// by its own functions, so that a program that was put back goes on; any other one is refused
+/// (DatabaseError).
 MaintenanceResult maintain(const ConnectionSettings& owner, const MaintenanceOrders& orders);
 
 }  // namespace loopscope::storage

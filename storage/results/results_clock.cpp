@@ -18,6 +18,10 @@ ServerClock transaction_clock(Transaction& transaction) {
   return {rows[0]["now_us"].as<std::int64_t>(), rows[0]["started_us"].as<std::int64_t>()};
 }
 
+void check_time(Transaction& transaction, const ClockCheck& check) {
+  if (check) check(transaction_clock(transaction));
+}
+
 AcceptedClocks accepted_clocks(Session& session) {
   AcceptedClocks accepted;
   for (const pqxx::row& row : session.transact(

@@ -9,7 +9,7 @@ namespace {
 // so whoever is visible waits. The partitioned tables are those of the catalogue, because the
 // worker may not call the owner's function that lists them.
 const Statement kScheduleHealth{"schedule_health", R"(
-    SELECT loops.*, months.ahead, rows_of_default.counted
+    SELECT loops.*, months.ahead, rows_of_default.counted, oldest.months_ago
     FROM (
       SELECT count(*) AS enabled, count(*) FILTER (WHERE visible_at <= now()) AS overdue,
              greatest(0, coalesce(extract(epoch FROM now() - min(visible_at)), 0))::float8 AS lag_s,
@@ -33,7 +33,18 @@ const Statement kScheduleHealth{"schedule_health", R"(
         UNION ALL SELECT 1 FROM loopscope.bicoherence_peak_default
         UNION ALL SELECT 1 FROM loopscope.explanation_step_default
         LIMIT $1::bigint) AS found
-    ) AS rows_of_default)",
+    ) AS rows_of_default
+    CROSS JOIN (
+      SELECT greatest(0, coalesce(max(12 * extract(year FROM age) + extract(month FROM age)), 0))
+               ::integer AS months_ago
+      FROM pg_class AS parent
+      JOIN pg_inherits ON inhparent = parent.oid
+      JOIN pg_class AS child ON child.oid = inhrelid
+      CROSS JOIN LATERAL age(date_trunc('month', now() AT TIME ZONE 'UTC'),
+                             to_timestamp(right(child.relname, 7), 'YYYY_MM')::timestamp) AS age
+      WHERE parent.relnamespace = 'loopscope'::regnamespace AND parent.relkind = 'p'
+        AND child.relname ~ '_[0-9]{4}_[0-9]{2}$'
+    ) AS oldest)",
                                 Rows::one};
 
 }  // namespace
@@ -48,7 +59,8 @@ ScheduleHealth schedule_health(Session& session) {
           row["lag_s"].as<double>(),
           row["failing"].as<std::int64_t>(),
           row["ahead"].as<int>(),
-          row["counted"].as<std::int64_t>()};
+          row["counted"].as<std::int64_t>(),
+          row["months_ago"].as<int>()};
 }
 
 }  // namespace loopscope::storage

@@ -19,6 +19,8 @@ struct ScheduleHealth {
   int partition_months_ahead = 0;
   /// Rows whose month has no partition, counted up to kMostDefaultRows only.
   std::int64_t default_partition_rows = 0;
+  /// Months from the oldest partition to the running one (UTC); 0 = there is none before it.
+  int oldest_partition_months = 0;
 };
 
 inline constexpr std::int64_t kMostDefaultRows = 10'001;

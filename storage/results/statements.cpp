@@ -239,6 +239,14 @@ const Statement kDeleteOldRows{"delete_old_rows", R"(
                                      - make_interval(months => $1::integer)))",
                                Rows::one};
 
+// Before all time: nothing of the results, but the workers that have not been seen for a month.
+const Statement kDeleteLostWorkers{"delete_lost_workers",
+                                   "SELECT loopscope.delete_old_rows('-infinity')", Rows::one};
+
+const Statement kDeleteOldCosts{
+    "delete_old_costs", "DELETE FROM loopscope.stage_cost WHERE hour < now() - interval '2 years'",
+    Rows::none};
+
 // One row per right: whether the connected user has it, and whether it should.
 const Statement kCheckRights{"check_rights", R"(
     SELECT privilege || ' on ' || object AS what, needed,

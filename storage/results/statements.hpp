@@ -43,6 +43,8 @@ extern const Statement kGrantRights;
 extern const Statement kExpiredPartitions;  ///< retention_months
 extern const Statement kDropPartition;      ///< name
 extern const Statement kDeleteOldRows;      ///< retention_months
+extern const Statement kDeleteLostWorkers;
+extern const Statement kDeleteOldCosts;
 extern const Statement kCheckRights;
 
 }  // namespace loopscope::storage::statements

@@ -185,5 +185,16 @@ TEST(ExplainError, LostConnectionWinsOverItsState) {
   EXPECT_THAT(error.what(), HasSubstr("the connection was lost"));
 }
 
+/// A view of the site's on one that a migration makes anew.
+TEST(ExplainError, WhatStandsInTheWayIsNamed) {
+  const DatabaseError error =
+      explain({"ERROR:  cannot drop view loopscope.x because other objects depend on it\nDETAIL:  "
+               "view report.mine depends on view loopscope.x",
+               "2BP01", false},
+              {DatabaseKind::results, "results database", "0013_repairs", ""});
+  EXPECT_THAT(error.what(), HasSubstr("view report.mine depends on"));
+  EXPECT_THAT(error.hint(), HasSubstr("drop it"));
+}
+
 }  // namespace
 }  // namespace loopscope::storage

@@ -44,7 +44,7 @@ void fill(Metrics& metrics) {
   metrics.set_sources(std::vector<std::string>{"plant"});
   metrics.observe_batch(0.2);
   metrics.data_age("plant", 12.5);
-  metrics.set(storage::ScheduleHealth{100, 7, 42.5, 3, 2, 5});
+  metrics.set(storage::ScheduleHealth{100, 7, 42.5, 3, 2, 5}, 24);
   metrics.since_progress(1.5);
 }
 
@@ -68,7 +68,9 @@ TEST_F(MetricsTest, HasExactlyTheNamesOfTheRunbook) {
           Pair("loopscope_settings_reload_success", "gauge"),
           Pair("loopscope_seconds_since_progress", "gauge"),
           Pair("loopscope_partition_months_ahead", "gauge"),
-          Pair("loopscope_default_partition_rows", "gauge")));
+          Pair("loopscope_default_partition_rows", "gauge"),
+          Pair("loopscope_oldest_partition_months", "gauge"),
+          Pair("loopscope_retention_months", "gauge")));
 }
 
 TEST_F(MetricsTest, BeginsAtZeroWhereSomethingIsCountedAndSaysNothingThatItDoesNotKnow) {
@@ -158,13 +160,15 @@ TEST_F(MetricsTest, FaultCountsWhenItBegins) {
 }
 
 TEST_F(MetricsTest, TellsTheStateOfTheSchedule) {
-  metrics.set(storage::ScheduleHealth{100'000, 7, 42.5, 3, -1, 10'001});
+  metrics.set(storage::ScheduleHealth{100'000, 7, 42.5, 3, -1, 10'001, 25}, 24);
   EXPECT_EQ(value("loopscope_enabled_loops"), 100'000.0);
   EXPECT_EQ(value("loopscope_overdue_loops"), 7.0);
   EXPECT_EQ(value("loopscope_lag_seconds"), 42.5);
   EXPECT_EQ(value("loopscope_failing_loops"), 3.0);
   EXPECT_EQ(value("loopscope_partition_months_ahead"), -1.0);
   EXPECT_EQ(value("loopscope_default_partition_rows"), 10'001.0);
+  EXPECT_EQ(value("loopscope_oldest_partition_months"), 25.0);
+  EXPECT_EQ(value("loopscope_retention_months"), 24.0);
 }
 
 TEST_F(MetricsTest, RememberTheRest) {

@@ -298,6 +298,22 @@ TEST_F(PartitionTest, NothingIsMadeOrDroppedUnderAClockThatIsNotBelieved) {
   EXPECT_EQ(value("SELECT count(*) FROM pg_inherits"), before);
 }
 
+/// Where all results are kept, what is none is not.
+TEST_F(PartitionTest, LostWorkersAndOldCostsGoWhateverIsKept) {
+  add_loops({"a"});
+  store("a", "2019-01-01 00:00:00+00");
+  database->execute(
+      "INSERT INTO loopscope.worker (worker, program_version, algorithm_revision, last_seen,"
+      " held_loops, lost_leases) VALUES ('gone/1', '1', 1, now() - interval '40 days', 0, 0),"
+      " ('here/1', '1', 1, now(), 0, 0);"
+      "INSERT INTO loopscope.stage_cost SELECT now() - age, 'gone', 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,"
+      " 1, 1, 1 FROM (VALUES (interval '3 years'), (interval '1 year')) AS old (age)");
+  maintain(settings_for(*database), {});
+  EXPECT_EQ(value("SELECT string_agg(worker, ',') FROM loopscope.worker"), "here/1");
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.stage_cost"), "1");
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.verdict"), "1");
+}
+
 TEST_F(PartitionTest, WorkersWriteWhileAMonthIsMade) {
   add_loops({"a"});
   ResultsDatabase results = connect();

@@ -89,6 +89,16 @@ TEST_F(ScheduleHealthTest, CountsMonthsAheadUpToTheFirstGap) {
   EXPECT_EQ(look().partition_months_ahead, 24) << "no further does it look";
 }
 
+TEST_F(ScheduleHealthTest, CountsMonthsBackToTheOldestPartition) {
+  EXPECT_EQ(look().oldest_partition_months, 0);
+  database->execute(
+      "SELECT loopscope.make_partition('verdict', ((date_trunc('month', now() AT TIME ZONE 'UTC')"
+      " - interval '27 months') AT TIME ZONE 'UTC')::date)");
+  EXPECT_EQ(look().oldest_partition_months, 27);
+  maintain(settings_for(*database), 24);
+  EXPECT_EQ(look().oldest_partition_months, 0);
+}
+
 TEST_F(ScheduleHealthTest, CountsRowsWithoutAMonthUpToABound) {
   add_loops({"a"});
   ResultsDatabase results = connect();
