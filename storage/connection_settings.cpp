@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <libpq-fe.h>
-#include <map>
 #include <memory>
+#include <string_view>
 #include <unistd.h>
 
 #include "storage/error.hpp"
+#include "storage/misplaced_options.hpp"
 
 namespace loopscope::storage {
 namespace {
 
-using Options = std::map<std::string, std::string>;
+using Options = ConnectionOptions;
 
 /// A peer that is gone is given up after network_timeout_s while we send, and after a quarter more
 /// while we wait. The kernel's defaults are hours.
@@ -35,8 +36,15 @@ constexpr const char* kSearchPath = "pg_catalog, pg_temp";
 // Locks are waited for briefly, because whoever waits holds a lease that runs out.
 constexpr int kLongestLockWait_ms = 5'000;
 
+constexpr const char* kNotShown = " (not shown, it may hold a password)";
+
 bool may_hold_secret(const std::string& conninfo) {
   return conninfo.find("password") != std::string::npos || conninfo.find('@') != std::string::npos;
+}
+
+/// libpq ends its words with a line break.
+std::string first_line(std::string_view text) {
+  return std::string(text.substr(0, text.find('\n')));
 }
 
 Options parse(const ConnectionSettings& settings) {
@@ -46,8 +54,8 @@ Options parse(const ConnectionSettings& settings) {
   const std::unique_ptr<char, decltype(&PQfreemem)> error{raw_error, &PQfreemem};
   if (!parsed) {
     const std::string why = error && !may_hold_secret(settings.conninfo)
-                                ? ": " + std::string(error.get())
-                                : std::string(" (not shown, it may hold a password)");
+                                ? ": " + first_line(error.get())
+                                : std::string(kNotShown);
     throw DatabaseError("the connection string cannot be read" + why + ", " + settings.purpose,
                         "write it like \"host=db1 dbname=plant user=plant_monitor\"",
                         Remedy::give_up);
@@ -56,6 +64,7 @@ Options parse(const ConnectionSettings& settings) {
   for (const PQconninfoOption* option = parsed.get(); option->keyword != nullptr; ++option) {
     if (option->val != nullptr) options[option->keyword] = option->val;
   }
+  refuse_misplaced(options, settings.purpose);
   return options;
 }
 

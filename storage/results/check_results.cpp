@@ -13,7 +13,7 @@ Finding check_right(const pqxx::row& row) {
   const std::string what = row["what"].c_str();
   const bool needed = row["needed"].as<bool>();
   const bool granted = row["granted"].as<bool>();
-  Finding finding{granted || !needed, "results: " + what, "", false};
+  Finding finding{granted || !needed, "results: " + (granted ? what : "no " + what), "", false};
   if (needed && !granted) {
     finding.what = "no right to " + what + ", results database";
     finding.hint =

@@ -69,6 +69,22 @@ TEST_F(PasswordSources, AFileThatIsNamedAndNotThere) {
   EXPECT_THAT(found().at(0).what, HasSubstr("/nowhere/else does not"));
 }
 
+TEST_F(PasswordSources, AServiceFileWithAPasswordIsItsReadersAlone) {
+  const std::string services = folder_.path() / "services";
+  std::ofstream(services) << "[plant]\nhost=localhost\npassword=geheim\n[other]\nhost=db2\n";
+  const EnvironmentVariable named("PGSERVICEFILE", services);
+  const EnvironmentVariable passwords("PGPASSFILE", file_);
+  std::filesystem::permissions(services, std::filesystem::perms(0640));
+  ASSERT_EQ(found("service=plant").size(), 1U);
+  EXPECT_THAT(found("service=plant")[0].what, HasSubstr(services + " holds a password"));
+  EXPECT_THAT(found("host=localhost"), IsEmpty()) << "nobody asks for a service";
+  std::filesystem::permissions(services, std::filesystem::perms(0600));
+  EXPECT_THAT(found("service=plant"), IsEmpty());
+  std::ofstream(services) << "[plant]\nhost=localhost\n";
+  std::filesystem::permissions(services, std::filesystem::perms(0644));
+  EXPECT_THAT(found("service=plant"), IsEmpty()) << "no secret in it";
+}
+
 TEST_F(PasswordSources, APasswordInTheEnvironmentWorksAndIsAdvisedAgainst) {
   const EnvironmentVariable named("PGPASSFILE", file_);
   const EnvironmentVariable password("PGPASSWORD", "geheim");

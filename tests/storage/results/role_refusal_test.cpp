@@ -38,6 +38,7 @@ std::vector<std::string> never_allowed() {
           "SELECT lo_import('/etc/passwd')",
           "SELECT lo_export(1, '/tmp/planted')",
           "SELECT lo_create(0)",
+          "SELECT pg_logical_emit_message(false, 'x', 'x')",
           "SELECT lo_creat(-1)",
           "SELECT lo_from_bytea(0, 'x')",
           "SELECT pg_reload_conf()",

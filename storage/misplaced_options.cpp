@@ -1,0 +1,58 @@
+#include "storage/misplaced_options.hpp"
+
+#include <arpa/inet.h>
+#include <sstream>
+
+#include "storage/error.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+/// With or without the zone that a link-local address has ("fe80::1%eth0").
+bool is_ipv6(const std::string& host) {
+  in6_addr address{};
+  return inet_pton(AF_INET6, host.substr(0, host.find('%')).c_str(), &address) == 1;
+}
+
+/// A host is a name, an address or the folder of a socket; "@name" is a socket without a file.
+bool holds_more(const std::string& host) {
+  if (host.starts_with('/')) return false;
+  const bool has_colon = host.find(':') != std::string::npos;
+  return host.find('@', 1) != std::string::npos || (has_colon && !is_ipv6(host));
+}
+
+bool one_holds_more(const std::string& hosts) {
+  std::istringstream list(hosts);
+  for (std::string host; std::getline(list, host, ',');) {
+    if (holds_more(host)) return true;
+  }
+  return false;
+}
+
+[[noreturn]] void refuse(const std::string& option, const std::string& what,
+                         const std::string& hint, const std::string& purpose) {
+  throw DatabaseError("the connection string: " + option + "= holds " + what +
+                          " (not shown, it may hold a password), " + purpose,
+                      hint, Remedy::give_up);
+}
+
+}  // namespace
+
+void refuse_misplaced(const ConnectionOptions& options, const std::string& purpose) {
+  const auto value = [&](const char* option) {
+    const auto found = options.find(option);
+    return found == options.end() ? std::string() : found->second;
+  };
+  const std::string database = value("dbname");
+  if (database.find("://") != std::string::npos || database.find("password") != std::string::npos)
+    refuse("dbname", "a whole connection string",
+           "give that string alone, without dbname=", purpose);
+  if (value("user").find(':') != std::string::npos)
+    refuse("user", "more than a name", "write user=NAME, and the password into ~/.pgpass", purpose);
+  for (const char* option : {"host", "hostaddr"}) {
+    if (one_holds_more(value(option)))
+      refuse(option, "more than a host", "write host=NAME port=NUMBER user=NAME", purpose);
+  }
+}
+
+}  // namespace loopscope::storage
