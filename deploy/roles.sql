@@ -12,7 +12,7 @@
 --                        GRANT SELECT ON public.history TO loopscope_historian;
 --
 -- Where the database holds no tables but Loopscope's, PUBLIC loses what PostgreSQL gives to everybody who may
--- connect: temporary tables, large objects, and (clusters that are older than PostgreSQL 15) tables in the schema
+-- connect: temporary tables, large objects, messages in the write-ahead log, and (clusters that are older than PostgreSQL 15) tables in the schema
 -- public; and queries are no longer compiled (jit), which takes longer than the views themselves: tens of seconds.
 -- A database that is shared is left as it is: its other users may need that.
 
@@ -44,6 +44,7 @@ BEGIN
 END $$;
 
 DO $$
+DECLARE emitter pg_catalog.regprocedure;
 BEGIN
   IF EXISTS (
     SELECT FROM pg_catalog.pg_class AS class
@@ -58,5 +59,10 @@ BEGIN
     REVOKE EXECUTE ON FUNCTION pg_catalog.lo_create(oid), pg_catalog.lo_creat(integer),
       pg_catalog.lo_from_bytea(oid, bytea) FROM PUBLIC;
     EXECUTE format('ALTER DATABASE %I SET jit = off', current_database());
+    -- Any number of megabytes of the write-ahead log a call; its arguments differ from version to version.
+    FOR emitter IN SELECT oid::regprocedure FROM pg_catalog.pg_proc
+                   WHERE proname = 'pg_logical_emit_message' AND pronamespace = 'pg_catalog'::regnamespace LOOP
+      EXECUTE format('REVOKE EXECUTE ON FUNCTION %s FROM PUBLIC', emitter);
+    END LOOP;
   END IF;
 END $$;
