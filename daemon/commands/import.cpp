@@ -98,13 +98,13 @@ void shift(LoopRows& rows, std::int64_t by_us) {
 /// Refuses to lay a recording over rows that are there: any row for one that seeks its own place,
 /// rows from its first sample on for one whose times are given.
 void require_no_history(storage::HistorianReader& historian, const CatalogueEntry& entry,
-                        std::int64_t from_us, std::int64_t to_us) {
+                        std::int64_t from_us, std::int64_t to_us, const std::string& hint) {
   const auto newest = historian.newest(std::vector{entry.pv_tag}, to_us).front();
   if (!newest || *newest < from_us) return;
   throw Failure(
       ExitCode::usage,
       fmt::format("tag \"{}\" already has rows up to {}", entry.pv_tag, format_time(*newest)),
-      "give --end TIME to place a recording with t_s, --replace to overwrite rows");
+      hint);
 }
 
 /// Gives a recording that counts seconds from its own start its place in time.
@@ -114,7 +114,8 @@ void place(const ImportOptions& options, const config::Settings& settings,
   const auto& times = recording.rows.pv.time_us;
   if (!recording.absolute_time) {
     if (options.end.empty()) {
-      require_no_history(historian, entry, std::numeric_limits<std::int64_t>::min(), now_us);
+      require_no_history(historian, entry, std::numeric_limits<std::int64_t>::min(), now_us,
+                         "say with --end TIME where a recording with t_s lies");
     }
     shift(recording.rows,
           end_time(options, entry, now_us, settings.schedule.settle_s) - times.back());
@@ -122,7 +123,10 @@ void place(const ImportOptions& options, const config::Settings& settings,
     throw Failure(ExitCode::usage, options.file + ": --end with a file that has its own times",
                   "leave --end out: it places files with t_s");
   }
-  if (!options.replace) require_no_history(historian, entry, times.front(), times.back());
+  if (!options.replace) {
+    require_no_history(historian, entry, times.front(), times.back(),
+                       "--replace overwrites rows of the same times");
+  }
 }
 
 void require_sound(const CatalogueEntry& entry) {

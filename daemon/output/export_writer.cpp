@@ -1,10 +1,11 @@
 #include "daemon/output/export_writer.hpp"
 
+#include <fmt/format.h>
 #include <iostream>
 #include <optional>
 
-#include "daemon/failure.hpp"
 #include "daemon/output/output_file.hpp"
+#include "daemon/output/standard_output.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/recording/csv_table.hpp"
 
@@ -20,10 +21,9 @@ class Sink {
   void write(const std::string& text) {
     if (file_) {
       file_->write(text);
-    } else if (!(std::cout << text)) {
-      // Nobody reads on: the rest of the view need not be asked for.
-      throw Failure(ExitCode::usage, "standard output could not be written",
-                    "check the disk or the program behind the pipe");
+    } else {
+      // Throws when nobody reads on: the rest of the view need not be asked for.
+      write_to_standard_output(text);
     }
   }
   void finish() {
@@ -34,14 +34,16 @@ class Sink {
   std::optional<OutputFile> file_;
 };
 
-/// A line of cells, and how many of them look like formulas.
+/// A line of cells, and how many of them look like formulas. Those get a quote, which a spreadsheet
+/// takes for "this is text" and does not show: nothing reads a view in again.
 class CsvLine {
  public:
   void add(const std::string& cell) {
     if (!first_) line_ += ',';
     first_ = false;
-    line_ += csv_cell(cell);
-    if (is_formula(cell)) ++formulas_;
+    const bool formula = is_formula(cell);
+    line_ += csv_cell(formula ? "'" + cell : cell);
+    if (formula) ++formulas_;
   }
   std::string take() {
     std::string whole = std::move(line_) + "\n";
@@ -56,6 +58,14 @@ class CsvLine {
   bool first_ = true;
   std::size_t formulas_ = 0;
 };
+
+void note_quoted(std::size_t count) {
+  if (count == 0) return;
+  std::cerr << fmt::format(
+      "note: {} cells begin with =, +, - or @: a quote stands before them, so that no spreadsheet "
+      "takes them for formulas; --format json has them as they are\n",
+      count);
+}
 
 }  // namespace
 
@@ -74,7 +84,7 @@ void export_csv(const storage::ConnectionSettings& connection,
         sink.write(line.take());
       });
   sink.finish();
-  note_formulas(line.formulas());
+  note_quoted(line.formulas());
 }
 
 void export_json(const storage::ConnectionSettings& connection,

@@ -12,7 +12,7 @@ namespace loopscope::daemon {
 /// DatabaseError.
 ///
 /// As CSV: a header, null and empty as nothing, names byte for byte; what a spreadsheet would take
-/// for formulas is counted and said on standard error (write_csv).
+/// for a formula (is_formula) has a quote before it, and standard error says how many.
 void export_csv(const storage::ConnectionSettings& connection,
                 const storage::ExportRequest& request, const std::string& file);
 

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string_view>
 
+#include "daemon/output/standard_output.hpp"
 #include "daemon/output/write_file.hpp"
 #include "daemon/recording/cells.hpp"
 #include "daemon/recording/csv_table.hpp"
@@ -35,7 +36,7 @@ void note_formulas(std::size_t count) {
 
 void write_csv(const std::string& file, const std::string& csv) {
   if (file == "-") {
-    std::cout << csv;
+    write_to_standard_output(csv);
   } else {
     write_file(file, csv);
   }

@@ -102,6 +102,11 @@ TEST_F(BadInput, ImportRefusesWhatItCannotPlace) {
   const std::string count = "select count(*) from history";
   const std::string before = plant_.sql(count);
   expect_error(plant_.loopscope("import", {"--loop", "FIC101", file}), 2, "already has rows");
+  const ProgramResult unplaced =
+      plant_.loopscope("import", {"--loop", "FIC101", "--replace", file});
+  expect_error(unplaced, 2, "HINT: say with --end TIME");
+  EXPECT_EQ(unplaced.err.find("--replace"), std::string::npos)
+      << "that was given: " << unplaced.err;
   expect_error(plant_.loopscope("import", {"--loop", "X", write("bad.csv", "t_s,pv\n0,1\n1,x\n")}),
                5, "line 3");
   expect_error(plant_.loopscope("import", {"--loop", "X", "--source", "moon", file}), 3, "moon");

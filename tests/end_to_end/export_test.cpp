@@ -73,11 +73,12 @@ TEST_F(Export, AFileIsWholeOrNotThere) {
     EXPECT_EQ(entry.path().string().find("partial"), std::string::npos) << entry.path();
 }
 
-TEST_F(Export, NamesThatASpreadsheetTakesForFormulasAreCounted) {
+TEST_F(Export, NamesThatASpreadsheetTakesForFormulasAreQuoted) {
   plant_.plant().sql("UPDATE loopscope.loop SET name = '=cmd()' WHERE name = 'NEW1'");
   const ProgramResult list = write({"flagged_loop"});
-  EXPECT_THAT(list.out, HasSubstr(",=cmd(),")) << "byte for byte";
+  EXPECT_THAT(list.out, HasSubstr(",'=cmd(),"));
   EXPECT_THAT(list.err, HasSubstr("note: 1 cells begin with"));
+  EXPECT_THAT(write({"flagged_loop", "--format", "json"}).out, HasSubstr("\"=cmd()\""));
 }
 
 TEST_F(Export, ErrorsSayTheWayOut) {
