@@ -119,8 +119,8 @@ std::string hint_time_out(const RawError& error, const ErrorPlace& place) {
 }
 
 constexpr char kDependent[] =
-    "an object of the site is built on one of the schema: let its owner drop it, repeat this, and "
-    "make it again";
+    "something of the site's own stands on what changes (the detail names it): let its owner drop "
+    "it, repeat this, and make it again";
 constexpr char kOwnSetting[] =
     "the server refuses a setting: see options= in the connection string, and leave out what it "
     "names";
@@ -153,9 +153,6 @@ constexpr char kRootCertificate[] =
 constexpr char kPrivateKey[] = "chmod 0600 the file of sslkey=, and let this user own it";
 constexpr char kDatabase[] = "check dbname in the connection string, or create the database";
 constexpr char kConstraint[] = "the value breaks a rule of the schema: see the detail above";
-constexpr char kDependent[] =
-    "something of the site's own stands on what changes (the detail names it): drop it, run this "
-    "again, make it anew";
 constexpr char kServerFault[] = "a fault of the server: read its log";
 
 constexpr std::array<StateRule, 26> kStates{{
@@ -182,7 +179,6 @@ constexpr std::array<StateRule, 26> kStates{{
     {"28", Remedy::give_up, fixed<kPassword>},
     {"2BP01", Remedy::give_up, fixed<kDependent>},
     {"3D000", Remedy::give_up, fixed<kDatabase>},
-    {"2BP01", Remedy::give_up, fixed<kDependent>},
     {"XX", Remedy::give_up, fixed<kServerFault>},
     {"58", Remedy::give_up, fixed<kServerFault>},
     {"", Remedy::give_up, fixed<kServerFault>},

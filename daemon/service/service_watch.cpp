@@ -153,7 +153,7 @@ void ServiceWatch::look(ResultsLink& link, const config::Settings& settings) {
     health_.set_clock_refusal(refusal ? std::optional<std::string>(refusal->what()) : std::nullopt);
     const storage::ScheduleHealth schedule =
         link.with([](storage::ResultsDatabase& database) { return database.schedule_health(); });
-    tools_.metrics.set(schedule, settings()->results.retention_months);
+    tools_.metrics.set(schedule, settings.results.retention_months);
     health_.results_answered();
     health_.set(schedule);
     tools_.faults.recovered("monitor");

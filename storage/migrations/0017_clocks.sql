@@ -56,13 +56,13 @@ CREATE FUNCTION loopscope.newest_result() RETURNS timestamptz LANGUAGE sql STABL
 $$;
 COMMENT ON FUNCTION loopscope.newest_result() IS 'Newest slot with a stored analysis that is not after now(); null = none';
 
-ALTER FUNCTION loopscope.grant_rights() RENAME TO grant_rights_of_0014;
+ALTER FUNCTION loopscope.grant_rights() RENAME TO grant_rights_of_0016;
 CREATE FUNCTION loopscope.grant_rights() RETURNS void LANGUAGE plpgsql SET search_path = pg_catalog AS $$
 BEGIN
-  PERFORM loopscope.grant_rights_of_0014();
+  PERFORM loopscope.grant_rights_of_0016();
   IF to_regrole('loopscope_worker') IS NOT NULL THEN
     GRANT UPDATE (hold_s) ON loopscope.schedule TO loopscope_worker;
   END IF;
 END $$;
-COMMENT ON FUNCTION loopscope.grant_rights_of_0014() IS 'The part of grant_rights() that stood before claims noted for how long they hold';
+COMMENT ON FUNCTION loopscope.grant_rights_of_0016() IS 'The part of grant_rights() that stood before claims noted for how long they hold';
 COMMENT ON FUNCTION loopscope.grant_rights() IS 'Gives loopscope_worker, loopscope_reader and loopscope_engineer, where they exist, exactly the rights that they need, and takes every other one back';

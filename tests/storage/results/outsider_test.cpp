@@ -26,7 +26,7 @@ TEST_F(OutsiderTest, StopsNothingByAdvisoryLocks) {
       "SELECT pg_advisory_lock(1819242352, 1), pg_advisory_lock(7310868735423867747),"
       " pg_advisory_lock(7310868735423867748)");
   EXPECT_NO_THROW(migrate(settings_for(*database)));
-  EXPECT_NO_THROW(static_cast<void>(maintain(settings_for(*database), 24)));
+  EXPECT_NO_THROW(static_cast<void>(maintain(settings_for(*database), {.retention_months = 24})));
   PlantRounds rounds(settings_for(*database));
   EXPECT_EQ(rounds.take_turn(3600, "host/1", 60).wait_s, 0.0) << "nobody is at it";
   EXPECT_THAT(rounds.announce_flags().flagged, SizeIs(1));

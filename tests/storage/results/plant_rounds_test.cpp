@@ -88,7 +88,7 @@ TEST_F(PlantRoundsTest, ARoundOfAClockAheadNeitherHoldsNorPutsOffTheNext) {
       "UPDATE loopscope.plant_round SET found_at = now() - interval '1 day'"
       " WHERE slot_end = '2026-01-01 01:00+00'");
   EXPECT_EQ(current(), (TextRows{{"1", "40", "a", "2"}}));
-  EXPECT_EQ(plant().take_turn(3600), 0.0);
+  EXPECT_EQ(plant().take_turn(3600, "host/1", 60).wait_s, 0.0);
 }
 
 TEST_F(PlantRoundsTest, AllOrNothing) {

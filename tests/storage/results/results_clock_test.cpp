@@ -72,7 +72,7 @@ TEST_F(ResultsClockTest, NothingIsClaimedOrWrittenUnderAClockThatIsNotBelieved) 
 
 TEST_F(ResultsClockTest, NoPlantRoundUnderAClockThatIsNotBelieved) {
   PlantRounds rounds(settings_for(*database), refuse);
-  EXPECT_THROW(static_cast<void>(rounds.take_turn(60)), DatabaseError);
+  EXPECT_THROW(static_cast<void>(rounds.take_turn(60, "host/1", 60)), DatabaseError);
   EXPECT_THROW(rounds.store({slot(1), 1, 30, 5, {}}), DatabaseError);
   EXPECT_THROW(rounds.announce_flags(), DatabaseError);
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.plant_round"), "0");

@@ -95,7 +95,7 @@ TEST_F(ScheduleHealthTest, CountsMonthsBackToTheOldestPartition) {
       "SELECT loopscope.make_partition('verdict', ((date_trunc('month', now() AT TIME ZONE 'UTC')"
       " - interval '27 months') AT TIME ZONE 'UTC')::date)");
   EXPECT_EQ(look().oldest_partition_months, 27);
-  maintain(settings_for(*database), 24);
+  maintain(settings_for(*database), {.retention_months = 24});
   EXPECT_EQ(look().oldest_partition_months, 0);
 }
 

@@ -66,7 +66,7 @@ class SchemaOwnerTest : public testing::Test {
   [[nodiscard]] std::vector<std::string> errors_as(const std::string& user) const {
     const ConnectionSettings settings = settings_for(*database, user);
     return {error_of([&] { migrate(settings); }),
-            error_of([&] { static_cast<void>(maintain(settings, 24)); }),
+            error_of([&] { static_cast<void>(maintain(settings, {.retention_months = 24})); }),
             error_of([&] { const ResultsDatabase results(settings); }),
             error_of([&] { const Catalogue catalogue(settings); }),
             error_of([&] { const PlantRounds rounds(settings); }),

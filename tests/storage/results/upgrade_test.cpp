@@ -102,7 +102,7 @@ TEST_F(UpgradeTest, KeepsEveryRowAndServesTheNewProgram) {
   ResultsDatabase results(settings_for(*database, worker));
   EXPECT_EQ(results.claim_due("host/2/0", 60, 10).size(), 2U);
   EXPECT_EQ(PlantRounds(settings_for(*database, worker)).take_turn(0, "host/2", 60).wait_s, 0.0);
-  EXPECT_NO_THROW(static_cast<void>(maintain(as_owner, 0)));
+  EXPECT_NO_THROW(static_cast<void>(maintain(as_owner, {})));
 }
 
 TEST_F(UpgradeTest, MonthsThatMaintainHadMadeCanBeReadAfterwards) {
@@ -132,7 +132,7 @@ TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
                          " UNION ALL SELECT oid::regproc::text FROM pg_proc WHERE pronamespace ="
                          " 'loopscope'::regnamespace AND proowner <> 'loopscope_owner'::regrole"),
               IsEmpty());
-  EXPECT_NO_THROW(static_cast<void>(maintain(settings_for(other, owner), 12)));
+  EXPECT_NO_THROW(static_cast<void>(maintain(settings_for(other, owner), {.retention_months = 12})));
 }
 
 /// `oldest_program` promises it: workers follow one by one.
