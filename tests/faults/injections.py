@@ -18,20 +18,30 @@ def busy_worker(cluster, random):
     return worker
 
 
+def stopped_with_claims(cluster, random):
+    """One that was stopped while it held loops, and how many: a look and a signal are not one
+    moment, and a quick worker has given everything back between them."""
+    while True:
+        worker = busy_worker(cluster, random)
+        worker.send(signal.SIGSTOP)
+        time.sleep(0.1)  # a commit that is on its way arrives
+        if held := cluster.claims(worker):
+            return worker, len(held)
+        worker.send(signal.SIGCONT)
+
+
 def kill_worker(cluster, random):
     """kill -9 in the middle of a batch; it comes back only after the others have taken over."""
-    worker = busy_worker(cluster, random)
+    worker, held = stopped_with_claims(cluster, random)
     worker.kill()
-    held = cluster.claims(worker)
-    cluster.abandoned += len(held)
-    return f"{worker.host} ({len(held)} loops)", worker.start
+    cluster.abandoned += held
+    return f"{worker.host} ({held} loops)", worker.start
 
 
 def stop_worker(cluster, random):
     """SIGSTOP beyond the lease: it wakes up as a zombie whose loops others have."""
-    worker = busy_worker(cluster, random)
-    worker.send(signal.SIGSTOP)
-    cluster.abandoned += len(cluster.claims(worker))
+    worker, held = stopped_with_claims(cluster, random)
+    cluster.abandoned += held
     time.sleep(random.uniform(plant.LEASE_S + 1, LONGER_THAN_LEASE_S))
     worker.send(signal.SIGCONT)
     return worker.host, None

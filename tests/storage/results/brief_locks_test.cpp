@@ -35,8 +35,9 @@ TEST_F(BriefLocks, AReaderInTheWayIsOutwaitedAndTheOthersReadOn) {
   pqxx::connection connection(database->conninfo());
   pqxx::work reader(connection);
   reader.exec("SELECT count(*) FROM loopscope.verdict");
-  auto maintained =
-      std::async(std::launch::async, [this] { return maintain(settings_for(*database), {.retention_months = 24}); });
+  auto maintained = std::async(std::launch::async, [this] {
+    return maintain(settings_for(*database), {.retention_months = 24});
+  });
   EXPECT_LT(longest_reading(kLongerThanAnyConnectionWaits), 3.0) << "another reader waited, s";
   reader.abort();
   EXPECT_EQ(maintained.get().dropped.size(), 4U);

@@ -103,7 +103,7 @@ TEST_F(ScheduleHealthTest, CountsRowsWithoutAMonthUpToABound) {
   add_loops({"a"});
   ResultsDatabase results = connect();
   const auto claimed = claim_all(results);
-  constexpr int kHoursToAYearWithoutPartition = 24 * 365 * 40;
+  constexpr int kHoursToAYearWithoutPartition = -24 * 365 * 40;
   results.finish(std::vector{completed(claimed[0], slot(kHoursToAYearWithoutPartition), "d")}, {});
   // The analysis, its verdict and its two peaks.
   EXPECT_EQ(look().default_partition_rows, 4);

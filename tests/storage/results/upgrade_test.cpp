@@ -132,7 +132,8 @@ TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
                          " UNION ALL SELECT oid::regproc::text FROM pg_proc WHERE pronamespace ="
                          " 'loopscope'::regnamespace AND proowner <> 'loopscope_owner'::regrole"),
               IsEmpty());
-  EXPECT_NO_THROW(static_cast<void>(maintain(settings_for(other, owner), {.retention_months = 12})));
+  EXPECT_NO_THROW(
+      static_cast<void>(maintain(settings_for(other, owner), {.retention_months = 12})));
 }
 
 /// `oldest_program` promises it: workers follow one by one.
