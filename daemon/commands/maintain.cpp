@@ -25,7 +25,7 @@ struct MaintainOptions {
 ClockBook::State compare(const config::Settings& settings, LaneTools& tools, bool ask_all) {
   const storage::ResultsTime time = storage::results_time(owner_connection(settings));
   tools.clocks.accept(time.accepted);
-  const ClockBook::State state = tools.clocks.note_results(time.clock);
+  ClockBook::State state = tools.clocks.note_results(time.clock);
   if (!ask_all && !refusal(state)) return state;
   ask_historians(settings, tools);
   return tools.clocks.note_results(storage::results_time(owner_connection(settings)).clock);

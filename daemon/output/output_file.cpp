@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <fmt/format.h>
 #include <system_error>
+#include <utility>
 
 #include "daemon/failure.hpp"
 #include "daemon/output/output_target.hpp"
@@ -35,7 +36,7 @@ void OutputFile::attempt(Work&& work) {
   }
 }
 
-OutputFile::OutputFile(const std::filesystem::path& file) : file_(file) {
+OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)) {
   attempt([&] { open(); });
 }
 

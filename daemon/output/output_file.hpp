@@ -18,7 +18,7 @@ namespace loopscope::daemon {
 /// system's reason when it cannot do its work.
 class OutputFile {
  public:
-  explicit OutputFile(const std::filesystem::path& file);
+  explicit OutputFile(std::filesystem::path file);
 
   void write(std::string_view text);
   void finish();

@@ -44,10 +44,12 @@ ClockJudgement judge_clocks(const ClockReading& host, const std::vector<ClockRea
 
 std::string difference_text(double ahead_s) {
   const auto minutes = std::llround(std::abs(ahead_s) / 60.0);
-  const auto days = minutes / (24 * 60);
-  const auto hours = minutes / 60 % 24;
+  constexpr long long kHour = 60;
+  constexpr long long kDay = 24 * kHour;
+  const auto days = minutes / kDay;
+  const auto hours = minutes % kDay / kHour;
   const std::string size = days > 0    ? fmt::format("{} d {} h", days, hours)
-                           : hours > 0 ? fmt::format("{} h {} min", hours, minutes % 60)
+                           : hours > 0 ? fmt::format("{} h {} min", hours, minutes % kHour)
                                        : fmt::format("{} min", minutes);
   return size + (ahead_s > 0.0 ? " ahead" : " behind");
 }

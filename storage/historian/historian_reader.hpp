@@ -12,8 +12,8 @@
 #include "storage/connection_settings.hpp"
 #include "storage/error.hpp"
 #include "storage/historian/source_layout.hpp"
-#include "storage/server_clock.hpp"
 #include "storage/historian/tag_request.hpp"
+#include "storage/server_clock.hpp"
 
 namespace loopscope::storage {
 

@@ -166,8 +166,11 @@ PqRows PqConnection::finish_pipeline() {
     if (!answer) answer = PqRows(await_result());
     if (!answer) break;
     status = answer.status();
-    if (is_error(status) && !error) error = std::move(answer);
-    if (status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK) rows = std::move(answer);
+    if (is_error(status)) {
+      if (!error) error = std::move(answer);
+    } else if (status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK) {
+      rows = std::move(answer);
+    }
   }
   // Leaves the connection ready for the next statement.
   PQexitPipelineMode(connection_.get());

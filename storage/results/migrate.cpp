@@ -118,7 +118,7 @@ void refuse_many(const std::vector<std::string>& partitions) {
 /// Each partition in its own transaction: its parent is locked only for that moment.
 std::vector<std::string> drop_expired(Session& session, const MaintenanceOrders& orders) {
   const std::string months = std::to_string(orders.retention_months);
-  const std::vector<std::string> expired =
+  std::vector<std::string> expired =
       maintain_in_time(session, orders, [&](Transaction& transaction) {
         transaction.run(statements::kBecomeOwner);
         std::vector<std::string> names = expired_partitions(transaction, months);
