@@ -20,20 +20,19 @@ struct MaintainOptions {
   bool accept_clock = false;
 };
 
-/// The clocks beside the results server's; those of the historians only where they are needed: on
-/// most days nobody waits for them.
-ClockBook::State compare(const config::Settings& settings, LaneTools& tools, bool ask_all) {
-  const storage::ResultsTime time = storage::results_time(owner_connection(settings));
-  tools.clocks.accept(time.accepted);
-  ClockBook::State state = tools.clocks.note_results(time.clock);
-  if (!ask_all && !refusal(state)) return state;
-  ask_historians(settings, tools);
-  return tools.clocks.note_results(storage::results_time(owner_connection(settings)).clock);
+/// By the owner's connection: a worker's may not be there.
+ClockBook::State look(const config::Settings& settings, LaneTools& tools) {
+  return look_at_clocks(settings, tools, [&] {
+    const storage::ResultsTime time = storage::results_time(owner_connection(settings));
+    tools.clocks.accept(time.accepted);
+    return time.clock;
+  });
 }
 
 /// Whoever says so has looked: what differs now is known, and no reason to stand still.
 void accept_clocks(const config::Settings& settings, LaneTools& tools) {
-  const ClockBook::State state = compare(settings, tools, true);
+  ask_historians(settings, tools);
+  const ClockBook::State state = look(settings, tools);
   std::vector<ClockReading> clocks = state.historians;
   clocks.push_back(state.host);
   storage::AcceptedClocks accepted;
@@ -51,7 +50,7 @@ void maintain(const MaintainOptions& options) {
   const config::Settings settings = config::read_settings(options.config);
   LaneTools tools(1, Perseverance::one_lease);
   if (options.accept_clock) accept_clocks(settings, tools);
-  if (const auto why = refusal(compare(settings, tools, false))) throw *why;
+  if (const auto why = refusal(look(settings, tools))) throw *why;
   const auto result = storage::maintain(
       owner_connection(settings),
       {settings.results.retention_months, tools.clocks.check(), options.accept_clock});

@@ -36,7 +36,9 @@ void once(const std::string& config_file) {
   const auto settings =
       std::make_shared<const config::Settings>(config::read_settings(config_file));
   set_up_log(settings->daemon);
-  const PassResult pass = run_pass(settings);
+  // Of the whole command: what the pass learns of the clocks holds for the round after it.
+  LaneTools tools(worker_count(settings->daemon), Perseverance::one_lease);
+  const PassResult pass = run_pass(settings, tools);
   std::cout << pass_text(pass) << std::endl;
   if (pass.cost.loops > 0) {
     spdlog::info("{:.1f} s, {:.0f} loops/s; {}", pass.elapsed_s,
@@ -47,7 +49,6 @@ void once(const std::string& config_file) {
     std::signal(pass.signal, SIG_DFL);
     std::raise(pass.signal);
   }
-  LaneTools tools(worker_count(settings->daemon), Perseverance::one_lease);
   compare_all_loops(*settings, tools);
   if (!pass.first_failure) return;
   throw Failure(pass.first_failure->exit_code(),

@@ -32,8 +32,9 @@ constexpr int kMisdirected = 421;
 constexpr int kHeadTooLong = 431;
 
 HttpAnswer not_yet() {
-  HttpAnswer answer{503, "the page is not ready yet: try again\n"};
+  HttpAnswer answer{503, "the page is still being made: a browser asks again by itself\n"};
   answer.headers.emplace("Retry-After", "2");
+  answer.headers.emplace("Refresh", "2");  // browsers look at this one
   return answer;
 }
 

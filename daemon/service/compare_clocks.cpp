@@ -64,19 +64,21 @@ void ask_historians(const config::Settings& settings, LaneTools& tools) {
   }
 }
 
+ClockBook::State look_at_clocks(const config::Settings& settings, LaneTools& tools,
+                                const std::function<storage::ServerClock()>& results_clock) {
+  ClockBook::State state = tools.clocks.note_results(results_clock());
+  if (all_agree(state.judgement)) return state;
+  ask_historians(settings, tools);
+  return tools.clocks.note_results(results_clock());
+}
+
 std::optional<storage::DatabaseError> compare_clocks(const config::Settings& settings,
                                                      LaneTools& tools, ResultsLink& results) {
-  const auto look = [&] {
-    return tools.clocks.note_results(
-        results.with([](storage::ResultsDatabase& database) { return database.clock(); }));
-  };
   tools.clocks.accept(
       results.with([](storage::ResultsDatabase& database) { return database.accepted_clocks(); }));
-  ClockBook::State state = look();
-  if (!all_agree(state.judgement)) {
-    ask_historians(settings, tools);
-    state = look();
-  }
+  const ClockBook::State state = look_at_clocks(settings, tools, [&] {
+    return results.with([](storage::ResultsDatabase& database) { return database.clock(); });
+  });
   tell(state, tools);
   return refusal(state);
 }

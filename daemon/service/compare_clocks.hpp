@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "config/settings.hpp"
 #include "daemon/service/lane_tools.hpp"
 #include "daemon/service/results_link.hpp"
 #include "storage/error.hpp"
+#include "storage/server_clock.hpp"
 
 namespace loopscope::daemon {
 
@@ -16,6 +18,12 @@ namespace loopscope::daemon {
 /// does not answer.
 std::optional<storage::DatabaseError> compare_clocks(const config::Settings& settings,
                                                      LaneTools& tools, ResultsLink& results);
+
+/// How the results server's clock, which `results_clock` reads, stands beside the others. Where all
+/// that are known agree nobody else is asked, else every historian too.
+[[nodiscard]] ClockBook::State look_at_clocks(
+    const config::Settings& settings, LaneTools& tools,
+    const std::function<storage::ServerClock()>& results_clock);
 
 /// Asks the clocks of all historians that answer and notes them.
 void ask_historians(const config::Settings& settings, LaneTools& tools);

@@ -24,9 +24,9 @@ namespace {
 /// thread's io_context alone.
 class Pass {
  public:
-  explicit Pass(std::shared_ptr<const config::Settings> settings)
+  Pass(std::shared_ptr<const config::Settings> settings, LaneTools& tools)
       : settings_(std::move(settings)),
-        tools_(worker_count(settings_->daemon), Perseverance::one_lease),
+        tools_(tools),
         signals_(context_, SIGINT, SIGTERM),
         lanes_left_(lane_count(settings_->daemon)),
         walking_lanes_(lanes_left_),
@@ -117,7 +117,7 @@ class Pass {
   }
 
   std::shared_ptr<const config::Settings> settings_;
-  LaneTools tools_;
+  LaneTools& tools_;
   asio::io_context context_;
   asio::signal_set signals_;
   std::size_t lanes_left_;
@@ -133,8 +133,8 @@ class Pass {
 
 }  // namespace
 
-PassResult run_pass(const std::shared_ptr<const config::Settings>& settings) {
-  return Pass(settings).run();
+PassResult run_pass(const std::shared_ptr<const config::Settings>& settings, LaneTools& tools) {
+  return Pass(settings, tools).run();
 }
 
 }  // namespace loopscope::daemon

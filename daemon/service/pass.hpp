@@ -6,6 +6,7 @@
 
 #include "config/settings.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/service/lane_tools.hpp"
 #include "storage/results/results_database.hpp"
 #include "storage/stage_cost.hpp"
 
@@ -26,6 +27,7 @@ struct PassResult {
 /// that another worker holds are left to it; suspects, which may be what kills the process, come
 /// one by one at the end. SIGTERM or SIGINT finishes what is in hand and ends early. Throws the
 /// first storage::DatabaseError of the results database after every worker has stopped.
-[[nodiscard]] PassResult run_pass(const std::shared_ptr<const config::Settings>& settings);
+[[nodiscard]] PassResult run_pass(const std::shared_ptr<const config::Settings>& settings,
+                                  LaneTools& tools);
 
 }  // namespace loopscope::daemon

@@ -217,8 +217,8 @@ TEST_F(HttpServerTest, SlowClientsDelayNobody) {
 
 TEST_F(HttpServerTest, WhoWaitsTooLongForAPageIsToldToComeAgain) {
   const auto start = Clock::now();
-  EXPECT_THAT(get("/never"),
-              AllOf(StartsWith("HTTP/1.1 503 "), HasSubstr("\r\nRetry-After: 2\r\n")));
+  EXPECT_THAT(get("/never"), AllOf(StartsWith("HTTP/1.1 503 "), HasSubstr("\r\nRetry-After: 2\r\n"),
+                                   HasSubstr("\r\nRefresh: 2\r\n")));
   EXPECT_LT(Clock::now() - start, 8s);
 }
 
