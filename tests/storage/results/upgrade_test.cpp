@@ -105,6 +105,23 @@ TEST_F(UpgradeTest, KeepsEveryRowAndServesTheNewProgram) {
   EXPECT_NO_THROW(static_cast<void>(maintain(as_owner, {})));
 }
 
+/// Before, each of these values stopped every claim.
+TEST_F(UpgradeTest, RowsThatSomebodyHasSpoiltAreMended) {
+  for (const char* const spoilt :
+       {"fence = 9223372036854775807", "fence = -5", "attempts = 2147483647", "lost_leases = -1",
+        "last_slot_end = 'infinity'", "result_slot_end = '294276-12-31'"}) {
+    database->execute("UPDATE loopscope.schedule SET " + std::string(spoilt) +
+                      " WHERE loop_id = (SELECT loop_id FROM loopscope.loop WHERE name = 'b')");
+  }
+  migrate(settings_for(*database, owner));
+  ResultsDatabase results(settings_for(*database, worker));
+  EXPECT_EQ(results.claim_due("host/2/0", 60, 10).size(), 2U);
+  EXPECT_EQ(database->rows("SELECT attempts, lost_leases, last_slot_end, result_slot_end"
+                           " FROM loopscope.schedule JOIN loopscope.loop USING (loop_id)"
+                           " WHERE name = 'b'"),
+            (TextRows{{"1000000", "0", "NULL", "NULL"}}));
+}
+
 TEST_F(UpgradeTest, MonthsThatMaintainHadMadeCanBeReadAfterwards) {
   const std::string month = "SELECT count(*) FROM loopscope.analysis_2026_01";
   const tests::SqlConnection session(database->conninfo(reader));
