@@ -33,7 +33,7 @@ Lane::Lane(std::shared_ptr<const config::Settings> settings, std::size_t index, 
       owner_(worker_name(index)),
       tools_(tools),
       desk_(tools.progress.desk()),
-      results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.bell),
+      results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.bell, tools.floors),
       reader_(settings_, settings_json_, slot_rule, tools, desk_, results_) {}
 
 template <typename Claim>
@@ -56,8 +56,7 @@ std::vector<ClaimedLoop> Lane::timed_claim(Claim claim) {
 
 std::vector<ClaimedLoop> Lane::claim_due() {
   const config::ScheduleSettings& schedule = settings_->schedule;
-  std::vector<std::string> away;
-  for (const auto& [source, left] : tools_.historians.closed()) away.push_back(source);
+  const std::vector<std::string> away = tools_.sources_away();
   return timed_claim([&](storage::ResultsDatabase& database) {
     return database.claim_due(owner_, schedule.hold_s(), schedule.batch_loops, away);
   });
@@ -81,7 +80,9 @@ std::vector<ClaimedLoop> Lane::claim_next(std::int64_t after) {
 }
 
 std::optional<double> Lane::next_due_in_s() {
-  return results_.with([](storage::ResultsDatabase& database) { return database.next_due_in_s(); });
+  return results_.with([this](storage::ResultsDatabase& database) {
+    return database.next_due_in_s(settings_->schedule.poll_s);
+  });
 }
 
 /// Loops grouped by historian, the one with the fewest users first. One that was down a moment ago

@@ -45,7 +45,7 @@ class Lane {
   /// Brings claimed loops to their end. Throws storage::DatabaseError when the results cannot be
   /// written; the loops are then given back or, where that fails too, their claims run out.
   storage::WriteCount process(const std::vector<storage::ClaimedLoop>& claims);
-  /// Seconds until a loop is due; nullopt = there is no enabled loop.
+  /// Seconds until a loop is due; nullopt = not before the next poll.
   [[nodiscard]] std::optional<double> next_due_in_s();
 
   [[nodiscard]] const std::shared_ptr<const config::Settings>& settings() const {

@@ -13,4 +13,10 @@ LaneTools::LaneTools(std::size_t workers, Perseverance how_long)
       cores(workers),
       perseverance(how_long) {}
 
+std::vector<std::string> LaneTools::sources_away() {
+  std::vector<std::string> away;
+  for (const auto& [source, left] : historians.closed()) away.push_back(source);
+  return away;
+}
+
 }  // namespace loopscope::daemon

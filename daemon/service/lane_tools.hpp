@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <mutex>
+#include <string>
+#include <vector>
 
 #include "daemon/service/clock_book.hpp"
 #include "daemon/service/core_gate.hpp"
@@ -10,12 +13,15 @@
 #include "daemon/service/progress_board.hpp"
 #include "daemon/service/results_link.hpp"
 #include "daemon/service/stop_bell.hpp"
+#include "storage/results/claim_floor.hpp"
 
 namespace loopscope::daemon {
 
 /// What all lanes of the process share. Thread-safe.
 struct LaneTools {
   LaneTools(std::size_t workers, Perseverance how_long);
+  /// Whose loops nobody claims just now.
+  [[nodiscard]] std::vector<std::string> sources_away();
   StopBell bell;
   Metrics metrics;
   FaultLog faults{metrics};
@@ -23,6 +29,7 @@ struct LaneTools {
   CoreGate cores;
   ClockBook clocks;
   ProgressBoard progress;
+  const std::shared_ptr<storage::ClaimFloors> floors = std::make_shared<storage::ClaimFloors>();
   /// Held by the one lane that works on a suspect: two that kill their worker cannot be told apart.
   std::mutex suspect_turn;
   const Perseverance perseverance;

@@ -33,7 +33,8 @@ class Pass {
         pool_(lanes_left_) {}
 
   PassResult run() {
-    ResultsLink results(settings_, tools_.faults, tools_.metrics, tools_.clocks, tools_.bell);
+    ResultsLink results(settings_, tools_.faults, tools_.metrics, tools_.clocks, tools_.bell,
+                        tools_.floors);
     if (const auto refusal = compare_clocks(*settings_, tools_, results)) throw *refusal;
     result_.enabled = results.with(
         [](storage::ResultsDatabase& database) { return database.count_enabled_loops(); });

@@ -23,12 +23,13 @@ enum class Perseverance {
 class ResultsLink {
  public:
   ResultsLink(std::shared_ptr<const config::Settings> settings, FaultLog& faults, Metrics& metrics,
-              ClockBook& clocks, StopBell& bell)
+              ClockBook& clocks, StopBell& bell, std::shared_ptr<storage::ClaimFloors> floors)
       : settings_(std::move(settings)),
         faults_(faults),
         metrics_(metrics),
         clocks_(clocks),
-        bell_(bell) {}
+        bell_(bell),
+        floors_(std::move(floors)) {}
   ~ResultsLink() { faults_.leave(kSubject, this); }
   ResultsLink(const ResultsLink&) = delete;
   ResultsLink& operator=(const ResultsLink&) = delete;
@@ -95,6 +96,7 @@ class ResultsLink {
   Metrics& metrics_;
   ClockBook& clocks_;
   StopBell& bell_;
+  std::shared_ptr<storage::ClaimFloors> floors_;
   std::optional<storage::ResultsDatabase> database_;
 };
 

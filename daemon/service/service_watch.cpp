@@ -138,7 +138,8 @@ void ServiceWatch::run(const std::stop_token& stop) {
     const auto now_in_force = settings();
     if (linked_with != now_in_force) {
       linked_with = now_in_force;
-      link.emplace(linked_with, tools_.faults, tools_.metrics, tools_.clocks, tools_.bell);
+      link.emplace(linked_with, tools_.faults, tools_.metrics, tools_.clocks, tools_.bell,
+                   tools_.floors);
     }
     look(*link, *linked_with);
     std::unique_lock lock(mutex_);
@@ -151,8 +152,11 @@ void ServiceWatch::look(ResultsLink& link, const config::Settings& settings) {
   try {
     const auto refusal = compare_clocks(settings, tools_, link);
     health_.set_clock_refusal(refusal ? std::optional<std::string>(refusal->what()) : std::nullopt);
-    const storage::ScheduleHealth schedule =
-        link.with([](storage::ResultsDatabase& database) { return database.schedule_health(); });
+    const storage::ScheduleHealth schedule = link.with([this](storage::ResultsDatabase& database) {
+      database.look_back();
+      if (const auto away = tools_.sources_away(); !away.empty()) database.look_back(away);
+      return database.schedule_health();
+    });
     tools_.metrics.set(schedule, settings.results.retention_months);
     health_.results_answered();
     health_.set(schedule);

@@ -90,7 +90,7 @@ std::vector<std::string> migrate_all(Transaction& transaction) {
 template <typename Work>
 auto maintain_in_time(Session& session, const MaintenanceOrders& orders, Work work) {
   return transact_between_others(session, [&](Transaction& transaction) {
-    check_time(transaction, orders.check);
+    if (orders.check) checked_clock(transaction, orders.check);
     return work(transaction);
   });
 }

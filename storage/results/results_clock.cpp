@@ -18,8 +18,10 @@ ServerClock transaction_clock(Transaction& transaction) {
   return {rows[0]["now_us"].as<std::int64_t>(), rows[0]["started_us"].as<std::int64_t>()};
 }
 
-void check_time(Transaction& transaction, const ClockCheck& check) {
-  if (check) check(transaction_clock(transaction));
+ServerClock checked_clock(Transaction& transaction, const ClockCheck& check) {
+  const ServerClock clock = transaction_clock(transaction);
+  if (check) check(clock);
+  return clock;
 }
 
 AcceptedClocks accepted_clocks(Session& session) {

@@ -9,14 +9,14 @@ namespace loopscope::storage {
 /// The server's clock at the beginning of the transaction: what now() gives in it.
 [[nodiscard]] ServerClock transaction_clock(Transaction& transaction);
 
-/// Throws what `check` throws at the transaction's now(); an empty one lets everything pass.
-void check_time(Transaction& transaction, const ClockCheck& check);
+/// The same, once `check` has let it pass; an empty one lets everything pass.
+ServerClock checked_clock(Transaction& transaction, const ClockCheck& check);
 
 /// As Session::transact(), once `check` has let the transaction's now() pass.
 template <typename Work>
 auto transact_in_time(Session& session, const ClockCheck& check, Work&& work) {
   return session.transact([&](Transaction& transaction) {
-    check_time(transaction, check);
+    if (check) checked_clock(transaction, check);
     return work(transaction);
   });
 }

@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "storage/array_literal.hpp"
+#include "storage/results/claim_due.hpp"
 #include "storage/results/finish_loops.hpp"
-#include "storage/results/loop_row.hpp"
+#include "storage/results/recall_stray.hpp"
 #include "storage/results/results_clock.hpp"
 #include "storage/results/schedule_statements.hpp"
 #include "storage/results/schema_version.hpp"
@@ -15,20 +16,10 @@
 namespace loopscope::storage {
 namespace {
 
-std::optional<LastVerdict> read_last_verdict(const pqxx::row& row) {
-  const auto code = core::diagnosis::verdict_code(read_text(row["last_code"]));
-  if (!code) return std::nullopt;
-  return LastVerdict{*code, row["last_confidence"].as<double>(), read_number(row["last_p"])};
-}
-
 std::vector<ClaimedLoop> read_claims(const pqxx::result& rows) {
   std::vector<ClaimedLoop> claimed;
   claimed.reserve(rows.size());
-  for (const pqxx::row& row : rows) {
-    claimed.push_back({read_loop(row), row["fence"].as<std::int64_t>(), row["attempts"].as<int>(),
-                       row["now_us"].as<std::int64_t>(), read_integer(row["last_slot_end_us"]),
-                       read_last_verdict(row)});
-  }
+  for (const pqxx::row& row : rows) claimed.push_back(read_claim(row));
   return claimed;
 }
 
@@ -45,8 +36,9 @@ std::vector<std::string> claim_keys(std::span<const ClaimedLoop> claimed) {
 }  // namespace
 
 struct ResultsDatabase::Impl {
-  Impl(const ConnectionSettings& settings, ClockCheck clock_check)
-      : session(settings), check(std::move(clock_check)) {
+  Impl(const ConnectionSettings& settings, ClockCheck clock_check,
+       std::shared_ptr<ClaimFloors> shared_floors)
+      : session(settings), check(std::move(clock_check)), floors(std::move(shared_floors)) {
     require_schema_version(session);
   }
   template <typename Work>
@@ -60,10 +52,12 @@ struct ResultsDatabase::Impl {
   }
   Session session;
   ClockCheck check;
+  std::shared_ptr<ClaimFloors> floors;
 };
 
-ResultsDatabase::ResultsDatabase(const ConnectionSettings& settings, ClockCheck check)
-    : impl_(std::make_unique<Impl>(settings, std::move(check))) {}
+ResultsDatabase::ResultsDatabase(const ConnectionSettings& settings, ClockCheck check,
+                                 std::shared_ptr<ClaimFloors> floors)
+    : impl_(std::make_unique<Impl>(settings, std::move(check), std::move(floors))) {}
 ResultsDatabase::~ResultsDatabase() = default;
 ResultsDatabase::ResultsDatabase(ResultsDatabase&&) noexcept = default;
 ResultsDatabase& ResultsDatabase::operator=(ResultsDatabase&&) noexcept = default;
@@ -71,13 +65,12 @@ ResultsDatabase& ResultsDatabase::operator=(ResultsDatabase&&) noexcept = defaul
 std::vector<ClaimedLoop> ResultsDatabase::claim_due(const std::string& owner, double lease_s,
                                                     int limit,
                                                     const std::vector<std::string>& but_of) {
-  const std::vector<std::string> parameters{make_storable(owner), number_text(lease_s),
-                                            std::to_string(limit)};
-  if (but_of.empty()) return impl_->claim(statements::kClaimDue, parameters);
-  ArrayLiteral sources;
-  for (const std::string& source : but_of) sources.add_text(source);
-  return impl_->claim(statements::kClaimDueElsewhere,
-                      {parameters[0], parameters[1], parameters[2], sources.text()});
+  return storage::claim_due(impl_->session, impl_->check, {owner, lease_s, limit, but_of},
+                            impl_->floors->of(but_of));
+}
+
+void ResultsDatabase::look_back(const std::vector<std::string>& but_of) {
+  storage::look_back(impl_->session, but_of, impl_->floors->of(but_of));
 }
 
 std::vector<ClaimedLoop> ResultsDatabase::claim_suspect(const std::string& owner, double lease_s) {
@@ -135,10 +128,8 @@ void ResultsDatabase::release_owned(const std::string& owner) {
 }
 
 std::size_t ResultsDatabase::recall_stray(double settle_s) {
-  return impl_->transact_in_time([&](Transaction& transaction) {
-    return static_cast<std::size_t>(
-        transaction.run(statements::kRecallStray, {number_text(settle_s)}).size());
-  });
+  return impl_->transact_in_time(
+      [&](Transaction& transaction) { return storage::recall_stray(transaction, settle_s); });
 }
 
 std::vector<ClaimKey> ResultsDatabase::extend(std::span<const ClaimedLoop> claimed,
@@ -163,9 +154,14 @@ void ResultsDatabase::see_worker(const WorkerSign& sign) {
   });
 }
 
-std::optional<double> ResultsDatabase::next_due_in_s() {
-  return impl_->session.transact([](Transaction& transaction) {
-    return read_number(transaction.run(statements::kNextDue)[0][0]);
+std::optional<double> ResultsDatabase::next_due_in_s(double within_s) {
+  const DuePlace floor = impl_->floors->of({}).place().value_or(kBeforeAll);
+  return impl_->session.transact([&](Transaction& transaction) -> std::optional<double> {
+    const pqxx::result rows = transaction.run(
+        statements::kNextDue,
+        {std::to_string(floor.due_us), std::to_string(floor.loop_id), number_text(within_s)});
+    if (rows.empty()) return std::nullopt;
+    return rows[0]["due_in_s"].as<double>();
   });
 }
 
@@ -184,7 +180,8 @@ AcceptedClocks ResultsDatabase::accepted_clocks() {
 }
 
 ScheduleHealth ResultsDatabase::schedule_health() {
-  return storage::schedule_health(impl_->session);
+  return storage::schedule_health(impl_->session,
+                                  impl_->floors->of({}).place().value_or(kBeforeAll));
 }
 
 void ResultsDatabase::set_parameter(const std::string& name, double value) {

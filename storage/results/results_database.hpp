@@ -15,6 +15,7 @@
 #include "storage/connection_settings.hpp"
 #include "storage/data_problem.hpp"
 #include "storage/error.hpp"
+#include "storage/results/claim_floor.hpp"
 #include "storage/results/schedule_health.hpp"
 #include "storage/server_clock.hpp"
 #include "storage/stage_cost.hpp"
@@ -106,13 +107,16 @@ class ResultsDatabase {
   /// Connects and checks that the schema has the version this program was built for. Whatever
   /// claims or writes asks `check` first and does nothing where that throws; an empty one lets
   /// everything pass.
-  explicit ResultsDatabase(const ConnectionSettings& settings, ClockCheck check = {});
+  /// `floors` are shared by the connections of a process (claim_floor.hpp).
+  explicit ResultsDatabase(const ConnectionSettings& settings, ClockCheck check = {},
+                           std::shared_ptr<ClaimFloors> floors = std::make_shared<ClaimFloors>());
   ~ResultsDatabase();
   ResultsDatabase(ResultsDatabase&&) noexcept;
   ResultsDatabase& operator=(ResultsDatabase&&) noexcept;
 
   /// Claims up to `limit` enabled loops that are due, oldest first, for `lease_s` seconds; no
-  /// suspects, and none of the sources `but_of`.
+  /// suspects, and none of the sources `but_of`. What it costs does not depend on the age of
+  /// anybody's snapshot. None are claimed only where none is due, as far as one look back shows.
   [[nodiscard]] std::vector<ClaimedLoop> claim_due(const std::string& owner, double lease_s,
                                                    int limit,
                                                    const std::vector<std::string>& but_of = {});
@@ -147,9 +151,12 @@ class ResultsDatabase {
   std::vector<ClaimKey> extend(std::span<const ClaimedLoop> claimed, double lease_s);
   /// Notes that the process is at work (table loopscope.worker).
   void see_worker(const WorkerSign& sign);
+  /// Looks for loops that are due and that the next claims would pass over (claim_floor.hpp), as
+  /// every claim does that finds nothing.
+  void look_back(const std::vector<std::string>& but_of = {});
   /// Seconds until the next enabled loop is due, or the lease of one that is held ends; negative =
-  /// overdue; nullopt = there is none.
-  [[nodiscard]] std::optional<double> next_due_in_s();
+  /// overdue; nullopt = there is none within `within_s` seconds.
+  [[nodiscard]] std::optional<double> next_due_in_s(double within_s);
 
   [[nodiscard]] ServerClock clock();
   /// What a person has said of clocks that differ (table loopscope.accepted_clock).

@@ -6,15 +6,25 @@ namespace loopscope::storage {
 namespace {
 
 // A loop in the hands of a living worker has visible_at in the future, as one that is not due yet:
-// so whoever is visible waits. The partitioned tables are those of the catalogue, because the
+// so whoever is visible waits: behind the floor of the claims, or as a suspect anywhere. The
+// partitioned tables are those of the catalogue, because the
 // worker may not call the owner's function that lists them.
 const Statement kScheduleHealth{"schedule_health", R"(
     SELECT loops.*, months.ahead, rows_of_default.counted, oldest.months_ago
     FROM (
-      SELECT count(*) AS enabled, count(*) FILTER (WHERE visible_at <= now()) AS overdue,
-             greatest(0, coalesce(extract(epoch FROM now() - min(visible_at)), 0))::float8 AS lag_s,
-             count(*) FILTER (WHERE attempts > 0) AS failing
-      FROM loopscope.schedule WHERE enabled
+      SELECT (SELECT count(*) FROM loopscope.loop WHERE enabled) AS enabled,
+             count(*) AS overdue,
+             coalesce(extract(epoch FROM now() - min(visible_at)), 0)::float8 AS lag_s,
+             (SELECT count(*) FROM loopscope.schedule WHERE enabled AND attempts > 0) AS failing
+      FROM (
+        SELECT visible_at FROM loopscope.schedule
+        WHERE enabled AND visible_at <= now() AND (visible_at, loop_id)
+            > (timestamptz 'epoch' + $2::bigint * interval '1 microsecond', $3::bigint)
+        UNION ALL
+        SELECT visible_at FROM loopscope.schedule
+        WHERE enabled AND lost_leases >= 2 AND visible_at <= now() AND (visible_at, loop_id)
+            <= (timestamptz 'epoch' + $2::bigint * interval '1 microsecond', $3::bigint)
+      ) AS due
     ) AS loops
     CROSS JOIN (
       SELECT coalesce(min(month.number), 25) - 1 AS ahead
@@ -49,9 +59,11 @@ const Statement kScheduleHealth{"schedule_health", R"(
 
 }  // namespace
 
-ScheduleHealth schedule_health(Session& session) {
-  const pqxx::result rows = session.transact([](Transaction& transaction) {
-    return transaction.run(kScheduleHealth, {std::to_string(kMostDefaultRows)});
+ScheduleHealth schedule_health(Session& session, DuePlace floor) {
+  const pqxx::result rows = session.transact([&](Transaction& transaction) {
+    return transaction.run(kScheduleHealth,
+                           {std::to_string(kMostDefaultRows), std::to_string(floor.due_us),
+                            std::to_string(floor.loop_id)});
   });
   const pqxx::row row = rows[0];
   return {row["enabled"].as<std::int64_t>(),

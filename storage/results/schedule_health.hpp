@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "storage/results/claim_floor.hpp"
+
 namespace loopscope::storage {
 
 class Session;
@@ -25,8 +27,9 @@ struct ScheduleHealth {
 
 inline constexpr std::int64_t kMostDefaultRows = 10'001;
 
-/// Asks in one statement that looks through the schedule once (README: what it takes). Needs no
-/// right beyond the worker's. Throws DatabaseError.
-[[nodiscard]] ScheduleHealth schedule_health(Session& session);
+/// Asks in one statement (README: what it takes). Loops that are due are looked for behind the
+/// floor of the claims, and suspects everywhere. Needs no right beyond the worker's. Throws
+/// DatabaseError.
+[[nodiscard]] ScheduleHealth schedule_health(Session& session, DuePlace floor = kBeforeAll);
 
 }  // namespace loopscope::storage

@@ -6,9 +6,11 @@
 /// fence name the claims.
 namespace loopscope::storage::statements {
 
-extern const Statement kClaimDue;           ///< owner, lease_s, limit
-extern const Statement kClaimDueElsewhere;  ///< owner, lease_s, limit, sources that are left out
-extern const Statement kClaimSuspect;       ///< owner, lease_s
+extern const Statement kClaimDue;  ///< owner, lease_s, limit, after due_us and loop_id
+/// The same, and sources that are left out.
+extern const Statement kClaimDueElsewhere;
+extern const Statement kOldestDue;     ///< from due_us, to due_us and loop_id, left out
+extern const Statement kClaimSuspect;  ///< owner, lease_s
 extern const Statement kRestSuspects;
 extern const Statement kClaimNext;   ///< owner, lease_s, limit, after loop_id
 extern const Statement kExtend;      ///< loop_ids, fences, lease_s
@@ -17,11 +19,13 @@ extern const Statement
     kSeeWorker;                   ///< worker, version, algorithm_revision, held_loops, lost_leases
 extern const Statement kRelease;  ///< loop_ids, fences
 extern const Statement kReleaseOwned;  ///< owner
-extern const Statement kRecallStray;   ///< settle_s
-extern const Statement kComplete;      ///< loop_ids, fences, slot_ends, next_dues, has_records
-extern const Statement kSetAside;      ///< loop_ids, fences, errors, retry_after_s, at_fault
-extern const Statement kNextDue;
-extern const Statement kMakeDue;  ///< loop_ids
+extern const Statement kShortestPeriod;
+extern const Statement kFindStray;  ///< settle_s, shortest period_s
+extern const Statement kRecall;     ///< loop_ids, fences, visible_ats, slot_ends
+extern const Statement kComplete;   ///< loop_ids, fences, slot_ends, next_dues, has_records
+extern const Statement kSetAside;   ///< loop_ids, fences, errors, retry_after_s, at_fault
+extern const Statement kNextDue;    ///< after due_us and loop_id, within_s
+extern const Statement kMakeDue;    ///< loop_ids
 extern const Statement kCountEnabled;
 
 }  // namespace loopscope::storage::statements

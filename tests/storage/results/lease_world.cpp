@@ -1,5 +1,6 @@
 #include "tests/storage/results/lease_world.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <rapidcheck.h>
 #include <set>
@@ -117,7 +118,15 @@ void LeaseWorld::claim(LeaseWorker& worker) {
   std::vector<std::int64_t> due;
   for (const auto& [loop_id, loop] : loops_)
     if (loop.visible && !loop.is_suspect()) due.push_back(loop_id);
-  take_claims(worker, worker.results.claim_due(worker.name, kLease_s, 100), due);
+  // What was due before the last claim comes with the next one.
+  std::vector<ClaimedLoop> claimed;
+  for (std::size_t before = due.size() + 1; claimed.size() != before;) {
+    before = claimed.size();
+    std::ranges::move(worker.results.claim_due(worker.name, kLease_s, 100),
+                      std::back_inserter(claimed));
+  }
+  std::ranges::sort(claimed, {}, [](const ClaimedLoop& claim) { return claim.loop.loop_id; });
+  take_claims(worker, claimed, due);
 }
 
 void LeaseWorld::claim_next(LeaseWorker& worker, std::size_t which) {

@@ -12,11 +12,11 @@ namespace {
 
 using testing::IsEmpty;
 
-/// A schema of the version before, in use: what a later migration changes is changed under rows,
+/// A schema of an earlier version, in use: what a later migration changes is changed under rows,
 /// partitions and rights that are there.
 class UpgradeTest : public testing::Test {
  protected:
-  static constexpr int kFrom = 15;
+  explicit UpgradeTest(int from = 15) : from_(from) {}
 
   void SetUp() override {
     if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
@@ -25,7 +25,7 @@ class UpgradeTest : public testing::Test {
     owner = database->make_login("loopscope_owner");
     worker = database->make_login("loopscope_worker");
     reader = database->make_login("loopscope_reader");
-    make_former_schema(*database, "loopscope_owner");
+    make_former_schema(*database, "loopscope_owner", from_);
     database->execute(kRows);
     for (const char* table :
          {"loop", "schedule", "analysis", "verdict", "annotation", "plant_round", "parameter"})
@@ -39,9 +39,11 @@ class UpgradeTest : public testing::Test {
   }
 
   /// As `migrate` of that version left it.
-  static void make_former_schema(const tests::TestDatabase& made, const std::string& by) {
+  static void make_former_schema(const tests::TestDatabase& made, const std::string& by,
+                                 int version) {
     std::string script = "SET ROLE " + by + ";";
-    for (const Migration& migration : embedded_migrations().first(kFrom)) {
+    for (const Migration& migration :
+         embedded_migrations().first(static_cast<std::size_t>(version))) {
       script += migration.sql;
       script += "INSERT INTO loopscope.schema_migration VALUES (" +
                 std::to_string(migration.number) + ", '" + migration.name + "', '" +
@@ -69,7 +71,7 @@ class UpgradeTest : public testing::Test {
         code, confidence, summary, reasons, action)
       SELECT loop_id, slot_end, 1, 1, analysis_id, 'valve_stiction', 0.9, 'sticks', '{}', 'stroke it'
       FROM loopscope.analysis;
-    UPDATE loopscope.schedule SET owner = 'host/1/0', fence = 7, attempts = 2, lost_leases = 1,
+    UPDATE loopscope.schedule SET owner = 'host/1/0', fence = 1, attempts = 2, lost_leases = 1,
         visible_at = now() - interval '1 s', last_slot_end = '2026-01-01 01:00:00+00',
         result_slot_end = '2026-01-01 01:00:00+00'
       WHERE loop_id = (SELECT loop_id FROM loopscope.loop WHERE name = 'a');
@@ -88,15 +90,23 @@ class UpgradeTest : public testing::Test {
     return rows;
   }
 
+  int from_;
   std::unique_ptr<tests::TestDatabase> database;
   std::string owner, worker, reader;
   std::vector<std::string> selects;
   TextRows before;
 };
 
-TEST_F(UpgradeTest, KeepsEveryRowAndServesTheNewProgram) {
+/// From each version that a program was given out with.
+class UpgradeFromTest : public UpgradeTest, public testing::WithParamInterface<int> {
+ protected:
+  UpgradeFromTest() : UpgradeTest(GetParam()) {}
+};
+INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17));
+
+TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   const ConnectionSettings as_owner = settings_for(*database, owner);
-  EXPECT_EQ(static_cast<int>(migrate(as_owner).size()), required_schema_version() - kFrom);
+  EXPECT_EQ(static_cast<int>(migrate(as_owner).size()), required_schema_version() - from_);
   EXPECT_EQ(contents(), before);
   EXPECT_THAT(migrate(as_owner), IsEmpty());
   ResultsDatabase results(settings_for(*database, worker));
@@ -133,7 +143,7 @@ TEST_F(UpgradeTest, MonthsThatMaintainHadMadeCanBeReadAfterwards) {
 /// A superuser was given as owner, and nobody had run roles.sql.
 TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
   const tests::TestDatabase other;
-  make_former_schema(other, "postgres");
+  make_former_schema(other, "postgres", from_);
   EXPECT_THROW(migrate(settings_for(other)), DatabaseError);
   other.make_roles();
   const std::string runbook = tests::content_of(tests::source_dir() / "deploy" / "RUNBOOK.md");
@@ -143,7 +153,7 @@ TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
   const std::size_t from = at + begin.size();
   other.execute(runbook.substr(from, runbook.find("\nSQL\n", from) - from));
   EXPECT_EQ(static_cast<int>(migrate(settings_for(other, owner)).size()),
-            required_schema_version() - kFrom);
+            required_schema_version() - from_);
   EXPECT_THAT(other.rows("SELECT oid::regclass::text FROM pg_class WHERE relnamespace ="
                          " 'loopscope'::regnamespace AND relowner <> 'loopscope_owner'::regrole"
                          " UNION ALL SELECT oid::regproc::text FROM pg_proc WHERE pronamespace ="

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loopscope::storage {
+
+/// A place in the order in which loops are claimed: schedule.visible_at, then loop_id.
+struct DuePlace {
+  std::int64_t due_us = 0;  ///< microseconds UTC
+  std::int64_t loop_id = 0;
+  auto operator<=>(const DuePlace&) const = default;
+};
+
+/// Before everything: the earliest time that PostgreSQL knows.
+inline constexpr DuePlace kBeforeAll{-210'866'803'200'000'000, 0};
+/// Behind whatever is due at `time_us`.
+[[nodiscard]] constexpr DuePlace behind(std::int64_t time_us) {
+  return {time_us, std::numeric_limits<std::int64_t>::max()};
+}
+
+/// Where claims begin to look. Each claim and each completion leaves an entry behind in the index
+/// of due loops; as long as a snapshot of anybody's is older than these, nothing can remove them,
+/// and a scan from the head passes all of them. What was claimed lies at the head, so a claim
+/// begins behind the last loop that the one before it has found.
+///
+/// Loops may come to lie before the floor all the same: a claim that was rolled back, a transaction
+/// that took long, a clock that was set back. look_back() finds them, in slices of time whose cost
+/// does not depend on the age of the snapshot either, and lowers the floor. Thread-safe.
+class ClaimFloor {
+ public:
+  /// Where a claim begins, to be handed to passed() with what it found.
+  struct Start {
+    DuePlace place;
+    std::uint64_t lowered = 0;
+  };
+  /// `now_us` is the time of the transaction: a floor beyond it comes of a clock that was ahead,
+  /// and begins anew there, as the first one does.
+  [[nodiscard]] Start start(std::int64_t now_us);
+  /// Everything due up to `last` has been taken; says nothing where the floor was lowered since.
+  void passed(const Start& start, DuePlace last);
+  /// A loop that is due lies there.
+  void lower(DuePlace found);
+  /// nullopt: nobody has begun yet.
+  [[nodiscard]] std::optional<DuePlace> place() const;
+  /// Forgets what it knew.
+  void begin_at(std::optional<DuePlace> place);
+
+  /// Loops due from `from_us` on, up to and with `to`.
+  struct Slice {
+    std::int64_t from_us = 0;
+    DuePlace to;
+  };
+  /// The minute before the floor: where a loop that is missed most probably lies.
+  [[nodiscard]] Slice nearest() const;
+  /// The next slice before that one, down to the beginning of time, then from there again.
+  [[nodiscard]] Slice next() const;
+  /// The slice of next() was looked through in so many seconds, which decides how wide the one
+  /// after it is. True: it reached the beginning of time.
+  bool looked(const Slice& slice, double seconds);
+
+ private:
+  mutable std::mutex mutex_;
+  std::optional<DuePlace> place_;
+  std::uint64_t lowered_ = 0;
+  std::optional<std::int64_t> looked_down_to_us_;  ///< nullopt = begin at the floor
+  std::optional<std::int64_t> width_us_;
+};
+
+/// The floors of a process, whatever its connections. Claims that leave out sources have one of
+/// their own, because the loops of these stay where they are. Thread-safe.
+class ClaimFloors {
+ public:
+  [[nodiscard]] ClaimFloor& of(const std::vector<std::string>& but_of);
+
+ private:
+  ClaimFloor all_;
+  ClaimFloor elsewhere_;
+  std::mutex mutex_;
+  std::vector<std::string> left_out_;
+};
+
+}  // namespace loopscope::storage
