@@ -167,6 +167,41 @@ def poisoned_row(cluster, random):
     return f"owner {owner}", None
 
 
+def done_meanwhile(cluster, slots, what):
+    """Every loop gets so many slots further while the fault lasts, without being late."""
+    periods = plant.periods_s(cluster.loops)
+    for _ in range(slots):
+        begun_s = time.time()
+        wait_until(lambda: cluster.sql("SELECT count(*) FROM loopscope.schedule WHERE enabled AND"
+                                       f" last_slot_end < to_timestamp({begun_s})") == "0",
+                   2 * periods[-1] + plant.LEASE_S, f"every loop goes on {what}", 0.5)
+
+
+def old_snapshot(cluster, random):
+    """A dump of the results takes as long as six slots of every loop: nothing dead can be removed
+    meanwhile."""
+    with cluster.primary.session(plant.RESULTS) as dump:
+        dump.run("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY")
+        tables = dump.run("SELECT string_agg(oid::regclass::text, ', ') FROM pg_class WHERE relnamespace ="
+                          " 'loopscope'::regnamespace AND relkind IN ('r', 'p')")
+        dump.run(f"LOCK TABLE {tables} IN ACCESS SHARE MODE")
+        dump.run("SELECT count(*) FROM loopscope.schedule")
+        slots = 6
+        done_meanwhile(cluster, slots, "under an old snapshot")
+    return f"{cluster.primary.host} ({slots} slots of every loop)", None
+
+
+def open_owner_transaction(cluster, random):
+    """Somebody of the owner's changes the catalogue and forgets to commit."""
+    with cluster.primary.session(plant.RESULTS) as owner:
+        owner.run("BEGIN; SET LOCAL ROLE loopscope_owner")
+        owner.run("UPDATE loopscope.loop SET importance = importance; UPDATE loopscope.parameter SET value = value")
+        done_meanwhile(cluster, 2, "beside an open transaction of the owner")
+        end = random.choice(("COMMIT", "ROLLBACK"))
+        owner.run(end)
+    return end, None
+
+
 def end_sessions(cluster, random):
     """All sessions of all workers at one of the servers."""
     server = random.choice((cluster.primary, cluster.mirror))
@@ -202,8 +237,8 @@ def late_rows(cluster, random):
 KINDS = {function.__name__: function for function in (
     kill_worker, stop_worker, crash_results, crash_historian, conflict_on_standby, promote_standby,
     pull_cable,
-    lose_packets, fill_disk, move_clock, move_server_clock, poisoned_row, end_sessions,
-    freeze_server, late_rows)}
+    lose_packets, fill_disk, move_clock, move_server_clock, poisoned_row, old_snapshot,
+    open_owner_transaction, end_sessions, freeze_server, late_rows)}
 
 
 def plan(faults, random, only=()):

@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 import plant
+from session import Session
 from shell import run, wait_until
 from workers import faketime
 
@@ -166,6 +167,10 @@ class Server:
         """What psql prints: columns separated by |."""
         return run(["psql", "--no-psqlrc", "--quiet", "--set", "ON_ERROR_STOP=1", "--no-align",
                     "--tuples-only", self.conninfo(database)], input=text).strip()
+
+    def session(self, database="postgres"):
+        """One that stays open."""
+        return Session(self.conninfo(database))
 
     def fill_disk(self):
         """Takes all that is left of its disk, and keeps what it has."""
