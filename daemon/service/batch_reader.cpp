@@ -79,8 +79,11 @@ BatchReader::Read BatchReader::with_source(const std::string& source, const Clai
 BatchReader::Read BatchReader::read_newest(const std::string& source, const Claims& claims,
                                            Batch& batch) {
   const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    return visit_newest(historian, claims, *settings_, time_of(source, historian), batch.rows,
-                        {tools_.cores, desk_});
+    const SourceTime time = time_of(source, historian);
+    std::vector<LoopVisit> visits =
+        visit_newest(historian, claims, *settings_, time, batch.rows, {tools_.cores, desk_});
+    for (LoopVisit& visit : visits) visit.by_rows = time.rule != slot_rule_;
+    return visits;
   });
   if (done == Read::all) note_data(source, batch.visits, tools_.metrics);
   return done;

@@ -70,9 +70,12 @@ CompletedLoop complete_visit(const LoopVisit& visit, const StoredAnalyses& store
   const storage::ClaimedLoop& claim = *visit.claim;
   const std::int64_t slot_end_us = visit.newest.at_slot.slot_end_us;
   const StoredDigest* known = stored.find(claim.loop.loop_id, slot_end_us);
-  CompletedLoop completed{claim.loop.loop_id, claim.fence, slot_end_us,
-                          next_due(slot_end_us, claim.loop.period_s, settings.schedule.settle_s),
-                          changed_record(visit, visit.newest, known, orders)};
+  const double period_s = claim.loop.period_s, settle_s = settings.schedule.settle_s;
+  CompletedLoop completed{
+      claim.loop.loop_id, claim.fence, slot_end_us,
+      visit.by_rows ? next_due_by_rows(slot_end_us, claim.database_now_us, period_s, settle_s)
+                    : next_due(slot_end_us, period_s, settle_s),
+      changed_record(visit, visit.newest, known, orders)};
   completed.judged = completed.record ? completed.record->diagnosis.evidence.data_quality.usable
                                       : known != nullptr && known->usable;
   if (claim.last_slot_end_us && *claim.last_slot_end_us < slot_end_us) {

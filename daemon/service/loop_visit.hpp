@@ -20,6 +20,8 @@ struct LoopVisit {
   LoopInput newest;
   std::vector<LoopInput> earlier;
   double fetch_ms = 0.0;  ///< share of the batch's reading time
+  /// The newest slot is that of the newest rows, because the historian's clock is wrong.
+  bool by_rows = false;
 };
 
 /// Analyses that are stored, by loop and slot end.

@@ -47,7 +47,7 @@ std::vector<std::size_t> future_rows(HistorianReader& historian,
 }
 
 /// Without any sample, the newest sample is the loop's registration, so that a second pass of
-/// `once` finds the same slot.
+/// `once` finds the same slot; but no slot lies ahead.
 std::int64_t slot_end(const ClaimedLoop& claim, const TagReadings& tags, std::int64_t now_us,
                       const SlotSettings& settings) {
   const std::int64_t settle_us = core::signal::microseconds(settings.settle_s);
@@ -55,7 +55,7 @@ std::int64_t slot_end(const ClaimedLoop& claim, const TagReadings& tags, std::in
   if (settings.rule == SlotRule::newest_sample) {
     const TagReading* pv = find_reading(tags, "pv");
     const auto newest = pv == nullptr ? std::nullopt : pv->newest_row_us;
-    end = newest ? std::min({*newest, now_us - settle_us, end}) : claim.loop.registered_us;
+    end = std::min(newest ? std::min(*newest, now_us - settle_us) : claim.loop.registered_us, end);
   }
   const std::int64_t newest = floor_to_period(end, claim.loop.period_s);
   if (settings.rule == SlotRule::newest_sample) return newest;

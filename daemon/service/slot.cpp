@@ -45,6 +45,12 @@ std::int64_t next_due(std::int64_t slot_end_us, double period_s, double settle_s
   return slot_end_us + core::signal::microseconds(period_s) + core::signal::microseconds(settle_s);
 }
 
+std::int64_t next_due_by_rows(std::int64_t slot_end_us, std::int64_t now_us, double period_s,
+                              double settle_s) {
+  const std::int64_t settled_us = now_us - core::signal::microseconds(settle_s);
+  return next_due(std::max(slot_end_us, floor_to_period(settled_us, period_s)), period_s, settle_s);
+}
+
 double retry_pause_s(int attempts) {
   return std::min(std::ldexp(kFirstPause_s, std::clamp(attempts, 0, kMostAttemptsCounted)),
                   kLongestPause_s);

@@ -33,6 +33,10 @@ enum class SlotRule {
 /// When a loop whose slot `slot_end_us` is done has to be looked at again: as soon as the next
 /// slot has settled.
 [[nodiscard]] std::int64_t next_due(std::int64_t slot_end_us, double period_s, double settle_s);
+/// The same where the slot is that of the newest rows, however old these are: with the next slot by
+/// the clock at the earliest, or the loop would be due again at once, before all others.
+[[nodiscard]] std::int64_t next_due_by_rows(std::int64_t slot_end_us, std::int64_t now_us,
+                                            double period_s, double settle_s);
 
 /// Pause before a loop that failed `attempts` times in a row is tried again: doubles from one
 /// minute up to six hours.

@@ -45,3 +45,7 @@ END $$;
 COMMENT ON FUNCTION loopscope.refuse_second_schedule() IS 'Refuses a second row of one loop in loopscope.schedule';
 CREATE TRIGGER one_row AFTER INSERT ON loopscope.schedule
   REFERENCING NEW TABLE AS added FOR EACH STATEMENT EXECUTE FUNCTION loopscope.refuse_second_schedule();
+
+-- A claim that was made for ages ends in its time as well; beyond what an interval holds the sum would stop the look for all.
+UPDATE loopscope.schedule SET hold_s = NULL WHERE hold_s > 1000000;
+ALTER TABLE loopscope.schedule ADD CONSTRAINT schedule_hold_s CHECK (hold_s <= 1000000);

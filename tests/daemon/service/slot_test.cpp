@@ -21,6 +21,17 @@ TEST(Slot, TheNextLookIsWhenTheNextSlotHasSettled) {
   EXPECT_EQ(floor_to_period(due - 60 * kSecond_us, 3600.0), 6 * kHour_us);
 }
 
+/// Due at once and before all others, such loops would be all that is ever visited.
+TEST(Slot, OldRowsAreNotLookedAtAgainBeforeThePeriodIsOver) {
+  const std::int64_t now = 9 * kHour_us + 600 * kSecond_us;
+  EXPECT_EQ(next_due_by_rows(5 * kHour_us, now, 3600.0, 60.0), 10 * kHour_us + 60 * kSecond_us);
+  EXPECT_EQ(next_due_by_rows(9 * kHour_us, now, 3600.0, 60.0),
+            next_due(9 * kHour_us, 3600.0, 60.0));
+  EXPECT_EQ(next_due_by_rows(-kHour_us, 9 * kHour_us + 30 * kSecond_us, 3600.0, 60.0),
+            9 * kHour_us + 60 * kSecond_us)
+      << "the slot of 9 h has not settled";
+}
+
 TEST(Slot, MissedOnesAreMadeUpForOldestFirst) {
   EXPECT_EQ(slot_to_analyse(9 * kHour_us, std::nullopt, 3600.0, 6), 9 * kHour_us);
   EXPECT_EQ(slot_to_analyse(9 * kHour_us, 8 * kHour_us, 3600.0, 6), 9 * kHour_us);

@@ -89,7 +89,7 @@ TEST_F(ClaimUpkeepTest, NoValueOfAWorkerStopsTheClaims) {
        {"fence = 9223372036854775807", "fence = 0 - 1", "fence = fence + 2",
         "attempts = 2147483647", "lost_leases = 2147483647", "last_slot_end = 'infinity'",
         "result_slot_end = '-infinity'", "result_slot_end = '294276-12-31'",
-        "visible_at = 'infinity'"}) {
+        "visible_at = 'infinity'", "hold_s = 1e300"}) {
     EXPECT_EQ(thief.state_of("UPDATE loopscope.schedule SET " + std::string(poison)), kCheck)
         << poison;
   }
