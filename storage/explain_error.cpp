@@ -153,9 +153,12 @@ constexpr char kRootCertificate[] =
 constexpr char kPrivateKey[] = "chmod 0600 the file of sslkey=, and let this user own it";
 constexpr char kDatabase[] = "check dbname in the connection string, or create the database";
 constexpr char kConstraint[] = "the value breaks a rule of the schema: see the detail above";
+constexpr char kQueueOfMessages[] =
+    "a limit of the server; of too many notifications: a session that listens stands in an open "
+    "transaction, the server's log names its process";
 constexpr char kServerFault[] = "a fault of the server: read its log";
 
-constexpr std::array<StateRule, 26> kStates{{
+constexpr std::array<StateRule, 27> kStates{{
     {"08", Remedy::reconnect, fixed<kGone>},
     {"57P04", Remedy::give_up, fixed<kDatabase>},
     {"57P", Remedy::reconnect, fixed<kGone>},
@@ -167,6 +170,7 @@ constexpr std::array<StateRule, 26> kStates{{
     {"53100", Remedy::give_up, fixed<kDisk>},
     {"53200", Remedy::retry, fixed<kMemory>},
     {"53300", Remedy::reconnect, fixed<kConnections>},
+    {"54000", Remedy::give_up, fixed<kQueueOfMessages>},
     {"42501", Remedy::give_up, hint_privilege},
     {"42P01", Remedy::give_up, hint_relation},
     {"3F000", Remedy::give_up, hint_relation},

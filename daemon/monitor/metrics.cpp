@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "daemon/monitor/labelled_family.hpp"
+#include "daemon/monitor/oldest_snapshot.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -75,6 +76,9 @@ struct Metrics::Impl {
              "Rows in DEFAULT partitions, counted up to 10001; 0 is healthy");
   Family<Gauge>& oldest = gauges(registry, "loopscope_oldest_partition_months",
                                  "Months from the oldest partition to the running one");
+  Family<Gauge>& snapshot = gauges(
+      registry, "loopscope_oldest_snapshot_seconds",
+      "Since this process first saw the oldest snapshot that the results database still keeps");
   Family<Gauge>& retention =
       gauges(registry, "loopscope_retention_months", "Months that the settings keep; 0 = all");
   Family<Gauge>& progress = gauges(registry, "loopscope_seconds_since_progress",
@@ -108,6 +112,8 @@ struct Metrics::Impl {
       counters(registry, "loopscope_unknown_quality_total",
                "Values whose quality code nobody has explained; they count as bad"),
       "source"};
+
+  OldestSnapshot oldest_snapshot;
 
   void know_subject(const std::string& subject) {
     faults.at(subject);
@@ -237,6 +243,9 @@ void Metrics::set(const storage::ScheduleHealth& health, int retention_months) {
   impl_->default_rows.Add({}).Set(static_cast<double>(health.default_partition_rows));
   impl_->oldest.Add({}).Set(static_cast<double>(health.oldest_partition_months));
   impl_->retention.Add({}).Set(static_cast<double>(retention_months));
+  const std::lock_guard lock(impl_->mutex);
+  impl_->snapshot.Add({}).Set(
+      impl_->oldest_snapshot.seconds_kept(health.oldest_snapshot, Clock::now()));
 }
 
 void Metrics::settings_reload(bool success) {

@@ -61,6 +61,9 @@ void announce(storage::PlantRounds& rounds) {
   for (const storage::FlagNotice& notice : news.flagged)
     spdlog::info("newly flagged: {}, {} ({:.2f})", printable(notice.loop_name), notice.code,
                  notice.confidence);
+  if (news.untold)
+    spdlog::warn("flags: {} changes are noted, but listeners were not told: {} HINT: {}",
+                 news.messages.size(), news.untold->what(), news.untold->hint());
 }
 
 }  // namespace

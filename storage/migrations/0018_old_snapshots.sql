@@ -49,3 +49,7 @@ CREATE TRIGGER one_row AFTER INSERT ON loopscope.schedule
 -- A claim that was made for ages ends in its time as well; beyond what an interval holds the sum would stop the look for all.
 UPDATE loopscope.schedule SET hold_s = NULL WHERE hold_s > 1000000;
 ALTER TABLE loopscope.schedule ADD CONSTRAINT schedule_hold_s CHECK (hold_s <= 1000000);
+
+-- The same holds of the figures that the views compute with, which a worker may set.
+UPDATE loopscope.parameter SET value = least(greatest(value, -1000000), 1000000) WHERE NOT abs(value) <= 1000000;
+ALTER TABLE loopscope.parameter ADD CONSTRAINT parameter_value CHECK (abs(value) <= 1000000);

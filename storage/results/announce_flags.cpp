@@ -1,6 +1,8 @@
 #include "storage/results/announce_flags.hpp"
 
+#include "storage/array_literal.hpp"
 #include "storage/results/plant_statements.hpp"
+#include "storage/results/results_clock.hpp"
 #include "storage/results/session.hpp"
 
 namespace loopscope::storage {
@@ -18,9 +20,7 @@ FlagNotice read_notice(const pqxx::row& row) {
           row["announced"].as<bool>()};
 }
 
-}  // namespace
-
-FlagAnnouncement announce_flags(Transaction& transaction) {
+FlagAnnouncement note_flags(Transaction& transaction) {
   // A statement of its own: the next one then sees what the row's former holder has committed.
   transaction.run(statements::kLockFlags);
   FlagAnnouncement announcement;
@@ -28,10 +28,36 @@ FlagAnnouncement announce_flags(Transaction& transaction) {
     const std::string change = row["change"].c_str();
     if (change == "ended") {
       ++announcement.ended;
-    } else {
-      (change == "confirmed" ? announcement.confirmed : announcement.flagged)
-          .push_back(read_notice(row));
+      continue;
     }
+    (change == "confirmed" ? announcement.confirmed : announcement.flagged)
+        .push_back(read_notice(row));
+    if (!row["message"].is_null())
+      announcement.messages.emplace_back(change, row["message"].c_str());
+  }
+  return announcement;
+}
+
+void tell_listeners(Session& session, const FlagAnnouncement& announcement) {
+  ArrayLiteral change, message;
+  for (const auto& [channel, text] : announcement.messages) {
+    change.add_text(channel);
+    message.add_text(text);
+  }
+  session.transact([&](Transaction& transaction) {
+    transaction.run(statements::kTellListeners, {change.text(), message.text()});
+  });
+}
+
+}  // namespace
+
+FlagAnnouncement announce_flags(Session& session, const ClockCheck& check) {
+  FlagAnnouncement announcement = transact_in_time(session, check, note_flags);
+  if (announcement.messages.empty()) return announcement;
+  try {
+    tell_listeners(session, announcement);
+  } catch (const DatabaseError& error) {
+    announcement.untold = error;
   }
   return announcement;
 }

@@ -2,12 +2,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "storage/error.hpp"
+#include "storage/server_clock.hpp"
 
 namespace loopscope::storage {
 
-class Transaction;
+class Session;
 
 /// A loop that came onto the list, or was confirmed on it.
 struct FlagNotice {
@@ -28,11 +33,15 @@ struct FlagAnnouncement {
   std::vector<FlagNotice> flagged;    ///< new on the list; NOTIFY loopscope_flagged
   std::vector<FlagNotice> confirmed;  ///< confirmed since; NOTIFY loopscope_confirmed
   std::size_t ended = 0;              ///< gone from the list
+  /// Channel (without loopscope_) and message of what listeners are to be told.
+  std::vector<std::pair<std::string, std::string>> messages = {};
+  std::optional<DatabaseError> untold = std::nullopt;  ///< why they were not told
 };
 
 /// Compares flagged_loop with the notices that stand (table flag_notice), notes what came and what
-/// went, and tells listeners, in the transaction given: who listens hears it when that is
-/// committed. Several callers at once wait for each other, and each change is told once.
-[[nodiscard]] FlagAnnouncement announce_flags(Transaction& transaction);
+/// went, in one transaction, and tells listeners in one of its own: anybody who may connect can
+/// fill the server's queue of messages, and what was noted must not be lost by that. Several
+/// callers at once wait for each other, and each change is told once. `check` is asked first.
+[[nodiscard]] FlagAnnouncement announce_flags(Session& session, const ClockCheck& check);
 
 }  // namespace loopscope::storage

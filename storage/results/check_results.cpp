@@ -33,14 +33,6 @@ void check_owner(const SchemaOwner& found, std::vector<Finding>& findings) {
     findings.push_back({true, "the schema loopscope belongs to " + found.owner, "", false});
 }
 
-/// A session goes on as loopscope_owner then, which may do far more than a worker needs.
-void check_superuser(const SchemaOwner& found, std::vector<Finding>& findings) {
-  if (!found.superuser_login) return;
-  findings.push_back(
-      {true, "the login " + found.login + " is a superuser; its sessions go on as loopscope_owner",
-       "connect as a login that is only a member of loopscope_worker", true});
-}
-
 }  // namespace
 
 std::vector<Finding> check_results(const ConnectionSettings& settings) {
@@ -50,7 +42,6 @@ std::vector<Finding> check_results(const ConnectionSettings& settings) {
     Session session(settings);
     findings.push_back({true, "connected to the " + describe_target(settings), "", false});
     const SchemaOwner owner = session.transact(find_schema_owner);
-    check_superuser(owner, findings);
     check_owner(owner, findings);
     require_schema_version(session);
     findings.push_back({true, "the schema loopscope has this program's version", "", false});

@@ -8,6 +8,8 @@ namespace {
 constexpr std::int64_t kSecond_us = 1'000'000;
 /// Statement time-outs and the imports of catalogues are shorter.
 constexpr std::int64_t kNearest_us = 60 * kSecond_us;
+/// Of two transactions of different connections the later one may come here first.
+constexpr std::int64_t kOverlap_us = 2 * kSecond_us;
 /// Dead entries are passed at some million a second: a slice of these times holds thousands of
 /// them, and is not felt beside the rest of a look.
 constexpr double kQuick_s = 0.004;
@@ -19,7 +21,7 @@ constexpr std::int64_t kGrowth = 4;
 
 ClaimFloor::Start ClaimFloor::start(std::int64_t now_us) {
   const std::lock_guard lock(mutex_);
-  if (!place_ || place_->due_us > now_us) {
+  if (!place_ || place_->due_us > now_us + kOverlap_us) {
     place_ = behind(now_us);
     looked_down_to_us_.reset();
     ++lowered_;

@@ -39,8 +39,8 @@ class ClaimFloor {
     DuePlace place;
     std::uint64_t lowered = 0;
   };
-  /// `now_us` is the time of the transaction: a floor beyond it comes of a clock that was ahead,
-  /// and begins anew there, as the first one does.
+  /// `now_us` is the time of the transaction: a floor seconds beyond it comes of a clock that was
+  /// ahead, and begins anew there, as the first one does.
   [[nodiscard]] Start start(std::int64_t now_us);
   /// Everything due up to `last` has been taken; says nothing where the floor was lowered since.
   void passed(const Start& start, DuePlace last);

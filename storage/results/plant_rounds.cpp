@@ -86,9 +86,7 @@ void PlantRounds::store(const PlantRoundRecord& round) {
 }
 
 FlagAnnouncement PlantRounds::announce_flags() {
-  return transact_in_time(impl_->session, impl_->check, [](Transaction& transaction) {
-    return storage::announce_flags(transaction);
-  });
+  return storage::announce_flags(impl_->session, impl_->check);
 }
 
 }  // namespace loopscope::storage

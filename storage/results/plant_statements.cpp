@@ -101,7 +101,7 @@ const Statement kAnnounceFlags{"announce_flags", R"(
     )
     SELECT told.change, told.announced, list.loop_id, list.loop_name, list.code, list.confidence,
            list.rank, list.score, list.status, list.summary,
-           CASE WHEN told.announced THEN pg_notify('loopscope_' || told.change, message.text) END
+           CASE WHEN told.announced THEN message.text END AS message
     FROM told
     JOIN list USING (loop_id, code)
     CROSS JOIN LATERAL (
@@ -125,5 +125,9 @@ const Statement kAnnounceFlags{"announce_flags", R"(
     UNION ALL
     SELECT 'ended', false, loop_id, '', code, 0, 0, 0, '', '', NULL FROM gone
     ORDER BY 7)"};
+
+const Statement kTellListeners{"tell_listeners", R"(
+    SELECT pg_notify('loopscope_' || told.change, told.message)
+    FROM unnest($1::text[], $2::text[]) AS told (change, message))"};
 
 }  // namespace loopscope::storage::statements

@@ -13,6 +13,7 @@ extern const Statement kLockFlags;
 extern const Statement kTakeRound;      ///< owner, seconds; no row = another has the turn
 extern const Statement kGiveRoundBack;  ///< owner
 extern const Statement kRoundHolder;
+extern const Statement kTellListeners;  ///< flagged or confirmed, messages
 extern const Statement kAnnounceFlags;
 
 }  // namespace loopscope::storage::statements

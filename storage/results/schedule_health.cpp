@@ -10,7 +10,14 @@ namespace {
 // partitioned tables are those of the catalogue, because the
 // worker may not call the owner's function that lists them.
 const Statement kScheduleHealth{"schedule_health", R"(
-    SELECT loops.*, months.ahead, rows_of_default.counted, oldest.months_ago
+    SELECT loops.*, months.ahead, rows_of_default.counted, oldest.months_ago,
+           (SELECT kept.xmin::text FROM (
+              SELECT unnest(ARRAY[backend_xmin, backend_xid]) AS xmin FROM pg_stat_activity
+              WHERE pid <> pg_backend_pid() AND (datname = current_database() OR datname IS NULL)
+              UNION ALL SELECT xmin FROM pg_replication_slots
+              UNION ALL SELECT transaction FROM pg_prepared_xacts
+              WHERE database = current_database()
+            ) AS kept WHERE kept.xmin IS NOT NULL ORDER BY age(kept.xmin) DESC LIMIT 1) AS snapshot
     FROM (
       SELECT (SELECT count(*) FROM loopscope.loop WHERE enabled) AS enabled,
              count(*) AS overdue,
@@ -72,7 +79,8 @@ ScheduleHealth schedule_health(Session& session, DuePlace floor) {
           row["failing"].as<std::int64_t>(),
           row["ahead"].as<int>(),
           row["counted"].as<std::int64_t>(),
-          row["months_ago"].as<int>()};
+          row["months_ago"].as<int>(),
+          row["snapshot"].is_null() ? "" : row["snapshot"].c_str()};
 }
 
 }  // namespace loopscope::storage

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "storage/results/claim_floor.hpp"
 
@@ -23,6 +24,9 @@ struct ScheduleHealth {
   std::int64_t default_partition_rows = 0;
   /// Months from the oldest partition to the running one (UTC); 0 = there is none before it.
   int oldest_partition_months = 0;
+  /// Transaction before which nothing dead can be removed: the oldest that a session, a prepared
+  /// transaction or a replication slot keeps back, as PostgreSQL writes it; empty = none does.
+  std::string oldest_snapshot = {};
 };
 
 inline constexpr std::int64_t kMostDefaultRows = 10'001;

@@ -195,17 +195,22 @@ const Statement kFindStray{"find_stray", R"(
               AND verdict.slot_end <= now()) AS slot_end_us
     FROM stray)"};
 
-// Apart from the look, so that a plan with few rows is made for few rows.
+// Apart from the look, so that a plan with few rows is made for few rows. Whoever holds one of them
+// gives it back himself; to wait for him could end in a deadlock.
 const Statement kRecall{"recall", R"(
+    WITH known AS MATERIALIZED (
+      SELECT found.* FROM loopscope.schedule AS free
+      JOIN unnest($1::bigint[], $2::bigint[], $3::timestamptz[], $4::timestamptz[])
+        AS found (loop_id, fence, visible_at, slot_end)
+        ON free.loop_id = found.loop_id AND free.fence = found.fence
+      FOR UPDATE OF free SKIP LOCKED)
     UPDATE loopscope.schedule AS s SET
       visible_at = known.visible_at,
       last_slot_end = CASE WHEN s.last_slot_end > now() THEN known.slot_end
                            ELSE s.last_slot_end END,
       result_slot_end = CASE WHEN s.result_slot_end > now() THEN known.slot_end
                              ELSE s.result_slot_end END
-    FROM unnest($1::bigint[], $2::bigint[], $3::timestamptz[], $4::timestamptz[])
-      AS known (loop_id, fence, visible_at, slot_end)
-    WHERE s.loop_id = known.loop_id AND s.fence = known.fence
+    FROM known WHERE s.loop_id = known.loop_id AND s.fence = known.fence
     RETURNING s.loop_id)"};
 
 // The owner is not asked for: a repeat after a commit in doubt finds it gone and must still count

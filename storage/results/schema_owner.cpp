@@ -7,6 +7,13 @@ namespace {
 
 constexpr const char* kOwnersGroup = "loopscope_owner";
 
+/// What is to be done for a schema that was made when superusers were taken.
+std::string whose(const SchemaOwner& found) {
+  if (found.owner.empty() || found.owner == kOwnersGroup) return "";
+  return "; give it the schema, which belongs to " + found.owner +
+         " (RUNBOOK, A schema that a superuser owns)";
+}
+
 void refuse_stranger(const SchemaOwner& found) {
   if (found.owner_trusted) return;
   throw DatabaseError(
@@ -17,19 +24,14 @@ void refuse_stranger(const SchemaOwner& found) {
       Remedy::give_up);
 }
 
+/// To become another role would not do: any function of the schema can go back by RESET ROLE.
 void refuse_superuser(const SchemaOwner& found) {
-  if (!found.group_exists) {
-    throw DatabaseError(
-        "the login " + found.login + " is a superuser, and there is no role loopscope_owner",
-        "as a superuser: psql -f deploy/roles.sql, then connect as a login that is a member of "
-        "loopscope_owner, a worker as one of loopscope_worker",
-        Remedy::give_up);
-  }
-  if (found.owner.empty() || found.owner == kOwnersGroup) return;
-  throw DatabaseError("the login " + found.login +
-                          " is a superuser, and the schema loopscope belongs to " + found.owner,
-                      "give the schema to loopscope_owner (RUNBOOK, A schema that a superuser "
-                      "owns), and connect as a login that is a member of a group role",
+  if (!found.superuser) return;
+  throw DatabaseError("the login " + found.login + " is a superuser",
+                      "nothing of the schema was executed; connect as a login that is a member of "
+                      "loopscope_owner (migrate, maintain) or loopscope_worker: as a superuser, "
+                      "psql -f deploy/roles.sql makes these groups" +
+                          whose(found),
                       Remedy::give_up);
 }
 
@@ -37,17 +39,14 @@ void refuse_superuser(const SchemaOwner& found) {
 
 SchemaOwner find_schema_owner(Transaction& transaction) {
   const pqxx::row row = transaction.run(statements::kFindSchemaOwner)[0];
-  return {row["login"].c_str(),        row["superuser_login"].as<bool>(),
-          row["superuser"].as<bool>(), row["group_exists"].as<bool>(),
-          row["owner"].c_str(),        row["owner_trusted"].as<bool>()};
+  return {row["login"].c_str(), row["superuser"].as<bool>(), row["owner"].c_str(),
+          row["owner_trusted"].as<bool>()};
 }
 
 void enter_schema(Transaction& transaction) {
   const SchemaOwner found = find_schema_owner(transaction);
   refuse_stranger(found);
-  if (!found.superuser) return;
   refuse_superuser(found);
-  transaction.run(statements::kLeaveSuperuser);
 }
 
 }  // namespace loopscope::storage

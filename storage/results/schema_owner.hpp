@@ -9,11 +9,9 @@ namespace loopscope::storage {
 /// Who a session is and whose the schema `loopscope` is, by PostgreSQL's catalogue alone: nothing
 /// of the schema is executed to find it out.
 struct SchemaOwner {
-  std::string login;             ///< who connected
-  bool superuser_login = false;  ///< whether that is a superuser
-  bool superuser = false;        ///< whether the role that the session has now is one
-  bool group_exists = false;     ///< whether deploy/roles.sql has made loopscope_owner
-  std::string owner;             ///< of the schema; empty = there is none yet
+  std::string login;       ///< who connected
+  bool superuser = false;  ///< whether that login, or the role that the session has now, is one
+  std::string owner;       ///< of the schema; empty = there is none yet
   /// loopscope_owner, a member of it, the session's own role, the owner of the database or a
   /// superuser; true where there is no schema.
   bool owner_trusted = false;
@@ -23,9 +21,9 @@ struct SchemaOwner {
 
 /// Before a session executes anything of the schema. Whoever may create schemas in a database that
 /// is shared can have made one of this name, with functions and views of his own, which would run
-/// with the session's rights: a schema whose owner is not to be trusted is refused. And no session
-/// goes on as a superuser: it becomes loopscope_owner for good, or is refused. Throws DatabaseError
-/// (give_up).
+/// with the session's rights: a schema whose owner is not to be trusted is refused. So is a session
+/// of a superuser: whoever may make functions in the schema could make himself one. Throws
+/// DatabaseError (give_up).
 void enter_schema(Transaction& transaction);
 
 }  // namespace loopscope::storage

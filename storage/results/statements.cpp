@@ -175,8 +175,8 @@ const Statement kOldestProgram{"oldest_program", "SELECT loopscope.oldest_progra
 // Where there is no schema yet, there is nobody to mistrust. A role that does not exist has no
 // members.
 const Statement kFindSchemaOwner{"find_schema_owner", R"(
-    SELECT login.rolname AS login, login.rolsuper AS superuser_login, role.rolsuper AS superuser,
-           owners.oid IS NOT NULL AS group_exists, coalesce(owner.rolname, '') AS owner,
+    SELECT login.rolname AS login, login.rolsuper OR role.rolsuper AS superuser,
+           coalesce(owner.rolname, '') AS owner,
            coalesce(owner.rolsuper OR owner.oid IN (role.oid, database.datdba)
                       OR pg_has_role(owner.oid, owners.oid, 'MEMBER'), owner.oid IS NULL)
              AS owner_trusted
@@ -188,10 +188,6 @@ const Statement kFindSchemaOwner{"find_schema_owner", R"(
     LEFT JOIN pg_roles AS owner ON owner.oid = schema.nspowner
     WHERE role.rolname = current_user)",
                                  Rows::one};
-
-// For the whole session.
-const Statement kLeaveSuperuser{"leave_superuser",
-                                "SELECT set_config('role', 'loopscope_owner', false)", Rows::one};
 
 // Several logins may be members of loopscope_owner: what one makes, all can change. Where that role
 // may not create the schema (roles.sql was run in another database) the login itself becomes owner.

@@ -32,7 +32,6 @@ extern const Statement kHasSchema;
 extern const Statement kSchemaVersion;
 extern const Statement kOldestProgram;
 extern const Statement kFindSchemaOwner;
-extern const Statement kLeaveSuperuser;
 extern const Statement kBecomeOwner;
 extern const Statement kMakeSchema;
 extern const Statement kLockSchema;

@@ -59,9 +59,8 @@ class Plant {
  public:
   explicit Plant(int loops)
       : loops_(loops), server_(database_.conninfo()), pause_s_(1.0 + 0.0005 * loops) {
-    database_.make_roles();
     storage::ConnectionSettings settings;
-    settings.conninfo = database_.conninfo();
+    settings.conninfo = database_.conninfo(database_.owner());
     settings.purpose = "results";
     storage::migrate(settings);
     database_.execute(

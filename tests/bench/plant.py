@@ -51,8 +51,8 @@ class Server:
     def remove(self):
         self._cluster("remove")
 
-    def conninfo(self, database="postgres"):
-        return f"host={self.folder} port=5432 user=postgres dbname={database}"
+    def conninfo(self, database="postgres", user="postgres"):
+        return f"host={self.folder} port=5432 user={user} dbname={database}"
 
     def sql(self, text, database="postgres"):
         """Runs statements; returns the rows of the last as lists of texts."""
@@ -141,11 +141,13 @@ class Results:
         server.sql(f"CREATE DATABASE {self.name}")
         self.settings = Path(folder, f"{self.name}.json")
         self.settings.write_text(json.dumps({
-            "results": {"connection": server.conninfo(self.name)},
+            "results": {"connection": server.conninfo(self.name, "owner")},
             "historians": [{"name": "plant", "connection": historian.conninfo(),
                             "table": "public.history"}],
             "schedule": {"settle_s": 60, **schedule}}))
         self.sql((SOURCE_DIR / "deploy/roles.sql").read_text(encoding="utf-8"))
+        self.sql("DO $$ BEGIN CREATE ROLE owner LOGIN IN ROLE loopscope_owner;"
+                 " EXCEPTION WHEN duplicate_object THEN NULL; END $$")
         run([program, "migrate", "--config", self.settings])
         self.sql(f"""
             INSERT INTO loopscope.loop (name, source, sp_tag, pv_tag, op_tag, interval_s, period_s,

@@ -20,8 +20,12 @@ make_database() {
   ask "$server" "CREATE DATABASE $database"
   connection=${server/dbname=postgres/dbname=$database}
   psql --no-psqlrc -v ON_ERROR_STOP=1 -q "$connection" -f "$_ROLES_SQL" 2>/dev/null
+  # The program takes no superuser.
+  ask "$connection" "DO \$\$ BEGIN CREATE ROLE loopscope_test_owner LOGIN IN ROLE loopscope_owner;
+    EXCEPTION WHEN duplicate_object OR unique_violation THEN NULL; END \$\$"
   settings=$(mktemp)
-  printf '{"results": {"connection": "%s"}, "historians": [{"connection": "%s"}]}\n' "$connection" "$connection" >"$settings"
+  printf '{"results": {"connection": "%s"}, "historians": [{"connection": "%s"}]}\n' \
+    "${connection/user=postgres/user=loopscope_test_owner}" "$connection" >"$settings"
   "$1" migrate --config "$settings" >/dev/null
   rm -f "$settings"
 }

@@ -88,7 +88,7 @@ TEST_F(BadInput, ARoleWithoutRightsIsToldWhichItNeeds) {
   plant_.sql("drop role if exists stranger_" + std::to_string(1));
   plant_.sql("create role stranger_1 login");
   std::string text = Plant::settings();
-  text.replace(text.find("@CONNECTION@"), 12, "@CONNECTION@ user=stranger_1");
+  text.replace(text.find("@RESULTS@"), 9, "@RESULTS@ user=stranger_1");
   plant_.write_settings(text);
   const ProgramResult result = plant_.loopscope("once");
   EXPECT_EQ(result.exit_code, 4) << result.err;

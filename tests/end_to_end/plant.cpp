@@ -31,13 +31,13 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 std::string settings_for(const std::string& connection, const std::string& text) {
   std::string filled = text;
+  replace_all(filled, "@RESULTS@", with_key(connection, "user", make_owner(connection)));
   replace_all(filled, "@CONNECTION@", connection);
   return filled;
 }
 
-/// Through the program itself, which goes on as the owner's group.
+/// Through the program itself.
 void migrate(const std::string& connection) {
-  SqlConnection(connection).run(roles_script());
   const TemporaryFolder folder;
   const std::string file = folder.path() / "loopscope.json";
   std::ofstream(file) << settings_for(connection, Plant::settings());
@@ -61,7 +61,7 @@ Plant::Plant() : database_(migrated()), connection_(*test_server()) {
 std::string Plant::settings(const std::string& more) {
   return R"({
   // a plant for one test
-  "results": {"connection": "@CONNECTION@"},
+  "results": {"connection": "@RESULTS@"},
   "historians": [{"name": "plant", "connection": "@CONNECTION@"}])" +
          (more.empty() ? "" : ",\n  " + more) + "\n}\n";
 }

@@ -30,7 +30,8 @@ class Plant {
   /// line breaks, NULL as nothing.
   std::string sql(const std::string& query) const;
 
-  /// Replaces the settings file; @CONNECTION@ stands for the database.
+  /// Replaces the settings file; @CONNECTION@ stands for the database, @RESULTS@ for the same as
+  /// its owner's login.
   void write_settings(const std::string& text) const;
   /// Settings with an object put in the place of the default one, e.g. schedule.
   [[nodiscard]] static std::string settings(const std::string& more = "");

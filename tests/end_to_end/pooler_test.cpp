@@ -20,9 +20,11 @@ class ThroughPooler : public testing::Test {
     plant.import_loop("FIC101");
   }
   void start(const std::string& mode, const std::string& more = "") {
-    pooler.emplace(mode, std::vector<std::string>{"postgres"}, more);
+    pooler.emplace(mode, std::vector<std::string>{"postgres", make_owner(plant.connection())},
+                   more);
     const std::string through = pooler->conninfo(plant.connection());
-    plant.write_settings(R"({"results": {"connection": ")" + through +
+    const std::string as_owner = with_key(through, "user", make_owner(plant.connection()));
+    plant.write_settings(R"({"results": {"connection": ")" + as_owner +
                          R"("}, "historians": [{"name": "plant", "connection": ")" + through +
                          R"("}]})");
   }

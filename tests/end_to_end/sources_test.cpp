@@ -66,7 +66,7 @@ class Sources : public testing::Test {
   void write_settings(const std::vector<std::string>& historians, int workers) const {
     std::string list;
     for (const std::string& one : historians) list += (list.empty() ? "" : ", ") + one;
-    plant.write_settings(R"({"results": {"connection": "@CONNECTION@"}, "historians": [)" + list +
+    plant.write_settings(R"({"results": {"connection": "@RESULTS@"}, "historians": [)" + list +
                          R"(], "schedule": {"batch_loops": 1, "poll_s": 0.2, "settle_s": 0},
                             "daemon": {"workers": )" +
                          std::to_string(workers) + "}}");

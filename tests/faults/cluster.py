@@ -51,7 +51,7 @@ class Cluster:
         self.primary, self.standby = self._server("first", DISK_MB), self._server("second", DISK_MB)
         self.primary.create()
         settings = self.folder / "owner.json"
-        plant.write_settings(settings, self.loops, self.primary.conninfo(plant.RESULTS),
+        plant.write_settings(settings, self.loops, self.primary.conninfo(plant.RESULTS, "owner"),
                              self.historian.conninfo(plant.HISTORIAN))
         plant.make_results(self.primary, self.program, settings, SOURCE_DIR, self.loops)
         self.standby.follow(self.primary)
@@ -105,7 +105,7 @@ class Cluster:
         """The same slots, in a database of its own, by one worker that nothing disturbs."""
         database = "reference"
         settings = self.folder / "reference.json"
-        plant.write_settings(settings, self.loops, self.primary.conninfo(database),
+        plant.write_settings(settings, self.loops, self.primary.conninfo(database, "owner"),
                              self.historian.conninfo(plant.HISTORIAN), workers=2)
         plant.make_results(self.primary, self.program, settings, SOURCE_DIR, self.loops, database)
         values = ",".join(f"('{name}', {first - period}, {last})"

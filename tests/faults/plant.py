@@ -69,8 +69,9 @@ def make_results(server, program, settings, source_dir, loops, database=RESULTS)
     """A migrated database with the catalogue."""
     server.sql(f"CREATE DATABASE {database}")
     server.sql((source_dir / "deploy/roles.sql").read_text(encoding="utf-8"), database)
-    server.sql("DO $$ BEGIN CREATE ROLE worker LOGIN IN ROLE loopscope_worker;"
-               " EXCEPTION WHEN duplicate_object THEN NULL; END $$")
+    for login, group in (("worker", "loopscope_worker"), ("owner", "loopscope_owner")):
+        server.sql(f"DO $$ BEGIN CREATE ROLE {login} LOGIN IN ROLE {group};"
+                   " EXCEPTION WHEN duplicate_object THEN NULL; END $$")
     run([program, "migrate", "--config", settings])
     periods, shared = periods_s(loops), recordings(loops)
     server.sql(f"""

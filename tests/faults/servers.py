@@ -160,8 +160,8 @@ class Server:
         for pid in self.processes():
             os.kill(pid, signal.SIGCONT)
 
-    def conninfo(self, database="postgres"):
-        return f"host={self.folder} port={PORT} user=postgres dbname={database} connect_timeout=5"
+    def conninfo(self, database="postgres", user="postgres"):
+        return f"host={self.folder} port={PORT} user={user} dbname={database} connect_timeout=5"
 
     def sql(self, text, database="postgres"):
         """What psql prints: columns separated by |."""

@@ -21,15 +21,15 @@ class LayoutsAgree : public testing::Test {
   void SetUp() override {
     if (!test_server()) GTEST_SKIP() << kNoServer;
     database.emplace();
-    database->make_roles();
     const Truth truth(*database, kLoops, 6'000);
     nlohmann::json historians = nlohmann::json::array();
     for (const char* name : kLayouts) {
       database->execute(vendor(name).tables);
       historians.push_back(site(vendor(name)));
     }
-    const nlohmann::json settings = {{"results", {{"connection", database->conninfo()}}},
-                                     {"historians", historians}};
+    const nlohmann::json settings = {
+        {"results", {{"connection", database->conninfo(database->owner())}}},
+        {"historians", historians}};
     std::ofstream(file()) << settings.dump(2);
   }
 

@@ -15,13 +15,12 @@ using testing::HasSubstr;
 TEST(WindowCommand, WritesWhatOnceHasReadSoThatAnalyzeSaysTheSame) {
   if (!test_server()) GTEST_SKIP() << kNoServer;
   TestDatabase database;
-  database.make_roles();
   const Truth truth(database, 1, 6'000);
   database.execute(vendor("ignition").tables);
   const TemporaryFolder folder;
   const std::string file = folder.path() / "loopscope.json";
   std::ofstream(file) << nlohmann::json{
-      {"results", {{"connection", database.conninfo()}}},
+      {"results", {{"connection", database.conninfo(database.owner())}}},
       {"historians",
        {{{"name", "gateway"}, {"preset", "ignition"}, {"connection", database.conninfo()}}}}};
   const auto loopscope = [&](const std::string& command, std::vector<std::string> rest = {}) {

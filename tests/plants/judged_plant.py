@@ -8,7 +8,6 @@ import tempfile
 import time
 from pathlib import Path
 
-_ROLES = Path(__file__).resolve().parents[2] / "deploy" / "roles.sql"
 _PLANT, _RESULTS = "plant", "results"
 # A window ends at the newest sample; nothing is on its way.
 _SETTLE_S = 0
@@ -49,11 +48,11 @@ class _Plant:
     def prepare(self):
         for database in (_PLANT, _RESULTS):
             self.server.sql(f"CREATE DATABASE {database}")
-        self.server.sql(_ROLES.read_text(encoding="utf-8"), _RESULTS)
+        self.server.make_owner(_RESULTS)
         self.server.sql("CREATE TABLE history (tag text NOT NULL, time bigint NOT NULL,"
                         " value double precision)", _PLANT)
         self.settings.write_text(json.dumps({
-            "results": {"connection": self.server.conninfo(_RESULTS)},
+            "results": {"connection": self.server.conninfo(_RESULTS, "test_owner")},
             "historians": [{"name": "plant", "connection": self.server.conninfo(_PLANT),
                             "time_kind": "epoch_us", "quality_column": "",
                             "quality_rule": "none"}],

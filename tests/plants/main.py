@@ -88,8 +88,9 @@ def run_part(part, arguments, server):
     if part.name == "sources":
         return figures_of(part, ["--plants", str(arguments.plants)], arguments)
     server.sql(f"CREATE DATABASE {part.name}")
+    server.make_owner(part.name)
     return figures_of(part, ["--repairs", str(arguments.repairs),
-                             "--database", server.conninfo(part.name)], arguments)
+                             "--database", server.conninfo(part.name, "test_owner")], arguments)
 
 
 def run(arguments):

@@ -21,8 +21,7 @@ class PaperRepairs : public testing::Test {
   void SetUp() override {
     if (!test_server()) GTEST_SKIP() << kNoServer;
     database_ = std::make_unique<TestDatabase>();
-    database_->make_roles();
-    settings_.conninfo = database_->conninfo();
+    settings_.conninfo = database_->conninfo(database_->owner());
     settings_.purpose = "results";
     storage::migrate(settings_);
   }

@@ -40,8 +40,8 @@ void print_each(const repairs::DiagnosedRepair& repair, const storage::Maintenan
 void run(const Options& options) {
   std::unique_ptr<loopscope::tests::TestDatabase> throw_away;
   if (options.database.empty()) throw_away = std::make_unique<loopscope::tests::TestDatabase>();
-  const auto database = settings_for(throw_away ? throw_away->conninfo() : options.database);
-  loopscope::tests::SqlConnection(database.conninfo).run(loopscope::tests::roles_script());
+  const auto database =
+      settings_for(throw_away ? throw_away->conninfo(throw_away->owner()) : options.database);
   storage::migrate(database);
   const auto done = repairs::run_repairs(options.plan);
   const auto rows = repairs::store_repairs(database, done);

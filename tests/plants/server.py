@@ -7,6 +7,7 @@ from pathlib import Path
 
 SOURCE_DIR = Path(__file__).resolve().parents[2]
 _SCRIPT = SOURCE_DIR / "tests" / "support" / "postgres"
+_ROLES = SOURCE_DIR / "deploy" / "roles.sql"
 
 
 class Server:
@@ -25,8 +26,15 @@ class Server:
     def __exit__(self, *_):
         subprocess.run([_SCRIPT, "stop", self._file], check=False, stdout=subprocess.DEVNULL)
 
-    def conninfo(self, database="postgres"):
-        return self._conninfo.replace("dbname=postgres", f"dbname={database}")
+    def conninfo(self, database="postgres", user="postgres"):
+        return self._conninfo.replace("dbname=postgres", f"dbname={database}").replace(
+            "user=postgres", f"user={user}")
+
+    def make_owner(self, database):
+        """The group roles, and a login that may migrate: the program takes no superuser."""
+        self.sql(_ROLES.read_text(encoding="utf-8"), database)
+        self.sql("DO $$ BEGIN CREATE ROLE test_owner LOGIN IN ROLE loopscope_owner;"
+                 " EXCEPTION WHEN duplicate_object THEN NULL; END $$")
 
     def _psql(self, database):
         return ["psql", "--no-psqlrc", "--quiet", "--set", "ON_ERROR_STOP=1", "--no-align",

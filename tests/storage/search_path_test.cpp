@@ -42,7 +42,7 @@ class SearchPathTest : public testing::Test {
   }
 
   [[nodiscard]] ConnectionSettings historian(const std::string& user) const {
-    ConnectionSettings settings = settings_for(*database, user);
+    ConnectionSettings settings = settings_for(*database, user.empty() ? "postgres" : user);
     settings.purpose = "historian";
     return settings;
   }

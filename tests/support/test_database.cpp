@@ -48,6 +48,17 @@ std::string roles_script() {
   return script.str();
 }
 
+std::string make_owner(const std::string& conninfo) {
+  const std::string login = "loopscope_test_owner";
+  const SqlConnection database(conninfo);
+  database.run(roles_script());
+  // Others may make it in this moment.
+  database.run("DO $$ BEGIN IF to_regrole('" + login + "') IS NULL THEN CREATE ROLE " + login +
+               " LOGIN IN ROLE loopscope_owner; END IF;"
+               " EXCEPTION WHEN duplicate_object OR unique_violation THEN NULL; END $$");
+  return login;
+}
+
 TestDatabase::TestDatabase(const std::string& encoding)
     : name_(unique_name()), connection_(with_key(server(), "dbname", name_)) {
   administration().run("CREATE DATABASE " + name_ + " TEMPLATE template0 ENCODING '" + encoding +
@@ -79,6 +90,11 @@ std::string TestDatabase::conninfo(const std::string& user) const {
 
 void TestDatabase::make_roles() const {
   execute(roles_script());
+}
+
+std::string TestDatabase::owner() const {
+  std::call_once(roles_, [this] { owner_ = make_owner(conninfo()); });
+  return owner_;
 }
 
 std::string TestDatabase::make_login(const std::string& group) {

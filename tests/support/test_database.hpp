@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@ namespace loopscope::tests {
 
 /// deploy/roles.sql, which makes the group roles.
 [[nodiscard]] std::string roles_script();
+
+/// Makes the group roles, with their rights in the database of `conninfo` (a superuser's), and a
+/// login of the owner's group, which all tests share: the program takes no superuser. Its name.
+std::string make_owner(const std::string& conninfo);
 
 /// What a test says when it is skipped for want of a server.
 inline constexpr const char* kNoServer =
@@ -38,6 +43,8 @@ class TestDatabase {
   [[nodiscard]] std::string conninfo(const std::string& user) const;
 
   void make_roles() const;
+  /// As make_owner().
+  [[nodiscard]] std::string owner() const;
   /// Makes a login that is a member of `group` (empty = of none) and returns its name.
   std::string make_login(const std::string& group);
 
@@ -50,6 +57,8 @@ class TestDatabase {
  private:
   std::string name_;
   std::vector<std::string> logins_;
+  mutable std::once_flag roles_;
+  mutable std::string owner_;
   ReusedConnection connection_;
 };
 

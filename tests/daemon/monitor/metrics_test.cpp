@@ -70,6 +70,7 @@ TEST_F(MetricsTest, HasExactlyTheNamesOfTheRunbook) {
           Pair("loopscope_partition_months_ahead", "gauge"),
           Pair("loopscope_default_partition_rows", "gauge"),
           Pair("loopscope_oldest_partition_months", "gauge"),
+          Pair("loopscope_oldest_snapshot_seconds", "gauge"),
           Pair("loopscope_retention_months", "gauge")));
 }
 

@@ -76,6 +76,17 @@ TEST_F(AnnounceFlagsTest, TellsOfEachFlagOnce) {
   EXPECT_EQ(history(), (TextRows{{"a", "valve_stiction", "watch", "t", "NULL", "t"}}));
 }
 
+/// Anybody who may connect can fill the queue of messages; here the right to send one is missing.
+TEST_F(AnnounceFlagsTest, WhatListenersCannotBeToldIsNotedAllTheSame) {
+  database->execute("REVOKE EXECUTE ON FUNCTION pg_notify(text, text) FROM PUBLIC");
+  tell({{.loop = "a"}});
+  const FlagAnnouncement untold = announce();
+  EXPECT_THAT(untold.flagged, SizeIs(1));
+  EXPECT_TRUE(untold.untold);
+  EXPECT_EQ(history(), (TextRows{{"a", "valve_stiction", "watch", "t", "NULL", "t"}}));
+  EXPECT_THAT(announce().flagged, IsEmpty());
+}
+
 TEST_F(AnnounceFlagsTest, TellsWhenAFlagIsConfirmed) {
   const Listener listener(database->conninfo());
   tell({{.loop = "a", .slot_hours = 1}});
@@ -183,15 +194,12 @@ TEST_F(AnnounceFlagsTest, LongTextsAreCutToWhatAMessageMayHold) {
   }
 }
 
-TEST_F(AnnounceFlagsTest, NothingIsToldOfWhatIsRolledBack) {
+TEST_F(AnnounceFlagsTest, NothingIsToldOfWhatCannotBeNoted) {
   tell({{.loop = "a"}});
   const Listener listener(database->conninfo());
-  Session session(settings_for(*database));
-  EXPECT_THROW(session.transact([](Transaction& transaction) {
-    static_cast<void>(announce_flags(transaction));
-    transaction.run({"broken", "SELECT 1 / 0"});
-  }),
-               DatabaseError);
+  database->execute(
+      "ALTER TABLE loopscope.flag_notice ADD CONSTRAINT none CHECK (loop_id < 0) NOT VALID");
+  EXPECT_THROW(static_cast<void>(announce()), DatabaseError);
   EXPECT_THAT(listener.heard(), IsEmpty());
   EXPECT_THAT(history(), IsEmpty());
 }

@@ -37,6 +37,8 @@ TEST(ClaimFloorTest, BeginsAnewWhereTheClockWasSetBack) {
   static_cast<void>(floor.start(kNow_us + 30 * kMinute_us));
   EXPECT_EQ(floor.start(kNow_us).place, behind(kNow_us));
   EXPECT_EQ(floor.nearest().to, behind(kNow_us));
+  EXPECT_EQ(floor.start(kNow_us - 1000).place, behind(kNow_us))
+      << "a transaction that began a little earlier";
 }
 
 /// Slices without a gap, wider while they are quick, down to the earliest time.

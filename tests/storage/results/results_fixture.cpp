@@ -14,12 +14,6 @@ std::string template_name(const std::string& kind, std::string contents = "") {
   return "loopscope_" + kind + "_" + std::to_string(std::hash<std::string>{}(contents));
 }
 
-/// Who goes on as the owner's group.
-void migrate_as_superuser(const std::string& conninfo) {
-  tests::SqlConnection(conninfo).run(tests::roles_script());
-  migrate({.conninfo = conninfo, .purpose = "results"});
-}
-
 /// The member leaves nothing behind: what it makes is its group's.
 void migrate_as_owner(const std::string& conninfo) {
   const tests::SqlConnection database(conninfo);
@@ -43,7 +37,7 @@ std::unique_ptr<tests::TestDatabase> database_of_owner() {
 
 ConnectionSettings settings_for(const tests::TestDatabase& database, const std::string& user) {
   ConnectionSettings settings;
-  settings.conninfo = user.empty() ? database.conninfo() : database.conninfo(user);
+  settings.conninfo = database.conninfo(user.empty() ? database.owner() : user);
   settings.purpose = "results";
   return settings;
 }
@@ -128,8 +122,7 @@ void explain(AnalysisRecord& record, const std::string& last_error) {
 
 void ResultsTest::SetUp() {
   if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
-  database = std::make_unique<tests::TestDatabase>(tests::TemplateDatabase{
-      template_name("template", tests::roles_script()), migrate_as_superuser});
+  database = database_of_owner();
   database->execute(
       "UPDATE loopscope.parameter SET value = 0.05 WHERE name = 'false_discovery_rate'");
 }

@@ -14,7 +14,7 @@ namespace loopscope::storage {
 
 using tests::TextRows;
 
-/// Settings of a connection to a test database; an empty user means the superuser.
+/// Settings of a connection to a test database; an empty user means TestDatabase::owner().
 [[nodiscard]] ConnectionSettings settings_for(const tests::TestDatabase& database,
                                               const std::string& user = "");
 

@@ -156,7 +156,7 @@ TEST_F(RoleRefusalTest, HistorianReaderReadsWhatIsGrantedAndNothingElse) {
 }
 
 TEST_F(RoleRefusalTest, SessionsOnAHistorianWriteNothingWhateverTheLoginMay) {
-  ConnectionSettings settings = settings_for(*database);
+  ConnectionSettings settings = settings_for(*database, "postgres");
   settings.purpose = "historian";
   settings.read_only = true;
   PqConnection session(settings);

@@ -144,7 +144,7 @@ TEST_F(UpgradeTest, MonthsThatMaintainHadMadeCanBeReadAfterwards) {
 TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
   const tests::TestDatabase other;
   make_former_schema(other, "postgres", from_);
-  EXPECT_THROW(migrate(settings_for(other)), DatabaseError);
+  EXPECT_THROW(migrate(settings_for(other, "postgres")), DatabaseError);
   other.make_roles();
   const std::string runbook = tests::content_of(tests::source_dir() / "deploy" / "RUNBOOK.md");
   const std::string begin = "<<'SQL'\n";
