@@ -25,7 +25,9 @@ const Statement kScheduleHealth{"schedule_health", R"(
              (SELECT count(*) FROM loopscope.schedule WHERE enabled AND attempts > 0) AS failing
       FROM (
         SELECT visible_at FROM loopscope.schedule
-        WHERE enabled AND visible_at <= now() AND (visible_at, loop_id)
+        WHERE enabled AND visible_at <= now()
+          AND visible_at >= timestamptz 'epoch' + $2::bigint * interval '1 microsecond'
+          AND (visible_at, loop_id)
             > (timestamptz 'epoch' + $2::bigint * interval '1 microsecond', $3::bigint)
         UNION ALL
         SELECT visible_at FROM loopscope.schedule
