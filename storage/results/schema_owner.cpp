@@ -27,7 +27,7 @@ void refuse_stranger(const SchemaOwner& found) {
 /// To become another role would not do: any function of the schema can go back by RESET ROLE.
 void refuse_superuser(const SchemaOwner& found) {
   if (!found.superuser) return;
-  throw DatabaseError("the login " + found.login + " is a superuser",
+  throw DatabaseError("the login " + found.login + " of the results database is a superuser",
                       "nothing of the schema was executed; connect as a login that is a member of "
                       "loopscope_owner (migrate, maintain) or loopscope_worker: as a superuser, "
                       "psql -f deploy/roles.sql makes these groups" +

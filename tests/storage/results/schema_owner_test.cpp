@@ -106,7 +106,7 @@ TEST_F(SchemaOwnerTest, ASuperuserIsRefusedBeforeAnythingIsExecuted) {
       "CREATE OR REPLACE FUNCTION loopscope.oldest_program() RETURNS integer LANGUAGE plpgsql"
       " AS $$ BEGIN RESET ROLE; PERFORM nextval('public.executed'); RETURN 1; END $$");
   for (const std::string& error : errors_as("postgres")) {
-    EXPECT_THAT(error, AllOf(HasSubstr("the login postgres is a superuser"),
+    EXPECT_THAT(error, AllOf(HasSubstr("the login postgres of the results database is a superuser"),
                              HasSubstr("HINT: nothing of the schema was executed"),
                              HasSubstr("member of loopscope_owner")));
   }
