@@ -29,6 +29,13 @@ bool one_holds_more(const std::string& hosts) {
   return false;
 }
 
+/// "user:password@host/database". Names of databases and services with both signs in this order are
+/// not worth a password that is shown.
+bool holds_login(const std::string& name) {
+  const std::size_t colon = name.find(':');
+  return colon != std::string::npos && name.find('@', colon) != std::string::npos;
+}
+
 [[noreturn]] void refuse(const std::string& option, const std::string& what,
                          const std::string& hint, const std::string& purpose) {
   throw DatabaseError("the connection string: " + option + "= holds " + what +
@@ -47,6 +54,11 @@ void refuse_misplaced(const ConnectionOptions& options, const std::string& purpo
   if (database.find("://") != std::string::npos || database.find("password") != std::string::npos)
     refuse("dbname", "a whole connection string",
            "give that string alone, without dbname=", purpose);
+  for (const char* option : {"dbname", "service"}) {
+    if (holds_login(value(option)))
+      refuse(option, "more than a name",
+             "write host=NAME dbname=NAME user=NAME, and the password into ~/.pgpass", purpose);
+  }
   if (value("user").find(':') != std::string::npos)
     refuse("user", "more than a name", "write user=NAME, and the password into ~/.pgpass", purpose);
   for (const char* option : {"host", "hostaddr"}) {

@@ -179,6 +179,8 @@ TEST_F(Secrets, WorkFromPgpassAndServiceFilesAndAreNeverShown) {
   expect_failure("postgresql://p_worker:" + secret + "@localhost/plant", 3, "holds a password");
   expect_failure("postgresql://p_worker:" + secret + "/plant", 3, "text where a port");
   expect_failure("dbname='postgresql://p_worker:" + secret + "@localhost/plant'", 4, "dbname=");
+  expect_failure("dbname=p_worker:" + secret + "@localhost/plant", 4, "dbname=");
+  expect_failure("service=p_worker:" + secret + "@localhost", 4, "service=");
   expect_failure("service=worker user='p_worker:" + secret + "'", 4, "user=");
   expect_failure("service=worker host=p_worker:" + secret + "@localhost", 4, "host=");
 }

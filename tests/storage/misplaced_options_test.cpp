@@ -29,7 +29,8 @@ TEST(MisplacedOptions, APasswordInAnotherPlaceIsRefusedAndNotShown) {
   for (const char* conninfo :
        {"dbname='postgresql://u:geheim@h/db'", "dbname='host=h password=geheim'", "user='u:geheim'",
         "host=u:geheim@db1", "host=db1,u:geheim@db2", "host=geheim@db1", "host=u:geheim",
-        "hostaddr=u:geheim@10.0.0.1", "postgresql://db/r?host=u:geheim@db1"}) {
+        "hostaddr=u:geheim@10.0.0.1", "postgresql://db/r?host=u:geheim@db1", "dbname=u:geheim@h/db",
+        "service=u:geheim@h", "postgresql://h/u:geheim@db", "postgresql:///r?service=u:geheim@h"}) {
     EXPECT_THAT(shown(conninfo), HasSubstr("not shown, it may hold a password")) << conninfo;
     EXPECT_THAT(shown(conninfo), Not(HasSubstr("geheim"))) << conninfo;
   }
@@ -39,6 +40,7 @@ TEST(MisplacedOptions, WhatNamesAHostAUserOrADatabaseIsTaken) {
   for (const char* conninfo :
        {"host=db1,db2 port=5432,5433", "host=::1", "host=fe80::1%eth0", "host=db1,2001:db8::7",
         "host=/run/a:b@c", "host=@socket", "user=anna@plant.example", "dbname='a=b'",
+        "dbname=plant@north", "dbname=plant:2026", "dbname=r@h:1", "service=plant@north",
         "postgresql://u@[::1]:5432/r", "hostaddr=::1", "host=db1 user=u dbname=plant"}) {
     EXPECT_THAT(shown(conninfo), HasSubstr("results database (")) << conninfo;
   }
