@@ -53,8 +53,9 @@ std::string report_name(std::int64_t end_us) {
   return "loopscope-" + time.substr(0, 13) + time.substr(14, 2) + "Z";
 }
 
-void drop_old_reports(const fs::path& folder, int keep) {
-  const auto reports = reports_in(folder);
+void drop_old_reports(const fs::path& folder, int keep, const std::string& newest) {
+  auto reports = reports_in(folder);
+  reports.erase(reports.upper_bound(newest), reports.end());
   std::size_t left = reports.size();
   for (const auto& [name, files] : reports) {  // the oldest first
     if (left-- <= static_cast<std::size_t>(keep)) break;
@@ -104,21 +105,19 @@ void ReportSchedule::write_due(const config::Settings& settings, const std::stop
   const config::ReportSettings& report = settings.report;
   const fs::path folder = report.folder;
   const std::int64_t end_us = floor_to_period(now_us(), report.every_s);
-  const fs::path page = folder / (report_name(end_us) + ".html");
+  const std::string name = report_name(end_us);
+  const fs::path page = folder / (name + ".html");
   if (fs::exists(page)) return;
   fs::create_directories(folder);
   const FolderLock lock(folder);
   if (!lock.held() || fs::exists(page)) return;
   const auto span_us =
       static_cast<std::int64_t>(report.every_s * core::signal::kMicrosecondsPerSecond);
-  const ReportResult result = write_report(settings,
-                                           {.folder = folder,
-                                            .name = report_name(end_us),
-                                            .since_us = end_us - span_us,
-                                            .pdf = report.pdf},
-                                           stop);
+  const ReportResult result = write_report(
+      settings, {.folder = folder, .name = name, .since_us = end_us - span_us, .pdf = report.pdf},
+      stop);
   spdlog::info("report written: {}, {} flagged loops", page.string(), result.flagged);
-  drop_old_reports(folder, report.keep);
+  drop_old_reports(folder, report.keep, name);
 }
 
 }  // namespace loopscope::daemon

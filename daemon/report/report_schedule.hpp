@@ -43,8 +43,9 @@ class ReportSchedule {
 /// "loopscope-2026-03-01T0600Z": the name of the report whose span ends then, without ending.
 [[nodiscard]] std::string report_name(std::int64_t end_us);
 
-/// Removes all but the newest `keep` reports of a folder, pages and PDFs; files of other names
-/// stay.
-void drop_old_reports(const std::filesystem::path& folder, int keep);
+/// Removes all but `keep` reports of a folder, pages and PDFs: `newest` and those before it.
+/// Reports of later times, which a clock that was ahead has named, neither count nor go; files of
+/// other names stay.
+void drop_old_reports(const std::filesystem::path& folder, int keep, const std::string& newest);
 
 }  // namespace loopscope::daemon
