@@ -1,9 +1,15 @@
 #pragma once
 
+#include <system_error>
 #include <unistd.h>
 #include <utility>
 
 namespace loopscope::daemon {
+
+/// Throws what the system has said by errno.
+[[noreturn]] inline void fail(int error) {
+  throw std::system_error(error, std::generic_category());
+}
 
 /// A descriptor that is closed at the end.
 class Descriptor {

@@ -41,9 +41,9 @@ OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)) {
 }
 
 void OutputFile::open() {
-  const OutputTarget target = find_output_target(file_);
+  OutputTarget target = find_output_target(file_);
   if (target.replaceable) {
-    partial_.emplace(target.path);
+    partial_.emplace(std::move(target.path));
   } else {
     in_place_ = open_in_place(target);
   }

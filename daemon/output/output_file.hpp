@@ -10,7 +10,7 @@
 
 namespace loopscope::daemon {
 
-/// A file that is written piece by piece, links of its own followed (find_output_target).
+/// A file that is written piece by piece, links of this user's and root's followed (follow()).
 ///
 /// A regular file or one that does not exist yet is written whole or not at all (PartialFile); a
 /// file that was there keeps its permissions. Anything else (device, pipe, /dev/stdout) is never

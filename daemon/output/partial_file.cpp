@@ -10,12 +10,10 @@
 #include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <system_error>
+#include <utility>
 
 namespace loopscope::daemon {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::string_view kBegin = ".loopscope-";
 constexpr std::string_view kEnd = ".partial";
@@ -24,10 +22,6 @@ constexpr mode_t kOwnersAlone = 0600;
 /// Without the bits that let a file run as its owner or group: a folder's owner could have set
 /// them.
 constexpr mode_t kPermissions = 0777;
-
-[[noreturn]] void fail(int error) {
-  throw std::system_error(error, std::generic_category());
-}
 
 void require(bool done) {
   if (!done) fail(errno);
@@ -127,11 +121,8 @@ void make_name_durable(const Descriptor& folder) {
 
 }  // namespace
 
-PartialFile::PartialFile(const fs::path& target)
-    : folder_(::open(target.has_parent_path() ? target.parent_path().c_str() : ".",
-                     O_PATH | O_DIRECTORY | O_CLOEXEC)),
-      target_(target.filename()) {
-  require(folder_.open());
+PartialFile::PartialFile(FollowedPath target)
+    : folder_(std::move(target.folder)), target_(std::move(target.name)) {
   file_ = create(folder_, name_);
   remove_left_behind(folder_);
 }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "daemon/output/descriptor.hpp"
+#include "daemon/output/followed_path.hpp"
 
 namespace loopscope::daemon {
 
@@ -16,7 +16,7 @@ namespace loopscope::daemon {
 /// function throws std::system_error with the system's reason.
 class PartialFile {
  public:
-  explicit PartialFile(const std::filesystem::path& target);
+  explicit PartialFile(FollowedPath target);
   /// Without replace_target() nothing is left behind.
   ~PartialFile();
   PartialFile(const PartialFile&) = delete;

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "daemon/failure.hpp"
+#include "daemon/output/followed_path.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -27,17 +28,27 @@ constexpr const char* kName = ".loopscope-report.lock";
 
 /// Workers of several users share a folder that all of them may write into: the lock is as open as
 /// the folder. Only its maker can say so, and only he needs to.
-void open_to_writers_of(const fs::path& folder, const Descriptor& lock) {
+void open_to_writers_of(const Descriptor& folder, const Descriptor& lock) {
   struct stat status {};
-  if (::stat(folder.c_str(), &status) == 0) ::fchmod(lock.number(), status.st_mode & 0666U);
+  if (::fstat(folder.number(), &status) == 0) ::fchmod(lock.number(), status.st_mode & 0666U);
+}
+
+Descriptor open_for_lock(const fs::path& folder) {
+  try {
+    return open_folder(folder);
+  } catch (const std::system_error& error) {
+    cannot_lock(folder, error.code().value());
+  }
 }
 
 }  // namespace
 
-FolderLock::FolderLock(const fs::path& folder)
-    : file_(::open((folder / kName).c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600)) {
+FolderLock::FolderLock(const fs::path& folder) {
+  const Descriptor opened = open_for_lock(folder);
+  file_ =
+      Descriptor(::openat(opened.number(), kName, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600));
   if (!file_.open()) cannot_lock(folder, errno);
-  open_to_writers_of(folder, file_);
+  open_to_writers_of(opened, file_);
   held_ = ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0;
 }
 

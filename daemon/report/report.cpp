@@ -10,6 +10,7 @@
 
 #include "daemon/calibrate/in_threads.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/output/followed_path.hpp"
 #include "daemon/output/write_file.hpp"
 #include "daemon/report/draw_figures.hpp"
 #include "daemon/report/make_pdf.hpp"
@@ -120,12 +121,14 @@ std::string page_of(const Content& content) {
 }
 
 void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw Failure(ExitCode::usage,
-                  fmt::format("cannot make the folder {}: {}", folder.string(), error.message()),
-                  "name a folder that exists or can be made");
+  try {
+    make_folders(folder);
+  } catch (const std::system_error& error) {
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("cannot make the folder {}: {}", folder.string(), error.code().message()),
+        "name a folder that exists or can be made");
+  }
 }
 
 }  // namespace

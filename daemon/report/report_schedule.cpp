@@ -11,6 +11,7 @@
 
 #include "core/signal/microseconds.hpp"
 #include "daemon/failure.hpp"
+#include "daemon/output/followed_path.hpp"
 #include "daemon/recording/time_text.hpp"
 #include "daemon/report/folder_lock.hpp"
 #include "daemon/report/report.hpp"
@@ -108,7 +109,7 @@ void ReportSchedule::write_due(const config::Settings& settings, const std::stop
   const std::string name = report_name(end_us);
   const fs::path page = folder / (name + ".html");
   if (fs::exists(page)) return;
-  fs::create_directories(folder);
+  make_folders(folder);
   const FolderLock lock(folder);
   if (!lock.held() || fs::exists(page)) return;
   const auto span_us =

@@ -1,5 +1,6 @@
 #include "daemon/output/output_file.hpp"
 
+#include <fcntl.h>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <unistd.h>
 
 #include "daemon/failure.hpp"
+#include "daemon/output/followed_path.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/source_dir.hpp"
 
@@ -39,6 +41,16 @@ class OutputFileTest : public testing::Test {
     OutputFile output(file_);
     output.write(text);
     output.finish();
+  }
+
+  static std::string refusal_of(const fs::path& file) {
+    try {
+      const OutputFile output(file);
+      return "opened";
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.exit_code(), ExitCode::usage);
+      return std::string(failure.what()) + " HINT: " + failure.hint();
+    }
   }
 
   /// What a writer leaves that is killed in the middle.
@@ -141,6 +153,74 @@ TEST_F(OutputFileTest, ALinkOfAnotherUserIsRefused) {
     EXPECT_THAT(failure.hint(), testing::HasSubstr("link"));
   }
   EXPECT_EQ(tests::content_of(victim_), "secret");
+}
+
+// In a folder of root's that its owner could not enter otherwise.
+TEST_F(OutputFileTest, ALinkOfAnotherUserToAFolderIsRefused) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can give a link to another user";
+  const fs::path inner = folder_.path() / "inner";
+  fs::create_directory(inner);
+  std::ofstream(inner / "out.csv") << "secret";
+  const fs::path planted = folder_.path() / "planted";
+  fs::create_directory_symlink(inner, planted);
+  ASSERT_EQ(lchown(planted.c_str(), 65534, 65534), 0);
+  fs::create_directory_symlink(planted, folder_.path() / "own");
+  for (const fs::path& file : {planted / "out.csv", planted / "new.csv", planted / "." / "out.csv",
+                               folder_.path() / "own" / "out.csv"})
+    EXPECT_THAT(refusal_of(file),
+                testing::AllOf(testing::HasSubstr(file.string() + ": planted is a link"),
+                               testing::HasSubstr("HINT: name what the link leads to")));
+  EXPECT_THROW(make_folders(planted / "reports"), Failure);
+  EXPECT_FALSE(fs::exists(inner / "reports"));
+  EXPECT_EQ(tests::content_of(inner / "out.csv"), "secret");
+  EXPECT_FALSE(fs::exists(inner / "new.csv"));
+}
+
+TEST_F(OutputFileTest, LinksOfItsOwnToFoldersAreFollowed) {
+  fs::create_directories(folder_.path() / "inner" / "deep");
+  fs::create_directory_symlink("inner/deep/", folder_.path() / "relative");
+  fs::create_directory_symlink(folder_.path() / "relative", folder_.path() / "absolute");
+  make_folders(folder_.path() / "absolute" / "a" / "b" / "");
+  EXPECT_TRUE(fs::is_directory(folder_.path() / "inner" / "deep" / "a" / "b"));
+  file_ = folder_.path() / "absolute" / ".." / "out.csv";
+  write("text");
+  EXPECT_EQ(tests::content_of(folder_.path() / "inner" / "out.csv"), "text");
+}
+
+TEST_F(OutputFileTest, LinksInACircleAndFilesAsFoldersAreRefused) {
+  fs::create_symlink("two", folder_.path() / "one");
+  fs::create_symlink("one", folder_.path() / "two");
+  std::ofstream(victim_) << "secret";
+  EXPECT_THAT(refusal_of(folder_.path() / "one"), testing::HasSubstr("symbolic links"));
+  EXPECT_THAT(refusal_of(folder_.path() / "one" / "x"), testing::HasSubstr("symbolic links"));
+  EXPECT_THAT(refusal_of(victim_ / "x"), testing::HasSubstr("Not a directory"));
+  EXPECT_THAT(refusal_of(folder_.path() / ""), testing::HasSubstr("Is a directory"));
+  EXPECT_THAT(refusal_of(""), testing::HasSubstr("No such file"));
+}
+
+TEST_F(OutputFileTest, AFolderBelowProcIsEnteredAsItIs) {
+  const int folder = open(folder_.path().c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_GE(folder, 0);
+  file_ = "/dev/fd/" + std::to_string(folder) + "/out.csv";
+  write("text");
+  close(folder);
+  EXPECT_EQ(tests::content_of(folder_.path() / "out.csv"), "text");
+}
+
+TEST_F(OutputFileTest, APipeThatNobodyReadsIsRefusedAtOnce) {
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  EXPECT_THAT(refusal_of(file_),
+              testing::AllOf(testing::HasSubstr("it is a pipe that nobody reads"),
+                             testing::HasSubstr("HINT: start its reader")));
+}
+
+TEST_F(OutputFileTest, APipeOfAnotherUserIsRefused) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can give a pipe to another user";
+  ASSERT_EQ(mkfifo(file_.c_str(), 0600), 0);
+  ASSERT_EQ(chown(file_.c_str(), 65534, 65534), 0);
+  const int reader = open(file_.c_str(), O_RDONLY | O_NONBLOCK);
+  EXPECT_THAT(refusal_of(file_), testing::HasSubstr("it is a pipe that another user"));
+  close(reader);
 }
 
 TEST_F(OutputFileTest, IsItsWritersAloneUntilItIsThere) {

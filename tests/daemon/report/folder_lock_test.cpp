@@ -3,6 +3,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "daemon/failure.hpp"
 #include "tests/support/source_dir.hpp"
@@ -44,6 +45,18 @@ TEST_F(FolderLockTest, APlantedLinkIsNotFollowed) {
     EXPECT_THAT(failure.hint(), testing::HasSubstr("link"));
   }
   EXPECT_FALSE(fs::exists(victim));
+}
+
+TEST_F(FolderLockTest, NorALinkToTheFolderThatAnotherUserHasMade) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can give a link to another user";
+  const tests::TemporaryFolder other;
+  const fs::path link = other.path() / "reports";
+  fs::create_directory_symlink(folder_.path(), link);
+  EXPECT_TRUE(FolderLock(link).held());
+  fs::remove(file_);
+  ASSERT_EQ(lchown(link.c_str(), 65534, 65534), 0);
+  EXPECT_THROW(FolderLock{link}, Failure);
+  EXPECT_FALSE(fs::exists(file_));
 }
 
 TEST_F(FolderLockTest, SaysWhereItCannotBe) {
