@@ -1,11 +1,12 @@
 #include "daemon/output/followed_path.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <iterator>
 #include <linux/magic.h>
-#include <ranges>
 #include <sys/stat.h>
 #include <sys/vfs.h>
 #include <utility>
@@ -75,11 +76,11 @@ class Walk {
     } else if (!folder_.open()) {
       folder_ = opened_or_fail(Descriptor(::open(".", kFolder)));
     }
-    const std::size_t before = rest_.size();
+    const auto before = static_cast<std::ptrdiff_t>(rest_.size());
     // What a slash at the end leaves empty is the folder itself.
     for (const fs::path& part : path.relative_path()) rest_.push_back(part.empty() ? "." : part);
-    if (rest_.size() == before) rest_.emplace_back(".");
-    std::ranges::reverse(rest_ | std::views::drop(before));
+    if (std::ssize(rest_) == before) rest_.emplace_back(".");
+    std::reverse(rest_.begin() + before, rest_.end());
   }
 
   /// Whether `name` is a folder, and no link to one.
