@@ -104,7 +104,8 @@ proof_secrets() {
 }
 
 _journal_says() {
-  booted_root_run journalctl --no-pager --unit loopscope.service | grep -q "$1"
+  # Not grep -q, which may end before journalctl has said all: that would count as its failure.
+  booted_root_run journalctl --no-pager --unit loopscope.service | grep "$1" >/dev/null
 }
 
 _report_is_there() {
