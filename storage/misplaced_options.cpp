@@ -65,6 +65,9 @@ void refuse_misplaced(const ConnectionOptions& options, const std::string& purpo
     if (one_holds_more(value(option)))
       refuse(option, "more than a host", "write host=NAME port=NUMBER user=NAME", purpose);
   }
+  // "5432:password"; several hosts may have ports of their own.
+  if (value("port").find_first_not_of("0123456789, ") != std::string::npos)
+    refuse("port", "more than a number", "write port=NUMBER", purpose);
 }
 
 }  // namespace loopscope::storage
