@@ -11,6 +11,7 @@ DROP INDEX loopscope.schedule_due;
 CREATE INDEX schedule_due ON loopscope.schedule (visible_at, loop_id) WHERE enabled;
 -- What is looked for at every poll and is rare has an index of its own, small and with nothing dead at its head.
 CREATE INDEX schedule_suspect ON loopscope.schedule (visible_at) WHERE enabled AND lost_leases >= 2;
+CREATE INDEX schedule_held ON loopscope.schedule (visible_at) WHERE enabled AND owner IS NOT NULL;
 CREATE INDEX schedule_failing ON loopscope.schedule (loop_id) WHERE enabled AND attempts > 0;
 CREATE INDEX schedule_ahead ON loopscope.schedule (loop_id) WHERE enabled AND (last_slot_end > visible_at OR result_slot_end > visible_at);
 CREATE INDEX loop_period ON loopscope.loop (period_s) WHERE enabled;

@@ -1,7 +1,6 @@
 #include "storage/results/claim_due.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "storage/array_literal.hpp"
@@ -13,12 +12,13 @@
 namespace loopscope::storage {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-/// With nothing dead in the way all of time takes milliseconds.
-constexpr std::chrono::milliseconds kPatience{30};
+/// Seconds of the server's. With nothing dead in the way all of time takes some milliseconds.
+constexpr double kPatience_s = 0.03;
 /// After a stand of days the loops of all of them are due: the first claim is to find the oldest.
-constexpr std::chrono::milliseconds kFirstPatience{1000};
+constexpr double kFirstPatience_s = 1.0;
+/// All of time takes sixteen where nothing is dead. Each is a way to the server and back.
+constexpr int kMostSlices = 32;
+constexpr int kMostSlicesFirst = 1000;
 
 std::string text_of(const std::vector<std::string>& but_of) {
   ArrayLiteral sources;
@@ -62,18 +62,25 @@ Found claim_from_floor(Transaction& transaction, std::int64_t now_us, const DueC
   return found;
 }
 
+/// A look back: what it has spent, by the server's clock, and whether it found anything.
+struct Look {
+  double spent_s = 0.0;
+  bool found = false;
+};
+
 /// Seconds that the slice took.
 double look_through(Transaction& transaction, const std::string& but_of, ClaimFloor& floor,
-                    const ClaimFloor::Slice& slice, bool& found) {
-  const Clock::time_point began = Clock::now();
-  const pqxx::result rows = transaction.run(
+                    const ClaimFloor::Slice& slice, Look& look) {
+  const pqxx::row row = transaction.run(
       statements::kOldestDue, {std::to_string(slice.from_us), std::to_string(slice.to.due_us),
-                               std::to_string(slice.to.loop_id), but_of});
-  if (!rows.empty()) {
-    floor.lower(read_place(rows[0]));
-    found = true;
+                               std::to_string(slice.to.loop_id), but_of})[0];
+  if (!row["loop_id"].is_null()) {
+    floor.lower(read_place(row));
+    look.found = true;
   }
-  return std::chrono::duration<double>(Clock::now() - began).count();
+  const double took_s = row["took_s"].as<double>();
+  look.spent_s += took_s;
+  return took_s;
 }
 
 }  // namespace
@@ -104,19 +111,22 @@ std::vector<ClaimedLoop> claim_due(Session& session, const ClockCheck& check, co
 }
 
 bool look_back(Session& session, const std::vector<std::string>& but_of, ClaimFloor& floor) {
-  const Clock::time_point began = Clock::now();
-  const auto patience = floor.place() ? kPatience : kFirstPatience;
+  const bool is_first = !floor.place();
+  const double patience_s = is_first ? kFirstPatience_s : kPatience_s;
   const std::string sources = text_of(but_of);
-  bool found = false;
+  Look look;
   session.transact([&](Transaction& transaction) {
     static_cast<void>(floor.start(transaction_clock(transaction).now_us));
-    look_through(transaction, sources, floor, floor.nearest(), found);
-    for (bool at_end = false; !at_end && Clock::now() - began < patience;) {
+    const ClaimFloor::Slice nearest = floor.nearest();
+    look_through(transaction, sources, floor, nearest, look);
+    floor.looked_nearest(nearest);
+    for (int slices = is_first ? kMostSlicesFirst : kMostSlices;
+         slices > 0 && look.spent_s < patience_s; --slices) {
       const ClaimFloor::Slice slice = floor.next();
-      at_end = floor.looked(slice, look_through(transaction, sources, floor, slice, found));
+      if (floor.looked(slice, look_through(transaction, sources, floor, slice, look))) break;
     }
   });
-  return found;
+  return look.found;
 }
 
 }  // namespace loopscope::storage

@@ -23,9 +23,9 @@ struct DueClaim {
                                                  const DueClaim& claim, ClaimFloor& floor);
 
 /// Looks for loops that are due and lie before the floor, and lowers it to the oldest: in the
-/// nearest slice, then in further ones back in time until the beginning of time is reached, or 30
-/// ms (the first time a second) are over; the next call goes on from there. Returns whether one was
-/// found.
+/// nearest slice, then in further ones back in time until the beginning of time is reached, or the
+/// server has worked for 30 ms (the first time a second); the next call goes on from there. Returns
+/// whether one was found.
 bool look_back(Session& session, const std::vector<std::string>& but_of, ClaimFloor& floor);
 
 /// One row of a claim.

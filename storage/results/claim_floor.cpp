@@ -46,16 +46,19 @@ std::optional<DuePlace> ClaimFloor::place() const {
   return place_;
 }
 
-void ClaimFloor::begin_at(std::optional<DuePlace> place) {
+void ClaimFloor::raise_to(std::optional<DuePlace> place) {
   const std::lock_guard lock(mutex_);
-  place_ = place;
-  ++lowered_;
-  looked_down_to_us_.reset();
+  if (place && (!place_ || *place_ < *place)) place_ = place;
 }
 
 ClaimFloor::Slice ClaimFloor::nearest() const {
   const DuePlace to = place().value_or(kBeforeAll);
   return {std::max(to.due_us - kNearest_us, kBeforeAll.due_us), to};
+}
+
+void ClaimFloor::looked_nearest(const Slice& nearest) {
+  const std::lock_guard lock(mutex_);
+  if (!looked_down_to_us_) looked_down_to_us_ = nearest.from_us;
 }
 
 ClaimFloor::Slice ClaimFloor::next() const {
@@ -82,11 +85,9 @@ bool ClaimFloor::looked(const Slice& slice, double seconds) {
 ClaimFloor& ClaimFloors::of(const std::vector<std::string>& but_of) {
   if (but_of.empty()) return all_;
   const std::lock_guard lock(mutex_);
-  if (left_out_ != but_of) {
-    left_out_ = but_of;
-    elsewhere_.begin_at(all_.place());
-  }
-  return elsewhere_;
+  ClaimFloor& floor = elsewhere_[but_of];
+  floor.raise_to(all_.place());
+  return floor;
 }
 
 }  // namespace loopscope::storage

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -48,8 +49,8 @@ class ClaimFloor {
   void lower(DuePlace found);
   /// nullopt: nobody has begun yet.
   [[nodiscard]] std::optional<DuePlace> place() const;
-  /// Forgets what it knew.
-  void begin_at(std::optional<DuePlace> place);
+  /// Everything before `place` is taken for certain; nullopt says nothing.
+  void raise_to(std::optional<DuePlace> place);
 
   /// Loops due from `from_us` on, up to and with `to`.
   struct Slice {
@@ -58,10 +59,12 @@ class ClaimFloor {
   };
   /// The minute before the floor: where a loop that is missed most probably lies.
   [[nodiscard]] Slice nearest() const;
-  /// The next slice before that one, down to the beginning of time, then from there again.
+  /// Before it a new walk back in time begins, where none is under way.
+  void looked_nearest(const Slice& nearest);
+  /// The next slice of the walk, down to the beginning of time.
   [[nodiscard]] Slice next() const;
-  /// The slice of next() was looked through in so many seconds, which decides how wide the one
-  /// after it is. True: it reached the beginning of time.
+  /// The slice of next() was looked through in so many seconds of the server's, which decides how
+  /// wide the one after it is. True: it reached the beginning of time.
   bool looked(const Slice& slice, double seconds);
 
  private:
@@ -73,16 +76,16 @@ class ClaimFloor {
 };
 
 /// The floors of a process, whatever its connections. Claims that leave out sources have one of
-/// their own, because the loops of these stay where they are. Thread-safe.
+/// their own for each list of these, because the loops of these stay where they are. Thread-safe.
 class ClaimFloors {
  public:
+  /// Stays valid as long as this object.
   [[nodiscard]] ClaimFloor& of(const std::vector<std::string>& but_of);
 
  private:
   ClaimFloor all_;
-  ClaimFloor elsewhere_;
   std::mutex mutex_;
-  std::vector<std::string> left_out_;
+  std::map<std::vector<std::string>, ClaimFloor> elsewhere_;
 };
 
 }  // namespace loopscope::storage

@@ -66,16 +66,22 @@ const Statement kClaimDue{"claim_due", LOOPSCOPE_CLAIM_DUE("")};
 const Statement kClaimDueElsewhere{"claim_due_elsewhere",
                                    LOOPSCOPE_CLAIM_DUE("AND " LOOPSCOPE_ELSEWHERE("$6"))};
 
-const Statement kOldestDue{"oldest_due",
-                           "SELECT (extract(epoch FROM due.visible_at) * 1000000)::bigint AS due_us,"
-                           "  due.loop_id FROM loopscope.schedule AS due "
-                           "WHERE due.enabled AND due.visible_at >= " LOOPSCOPE_TIME("$1")
-                           "  AND due.visible_at <= least(" LOOPSCOPE_TIME("$2") ", now())"
-                           "  AND (due.visible_at, due.loop_id)"
-                           "    <= (least(" LOOPSCOPE_TIME("$2") ", now()), $3::bigint)"
-                           "  AND NOT (" LOOPSCOPE_SUSPECT ") "
-                           "  AND " LOOPSCOPE_ELSEWHERE("$4")
-                           "ORDER BY due.visible_at, due.loop_id LIMIT 1"};
+// Seconds as the server counts them: what the way there takes says nothing of dead entries. What is
+// locked is being claimed, or would not be claimed.
+const Statement kOldestDue{
+    "oldest_due",
+    "SELECT oldest.due_us, oldest.loop_id,"
+    "  extract(epoch FROM clock_timestamp() - statement_timestamp())::float8 AS took_s "
+    "FROM (SELECT 1) AS always LEFT JOIN LATERAL ("
+    "  SELECT (extract(epoch FROM due.visible_at) * 1000000)::bigint AS due_us, due.loop_id"
+    "  FROM loopscope.schedule AS due "
+    "  WHERE due.enabled AND due.visible_at >= " LOOPSCOPE_TIME("$1")
+    "    AND due.visible_at <= least(" LOOPSCOPE_TIME("$2") ", now())"
+    "    AND (due.visible_at, due.loop_id) <= (least(" LOOPSCOPE_TIME("$2") ", now()), $3::bigint)"
+    "    AND NOT (" LOOPSCOPE_SUSPECT ") AND " LOOPSCOPE_ELSEWHERE("$4")
+    "  ORDER BY due.visible_at, due.loop_id LIMIT 1 FOR UPDATE OF due SKIP LOCKED"
+    ") AS oldest ON true",
+    Rows::one};
 
 // Few loops have lost two leases, and they have an index of their own (schedule_suspect).
 const Statement kClaimSuspect{
@@ -162,10 +168,10 @@ const Statement kReleaseOwned{"release_owned", R"(
 // What a clock ahead has put off. A loop without failures waits for its next slot, one with
 // failures for the pause that its attempts give (daemon/service/slot.hpp, retry_pause_s); a claim
 // ends after the time for which it was made, and does so from now on: a worker that lives prolongs
-// it before. Beyond the settling time nothing else adds to either. No wait is shorter than the
-// shortest period, so that the scan of the due index begins there (a parameter, because the planner
-// has to see how few these are); a slot that lies after the time of its loop has an index of its
-// own (schedule_ahead).
+// it before. Beyond the settling time nothing else adds to either. No loop that nobody holds waits
+// for less than the shortest period, so that the scan of the due index begins there (a parameter,
+// because the planner has to see how few these are); a slot that lies after the time of its loop
+// has an index of its own (schedule_ahead).
 const Statement kShortestPeriod{
     "shortest_period",
     "SELECT coalesce(min(period_s), 0)::float8 AS period_s FROM loopscope.loop WHERE enabled",
@@ -174,6 +180,8 @@ const Statement kFindStray{"find_stray", R"(
     WITH ahead AS (
       SELECT * FROM loopscope.schedule
       WHERE enabled AND visible_at > now() + ($1::float8 + $2::float8) * interval '1 second'
+      UNION
+      SELECT * FROM loopscope.schedule WHERE enabled AND owner IS NOT NULL AND visible_at > now()
       UNION
       SELECT * FROM loopscope.schedule
       WHERE enabled AND (last_slot_end > visible_at OR result_slot_end > visible_at)

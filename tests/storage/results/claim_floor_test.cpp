@@ -47,6 +47,8 @@ TEST(ClaimFloorTest, LooksThroughAllTimeInSlicesWithoutAGap) {
   static_cast<void>(floor.start(kNow_us));
   const ClaimFloor::Slice nearest = floor.nearest();
   EXPECT_EQ(nearest.from_us, kNow_us - kMinute_us);
+  floor.looked_nearest(nearest);
+  floor.lower({kNow_us - kMinute_us / 2, 1});
   std::int64_t down_to_us = nearest.from_us;
   int slices = 0;
   for (bool at_end = false; !at_end; ++slices) {
@@ -58,8 +60,9 @@ TEST(ClaimFloorTest, LooksThroughAllTimeInSlicesWithoutAGap) {
   }
   EXPECT_EQ(down_to_us, kBeforeAll.due_us);
   EXPECT_LE(slices, 20);
-  EXPECT_EQ(floor.next().to, behind(kNow_us - kMinute_us)) << "and from the floor again";
-  EXPECT_EQ(floor.next().from_us, kNow_us - 2 * kMinute_us) << "as narrow as at first";
+  const std::int64_t lowered_us = kNow_us - kMinute_us / 2;
+  EXPECT_EQ(floor.next().to, behind(lowered_us - kMinute_us)) << "and from the floor again";
+  EXPECT_EQ(floor.next().from_us, lowered_us - 2 * kMinute_us) << "as narrow as at first";
 }
 
 /// A slice of constant cost: twice the dead entries an hour make it half as wide.
@@ -91,6 +94,9 @@ TEST(ClaimFloorsTest, ClaimsThatLeaveOutSourcesHaveAFloorOfTheirOwn) {
   EXPECT_EQ(floors.of({"a"}).place(), behind(kNow_us + kMinute_us));
   EXPECT_EQ(floors.of({}).place(), behind(kNow_us)) << "its loops are still to be found";
   EXPECT_EQ(floors.of({"b"}).place(), behind(kNow_us)) << "and those of a when b is away";
+  EXPECT_EQ(floors.of({"a"}).place(), behind(kNow_us + kMinute_us)) << "lists may come and go";
+  all.passed(all.start(kNow_us + 9 * kMinute_us), behind(kNow_us + 9 * kMinute_us));
+  EXPECT_EQ(floors.of({"a"}).place(), behind(kNow_us + 9 * kMinute_us));
 }
 
 }  // namespace

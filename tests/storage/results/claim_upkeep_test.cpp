@@ -64,6 +64,17 @@ TEST_F(ClaimUpkeepTest, AClaimMadeUnderAClockAheadEndsInItsTime) {
   EXPECT_EQ(value("SELECT count(owner) FROM loopscope.schedule"), "1");
 }
 
+/// Of a clock ahead by less than the loop's period.
+TEST_F(ClaimUpkeepTest, AClaimEndsInItsTimeHoweverLittleTheClockWasAhead) {
+  add_loops({"a"});
+  ResultsDatabase results = connect();
+  ASSERT_EQ(results.claim_due("dead", 100, 1).size(), 1U);
+  EXPECT_EQ(results.recall_stray(60), 0U);
+  database->execute("UPDATE loopscope.schedule SET visible_at = visible_at + interval '50 min'");
+  EXPECT_EQ(results.recall_stray(60), 1U);
+  EXPECT_EQ(value("SELECT visible_at <= now() + interval '100 s' FROM loopscope.schedule"), "t");
+}
+
 TEST_F(ClaimUpkeepTest, SlotsOfAClockAheadMakeWayForTheNewestStoredOne) {
   add_loops({"a", "b"});
   ResultsDatabase results = connect();
