@@ -15,6 +15,7 @@ namespace loopscope::storage {
 struct DuePlace {
   std::int64_t due_us = 0;  ///< microseconds UTC
   std::int64_t loop_id = 0;
+  // NOLINTNEXTLINE(modernize-use-nullptr): the 0 that the result is compared with is no pointer
   auto operator<=>(const DuePlace&) const = default;
 };
 

@@ -7,7 +7,7 @@
 namespace loopscope::storage {
 
 std::size_t recall_stray(Transaction& transaction, double settle_s) {
-  const double period_s = transaction.run(statements::kShortestPeriod)[0][0].as<double>();
+  const auto period_s = transaction.run(statements::kShortestPeriod)[0][0].as<double>();
   ArrayLiteral loop_id, fence, visible_at, slot_end;
   const pqxx::result strays =
       transaction.run(statements::kFindStray, {number_text(settle_s), number_text(period_s)});

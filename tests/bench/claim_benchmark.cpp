@@ -115,7 +115,8 @@ class Plant {
     constexpr int kClaims = 20;
     for (int k = 0; k < kClaims; ++k) {
       const auto claims = timed(times.claim_next, [&] {
-        return results_->claim_next("bench/1/0", 60.0, kBatch, k * (loops_ / kClaims));
+        return results_->claim_next("bench/1/0", 60.0, kBatch,
+                                    std::int64_t{k} * (loops_ / kClaims));
       });
       finish(claims, due_us, times);
     }
