@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "tests/storage/results/results_fixture.hpp"
+#include "tests/support/delayed_server.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -83,6 +84,38 @@ TEST_F(OldSnapshotTest, ALoopLeftOutIsFoundBeforeTheFloorOfTheOthers) {
       "UPDATE loopscope.schedule SET owner = NULL, visible_at = now() - interval '2 h'");
   EXPECT_THAT(results.claim_due("me", 60, 10, {"away"}), SizeIs(1));
   EXPECT_THAT(results.claim_due("me", 60, 10), SizeIs(1)) << "it is not away any more";
+}
+
+/// Thirty ways there and back of 20 ms: a look that counted those would end after one.
+TEST_F(OldSnapshotTest, WhatLiesFarBackIsFoundOverASlowLine) {
+  add_loops({"a"});
+  const tests::DelayedServer slow(std::chrono::milliseconds(10));
+  ConnectionSettings settings = settings_for(*database);
+  settings.conninfo = slow.conninfo(settings.conninfo);
+  ResultsDatabase results(settings);
+  ASSERT_THAT(claim_all(results), SizeIs(1));
+  ASSERT_THAT(claim_all(results), IsEmpty());
+  database->execute(
+      "UPDATE loopscope.schedule SET owner = NULL, visible_at = now() - interval '40 days'");
+  EXPECT_THAT(claim_all(results), SizeIs(1));
+}
+
+/// Else every claim would begin there, as long as the transaction stays open.
+TEST_F(OldSnapshotTest, ARowThatAForgottenTransactionHasLockedLowersNoFloor) {
+  add_loops({"a", "b"});
+  database->execute(
+      "UPDATE loopscope.schedule SET visible_at = now() - interval '2 h' WHERE loop_id = 1");
+  const tests::SqlConnection forgotten(database->conninfo());
+  forgotten.run("BEGIN; SELECT FROM loopscope.schedule WHERE loop_id = 1 FOR UPDATE");
+  const auto floors = std::make_shared<ClaimFloors>();
+  ResultsDatabase results(settings_for(*database), {}, floors);
+  ASSERT_THAT(claim_all(results), SizeIs(1));
+  const std::optional<DuePlace> floor = floors->of({}).place();
+  results.look_back();
+  EXPECT_EQ(floors->of({}).place(), floor);
+  forgotten.run("ROLLBACK");
+  results.look_back();
+  EXPECT_LT(floors->of({}).place(), floor);
 }
 
 /// A claim that was not committed leaves its loops where they were.
