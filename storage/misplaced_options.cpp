@@ -36,6 +36,12 @@ bool holds_login(const std::string& name) {
   return colon != std::string::npos && name.find('@', colon) != std::string::npos;
 }
 
+/// Another separator than the space has put the options that follow into this one.
+bool holds_options(const std::string& value) {
+  return value.find("password") != std::string::npos || value.find("pwd") != std::string::npos ||
+         value.find_first_of(";&") != std::string::npos;
+}
+
 [[noreturn]] void refuse(const std::string& option, const std::string& what,
                          const std::string& hint, const std::string& purpose) {
   throw DatabaseError("the connection string: " + option + "= holds " + what +
@@ -50,10 +56,15 @@ void refuse_misplaced(const ConnectionOptions& options, const std::string& purpo
     const auto found = options.find(option);
     return found == options.end() ? std::string() : found->second;
   };
-  const std::string database = value("dbname");
-  if (database.find("://") != std::string::npos || database.find("password") != std::string::npos)
+  if (value("dbname").find("://") != std::string::npos)
     refuse("dbname", "a whole connection string",
            "give that string alone, without dbname=", purpose);
+  for (const char* option :
+       {"host", "hostaddr", "dbname", "user", "service", "sslmode", "target_session_attrs"}) {
+    if (holds_options(value(option)))
+      refuse(option, "more options than one", "put spaces between options, and none into one",
+             purpose);
+  }
   for (const char* option : {"dbname", "service"}) {
     if (holds_login(value(option)))
       refuse(option, "more than a name",

@@ -25,7 +25,7 @@ namespace {
   "SELECT " LOOPSCOPE_LOOP_COLUMNS                                                              \
   ","                                                                                           \
   "  claimed.fence, claimed.attempts, (extract(epoch FROM now()) * 1000000)::bigint AS now_us," \
-  "  (extract(epoch FROM chosen.visible_at) * 1000000)::bigint AS due_us,"                      \
+  "  (extract(epoch FROM least(chosen.visible_at, now())) * 1000000)::bigint AS due_us,"        \
   "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us,"        \
   "  said.code AS last_code, said.confidence AS last_confidence, said.p AS last_p "             \
   "FROM claimed JOIN chosen USING (loop_id) JOIN loopscope.loop USING (loop_id) "               \

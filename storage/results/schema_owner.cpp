@@ -24,10 +24,14 @@ void refuse_stranger(const SchemaOwner& found) {
       Remedy::give_up);
 }
 
-/// To become another role would not do: any function of the schema can go back by RESET ROLE.
+/// To become another role would not do: any function of the schema can go back by RESET ROLE, and a
+/// member of a superuser's role can become that one.
 void refuse_superuser(const SchemaOwner& found) {
-  if (!found.superuser) return;
-  throw DatabaseError("the login " + found.login + " of the results database is a superuser",
+  if (found.superuser.empty()) return;
+  const std::string what = found.superuser == found.login
+                               ? "a superuser"
+                               : "a member of the superuser " + found.superuser;
+  throw DatabaseError("the login " + found.login + " of the results database is " + what,
                       "nothing of the schema was executed; connect as a login that is a member of "
                       "loopscope_owner (migrate, maintain) or loopscope_worker: as a superuser, "
                       "psql -f deploy/roles.sql makes these groups" +
@@ -38,8 +42,8 @@ void refuse_superuser(const SchemaOwner& found) {
 }  // namespace
 
 SchemaOwner find_schema_owner(Transaction& transaction) {
-  const pqxx::row row = transaction.run(statements::kFindSchemaOwner)[0];
-  return {row["login"].c_str(), row["superuser"].as<bool>(), row["owner"].c_str(),
+  const pqxx::row row = transaction.run(statements::kFindSchemaOwner, {transaction.login()})[0];
+  return {row["login"].c_str(), row["superuser"].c_str(), row["owner"].c_str(),
           row["owner_trusted"].as<bool>()};
 }
 

@@ -25,6 +25,8 @@ class Transaction {
   pqxx::result run(const Statement& statement, const std::vector<std::string>& parameters = {});
   /// Runs a script of several commands (a migration).
   void run_script(const char* name, const char* sql);
+  /// As whom the connection was made, whatever the session is by now.
+  [[nodiscard]] std::string login() const { return work_.conn().username(); }
 
  private:
   friend class Session;

@@ -173,15 +173,22 @@ const Statement kSchemaVersion{"schema_version",
 const Statement kOldestProgram{"oldest_program", "SELECT loopscope.oldest_program()", Rows::one};
 
 // Where there is no schema yet, there is nobody to mistrust. A role that does not exist has no
-// members.
+// members. The login ($1) is looked at by itself: an option of the connection can have set another
+// session_user, which RESET SESSION AUTHORIZATION would take back.
 const Statement kFindSchemaOwner{"find_schema_owner", R"(
-    SELECT login.rolname AS login, login.rolsuper OR role.rolsuper AS superuser,
-           coalesce(owner.rolname, '') AS owner,
+    SELECT coalesce(powerful.login, session_user) AS login,
+           coalesce(powerful.superuser, '') AS superuser, coalesce(owner.rolname, '') AS owner,
            coalesce(owner.rolsuper OR owner.oid IN (role.oid, database.datdba)
                       OR pg_has_role(owner.oid, owners.oid, 'MEMBER'), owner.oid IS NULL)
              AS owner_trusted
     FROM pg_roles AS role
-    JOIN pg_roles AS login ON login.rolname = session_user
+    LEFT JOIN LATERAL (
+      SELECT login.rolname AS login, super.rolname AS superuser
+      FROM pg_roles AS login JOIN pg_roles AS super ON super.rolsuper
+      WHERE login.rolname IN ($1::name, session_user, current_user)
+        AND pg_has_role(login.oid, super.oid, 'MEMBER')
+      ORDER BY login.oid = super.oid DESC, super.rolname LIMIT 1
+    ) AS powerful ON true
     JOIN pg_database AS database ON database.datname = current_database()
     LEFT JOIN pg_roles AS owners ON owners.rolname = 'loopscope_owner'
     LEFT JOIN pg_namespace AS schema ON schema.nspname = 'loopscope'

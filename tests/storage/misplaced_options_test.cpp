@@ -26,12 +26,27 @@ std::string shown(const std::string& conninfo) {
 }
 
 TEST(MisplacedOptions, APasswordInAnotherPlaceIsRefusedAndNotShown) {
-  for (const char* conninfo :
-       {"dbname='postgresql://u:geheim@h/db'", "dbname='host=h password=geheim'", "user='u:geheim'",
-        "host=u:geheim@db1", "host=db1,u:geheim@db2", "host=geheim@db1", "host=u:geheim",
-        "hostaddr=u:geheim@10.0.0.1", "postgresql://db/r?host=u:geheim@db1", "dbname=u:geheim@h/db",
-        "service=u:geheim@h", "postgresql://h/u:geheim@db", "postgresql:///r?service=u:geheim@h",
-        "host=h port=5432:geheim"}) {
+  for (const char* conninfo : {"dbname='postgresql://u:geheim@h/db'",
+                               "dbname='host=h password=geheim'",
+                               "user='u:geheim'",
+                               "host=u:geheim@db1",
+                               "host=db1,u:geheim@db2",
+                               "host=geheim@db1",
+                               "host=u:geheim",
+                               "hostaddr=u:geheim@10.0.0.1",
+                               "postgresql://db/r?host=u:geheim@db1",
+                               "dbname=u:geheim@h/db",
+                               "service=u:geheim@h",
+                               "postgresql://h/u:geheim@db",
+                               "postgresql:///r?service=u:geheim@h",
+                               "host=h port=5432:geheim",
+                               "host=h;user=u;password=geheim",
+                               "host=h,user=u,password=geheim",
+                               "host=h&pwd=geheim",
+                               "user=u;geheim",
+                               "service=x;password=geheim",
+                               "sslmode=require;password=geheim",
+                               "dbname=x,pwd:geheim"}) {
     EXPECT_THAT(shown(conninfo), HasSubstr("not shown, it may hold a password")) << conninfo;
     EXPECT_THAT(shown(conninfo), Not(HasSubstr("geheim"))) << conninfo;
   }

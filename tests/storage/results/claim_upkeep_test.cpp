@@ -90,6 +90,15 @@ TEST_F(ClaimUpkeepTest, SlotsOfAClockAheadMakeWayForTheNewestStoredOne) {
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.latest_verdict"), "2");
 }
 
+TEST_F(ClaimUpkeepTest, ALoopRegisteredAtNoTimeStopsNoClaim) {
+  add_loops({"a", "b", "c"});
+  database->execute(
+      "UPDATE loopscope.loop SET registered_at = CASE name WHEN 'a' THEN 'infinity'"
+      " WHEN 'b' THEN '-infinity' ELSE '294276-12-31' END::timestamptz");
+  ResultsDatabase results = connect();
+  EXPECT_EQ(claim_all(results, 60).size(), 3U);
+}
+
 TEST_F(ClaimUpkeepTest, NoValueOfAWorkerStopsTheClaims) {
   database = database_of_owner();
   add_loops({"a", "b"});
@@ -113,6 +122,8 @@ TEST_F(ClaimUpkeepTest, NoValueOfAWorkerStopsTheClaims) {
     EXPECT_EQ(claim_all(results, 60).size(), 2U) << strange;
     database->execute("UPDATE loopscope.schedule SET owner = NULL, lost_leases = 0");
   }
+  EXPECT_EQ(thief.state_of_bare("UPDATE loopscope.schedule SET visible_at = '294276-12-31'"), "");
+  EXPECT_EQ(results.claim_next("me", 60, 10, 0).size(), 2U) << "as once does";
 }
 
 }  // namespace

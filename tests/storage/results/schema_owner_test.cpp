@@ -116,6 +116,26 @@ TEST_F(SchemaOwnerTest, ASuperuserIsRefusedBeforeAnythingIsExecuted) {
   EXPECT_FALSE(executed());
 }
 
+/// Such a one is a superuser as soon as a function of the schema says SET ROLE.
+TEST_F(SchemaOwnerTest, AMemberOfASuperuserIsRefused) {
+  migrate(settings_for(*database, owner));
+  const std::string administrator = database->make_login("loopscope_owner");
+  database->execute("GRANT postgres TO " + administrator);
+  for (const std::string& error : errors_as(administrator))
+    EXPECT_THAT(error, HasSubstr("the login " + administrator +
+                                 " of the results database is a"
+                                 " member of the superuser postgres"));
+}
+
+/// A function of the schema could take it back by RESET SESSION AUTHORIZATION.
+TEST_F(SchemaOwnerTest, ASuperuserThatAnOptionHidesIsRefused) {
+  migrate(settings_for(*database, owner));
+  ConnectionSettings settings = settings_for(*database, "postgres");
+  settings.conninfo += " options='-c session_authorization=" + owner + "'";
+  EXPECT_THAT(error_of([&] { migrate(settings); }),
+              HasSubstr("the login postgres of the results database is a superuser"));
+}
+
 TEST_F(SchemaOwnerTest, ASuperuserWhoOwnsTheSchemaIsToldToGiveItAway) {
   database->execute("CREATE SCHEMA loopscope");
   for (const std::string& error : errors_as("postgres")) {
