@@ -36,10 +36,16 @@ bool holds_login(const std::string& name) {
   return colon != std::string::npos && name.find('@', colon) != std::string::npos;
 }
 
-/// Another separator than the space has put the options that follow into this one.
+/// Another separator than the space has put the options that follow into this one. A service may be
+/// called "with_password".
 bool holds_options(const std::string& value) {
-  return value.find("password") != std::string::npos || value.find("pwd") != std::string::npos ||
-         value.find_first_of(";&") != std::string::npos;
+  for (const std::string word : {"password", "pwd"}) {
+    for (auto at = value.find(word); at != std::string::npos; at = value.find(word, at + 1)) {
+      const auto next = value.find_first_not_of(' ', at + word.size());
+      if (next != std::string::npos && (value[next] == '=' || value[next] == ':')) return true;
+    }
+  }
+  return value.find_first_of(";&") != std::string::npos;
 }
 
 [[noreturn]] void refuse(const std::string& option, const std::string& what,
