@@ -42,6 +42,16 @@ std::string text_of(const Descriptor& link) {
   return text;
 }
 
+/// Whether others may rename what lies in the folder, and so put a link of this user's, or of
+/// root's, into the place of any name there.
+bool others_may_rename_in(const Descriptor& folder) {
+  struct stat status {};
+  if (::fstat(folder.number(), &status) != 0) fail(errno);
+  if (status.st_uid != 0 && status.st_uid != ::geteuid()) return true;
+  const bool groups = (status.st_mode & S_IWGRP) != 0 && status.st_gid != ::getegid();
+  return (status.st_mode & S_ISVTX) == 0 && (groups || (status.st_mode & S_IWOTH) != 0);
+}
+
 class Walk {
  public:
   explicit Walk(const fs::path& path) : path_(path) { go_along(path); }
@@ -99,16 +109,18 @@ class Walk {
     struct stat status {};
     if (!link.open() || ::fstat(link.number(), &status) != 0 || !S_ISLNK(status.st_mode)) return {};
     if (++links_ > kMostLinks) fail(ELOOP);
-    if (status.st_uid != 0 && status.st_uid != ::geteuid()) refuse(name, status.st_uid);
+    // Nobody makes those; where root has no number (user namespaces) they seem to be another's.
+    if (is_in_proc(link)) return link;
+    if (status.st_uid != 0 && status.st_uid != ::geteuid())
+      refuse(name, fmt::format("another user (number {}) has made", status.st_uid));
+    if (others_may_rename_in(folder_)) refuse(name, "others may rename in its folder");
     return link;
   }
 
-  [[noreturn]] void refuse(const std::string& link, uid_t maker) const {
-    throw Failure(
-        ExitCode::usage,
-        fmt::format("cannot write {}: {} is a link that another user (number {}) has made",
-                    path_.string(), link, maker),
-        "name what the link leads to, or remove the link");
+  [[noreturn]] void refuse(const std::string& link, const std::string& why) const {
+    throw Failure(ExitCode::usage,
+                  fmt::format("cannot write {}: {} is a link that {}", path_.string(), link, why),
+                  "name what the link leads to, or remove the link");
   }
 
   const fs::path& path_;  ///< as the caller calls it

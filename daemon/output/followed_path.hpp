@@ -16,9 +16,10 @@ struct FollowedPath {
 };
 
 /// Goes along `path` component by component. A link, to a folder or to a file, is followed only if
-/// this user or root has made it, since whoever may write into a folder may plant one that leads to
-/// any file of the writer's; as many links as Linux would follow. Throws Failure (usage) for a link
-/// of somebody else, std::system_error for what the system refuses.
+/// this user or root has made it and nobody else may rename it, since whoever may write into a
+/// folder may plant one that leads to any file of the writer's; as many links as Linux would
+/// follow. A group counts as nobody else if it is this process's own. Throws Failure (usage) for
+/// any other link, std::system_error for what the system refuses.
 [[nodiscard]] FollowedPath follow(const std::filesystem::path& path);
 
 /// The folder `path` by the same rule, opened with O_PATH.

@@ -26,6 +26,19 @@ bool is_pipe(const FollowedPath& path) {
          S_ISFIFO(status.st_mode);
 }
 
+/// What was handed over open may be written to even where it may not be opened by its name: a pipe
+/// of whoever has called sudo. Not open for anything else.
+Descriptor handed_over(const FollowedPath& path) {
+  struct stat folder {};
+  struct stat own {};
+  const bool is_own = path.open_file && ::fstat(path.folder.number(), &folder) == 0 &&
+                      ::stat("/proc/self/fd", &own) == 0 && folder.st_dev == own.st_dev &&
+                      folder.st_ino == own.st_ino;
+  if (!is_own || ::faccessat(path.folder.number(), path.name.c_str(), W_OK, AT_EACCESS) == 0)
+    return {};
+  return Descriptor(::fcntl(std::stoi(path.name), F_DUPFD_CLOEXEC, 0));
+}
+
 /// Waits for nobody while it opens; what is written afterwards waits for its reader as usual.
 Descriptor open_at_once(const OutputTarget& target) {
   const FollowedPath& path = target.path;
@@ -58,6 +71,7 @@ OutputTarget find_output_target(const std::filesystem::path& file) {
 }
 
 Descriptor open_in_place(const OutputTarget& target) {
+  if (Descriptor handed = handed_over(target.path); handed.open()) return handed;
   Descriptor opened = open_at_once(target);
   struct stat status {};
   if (::fstat(opened.number(), &status) != 0) fail(errno);

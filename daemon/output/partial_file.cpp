@@ -10,6 +10,7 @@
 #include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <utility>
 
 namespace loopscope::daemon {
@@ -104,13 +105,36 @@ mode_t mode_of_new_file() {
   return kOwnersAlone;
 }
 
-mode_t mode_instead_of(const Descriptor& folder, const std::string& target) {
+/// With an access list the bits of the group are the most that anybody in the list has.
+bool has_access_list(const Descriptor& folder, const std::string& name) {
+  const std::string path = fmt::format("/proc/self/fd/{}/{}", folder.number(), name);
+  return ::lgetxattr(path.c_str(), "system.posix_acl_access", nullptr, 0) > 0;
+}
+
+/// Whether the new file has the group of the old one; that of one's own is kept if it may be.
+bool has_group_of(const struct stat& old, const Descriptor& file) {
+  struct stat now {};
+  if (::fstat(file.number(), &now) == 0 && now.st_gid == old.st_gid) return true;
+  const auto same_user = static_cast<uid_t>(-1);
+  return old.st_uid == ::geteuid() && ::fchown(file.number(), same_user, old.st_gid) == 0;
+}
+
+/// What the group has no more than everybody has.
+mode_t as_for_everybody(mode_t mode) {
+  return (mode & ~static_cast<mode_t>(S_IRWXG)) | (mode & (mode << 3U) & S_IRWXG);
+}
+
+/// Also gives `file` the group of the old one if it can.
+mode_t mode_instead_of(const Descriptor& folder, const std::string& target,
+                       const Descriptor& file) {
   struct stat old {};
   if (::fstatat(folder.number(), target.c_str(), &old, AT_SYMLINK_NOFOLLOW) != 0 ||
       !S_ISREG(old.st_mode))
     return mode_of_new_file();
-  const mode_t kept = old.st_mode & kPermissions;
-  return old.st_uid == ::geteuid() ? kept : kept & mode_of_new_file();
+  mode_t kept = old.st_mode & kPermissions;
+  if (old.st_uid != ::geteuid()) kept &= mode_of_new_file();
+  const bool same_group = has_group_of(old, file) && !has_access_list(folder, target);
+  return same_group ? kept : as_for_everybody(kept);
 }
 
 void make_name_durable(const Descriptor& folder) {
@@ -133,7 +157,7 @@ PartialFile::~PartialFile() {
 
 void PartialFile::replace_target() {
   // File systems without permissions refuse: nothing is lost there.
-  ::fchmod(file_.number(), mode_instead_of(folder_, target_));
+  ::fchmod(file_.number(), mode_instead_of(folder_, target_, file_));
   require(::fsync(file_.number()) == 0);
   require(::renameat(folder_.number(), name_.c_str(), folder_.number(), target_.c_str()) == 0);
   name_.clear();

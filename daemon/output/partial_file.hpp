@@ -25,8 +25,9 @@ class PartialFile {
   [[nodiscard]] int descriptor() const { return file_.number(); }
 
   /// Gives it the permissions and the name of the target, once it is on the disk: after a loss of
-  /// power the name leads to the old file or to all of the new one. The permissions are those of a
-  /// target of this user's, else what the mask leaves of them.
+  /// power the name leads to the old file or to all of the new one. Permissions and group are
+  /// those of a target of this user's; of another's there is what the mask leaves of them. A group
+  /// that is another one than before gets no more than everybody. Access lists are not kept.
   void replace_target();
 
  private:
