@@ -26,11 +26,32 @@ constexpr const char* kName = ".loopscope-report.lock";
                     : "let the user of the service write there (deploy/RUNBOOK.md, Reports)");
 }
 
-/// Workers of several users share a folder that all of them may write into: the lock is as open as
-/// the folder. Only its maker can say so, and only he needs to.
+/// Workers of several users share a folder that all of them may write into: they may take the lock.
+/// Nobody else may open it, since a lock needs no right to write. Only its maker can say so, and
+/// only he needs to.
 void open_to_writers_of(const Descriptor& folder, const Descriptor& lock) {
+  const auto same_user = static_cast<uid_t>(-1);
   struct stat status {};
-  if (::fstat(folder.number(), &status) == 0) ::fchmod(lock.number(), status.st_mode & 0666U);
+  if (::fstat(folder.number(), &status) != 0) return;
+  mode_t mode = 0600;
+  if ((status.st_mode & S_IWOTH) != 0) {
+    mode = 0666;
+  } else if ((status.st_mode & S_IWGRP) != 0 &&
+             ::fchown(lock.number(), same_user, status.st_gid) == 0) {
+    mode = 0660;
+  }
+  ::fchmod(lock.number(), mode);
+}
+
+/// O_CREAT only where there is none: with it Linux refuses what is another user's in a sticky
+/// folder (fs.protected_regular). Not open, with errno, where neither is possible.
+Descriptor open_or_create(const Descriptor& folder) {
+  constexpr int kFlags = O_RDWR | O_NOFOLLOW | O_CLOEXEC;
+  Descriptor found(::openat(folder.number(), kName, kFlags));
+  if (found.open() || errno != ENOENT) return found;
+  Descriptor made(::openat(folder.number(), kName, kFlags | O_CREAT | O_EXCL, 0600));
+  if (made.open() || errno != EEXIST) return made;
+  return Descriptor(::openat(folder.number(), kName, kFlags));
 }
 
 Descriptor open_for_lock(const fs::path& folder) {
@@ -45,8 +66,7 @@ Descriptor open_for_lock(const fs::path& folder) {
 
 FolderLock::FolderLock(const fs::path& folder) {
   const Descriptor opened = open_for_lock(folder);
-  file_ =
-      Descriptor(::openat(opened.number(), kName, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600));
+  file_ = open_or_create(opened);
   if (!file_.open()) cannot_lock(folder, errno);
   open_to_writers_of(opened, file_);
   held_ = ::flock(file_.number(), LOCK_EX | LOCK_NB) == 0;

@@ -8,8 +8,8 @@ namespace loopscope::daemon {
 
 /// Held by the one process that writes reports into a folder; the kernel frees it when that one
 /// dies. It is a lock on the file `.loopscope-report.lock`, which whoever may write into the folder
-/// may take, whatever his user; links to the folder are followed as follow() does. Throws Failure
-/// (usage) when there can be no such file.
+/// may take, whatever his user, and nobody else; links to the folder are followed as follow() does.
+/// Throws Failure (usage) when there can be no such file.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

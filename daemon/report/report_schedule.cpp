@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <fmt/format.h>
 #include <map>
 #include <regex>
 #include <spdlog/spdlog.h>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -36,9 +38,10 @@ std::int64_t now_us() {
 }
 
 /// Reports by name, with all files of each.
-std::map<std::string, std::vector<fs::path>> reports_in(const fs::path& folder) {
+std::map<std::string, std::vector<fs::path>> reports_in(const Descriptor& opened) {
   static const std::regex names(R"((loopscope-\d{4}-\d{2}-\d{2}T\d{4}Z)\.(html|pdf))");
   std::map<std::string, std::vector<fs::path>> reports;
+  const fs::path folder = "/proc/self/fd/" + std::to_string(opened.number());
   for (const auto& entry : fs::directory_iterator(folder)) {
     std::smatch match;
     const std::string name = entry.path().filename().string();
@@ -55,12 +58,18 @@ std::string report_name(std::int64_t end_us) {
 }
 
 void drop_old_reports(const fs::path& folder, int keep, const std::string& newest) {
-  auto reports = reports_in(folder);
+  const Descriptor opened = open_folder(folder);
+  auto reports = reports_in(opened);
   reports.erase(reports.upper_bound(newest), reports.end());
   std::size_t left = reports.size();
   for (const auto& [name, files] : reports) {  // the oldest first
     if (left-- <= static_cast<std::size_t>(keep)) break;
-    for (const fs::path& file : files) fs::remove(file);
+    for (const fs::path& file : files) {
+      std::error_code error;
+      if (fs::remove(file, error); error)
+        spdlog::warn("an old report stays, {}: {} HINT: remove it by hand",
+                     (folder / file.filename()).string(), error.message());
+    }
   }
 }
 
@@ -102,16 +111,31 @@ void ReportSchedule::run(const std::stop_token& stop) {
   }
 }
 
+void LockPatience::was_taken(const config::ReportSettings& report) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!taken_since_) taken_since_ = now;
+  if (std::chrono::duration<double>(now - *taken_since_).count() <= report.every_s) return;
+  throw Failure(
+      ExitCode::usage,
+      fmt::format("no report was written into the folder {} for {} s: somebody else holds "
+                  "the lock .loopscope-report.lock there",
+                  report.folder, report.every_s),
+      "look who does, e.g. with lslocks as root: a worker that hangs, or a user who may "
+      "write into the folder");
+}
+
 void ReportSchedule::write_due(const config::Settings& settings, const std::stop_token& stop) {
   const config::ReportSettings& report = settings.report;
   const fs::path folder = report.folder;
   const std::int64_t end_us = floor_to_period(now_us(), report.every_s);
   const std::string name = report_name(end_us);
   const fs::path page = folder / (name + ".html");
-  if (fs::exists(page)) return;
+  if (fs::exists(page)) return lock_.was_free();
   make_folders(folder);
   const FolderLock lock(folder);
-  if (!lock.held() || fs::exists(page)) return;
+  if (!lock.held()) return lock_.was_taken(report);
+  lock_.was_free();
+  if (fs::exists(page)) return;
   const auto span_us =
       static_cast<std::int64_t>(report.every_s * core::signal::kMicrosecondsPerSecond);
   const ReportResult result = write_report(

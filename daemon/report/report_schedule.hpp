@@ -1,10 +1,12 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -14,11 +16,22 @@
 
 namespace loopscope::daemon {
 
+/// Others may write the reports, but not hold the folder's lock for ever. Of one thread.
+class LockPatience {
+ public:
+  /// Throws Failure (usage) once it was never free for `every_s`.
+  void was_taken(const config::ReportSettings& report);
+  void was_free() { taken_since_.reset(); }
+
+ private:
+  std::optional<std::chrono::steady_clock::time_point> taken_since_;
+};
+
 /// Writes a report into `/report/folder` every `/report/every_s`, on a thread of low priority and
 /// connections of its own, and keeps the last `/report/keep` of them. The files are named by the
 /// end of their span, so that of several workers with one folder only one writes each: who finds
 /// the file there, or the folder's lock taken, has nothing to do. A report that failed is tried
-/// again, and the fault said once.
+/// again, and the fault said once, as is a lock that is not free for a whole period.
 class ReportSchedule {
  public:
   ReportSchedule(std::shared_ptr<const config::Settings> settings, FaultLog& faults);
@@ -34,6 +47,7 @@ class ReportSchedule {
   void write_due(const config::Settings& settings, const std::stop_token& stop);
 
   FaultLog& faults_;
+  LockPatience lock_;
   std::mutex mutex_;  ///< over settings_
   std::condition_variable_any changed_;
   std::shared_ptr<const config::Settings> settings_;
@@ -45,7 +59,8 @@ class ReportSchedule {
 
 /// Removes all but `keep` reports of a folder, pages and PDFs: `newest` and those before it.
 /// Reports of later times, which a clock that was ahead has named, neither count nor go; files of
-/// other names stay.
+/// other names stay. What cannot be removed is said and left. Links to the folder are followed as
+/// follow() does, and it throws as that does.
 void drop_old_reports(const std::filesystem::path& folder, int keep, const std::string& newest);
 
 }  // namespace loopscope::daemon
