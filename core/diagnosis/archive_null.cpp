@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <random>
 
 #include "core/hos/draw_missing.hpp"
-#include "core/hos/linear_model.hpp"
+#include "core/hos/innovations.hpp"
+#include "core/hos/surrogates.hpp"
 #include "core/signal/archive.hpp"
 #include "core/signal/holes.hpp"
 #include "core/signal/swinging_door.hpp"
@@ -67,12 +67,14 @@ void allow_for_door(const signal::Samples& error, double band, const hos::Settin
   const bool clear = std::ranges::all_of(
       kTests, [&](auto test) { return (result.*test).value_or(1.0) > kUnclear; });
   if (clear || !(band > 0.0)) return;
-  const std::optional<hos::LinearModel> model = hos::LinearModel::fit(error);
-  if (!model) return;
-  std::mt19937_64 random(seed);
+  const std::optional<hos::Innovations> innovations = hos::Innovations::of(error);
+  if (!innovations) return;
+  hos::Surrogates surrogates(error, *innovations, hos::Null::permuted, seed);
+  signal::Samples record;
   DoorEvidence evidence;
   for (int i = 0; i < kRecords; ++i) {
-    const auto seen = behind_door(model->draw(error, random), band, settings, random());
+    surrogates.draw(record);
+    const auto seen = behind_door(record, band, settings, seed + static_cast<std::uint64_t>(i));
     if (seen) evidence.add(*seen);
   }
   for (std::size_t i = 0; i < kTests.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 #include "core/hos/analyse.hpp"
 #include "core/hos/slow_look.hpp"
@@ -14,10 +15,20 @@
 
 namespace loopscope::core {
 
+/// What the p-values of the higher-order statistics rest on; the published indices are always those
+/// of sp - pv.
+enum class TestedOn {
+  error,           ///< sp - pv
+  model_residual,  ///< sp - pv less the loop's linear answer to a setpoint that moves all the time
+};
+[[nodiscard]] std::string_view name(TestedOn tested_on);
+
 /// Everything measured on one window; what could not be measured is nullopt in its own struct.
 struct Evidence {
   signal::DataQuality data_quality;
   std::optional<hos::Result> hos;  ///< nullopt when the data are not usable
+  TestedOn tested_on = TestedOn::error;
+  std::size_t samples_wanted = 0;  ///< with which Coupling::too_short would not be; 0 = it is not
   loop::Oscillation oscillation;   ///< of the error
   loop::Performance performance;
   loop::Shape shape;

@@ -1,12 +1,14 @@
 #include "core/diagnosis/gather_evidence.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "core/diagnosis/archive_null.hpp"
 #include "core/diagnosis/steady_error.hpp"
+#include "core/hos/period.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core {
@@ -34,8 +36,18 @@ void refuse_tests(hos::Result& result) {
   result.nli_p.reset();
   result.cubic_p.reset();
   result.nonlinear_p.reset();
+  result.innovation_p.reset();
   result.coupling = hos::Coupling::none_found;
   for (hos::Peak& peak : result.peaks) peak.p.reset();
+}
+
+/// One loop with normal noise in a thousand gets a flag of its noise.
+constexpr double kOddNoise = 1e-3;
+
+void note_noise(const std::optional<hos::NoiseShape>& noise, signal::DataQuality& quality) {
+  if (!noise) return;
+  if (noise->tails_p <= kOddNoise) add_flag(quality, "heavy_tails");
+  if (noise->variance_p <= kOddNoise) add_flag(quality, "variance_changes");
 }
 
 /// What was found odd about the error, and what follows from it.
@@ -53,20 +65,36 @@ void measure_statistics(const signal::PreparedLoop& loop, const AnalysisSettings
   signal::DataQuality& quality = evidence.data_quality;
   const SteadyError steady = steady_error(loop, settings.hos, seed);
   note(steady, quality);
-  evidence.hos = hos::analyse(steady.error, settings.hos, seed);
+  evidence.hos = steady.residual.empty()
+                     ? hos::analyse(steady.error, settings.hos, seed)
+                     : hos::analyse(steady.error, steady.residual, settings.hos, seed);
+  evidence.tested_on = steady.residual.empty() ? TestedOn::error : TestedOn::model_residual;
   if (evidence.hos && !quality.refusals.empty()) {
     refuse_tests(*evidence.hos);
   } else if (evidence.hos && loop.archive == signal::Archive::swinging_door) {
-    allow_for_door(steady.error, loop.band, settings.hos, seed, *evidence.hos);
+    allow_for_door(steady.tested(), loop.band, settings.hos, seed, *evidence.hos);
   }
   const std::size_t segments = evidence.hos ? evidence.hos->segments : 0;
   if (segments < kMinSegments) {
     evidence.hos.reset();
     quality.usable = false;
     quality.reason = unusable_segments(segments, loop);
-  } else if (segments < kShortSegments) {
-    add_flag(quality, "short");
+  } else {
+    if (segments < kShortSegments) add_flag(quality, "short");
+    note_noise(evidence.hos->noise, quality);
   }
+}
+
+/// Where the record holds too few cycles of its oscillation for the harmonics' test, and for the
+/// slow look, nothing was found because nothing could be.
+void note_too_short(const FirstLook& first, Evidence& evidence) {
+  const std::optional<double> period = first.period_samples();
+  if (!period || evidence.hos_slow || !evidence.hos->nonlinear_p) return;
+  if (evidence.hos->coupling != hos::Coupling::none_found) return;
+  const double wanted = std::ceil(hos::kFewestCycles * *period);
+  if (wanted <= static_cast<double>(first.loop.error.size())) return;
+  evidence.hos->coupling = hos::Coupling::too_short;
+  evidence.samples_wanted = static_cast<std::size_t>(wanted);
 }
 
 void measure_shapes(const FirstLook& first, Evidence& evidence) {
@@ -93,7 +121,7 @@ void look_slowly(const FirstLook& first, const AnalysisSettings& settings, std::
   const SteadyError steady =
       long_window ? long_error(*long_window, first.loop.sample_interval_s, settings, seed)
                   : steady_error(first.loop, settings.hos, seed);
-  evidence.hos_slow = hos::look_slowly(steady.error, *period, settings.hos, seed);
+  evidence.hos_slow = hos::look_slowly(steady.error, *period, settings.hos, seed, steady.residual);
   const bool refused = !evidence.data_quality.refusals.empty() || !steady.refusal.empty();
   if (evidence.hos_slow && refused) {
     refuse_tests(evidence.hos_slow->result);
@@ -116,7 +144,10 @@ Evidence gather_evidence(const FirstLook& first, const AnalysisSettings& setting
   if (evidence.data_quality.usable) {
     measure_statistics(loop, settings, facts.seed, evidence);
     measure_shapes(first, evidence);
-    if (evidence.hos) look_slowly(first, settings, facts.seed, long_window, evidence);
+    if (evidence.hos) {
+      look_slowly(first, settings, facts.seed, long_window, evidence);
+      note_too_short(first, evidence);
+    }
   }
   return evidence;
 }

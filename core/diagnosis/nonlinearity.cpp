@@ -21,6 +21,7 @@ std::string coupling_text(hos::Coupling coupling) {
     case hos::Coupling::both:
       return "Quadratic and cubic coupling";
     case hos::Coupling::none_found:
+    case hos::Coupling::too_short:
       break;
   }
   return "No quadratic or cubic coupling found";
@@ -30,6 +31,7 @@ std::string p_text(const hos::Result& hos) {
   std::string text = "p = " + number(hos.nonlinear_p.value_or(1.0)) + " (NGI " +
                      number(hos.ngi_p.value_or(1.0)) + ", NLI " + number(hos.nli_p.value_or(1.0));
   if (hos.cubic_p) text += ", cubic " + number(*hos.cubic_p);
+  if (hos.innovation_p) text += ", innovations " + number(*hos.innovation_p);
   return text + ")";
 }
 
@@ -42,7 +44,7 @@ std::string published_text(const hos::Result& hos) {
 std::string peak_text(const hos::Result& hos, double alpha) {
   const auto peak = std::ranges::find_if(
       hos.peaks, [alpha](const hos::Peak& found) { return found.p.value_or(1.0) <= alpha; });
-  if (hos.coupling == hos::Coupling::none_found || peak == hos.peaks.end()) return {};
+  if (hos.nonlinear_p.value_or(1.0) > alpha || peak == hos.peaks.end()) return {};
   return ", strongest at the bifrequency (" + number(peak->f1) + ", " + number(peak->f2) +
          ") cycles per sample";
 }
@@ -53,28 +55,36 @@ std::string slow_text(const hos::SlowLook& slow) {
          p_text(slow.result) + ".";
 }
 
-/// A setpoint that moves too often to be left out makes the error of a linear loop non-Gaussian.
-/// What a loop model leaves has that taken out.
-bool needs_residual(const Evidence& evidence) {
-  return evidence.model && has_flag(evidence, "sp_moving");
-}
-
-double residual_p(const model::Explanation& explanation) {
-  const auto asked = std::ranges::find_if(
-      explanation.questions, [](const model::Question& q) { return q.name == "nonlinear"; });
-  return asked == explanation.questions.end() ? 1.0 : asked->p;
-}
-
-double held_by_residual(const Evidence& evidence, double p) {
-  return needs_residual(evidence) ? std::max(p, residual_p(*evidence.model)) : p;
-}
-
 std::string residual_text(const Evidence& evidence) {
-  if (!needs_residual(evidence)) return {};
-  return " The setpoint moves too often to be left out, so that coupling counts only where what "
-         "the "
-         "loop model leaves shows it as well: p = " +
-         number(residual_p(*evidence.model)) + ".";
+  if (evidence.tested_on == TestedOn::error) return {};
+  return " The setpoint moves too often to be left out: the tests are made on what is left of the "
+         "error without the loop's linear answer to it.";
+}
+
+/// Noise that a linear loop passes on, said for itself.
+std::string noise_text(const Evidence& evidence) {
+  const hos::NoiseShape& noise = evidence.hos->noise.value_or(hos::NoiseShape{});
+  std::string text;
+  if (has_flag(evidence, "variance_changes")) {
+    text += " The disturbance comes in bursts (p = " + number(noise.variance_p) + ")";
+    if (noise.loudest_size > 0) {
+      text += ", longest or loudest from sample " + std::to_string(noise.loudest_first + 1) +
+              " to " + std::to_string(noise.loudest_first + noise.loudest_size) + ", " +
+              number(noise.loudest_ratio) + " times as strong as usual";
+    }
+    text += ".";
+  }
+  if (has_flag(evidence, "heavy_tails")) {
+    text += " The disturbance has outliers (kurtosis " + number(3.0 + noise.excess_kurtosis) +
+            " instead of 3, p = " + number(noise.tails_p) + ").";
+  }
+  return text.empty() ? text : text + " Neither counts as nonlinearity.";
+}
+
+std::string too_short_text(const Evidence& evidence) {
+  if (evidence.samples_wanted == 0) return {};
+  return " The record is too short for the tests to see whether the oscillation is nonlinear: " +
+         std::to_string(evidence.samples_wanted) + " samples would do.";
 }
 
 std::string refusal_text(const Evidence& evidence) {
@@ -101,14 +111,15 @@ NonlinearityFinding judge_nonlinearity(const Evidence& evidence, const hos::Sett
     finding.reason = "The tests for nonlinearity were refused: " + refusal_text(evidence) + ".";
     return finding;
   }
-  finding.p = held_by_residual(evidence, nonlinear_p(evidence));
+  finding.p = nonlinear_p(evidence);
   finding.found = finding.p <= settings.alpha;
   finding.belief = std::clamp(
       std::log(settings.alpha / finding.p) / std::log(settings.alpha / kConvincing), 0.0, 1.0);
   finding.reason = coupling_text(hos.coupling) + ": " + p_text(hos) +
                    peak_text(hos, settings.alpha) + published_text(hos) + ".";
   if (evidence.hos_slow) finding.reason += slow_text(*evidence.hos_slow);
-  finding.reason += residual_text(evidence);
+  finding.reason += residual_text(evidence) + too_short_text(evidence);
+  if (!finding.found) finding.reason += noise_text(evidence);
   return finding;
 }
 

@@ -7,6 +7,7 @@
 #include "core/hos/draw_missing.hpp"
 #include "core/hos/segments.hpp"
 #include "core/hos/stationary_stretch.hpp"
+#include "core/loop/setpoint_answer.hpp"
 #include "core/signal/setpoint_steps.hpp"
 
 namespace loopscope::core {
@@ -26,7 +27,10 @@ SteadyError without_steps(const signal::PreparedLoop& loop, const hos::Settings&
   if (enough && between.masked_fraction > 0.0) {
     return of(std::move(between.error), "sp_steps_masked");
   }
-  return of(loop.drawable.error.empty() ? loop.error : loop.drawable.error, "sp_moving");
+  SteadyError moving =
+      of(loop.drawable.error.empty() ? loop.error : loop.drawable.error, "sp_moving");
+  moving.residual = loop::without_setpoint_answer(moving.error, loop.sp);
+  return moving;
 }
 
 std::string words(const hos::Stretch& stretch, std::size_t samples) {
@@ -44,7 +48,7 @@ signal::Samples within(const hos::Stretch& stretch, signal::Samples error) {
 }
 
 void keep_stationary(const hos::Settings& settings, SteadyError& steady) {
-  const hos::Stretch stretch = hos::stationary_stretch(steady.error);
+  const hos::Stretch stretch = hos::stationary_stretch(steady.tested());
   if (stretch.size == steady.error.size()) return;
   steady.stationary = false;
   signal::Samples kept = within(stretch, steady.error);
@@ -54,6 +58,7 @@ void keep_stationary(const hos::Settings& settings, SteadyError& steady) {
   }
   steady.stretch = words(stretch, steady.error.size());
   steady.error = std::move(kept);
+  if (!steady.residual.empty()) steady.residual = within(stretch, std::move(steady.residual));
 }
 
 }  // namespace
@@ -63,6 +68,8 @@ SteadyError steady_error(const signal::PreparedLoop& loop, const hos::Settings& 
   SteadyError steady = without_steps(loop, settings);
   if (!loop.drawable.low.empty()) {
     steady.error = hos::draw_missing(steady.error, {loop.drawable.low, loop.drawable.high}, seed);
+    if (!steady.residual.empty())
+      steady.residual = loop::without_setpoint_answer(steady.error, loop.sp);
   }
   keep_stationary(settings, steady);
   return steady;

@@ -16,14 +16,22 @@ inline constexpr std::size_t kMinSegments = 15;
 /// What the higher-order statistics are taken from.
 struct SteadyError {
   signal::Samples error;
+  /// The error less the loop's linear answer to its setpoint, where that moves too often to be left
+  /// out (core/loop/setpoint_answer.hpp): what the tests are made on. Empty = `error`.
+  signal::Samples residual;
   const char* flag = nullptr;  ///< sp_steps_masked or sp_moving; nullptr = sp makes no steps
   bool stationary = true;      ///< false: see stretch, or refusal
   std::string stretch;         ///< which samples are left, in plain words; empty = not cut
   std::string refusal;         ///< why the tests may not be believed; empty = they may
+
+  [[nodiscard]] const signal::Samples& tested() const {
+    return residual.empty() ? error : residual;
+  }
 };
 
 /// The error without the transients of setpoint steps, where that leaves kMinSegments; else the
-/// whole error, and the flag of a setpoint that moves too often. What pv's archive did not store is
+/// whole error, what is left of it without the answer to the setpoint, and the flag of a setpoint
+/// that moves too often. What pv's archive did not store is
 /// drawn (core/hos/draw_missing.hpp); the same seed draws the same. Where the loop changes within
 /// the record, all but the longest stationary stretch (core/hos/stationary_stretch.hpp) is masked;
 /// where that leaves fewer than kMinSegments nothing is, and the tests are to be refused.

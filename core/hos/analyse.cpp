@@ -1,5 +1,6 @@
 #include "core/hos/analyse.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -23,6 +24,8 @@ std::string_view name(Coupling coupling) {
       return "cubic";
     case Coupling::both:
       return "both";
+    case Coupling::too_short:
+      return "too_short";
   }
   throw std::invalid_argument("higher-order statistics: unknown coupling");
 }
@@ -34,12 +37,19 @@ PublishedDecision published_decision(double ngi, double nli, const Settings& set
 
 namespace {
 
-/// Each kind that is significant by itself; where only both together are, the stronger one.
+/// Each kind that is significant by itself; where only all together are, the stronger one. Where no
+/// phases are coupled the innovations say it: what they owe to squares of the past is quadratic,
+/// what they owe to cubes is cubic.
 Coupling coupling_of(const Significance& found, double alpha) {
   if (found.nonlinear_p > alpha) return Coupling::none_found;
-  const double cubic_p = found.cubic_p.value_or(1.0);
-  if (found.quadratic_p <= alpha && cubic_p <= alpha) return Coupling::both;
-  return found.quadratic_p <= cubic_p ? Coupling::quadratic : Coupling::cubic;
+  double quadratic_p = found.quadratic_p;
+  double cubic_p = found.cubic_p.value_or(1.0);
+  if (std::min(quadratic_p, cubic_p) > alpha && found.innovation) {
+    quadratic_p = std::min(quadratic_p, found.innovation->even_p);
+    cubic_p = std::min(cubic_p, found.innovation->odd_p);
+  }
+  if (quadratic_p <= alpha && cubic_p <= alpha) return Coupling::both;
+  return quadratic_p <= cubic_p ? Coupling::quadratic : Coupling::cubic;
 }
 
 Bifrequency bins_of(const Peak& peak, const Settings& settings) {
@@ -70,29 +80,55 @@ void add_indices(std::span<const double> bic2, std::size_t segments, const Setti
   result.published = published_decision(found.ngi, found.nli, settings);
 }
 
+/// Everything but the tests.
+std::optional<Result> describe(std::span<const double> signal, std::span<const double> bic2,
+                               std::size_t segments, const Settings& settings,
+                               const Kernels& kernels) {
+  if (bic2.empty()) return std::nullopt;
+  Result result;
+  add_indices(bic2, segments, settings, result);
+  const Moments shape = moments(signal, kernels);
+  result.skewness = shape.skewness;
+  result.excess_kurtosis = shape.excess_kurtosis;
+  return result;
+}
+
+void add_tests(std::span<const double> signal, const Bicoherence& bicoherence,
+               std::span<const double> bic2, const Settings& settings, std::uint64_t seed,
+               Result& result) {
+  result.peaks = find_peaks(bic2, bicoherence.segments(), settings);
+  const TestedSpectra tested(signal, bicoherence, bic2, settings);
+  add_peak_p(tested, result.peaks);
+  const Significance found = measure_significance(tested, settings, seed);
+  result.ngi_p = found.ngi_p;
+  result.nli_p = found.nli_p;
+  result.cubic_p = found.cubic_p;
+  result.nonlinear_p = found.nonlinear_p;
+  if (found.innovation) result.innovation_p = found.innovation->p();
+  result.noise = found.noise;
+  result.coupling = coupling_of(found, settings.alpha);
+}
+
 }  // namespace
 
 std::optional<Result> analyse(std::span<const double> signal, const Settings& settings,
                               std::uint64_t seed, const Kernels& kernels) {
   Bicoherence bicoherence(settings, kernels);
   const std::span<const double> bic2 = bicoherence.estimate(signal);
-  if (bic2.empty()) {
-    return std::nullopt;
-  }
-  Result result;
-  add_indices(bic2, bicoherence.segments(), settings, result);
-  const Moments shape = moments(signal, kernels);
-  result.skewness = shape.skewness;
-  result.excess_kurtosis = shape.excess_kurtosis;
-  result.peaks = find_peaks(bic2, bicoherence.segments(), settings);
-  const TestedSpectra tested(signal, bicoherence, bic2, settings);
-  add_peak_p(tested, result.peaks);
-  const Significance found = measure_significance(tested, seed);
-  result.ngi_p = found.ngi_p;
-  result.nli_p = found.nli_p;
-  result.cubic_p = found.cubic_p;
-  result.nonlinear_p = found.nonlinear_p;
-  result.coupling = coupling_of(found, settings.alpha);
+  auto result = describe(signal, bic2, bicoherence.segments(), settings, kernels);
+  if (result) add_tests(signal, bicoherence, bic2, settings, seed, *result);
+  return result;
+}
+
+std::optional<Result> analyse(std::span<const double> signal, std::span<const double> tested,
+                              const Settings& settings, std::uint64_t seed,
+                              const Kernels& kernels) {
+  Bicoherence bicoherence(settings, kernels);
+  std::span<const double> bic2 = bicoherence.estimate(signal);
+  auto result = describe(signal, bic2, bicoherence.segments(), settings, kernels);
+  if (!result) return result;
+  bic2 = bicoherence.estimate(tested);
+  if (!bic2.empty()) add_tests(tested, bicoherence, bic2, settings, seed, *result);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/hos/kernels.hpp"
+#include "core/hos/noise_shape.hpp"
 #include "core/hos/settings.hpp"
 
 namespace loopscope::core::hos {
@@ -22,8 +23,9 @@ struct Peak {
   std::optional<double> p;
 };
 
-/// What the error signal couples; `none_found` never means "linear".
-enum class Coupling { none_found, quadratic, cubic, both };
+/// What the error signal couples; `none_found` never means "linear", `too_short` that the record
+/// holds too few cycles of its oscillation for any to be found.
+enum class Coupling { none_found, quadratic, cubic, both, too_short };
 [[nodiscard]] std::string_view name(Coupling coupling);
 
 /// The paper's decision (section 3, "Practical implementation").
@@ -52,6 +54,10 @@ struct Result {
   double excess_kurtosis = 0.0;  ///< of the whole record
   std::optional<double> ngi_p, nli_p, cubic_p,
       nonlinear_p;  ///< see Significance; nullopt = unknown
+  /// That the innovations depend on squares or cubes of the past; nullopt = not asked, since the
+  /// noise is normal or nothing was near significance
+  std::optional<double> innovation_p;
+  std::optional<NoiseShape> noise;  ///< of the innovations; nullopt = there is no linear model
   /// Which coupling the p-values find at settings.alpha, given that nonlinear_p finds any.
   Coupling coupling = Coupling::none_found;
   std::vector<Peak> peaks;  ///< strongest first
@@ -67,6 +73,14 @@ struct Result {
 /// Throws std::invalid_argument for settings out of range.
 /// `kernels` are those of this processor unless a test or a benchmark asks for others.
 [[nodiscard]] std::optional<Result> analyse(std::span<const double> signal,
+                                            const Settings& settings, std::uint64_t seed = 0,
+                                            const Kernels& kernels = best_kernels());
+
+/// The same with tests and peaks of `tested`, as long as `signal`: what is left of it once the
+/// linear answer to something known, as to a setpoint that moves all the time, is taken out. The
+/// published indices and moments stay those of `signal`. Without segments of `tested` no p-value.
+[[nodiscard]] std::optional<Result> analyse(std::span<const double> signal,
+                                            std::span<const double> tested,
                                             const Settings& settings, std::uint64_t seed = 0,
                                             const Kernels& kernels = best_kernels());
 

@@ -11,19 +11,12 @@ Bicoherence::Bicoherence(const Settings& settings, const Kernels& kernels)
       bic2_(domain_.size()) {}
 
 std::span<const double> Bicoherence::estimate(std::span<const double> signal) {
-  spectra_.compute(signal);
-  if (spectra_.segments() < 2) {
-    return {};
-  }
-  return average();
-}
-
-std::span<const double> Bicoherence::scale_segments(std::span<const double> factors) {
-  spectra_.scale_segments(factors);
+  transform(signal);
   return average();
 }
 
 std::span<const double> Bicoherence::average() {
+  if (spectra_.segments() < 2) return {};
   sum_triples(spectra_, sums_);
   if (!find_denominators()) return {};
   normalise();

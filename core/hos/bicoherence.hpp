@@ -30,9 +30,11 @@ class Bicoherence {
   /// of one segment is 1 whatever the signal) or all denominators are zero, as for a constant.
   std::span<const double> estimate(std::span<const double> signal);
 
-  /// The last estimate with the spectrum of every segment multiplied by its factor (> 0); valid
-  /// until the next call.
-  std::span<const double> scale_segments(std::span<const double> factors);
+  /// The same in steps: the spectra of a signal's segments; then, any number of times, every
+  /// segment's multiplied by its factor (> 0); then the estimate.
+  void transform(std::span<const double> signal) { spectra_.compute(signal); }
+  void scale_segments(std::span<const double> factors) { spectra_.scale_segments(factors); }
+  std::span<const double> average();
 
   /// K of the last estimate.
   [[nodiscard]] std::size_t segments() const { return spectra_.segments(); }
@@ -41,7 +43,6 @@ class Bicoherence {
   [[nodiscard]] const PrincipalDomain& domain() const { return domain_; }
 
  private:
-  std::span<const double> average();
   /// Of every bifrequency; 0 where a bin has no power. Says whether any is above zero.
   bool find_denominators();
   void normalise();

@@ -1,5 +1,6 @@
 #include "core/hos/linear_model.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,11 +10,6 @@
 
 namespace loopscope::core::hos {
 namespace {
-
-/// Enough for two resonances and the noise around them.
-constexpr std::size_t kLargestOrder = 24;
-/// Samples before the record, in which the process forgets that it started at rest.
-constexpr std::size_t kSettling = 1000;
 
 /// Forward and backward prediction errors of one piece without gaps: of sample number n at
 /// forward[n] and at backward[n - order], so that neither has to move.
@@ -92,19 +88,19 @@ std::vector<double> extend(const std::vector<double>& a, double k) {
   return longer;
 }
 
-std::vector<double> burg(Pieces& pieces, const Kernels& kernels) {
+std::vector<double> burg(Pieces& pieces, const Kernels& kernels, const OrderChoice& choice) {
   const auto count = static_cast<double>(pieces.samples);
   std::vector<double> current;
   std::vector<double> best;
   double share = 1.0;
   double best_criterion = 0.0;
-  for (std::size_t order = 0; order < kLargestOrder; ++order) {
+  for (std::size_t order = 0; order < choice.largest; ++order) {
     const double k = reflection(pieces.all, order, kernels);
     advance(pieces.all, order, k, kernels);
     current = extend(current, k);
     share *= 1.0 - k * k;
     const double criterion = count * std::log(std::max(share, std::numeric_limits<double>::min())) +
-                             2.0 * static_cast<double>(order + 1);
+                             choice.penalty * static_cast<double>(order + 1);
     if (criterion < best_criterion) {
       best_criterion = criterion;
       best = current;
@@ -127,58 +123,93 @@ double predict(const std::vector<double>& a, const double* now) {
   return odd + even;
 }
 
-/// Of the samples that follow as many others as there are coefficients without a gap.
-std::vector<double> residuals_of(std::span<const double> signal, double mean,
-                                 const std::vector<double>& a, const Kernels& kernels) {
-  if (signal.size() <= a.size()) return {};
-  std::vector<double> centred(signal.begin(), signal.end());
-  for (double& value : centred) value -= mean;
-  std::vector<double> residuals(centred.size() - a.size());
-  kernels.subtract_predictions(centred.data() + a.size(), residuals.size(), a, residuals.data());
-  std::size_t kept = 0;
-  std::size_t after_gap = 0;
-  for (std::size_t t = 0; t < centred.size(); ++t) {
-    if (!std::isfinite(centred[t])) after_gap = t + 1;
-    if (t >= after_gap + a.size()) residuals[kept++] = residuals[t - a.size()];
+/// Whether x(t) = a_1 x(t-1) + ... forgets: all reflection coefficients, taken off from the last to
+/// the first, lie below 1.
+bool is_stable(std::vector<double> a) {
+  while (!a.empty()) {
+    const double k = a.back();
+    if (!(std::abs(k) < 1.0)) return false;
+    a.pop_back();
+    const std::vector<double> longer = a;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      a[i] = (longer[i] + k * longer[a.size() - 1 - i]) / (1.0 - k * k);
+    }
   }
-  residuals.resize(kept);
-  return residuals;
+  return true;
+}
+
+/// The samples about the mean, 0 where missing: where that matters the error is NaN.
+Eigen::VectorXd centred_samples(std::span<const double> signal, double mean) {
+  Eigen::VectorXd centred(std::ssize(signal));
+  for (std::size_t t = 0; t < signal.size(); ++t) {
+    centred[static_cast<Eigen::Index>(t)] = std::isfinite(signal[t]) ? signal[t] - mean : 0.0;
+  }
+  return centred;
 }
 
 }  // namespace
 
-std::optional<LinearModel> LinearModel::fit(std::span<const double> signal,
-                                            const Kernels& kernels) {
+std::optional<LinearModel> LinearModel::fit(std::span<const double> signal, const Kernels& kernels,
+                                            const OrderChoice& order) {
   Pieces pieces = split(signal);
   const double rounding =
       kRoundingUnits * std::numeric_limits<double>::epsilon() * largest_magnitude(signal);
   if (!(pieces.variance > rounding * rounding)) return std::nullopt;
-  const double mean = pieces.mean;
-  std::vector<double> coefficients = burg(pieces, kernels);
-  std::vector<double> residuals = residuals_of(signal, mean, coefficients, kernels);
-  if (residuals.size() < kFewestResiduals) return std::nullopt;
-  return LinearModel(std::move(coefficients), ResidualNoise(std::move(residuals)));
-}
-
-std::vector<double> LinearModel::draw(std::span<const double> like, std::mt19937_64& random) const {
-  std::vector<double> record;
-  draw(like, random, record);
-  return record;
-}
-
-void LinearModel::draw(std::span<const double> like, std::mt19937_64& random,
-                       std::vector<double>& record) const {
-  const std::size_t order = coefficients_.size();
-  const std::size_t before = order + kSettling;
-  record.resize(before + like.size());
-  std::fill_n(record.begin(), order, 0.0);
-  for (std::size_t t = order; t < record.size(); ++t) {
-    record[t] = predict(coefficients_, &record[t]) + noise_.draw(random);
+  std::vector<double> coefficients = burg(pieces, kernels, order);
+  std::size_t residuals = 0;
+  for (const Piece& piece : pieces.all) {
+    residuals += piece.forward.size() - std::min(piece.forward.size(), coefficients.size());
   }
-  std::copy(record.begin() + static_cast<std::ptrdiff_t>(before), record.end(), record.begin());
-  record.resize(like.size());
-  for (std::size_t t = 0; t < record.size(); ++t) {
-    if (!std::isfinite(like[t])) record[t] = std::numeric_limits<double>::quiet_NaN();
+  if (residuals < kFewestResiduals) return std::nullopt;
+  return LinearModel(std::move(coefficients), pieces.mean);
+}
+
+std::vector<double> LinearModel::errors(std::span<const double> signal,
+                                        const Kernels& kernels) const {
+  const std::size_t order = coefficients_.size();
+  std::vector<double> result(signal.size(), std::numeric_limits<double>::quiet_NaN());
+  if (signal.size() <= order) return result;
+  std::vector<double> centred(signal.begin(), signal.end());
+  for (double& value : centred) value -= mean_;
+  kernels.subtract_predictions(centred.data() + order, signal.size() - order, coefficients_,
+                               result.data() + order);
+  std::size_t known_from = order;
+  for (std::size_t t = 0; t < signal.size(); ++t) {
+    if (!std::isfinite(signal[t])) known_from = t + 1 + order;
+    if (t < known_from) result[t] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return result;
+}
+
+LinearModel LinearModel::reweighted(std::span<const double> signal, std::span<const double> errors,
+                                    std::span<const double> scale) const {
+  const Eigen::Index order = std::ssize(coefficients_);
+  if (order == 0) return *this;
+  const Eigen::VectorXd x = centred_samples(signal, mean_);
+  const Eigen::Index count = x.size() - order;
+  Eigen::VectorXd weights(count);
+  for (Eigen::Index n = 0; n < count; ++n) {
+    const auto t = static_cast<std::size_t>(n + order);
+    weights[n] = std::isfinite(errors[t]) ? 1.0 / (scale[t] * scale[t]) : 0.0;
+  }
+  Eigen::MatrixXd products(order, order);
+  Eigen::VectorXd target(order);
+  for (Eigen::Index i = 0; i < order; ++i) {
+    const Eigen::VectorXd lagged = weights.cwiseProduct(x.segment(order - 1 - i, count));
+    target[i] = lagged.dot(x.tail(count));
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      products(i, j) = products(j, i) = lagged.dot(x.segment(order - 1 - j, count));
+    }
+  }
+  const Eigen::VectorXd found = products.ldlt().solve(target);
+  std::vector<double> coefficients(found.begin(), found.end());
+  if (!found.allFinite() || !is_stable(coefficients)) return *this;
+  return {std::move(coefficients), mean_};
+}
+
+void LinearModel::drive(std::span<double> record) const {
+  for (std::size_t t = coefficients_.size(); t < record.size(); ++t) {
+    record[t] += predict(coefficients_, &record[t]);
   }
 }
 

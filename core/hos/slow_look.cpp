@@ -53,14 +53,17 @@ Settings slow_settings(const Settings& settings) {
 }
 
 std::optional<SlowLook> look_slowly(std::span<const double> error, double period_samples,
-                                    const Settings& settings, std::uint64_t seed) {
+                                    const Settings& settings, std::uint64_t seed,
+                                    std::span<const double> tested) {
   validate(settings);
   if (!needs_slow_look(period_samples, settings)) return std::nullopt;
   const Settings slow = slow_settings(settings);
   const std::size_t decimation = decimation_for(period_samples);
   const std::vector<double> kept = decimate(error, decimation);
   if (segment_starts(kept, slow).size() < kFewestSlowSegments) return std::nullopt;
-  std::optional<Result> result = analyse(kept, slow, seed);
+  std::optional<Result> result = tested.empty()
+                                     ? analyse(kept, slow, seed)
+                                     : analyse(kept, decimate(tested, decimation), slow, seed);
   if (!result) return std::nullopt;
   return SlowLook{decimation, error.size(), std::move(*result)};
 }

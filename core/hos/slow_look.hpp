@@ -33,9 +33,11 @@ struct SlowLook {
 ///
 /// `error` may hold NaN for missing samples. Returns nullopt when no slow look is needed, when gaps
 /// and length leave fewer than 15 segments (about 14 cycles), and when analyse() has no result.
-/// `seed` as for analyse(). Throws std::invalid_argument for settings out of range.
+/// `seed` as for analyse(), and `tested`, empty for `error` itself. Throws std::invalid_argument
+/// for settings out of range.
 [[nodiscard]] std::optional<SlowLook> look_slowly(std::span<const double> error,
                                                   double period_samples, const Settings& settings,
-                                                  std::uint64_t seed = 0);
+                                                  std::uint64_t seed = 0,
+                                                  std::span<const double> tested = {});
 
 }  // namespace loopscope::core::hos

@@ -1,10 +1,8 @@
 #include "core/hos/stationary_stretch.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -25,33 +23,6 @@ constexpr std::size_t kUnsure = kSubWindow / 2;
 constexpr double kDiffers = 34.6;
 /// Less does not raise the bicoherence, however sure it is: a long cycle is cut for nothing.
 constexpr double kMatters = 0.15;
-
-using ConstSeries = Eigen::Map<const Eigen::VectorXd>;
-
-double mean_of(std::span<const double> signal) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (const double value : signal) {
-    if (!std::isfinite(value)) continue;
-    sum += value;
-    count += 1.0;
-  }
-  return sum / count;
-}
-
-/// What the model does not predict; NaN where a sample or one that it needs is missing.
-std::vector<double> prediction_errors(std::span<const double> signal, const LinearModel& model) {
-  const std::vector<double>& a = model.coefficients();
-  const Eigen::VectorXd backwards = ConstSeries(a.data(), std::ssize(a)).reverse();
-  const Eigen::VectorXd centred =
-      ConstSeries(signal.data(), std::ssize(signal)).array() - mean_of(signal);
-  std::vector<double> errors(signal.size(), std::numeric_limits<double>::quiet_NaN());
-  for (Eigen::Index t = backwards.size(); t < centred.size(); ++t) {
-    const double predicted = backwards.dot(centred.segment(t - backwards.size(), backwards.size()));
-    errors[static_cast<std::size_t>(t)] = centred[t] - predicted;
-  }
-  return errors;
-}
 
 /// Those of all sub-windows; the last one takes what is left over.
 std::vector<ErrorMoments> moments_of(std::span<const double> errors) {
@@ -75,7 +46,7 @@ std::vector<ErrorMoments> sums_to_the_end(std::vector<ErrorMoments> moments) {
 std::optional<std::size_t> find_change(std::span<const double> signal) {
   const std::optional<LinearModel> model = LinearModel::fit(signal);
   if (!model) return std::nullopt;
-  const std::vector<ErrorMoments> each = moments_of(prediction_errors(signal, *model));
+  const std::vector<ErrorMoments> each = moments_of(model->errors(signal));
   const std::vector<ErrorMoments> after = sums_to_the_end(each);
   ErrorMoments before;
   std::optional<std::size_t> change;

@@ -33,67 +33,78 @@ constexpr double kSteep = 0.9;
 
 TestedSpectra::TestedSpectra(std::span<const double> signal, const Bicoherence& published,
                              std::span<const double> published_bic2, const Settings& settings)
-    : signal_(signal),
+    : recorded_(signal),
       settings_(settings),
       kernels_(&published.spectra().kernels()),
       precautions_{smoothness(signal, *kernels_) > kSteep, settings.overlap},
-      published_(&published),
-      bic2_(published_bic2) {
-  if (precautions_.differenced) estimate();
-  if (!bic2_.empty() && has_locked_line(bicoherence().spectra())) unlock();
-  if (bic2_.empty()) return;
+      published_(&published) {
+  if (precautions_.differenced) transform();
+  take_precautions();
+  bic2_ = own_ ? own_->average() : published_bic2;
+}
+
+TestedSpectra::TestedSpectra(std::span<const double> signal, Bicoherence& workspace,
+                             const Settings& settings)
+    : recorded_(signal),
+      settings_(settings),
+      kernels_(&workspace.spectra().kernels()),
+      precautions_{smoothness(signal, *kernels_) > kSteep, settings.overlap},
+      workspace_(&workspace) {
+  transform();
+  take_precautions();
+  bic2_ = own_->average();
+}
+
+void TestedSpectra::take_precautions() {
+  if (has_segments() && has_locked_line(bicoherence().spectra())) unlock();
+  if (!has_segments()) return;
   SegmentLevels levels(bicoherence().spectra());
   if (!levels.upsets().empty()) {
     leave_out(levels.upsets());
-    if (bic2_.empty()) return;
+    if (!has_segments()) return;
     levels = SegmentLevels(bicoherence().spectra());
   }
   if (!levels.vary()) return;
-  if (!own_) estimate();
-  bic2_ = own_->scale_segments(levels.factors());
+  if (!own_) transform();
+  own_->scale_segments(levels.factors());
   levels_ = std::move(levels);
 }
 
-TestedSpectra::TestedSpectra(std::span<const double> signal, const Precautions& precautions,
-                             const Settings& settings, const Kernels& kernels)
-    : settings_(settings), kernels_(&kernels), precautions_(precautions) {
-  look_at(signal);
-}
-
-void TestedSpectra::look_at(std::span<const double> signal) {
-  signal_ = signal;
-  estimate();
-}
-
-void TestedSpectra::estimate() {
+void TestedSpectra::transform() {
   settings_.overlap = precautions_.overlap;
-  if (!own_ || own_->spectra().settings().overlap != settings_.overlap) {
-    own_.emplace(settings_, *kernels_);
+  const auto fits = [&](const Bicoherence& bicoherence) {
+    return bicoherence.spectra().settings().overlap == settings_.overlap;
+  };
+  if (workspace_ && fits(*workspace_)) {
+    own_ = workspace_;
+  } else {
+    if (!made_ || !fits(*made_)) made_.emplace(settings_, *kernels_);
+    own_ = &*made_;
   }
   if (precautions_.differenced) take_differences(signal(), differences_);
-  bic2_ = own_->estimate(precautions_.differenced ? differences_ : signal());
+  own_->transform(precautions_.differenced ? differences_ : signal());
 }
 
 /// Takes the first overlap at which no line keeps its phase, the last one if none does.
 void TestedSpectra::unlock() {
   for (const double overlap : kOtherOverlaps) {
     precautions_.overlap = overlap;
-    estimate();
-    if (bic2_.empty() || !has_locked_line(own_->spectra())) return;
+    transform();
+    if (!has_segments() || !has_locked_line(own_->spectra())) return;
   }
 }
 
 /// The middle half of every upset segment is marked: neighbours that see the same upset in their
 /// own middle are upset themselves.
 void TestedSpectra::leave_out(const std::vector<std::size_t>& upsets) {
-  steady_.assign(signal_.begin(), signal_.end());
+  steady_.assign(recorded_.begin(), recorded_.end());
   const std::size_t length = settings_.segment_length;
   for (const std::size_t s : upsets) {
     const std::size_t start = bicoherence().spectra().positions()[s] * segment_hop(settings_);
     const auto first = steady_.begin() + static_cast<std::ptrdiff_t>(start + length / 4);
     std::fill_n(first, length / 2, std::numeric_limits<double>::quiet_NaN());
   }
-  estimate();
+  transform();
 }
 
 }  // namespace loopscope::core::hos

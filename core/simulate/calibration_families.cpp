@@ -132,6 +132,41 @@ Families linear_non_gaussian() {
   return list;
 }
 
+/// Noise as plants have it, in the loops that it fools tests in.
+Families plant_noise() {
+  struct Case {
+    Innovation law;
+    const char* loop;
+    const char* words;
+    AllPole filter;
+    std::size_t samples = 4096;
+  };
+  const AllPole swinging = resonance(20.0, 0.97);
+  const Case cases[] = {
+      {Innovation::student_5, "white", "white", real_pole(0.0)},
+      {Innovation::student_5, "ar1_0.9", "AR(1) 0.9", real_pole(0.9)},
+      {Innovation::student_5, "resonance_20_pole_0.97", "AR(2), period 20", swinging},
+      {Innovation::student_5, "ar1_0.8_1500", "AR(1) 0.8, 1500 samples", real_pole(0.8), 1500},
+      {Innovation::student_5, "ar1_0.9_700", "AR(1) 0.9, 700 samples", real_pole(0.9), 700},
+      {Innovation::student_3, "ar1_0.9", "AR(1) 0.9", real_pole(0.9)},
+      {Innovation::contaminated, "ar1_0.7", "AR(1) 0.7", real_pole(0.7)},
+      {Innovation::bursts, "white", "white", real_pole(0.0)},
+      {Innovation::bursts, "ar1_0.9", "AR(1) 0.9", real_pole(0.9)},
+      {Innovation::bursts, "resonance_20_pole_0.97", "AR(2), period 20", swinging},
+      {Innovation::bursts, "ar1_0.9_700", "AR(1) 0.9, 700 samples", real_pole(0.9), 700},
+      {Innovation::garch, "ar1_0.9", "AR(1) 0.9", real_pole(0.9)},
+      {Innovation::garch, "resonance_20_pole_0.97", "AR(2), period 20", swinging},
+  };
+  Families list;
+  for (const Case& one : cases) {
+    const std::string law(name(one.law));
+    list.push_back({std::string(one.loop) + "_" + law,
+                    std::string(one.words) + ", " + law + " innovations",
+                    FamilyKind::linear_non_gaussian, one.samples, coloured(one.filter, one.law)});
+  }
+  return list;
+}
+
 /// AR(1) 0.9 noise made louder by `factor` from one share of the record to another.
 Draw louder(double from, double to, double factor) {
   return [=](std::size_t samples, std::uint64_t seed) {
@@ -188,6 +223,30 @@ Families limit_cycles() {
   return list;
 }
 
+/// In noise as plants have it, and in records as most archives give.
+Families limit_cycles_in_plant_noise() {
+  Families list;
+  for (const WaveShape shape : {WaveShape::square, WaveShape::triangle, WaveShape::sawtooth}) {
+    for (const Innovation law : {Innovation::student_5, Innovation::bursts}) {
+      for (const double period : {30.0, 130.0}) {
+        list.push_back(
+            {std::string(name(shape)) + "_" + text(period) + "_" + std::string(name(law)),
+             std::string(name(shape)) + " wave of period " + text(period) + " at 10 dB over " +
+                 std::string(name(law)) + " noise",
+             FamilyKind::nonlinear, 4096,
+             cycling({.shape = shape, .period_samples = period, .noise = law})});
+      }
+    }
+    for (const double period : {10.0, 40.0}) {
+      list.push_back(
+          {std::string(name(shape)) + "_" + text(period) + "_700",
+           std::string(name(shape)) + " wave of period " + text(period) + " at 10 dB, 700 samples",
+           FamilyKind::nonlinear, 700, cycling({.shape = shape, .period_samples = period})});
+    }
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string_view name(FamilyKind kind) {
@@ -208,8 +267,8 @@ const std::vector<CalibrationFamily>& calibration_families() {
   static const Families families = [] {
     Families list;
     for (const auto& part :
-         {noises(), sinusoids(), linear_examples(), damaged(), linear_non_gaussian(), disturbed(),
-          nonlinear_examples(), limit_cycles()}) {
+         {noises(), sinusoids(), linear_examples(), damaged(), linear_non_gaussian(), plant_noise(),
+          disturbed(), nonlinear_examples(), limit_cycles(), limit_cycles_in_plant_noise()}) {
       list.insert(list.end(), part.begin(), part.end());
     }
     return list;

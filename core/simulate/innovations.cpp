@@ -31,6 +31,62 @@ std::vector<double> gaussian(std::size_t samples, std::uint64_t seed) {
   return values;
 }
 
+std::vector<double> student(int freedom, std::size_t samples, std::uint64_t seed) {
+  GaussianSource source(seed);
+  std::vector<double> values(samples);
+  for (double& value : values) {
+    const double numerator = source.next();
+    double squares = 0.0;
+    for (int i = 0; i < freedom; ++i) {
+      const double part = source.next();
+      squares += part * part;
+    }
+    // Over sqrt(squares / freedom) it is Student's, of variance freedom / (freedom - 2).
+    value = numerator * std::sqrt((freedom - 2.0) / squares);
+  }
+  return values;
+}
+
+/// Normal values, each louder by kLouder where `loud` says so at its uniform number; `share` of
+/// all.
+template <typename Loud>
+std::vector<double> louder(double share, std::size_t samples, std::uint64_t seed, Loud loud) {
+  constexpr double kLouder = 5.0;
+  UniformSource uniform(~seed);  // a stream of its own
+  std::vector<double> values = gaussian(samples, seed);
+  const double std = std::sqrt(1.0 - share + share * kLouder * kLouder);
+  for (double& value : values) value *= (loud(uniform.next()) ? kLouder : 1.0) / std;
+  return values;
+}
+
+std::vector<double> contaminated(std::size_t samples, std::uint64_t seed) {
+  constexpr double kShare = 0.02;
+  return louder(kShare, samples, seed, [](double u) { return u < kShare; });
+}
+
+std::vector<double> bursts(std::size_t samples, std::uint64_t seed) {
+  constexpr double kShare = 0.1;
+  constexpr double kLength = 50.0;
+  bool inside = false;
+  return louder(kShare, samples, seed, [&inside](double u) {
+    const double change = inside ? 1.0 / kLength : kShare / (1.0 - kShare) / kLength;
+    if (u < change) inside = !inside;
+    return inside;
+  });
+}
+
+std::vector<double> garch(std::size_t samples, std::uint64_t seed) {
+  std::vector<double> values = gaussian(samples, seed);
+  double variance = 1.0;
+  double last = 0.0;
+  for (double& value : values) {
+    variance = 0.05 + 0.15 * last * last + 0.8 * variance;
+    value *= std::sqrt(variance);
+    last = value;
+  }
+  return values;
+}
+
 std::vector<double> inverted(double (*inverse)(double), std::size_t samples, std::uint64_t seed) {
   UniformSource source(seed);
   std::vector<double> values(samples);
@@ -52,6 +108,16 @@ std::string_view name(Innovation law) {
       return "uniform";
     case Innovation::laplace:
       return "laplace";
+    case Innovation::student_5:
+      return "student_5";
+    case Innovation::student_3:
+      return "student_3";
+    case Innovation::contaminated:
+      return "contaminated";
+    case Innovation::bursts:
+      return "bursts";
+    case Innovation::garch:
+      return "garch";
   }
   throw std::invalid_argument("innovations: unknown law");
 }
@@ -66,6 +132,16 @@ std::vector<double> innovations(Innovation law, std::size_t samples, std::uint64
       return inverted(uniform, samples, seed);
     case Innovation::laplace:
       return inverted(laplace, samples, seed);
+    case Innovation::student_5:
+      return student(5, samples, seed);
+    case Innovation::student_3:
+      return student(3, samples, seed);
+    case Innovation::contaminated:
+      return contaminated(samples, seed);
+    case Innovation::bursts:
+      return bursts(samples, seed);
+    case Innovation::garch:
+      return garch(samples, seed);
   }
   throw std::invalid_argument("innovations: unknown law");
 }

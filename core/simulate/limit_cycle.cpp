@@ -57,10 +57,14 @@ std::vector<double> limit_cycle(const LimitCycle& cycle, std::size_t samples, st
   GaussianSource normal(seed);
   const double noise_std = std::pow(10.0, -cycle.snr_db / 20.0);
   const double jitter_cycles = cycle.jitter_rad / kTurn / std::sqrt(cycle.period_samples);
-  double cycles = UniformSource(~seed).next();  // a stream of its own
+  // Streams of their own. Normal noise takes turns with the jitter.
+  double cycles = UniformSource(~seed).next();
+  std::vector<double> other;
+  if (cycle.noise != Innovation::gaussian) other = innovations(cycle.noise, samples, seed + 1);
   std::vector<double> signal(samples);
-  for (double& sample : signal) {
-    sample = wave(cycle.shape, cycles - std::floor(cycles)) + noise_std * normal.next();
+  for (std::size_t t = 0; t < samples; ++t) {
+    const double noise = other.empty() ? normal.next() : other[t];
+    signal[t] = wave(cycle.shape, cycles - std::floor(cycles)) + noise_std * noise;
     cycles += 1.0 / cycle.period_samples + jitter_cycles * normal.next();
   }
   return signal;

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/simulate/innovations.hpp"
+
 namespace loopscope::core::simulate {
 
 /// Shape of one cycle; each has mean 0 and variance 1.
@@ -17,7 +19,7 @@ enum class WaveShape {
 };
 [[nodiscard]] std::string_view name(WaveShape shape);
 
-/// A periodic wave in white Gaussian noise, as the control error of a loop that cycles.
+/// A periodic wave in white noise, as the control error of a loop that cycles.
 struct LimitCycle {
   WaveShape shape = WaveShape::square;
   double period_samples = 64.0;  ///< above 2
@@ -26,6 +28,7 @@ struct LimitCycle {
   /// with the root of the cycles). 0.1 keeps the period within about 2 % from cycle to cycle; 0 is
   /// a strict line.
   double jitter_rad = 0.1;
+  Innovation noise = Innovation::gaussian;
 };
 
 /// `samples` of the wave (variance 1, start anywhere in the cycle) and its noise.

@@ -42,7 +42,22 @@ Json peaks_json(const std::vector<core::hos::Peak>& peaks) {
   return list;
 }
 
-Json hos_json(const core::hos::Result& hos) {
+/// What drives the loop, and how it differs from normal noise of one loudness.
+Json noise_json(const std::optional<core::hos::NoiseShape>& noise) {
+  if (!noise) return nullptr;
+  Json loudest = nullptr;
+  if (noise->loudest_size > 0) {
+    loudest = {{"first_sample", noise->loudest_first + 1},
+               {"last_sample", noise->loudest_first + noise->loudest_size},
+               {"ratio", noise->loudest_ratio}};
+  }
+  return {{"excess_kurtosis", noise->excess_kurtosis},
+          {"heavy_tails_p", noise->tails_p},
+          {"variance_changes_p", noise->variance_p},
+          {"loudest", loudest}};
+}
+
+Json hos_json(const core::hos::Result& hos, core::TestedOn tested_on) {
   return {{"segments", hos.segments},
           {"bifrequencies", hos.bifrequencies},
           {"mean_bic2", hos.mean_bic2},
@@ -58,13 +73,16 @@ Json hos_json(const core::hos::Result& hos) {
           {"nli_p", number_or_null(hos.nli_p)},
           {"cubic_p", number_or_null(hos.cubic_p)},
           {"nonlinear_p", number_or_null(hos.nonlinear_p)},
+          {"innovation_p", number_or_null(hos.innovation_p)},
+          {"tested_on", core::name(tested_on)},
+          {"noise", noise_json(hos.noise)},
           {"coupling", core::hos::name(hos.coupling)},
           {"peaks", peaks_json(hos.peaks)}};
 }
 
 /// The same keys with null for a window whose statistics were not computed.
 Json empty_hos_json() {
-  Json object = hos_json({});
+  Json object = hos_json({}, core::TestedOn::error);
   for (auto& [key, value] : object.items()) value = nullptr;
   object["published"] = {{"gaussian", nullptr}, {"linear", nullptr}};
   object["peaks"] = Json::array();
@@ -117,8 +135,8 @@ Json verdict_json(const core::diagnosis::Verdict& verdict) {
           {"action", verdict.action}};
 }
 
-Json slow_look_json(const core::hos::SlowLook& look) {
-  Json object = hos_json(look.result);
+Json slow_look_json(const core::hos::SlowLook& look, core::TestedOn tested_on) {
+  Json object = hos_json(look.result, tested_on);
   object["decimation"] = look.decimation;
   object["samples"] = look.samples;
   return object;
@@ -128,8 +146,9 @@ Json analysis_json(const InputFacts& input, const core::Diagnosis& diagnosis) {
   const core::Evidence& evidence = diagnosis.evidence;
   return {{"input", input_json(input)},
           {"data_quality", quality_json(evidence.data_quality)},
-          {"hos", evidence.hos ? hos_json(*evidence.hos) : empty_hos_json()},
-          {"hos_slow", evidence.hos_slow ? slow_look_json(*evidence.hos_slow) : Json(nullptr)},
+          {"hos", evidence.hos ? hos_json(*evidence.hos, evidence.tested_on) : empty_hos_json()},
+          {"hos_slow", evidence.hos_slow ? slow_look_json(*evidence.hos_slow, evidence.tested_on)
+                                         : Json(nullptr)},
           {"oscillation", oscillation_json(evidence.oscillation)},
           {"performance", performance_json(evidence.performance)},
           {"shape", shape_json(evidence)},

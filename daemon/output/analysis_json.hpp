@@ -22,7 +22,8 @@ struct InputFacts {
 
 /// The object `hos_slow`: that of `hos` with the decimation and the span (raw samples), its peaks
 /// in cycles per kept sample.
-[[nodiscard]] nlohmann::ordered_json slow_look_json(const core::hos::SlowLook& look);
+[[nodiscard]] nlohmann::ordered_json slow_look_json(const core::hos::SlowLook& look,
+                                                    core::TestedOn tested_on);
 
 /// The object `verdict`.
 [[nodiscard]] nlohmann::ordered_json verdict_json(const core::diagnosis::Verdict& verdict);

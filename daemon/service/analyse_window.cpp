@@ -78,7 +78,7 @@ storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, cons
             .seed = core::signal::window_seed(input.at_slot.window)},
            wish, record);
   if (const auto& slow = record.diagnosis.evidence.hos_slow) {
-    record.hos_slow_json = slow_look_json(*slow).dump();
+    record.hos_slow_json = slow_look_json(*slow, record.diagnosis.evidence.tested_on).dump();
   }
   if (record.diagnosis.evidence.model) {
     record.model_json = json_text(model_json(record.diagnosis.evidence.model));

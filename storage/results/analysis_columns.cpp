@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "storage/array_literal.hpp"
+#include "storage/results/hos_columns.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -24,36 +25,9 @@ struct Column {
 const AnalysisRecord& record(const CompletedLoop& loop) {
   return *loop.record;
 }
-const core::Evidence& evidence(const CompletedLoop& loop) {
-  return record(loop).diagnosis.evidence;
-}
 
 void add_optional_text(ArrayLiteral& array, std::string_view text) {
   text.empty() ? array.add_null() : array.add_text(text);
-}
-
-/// A member of the higher-order statistics; NULL when there are none.
-template <auto member>
-void add_hos(ArrayLiteral& array, const CompletedLoop& loop) {
-  const std::optional<Result>& hos = evidence(loop).hos;
-  if (!hos) return array.add_null();
-  using Value = std::remove_cvref_t<decltype(*hos.*member)>;
-  if constexpr (std::is_integral_v<Value>) {
-    array.add_integer(static_cast<std::int64_t>(*hos.*member));
-  } else {
-    array.add_number(*hos.*member);
-  }
-}
-
-template <auto member>
-void add_published(ArrayLiteral& array, const CompletedLoop& loop) {
-  const std::optional<Result>& hos = evidence(loop).hos;
-  hos ? array.add_boolean(hos->published.*member) : array.add_null();
-}
-
-void add_coupling(ArrayLiteral& array, const CompletedLoop& loop) {
-  const std::optional<Result>& hos = evidence(loop).hos;
-  hos ? array.add_text(core::hos::name(hos->coupling)) : array.add_null();
 }
 
 /// A figure of one part of the evidence: &Evidence::shape, &Shape::horch_dtau.
@@ -158,6 +132,10 @@ const std::array kColumns{
     Column{"nli_p", "float8", add_hos<&Result::nli_p>},
     Column{"cubic_p", "float8", add_hos<&Result::cubic_p>},
     Column{"nonlinear_p", "float8", add_hos<&Result::nonlinear_p>},
+    Column{"innovation_p", "float8", add_hos<&Result::innovation_p>},
+    Column{"tested_on", "text", add_tested_on},
+    Column{"heavy_tails_p", "float8", add_noise<&core::hos::NoiseShape::tails_p>},
+    Column{"variance_changes_p", "float8", add_noise<&core::hos::NoiseShape::variance_p>},
     Column{"coupling", "text", add_coupling},
     Column{"hos_slow", "text",
            [](ArrayLiteral& a, const CompletedLoop& l) {

@@ -15,7 +15,6 @@
 #include "core/hos/linear_model.hpp"
 #include "core/hos/peaks.hpp"
 #include "core/hos/period.hpp"
-#include "core/hos/replicates.hpp"
 #include "core/hos/segments.hpp"
 #include "core/simulate/calibration_families.hpp"
 #include "tests/bench/multiply_add_floor.hpp"
@@ -85,19 +84,26 @@ void indices_and_peaks(benchmark::State& state, const Kernels& kernels) {
   }
 }
 
+/// Twenty records of each family of a kind.
+std::vector<std::vector<double>> records_of(simulate::FamilyKind kind) {
+  constexpr std::uint64_t kPerFamily = 20;
+  std::vector<std::vector<double>> all;
+  for (std::uint64_t seed = 1; seed <= kPerFamily; ++seed) {
+    for (const auto& family : simulate::calibration_families()) {
+      if (family.kind == kind) all.push_back(family.draw(family.samples, seed));
+    }
+  }
+  return all;
+}
+
 /// Records of healthy loops: the linear Gaussian families of the calibration.
 const std::vector<std::vector<double>>& healthy_records() {
-  constexpr std::uint64_t kPerFamily = 20;
-  static const auto records = [] {
-    std::vector<std::vector<double>> all;
-    for (std::uint64_t seed = 1; seed <= kPerFamily; ++seed) {
-      for (const auto& family : simulate::calibration_families()) {
-        if (family.kind != simulate::FamilyKind::linear_gaussian) continue;
-        all.push_back(family.draw(family.samples, seed));
-      }
-    }
-    return all;
-  }();
+  static const auto records = records_of(simulate::FamilyKind::linear_gaussian);
+  return records;
+}
+
+const std::vector<std::vector<double>>& plant_noise_records() {
+  static const auto records = records_of(simulate::FamilyKind::linear_non_gaussian);
   return records;
 }
 
@@ -111,17 +117,13 @@ void calibrated(benchmark::State& state, const Kernels& kernels) {
   }
 }
 
-/// The sixty records of one second pass.
-void second_pass(benchmark::State& state, const Kernels& kernels) {
-  const auto signal = window();
-  const Settings settings;
-  Bicoherence bicoherence(settings, kernels);
-  const TestedSpectra tested(signal, bicoherence, bicoherence.estimate(signal), settings);
-  const QuadraticTest test(settings);
-  const auto period = dominant_period(signal, kernels);
+/// The same of records of linear loops in noise as plants have it.
+void plant_noise(benchmark::State& state, const Kernels& kernels) {
+  const auto& records = plant_noise_records();
+  std::size_t next = 0;
   for (auto _ : state) {
-    const auto model = LinearModel::fit(signal, kernels);
-    benchmark::DoNotOptimize(Replicates(*model, tested, test, period, 1));
+    benchmark::DoNotOptimize(analyse(records[next], Settings{}, next, kernels));
+    next = next + 1 < records.size() ? next + 1 : 0;
   }
 }
 
@@ -152,7 +154,8 @@ const bool kRegistered = [] {
     add("triples", triple_sums, *kernels);
     add("indices", indices_and_peaks, *kernels);
     add("calibrated", calibrated, *kernels)->Iterations(turns);
-    add("second_pass", second_pass, *kernels);
+    add("plant_noise", plant_noise, *kernels)
+        ->Iterations(static_cast<benchmark::IterationCount>(plant_noise_records().size()));
   }
   return true;
 }();

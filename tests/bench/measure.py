@@ -59,7 +59,7 @@ def measure_kernel(rounds):
     with tempfile.TemporaryDirectory() as folder:
         noise = _write_signal(folder)
         for _ in range(rounds):
-            found = google_benchmark("hos_benchmark", "^(kernel|floor|calibrated|second_pass)/")
+            found = google_benchmark("hos_benchmark", "^(kernel|floor|calibrated|plant_noise)/")
             for name, entries in found.items():
                 times.setdefault(name, []).extend(_cpu_times(entries))
             done = plant.run(["/usr/bin/python3", SOURCE_DIR / "tests/bench/kernel_numpy.py", noise],
@@ -78,7 +78,7 @@ def measure_kernel(rounds):
                        "ratio_numpy": numpy_us / kernel, "floor_us": floor,
                        "ratio_floor": kernel / floor, "calibrated_us": calibrated,
                        "ratio_calibrated": calibrated / kernel,
-                       "second_pass_us": median.get(f"second_pass/{path}")}
+                       "plant_noise_us": median.get(f"plant_noise/{path}")}
     best = next(iter(paths))
     return {**paths[best], "instruction_set": best, "paths": paths}
 

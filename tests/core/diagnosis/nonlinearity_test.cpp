@@ -39,19 +39,37 @@ TEST(Nonlinearity, IsBelievedTheMoreTheSmallerThePValue) {
             judge_nonlinearity(with_p(1e-2), {}).belief);
 }
 
-TEST(Nonlinearity, UnderAMovingSetpointTheResidualHasToShowItToo) {
+TEST(Nonlinearity, SaysWhatTheTestsRestOn) {
   Evidence evidence = with_p(1e-9);
-  evidence.data_quality.flags = {"sp_moving"};
-  EXPECT_TRUE(judge_nonlinearity(evidence, {}).found) << "without a model nothing else is known";
-  evidence.model = model::Explanation{};
-  EXPECT_FALSE(judge_nonlinearity(evidence, {}).found);
-  evidence.model->questions = {{"nonlinear", 0.4, ""}};
-  EXPECT_EQ(judge_nonlinearity(evidence, {}).p, 0.4);
-  evidence.model->questions = {{"nonlinear", 1e-12, ""}};
-  EXPECT_EQ(judge_nonlinearity(evidence, {}).p, 1e-9);
-  evidence.data_quality.flags = {"sp_steps_masked"};
-  evidence.model->questions = {};
-  EXPECT_EQ(judge_nonlinearity(evidence, {}).p, 1e-9) << "the moves were left out";
+  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, Not(HasSubstr("setpoint")));
+  evidence.tested_on = TestedOn::model_residual;
+  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, HasSubstr("linear answer"));
+  EXPECT_EQ(name(TestedOn::model_residual), "model_residual");
+}
+
+TEST(Nonlinearity, NoiseIsSaidForItselfWhereNothingIsFound) {
+  Evidence evidence = with_p(0.4);
+  evidence.data_quality.flags = {"heavy_tails", "variance_changes"};
+  evidence.hos->noise = hos::NoiseShape{.excess_kurtosis = 4.0,
+                                        .tails_p = 1e-20,
+                                        .variance_p = 1e-9,
+                                        .loudest_first = 1200,
+                                        .loudest_size = 300,
+                                        .loudest_ratio = 5.0};
+  const std::string reason = judge_nonlinearity(evidence, {}).reason;
+  EXPECT_THAT(
+      reason,
+      HasSubstr("in bursts (p = 1e-09), longest or loudest from sample 1201 to 1500, 5 times"));
+  EXPECT_THAT(reason, HasSubstr("kurtosis 7 instead of 3"));
+  evidence.hos->nonlinear_p = 1e-6;
+  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, Not(HasSubstr("bursts")));
+}
+
+TEST(Nonlinearity, TooShortSaysWhatWouldDo) {
+  Evidence evidence = with_p(0.4, hos::Coupling::too_short);
+  evidence.samples_wanted = 5400;
+  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, HasSubstr("5400 samples would do"));
+  EXPECT_EQ(name(hos::Coupling::too_short), "too_short");
 }
 
 TEST(Nonlinearity, TwoLooksCountAsTwo) {

@@ -49,6 +49,8 @@ TEST(SteadyError, StepsThatLeaveTooLittleAreKept) {
   ASSERT_NE(steady.flag, nullptr);
   EXPECT_EQ(std::string_view(steady.flag), "sp_moving");
   EXPECT_EQ(steady.error, loop.error);
+  EXPECT_EQ(steady.residual.size(), loop.error.size()) << "tests are made without the answer";
+  EXPECT_EQ(&steady.tested(), &steady.residual);
 }
 
 /// A loop under white noise whose noise is coloured in turns from sample `at` on, for `length`

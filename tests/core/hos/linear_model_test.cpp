@@ -1,10 +1,9 @@
 #include "core/hos/linear_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <numbers>
-#include <random>
 #include <vector>
 
 #include "core/simulate/coloured_noise.hpp"
@@ -13,21 +12,6 @@
 
 namespace loopscope::core::hos {
 namespace {
-
-using simulate::Innovation;
-
-/// Mean of x(t) x(t + lag) over pairs that are both there.
-double covariance(const std::vector<double>& x, std::size_t lag) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (std::size_t t = 0; t + lag < x.size(); ++t) {
-    if (std::isfinite(x[t]) && std::isfinite(x[t + lag])) {
-      sum += x[t] * x[t + lag];
-      count += 1.0;
-    }
-  }
-  return sum / count;
-}
 
 void expect_resonance(const LinearModel& model) {
   ASSERT_GE(model.coefficients().size(), 2U);
@@ -73,42 +57,65 @@ TEST(HosLinearModel, IsStableOnARandomWalkAndOnLines) {
   for (const auto& record : records) {
     const auto model = LinearModel::fit(record);
     ASSERT_TRUE(model.has_value());
-    std::mt19937_64 random(1);
-    for (const double value : model->draw(record, random)) ASSERT_TRUE(std::abs(value) < 1e4);
+    const std::vector<double> errors = model->errors(record);
+    const LinearModel again = model->reweighted(record, errors, std::vector(record.size(), 1.0));
+    for (const LinearModel& one : {*model, again}) {
+      std::vector<double> free(20'000);
+      std::copy_n(record.begin(), one.coefficients().size(), free.begin());
+      one.drive(free);
+      for (const double value : free) ASSERT_TRUE(std::abs(value) < 1e4);
+    }
   }
 }
 
-TEST(HosLinearModel, DrawsRecordsOfTheSameSpectrum) {
-  const auto record = tests::resonance(5, 16'384);
+TEST(HosLinearModel, DrivenByItsErrorsItGivesTheRecordBack) {
+  const auto record = tests::affine(tests::resonance(6), 1.0, 7.0);
   const auto model = LinearModel::fit(record);
-  std::mt19937_64 random(2);
-  const auto drawn = model->draw(record, random);
-  const double variance = covariance(record, 0);
-  EXPECT_NEAR(covariance(drawn, 0) / variance, 1.0, 0.15);
-  for (const std::size_t lag : {1U, 5U, 10U, 20U}) {
-    EXPECT_NEAR(covariance(drawn, lag) / covariance(drawn, 0), covariance(record, lag) / variance,
-                0.06)
-        << lag;
+  ASSERT_TRUE(model.has_value());
+  std::vector<double> driven = model->errors(record);
+  const std::size_t order = model->coefficients().size();
+  for (std::size_t t = 0; t < order; ++t) {
+    EXPECT_TRUE(std::isnan(driven[t]));
+    driven[t] = record[t] - model->mean();
   }
-}
-
-TEST(HosLinearModel, DrawsAreMissingWhereTheRecordIs) {
-  auto record = simulate::with_gaps(tests::resonance(6), 0.3, 5, 1);
-  record[7] = std::numeric_limits<double>::infinity();
-  const auto model = LinearModel::fit(record);
-  std::mt19937_64 random(3);
-  const auto drawn = model->draw(record, random);
-  ASSERT_EQ(drawn.size(), record.size());
+  model->drive(driven);
   for (std::size_t t = 0; t < record.size(); ++t) {
-    ASSERT_EQ(std::isfinite(drawn[t]), std::isfinite(record[t])) << t;
+    ASSERT_NEAR(driven[t] + model->mean(), record[t], 1e-9);
   }
 }
 
-TEST(HosLinearModel, KeepsTheNoiseOfTheRecord) {
-  const auto skewed =
-      simulate::coloured_noise(simulate::real_pole(0.9), Innovation::exponential, 4096, 7);
-  EXPECT_EQ(LinearModel::fit(skewed)->noise().core(), ResidualNoise::Core::other);
-  EXPECT_EQ(LinearModel::fit(tests::resonance(8))->noise().core(), ResidualNoise::Core::gaussian);
+TEST(HosLinearModel, ErrorsAreUnknownBehindAGap) {
+  auto record = tests::resonance(7);
+  record[1000] = std::numeric_limits<double>::infinity();
+  const auto model = LinearModel::fit(record);
+  const std::size_t order = model->coefficients().size();
+  const std::vector<double> errors = model->errors(record);
+  for (std::size_t t = order; t < record.size(); ++t) {
+    ASSERT_EQ(std::isfinite(errors[t]), t < 1000 || t > 1000 + order) << t;
+  }
+}
+
+/// Where the loud half of a record follows another model than the calm one, weights of the inverse
+/// scale give the calm one the same say.
+TEST(HosLinearModel, WeightsDecideWhichPartIsFitted) {
+  auto record = tests::first_order_noise(8, 0.9);
+  const auto other = tests::first_order_noise(9, 0.2);
+  for (std::size_t t = 2048; t < record.size(); ++t) record[t] = 30.0 * other[t];
+  const auto model = LinearModel::fit(record, best_kernels(), {.largest = 1});
+  ASSERT_EQ(model->coefficients().size(), 1U);
+  EXPECT_NEAR(model->coefficients()[0], 0.2, 0.05);
+  std::vector<double> scale(record.size(), 1.0);
+  std::fill(scale.begin() + 2048, scale.end(), 1e6);
+  const LinearModel calm = model->reweighted(record, model->errors(record), scale);
+  EXPECT_NEAR(calm.coefficients()[0], 0.9, 0.05);
+}
+
+TEST(HosLinearModel, APenaltyMakesItShorter) {
+  const auto record = tests::resonance(5);
+  const auto usual = LinearModel::fit(record);
+  const auto shorter = LinearModel::fit(record, best_kernels(), {.penalty = 20.0});
+  EXPECT_EQ(shorter->coefficients().size(), 2U);
+  EXPECT_LE(shorter->coefficients().size(), usual->coefficients().size());
 }
 
 TEST(HosLinearModel, NeedsVarianceAndSamplesThatFollowEachOther) {

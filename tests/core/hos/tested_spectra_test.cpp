@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -129,29 +128,24 @@ TEST(HosTestedSpectra, ALimitCyclesJumpsAreNotMasked) {
   EXPECT_LE(share("square_64", records, masked), four_errors(0.01, records));
 }
 
-TEST(HosTestedSpectra, TheNextReplicateIsAsIfItWereTheFirst) {
-  const auto first = tests::exponential_noise(21);
-  const auto second = tests::white_noise(22);
-  for (const bool differenced : {false, true}) {
-    const Precautions precautions{differenced, 0.5625};
-    TestedSpectra used(first, precautions, Settings{});
-    used.look_at(second);
-    const TestedSpectra fresh(second, precautions, Settings{});
-    EXPECT_TRUE(std::equal(used.bic2().begin(), used.bic2().end(), fresh.bic2().begin(),
-                           fresh.bic2().end()));
+/// Whatever precautions the workspace's record before has called for.
+TEST(HosTestedSpectra, InAWorkspaceItIsAsIfPublished) {
+  Bicoherence workspace(Settings{});
+  for (const auto* const name :
+       {"white", "integrated_walk", "sinusoid_16_at_20_db", "ar1_0.9_bursts", "ar1_0.9_half_twice",
+        "ar1_0.9_one_step", "ar1_0.9_gaps"}) {
+    const Looked published(draw(name, 3));
+    const TestedSpectra tested(published.signal, workspace, Settings{});
+    EXPECT_EQ(tested.precautions().differenced, published.tested.precautions().differenced);
+    EXPECT_EQ(tested.settings().overlap, published.tested.settings().overlap);
+    EXPECT_EQ(tested.levels().has_value(), published.tested.levels().has_value());
+    EXPECT_TRUE(std::ranges::equal(tested.bic2(), published.tested.bic2())) << name;
   }
 }
 
-TEST(HosTestedSpectra, AReplicateTakesThePrecautionsItIsGiven) {
-  const auto record = tests::white_noise(3);
-  const TestedSpectra plain(record, Precautions{}, Settings{});
-  EXPECT_FALSE(plain.levels().has_value());
-  const TestedSpectra moved(record, Precautions{true, 0.5625}, Settings{});
-  EXPECT_EQ(moved.settings().overlap, 0.5625);
-  EXPECT_TRUE(moved.precautions().differenced);
-  // Hops of 28 samples instead of 32.
-  EXPECT_EQ(moved.bicoherence().segments(), 145U);
-  EXPECT_EQ(plain.bicoherence().segments(), 127U);
+TEST(HosTestedSpectra, KeepsTheRecordAsItWasGiven) {
+  const Looked looked(draw("ar1_0.9_one_step", 1));
+  EXPECT_EQ(looked.tested.recorded().data(), looked.signal.data());
 }
 
 TEST(HosTestedSpectra, SurvivesGapsAndNothing) {
@@ -162,11 +156,6 @@ TEST(HosTestedSpectra, SurvivesGapsAndNothing) {
   for (const double value : looked.tested.bic2()) EXPECT_TRUE(std::isfinite(value));
   EXPECT_TRUE(Looked(std::vector<double>(4096, 1.0)).tested.bic2().empty());
   EXPECT_TRUE(Looked({}).tested.bic2().empty());
-}
-
-TEST(HosTestedSpectra, SettingsOutOfRangeThrow) {
-  const auto record = tests::white_noise(1);
-  EXPECT_THROW(TestedSpectra(record, Precautions{}, {.dft_length = 7}), std::invalid_argument);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ class UpgradeFromTest : public UpgradeTest, public testing::WithParamInterface<i
  protected:
   UpgradeFromTest() : UpgradeTest(GetParam()) {}
 };
-INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17));
+INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18));
 
 TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   const ConnectionSettings as_owner = settings_for(*database, owner);
