@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "core/hos/draw_missing.hpp"
@@ -47,6 +48,14 @@ signal::Samples within(const hos::Stretch& stretch, signal::Samples error) {
   return error;
 }
 
+/// A setpoint that never rests makes any error non-Gaussian.
+void refuse_unanswered(SteadyError& steady) {
+  const bool moving = steady.flag != nullptr && std::string_view(steady.flag) == "sp_moving";
+  if (!moving || !steady.residual.empty() || !steady.refusal.empty()) return;
+  steady.refusal =
+      "the setpoint moves too often to be left out, and no linear answer to it is found";
+}
+
 void keep_stationary(const hos::Settings& settings, SteadyError& steady) {
   const hos::Stretch stretch = hos::stationary_stretch(steady.tested());
   if (stretch.size == steady.error.size()) return;
@@ -72,6 +81,7 @@ SteadyError steady_error(const signal::PreparedLoop& loop, const hos::Settings& 
       steady.residual = loop::without_setpoint_answer(steady.error, loop.sp);
   }
   keep_stationary(settings, steady);
+  refuse_unanswered(steady);
   return steady;
 }
 

@@ -18,7 +18,7 @@ namespace loopscope::core::hos {
 /// with averages <> over segments. By the Cauchy-Schwarz inequality it lies within 0 to 1.
 /// Other normalisations travel under the same name; this one alone has the null that eq. 9 uses.
 ///
-/// Made once per settings, then used for many signals (replicates of a bootstrap) in the same
+/// Made once per settings, then used for many signals (surrogates) in the same
 /// buffers; one object per thread. No estimate after the first of a length allocates.
 class Bicoherence {
  public:

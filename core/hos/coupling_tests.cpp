@@ -35,8 +35,7 @@ CouplingTests test_coupling(const TestedSpectra& tested, const HarmonicTest* har
   CouplingTests found;
   std::optional<HarmonicStatistics> coherence;
   if (harmonics != nullptr) {
-    coherence = harmonics->measure(tested.signal(), tested.levels() ? &*tested.levels() : nullptr,
-                                   tested.kernels());
+    coherence = harmonics->measure(tested.signal(), tested.kernels());
   }
   const QuadraticTest test(tested.settings());
   QuadraticStatistics quadratic;

@@ -15,14 +15,6 @@ using Complex = std::complex<double>;
 /// Segments below which the coherence has no freedom left.
 constexpr std::size_t kFewestForCoherence = 4;
 
-void divide_by(const SegmentLevels& levels, const HarmonicFilters& filters,
-               HarmonicFilters::Amplitudes& amplitudes) {
-  for (std::size_t s = 0; s < amplitudes.positions.size(); ++s) {
-    const double factor = levels.factor_at(filters.centre(amplitudes.positions[s]));
-    for (std::vector<Complex>& harmonic : amplitudes.harmonics) harmonic[s] *= factor;
-  }
-}
-
 /// Of the signal over a power of two, since cubes of samples near the limits of double would
 /// overflow. Sums of them do not, but for the last of those limits: the division can wait.
 HarmonicFilters::Amplitudes amplitudes_of(std::span<const double> signal,
@@ -37,7 +29,11 @@ HarmonicFilters::Amplitudes amplitudes_of(std::span<const double> signal,
   return amplitudes;
 }
 
-/// Of the fundamental to the power `order` in the harmonic `order`.
+/// Of the fundamental to the power `order` in the harmonic `order`: the smaller one of two tests.
+/// Given the powers, where the harmonic's band is as loud in every segment; and given every
+/// magnitude, where both bands get louder together, as bursts make them: then only the phases are
+/// left to chance. Loudness that comes in the bands of the oscillation alone does not show in the
+/// innovations.
 double evidence_of(const HarmonicFilters::Amplitudes& amplitudes, std::size_t order,
                    std::span<const Complex> correlation) {
   const std::vector<Complex>& fundamental = amplitudes.harmonics[0];
@@ -45,8 +41,16 @@ double evidence_of(const HarmonicFilters::Amplitudes& amplitudes, std::size_t or
   for (std::size_t s = 0; s < powers.size(); ++s) {
     for (std::size_t i = 1; i < order; ++i) powers[s] *= fundamental[s];
   }
-  return coherence_evidence(
-      {powers, amplitudes.harmonics[order - 1], amplitudes.positions, correlation});
+  std::vector<Complex> phases = amplitudes.harmonics[order - 1];
+  const double given_powers =
+      coherence_evidence({powers, phases, amplitudes.positions, correlation});
+  for (std::size_t s = 0; s < powers.size(); ++s) {
+    const double magnitude = std::abs(phases[s]);
+    powers[s] *= magnitude;
+    phases[s] = magnitude > 0.0 ? phases[s] / magnitude : Complex(0.0);
+  }
+  return std::min(given_powers,
+                  coherence_evidence({powers, phases, amplitudes.positions, correlation}));
 }
 
 }  // namespace
@@ -58,19 +62,16 @@ HarmonicTest::HarmonicTest(double period)
       third_correlation_(filters_.noise_correlation(3)) {}
 
 std::optional<HarmonicStatistics> HarmonicTest::measure(std::span<const double> signal,
-                                                        const SegmentLevels* levels,
                                                         const Kernels& kernels) const {
-  HarmonicFilters::Amplitudes amplitudes = amplitudes_of(signal, filters_, kernels);
+  const HarmonicFilters::Amplitudes amplitudes = amplitudes_of(signal, filters_, kernels);
   if (amplitudes.positions.size() < kFewestForCoherence) return std::nullopt;
-  if (levels != nullptr) divide_by(*levels, filters_, amplitudes);
   return HarmonicStatistics{period_, evidence_of(amplitudes, 2, second_correlation_),
                             evidence_of(amplitudes, 3, third_correlation_)};
 }
 
 std::optional<HarmonicStatistics> harmonic_statistics(std::span<const double> signal, double period,
-                                                      const SegmentLevels* levels,
                                                       const Kernels& kernels) {
-  return HarmonicTest(period).measure(signal, levels, kernels);
+  return HarmonicTest(period).measure(signal, kernels);
 }
 
 }  // namespace loopscope::core::hos

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/hos/harmonic_filters.hpp"
-#include "core/hos/segment_levels.hpp"
+#include "core/hos/kernels.hpp"
 
 namespace loopscope::core::hos {
 
@@ -28,11 +28,9 @@ class HarmonicTest {
   /// `period` in samples.
   explicit HarmonicTest(double period);
 
-  /// `levels`, if any, of the signal: each segment is divided by the level at its centre. nullopt
-  /// with fewer than four complete segments.
+  /// nullopt with fewer than four complete segments.
   [[nodiscard]] std::optional<HarmonicStatistics> measure(
-      std::span<const double> signal, const SegmentLevels* levels = nullptr,
-      const Kernels& kernels = best_kernels()) const;
+      std::span<const double> signal, const Kernels& kernels = best_kernels()) const;
 
  private:
   double period_;
@@ -43,7 +41,6 @@ class HarmonicTest {
 
 /// The same, once.
 [[nodiscard]] std::optional<HarmonicStatistics> harmonic_statistics(
-    std::span<const double> signal, double period, const SegmentLevels* levels = nullptr,
-    const Kernels& kernels = best_kernels());
+    std::span<const double> signal, double period, const Kernels& kernels = best_kernels());
 
 }  // namespace loopscope::core::hos

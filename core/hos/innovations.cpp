@@ -72,14 +72,15 @@ std::optional<Innovations> Innovations::of(std::span<const double> signal, const
 }
 
 double Innovations::scatter() const {
+  double blocks = 0.0;
   double square = 0.0;
   double fourth = 0.0;
   for (std::size_t t = 0; t < scale_.size(); t += kBlock) {
     const double variance = scale_[t] * scale_[t];
+    blocks += 1.0;
     square += variance;
     fourth += variance * variance;
   }
-  const auto blocks = static_cast<double>((scale_.size() + kBlock - 1) / kBlock);
   return std::max(1.0, blocks * fourth / (square * square));
 }
 

@@ -15,6 +15,10 @@ using Phases = std::vector<Complex>;
 
 /// The second and the third harmonic: those that are tested (harmonic_test.hpp).
 constexpr Eigen::Index kHighest = 3;
+/// Of a running mean. Over fewer the fundamental is half noise, and its square takes off what
+/// skewed noise is made of.
+constexpr double kCyclesOfMean = 2.0;
+constexpr double kSamplesOfMean = 32.0;
 
 double mean_of(std::span<const double> signal) {
   double sum = 0.0;
@@ -50,7 +54,8 @@ Phases follow(std::span<const double> signal, double mean, double period) {
     if (std::isfinite(signal[t])) turned[t] = (signal[t] - mean) * std::conj(turn);
     turn *= step;
   }
-  const auto length = static_cast<std::size_t>(std::lround(period));
+  const double cycles = std::max(kCyclesOfMean, std::ceil(kSamplesOfMean / period));
+  const auto length = static_cast<std::size_t>(std::lround(cycles * period));
   Phases phases = running_mean(running_mean(turned, length), length);
   double usual = 0.0;
   for (const Complex& phase : phases)

@@ -11,9 +11,9 @@ namespace loopscope::core::hos {
 /// many cycles that they look locked to each other in every surrogate.
 ///
 /// The phase of the fundamental is followed by two running means over a period of
-/// x(t) exp(-2 pi i t / period), which all harmonics pass as zero; least squares on cosine and sine
-/// of 2 to 9 times that phase, as far as half the sampling rate, are taken off. `period` in
-/// samples, at least 8 and at most a quarter of the record.
+/// x(t) exp(-2 pi i t / period), in which its harmonics vanish; least squares on cosine and sine of
+/// twice and three times that phase, the two that are tested (harmonic_test.hpp), are taken off.
+/// `period` in samples, at least 8 and at most a quarter of the record.
 [[nodiscard]] std::vector<double> without_locked_harmonics(std::span<const double> signal,
                                                            double period);
 

@@ -117,20 +117,8 @@ SegmentLevels::SegmentLevels(const Spectra& spectra) {
   upsets_ = find_upsets(powers, levels);
   for (double& level : levels) level = std::max(level, kQuietest);
   vary_ = log_spread(levels) > largest_spread(spectra.settings());
-  const std::size_t hop = segment_hop(spectra.settings());
   factors_.reserve(levels.size());
-  centres_.reserve(levels.size());
-  for (std::size_t s = 0; s < levels.size(); ++s) {
-    factors_.push_back(1.0 / std::sqrt(levels[s]));
-    centres_.push_back(spectra.positions()[s] * hop + spectra.settings().segment_length / 2);
-  }
-}
-
-double SegmentLevels::factor_at(std::size_t sample) const {
-  const auto after = std::lower_bound(centres_.begin(), centres_.end(), sample);
-  if (after == centres_.end()) return factors_.back();
-  const bool earlier = after != centres_.begin() && sample - *(after - 1) < *after - sample;
-  return factors_[static_cast<std::size_t>(after - centres_.begin()) - (earlier ? 1 : 0)];
+  for (const double level : levels) factors_.push_back(1.0 / std::sqrt(level));
 }
 
 }  // namespace loopscope::core::hos

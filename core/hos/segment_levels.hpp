@@ -29,12 +29,9 @@ class SegmentLevels {
   [[nodiscard]] const std::vector<std::size_t>& upsets() const { return upsets_; }
   /// What the spectrum of each segment is to be multiplied by; about 1.
   [[nodiscard]] const std::vector<double>& factors() const { return factors_; }
-  /// The factor at a sample of the record.
-  [[nodiscard]] double factor_at(std::size_t sample) const;
 
  private:
   std::vector<double> factors_;
-  std::vector<std::size_t> centres_;  // of the segments, samples
   std::vector<std::size_t> upsets_;
   bool vary_ = false;
 };

@@ -29,8 +29,10 @@ double call_p(Null null, const NoiseShape& noise) {
                                     : std::min(noise.skewness_p, noise.light_tails_p);
 }
 
-/// The kinds that are called for, the more urgent first: what it does not let stand costs the other
-/// nothing.
+/// The kinds that are called for, the more urgent first. Each is asked about the p that the one
+/// before has let stand, not about the first pass's: noise that is skewed and changes its loudness,
+/// or has a line beside it, is kept whole by neither, and asked about the first pass's p both would
+/// call it nonlinear (DECISIONS.md).
 std::vector<Null> nulls_for(const NoiseShape& noise) {
   const double signs = call_p(Null::random_signs, noise);
   const double order = call_p(Null::permuted, noise);

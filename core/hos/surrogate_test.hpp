@@ -38,9 +38,9 @@ class SurrogateP {
   std::vector<double> draws_;  // -ln p
 };
 
-/// `found` against surrogates: every p-value up to `unclear` is replaced by its SurrogateP, the
-/// others stay. `next` draws one surrogate and tests it, its harmonics only where that is asked
-/// for.
+/// `found` (by the first pass, or let stand by surrogates of another kind) against surrogates:
+/// every p-value up to `unclear` is replaced by its SurrogateP, the others stay. `next` draws one
+/// surrogate and tests it, its harmonics only where that is asked for.
 [[nodiscard]] CouplingTests against_surrogates(
     const CouplingTests& found, double unclear,
     const std::function<CouplingTests(bool harmonics)>& next);

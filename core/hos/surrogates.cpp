@@ -45,7 +45,11 @@ void Surrogates::permute(std::vector<double>& record) {
 void Surrogates::draw(std::vector<double>& record) {
   record.resize(signal_.size());
   for (const std::size_t t : unknown_) record[t] = known_[below(known_.size())];
-  null_ == Null::permuted ? permute(record) : flip_signs(record);
+  if (null_ == Null::permuted) {
+    permute(record);
+  } else {
+    flip_signs(record);
+  }
   const LinearModel& model = innovations_->model();
   for (std::size_t t = 0; t < std::min(model.coefficients().size(), record.size()); ++t) {
     record[t] = std::isfinite(signal_[t]) ? signal_[t] - model.mean() : 0.0;

@@ -85,19 +85,27 @@ double left_of(const Series& series, const Eigen::VectorXd& answer) {
   return sum / static_cast<double>(series.usable.size());
 }
 
+/// The one of three models that leaves least: of the moves alone; of moves and past by least
+/// squares; and by instrumental variables, the best of the two as instrument. Moves alone cannot
+/// grow without bounds, but forget a loop that rings for longer than they reach.
 Eigen::VectorXd find_answer(const Series& series) {
   const Eigen::MatrixXd columns = columns_of(series, series.error);
   const Eigen::VectorXd target = series.error(series.usable);
   const auto moves = columns.rightCols(kMoves + 1);
-  const Eigen::MatrixXd products = moves.transpose() * moves;
+  const Eigen::MatrixXd of_moves = moves.transpose() * moves;
   Eigen::VectorXd model = Eigen::VectorXd::Zero(kColumns);
-  model.tail(kMoves + 1) = products.ldlt().solve(moves.transpose() * target);
-  const Eigen::VectorXd of_moves = simulate(series, model);
-  const Eigen::MatrixXd instruments = columns_of(series, of_moves);
+  model.tail(kMoves + 1) = of_moves.ldlt().solve(moves.transpose() * target);
+  Eigen::VectorXd best = simulate(series, model);
+  const auto keep_better = [&series, &best](const Eigen::VectorXd& found) {
+    const Eigen::VectorXd answer = simulate(series, found);
+    if (left_of(series, answer) < left_of(series, best)) best = answer;
+  };
+  const Eigen::MatrixXd products = columns.transpose() * columns;
+  keep_better(products.ldlt().solve(columns.transpose() * target));
+  const Eigen::MatrixXd instruments = columns_of(series, best);
   const Eigen::MatrixXd crossed = instruments.transpose() * columns;
-  model = crossed.partialPivLu().solve(instruments.transpose() * target);
-  const Eigen::VectorXd refined = simulate(series, model);
-  return left_of(series, refined) < left_of(series, of_moves) ? refined : of_moves;
+  keep_better(crossed.fullPivLu().solve(instruments.transpose() * target));
+  return best;
 }
 
 }  // namespace

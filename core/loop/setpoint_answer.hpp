@@ -8,14 +8,13 @@ namespace loopscope::core::loop {
 ///
 /// The error on 12 samples of its own past and on the last 41 moves of the setpoint: the loop's
 /// sensitivity, whatever process and controller are, as long as the dead time is below 40 samples.
-/// First on the moves alone by least squares, then on both with the answer so found as instrument
-/// for the error's past, which the loads are in as well (instrumental variables; Soderstrom and
-/// Stoica 1983). The answer alone is simulated and taken off, so that what is left keeps its
-/// colour. `error` and `sp` of equal length, NaN = missing; missing setpoints are taken for
-/// unmoved.
+/// On the moves alone, and on both by least squares and by instrumental variables (Soderstrom and
+/// Stoica 1983); the model whose answer, simulated from rest, leaves least stands. That answer is
+/// taken off, so that what is left keeps its colour. `error` and `sp` of equal length, NaN =
+/// missing; missing setpoints are taken for unmoved.
 ///
 /// Empty when the setpoint does not move, when too little is recorded in one piece, or when no
-/// answer makes the error smaller: then the error has to do.
+/// answer makes the error smaller.
 [[nodiscard]] signal::Samples without_setpoint_answer(const signal::Samples& error,
                                                       const signal::Samples& sp);
 

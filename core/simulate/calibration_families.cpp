@@ -135,9 +135,9 @@ Families linear_non_gaussian() {
 /// Noise as plants have it, in the loops that it fools tests in.
 Families plant_noise() {
   struct Case {
-    Innovation law;
-    const char* loop;
-    const char* words;
+    Innovation law = Innovation::gaussian;
+    const char* loop = "";
+    const char* words = "";
     AllPole filter;
     std::size_t samples = 4096;
   };

@@ -53,6 +53,17 @@ TEST(SteadyError, StepsThatLeaveTooLittleAreKept) {
   EXPECT_EQ(&steady.tested(), &steady.residual);
 }
 
+TEST(SteadyError, MovesWithoutAnAnswerAreRefused) {
+  signal::PreparedLoop loop = stepped_loop(60);
+  // No stretch long enough to fit an answer to.
+  for (std::size_t k = 0; k < loop.error.size(); k += 10) loop.error[k] = std::nan("");
+  const SteadyError steady = steady_error(loop, {}, 1);
+  ASSERT_NE(steady.flag, nullptr);
+  EXPECT_EQ(std::string_view(steady.flag), "sp_moving");
+  EXPECT_TRUE(steady.residual.empty());
+  EXPECT_NE(steady.refusal, "");
+}
+
 /// A loop under white noise whose noise is coloured in turns from sample `at` on, for `length`
 /// samples each time.
 signal::PreparedLoop changing_loop(std::size_t at, std::size_t length) {

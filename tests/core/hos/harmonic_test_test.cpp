@@ -142,37 +142,26 @@ TEST(HosHarmonicTest, ASineAloneIsNotCoupled) {
   EXPECT_LE(found.cubic, 0.07 + four_errors(0.07, records));
 }
 
-/// Sizes at 5 % on white noise that is `factor` times as loud in a share of the record from its
-/// middle on, harmonics taken at `period`.
-Sizes sizes_on_changing_noise(double share, double factor, double period, bool with_levels,
-                              int records) {
-  Spectra spectra{Settings{}};
-  Sizes result;
-  for (int seed = 1; seed <= records; ++seed) {
-    const auto record = simulate::with_level(tests::white_noise(static_cast<std::uint64_t>(seed)),
-                                             0.5, 0.5 + share, factor);
-    spectra.compute(record);
-    const SegmentLevels levels(spectra);
-    const auto found = harmonic_statistics(record, period, with_levels ? &levels : nullptr);
-    result.quadratic += p_of_evidence(found->quadratic_evidence) <= 0.05 ? 1.0 / records : 0.0;
-    result.cubic += p_of_evidence(found->cubic_evidence) <= 0.05 ? 1.0 / records : 0.0;
-  }
-  return result;
-}
-
-/// The quadratic test holds its level. The cubic one does not yet, the less the shorter the period:
-/// LOOPSCOPE_RECORDS=1000 gives 10.1 and 13.9 % at period 20, 7.5 and 8.8 % at 100.
-TEST(HosHarmonicTest, LevelsTakeMostOfWhatChangingVarianceFakes) {
+/// Given the powers alone 10 and 14 % at period 20: both bands get louder together.
+TEST(HosHarmonicTest, HoldsItsLevelWhereTheNoiseGetsLouder) {
   const int records = static_cast<int>(loopscope::tests::all_records(200));
   for (const auto& [share, factor] : {std::pair{0.5, 2.0}, std::pair{0.1, 3.0}}) {
     for (const double period : {20.0, 100.0}) {
-      const Sizes plain = sizes_on_changing_noise(share, factor, period, false, records);
-      const Sizes levelled = sizes_on_changing_noise(share, factor, period, true, records);
-      std::printf("| %.0f %% times %.0f, period %.0f | %.1f %% | %.1f %% | %.1f %% | %.1f %% |\n",
-                  100.0 * share, factor, period, 100.0 * plain.quadratic, 100.0 * plain.cubic,
-                  100.0 * levelled.quadratic, 100.0 * levelled.cubic);
-      EXPECT_LE(levelled.quadratic, 0.07 + four_errors(0.07, records)) << period;
-      EXPECT_LT(levelled.cubic, 0.7 * plain.cubic) << period;
+      Sizes found;
+      for (int seed = 1; seed <= records; ++seed) {
+        const auto noise = tests::white_noise(static_cast<std::uint64_t>(seed));
+        const auto record = simulate::with_level(noise, 0.5, 0.5 + share, factor);
+        const auto statistics = harmonic_statistics(record, period);
+        const auto rejected = [&](double evidence) {
+          return p_of_evidence(evidence) <= 0.05 ? 1.0 / records : 0.0;
+        };
+        found.quadratic += rejected(statistics->quadratic_evidence);
+        found.cubic += rejected(statistics->cubic_evidence);
+      }
+      std::printf("| %.0f %% times %.0f, period %.0f | %.1f %% | %.1f %% |\n", 100.0 * share,
+                  factor, period, 100.0 * found.quadratic, 100.0 * found.cubic);
+      EXPECT_LE(found.quadratic, 0.07 + four_errors(0.07, records)) << period;
+      EXPECT_LE(found.cubic, 0.07 + four_errors(0.07, records)) << period;
     }
   }
 }

@@ -90,17 +90,6 @@ TEST(HosSegmentLevels, FactorsFollowAKnownChange) {
   }
 }
 
-TEST(HosSegmentLevels, FactorsBelongToTheSamplesAroundACentre) {
-  const auto record = simulate::with_level(tests::white_noise(12), 0.5, 1.0, 3.0);
-  const SegmentLevels levels = levels_of(record);
-  // The centres lie at 32, 64, ..., 4064.
-  EXPECT_EQ(levels.factor_at(0), levels.factors().front());
-  EXPECT_EQ(levels.factor_at(32), levels.factors()[0]);
-  EXPECT_EQ(levels.factor_at(64), levels.factors()[1]);
-  EXPECT_EQ(levels.factor_at(4064), levels.factors()[126]);
-  EXPECT_EQ(levels.factor_at(100000), levels.factors().back());
-}
-
 TEST(HosSegmentLevels, OneUpsetIsLeftOutAndRecurringOnesAreNot) {
   const auto steady = noise(simulate::real_pole(0.9), 4096, 13);
   const SegmentLevels once = levels_of(simulate::with_step(steady, 0.5, 12.0));
