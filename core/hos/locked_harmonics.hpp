@@ -10,7 +10,7 @@ namespace loopscope::core::hos {
 /// be made. A linear model of a square wave has poles at its harmonics, whose lines last for so
 /// many cycles that they look locked to each other in every surrogate.
 ///
-/// The phase of the fundamental is followed by two running means over a period of
+/// The phase of the fundamental is followed by two running means over whole periods of
 /// x(t) exp(-2 pi i t / period), in which its harmonics vanish; least squares on cosine and sine of
 /// twice and three times that phase, the two that are tested (harmonic_test.hpp), are taken off.
 /// `period` in samples, at least 8 and at most a quarter of the record.
