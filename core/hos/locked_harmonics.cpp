@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "core/hos/magnitude.hpp"
+
 namespace loopscope::core::hos {
 namespace {
 
@@ -19,17 +21,6 @@ constexpr Eigen::Index kHighest = 3;
 /// skewed noise is made of.
 constexpr double kCyclesOfMean = 2.0;
 constexpr double kSamplesOfMean = 32.0;
-
-double mean_of(std::span<const double> signal) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (const double value : signal) {
-    if (!std::isfinite(value)) continue;
-    sum += value;
-    count += 1.0;
-  }
-  return sum / std::max(count, 1.0);
-}
 
 /// Over `length` samples about each, fewer at either end.
 Phases running_mean(const Phases& values, std::size_t length) {
@@ -87,7 +78,7 @@ Eigen::MatrixXd harmonics_of(const Phases& phases, std::span<const double> signa
 }  // namespace
 
 std::vector<double> without_locked_harmonics(std::span<const double> signal, double period) {
-  const double mean = mean_of(signal);
+  const double mean = finite_mean(signal).mean;
   const Eigen::MatrixXd columns = harmonics_of(follow(signal, mean, period), signal);
   Eigen::VectorXd x(std::ssize(signal));
   for (Eigen::Index t = 0; t < x.size(); ++t) {

@@ -22,6 +22,17 @@ double first_finite(std::span<const double> signal) {
   return found == signal.end() ? 0.0 : *found;
 }
 
+FiniteMean finite_mean(std::span<const double> signal) {
+  FiniteMean found;
+  for (const double sample : signal) {
+    if (!std::isfinite(sample)) continue;
+    found.mean += sample;
+    found.count += 1.0;
+  }
+  found.mean /= std::max(found.count, 1.0);
+  return found;
+}
+
 double power_of_two_below(double magnitude) {
   constexpr int kLargestExponent = 1000;
   if (magnitude == 0.0) {

@@ -22,6 +22,13 @@ struct MagnitudeScan {
 /// whatever its length.
 [[nodiscard]] double first_finite(std::span<const double> signal);
 
+/// Mean of the samples that are not missing, and how many these are; 0 and 0 when all are.
+struct FiniteMean {
+  double mean = 0.0;
+  double count = 0.0;
+};
+[[nodiscard]] FiniteMean finite_mean(std::span<const double> signal);
+
 /// The power of two that `magnitude` lies above, by less than a factor of two (1 for zero).
 /// Dividing by it is exact, and squares and cubes of what is left do not overflow. Held within
 /// 2^-1000 to 2^1000, so that it and its reciprocal are normal numbers.

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "core/hos/magnitude.hpp"
+
 namespace loopscope::core::hos {
 namespace {
 
@@ -68,18 +70,11 @@ double between_centres(const std::vector<double>& wander, std::size_t t) {
 }  // namespace
 
 std::vector<double> without_slow_wander(std::span<const double> signal) {
-  double mean = 0.0;
-  double count = 0.0;
-  for (const double value : signal) {
-    if (!std::isfinite(value)) continue;
-    mean += value;
-    count += 1.0;
-  }
-  count = std::max(count, 1.0);
-  mean /= count;
-  const std::vector<double> wander = wander_of(block_sums(signal, mean), signal.size(), count);
+  const FiniteMean finite = finite_mean(signal);
+  const std::vector<double> wander =
+      wander_of(block_sums(signal, finite.mean), signal.size(), std::max(finite.count, 1.0));
   std::vector<double> left(signal.begin(), signal.end());
-  for (std::size_t t = 0; t < left.size(); ++t) left[t] -= mean + between_centres(wander, t);
+  for (std::size_t t = 0; t < left.size(); ++t) left[t] -= finite.mean + between_centres(wander, t);
   return left;
 }
 

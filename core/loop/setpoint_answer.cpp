@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/hos/magnitude.hpp"
+
 namespace loopscope::core::loop {
 namespace {
 
@@ -29,18 +31,12 @@ Series series_of(const signal::Samples& error, const signal::Samples& sp) {
   const Index size = std::ssize(error);
   series.error = Eigen::VectorXd::Zero(size);
   series.moves = Eigen::VectorXd::Zero(size);
-  double sum = 0.0;
-  double count = 0.0;
-  for (const double value : error) {
-    if (!std::isfinite(value)) continue;
-    sum += value;
-    count += 1.0;
-  }
+  const double mean = hos::finite_mean(error).mean;
   Index unbroken = 0;
   for (Index t = 0; t < size; ++t) {
     const auto n = static_cast<std::size_t>(t);
     unbroken = std::isfinite(error[n]) ? unbroken + 1 : 0;
-    if (unbroken > 0) series.error[t] = error[n] - sum / count;
+    if (unbroken > 0) series.error[t] = error[n] - mean;
     if (t > 0 && std::isfinite(sp[n]) && std::isfinite(sp[n - 1])) {
       series.moves[t] = sp[n] - sp[n - 1];
     }

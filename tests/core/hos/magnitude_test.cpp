@@ -33,5 +33,13 @@ TEST(HosMagnitude, ScalingToUnitIsExactAndKeepsWhatIsMissing) {
   EXPECT_TRUE(scaled_to_unit({}).empty());
 }
 
+TEST(HosMagnitude, MeanLeavesOutWhatIsMissing) {
+  const FiniteMean found = finite_mean(std::vector<double>{1.0, kNaN, 5.0, kInfinity});
+  EXPECT_EQ(found.mean, 3.0);
+  EXPECT_EQ(found.count, 2.0);
+  EXPECT_EQ(finite_mean({}).mean, 0.0);
+  EXPECT_EQ(finite_mean(std::vector<double>(3, kNaN)).count, 0.0);
+}
+
 }  // namespace
 }  // namespace loopscope::core::hos
