@@ -5,6 +5,25 @@
 #include "core/diagnosis/loop_model.hpp"
 
 namespace loopscope::core {
+namespace {
+
+bool wants_model(const FirstLook& first, const Evidence& evidence, const AnalysisSettings& settings,
+                 const ModelPlan& plan) {
+  if (!settings.fit_model || !can_be_modelled(first, evidence)) return false;
+  return !plan.cause || gives_cause_for_a_model(evidence, settings.hos, *plan.cause);
+}
+
+void fit_model(const FirstLook& first, const LoopFacts& facts, const ModelPlan& plan,
+               Diagnosis& diagnosis) {
+  if (!plan.traces) {
+    diagnosis.evidence.model = explain_loop(first, facts);
+    return;
+  }
+  diagnosis.traces = trace_loop(first, facts);
+  if (diagnosis.traces) diagnosis.evidence.model = diagnosis.traces->explanation;
+}
+
+}  // namespace
 
 Diagnosis diagnose(const signal::LoopWindow& window, const AnalysisSettings& settings,
                    const LoopFacts& facts, const signal::LoopWindow* long_window) {
@@ -12,13 +31,20 @@ Diagnosis diagnose(const signal::LoopWindow& window, const AnalysisSettings& set
 }
 
 Diagnosis diagnose(const FirstLook& first, const AnalysisSettings& settings, const LoopFacts& facts,
-                   const signal::LoopWindow* long_window) {
+                   const signal::LoopWindow* long_window, const ModelPlan& plan) {
+  const auto done = [&](Stage stage) {
+    if (plan.done) plan.done(stage);
+  };
   Diagnosis diagnosis;
-  diagnosis.evidence = gather_evidence(first, settings, facts, long_window);
-  if (settings.fit_model && can_be_modelled(first, diagnosis.evidence)) {
-    diagnosis.evidence.model = explain_loop(first, facts);
+  Evidence& evidence = diagnosis.evidence;
+  evidence = gather_evidence(first, settings, facts, long_window);
+  done(Stage::statistics);
+  if (wants_model(first, evidence, settings, plan)) {
+    fit_model(first, facts, plan, diagnosis);
+    if (evidence.model) done(Stage::model);
   }
-  diagnosis.verdict = diagnosis::decide(diagnosis.evidence, settings.hos);
+  diagnosis.verdict = diagnosis::decide(evidence, settings.hos);
+  done(Stage::verdict);
   return diagnosis;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
+
+#include "core/model/mechanism.hpp"
 
 namespace loopscope::core {
 
@@ -10,6 +13,10 @@ struct LoopFacts {
   /// Of the simulations behind p-values (core/hos/significance.hpp); made from the loop and the
   /// window, so that a replay is identical.
   std::uint64_t seed = 0;
+  model::Without without{};  ///< tests only
 };
+
+/// Whether a loop of this type, as the catalogue spells it, integrates: level loops do.
+[[nodiscard]] bool is_integrating_type(std::string_view loop_type);
 
 }  // namespace loopscope::core

@@ -4,16 +4,13 @@
 #include "core/model/explain.hpp"
 
 namespace loopscope::core {
-namespace {
 
 model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts) {
   const signal::PreparedLoop& loop = first.loop;
   return {loop.pv,    loop.op_percent,        loop.sp,
           loop.error, loop.sample_interval_s, loop.op_range_known,
-          facts.seed};
+          facts.seed, facts.without};
 }
-
-}  // namespace
 
 bool can_be_modelled(const FirstLook& first, const Evidence& evidence) {
   const signal::DataQuality& prepared = first.loop.quality;

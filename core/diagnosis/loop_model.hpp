@@ -8,6 +8,7 @@
 #include "core/diagnosis/verdict.hpp"
 #include "core/hos/settings.hpp"
 #include "core/model/explanation.hpp"
+#include "core/model/model_input.hpp"
 #include "core/model/traces.hpp"
 
 namespace loopscope::core {
@@ -29,6 +30,9 @@ struct ModelCause {
 /// Whether the evidence without a model gives cause to fit one.
 [[nodiscard]] bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& settings,
                                            const ModelCause& cause = {});
+
+/// What core/model is given; views `first`.
+[[nodiscard]] model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts);
 
 /// What the loop model (core/model) makes of a window that can be modelled; nullopt = no model
 /// was fitted. A pure function of the window, the settings behind `first` and the facts.

@@ -52,7 +52,6 @@ constexpr std::array kThemes = {
     Theme{"grid", model::EffectKind::sensor_quantisation},
     Theme{"held", model::EffectKind::sensor_hold},
     Theme{"time_event", model::EffectKind::load_step},
-    Theme{"time_level", model::EffectKind::load_step},
     Theme{"time_gain", model::EffectKind::gain_change},
     Theme{"op_direction", model::EffectKind::valve_stiction},
     Theme{"op_direction", model::EffectKind::valve_deadband},

@@ -43,10 +43,7 @@ class AnswerBatch {
       const ValveAndProcess& one = all[std::min(lane, all.size() - 1)];
       valves_.put_in(lane, one.valve->valve());
       poles_.put(lane, *one.process);
-      for (const ValveRestart& restart : one.valve->restarts())
-        restarts_.push_back({restart.at_sample, lane, restart.position_percent});
     }
-    std::ranges::stable_sort(restarts_, {}, &LaneRestart::at_sample);
   }
 
   void run() {
@@ -80,26 +77,11 @@ class AnswerBatch {
   /// Samples at a time: few enough to stay near the processor between the steps.
   static constexpr std::size_t kStretch = 64;
 
-  /// A lane is put elsewhere than its law has it.
-  struct LaneRestart {
-    std::size_t at_sample;
-    std::size_t lane;
-    double place;
-  };
-
   /// Where the valves are at the next samples of op.
   void move_on(std::size_t count, Numbers* places) {
-    while (count > 0) {
-      for (; restart_ < restarts_.size() && restarts_[restart_].at_sample == now_; ++restart_)
-        valves_.put(restarts_[restart_].lane, restarts_[restart_].place);
-      const std::size_t next =
-          restart_ < restarts_.size() ? restarts_[restart_].at_sample : shared_.samples();
-      const std::size_t free = std::min(count, next - now_);
-      valves_.run(now_, free, places);
-      now_ += free;
-      count -= free;
-      places += free;
-    }
+    if (count == 0) return;
+    valves_.run(now_, count, places);
+    now_ += count;
   }
 
   const BatchRecord<Element>& shared_;
@@ -107,8 +89,7 @@ class AnswerBatch {
   ValveBatch<Numbers>& valves_;
   PoleLanes<Number, vectors> poles_;
   AnswerSums<Number, vectors> sums_;
-  std::vector<LaneRestart> restarts_;
-  std::size_t restart_ = 0, now_ = 0;
+  std::size_t now_ = 0;
 };
 
 }  // namespace LOOPSCOPE_PATH

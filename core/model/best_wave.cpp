@@ -73,6 +73,7 @@ PricedWave best_wave(const FitVariants& variants, const LoopData& data, const Ef
   constexpr int kTurns = 3;
   const double rows = rows_of(data);
   PricedWave best = priced(variants, rows, start);
+  if (!data.without.has(Mechanism::wave_shape)) return best;
   for (int turn = 0; turn < kTurns; ++turn) {
     take_best_net(variants, rows,
                   as_wave(best.effect).with_knots(data.samples(), data.grid.samples_per_row), best);
@@ -86,6 +87,7 @@ PricedWave first_look_at_wave(const FitVariants& variants, const LoopData& data,
   constexpr std::size_t kNet = 2;  // eight stretches: the line itself comes first
   const double rows = rows_of(data);
   PricedWave best = priced(variants, rows, line);
+  if (!data.without.has(Mechanism::wave_shape)) return best;
   const std::vector<EffectPtr> waves =
       as_wave(line).with_knots(data.samples(), data.grid.samples_per_row);
   if (waves.size() > kNet) take_best(variants, rows, {waves[kNet]}, best);

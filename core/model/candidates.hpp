@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
+#include "core/model/asked.hpp"
 #include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
@@ -12,11 +12,9 @@ struct Round {
   const LoopData& original;  ///< rows as laid out, before any step was seen by fit and score alike
   const LoopData& data;      ///< rows on which `now` is judged
   const TwinFit& now;
-  /// Valves that are followed by pv; empty = not called for. The search is the costliest of all, so
-  /// that it waits until hysteresis leads, or nothing else explains anything.
-  std::function<const std::vector<EffectPtr>&()> tracked_valves;
-  bool load_steps_only;    ///< they come in groups: the next one before anything else is looked at
-  bool limits_called_for;  ///< a first look at a limit, by the wrong process, may see nothing of it
+  const Asked& asked;    ///< for by the residual tests
+  bool load_steps_only;  ///< they come in groups: the next one before anything else is looked at
+  bool unasked = false;  ///< what nobody asked for, instead of what somebody did
 };
 
 /// An effect that was looked at, not yet fitted in full.
@@ -39,8 +37,5 @@ struct Candidate {
 /// What is worth a full fit, by kind (the valve's two kinds under one): the best of each kind, of a
 /// valve and of a bend the best of each law, and all load steps.
 [[nodiscard]] std::vector<std::vector<Candidate>> find_candidates(const Round& round);
-
-/// The best of each law among the round's tracked valves; none where the model has one already.
-[[nodiscard]] std::vector<Candidate> find_tracked_valves(const Round& round);
 
 }  // namespace loopscope::core::model

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/model/baseline.hpp"
-#include "core/model/effects/valve.hpp"
 #include "core/model/fit_anew.hpp"
 #include "core/model/stem_search.hpp"
 #include "core/model/tell_bends_apart.hpp"
@@ -38,12 +37,10 @@ double worth_fitting(EffectKind kind) {
   return looked_at_whole(kind) ? kWorthFittingWhole : kWorthFitting;
 }
 
-/// A first look is no more than that for what is found by pv or stands at a limit: by the wrong
-/// process it may see nothing of them.
+/// A first look is no more than that for what stands at a limit: by the wrong process it may see
+/// nothing of it.
 bool called_for(const Round& round, const Effect& effect) {
-  const auto* valve = dynamic_cast<const ValveEffect*>(&effect);
-  return (valve != nullptr && !valve->by_law_alone()) ||
-         (effect.kind() == EffectKind::valve_saturation && round.limits_called_for);
+  return effect.kind() == EffectKind::valve_saturation && !round.unasked;
 }
 
 /// What was looked at on all rows has shown its worth there.
@@ -68,7 +65,10 @@ std::optional<Contestant> try_candidate(const Round& round, const Candidate& can
   Fit fit = fit_anew(trial.rows, evaluate(trial.rows, candidate.structure), far_off);
   if (!(fit.fit_error <= hopeless) || !is_plausible(fit)) return std::nullopt;
   Contestant entry = scored(std::move(trial), std::move(fit), candidate.tries);
-  return entry.enters() && !refutes_plainer(entry) ? std::nullopt : std::optional(std::move(entry));
+  return entry.enters() && round.data.without.has(Mechanism::plainer_refuted) &&
+                 !refutes_plainer(entry)
+             ? std::nullopt
+             : std::optional(std::move(entry));
 }
 
 std::optional<Contestant> best_of(const Round& round, const std::vector<Candidate>& candidates) {
@@ -84,26 +84,9 @@ void rank(std::vector<Contestant>& entries) {
   std::ranges::sort(entries, std::greater{}, &Contestant::worth);
 }
 
-/// Hysteresis leads, or nothing enters without it.
-bool asks_for_tracking(const std::vector<Contestant>& entries) {
-  return entries.empty() || !entries.front().enters() ||
-         is_valve_hysteresis(entries.front().kind());
-}
-
 auto hysteresis_among(std::vector<Contestant>& entries) {
   return std::ranges::find_if(
       entries, [](const Contestant& entry) { return is_valve_hysteresis(entry.kind()); });
-}
-
-void take_tracked(const Round& round, std::vector<Contestant>& entries) {
-  std::optional<Contestant> tracked = best_of(round, find_tracked_valves(round));
-  if (!tracked) return;
-  const auto alone = hysteresis_among(entries);
-  if (alone == entries.end())
-    entries.push_back(std::move(*tracked));
-  else if (tracked->worth() > alone->worth())
-    *alone = std::move(*tracked);
-  rank(entries);
 }
 
 /// Where a valve's own law has something to show: from nothing a search between the samples led to
@@ -116,6 +99,7 @@ bool worth_a_closer_look(const Contestant& valve, const Contestant& leader) {
 
 /// The best valve once more, between the samples.
 void look_between_samples(const Round& round, std::vector<Contestant>& entries) {
+  if (!round.data.without.has(Mechanism::stem_search)) return;
   const auto valve = hysteresis_among(entries);
   if (valve == entries.end() || !worth_a_closer_look(*valve, entries.front())) return;
   std::optional<Fit> fit = sought_between_samples(valve->rows, valve->fit.fit);
@@ -135,7 +119,6 @@ std::vector<Contestant> hold_contest(const Round& round) {
     if (best) result.push_back(std::move(*best));
   }
   rank(result);
-  if (round.tracked_valves && asks_for_tracking(result)) take_tracked(round, result);
   look_between_samples(round, result);
   tell_bends_apart(round.data, result);
   return result;

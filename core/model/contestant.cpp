@@ -16,7 +16,7 @@ namespace {
 double tries_of(const Effect& fitted, std::size_t tries, std::size_t samples) {
   const auto* valve = dynamic_cast<const ValveEffect*>(&fitted);
   if (valve == nullptr) return static_cast<double>(std::max<std::size_t>(tries, 1));
-  const bool play = valve->by_law_alone() && valve->valve().slip_jump_percent == 0.0;
+  const bool play = valve->valve().slip_jump_percent == 0.0;
   if (play && valve->valve().acts_at_samples()) return static_cast<double>(hysteresis_net_bands());
   return static_cast<double>(valve->valve().acts_at_samples() ? samples : kStemGuesses);
 }
@@ -32,6 +32,7 @@ TwinFit scored_fit(const LoopData& rows, Fit fit, bool once) {
 void compare_fairly(Contestant& trial) {
   const bool once = trial.scored_once();
   trial.comparison = compare(trial.rows, trial.before, trial.fit, once);
+  if (!trial.rows.without.has(Mechanism::fair_comparison)) return;
   if (trial.comparison.evidence <= 0.0) return;
   const TwinFit bare =
       scored_fit(trial.rows, polish(trial.rows, without_last(trial.fit.fit.structure)), once);
@@ -44,8 +45,7 @@ void compare_fairly(Contestant& trial) {
 }  // namespace
 
 bool Contestant::scored_once() const {
-  const auto* valve = dynamic_cast<const ValveEffect*>(&effect());
-  return kind() == EffectKind::load_step || (valve != nullptr && !valve->by_law_alone());
+  return kind() == EffectKind::load_step;
 }
 
 Contestant scored(Contestant trial, Fit fit, std::size_t tries) {

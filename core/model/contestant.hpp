@@ -21,8 +21,8 @@ struct Contestant {
   [[nodiscard]] bool enters() const { return comparison.p <= kEnters; }
   [[nodiscard]] const Effect& effect() const { return *fit.fit.structure.effects.back(); }
   [[nodiscard]] EffectKind kind() const { return effect().kind(); }
-  /// What it gains is counted once: where it sits (a step) or where pv puts it right (a valve) was
-  /// taken from the fit rows, so that the mirrored fit has nothing unseen to be scored on.
+  /// What it gains is counted once: where a step sits was taken from the fit rows, so that the
+  /// mirrored fit has nothing unseen to be scored on.
   [[nodiscard]] bool scored_once() const;
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/model/cycle_band.hpp"
 #include "core/model/cycle_evidence.hpp"
+#include "core/model/mechanism.hpp"
 #include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::model {
@@ -25,7 +26,7 @@ struct CycleRecording {
 [[nodiscard]] std::string unusable(const CycleRecording& recording);
 
 /// The period at which op repeats itself best, samples.
-[[nodiscard]] double cycle_period(const CycleRecording& recording);
+[[nodiscard]] double cycle_period(const CycleRecording& recording, const Without& without = {});
 
 /// The stretches that are judged, those in which op and pv move: the whole of it, or three parts of
 /// a long one. They view the recording.

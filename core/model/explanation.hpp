@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,21 @@ struct Parameter {
   std::optional<double> high;  ///< 90 % interval
 };
 
+/// A residual test that asked for an effect.
+struct AskedBy {
+  std::string_view test;          ///< e.g. "op_direction"
+  double p = 1.0;                 ///< of the residual before the effect
+  std::optional<double> p_after;  ///< of that after it; nullopt = not asked again
+  std::string statement;          ///< what it saw, with figures
+};
+
+/// What a residual test asked for, whether it was taken in or not.
+struct AskedEffect {
+  EffectKind effect = EffectKind::valve_stiction;
+  std::string_view test;
+  double p = 1.0;  ///< of the part of the test that points to this effect
+};
+
 /// One effect that the model took in.
 struct Step {
   EffectKind effect = EffectKind::valve_stiction;
@@ -47,6 +63,12 @@ struct Step {
   /// time do so (steps_after_moves.hpp). 1 = it comes at another time.
   double setpoint_chance = 1.0;
   std::string statement;  ///< one sentence with the figures, for an engineer
+  /// The residual tests that asked for it, the most significant first; empty = none did, and the
+  /// cheap look that every effect gets showed it.
+  std::vector<AskedBy> asked_by;
+  /// Its place among the effects that the tests asked for, by p; 1 = the most promising, 0 = none
+  /// asked for it.
+  std::size_t promise_rank = 0;
 };
 
 /// The process between valve and sensor, as the final model has it.
@@ -108,7 +130,8 @@ struct Explanation {
   ErrorKind error_kind = ErrorKind::one_step;
   double noise_floor = 0.0;  ///< what a perfect model would leave, same kind as the errors
   Baseline baseline;
-  std::vector<Step> steps;  ///< in the order in which they were taken in
+  std::vector<Step> steps;         ///< in the order in which they were taken in
+  std::vector<AskedEffect> asked;  ///< of the linear loop's residual, the most promising first
   Unexplained unexplained;
   std::vector<Question> questions;        ///< put to the final residual
   std::optional<ClosedLoop> closed_loop;  ///< nullopt = no PI law found

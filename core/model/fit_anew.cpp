@@ -14,7 +14,7 @@ namespace loopscope::core::model {
 namespace {
 
 /// The slip jump is nearly flat in the error until process and noise have followed it: a few of
-/// them are followed. Restarts and band stay as they are.
+/// them are followed. The band stays as it is.
 Fit scan_jump(const LoopData& data, Fit fit) {
   const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
   if (valve == nullptr || !valve->valve().acts_at_samples()) return fit;
@@ -44,15 +44,15 @@ Fit sweep(const LoopData& data, const Structure& start, const ValveEffect& valve
   return found.effect ? evaluate(data, with_last(start, found.effect)) : best;
 }
 
-/// A law that keeps its errors of position has a needle at the right band, which a search that puts
-/// positions right passes by: it is swept for with the corrections of the search, and without.
+/// A law that keeps its errors of position has a needle at the right band: it is swept for, from
+/// where the valve begins and from either direction.
 Fit scan_band(const LoopData& data, Fit fit) {
   const Structure start = fit.structure;
   const auto* valve = dynamic_cast<const ValveEffect*>(start.effects.back().get());
   if (valve == nullptr || !valve->valve().acts_at_samples()) return fit;
   fit = sweep(data, start, *valve, fit);
   for (const double direction : {-1.0, 1.0}) {
-    fit = sweep(data, start, *valve->by_law_alone(direction), fit);
+    fit = sweep(data, start, valve->coming(direction), fit);
   }
   return fit;
 }
@@ -104,8 +104,7 @@ std::optional<Fit> sought_between_samples(const LoopData& data, const Fit& fit) 
     NetFind find = find_stem(data, fit.structure, valve.stickband_percent, law);
     if (!best || find.fit_error < best->fit_error) best = std::move(find);
   }
-  // What puts a valve right flatters its fit: against such a one any law by itself is worth a look.
-  if (effect->by_law_alone() && best->fit_error >= fit.fit_error) return std::nullopt;
+  if (best->fit_error >= fit.fit_error) return std::nullopt;
   return fit_anew(data, evaluate(data, best->structure));
 }
 
@@ -118,8 +117,9 @@ Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {
   // The linear baseline takes all of a valve's travel for dynamics.
   fit = bends ? search_process(data, fit.structure) : settle(data, fit);
   if (is_valve_hysteresis(kind) && fit.fit_error > hopeless) return fit;
-  if (bends) fit = polish(data, scan_band(data, std::move(fit)).structure, 4);
-  fit = scan_jump(data, std::move(fit));
+  const bool scans = data.without.has(Mechanism::bands_scanned);
+  if (bends && scans) fit = polish(data, scan_band(data, std::move(fit)).structure, 4);
+  if (scans) fit = scan_jump(data, std::move(fit));
   for (int round = 0; bends && round < 3; ++round) {
     const double before = fit.fit_error;
     fit = polish(data, refine_last(data, std::move(fit)).structure, 4);

@@ -40,7 +40,7 @@ Step step_of(double stickband, double slip_jump, double p) {
 }
 
 std::optional<Step> by_cycle(const ModelInput& input, double p) {
-  const CycleCause cause = judge_limit_cycle(input.pv, input.op, input.sp);
+  const CycleCause cause = judge_limit_cycle(input.pv, input.op, input.sp, input.without);
   if (cause.decision != CycleCause::Decision::sticks || cause.score < kClearScore) {
     return std::nullopt;
   }
@@ -90,11 +90,11 @@ std::optional<Step> find_hysteresis(const ModelInput& input, const std::vector<A
   };
   const double level_p = p_of(answers, "op_level");
   const bool strokes_call = p <= kStrokeP || level_p <= kStrokeLevelP;
-  if (op_turns <= kFewStrokes && strokes_call) {
+  if (op_turns <= kFewStrokes && strokes_call && input.without.has(Mechanism::slow_travel)) {
     auto step = by_strokes(input, std::min(p, level_p));
     if (lowers_the_error(step)) return step;
   }
-  if (p > kCycleP) return std::nullopt;
+  if (p > kCycleP || !input.without.has(Mechanism::cycle_score)) return std::nullopt;
   auto step = by_cycle(input, p);
   return lowers_the_error(step) ? step : std::nullopt;
 }

@@ -8,8 +8,4 @@ const LaneKernel& best_lane_kernel() {
   return LOOPSCOPE_BEST_KERNEL(kPortableLanes, kAvx2Lanes, kAvx512Lanes);
 }
 
-const LaneKernel& best_tracking_kernel() {
-  return LOOPSCOPE_BEST_KERNEL(kPortableLanes, kAvx2Lanes, kAvx2Lanes);
-}
-
 }  // namespace loopscope::core::model

@@ -9,7 +9,6 @@
 #include "core/model/noise_model.hpp"
 #include "core/model/products.hpp"
 #include "core/model/valve_answers.hpp"
-#include "core/model/valve_tracking.hpp"
 
 namespace loopscope::core::model {
 
@@ -30,9 +29,6 @@ struct LaneKernel {
   std::string_view name;
   Products single_answers;  ///< ValveAnswers::products(), Digits::single
   Products full_answers;    ///< the same, Digits::full
-  TrackedValve (*track)(const TrackedRecord& record, const Valve& valve, const LaggedModel& model,
-                        std::size_t rows_per_stretch);  ///< track_valve()
-  LaggedModel (*fit_lagged)(const LaggedRows& rows, std::span<const double> input);
 };
 
 /// Runs everywhere.
@@ -45,8 +41,5 @@ extern const LaneKernel kAvx512Lanes;
 
 /// The fastest of them on this processor.
 [[nodiscard]] const LaneKernel& best_lane_kernel();
-/// The one that tracks fastest: eight valves fill a vector of AVX2, and each waits for its own
-/// choice of the sample before, which takes a third longer by the mask registers of AVX-512.
-[[nodiscard]] const LaneKernel& best_tracking_kernel();
 
 }  // namespace loopscope::core::model

@@ -14,12 +14,10 @@ namespace {
 
 typedef float Singles __attribute__((vector_size(32)));
 typedef double Doubles __attribute__((vector_size(32)));
-typedef float FewSingles __attribute__((vector_size(32)));
-typedef double FewDoubles __attribute__((vector_size(32)));
 
 }  // namespace
 
-const LaneKernel kAvx2Lanes = lane_kernel<Singles, Doubles, FewSingles, FewDoubles>("avx2");
+const LaneKernel kAvx2Lanes = lane_kernel<Singles, Doubles>("avx2");
 
 }  // namespace loopscope::core::model
 

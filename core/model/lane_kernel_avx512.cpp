@@ -14,12 +14,10 @@ namespace {
 
 typedef float Singles __attribute__((vector_size(64)));
 typedef double Doubles __attribute__((vector_size(64)));
-typedef float FewSingles __attribute__((vector_size(32)));
-typedef double FewDoubles __attribute__((vector_size(32)));
 
 }  // namespace
 
-const LaneKernel kAvx512Lanes = lane_kernel<Singles, Doubles, FewSingles, FewDoubles>("avx512");
+const LaneKernel kAvx512Lanes = lane_kernel<Singles, Doubles>("avx512");
 
 }  // namespace loopscope::core::model
 

@@ -2,7 +2,6 @@
 
 namespace loopscope::core::model {
 
-const LaneKernel kPortableLanes =
-    lane_kernel<ShortNumbers, NumberPair, ShortNumbers, NumberPair>("portable");
+const LaneKernel kPortableLanes = lane_kernel<ShortNumbers, NumberPair>("portable");
 
 }  // namespace loopscope::core::model

@@ -89,12 +89,12 @@ std::string reason_for(const CycleEvidence& e) {
 }  // namespace
 
 CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double> op,
-                             std::span<const double> sp) {
+                             std::span<const double> sp, const Without& without) {
   const CycleRecording recording = cycle_recording(pv, op, sp);
   CycleCause cause;
   cause.reason = unusable(recording);
   if (!cause.reason.empty()) return cause;
-  const std::optional<CycleEvidence> best = gather(recording, cycle_period(recording));
+  const std::optional<CycleEvidence> best = gather(recording, cycle_period(recording, without));
   cause.reason = "op stands still for most of the record.";
   if (!best) return cause;
   cause.evidence = *best;

@@ -3,6 +3,8 @@
 #include <span>
 #include <string>
 
+#include "core/model/mechanism.hpp"
+
 namespace loopscope::core::model {
 
 /// What a recording says about the valve when nothing but sp, pv and op is known: errors of a
@@ -43,6 +45,6 @@ struct CycleCause {
 /// than 40 % of pv is missing, op or pv stands still, or fewer than 128 samples or five cycles are
 /// recorded. Throws std::invalid_argument for unequal lengths. README.limit_cycle.md has the rates.
 [[nodiscard]] CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double> op,
-                                           std::span<const double> sp);
+                                           std::span<const double> sp, const Without& without = {});
 
 }  // namespace loopscope::core::model

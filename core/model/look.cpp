@@ -68,11 +68,12 @@ std::size_t judge_loop(const Look& look, const Fit& fit, Explanation& explanatio
   const ProcessFit& process = explanation.baseline.process;
   const ControllerTrap trap =
       judge_controller_trap(process, law, input.op, input.sample_interval_s);
-  if (trap.refused && explanation.steps.empty()) {
+  const bool refused = trap.refused && input.without.has(Mechanism::controller_trap);
+  if (refused && explanation.steps.empty()) {
     explanation.process_doubt = trap.statement;
     return excitation.reversals;
   }
-  if (process.gain != 0.0 && !trap.refused)
+  if (process.gain != 0.0 && !refused)
     explanation.closed_loop = implied_loop(data, fit, process, law);
   return excitation.reversals;
 }
@@ -108,9 +109,10 @@ double Look::error_of_both_halves() const {
 }
 
 Look look_at(const ModelInput& recorded, const ModelInput& at_rows, const RowGrid& grid) {
-  const LoopData data = make_loop_data(recorded.pv, recorded.op, recorded.sample_interval_s, grid);
+  LoopData data = make_loop_data(recorded.pv, recorded.op, recorded.sample_interval_s, grid);
+  data.without = recorded.without;
   Look look{recorded, at_rows, begin_story(data), {}};
-  look.answers = question(at_rows, look.story.data, look.story.baseline.fit, Depth::first);
+  look.answers = question(at_rows, look.story.data, look.story.baseline.fit);
   return look;
 }
 
@@ -119,9 +121,7 @@ Look look_at(const ModelInput& recorded) {
 }
 
 void report_linear_rest(const Look& look, Explanation& explanation) {
-  const Fit& linear = look.story.baseline.fit;
-  report_rest(look.story, question(look.at_rows, look.story.data, linear, Depth::quick),
-              explanation);
+  report_rest(look.story, look.answers, explanation);
 }
 
 Explanation begin_explanation(const Look& look) {
@@ -136,20 +136,26 @@ Explanation begin_explanation(const Look& look) {
 Explanation tell_story(Look& look) {
   Explanation explanation = begin_explanation(look);
   Story& story = look.story;
-  continue_story(story, look.answers);
+  explanation.asked = asked_effects(look.answers);
+  const std::vector<Answer>* others = look.recorded.without.others();
+  std::vector<Answer> left = continue_story(
+      story, others ? *others : look.answers, [&](const LoopData& data, const Fit& fit) {
+        return others ? *others : question(look.at_rows, data, fit);
+      });
   explanation.steps = report_steps(story);
   const Fit& last = story.last().fit;
   const bool changed = !story.chapters.empty();
   if (changed) explanation.baseline.process = report_process(story.data, last);
-  const std::vector<Answer> left = question(look.at_rows, story.data, last, Depth::full,
-                                            changed ? std::vector<Answer>() : look.answers);
+  for (Answer& answer : question_coupling(look.at_rows, story.data, last))
+    left.push_back(std::move(answer));
   const std::size_t op_turns = judge_loop(look, last, explanation);
   report_rest(story, left, explanation);
   // Behind a held sensor the shape of a cycle proves nothing: there it accused the valves of 5 in
   // 640 healthy loops, and none of 40 that stick and were not found without it.
-  if (story.data.grid.every_sample())
+  if (story.data.grid.every_sample() && look.recorded.without.has(Mechanism::hysteresis_by_cycle))
     prefer_hysteresis(look.recorded, look.answers, left, op_turns, explanation);
-  find_steps_after_moves(look.recorded, story.data.grid.samples_per_row, explanation);
+  if (look.recorded.without.has(Mechanism::steps_after_moves))
+    find_steps_after_moves(look.recorded, story.data.grid.samples_per_row, explanation);
   return explanation;
 }
 

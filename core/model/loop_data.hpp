@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/model/mechanism.hpp"
 #include "core/model/row_grid.hpp"
 
 namespace loopscope::core::model {
@@ -41,6 +42,7 @@ struct LoopData {
   double op_mean = 0.0;    ///< %
   Rows rows;
   RowGrid grid;
+  Without without{};                                            ///< tests only
   [[nodiscard]] std::size_t size() const { return pv.size(); }  ///< rows
   [[nodiscard]] std::size_t samples() const { return op.size(); }
 };

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/model/mechanism.hpp"
+
 namespace loopscope::core::model {
 
 /// What was recorded of one loop, on one grid, equally long. NaN = missing.
@@ -14,6 +16,7 @@ struct ModelInput {
   double sample_interval_s = 1.0;  ///< > 0
   bool op_in_percent = true;
   std::uint64_t seed = 0;  ///< of the simulations behind p-values
+  Without without{};       ///< tests only
 };
 
 }  // namespace loopscope::core::model

@@ -79,29 +79,59 @@ std::size_t rows_under_the_past(const LoopData& data, const Fit& fit) {
       std::min(rows, kMostOfRecord * static_cast<double>(fit.innovations.size())));
 }
 
+std::vector<EffectPtr> waves_asked_for(const std::vector<Nomination>& asked, const LoopData& data) {
+  const auto samples_per_row = static_cast<double>(data.grid.samples_per_row);
+  std::vector<EffectPtr> result;
+  for (const Nomination& nomination : asked) {
+    if (nomination.period_samples)
+      result.push_back(
+          std::make_shared<ExternalOscillation>(samples_per_row * *nomination.period_samples));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<EffectPtr> nominate_trims(const LoopData& data) {
   std::vector<EffectPtr> result;
+  if (!data.without.has(Mechanism::exponential_trim)) return result;
   for (const double growth : {-0.4, 0.4}) {
     result.push_back(std::make_shared<ExponentialTrim>(growth, reach_of(data)));
   }
   return result;
 }
 
-std::vector<EffectPtr> nominate_static(const LoopData& data) {
+std::vector<EffectPtr> nominate_static(EffectKind kind, const LoopData& data) {
   std::vector<EffectPtr> result;
-  for (const double share : {0.03, 0.08, 0.15, 0.25, 0.4, 0.55}) {
-    result.push_back(std::make_shared<Saturation>(quantile(data.op, share), kNone));
-    result.push_back(std::make_shared<Saturation>(-kNone, quantile(data.op, 1.0 - share)));
+  if (kind == EffectKind::valve_saturation) {
+    for (const double share : {0.03, 0.08, 0.15, 0.25, 0.4, 0.55}) {
+      result.push_back(std::make_shared<Saturation>(quantile(data.op, share), kNone));
+      result.push_back(std::make_shared<Saturation>(-kNone, quantile(data.op, 1.0 - share)));
+    }
+  } else if (kind == EffectKind::valve_characteristic) {
+    result = nominate_trims(data);
+    result.push_back(std::make_shared<ValveCharacteristic>());
+  } else if (kind == EffectKind::process_nonlinearity) {
+    result.push_back(std::make_shared<ProcessNonlinearity>());
+    if (!data.without.has(Mechanism::root_outflow)) return result;
+    // A shallow vessel and a deep one; deeper ones are straight.
+    for (const double reaches : {1.0, 2.5})
+      result.push_back(std::make_shared<RootOutflow>(reaches * reach_of(data)));
   }
-  result.push_back(std::make_shared<ValveCharacteristic>());
-  result.push_back(std::make_shared<ProcessNonlinearity>());
-  for (const EffectPtr& trim : nominate_trims(data)) result.push_back(trim);
-  // A shallow vessel and a deep one; deeper ones are straight.
-  for (const double reaches : {1.0, 2.5}) {
-    result.push_back(std::make_shared<RootOutflow>(reaches * reach_of(data)));
-  }
+  return result;
+}
+
+std::vector<EffectPtr> nominate(EffectKind kind, const LoopData& data, const Fit& fit,
+                                const std::vector<Nomination>& asked) {
+  std::vector<EffectPtr> result;
+  if (kind == EffectKind::gain_change)
+    result = nominate_gain_changes(data, fit);
+  else if (kind == EffectKind::load_step)
+    result = nominate_load_steps(data, fit);
+  else if (kind == EffectKind::external_oscillation)
+    result = asked.empty() ? nominate_oscillations(data, fit) : waves_asked_for(asked, data);
+  else
+    result = nominate_static(kind, data);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/model/asked.hpp"
 #include "core/model/cycle_valve.hpp"
 #include "core/model/hysteresis_step.hpp"
 
@@ -77,6 +78,8 @@ void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& first
   explanation.noise_floor = std::nan("");
   explanation.unexplained.fraction =
       std::clamp(step->holdout_error_after / step->holdout_error_before, 0.0, 1.0);
+  step->asked_by = asked_by(step->effect, first, left);
+  step->promise_rank = Asked(first).rank(step->effect);
   explanation.steps = {std::move(*step)};
 }
 

@@ -1,11 +1,9 @@
 #include "core/model/put_questions.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/model/op_direction.hpp"
-#include "core/model/questions/op_direction.hpp"
-#include "core/model/questions/questioned.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -22,6 +20,40 @@ std::vector<double> residual_of(const LoopData& data, const Fit& fit) {
   return residual;
 }
 
+/// pv less what the model says comes from outside, pv units; empty where it says nothing. A wave
+/// that the model has would else be asked for again: op may explain its line in the residual, so
+/// that it is sought in pv.
+std::vector<double> undisturbed_pv(const ModelInput& input, const LoopData& data, const Fit& fit) {
+  Fit outside = fit;
+  std::ranges::fill(outside.coefficients, 0.0);
+  const auto& effects = fit.structure.effects;
+  std::size_t at = fit.taps();
+  for (std::size_t place = 0; place < effects.size(); ++place) {
+    const std::span<const double> own = coefficients_of(fit, place);
+    if (same_cause(effects[place]->kind(), EffectKind::external_oscillation))
+      std::ranges::copy(own, outside.coefficients.begin() + static_cast<std::ptrdiff_t>(at));
+    at += own.size();
+  }
+  if (std::ranges::all_of(outside.coefficients, [](double value) { return value == 0.0; }))
+    return {};
+  std::vector<double> result = deterministic_output(data, outside);
+  std::ranges::transform(input.pv, result, result.begin(),
+                         [&](double pv, double wave) { return pv - data.pv_scale * wave; });
+  return result;
+}
+
+/// `ask` with what the fit leaves.
+template <typename Ask>
+std::vector<Answer> with_view(const ModelInput& input, const LoopData& data, const Fit& fit,
+                              const Ask& ask) {
+  const std::vector<double> residual = residual_of(data, fit);
+  const std::vector<double> direction = op_direction(input.op);
+  const std::vector<double> response = response_of(data, fit);
+  const std::vector<double> undisturbed = undisturbed_pv(input, data, fit);
+  return ask(
+      {residual, input.op, direction, response, input.pv, input.sample_interval_s, undisturbed});
+}
+
 }  // namespace
 
 std::vector<double> response_of(const LoopData& data, const Fit& fit) {
@@ -30,27 +62,14 @@ std::vector<double> response_of(const LoopData& data, const Fit& fit) {
   return response;
 }
 
-std::vector<Answer> question(const ModelInput& input, const LoopData& data, const Fit& fit,
-                             Depth depth, const std::vector<Answer>& known) {
-  const std::vector<double> residual = residual_of(data, fit);
-  const std::vector<double> direction = op_direction(input.op);
-  const std::vector<double> response = response_of(data, fit);
-  const ResidualView view{residual, input.op, direction,
-                          response, input.pv, input.sample_interval_s};
-  if (depth == Depth::first) return question_residual_first(view);
-  return depth == Depth::quick ? question_residual_quickly(view)
-                               : question_residual(view, input.seed, known);
+std::vector<Answer> question(const ModelInput& input, const LoopData& data, const Fit& fit) {
+  return with_view(input, data, fit, question_residual);
 }
 
-double p_of_op_direction(const LoopData& data, const Fit& fit) {
-  const std::vector<double> residual = residual_of(data, fit);
-  const std::vector<double> op = at_rows(data.grid, data.op);
-  const std::vector<double> direction = op_direction(op);
-  const std::vector<double> nothing(data.size(), std::nan(""));
-  const std::optional<Questioned> questioned =
-      prepare_questions({residual, op, direction, nothing, nothing, data.sample_interval_s});
-  const std::optional<Answer> answer = questioned ? ask_op_direction(*questioned) : std::nullopt;
-  return answer ? answer->question.p : 1.0;
+std::vector<Answer> question_coupling(const ModelInput& input, const LoopData& data,
+                                      const Fit& fit) {
+  return with_view(input, data, fit,
+                   [&](const ResidualView& view) { return question_coupling(view, input.seed); });
 }
 
 }  // namespace loopscope::core::model

@@ -8,22 +8,17 @@
 
 namespace loopscope::core::model {
 
-/// What is left after the fit, questioned. The names of the questions, in this order:
-/// white, op_dynamics, op_direction, op_level, response_level, time_level, time_gain, time_spread,
-/// time_event, periodic, grid, held, nonlinear, ngi. One that cannot be asked (no op, op constant,
-/// too many gaps) is left out; empty when fewer than 200 innovations are there or they do not vary.
+/// What is left after the fit, put to the residual tests, in this order: white, op_dynamics,
+/// op_direction, op_level, response_level, time_gain, time_spread, time_event, periodic, grid,
+/// held. One that cannot be made (no op, op constant, too many gaps) is left out; empty when fewer
+/// than 200 innovations are there or they do not vary.
 ///
-/// Each p is that of its own question; the questions are not corrected for each other. `seed`
-/// drives the simulations of core/hos. Throws std::invalid_argument when the spans differ in length
-/// or the sample interval is not positive. `known`: of question_residual_first() on the same view,
-/// not asked again.
-[[nodiscard]] std::vector<Answer> question_residual(const ResidualView& view, std::uint64_t seed,
-                                                    const std::vector<Answer>& known = {});
+/// Each p is that of its own test; the tests are not corrected for each other. Throws
+/// std::invalid_argument when the spans differ in length or the sample interval is not positive.
+[[nodiscard]] std::vector<Answer> question_residual(const ResidualView& view);
 
-/// All but the last two, which cost more than the others together.
-[[nodiscard]] std::vector<Answer> question_residual_quickly(const ResidualView& view);
-
-/// Those that a story starts from: op_direction, op_level, grid, held.
-[[nodiscard]] std::vector<Answer> question_residual_first(const ResidualView& view);
+/// The same of core/hos, which cost more than the others together: nonlinear, ngi. `seed` drives
+/// the simulations behind their p-values.
+[[nodiscard]] std::vector<Answer> question_coupling(const ResidualView& view, std::uint64_t seed);
 
 }  // namespace loopscope::core::model

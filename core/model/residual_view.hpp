@@ -16,6 +16,8 @@ struct ResidualView {
   std::span<const double> response;
   std::span<const double> pv;
   double sample_interval_s = 1.0;  ///< > 0
+  /// pv less the waves and loads that the model has; empty = it has none.
+  std::span<const double> pv_undisturbed{};
 };
 
 }  // namespace loopscope::core::model

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/asked.hpp"
 #include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {
@@ -36,6 +37,7 @@ Step sensor_step(EffectKind kind, double p, const Parameter& parameter, double e
 }  // namespace
 
 SensorFinding find_sensor_steps(double error, const std::vector<Answer>& answers) {
+  const Asked asked(answers);
   SensorFinding finding;
   const Nomination* held = nominated(answers, EffectKind::sensor_hold);
   if (held && held->hold_samples && *held->hold_samples >= 2.0) {
@@ -43,6 +45,8 @@ SensorFinding find_sensor_steps(double error, const std::vector<Answer>& answers
     if (!held->at_sample) finding.hold_samples = static_cast<std::size_t>(samples);
     finding.hold =
         sensor_step(EffectKind::sensor_hold, held->p, {"samples", "", samples, {}, {}}, error);
+    finding.hold->asked_by = asked_by(EffectKind::sensor_hold, answers, {});
+    finding.hold->promise_rank = asked.rank(EffectKind::sensor_hold);
     finding.hold->statement =
         "The sensor is renewed every " + in_digits(samples) + " samples only.";
   }
@@ -50,6 +54,8 @@ SensorFinding find_sensor_steps(double error, const std::vector<Answer>& answers
   if (grid && grid->step) {
     finding.quantisation = sensor_step(EffectKind::sensor_quantisation, grid->p,
                                        {"step", "pv", *grid->step, {}, {}}, error);
+    finding.quantisation->asked_by = asked_by(EffectKind::sensor_quantisation, answers, {});
+    finding.quantisation->promise_rank = asked.rank(EffectKind::sensor_quantisation);
     finding.quantisation->statement = "The values of pv lie on a grid of " +
                                       in_digits(*grid->step) + ", coarse beside its fast noise.";
   }

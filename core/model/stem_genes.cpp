@@ -86,8 +86,7 @@ StemGenes varied(const StemGenes& parent, double scale, std::size_t number) {
 ValveEffect valve_of(const StemGenes& genes, ValveLaw law, double first_op) {
   const double jump = genes.jump_share * genes.band;
   const double place = first_op - genes.behind_op * 0.5 * (genes.band + jump);
-  const Valve valve{law, genes.band, jump, 1.0, genes.between};
-  return ValveEffect(valve, {{0, place}});
+  return ValveEffect(Valve{law, genes.band, jump, 1.0, genes.between, place});
 }
 
 ProcessShape process_of(const StemGenes& genes, ProcessShape start) {

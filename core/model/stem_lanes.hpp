@@ -18,10 +18,6 @@ class StemLanes {
     stems_[lane / kElements<Number>].put_in(lane % kElements<Number>, valve, op);
     forget();
   }
-  void put(std::size_t lane, double place) {
-    stems_[lane / kElements<Number>].put(lane % kElements<Number>, place);
-    forget();
-  }
   /// Where the stems are at each op; law `he` or `kano`.
   template <ValveLaw law>
   void run(std::span<const Element> op, Numbers* places) {

@@ -27,10 +27,8 @@ class alignas(sizeof(Number)) Stems {
     const StemFriction<double> one = stem_friction(valve);
     friction_.put(at, one);
     put_element(pressure_, at, op);
-    put(at, op - valve.start_direction * one.behind);
+    put_element(place_, at, valve.start_percent.value_or(op - valve.start_direction * one.behind));
   }
-  /// It stands elsewhere, moving on or not.
-  void put(std::size_t at, double place) { put_element(place_, at, place); }
 
   [[nodiscard]] const Number& place() const { return place_; }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/asked.hpp"
+
 namespace loopscope::core::model {
 namespace {
 
@@ -75,6 +77,8 @@ Step report(const LoopData& data, const Chapter& chapter) {
   step.simulation_ratio = chapter.simulation_ratio;
   step.steadiness = chapter.comparison.steadiness;
   step.statement = effect.words(step.parameters);
+  step.asked_by = asked_by(step.effect, chapter.asked_for, chapter.left);
+  step.promise_rank = chapter.promise_rank;
   return step;
 }
 

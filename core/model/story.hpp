@@ -1,8 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
-#include "core/model/question_residual.hpp"
+#include "core/model/questions/answer.hpp"
 #include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
@@ -20,6 +21,9 @@ struct Chapter {
   Comparison comparison;        ///< with it against without it
   double rival_evidence = 0.0;  ///< of the best effect of another cause in the same round
   double simulation_ratio = 1.0;
+  std::size_t promise_rank = 0;   ///< among what the residual tests asked for; 0 = nobody did
+  std::vector<Answer> asked_for;  ///< of the residual tests, before it and after it
+  std::vector<Answer> left;
   Judged judged;  ///< what `comparison` has after it, before the process was settled behind it
 };
 
@@ -37,10 +41,15 @@ struct Story {
 /// Fits the linear loop.
 [[nodiscard]] Story begin_story(const LoopData& data);
 
+/// What the residual tests say of a fit of the record.
+using ResidualTests = std::function<std::vector<Answer>(const LoopData&, const Fit&)>;
+
 /// Takes in one effect after the other, each time the one least probable by chance, as long as that
-/// is significant. A valve is followed by pv only where the answers to the questions on the
-/// baseline's residual call for it, and what the effects found since have left still does: that
-/// search costs most.
-void continue_story(Story& story, const std::vector<Answer>& answers);
+/// is significant.
+/// The residual tests lead: what they ask for is tried, and what nobody asked for gets a cheap look
+/// once nothing else enters. `answers` to the linear loop's residual; returns those to the last
+/// one's.
+[[nodiscard]] std::vector<Answer> continue_story(Story& story, std::vector<Answer> answers,
+                                                 const ResidualTests& tests);
 
 }  // namespace loopscope::core::model

@@ -68,6 +68,7 @@ double least_misfit(const LoopData& all, const std::vector<Contestant*>& rivals,
 }  // namespace
 
 void tell_bends_apart(const LoopData& data, std::vector<Contestant>& trials) {
+  if (!data.without.has(Mechanism::bends_told_apart)) return;
   if (trials.empty() || !is_bend(trials.front())) return;
   std::vector<Contestant*> rivals;
   for (Contestant& trial : trials) {

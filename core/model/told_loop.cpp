@@ -63,8 +63,8 @@ std::optional<ToldLoop> tell_renewals(const ModelInput& input, Look& samples, St
       renewed_record(input.pv, input.op, input.sp, input.error, hold_samples);
   const double share = 1.0 / static_cast<double>(hold_samples);
   const ModelInput at_rows{
-      renewed.pv,          renewed.op, renewed.sp, renewed.error, input.sample_interval_s / share,
-      input.op_in_percent, input.seed};
+      renewed.pv,          renewed.op, renewed.sp,   renewed.error, input.sample_interval_s / share,
+      input.op_in_percent, input.seed, input.without};
   if (!varies(renewed.pv)) return std::nullopt;
   Look look = look_at(input, at_rows, renewed.grid);
   if (!has_rows(look, kFewestRenewals)) return std::nullopt;

@@ -20,7 +20,6 @@ template <typename Numbers>
 class ValveBatch {
  public:
   virtual void put_in(std::size_t lane, const Valve& valve) = 0;
-  virtual void put(std::size_t lane, double place) = 0;
   /// Where the valves are at so many samples from `first` on.
   virtual void run(std::size_t first, std::size_t samples, Numbers* places) = 0;
 
@@ -46,12 +45,10 @@ class SampledBatch final : public ValveBatch<NumberRow<Number, count>> {
     friction_[v].breakaway[i] = friction.breakaway;
     friction_[v].lag[i] = friction.lag;
     const Element op = steps_.front().op;
-    valves_.position[v][i] = op - static_cast<Element>(valve.start_direction) * friction.lag;
+    valves_.position[v][i] = valve.start_percent
+                                 ? static_cast<Element>(*valve.start_percent)
+                                 : op - static_cast<Element>(valve.start_direction) * friction.lag;
     valves_.turn[v][i] = op;
-  }
-  void put(std::size_t lane, double place) override {
-    valves_.position[lane / kElements<Number>][lane % kElements<Number>] =
-        static_cast<Element>(place);
   }
 
   void run(std::size_t first, std::size_t samples, Numbers* places) override {
@@ -82,7 +79,6 @@ class StemBatch final : public ValveBatch<NumberRow<Number, count>> {
   void put_in(std::size_t lane, const Valve& valve) override {
     stems_.put_in(lane, valve, static_cast<double>(op_.front()));
   }
-  void put(std::size_t lane, double place) override { stems_.put(lane, place); }
   void run(std::size_t first, std::size_t samples, Numbers* places) override {
     stems_.template run<law>(op_.subspan(first, samples), places);
   }

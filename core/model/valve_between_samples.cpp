@@ -9,15 +9,9 @@ namespace loopscope::core::model {
 namespace {
 
 template <ValveLaw law>
-void follow(Stems<double> stem, double first_op, std::span<const ValveRestart> restarts,
-            std::span<const double> op, std::span<double> mv) {
+void follow(Stems<double> stem, double first_op, std::span<const double> op, std::span<double> mv) {
   double place = first_op;
-  std::size_t next = 0;
   for (std::size_t k = 0; k < op.size(); ++k) {
-    if (next < restarts.size() && restarts[next].at_sample == k) {
-      place = restarts[next++].position_percent;
-      stem.put(0, place);
-    }
     if (!std::isnan(op[k])) {
       stem.step<law>(op[k]);
       place = stem.place();
@@ -28,13 +22,13 @@ void follow(Stems<double> stem, double first_op, std::span<const ValveRestart> r
 
 }  // namespace
 
-void run_between_samples(const Valve& valve, double first_op,
-                         std::span<const ValveRestart> restarts, std::span<const double> op,
+void run_between_samples(const Valve& valve, double first_op, std::span<const double> op,
                          std::span<double> mv) {
   Stems<double> stem;
   stem.put_in(0, valve, first_op);
-  if (valve.law == ValveLaw::he) return follow<ValveLaw::he>(stem, first_op, restarts, op, mv);
-  follow<ValveLaw::kano>(stem, first_op, restarts, op, mv);
+  const double before = valve.start_percent.value_or(first_op);
+  if (valve.law == ValveLaw::he) return follow<ValveLaw::he>(stem, before, op, mv);
+  follow<ValveLaw::kano>(stem, before, op, mv);
 }
 
 }  // namespace loopscope::core::model

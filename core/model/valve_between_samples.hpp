@@ -19,8 +19,7 @@ namespace loopscope::core::model {
 ///
 /// Before `first_op`, the first op that is no NaN, the pressure stood there. Requires
 /// !valve.acts_at_samples() and law `he` or `kano`; as run_valve otherwise.
-void run_between_samples(const Valve& valve, double first_op,
-                         std::span<const ValveRestart> restarts, std::span<const double> op,
+void run_between_samples(const Valve& valve, double first_op, std::span<const double> op,
                          std::span<double> mv);
 
 }  // namespace loopscope::core::model

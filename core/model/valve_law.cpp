@@ -23,16 +23,9 @@ void check(const Valve& valve, std::size_t ops, std::size_t positions) {
 
 template <ValveLaw law>
 void follow(Friction friction, OpMotion<double> motion, ValveLanes<double, 1> valve,
-            std::span<const ValveRestart> restarts, std::span<const double> op,
-            std::span<double> mv) {
-  std::size_t next = 0;
+            std::span<const double> op, std::span<double> mv) {
   for (std::size_t k = 0; k < op.size(); ++k) {
-    if (next < restarts.size() && restarts[next].at_sample == k) {
-      valve.position[0] = restarts[next++].position_percent;
-    }
-    if (!std::isnan(op[k])) {
-      valve.step<law>(friction, motion.take(op[k]));
-    }
+    if (!std::isnan(op[k])) valve.step<law>(friction, motion.take(op[k]));
     mv[k] = valve.position[0];
   }
 }
@@ -52,11 +45,6 @@ std::string_view name(ValveLaw law) {
 }
 
 void run_valve(const Valve& valve, std::span<const double> op, std::span<double> mv) {
-  run_valve(valve, {}, op, mv);
-}
-
-void run_valve(const Valve& valve, std::span<const ValveRestart> restarts,
-               std::span<const double> op, std::span<double> mv) {
   check(valve, op.size(), mv.size());
   const auto first = std::ranges::find_if(op, [](double value) { return !std::isnan(value); });
   if (first == op.end()) {
@@ -67,11 +55,11 @@ void run_valve(const Valve& valve, std::span<const ValveRestart> restarts,
     const Friction friction(valve);
     ValveLanes<double, 1> lane;
     lane.start(friction, valve.start_direction, *first);
+    if (valve.start_percent) lane.position[0] = *valve.start_percent;
     const OpMotion<double> motion{*first, valve.start_direction};
-    with_law(valve.law,
-             [&]<ValveLaw law>() { follow<law>(friction, motion, lane, restarts, op, mv); });
+    with_law(valve.law, [&]<ValveLaw law>() { follow<law>(friction, motion, lane, op, mv); });
   } else {
-    run_between_samples(valve, *first, restarts, op, mv);
+    run_between_samples(valve, *first, op, mv);
   }
   const auto missing = static_cast<std::size_t>(first - op.begin());
   std::ranges::fill(mv.first(missing), std::numeric_limits<double>::quiet_NaN());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -25,14 +25,15 @@ struct BetweenSamples {
 };
 
 /// The valve and where it comes from: at the first op it has just stopped after moving in the
-/// direction +1 (up) or -1 (down), so mv = op - direction (S - J) / 2. A recording does not say
-/// which; a caller that does not know tries both.
+/// direction +1 (up) or -1 (down), so mv = op - direction (S - J) / 2, unless it stands elsewhere.
+/// A recording does not say which; a caller that does not know tries both.
 struct Valve {
   ValveLaw law = ValveLaw::kano;
   double stickband_percent = 0.0;  ///< S, deadband plus stickband
   double slip_jump_percent = 0.0;  ///< J, 0 to S
   double start_direction = 1.0;    ///< +1 or -1
   BetweenSamples between{};
+  std::optional<double> start_percent{};  ///< where it stands before the first op
   [[nodiscard]] bool acts_at_samples() const { return between.actuator_lag_samples <= 0.0; }
 };
 
@@ -41,18 +42,7 @@ struct Valve {
 /// Throws std::invalid_argument unless 0 <= J <= S and the lengths are equal.
 void run_valve(const Valve& valve, std::span<const double> op, std::span<double> mv);
 
-/// Before op(at_sample) the valve stands at another place than the law has it.
-struct ValveRestart {
-  std::size_t at_sample = 0;
-  double position_percent = 0.0;
-};
-
-/// The same with restarts, by rising sample: a law keeps every error of its position, as long as
-/// nothing puts it right.
-void run_valve(const Valve& valve, std::span<const ValveRestart> restarts,
-               std::span<const double> op, std::span<double> mv);
-
-/// The same without restarts, spelled out.
+/// The same, spelled out.
 inline void run_valve(ValveLaw law, double stickband_percent, double slip_jump_percent,
                       double start_direction, std::span<const double> op, std::span<double> mv) {
   run_valve({law, stickband_percent, slip_jump_percent, start_direction, {}}, op, mv);

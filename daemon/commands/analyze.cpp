@@ -32,7 +32,7 @@ void analyze(const AnalyzeOptions& options) {
   const Recording recording = read_recording(options.file);
   const auto [window, input, diagnosis] =
       analyse_recording(recording, settings, parse_op_range(options.op_range),
-                        {.integrating = is_integrating_type(options.type)});
+                        {.integrating = core::is_integrating_type(options.type)});
   if (options.json) {
     std::cout << json_text(analysis_json(input, diagnosis)) << '\n';
   } else {

@@ -20,8 +20,4 @@ std::optional<core::signal::OpRange> parse_op_range(const std::string& text) {
                 "e.g. --op-range 4,20 for milliamperes");
 }
 
-bool is_integrating_type(std::string_view loop_type) {
-  return same_word(trimmed(loop_type), "level");
-}
-
 }  // namespace loopscope::daemon

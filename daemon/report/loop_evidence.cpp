@@ -2,16 +2,12 @@
 
 #include <utility>
 
-#include "core/diagnosis/decide.hpp"
-#include "core/diagnosis/gather_evidence.hpp"
-#include "core/diagnosis/loop_model.hpp"
 #include "core/diagnosis/steady_error.hpp"
 #include "core/hos/bicoherence.hpp"
 #include "core/hos/decimate.hpp"
 #include "core/hos/slow_look.hpp"
 #include "core/signal/prepare.hpp"
 #include "core/signal/window_digest.hpp"
-#include "daemon/commands/option_values.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -67,18 +63,14 @@ LoopEvidence look_again(const storage::CatalogueEntry& loop, const LoopInput& in
                         const AnalysisSettings& settings) {
   const core::FirstLook first =
       input.first ? *input.first : core::first_look(input.at_slot.window, settings);
-  const core::LoopFacts facts{.integrating = is_integrating_type(loop.loop_type),
+  const core::LoopFacts facts{.integrating = core::is_integrating_type(loop.loop_type),
                               .seed = core::signal::window_seed(input.at_slot.window)};
   const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
   LoopEvidence seen{loop, input.at_slot, first.loop, {}, std::nullopt, std::nullopt};
-  core::Evidence& evidence = seen.diagnosis.evidence;
-  evidence = core::gather_evidence(first, settings, facts, longer);
-  if (settings.fit_model && core::can_be_modelled(first, evidence)) {
-    seen.traces = core::trace_loop(first, facts);
-    if (seen.traces) evidence.model = seen.traces->explanation;
-  }
-  seen.diagnosis.verdict = core::diagnosis::decide(evidence, settings.hos);
-  seen.map = find_map(input, first, evidence, settings, facts.seed);
+  seen.diagnosis =
+      core::diagnose(first, settings, facts, longer, {.cause = {}, .traces = true, .done = {}});
+  seen.traces = std::move(seen.diagnosis.traces);
+  seen.map = find_map(input, first, seen.diagnosis.evidence, settings, facts.seed);
   return seen;
 }
 

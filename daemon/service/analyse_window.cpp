@@ -1,12 +1,8 @@
 #include "daemon/service/analyse_window.hpp"
 
-#include "core/diagnosis/decide.hpp"
-#include "core/diagnosis/gather_evidence.hpp"
-#include "core/diagnosis/loop_model.hpp"
 #include "core/hos/triple_sums.hpp"
 #include "core/signal/grid.hpp"
 #include "core/signal/window_digest.hpp"
-#include "daemon/commands/option_values.hpp"
 #include "daemon/output/analysis_json.hpp"
 #include "daemon/output/model_json.hpp"
 #include "daemon/service/stopwatch.hpp"
@@ -17,30 +13,21 @@ namespace {
 
 using core::signal::LoopWindow;
 
-bool wants_model(const core::FirstLook& first, const core::Evidence& evidence,
-                 const core::AnalysisSettings& settings, const ModelWish& wish) {
-  if (!settings.fit_model || !core::can_be_modelled(first, evidence)) return false;
-  return !wish.cause || core::gives_cause_for_a_model(evidence, settings.hos, *wish.cause);
-}
-
-/// The stages of core::diagnose(), timed, and the model where it is wished.
-void diagnose(const LoopInput& input, const core::AnalysisSettings& settings,
-              const core::LoopFacts& facts, const ModelWish& wish,
-              storage::AnalysisRecord& record) {
+/// core::diagnose(), each stage timed.
+core::Diagnosis timed_diagnosis(const LoopInput& input, const core::AnalysisSettings& settings,
+                                const core::LoopFacts& facts, const ModelWish& wish,
+                                storage::AnalysisRecord& record) {
   // What a first look threw, it throws again.
   const std::optional<core::FirstLook> again =
       input.first ? std::nullopt : std::optional(core::first_look(input.at_slot.window, settings));
-  const core::FirstLook& first = input.first ? *input.first : *again;
   const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
-  core::Evidence& evidence = record.diagnosis.evidence;
   Stopwatch watch;
-  evidence = core::gather_evidence(first, settings, facts, longer);
-  record.statistics_ms = watch.lap_ms();
-  if (wants_model(first, evidence, settings, wish)) {
-    evidence.model = core::explain_loop(first, facts);
-    if (evidence.model) record.model_ms = watch.lap_ms();
-  }
-  record.diagnosis.verdict = core::diagnosis::decide(evidence, settings.hos);
+  core::ModelPlan plan{.cause = wish.cause, .traces = false, .done = {}};
+  plan.done = [&](core::Stage stage) {
+    if (stage == core::Stage::statistics) record.statistics_ms = watch.lap_ms();
+    if (stage == core::Stage::model) record.model_ms = watch.lap_ms();
+  };
+  return core::diagnose(input.first ? *input.first : *again, settings, facts, longer, plan);
 }
 
 void describe_window(const LoopWindowAtSlot& at_slot, storage::AnalysisRecord& record) {
@@ -73,10 +60,10 @@ storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, cons
   record.program_version =
       std::string(LOOPSCOPE_VERSION " ") + std::string(core::hos::processor_path());
   record.settings_json = settings_json;
-  diagnose(input, settings,
-           {.integrating = is_integrating_type(loop.loop_type),
-            .seed = core::signal::window_seed(input.at_slot.window)},
-           wish, record);
+  record.diagnosis = timed_diagnosis(input, settings,
+                                     {.integrating = core::is_integrating_type(loop.loop_type),
+                                      .seed = core::signal::window_seed(input.at_slot.window)},
+                                     wish, record);
   if (const auto& slow = record.diagnosis.evidence.hos_slow) {
     record.hos_slow_json = slow_look_json(*slow, record.diagnosis.evidence.tested_on).dump();
   }

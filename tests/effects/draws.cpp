@@ -1,8 +1,11 @@
 #include "tests/effects/draws.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/diagnosis/diagnose.hpp"
+#include "core/diagnosis/loop_model.hpp"
+#include "core/model/look.hpp"
 #include "tests/effects/window_of.hpp"
 #include "tests/support/in_threads.hpp"
 
@@ -18,11 +21,30 @@ const core::model::Explanation* model_of(const Evidence& evidence) {
     return nullptr;
 }
 
-Outcome run_draw(const std::string& kind, std::uint64_t seed, Size size) {
-  using Clock = std::chrono::steady_clock;
+std::vector<core::model::Answer> answers_of(const std::string& kind, std::uint64_t seed,
+                                            Size size) {
   const Record record = generate(kind, seed, size);
+  const core::FirstLook first = core::first_look(window_of(record, record.interval_s), {});
+  return core::model::look_at(core::model_input(first, {.seed = seed})).answers;
+}
+
+/// Of the plan, two places on, round to the first one.
+const std::string& other_kind(const Plan& plan, const std::string& kind) {
+  const auto place = std::ranges::find(plan.kinds, kind) - plan.kinds.begin();
+  return plan.kinds[(static_cast<std::size_t>(place) + 2) % plan.kinds.size()];
+}
+
+Outcome run_draw(const std::string& kind, std::uint64_t seed, const Plan& plan) {
+  using Clock = std::chrono::steady_clock;
+  const Record record = generate(kind, seed, plan.size);
   const core::signal::LoopWindow window = window_of(record, record.interval_s);
-  const core::LoopFacts facts{.integrating = record.truth.loop.integrating, .seed = seed};
+  core::LoopFacts facts{
+      .integrating = record.truth.loop.integrating, .seed = seed, .without = plan.without};
+  std::vector<core::model::Answer> others;
+  if (plan.permuted) {
+    others = answers_of(other_kind(plan, kind), seed, plan.size);
+    facts.without.hear_instead(others);
+  }
   const auto start = Clock::now();
   const core::Diagnosis diagnosis = core::diagnose(window, {}, facts);
   const std::chrono::duration<double, std::milli> taken = Clock::now() - start;
@@ -39,7 +61,7 @@ std::vector<std::vector<Outcome>> run_draws(const Plan& plan) {
   in_threads(plan.kinds.size() * plan.draws, plan.threads, [&](std::size_t job) {
     const std::size_t kind = job / plan.draws;
     const std::size_t draw = job % plan.draws;
-    outcomes[kind][draw] = run_draw(plan.kinds[kind], plan.seed + draw, plan.size);
+    outcomes[kind][draw] = run_draw(plan.kinds[kind], plan.seed + draw, plan);
   });
   return outcomes;
 }

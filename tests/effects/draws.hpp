@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/mechanism.hpp"
 #include "tests/effects/outcome.hpp"
 
 namespace loopscope::tests::effects {
@@ -15,6 +16,9 @@ struct Plan {
   std::size_t draws = 20;
   unsigned threads = 1;
   Size size = Size::realistic;
+  core::model::Without without{};  ///< parts of the search that are left out
+  /// Each loop hears what the residual tests say of a loop of the next kind but one.
+  bool permuted = false;
 };
 
 /// Per kind of the plan, one outcome per draw; the same for any number of threads except for the

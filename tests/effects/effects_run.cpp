@@ -15,6 +15,10 @@ void list_kinds() {
     for (const std::string& verdict : kind.verdicts) std::cout << " " << verdict;
     std::cout << "\n";
   }
+  std::cout << "--without:";
+  for (const auto mechanism : loopscope::core::model::all_mechanisms())
+    std::cout << " " << name(mechanism);
+  std::cout << "\n";
 }
 
 void dump(const effects::Options& options) {
@@ -35,8 +39,12 @@ void run(const effects::Options& options) {
   }
   if (options.list) return list_kinds();
   if (!options.dump_kind.empty()) return dump(options);
-  const effects::Summary summary =
-      effects::summarise(options.plan, effects::run_draws(options.plan));
+  const auto outcomes = effects::run_draws(options.plan);
+  if (options.records) {
+    std::cout << effects::lines_of(options.plan, outcomes);
+    return;
+  }
+  const effects::Summary summary = effects::summarise(options.plan, outcomes);
   std::cout << (options.json ? effects::json_of(summary) : effects::table_of(summary));
 }
 

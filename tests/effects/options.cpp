@@ -29,6 +29,12 @@ class Reader {
       options_.list = true;
     else if (word == "--json")
       options_.json = true;
+    else if (word == "--records")
+      options_.records = true;
+    else if (word == "--permuted")
+      options_.plan.permuted = true;
+    else if (word == "--without")
+      leave_out(words_.value(word));
     else if (word == "--faint")
       options_.plan.size = Size::faint;
     else if (word == "--with-mv")
@@ -60,6 +66,12 @@ class Reader {
       options_.plan.kinds.push_back(known(kind));
   }
 
+  void leave_out(const std::string& name) {
+    const auto mechanism = core::model::mechanism_of(name);
+    if (!mechanism) throw WrongUsage("no mechanism " + name + " (--list shows them)");
+    options_.plan.without.leave_out(*mechanism);
+  }
+
   void read_dump(const std::string& word) {
     options_.dump_kind = known(words_.value(word));
     options_.dump_seed = words_.count(word, 0);
@@ -77,13 +89,16 @@ Options read_options(const std::vector<std::string>& words) {
 }
 
 std::string usage() {
-  return "effects_run [--seed N] [--draws M] [--kinds A,B] [--threads T] [--faint] [--json]\n"
+  return "effects_run [--seed N] [--draws M] [--kinds A,B] [--threads T] [--faint]\n"
+         "            [--without MECHANISM] [--permuted] [--json | --records]\n"
          "effects_run --dump KIND SEED FILE.csv [--with-mv] [--faint]    one record, truth on "
          "standard error\n"
-         "effects_run --list                                   the kinds of records\n"
+         "effects_run --list                                   kinds of records, mechanisms\n"
          "Draws loops with undeclared effects, diagnoses each and compares with the truth.\n"
          "Defaults: seed 1, 20 draws of every kind, one thread per processor.\n"
-         "--faint draws effects however small instead of such that show in the one-step error.\n";
+         "--faint draws effects however small instead of such that show in the one-step error.\n"
+         "--permuted lets each loop hear the residual tests of another.\n"
+         "--without leaves a part of the search out; --records prints a line of JSON a draw.\n";
 }
 
 }  // namespace loopscope::tests::effects

@@ -12,6 +12,7 @@ struct Options {
   bool help = false;
   bool list = false;
   bool json = false;
+  bool records = false;  ///< a line of JSON for each draw instead of the summary
   Plan plan;
   std::string dump_kind;  ///< not empty: write one record instead of running draws
   std::uint64_t dump_seed = 0;

@@ -92,7 +92,9 @@ void judge_model(Outcome& outcome, const Record& record, const Explanation& mode
   for (const Step& step : model.steps) {
     outcome.steps.emplace_back(name(step.effect));
     measure_parameters(outcome, step, record);
+    outcome.asked_for.push_back(!step.asked_by.empty());
   }
+  if (!model.steps.empty()) outcome.first_rank = model.steps.front().promise_rank;
   outcome.named_right = first_is_right(outcome, kind);
   outcome.all_found =
       std::all_of(kind.effects.begin(), kind.effects.end(),

@@ -24,6 +24,8 @@ struct Outcome {
   bool modelled = false;
   std::vector<std::string> steps;  ///< their effects, in order
   bool named_right = false;        ///< the first step's effect; of kinds without any: no step
+  std::vector<bool> asked_for;     ///< of each step: by a residual test
+  std::size_t first_rank = 0;      ///< of the first step, by what it promised; 0 = not asked for
   bool all_found = false;          ///< every effect of the record has its step
   std::map<std::string, double> parameter_errors;  ///< relative, "effect.parameter" of right steps
   std::optional<double> error_before;              ///< one-step errors by the true floor

@@ -46,5 +46,8 @@ struct Summary {
 /// A table for people; one JSON object for scripts.
 [[nodiscard]] std::string table_of(const Summary& summary);
 [[nodiscard]] std::string json_of(const Summary& summary);
+/// A line of JSON for each draw, for paired comparisons.
+[[nodiscard]] std::string lines_of(const Plan& plan,
+                                   const std::vector<std::vector<Outcome>>& outcomes);
 
 }  // namespace loopscope::tests::effects

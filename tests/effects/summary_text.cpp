@@ -66,6 +66,25 @@ Json json_of(const KindSummary& kind) {
           {"verdicts", kind.verdicts}};
 }
 
+Json json_of(const std::string& kind, std::uint64_t seed, const Outcome& outcome) {
+  return {{"kind", kind},
+          {"seed", seed},
+          {"verdict", outcome.verdict},
+          {"confidence", outcome.confidence},
+          {"verdict_right", outcome.verdict_right},
+          {"accuses_hardware", outcome.accuses_hardware},
+          {"misleads", outcome.misleads},
+          {"steps", outcome.steps},
+          {"asked_for", outcome.asked_for},
+          {"first_rank", outcome.first_rank},
+          {"named_right", outcome.named_right},
+          {"all_found", outcome.all_found},
+          {"explainable", outcome.explainable},
+          {"error_before", number(outcome.error_before)},
+          {"error_after", number(outcome.error_after)},
+          {"milliseconds", outcome.milliseconds}};
+}
+
 }  // namespace
 
 std::string table_of(const Summary& summary) {
@@ -86,6 +105,15 @@ std::string table_of(const Summary& summary) {
        << "Brier score of confidence         " << figure(summary.brier, 3) << "\n"
        << "median ms of a diagnosis          " << figure(summary.model_ms, 0) << "\n";
   return text.str();
+}
+
+std::string lines_of(const Plan& plan, const std::vector<std::vector<Outcome>>& outcomes) {
+  std::string text;
+  for (std::size_t kind = 0; kind < plan.kinds.size(); ++kind) {
+    for (std::size_t draw = 0; draw < plan.draws; ++draw)
+      text += json_of(plan.kinds[kind], plan.seed + draw, outcomes[kind][draw]).dump() + "\n";
+  }
+  return text;
 }
 
 std::string json_of(const Summary& summary) {

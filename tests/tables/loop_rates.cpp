@@ -197,7 +197,8 @@ LOOPSCOPE_TABLE(loop_speed, "microseconds of a window of 4096") {
     const double shape = best_us([&] {
       (void)measure_shape({{}, loop->pv, loop->op, loop->mv, 47.0, false});
     });
-    std::printf("| %s | %.0f us | %.0f us | %.0f us |\n", named.first, oscillation, performance, shape);
+    std::printf("| %s | %.0f us | %.0f us | %.0f us |\n", named.first, oscillation, performance,
+                shape);
   }
 }
 

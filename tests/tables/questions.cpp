@@ -44,7 +44,7 @@ LOOPSCOPE_TABLE(question_events, "the same in Laplacian GARCH noise") {
     PassRates rates;
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {
       const Series r = tests::white(White::garch_laplace, samples, seed);
-      count(question_residual_quickly(tests::closed_loop(r, seed).view()), rates);
+      count(question_residual(tests::closed_loop(r, seed).view()), rates);
     }
     print(std::to_string(samples), rates, 0);
   }
@@ -56,7 +56,7 @@ LOOPSCOPE_TABLE(question_coupling_sizes, "the same with the questions of couplin
       PassRates rates;
       for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         const Questionable loop = tests::closed_loop(tests::white(kind, samples, 131 * seed), seed);
-        count(question_residual(loop.view(), seed), rates);
+        count(question_coupling(loop.view(), seed), rates);
       }
       print(std::to_string(samples) + " " + std::string(tests::name(kind)), rates, 0);
     }
@@ -67,10 +67,10 @@ LOOPSCOPE_TABLE(question_cost, "milliseconds of a round") {
   double least_ms = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 20; ++round) {
     const std::clock_t begin = std::clock();
-    for (int k = 0; k < 20; ++k) (void)question_residual_quickly(loop.view());
+    for (int k = 0; k < 20; ++k) (void)question_residual(loop.view());
     least_ms = std::min(least_ms, 1e3 / 20.0 * double(std::clock() - begin) / CLOCKS_PER_SEC);
   }
-  std::printf("question_residual_quickly, 4096 samples: %.2f ms\n", least_ms);
+  std::printf("question_residual, 4096 samples: %.2f ms\n", least_ms);
 }
 
 LOOPSCOPE_TABLE(question_powers, "how often each question sees each scenario") {

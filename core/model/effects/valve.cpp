@@ -13,20 +13,21 @@ EffectKind ValveEffect::kind() const {
 
 void ValveEffect::shape_flow(std::span<double> flow) const {
   const std::vector<double> op(flow.begin(), flow.end());
-  run_valve(valve_, restarts_, op, flow);
+  run_valve(valve_, op, flow);
 }
 
-std::shared_ptr<const ValveEffect> ValveEffect::by_law_alone(double direction) const {
+ValveEffect ValveEffect::coming(double direction) const {
   Valve valve = valve_;
   valve.start_direction = direction;
-  return std::make_shared<ValveEffect>(valve);
+  valve.start_percent.reset();
+  return ValveEffect(valve);
 }
 
 EffectPtr ValveEffect::with_band(double times, double jump_share) const {
   Valve valve = valve_;
   valve.stickband_percent *= times;
   valve.slip_jump_percent = std::clamp(jump_share, 0.0, 1.0) * valve.stickband_percent;
-  return std::make_shared<ValveEffect>(valve, restarts_);
+  return std::make_shared<ValveEffect>(valve);
 }
 
 /// What passes between the samples, and where the stem began: it is long remembered.
@@ -34,15 +35,16 @@ void ValveEffect::add_between_samples(double scale, std::vector<EffectPtr>& neig
   for (const double move : {-0.25 * scale, 0.25 * scale}) {
     Valve valve = valve_;
     valve.between.actuator_lag_samples *= 1.0 + move;
-    neighbours.push_back(std::make_shared<ValveEffect>(valve, restarts_));
-    std::vector<ValveRestart> restarts = restarts_;
-    for (ValveRestart& restart : restarts)
-      restart.position_percent += move * valve_.slip_jump_percent;
-    neighbours.push_back(std::make_shared<ValveEffect>(valve_, std::move(restarts)));
+    neighbours.push_back(std::make_shared<ValveEffect>(valve));
+    if (valve_.start_percent) {
+      valve = valve_;
+      *valve.start_percent += move * valve_.slip_jump_percent;
+      neighbours.push_back(std::make_shared<ValveEffect>(valve));
+    }
     if (valve_.between.stem_lag_samples <= 0.0) continue;
     valve = valve_;
     valve.between.stem_lag_samples *= 1.0 + move;
-    neighbours.push_back(std::make_shared<ValveEffect>(valve, restarts_));
+    neighbours.push_back(std::make_shared<ValveEffect>(valve));
   }
 }
 
@@ -52,7 +54,7 @@ std::vector<EffectPtr> ValveEffect::neighbours(double scale) const {
     Valve valve = valve_;
     valve.stickband_percent = band;
     valve.slip_jump_percent = std::clamp(jump, 0.0, band);
-    result.push_back(std::make_shared<ValveEffect>(valve, restarts_));
+    result.push_back(std::make_shared<ValveEffect>(valve));
   };
   const double band = valve_.stickband_percent;
   const double jump = valve_.slip_jump_percent;

@@ -12,24 +12,13 @@ class ValveEffect final : public Effect {
   /// the laws hardly tell the two apart below it.
   static constexpr double kPlay = 0.2;
 
-  /// `restarts`: where pv puts the valve right (valve_search.hpp), positions in % from the mean of
-  /// op.
-  explicit ValveEffect(const Valve& valve, std::vector<ValveRestart> restarts = {})
-      : valve_(valve), restarts_(std::move(restarts)) {}
+  explicit ValveEffect(const Valve& valve) : valve_(valve) {}
 
   [[nodiscard]] const Valve& valve() const { return valve_; }
-  [[nodiscard]] const std::vector<ValveRestart>& restarts() const { return restarts_; }
-  /// What puts the valve right before this sample is no more than an initial value.
-  static constexpr std::size_t kStart = 256;
-  /// Whether it follows its law from the start of the record on, wherever it began.
-  [[nodiscard]] bool by_law_alone() const {
-    return restarts_.empty() || restarts_.back().at_sample < kStart;
-  }
   /// The same valve with a slip jump of that share of its band.
   [[nodiscard]] EffectPtr with_jump(double share) const { return with_band(1.0, share); }
-  /// The same valve left to its law from the start on, which it comes to in that direction (+1,
-  /// -1).
-  [[nodiscard]] std::shared_ptr<const ValveEffect> by_law_alone(double direction) const;
+  /// The same valve, which comes to where it begins in that direction (+1, -1).
+  [[nodiscard]] ValveEffect coming(double direction) const;
   /// The same valve with its band that many times as wide, and a slip jump of that share of it.
   [[nodiscard]] EffectPtr with_band(double times, double jump_share) const;
   [[nodiscard]] EffectKind kind() const override;
@@ -44,7 +33,6 @@ class ValveEffect final : public Effect {
   void add_between_samples(double scale, std::vector<EffectPtr>& neighbours) const;
 
   Valve valve_;
-  std::vector<ValveRestart> restarts_;
 };
 
 }  // namespace loopscope::core::model

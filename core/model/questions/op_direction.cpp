@@ -64,7 +64,7 @@ std::optional<Answer> ask_op_direction(const Questioned& questioned) {
   LaggedColumns columns(questioned.view.op_percent.size());
   for (const Centred& lag : lags) columns.add(lag.values, Questioned::kOpLags);
   const Score score =
-      score_test(questioned.beyond_op, columns, questioned.past_op, questioned.recorded);
+      score_test(questioned.beyond_linear, columns, questioned.linear_past, questioned.recorded);
   if (score.freedom == 0) return std::nullopt;
   Answer answer{{"op_direction", score.p, {}}, {}};
   if (score.p > kSignificant) return answer;

@@ -23,7 +23,8 @@ double p_of(const Questioned& questioned, Map map) {
   if (!feature) return 1.0;
   LaggedColumns columns(mapped.size());
   columns.add(feature->values, Questioned::kOpLags);
-  return score_test(questioned.beyond_op, columns, questioned.past_op, questioned.recorded).p;
+  return score_test(questioned.beyond_linear, columns, questioned.linear_past, questioned.recorded)
+      .p;
 }
 
 struct Limit {

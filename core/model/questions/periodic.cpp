@@ -52,7 +52,8 @@ std::string words_of(const SeenLine& line, double sample_interval_s) {
 
 Answer ask_periodic(const Questioned& questioned) {
   const LineSearch residual = find_lines(questioned.view.innovation);
-  const LineSearch pv = find_lines(questioned.view.pv);
+  const LineSearch pv = find_lines(
+      questioned.view.pv_undisturbed.empty() ? questioned.view.pv : questioned.view.pv_undisturbed);
   Answer answer{{"periodic", std::min(1.0, 2.0 * std::min(residual.p, pv.p)), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const auto samples = static_cast<double>(questioned.view.pv.size());

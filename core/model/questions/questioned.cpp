@@ -19,6 +19,24 @@ void check(const ResidualView& view) {
     throw std::invalid_argument("residual: the sample interval must be positive");
 }
 
+/// Each sample of a few, then further apart.
+constexpr std::array kPastLags = {1, 2, 3, 4, 5, 6, 8, 10};
+constexpr std::array kLinearOpLags = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 20};
+
+/// A missing sample stays 0.
+Centred fresh_of(const Questioned& questioned) {
+  Centred result{{questioned.beyond_linear.begin(), questioned.beyond_linear.end()},
+                 questioned.residual.recorded,
+                 0.0,
+                 questioned.residual.std};
+  const double square = questioned.beyond_linear.squaredNorm();
+  const double std = std::sqrt(square / static_cast<double>(result.recorded));
+  if (!(std > 0.0)) return questioned.residual;
+  for (double& value : result.values) value /= std;
+  result.std *= std;
+  return result;
+}
+
 }  // namespace
 
 std::optional<Questioned> prepare_questions(const ResidualView& view) {
@@ -35,16 +53,19 @@ std::optional<Questioned> prepare_questions(const ResidualView& view) {
                     .grid = {},
                     .recorded = Eigen::ArrayXd(static_cast<Eigen::Index>(view.innovation.size())),
                     .constant = {},
-                    .past_op = {},
-                    .beyond_op = {}};
+                    .linear_past = {},
+                    .beyond_linear = {},
+                    .fresh = {}};
   for (Eigen::Index k = 0; k < result.recorded.size(); ++k)
     result.recorded[k] = std::isfinite(view.innovation[static_cast<std::size_t>(k)]) ? 1.0 : 0.0;
 
   LaggedColumns columns(view.innovation.size());
   result.constant = orthonormal(columns, result.recorded);
-  if (result.op) columns.add(result.op->values, Questioned::kOpLags);
-  result.past_op = orthonormal(columns, result.recorded);
-  result.beyond_op = without(result.past_op, result.residual.values);
+  columns.add(result.residual.values, kPastLags);
+  if (result.op) columns.add(result.op->values, kLinearOpLags);
+  result.linear_past = orthonormal(columns, result.recorded);
+  result.beyond_linear = without(result.linear_past, result.residual.values);
+  result.fresh = fresh_of(result);
   if (result.pv) result.grid = find_grid(view.pv, result.fast_noise_std);
   return result;
 }

@@ -22,12 +22,16 @@ struct Questioned {
   double fast_noise_std = 0.0;      ///< pv units, see fast_noise.hpp
   ValueGrid grid;                   ///< of pv
   Eigen::ArrayXd recorded;          ///< 1 where the residual is, else 0
-  /// Orthonormal over the recorded samples, zero elsewhere: a constant, and the constant with op at
-  /// kOpLags. What they say of the residual is no business of the questions on op's direction and
-  /// level: op answers to past residuals, and its linear part was fitted.
+  /// Orthonormal over the recorded samples, zero elsewhere: a constant, and the constant with the
+  /// residual's own past and op's.
   Eigen::MatrixXd constant;
-  Eigen::MatrixXd past_op;
-  Eigen::VectorXd beyond_op;  ///< the residual less what past_op explains
+  Eigen::MatrixXd linear_past;
+  /// The residual less what linear_past explains. A linear loop whose delay is no whole number of
+  /// samples, or whose order is higher than the fit's, leaves traces of op and of itself, which
+  /// every question but `white` and `op_dynamics` would take for its own: without this
+  /// `op_direction` passed at 0.01 in 5 % of 300 healthy loops.
+  Eigen::VectorXd beyond_linear;
+  Centred fresh;  ///< the same about its mean, in units of its standard deviation
 
   /// Close together where short delays lie, further apart where long ones do.
   static constexpr std::array<int, 5> kOpLags = {1, 2, 4, 7, 12};

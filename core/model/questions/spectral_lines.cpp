@@ -20,6 +20,9 @@ constexpr double kFewestCyclesOfALine = 6.0;
 /// lobe and are at most so wide, and half the frequency, where the spectrum bends most.
 constexpr double kGap = 2.0;
 constexpr double kWidestBand = 24.0;
+/// A loop near the edge of stability has a peak of several cycles: what does not stand out of its
+/// nearest neighbours as well is no line.
+constexpr double kNearBand = 4.0;
 /// Independent frequencies over cycles per record: the peaks between the grid count too.
 constexpr double kIndependent = 0.6;
 /// The mean logarithm of an exponential variable of mean 1 is -0.5772, its variance pi^2 / 6; the
@@ -93,11 +96,11 @@ double mean_log(const Tapered& spectrum, Bins bins) {
          static_cast<double>(bins.count());
 }
 
-Noise noise_beside(const Tapered& spectrum, std::size_t bin) {
+Noise noise_within(const Tapered& spectrum, std::size_t bin, double widest) {
   const auto size = static_cast<std::ptrdiff_t>(spectrum.power.size());
   const auto at = static_cast<std::ptrdiff_t>(bin);
   const double cycles = static_cast<double>(bin) / spectrum.bins_per_cycle;
-  const double width = std::min(kWidestBand, 0.5 * cycles);
+  const double width = std::min(widest, 0.5 * cycles);
   const auto gap = static_cast<std::ptrdiff_t>(kGap * spectrum.bins_per_cycle);
   const auto reach = gap + static_cast<std::ptrdiff_t>(width * spectrum.bins_per_cycle);
   const Bins below{at - reach, at - gap};
@@ -109,6 +112,13 @@ Noise noise_beside(const Tapered& spectrum, std::size_t bin) {
   const double cells =
       static_cast<double>(below.count() + (both ? above.count() : 0)) / spectrum.bins_per_cycle;
   return {std::exp(level - kMeanLog), std::max(1.0, cells / kLogVariance)};
+}
+
+/// The higher of two levels, of the wide band and of the near one.
+Noise noise_beside(const Tapered& spectrum, std::size_t bin) {
+  Noise noise = noise_within(spectrum, bin, kWidestBand);
+  noise.power = std::max(noise.power, noise_within(spectrum, bin, kNearBand).power);
+  return noise;
 }
 
 /// Share of a line's power that the window leaves `cycles` beside it, from above.

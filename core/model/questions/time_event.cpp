@@ -7,7 +7,7 @@ namespace loopscope::core::model {
 namespace {
 
 std::string words_of(const Outburst& event, const Questioned& questioned) {
-  return in_digits(event.mean * questioned.residual.std) + " pv units" +
+  return in_digits(event.mean * questioned.fresh.std) + " pv units" +
          (event.samples > 1 ? " over " + std::to_string(event.samples) + " samples " : " ") +
          at_place(event.at_sample, questioned.view.sample_interval_s);
 }
@@ -15,7 +15,7 @@ std::string words_of(const Outburst& event, const Questioned& questioned) {
 }  // namespace
 
 Answer ask_time_event(const Questioned& questioned) {
-  const Outbursts found = find_outbursts(questioned.residual.values);
+  const Outbursts found = find_outbursts(questioned.fresh.values);
   Answer answer{{"time_event", found.p, {}}, {}};
   for (const Outburst& event : found.events) {
     answer.question.statement +=
@@ -24,7 +24,7 @@ Answer ask_time_event(const Questioned& questioned) {
     answer.nominations.push_back({.effect = EffectKind::load_step,
                                   .p = found.p,
                                   .at_sample = event.at_sample,
-                                  .size = event.mean * questioned.residual.std});
+                                  .size = event.mean * questioned.fresh.std});
   }
   if (!answer.question.statement.empty()) answer.question.statement += ".";
   return answer;

@@ -49,10 +49,10 @@ FoundGain judge(const Centred& residual, const Centred& answer) {
 
 std::optional<Answer> ask_time_gain(const Questioned& questioned) {
   if (!questioned.response) return std::nullopt;
-  const FoundGain level = judge(questioned.residual, *questioned.response);
+  const FoundGain level = judge(questioned.fresh, *questioned.response);
   FoundGain move;
   if (const auto moves = centred(increments(questioned.view.response), kFewestAsked))
-    move = judge(questioned.residual, *moves);
+    move = judge(questioned.fresh, *moves);
   const std::array parts = {level.change.p, move.change.p};
   Answer answer{{"time_gain", hos::combine_p(parts), {}}, {}};
   if (answer.question.p > kSignificant) return answer;

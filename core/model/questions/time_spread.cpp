@@ -26,7 +26,7 @@ Magnitudes magnitudes_of(const Centred& residual) {
 }  // namespace
 
 Answer ask_time_spread(const Questioned& questioned) {
-  const Magnitudes magnitudes = magnitudes_of(questioned.residual);
+  const Magnitudes magnitudes = magnitudes_of(questioned.fresh);
   const ChangePoint change = find_change(magnitudes.about_mean);
   Answer answer{{"time_spread", change.p, {}}, {}};
   if (change.p <= kSignificant)

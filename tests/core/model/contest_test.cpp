@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/model/story.hpp"
+#include "tests/core/model/everything_asked.hpp"
 #include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {
@@ -24,7 +25,8 @@ LoopData changed(double level, double part, std::uint64_t seed) {
 
 std::vector<Contestant> first_contest(const LoopData& data) {
   const Story story = begin_story(data);
-  return hold_contest({story.data, story.data, story.last(), nullptr, false, false});
+  const Asked asked = tests::everything_asked();
+  return hold_contest({story.data, story.data, story.last(), asked, false});
 }
 
 bool among(const std::vector<Contestant>& entries, EffectKind kind) {

@@ -107,8 +107,7 @@ TEST(FitVariants, OfManyStemsAndProcessesAreThoseOfEach) {
     for (int i = 0; i < 20; ++i) {
       const double band = 1.0 + 0.3 * i;
       valves.emplace_back(Valve{i % 2 == 0 ? ValveLaw::he : ValveLaw::kano, band, 0.05 * i * band,
-                                1.0, BetweenSamples{0.1 + 0.03 * i, 0.1, 0.001}},
-                          std::vector<ValveRestart>{{0, 0.1 * i}});
+                                1.0, BetweenSamples{0.1 + 0.03 * i, 0.1, 0.001}, 0.1 * i});
       processes.push_back(
           tests::two_lags(0.8 + 0.01 * i, 0.5, static_cast<std::size_t>(1 + i % 3)));
     }

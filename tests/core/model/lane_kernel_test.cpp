@@ -4,7 +4,6 @@
 #include <array>
 #include <gtest/gtest.h>
 
-#include "core/model/lagged_rows.hpp"
 #include "core/model/processor_choice.hpp"
 #include "tests/core/model/model_records.hpp"
 
@@ -57,8 +56,7 @@ std::vector<ValveEffect> lane_valves() {
       result.emplace_back(Valve{law, band, 0.02 * i * band, 1.0});
       const BetweenSamples between{0.03 + 0.02 * i, 0.03 * (i % 5), 0.002 * (i % 3)};
       if (law != ValveLaw::choudhury)
-        result.emplace_back(Valve{law, band, 0.02 * i * band, 1.0, between},
-                            std::vector<ValveRestart>{{0, 0.1 * i}, {700, 4.0}});
+        result.emplace_back(Valve{law, band, 0.02 * i * band, 1.0, between, 0.1 * i});
     }
   }
   return result;
@@ -77,27 +75,6 @@ TEST(LaneKernel, AnswersOfValvesAreTheSame) {
   for (const LaneKernel* kernel : others()) {
     EXPECT_EQ(kernel->single_answers(task, pairs), single) << kernel->name;
     EXPECT_EQ(kernel->full_answers(task, pairs), full) << kernel->name;
-  }
-}
-
-TEST(LaneKernel, TrackedValvesAreTheSame) {
-  const LaneSetting setting;
-  const std::vector<std::uint8_t> every(kLaneSamples, 1);
-  TrackedRecord record;
-  record.rows = lagged_rows(setting.pv, every, every, 1);
-  record.op = setting.op;
-  record.steps = op_steps(setting.op);
-  record.linear = kPortableLanes.fit_lagged(record.rows, setting.op);
-  record.linear_residual = record.linear.residual;
-  for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
-    const Valve valve{law, 3.0, 1.0, 1.0};
-    const TrackedValve portable = kPortableLanes.track(record, valve, record.linear, 24);
-    for (const LaneKernel* kernel : others()) {
-      const TrackedValve tracked = kernel->track(record, valve, record.linear, 24);
-      EXPECT_EQ(tracked.evidence, portable.evidence) << kernel->name;
-      EXPECT_EQ(tracked.corrections, portable.corrections) << kernel->name;
-      EXPECT_EQ(kernel->fit_lagged(record.rows, setting.op).weights, record.linear.weights);
-    }
   }
 }
 

@@ -6,8 +6,6 @@
 
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/effects/load_step.hpp"
-#include "core/model/effects/valve.hpp"
-#include "core/model/nominate_valves.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/model_records.hpp"
 
@@ -74,21 +72,6 @@ TEST(Nominate, FindsThePeriodOfALine) {
   }
 }
 
-TEST(Nominate, FindsBandOfASimulatedValve) {
-  int found = 0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const Looked looked = looked_at("sticking_valve", seed);
-    for (const EffectPtr& effect : nominate_valves(looked.data)) {
-      const double band = dynamic_cast<const ValveEffect&>(*effect).valve().stickband_percent;
-      if (std::abs(band - 5.0) < 0.25) {
-        ++found;
-        break;
-      }
-    }
-  }
-  EXPECT_GE(found, 4);
-}
-
 TEST(Nominate, EveryKindComesFromItsOwnList) {
   const Looked looked = looked_at("healthy_flow", 1);
   const auto only = [](const std::vector<EffectPtr>& list,
@@ -98,15 +81,22 @@ TEST(Nominate, EveryKindComesFromItsOwnList) {
     }
   };
   using enum EffectKind;
-  const auto fixed = nominate_static(looked.data);
-  only(fixed, {valve_saturation, valve_characteristic, process_nonlinearity});
-  for (const EffectKind kind : {valve_saturation, valve_characteristic, process_nonlinearity}) {
-    EXPECT_TRUE(std::ranges::any_of(fixed, [&](const EffectPtr& e) { return e->kind() == kind; }));
+  for (const EffectKind kind : {valve_saturation, valve_characteristic, process_nonlinearity,
+                                gain_change, load_step, external_oscillation}) {
+    const auto list = nominate(kind, looked.data, looked.fit);
+    EXPECT_FALSE(list.empty()) << name(kind);
+    only(list, {kind});
   }
-  only(nominate_gain_changes(looked.data, looked.fit), {gain_change});
-  only(nominate_load_steps(looked.data, looked.fit), {load_step});
-  only(nominate_oscillations(looked.data, looked.fit), {external_oscillation});
-  only(nominate_valves(looked.data), {valve_stiction, valve_deadband});
+}
+
+/// A residual test says which; the spectrum is not looked at again.
+TEST(Nominate, AWaveThatWasAskedForIsTriedAtItsPeriod) {
+  const Looked looked = looked_at("outside_oscillation", 1);
+  const std::vector<Nomination> asked = {
+      {.effect = EffectKind::external_oscillation, .p = 1e-4, .period_samples = 83.5}};
+  const auto waves = nominate(EffectKind::external_oscillation, looked.data, looked.fit, asked);
+  ASSERT_EQ(waves.size(), 1U);
+  EXPECT_EQ(dynamic_cast<const ExternalOscillation&>(*waves.front()).period_samples(), 83.5);
 }
 
 TEST(Nominate, GainChangesCoverTheRecord) {
@@ -154,7 +144,6 @@ TEST(Nominate, OfAHeldSensorPlacesAndPeriodsAreInSamples) {
     nearest = std::min(nearest, std::abs(period - 60.0));
   }
   EXPECT_LT(nearest, 0.5);
-  EXPECT_TRUE(nominate_valves(data).empty());
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(QuestionResidual, EachEffectIsNominatedByItsQuestion) {
     int nominated = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
       const auto record = simulate::simulate_scenario(c.scenario, {}, seed);
-      const auto answers = question_residual_quickly(tests::arx_residual(record).view());
+      const auto answers = question_residual(tests::arx_residual(record).view());
       const Nomination* nomination = tests::nomination_of(answers, c.question, c.effect);
       nominated += nomination != nullptr && tests::p_of(answers, c.question) <= 0.01 ? 1 : 0;
     }
@@ -77,7 +77,7 @@ TEST(QuestionResidual, TheFiguresOfTheFaultsAreRight) {
   const auto changed = simulate::simulate_scenario("process_gain_change", {}, 1);
   const auto nominated = [](const simulate::LoopRecord& record, const char* question,
                             EffectKind effect) {
-    const auto answers = question_residual_quickly(tests::arx_residual(record).view());
+    const auto answers = question_residual(tests::arx_residual(record).view());
     const Nomination* found = tests::nomination_of(answers, question, effect);
     return found == nullptr ? Nomination{} : *found;
   };
@@ -102,22 +102,6 @@ TEST(QuestionResidual, HealthyLoopsNominateLittle) {
   EXPECT_LE(passed, asked * 0.01 + 4.0 * std::sqrt(asked * 0.01));
 }
 
-TEST(QuestionResidual, AStepInTheResidualIsToldWithItsPlace) {
-  Questionable loop = tests::closed_loop(tests::white(White::gaussian, 4096, 5), 5);
-  for (std::size_t k = 1840; k < 4096; ++k) loop.innovation[k] += 0.6;
-  const auto answers = question_residual_quickly(loop.view());
-  const Answer* answer = tests::answer_of(answers, "time_level");
-  ASSERT_NE(answer, nullptr);
-  EXPECT_LT(answer->question.p, 1e-10);
-  ASSERT_EQ(answer->nominations.size(), 1U);
-  const std::size_t at = *answer->nominations[0].at_sample;
-  EXPECT_NEAR(static_cast<double>(at), 1840.0, 50.0);
-  EXPECT_NE(answer->question.statement.find("(sample " + std::to_string(at) + ")"),
-            std::string::npos)
-      << answer->question.statement;
-  EXPECT_NEAR(*answer->nominations[0].size, 0.6, 0.1);
-}
-
 TEST(QuestionResidual, MissingSamplesDoNotReject) {
   int passed = 0;
   int asked = 0;
@@ -127,7 +111,7 @@ TEST(QuestionResidual, MissingSamplesDoNotReject) {
       if (k % 7 == 3 || (k > 600 && k < 900))
         loop.innovation[k] = loop.pv[k] = loop.op_percent[k] =
             std::numeric_limits<double>::quiet_NaN();
-    for (const Answer& answer : question_residual_quickly(loop.view())) {
+    for (const Answer& answer : question_residual(loop.view())) {
       EXPECT_TRUE(answer.question.p > 0.0 && answer.question.p <= 1.0) << answer.question.name;
       passed += answer.question.p <= 0.05 ? 1 : 0;
       ++asked;
@@ -139,19 +123,19 @@ TEST(QuestionResidual, MissingSamplesDoNotReject) {
 TEST(QuestionResidual, QuestionsThatCannotBeAskedAreLeftOut) {
   const Series r = tests::white(White::gaussian, 1000, 1);
   const Series none(1000, std::numeric_limits<double>::quiet_NaN());
-  const auto answers = question_residual_quickly({r, none, none, none, none, 1.0});
-  EXPECT_EQ(answers.size(), 5U) << "white, time_level, time_spread, time_event, periodic";
+  const auto answers = question_residual({r, none, none, none, none, 1.0});
+  EXPECT_EQ(answers.size(), 4U) << "white, time_spread, time_event, periodic";
   EXPECT_EQ(tests::answer_of(answers, "op_direction"), nullptr);
-  EXPECT_TRUE(question_residual_quickly({none, none, none, none, none, 1.0}).empty());
-  EXPECT_TRUE(question_residual({}, 1).empty());
+  EXPECT_TRUE(question_residual({none, none, none, none, none, 1.0}).empty());
+  EXPECT_TRUE(question_residual({}).empty());
   const Series constant(1000, 50.0);
-  EXPECT_EQ(question_residual_quickly({r, constant, constant, constant, constant, 1.0}).size(), 5U);
+  EXPECT_EQ(question_residual({r, constant, constant, constant, constant, 1.0}).size(), 4U);
 }
 
 TEST(QuestionResidual, WrongArgumentsAreRefused) {
   const Series r(500), shorter(499);
-  EXPECT_THROW((void)question_residual({r, shorter, r, r, r, 1.0}, 1), std::invalid_argument);
-  EXPECT_THROW((void)question_residual({r, r, r, r, r, 0.0}, 1), std::invalid_argument);
+  EXPECT_THROW((void)question_residual({r, shorter, r, r, r, 1.0}), std::invalid_argument);
+  EXPECT_THROW((void)question_residual({r, r, r, r, r, 0.0}), std::invalid_argument);
 }
 
 TEST(QuestionResidual, ScaleDoesNotMatter) {
@@ -159,8 +143,8 @@ TEST(QuestionResidual, ScaleDoesNotMatter) {
   Questionable scaled = loop;
   for (Series* signal : {&scaled.innovation, &scaled.response, &scaled.pv})
     for (double& value : *signal) value *= 0x1p300;
-  const auto a = question_residual_quickly(loop.view());
-  const auto b = question_residual_quickly(scaled.view());
+  const auto a = question_residual(loop.view());
+  const auto b = question_residual(scaled.view());
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i)
     EXPECT_NEAR(a[i].question.p, b[i].question.p, 1e-9) << a[i].question.name;
@@ -168,23 +152,11 @@ TEST(QuestionResidual, ScaleDoesNotMatter) {
 
 TEST(QuestionResidual, CouplingIsAskedWithTheSeed) {
   const Questionable loop = tests::closed_loop(tests::white(White::exponential, 4096, 9), 9);
-  const auto a = question_residual(loop.view(), 3);
-  const auto b = question_residual(loop.view(), 3);
+  const auto a = question_coupling(loop.view(), 3);
+  const auto b = question_coupling(loop.view(), 3);
   EXPECT_LT(tests::p_of(a, "ngi"), 1e-3) << "skewed noise";
   EXPECT_GT(tests::p_of(a, "nonlinear"), 0.01) << "is not nonlinear";
   EXPECT_EQ(tests::p_of(a, "nonlinear"), tests::p_of(b, "nonlinear"));
-}
-
-TEST(QuestionResidual, TheFirstAnswersAreThoseOfTheWholeRound) {
-  const Questionable loop = tests::closed_loop(tests::white(White::gaussian, 1000, 1), 1);
-  const std::vector<Answer> all = question_residual_quickly(loop.view());
-  const std::vector<Answer> first = question_residual_first(loop.view());
-  EXPECT_GE(first.size(), 2U);
-  for (const Answer& answer : first) {
-    EXPECT_EQ(answer.question.p, p_of(all, answer.question.name)) << answer.question.name;
-  }
-  for (const char* name : {"op_direction", "op_level", "grid", "held"})
-    EXPECT_EQ(p_of(first, name), p_of(all, name)) << name;
 }
 
 }  // namespace

@@ -3,25 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <tuple>
 
+#include "core/model/asked.hpp"
 #include "core/model/baseline.hpp"
-#include "core/model/effects/valve.hpp"
+#include "core/model/put_questions.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-std::vector<Answer> suspicious_of_the_valve() {
-  Answer answer;
-  answer.question = {"op_direction", 0.01, {}};
-  return {answer};
-}
-
 Story story_of(std::string_view scenario, std::uint64_t seed) {
   const simulate::LoopRecord record = simulate::simulate_scenario(scenario, {}, seed);
+  const ModelInput input{record.pv, record.op, {}, {}, record.sample_interval_s};
   Story story = begin_story(make_loop_data(record.pv, record.op, record.sample_interval_s));
-  continue_story(story, suspicious_of_the_valve());
+  const ResidualTests tests = [&](const LoopData& data, const Fit& fit) {
+    return question(input, data, fit);
+  };
+  std::ignore = continue_story(story, tests(story.data, story.baseline.fit), tests);
   return story;
 }
 
@@ -47,22 +47,46 @@ TEST(Story, EveryChapterAddsOneEffectAndIsSignificant) {
   }
 }
 
-/// To follow a valve by pv costs most: only an answer that calls for it starts that search.
-TEST(Story, WithoutSuspicionNoValveIsPutRight) {
+/// Of what no test asks for only waves and changes of gain are looked at.
+TEST(Story, WhatNoTestAsksForIsNotTried) {
   const simulate::LoopRecord record = simulate::simulate_scenario("sticking_valve", {}, 1);
   Story story = begin_story(make_loop_data(record.pv, record.op, 1.0));
-  continue_story(story, {});
+  std::ignore =
+      continue_story(story, {}, [](const LoopData&, const Fit&) { return std::vector<Answer>(); });
   for (const Chapter& chapter : story.chapters) {
-    for (const EffectPtr& effect : chapter.fit.fit.structure.effects) {
-      const auto* valve = dynamic_cast<const ValveEffect*>(effect.get());
-      EXPECT_TRUE(valve == nullptr || valve->by_law_alone());
-    }
+    const EffectKind kind = chapter.fit.fit.structure.effects.back()->kind();
+    EXPECT_TRUE(kind == EffectKind::external_oscillation || kind == EffectKind::gain_change);
+  }
+}
+
+TEST(Story, AChapterKeepsWhoAskedForItAndWhatIsSaidAfterIt) {
+  const Story story = story_of("sticking_valve", 1);
+  ASSERT_FALSE(story.chapters.empty());
+  const Chapter& chapter = story.chapters.front();
+  EXPECT_EQ(chapter.promise_rank, 1U);
+  const auto asked = asked_by(EffectKind::valve_deadband, chapter.asked_for, chapter.left);
+  ASSERT_FALSE(asked.empty());
+  EXPECT_EQ(asked.front().test, "op_direction");
+  EXPECT_LE(asked.front().p, kAsks);
+  EXPECT_GT(asked.front().p_after.value_or(0.0), kAsks);
+}
+
+/// However well it fits: the tests that asked for it have to see less of it.
+TEST(Story, AnEffectThatLeavesItsTestsAsTheyWereDoesNotEnter) {
+  const simulate::LoopRecord record = simulate::simulate_scenario("worn_valve", {}, 1);
+  const ModelInput input{record.pv, record.op, {}, {}, record.sample_interval_s};
+  Story story = begin_story(make_loop_data(record.pv, record.op, record.sample_interval_s));
+  const std::vector<Answer> first = question(input, story.data, story.baseline.fit);
+  std::ignore = continue_story(story, first, [&](const LoopData&, const Fit&) { return first; });
+  for (const Chapter& chapter : story.chapters) {
+    const EffectKind kind = chapter.fit.fit.structure.effects.back()->kind();
+    const bool outside = same_cause(kind, EffectKind::load_step);
+    EXPECT_TRUE(outside || chapter.comparison.evidence > 400.0) << name(kind);
   }
 }
 
 bool sits_where_it_was_fitted(EffectKind kind) {
-  return kind == EffectKind::load_step || kind == EffectKind::valve_stiction ||
-         kind == EffectKind::valve_deadband;
+  return kind == EffectKind::load_step;
 }
 
 /// Evidence of the first effect over the same process and noise without it, fitted anew.

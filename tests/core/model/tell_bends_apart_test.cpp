@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/model/story.hpp"
+#include "tests/core/model/everything_asked.hpp"
 #include "tests/core/model/model_records.hpp"
 #include "tests/support/numbers.hpp"
 
@@ -50,7 +51,8 @@ tests::Series through_process(const tests::Series& op, std::uint64_t seed) {
 
 std::vector<Contestant> contest(const tests::Series& pv, const tests::Series& op) {
   const Story story = begin_story(make_loop_data(pv, op, 1.0));
-  return hold_contest({story.data, story.data, story.last(), nullptr, false, true});
+  const Asked asked = tests::everything_asked();
+  return hold_contest({story.data, story.data, story.last(), asked, false});
 }
 
 template <class Make>

@@ -49,13 +49,12 @@ void add_stems(std::vector<ValveEffect>& valves) {
       const BetweenSamples between{0.03 + 0.05 * i, 0.03 * (i % 5), 0.002 * (i % 3)};
       valves.emplace_back(Valve{law, band, 0.05 * i * band, direction, between});
     }
-    valves.emplace_back(Valve{law, 3.0, 1.0, 1.0, {0.2, 0.1, 0.0}},
-                        std::vector<ValveRestart>{{0, 1.0}, {64, -1.0}, {65, 1.5}, {700, 4.0}});
+    valves.emplace_back(Valve{law, 3.0, 1.0, 1.0, {0.2, 0.1, 0.0}, 1.0});
   }
 }
 
 /// More than go side by side, of every law, at the samples and between them, from both directions,
-/// some put right on the way.
+/// some from a place of their own.
 std::vector<ValveEffect> answering_valves() {
   std::vector<ValveEffect> result;
   for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
@@ -64,8 +63,7 @@ std::vector<ValveEffect> answering_valves() {
       const double direction = i < 9 ? 1.0 : -1.0;
       result.emplace_back(Valve{law, band, 0.05 * i * band, direction});
     }
-    result.emplace_back(Valve{law, 3.0, 1.0, 1.0},
-                        std::vector<ValveRestart>{{0, 2.0}, {64, -1.0}, {65, 1.5}, {700, 4.0}});
+    result.emplace_back(Valve{law, 3.0, 1.0, 1.0, {}, 2.0});
   }
   add_stems(result);
   return result;

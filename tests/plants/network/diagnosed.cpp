@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "core/diagnosis/decide.hpp"
-#include "core/diagnosis/gather_evidence.hpp"
-#include "core/diagnosis/loop_model.hpp"
+#include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/plant_member.hpp"
 #include "tests/effects/window_of.hpp"
 
@@ -16,11 +14,8 @@ DiagnosedLoop diagnose(const LoopRecord& record, const TrueLoop& truth, std::uin
   const std::int64_t start_us = std::llround(record.start_s * 1e6);
   const core::FirstLook first =
       core::first_look(effects::window_of(record, record.interval_s, start_us), settings);
-  core::Evidence evidence = core::gather_evidence(first, settings, facts, nullptr);
-  if (core::can_be_modelled(first, evidence) &&
-      core::gives_cause_for_a_model(evidence, settings.hos))
-    evidence.model = core::explain_loop(first, facts);
-  const core::diagnosis::Verdict verdict = core::diagnosis::decide(evidence, settings.hos);
+  const auto [evidence, verdict, traces] = core::diagnose(
+      first, settings, facts, nullptr, {.cause = core::ModelCause{}, .traces = false, .done = {}});
   DiagnosedLoop loop;
   loop.name = truth.name;
   loop.interval_s = record.interval_s;

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <bitset>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace loopscope::core::model {
+
+/// A part of the search that can be left out, so that tests measure what it is worth: the table of
+/// tests/effects/leave_one_out. Nobody leaves one out in a plant.
+enum class Mechanism {
+  cheap_look,           ///< at effects that no residual test asked for
+  stem_search,          ///< valves that move between the samples (stem_search.hpp)
+  play_net,             ///< play, and what sticks about it, by its law alone (hysteresis_net.hpp)
+  bands_scanned,        ///< bands and jumps about a valve that was found (fit_anew.cpp)
+  hysteresis_by_cycle,  ///< valves that no one-step error shows (prefer_hysteresis.hpp)
+  cycle_score,          ///< the shape of the loop's cycle (limit_cycle_cause.hpp)
+  second_period,        ///< the period at which op turns, beside that of most power
+  slow_travel,          ///< a few strokes of op (slow_travel.hpp)
+  steps_after_moves,    ///< load steps when the loop answers its setpoint
+  controller_trap,      ///< a fit that may be the controller run backwards
+  wave_shape,           ///< harmonics of an outside wave, and knots
+  exponential_trim,
+  root_outflow,
+  bends_told_apart,  ///< limit, trim or process on the same rows
+  plainer_refuted,   ///< a change of gain against a load at its moment
+  fair_comparison,   ///< against the model without the effect, polished anew
+  settled_chapter,   ///< the process once more with the effect in its place
+  calm_rows,         ///< a linear baseline without the rows of an upset
+};
+inline constexpr std::size_t kMechanisms = 18;
+
+/// The word of the tests' option --without.
+[[nodiscard]] std::string_view name(Mechanism mechanism);
+[[nodiscard]] std::span<const Mechanism> all_mechanisms();
+[[nodiscard]] std::optional<Mechanism> mechanism_of(std::string_view name);
+
+struct Answer;
+
+/// What a search goes without; nothing, unless a test says so.
+class Without {
+ public:
+  void leave_out(Mechanism mechanism) { out_.set(static_cast<std::size_t>(mechanism)); }
+  [[nodiscard]] bool has(Mechanism mechanism) const {
+    return !out_.test(static_cast<std::size_t>(mechanism));
+  }
+  /// The residual tests are not heard: in their place stands what they said of another loop.
+  void hear_instead(const std::vector<Answer>& others) { others_ = &others; }
+  [[nodiscard]] const std::vector<Answer>* others() const { return others_; }
+
+ private:
+  std::bitset<kMechanisms> out_;
+  const std::vector<Answer>* others_ = nullptr;
+};
+
+}  // namespace loopscope::core::model
