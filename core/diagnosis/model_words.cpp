@@ -41,13 +41,13 @@ std::string statement_of(const model::Step& step) {
 std::string step_text(const model::Step& step) {
   return statement_of(step) + " Error on unseen samples " + number(step.holdout_error_before) +
          " -> " + number(step.holdout_error_after) + " (evidence " + number(step.evidence) +
-         ", p " + number(step.p) + ").";
+         ", p " + p_text(step.p) + ").";
 }
 
 std::string unexplained_text(const model::Explanation& explanation) {
   const model::Unexplained& rest = explanation.unexplained;
   std::string text = "Of what could be explained the model leaves " + percent(rest.fraction) +
-                     " (whiteness p " + number(rest.whiteness_p) + ").";
+                     " (whiteness p " + p_text(rest.whiteness_p) + ").";
   if (!rest.statement.empty()) text += " " + rest.statement;
   for (const model::Question& question : explanation.questions) {
     const bool said = rest.statement.find(question.statement) != std::string::npos;

@@ -27,16 +27,18 @@ std::string coupling_text(hos::Coupling coupling) {
   return "No quadratic or cubic coupling found";
 }
 
-std::string p_text(const hos::Result& hos) {
-  std::string text = "p = " + number(hos.nonlinear_p.value_or(1.0)) + " (NGI " +
-                     number(hos.ngi_p.value_or(1.0)) + ", NLI " + number(hos.nli_p.value_or(1.0));
-  if (hos.cubic_p) text += ", cubic " + number(*hos.cubic_p);
-  if (hos.innovation_p) text += ", innovations " + number(*hos.innovation_p);
+/// Never by the names of the indices: those are no p-values, and stand in the same sentence.
+std::string tests_text(const hos::Result& hos) {
+  std::string text = p_equals(hos.nonlinear_p.value_or(1.0)) +
+                     " (p of the tests: quadratic on average " + p_text(hos.ngi_p.value_or(1.0)) +
+                     ", at single bifrequencies " + p_text(hos.nli_p.value_or(1.0));
+  if (hos.cubic_p) text += ", cubic " + p_text(*hos.cubic_p);
+  if (hos.innovation_p) text += ", innovations " + p_text(*hos.innovation_p);
   return text + ")";
 }
 
 std::string published_text(const hos::Result& hos) {
-  return "; published figures: NGI " + number(hos.ngi) + ", NLI " + number(hos.nli) + " on " +
+  return "; published indices NGI " + number(hos.ngi) + ", NLI " + number(hos.nli) + " on " +
          std::to_string(hos.segments) + " segments";
 }
 
@@ -52,7 +54,7 @@ std::string peak_text(const hos::Result& hos, double alpha) {
 std::string slow_text(const hos::SlowLook& slow) {
   return " On every " + std::to_string(slow.decimation) +
          "th sample, to fit the slow oscillation: " + coupling_text(slow.result.coupling) + ", " +
-         p_text(slow.result) + ".";
+         tests_text(slow.result) + ".";
 }
 
 std::string residual_text(const Evidence& evidence) {
@@ -66,7 +68,7 @@ std::string noise_text(const Evidence& evidence) {
   const hos::NoiseShape& noise = evidence.hos->noise.value_or(hos::NoiseShape{});
   std::string text;
   if (has_flag(evidence, "variance_changes")) {
-    text += " The disturbance comes in bursts (p = " + number(noise.variance_p) + ")";
+    text += " The disturbance comes in bursts (" + p_equals(noise.variance_p) + ")";
     if (noise.loudest_size > 0) {
       text += ", longest or loudest from sample " + std::to_string(noise.loudest_first + 1) +
               " to " + std::to_string(noise.loudest_first + noise.loudest_size) + ", " +
@@ -76,7 +78,7 @@ std::string noise_text(const Evidence& evidence) {
   }
   if (has_flag(evidence, "heavy_tails")) {
     text += " The disturbance has outliers (kurtosis " + number(3.0 + noise.excess_kurtosis) +
-            " instead of 3, p = " + number(noise.tails_p) + ").";
+            " instead of 3, " + p_equals(noise.tails_p) + ").";
   }
   return text.empty() ? text : text + " Neither counts as nonlinearity.";
 }
@@ -115,7 +117,7 @@ NonlinearityFinding judge_nonlinearity(const Evidence& evidence, const hos::Sett
   finding.found = finding.p <= settings.alpha;
   finding.belief = std::clamp(
       std::log(settings.alpha / finding.p) / std::log(settings.alpha / kConvincing), 0.0, 1.0);
-  finding.reason = coupling_text(hos.coupling) + ": " + p_text(hos) +
+  finding.reason = coupling_text(hos.coupling) + ": " + tests_text(hos) +
                    peak_text(hos, settings.alpha) + published_text(hos) + ".";
   if (evidence.hos_slow) finding.reason += slow_text(*evidence.hos_slow);
   finding.reason += residual_text(evidence) + too_short_text(evidence);

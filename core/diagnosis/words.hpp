@@ -12,6 +12,13 @@ namespace loopscope::core::diagnosis {
   return model::in_digits(value);
 }
 
+/// A p-value with two significant digits; "< 1e-12" where the digits say nothing any more, since
+/// they rest on tails that no record is long enough to show.
+[[nodiscard]] std::string p_text(double p);
+
+/// "p = 0.03", "p < 1e-12".
+[[nodiscard]] std::string p_equals(double p);
+
 /// A share as a whole percentage, e.g. "12 %".
 [[nodiscard]] inline std::string percent(double share) {
   return model::in_percent(share);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/diagnosis/words.hpp"
+
 namespace loopscope::daemon {
 
 std::string text_line(std::string_view label, const std::string& text) {
@@ -10,6 +12,10 @@ std::string text_line(std::string_view label, const std::string& text) {
 
 std::string figure_text(const std::optional<double>& value) {
   return value ? fmt::format("{:.4g}", *value) : std::string("-");
+}
+
+std::string p_figure_text(const std::optional<double>& p) {
+  return p ? core::diagnosis::p_text(*p) : std::string("-");
 }
 
 }  // namespace loopscope::daemon

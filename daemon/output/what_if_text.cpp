@@ -20,7 +20,7 @@ std::string line(const storage::WhatIfRow& row) {
                      row.change == "gained" ? '+' : (lost ? '-' : ' '),
                      lost ? std::string("-") : std::to_string(flagged.rank),
                      printable(flagged.loop_name), flagged.code, flagged.confidence,
-                     flagged.p ? figure_text(flagged.p) : "fact", flagged.score, flagged.status);
+                     flagged.p ? p_figure_text(flagged.p) : "fact", flagged.score, flagged.status);
 }
 
 }  // namespace

@@ -50,9 +50,8 @@ std::string evidence_list(const FlaggedRow& row) {
   std::string text = "<ul>\n";
   for (const std::string& reason : row.reasons) text += "<li>" + html(reason) + "</li>\n";
   if (row.p)
-    text +=
-        "<li>Chance of evidence as strong as this in a loop without that fault: " + p_text(row.p) +
-        ".</li>\n";
+    text += "<li>Chance of evidence as strong as this in a loop without that fault: p " +
+            html(p_text(row.p)) + ".</li>\n";
   return text + "</ul>";
 }
 
@@ -129,7 +128,7 @@ std::string table_row(const std::string& stage, const std::string& figures,
       "<td class=\"number\" data-label=\"Error after\">{}</td>"
       "<td class=\"number\" data-label=\"Evidence\">{}</td>"
       "<td class=\"number\" data-label=\"p\">{}</td></tr>\n",
-      html(stage), html(figures), before, after, evidence, p);
+      html(stage), html(figures), before, after, evidence, html(p));
 }
 
 std::string rest_text(const Explanation& explanation) {

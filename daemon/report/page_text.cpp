@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "core/diagnosis/words.hpp"
 #include "core/model/phrases.hpp"
 #include "daemon/recording/time_text.hpp"
 
@@ -33,10 +34,7 @@ std::string digits(const std::optional<double>& value) {
 }
 
 std::string p_text(const std::optional<double>& p) {
-  constexpr double kLeast = 1e-12;
-  if (!p || !std::isfinite(*p)) return kUnknown;
-  if (*p < kLeast) return "below 1e-12";
-  return fmt::format("{:.2g}", *p);
+  return p && std::isfinite(*p) ? core::diagnosis::p_text(*p) : kUnknown;
 }
 
 std::string counted(std::int64_t number, const std::string& singular, const std::string& plural) {

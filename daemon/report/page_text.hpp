@@ -18,8 +18,8 @@ namespace loopscope::daemon {
 /// Three significant digits; a dash for what is unknown.
 [[nodiscard]] std::string digits(const std::optional<double>& value);
 
-/// A p-value: "0.03", "1e-06"; "below 1e-12" where the digits say nothing any more; a dash for what
-/// is unknown.
+/// A p-value as sentences say it, core::diagnosis::p_text(), plain text: "0.03", "< 1e-12"; a dash
+/// for what is unknown.
 [[nodiscard]] std::string p_text(const std::optional<double>& p);
 
 /// "1 loop", "3 loops".

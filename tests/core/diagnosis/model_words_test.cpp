@@ -20,6 +20,18 @@ TEST(ModelWords, AStepNamesItsParametersAndErrors) {
             "samples 0.91 -> 0.4 (evidence 500, p 1e-09).");
 }
 
+/// Tails that far out say nothing: no "p 0", no "p 1e-308".
+TEST(ModelWords, APThatIsNextToNothingIsABound) {
+  model::Step step = clear_step(model::EffectKind::valve_stiction, 0.91, 0.4);
+  for (const double p : {0.0, 1e-308, 9e-13}) {
+    step.p = p;
+    EXPECT_THAT(step_text(step), testing::EndsWith("(evidence 500, p < 1e-12)."));
+  }
+  model::Explanation explanation = explanation_of();
+  explanation.unexplained.whiteness_p = 0.0;
+  EXPECT_THAT(unexplained_text(explanation), HasSubstr("(whiteness p < 1e-12)"));
+}
+
 TEST(ModelWords, AStatementStandsForTheParameters) {
   model::Step step = clear_step(model::EffectKind::load_step, 0.91, 0.4);
   step.statement = "The load steps by 3 at 1200 s.";

@@ -104,6 +104,21 @@ TEST(Nonlinearity, WordsNameTheCouplingAndNeverSayLinear) {
   }
 }
 
+/// The published indices are no p-values: each has its name, and the tests have theirs.
+TEST(Nonlinearity, TestsAndPublishedIndicesAreToldApart) {
+  Evidence evidence = with_p(0.0, hos::Coupling::quadratic);
+  evidence.hos->ngi = 0.021;
+  evidence.hos->nli = 0.3;
+  evidence.hos->ngi_p = 1e-308;
+  evidence.hos->nli_p = 0.004;
+  evidence.hos->cubic_p = 0.5;
+  EXPECT_THAT(
+      judge_nonlinearity(evidence, {}).reason,
+      HasSubstr("Quadratic coupling: p < 1e-12 (p of the tests: quadratic on average < 1e-12, at "
+                "single bifrequencies 0.004, cubic 0.5); published indices NGI 0.021, NLI 0.3 on "
+                "127 segments"));
+}
+
 TEST(Nonlinearity, APeakIsNamedOnlyWhereItIsSignificant) {
   Evidence evidence = with_p(1e-6, hos::Coupling::quadratic);
   evidence.hos->peaks = {{0.05, 0.02, 0.9, {}}, {0.30, 0.12, 0.5, 1e-5}};

@@ -90,7 +90,7 @@ TEST(LoopSection, TheTableHasErrorsBeforeAndAfterAndTheFloor) {
   EXPECT_THAT(table, HasSubstr("S 5 % (4.5 to 5.5); J 2 %; law kano"));
   EXPECT_THAT(table, HasSubstr(">0.125</td>"));
   EXPECT_THAT(table, HasSubstr(">0.0625</td>"));
-  EXPECT_THAT(table, HasSubstr("below 1e-12"));
+  EXPECT_THAT(table, HasSubstr("&lt; 1e-12"));
   EXPECT_THAT(table, HasSubstr("Noise floor"));
   EXPECT_EQ(unbalanced(table), "");
 }
