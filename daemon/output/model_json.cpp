@@ -45,6 +45,17 @@ Json intervals_json(const Step& step) {
   return object;
 }
 
+Json asked_by_json(const Step& step) {
+  Json list = Json::array();
+  for (const AskedBy& by : step.asked_by) {
+    list.push_back({{"test", by.test},
+                    {"p", number_or_null(by.p)},
+                    {"p_after", number_or_null(by.p_after)},
+                    {"statement", by.statement}});
+  }
+  return list;
+}
+
 Json step_json(const Step& step) {
   return {{"effect", name(step.effect)},
           {"parameters", parameters_json(step)},
@@ -56,7 +67,18 @@ Json step_json(const Step& step) {
           {"margin", number_or_null(step.margin)},
           {"simulation_ratio", number_or_null(step.simulation_ratio)},
           {"steadiness", number_or_null(step.steadiness)},
-          {"statement", step.statement}};
+          {"statement", step.statement},
+          {"asked_by", asked_by_json(step)},
+          {"promise_rank", step.promise_rank}};
+}
+
+Json asked_json(const std::vector<AskedEffect>& asked) {
+  Json list = Json::array();
+  for (const AskedEffect& one : asked) {
+    list.push_back(
+        {{"effect", name(one.effect)}, {"test", one.test}, {"p", number_or_null(one.p)}});
+  }
+  return list;
 }
 
 Json unexplained_json(const Unexplained& rest) {
@@ -96,6 +118,7 @@ Json explanation_json(const Explanation& explanation) {
           {"error_kind", name(explanation.error_kind)},
           {"noise_floor", number_or_null(explanation.noise_floor)},
           {"baseline", baseline_json(explanation.baseline)},
+          {"asked", asked_json(explanation.asked)},
           {"steps", std::move(steps)},
           {"unexplained", unexplained_json(explanation.unexplained)},
           {"questions", questions_json(explanation.questions)},

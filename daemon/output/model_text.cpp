@@ -3,9 +3,31 @@
 #include <fmt/format.h>
 
 #include "core/diagnosis/model_words.hpp"
+#include "core/diagnosis/words.hpp"
 #include "daemon/output/text_line.hpp"
 
 namespace loopscope::daemon {
+namespace {
+
+std::string asked_by_text(const core::model::AskedBy& by) {
+  std::string text = fmt::format("asked for by {} ({}", by.test, core::diagnosis::p_equals(by.p));
+  if (by.p_after) text += ", afterwards " + core::diagnosis::p_text(*by.p_after);
+  text += ")";
+  return by.statement.empty() ? text : text + ": " + by.statement;
+}
+
+/// Below a step, where its words stand: which residual tests led to it, and whether they are
+/// content now.
+std::string asked_lines(const core::model::Step& step) {
+  if (step.asked_by.empty())
+    return text_line("", "  asked for by no residual test; a first look showed it");
+  std::string text;
+  for (const core::model::AskedBy& by : step.asked_by)
+    text += text_line("", "  " + asked_by_text(by));
+  return text;
+}
+
+}  // namespace
 
 std::string model_text(const core::model::Explanation& explanation) {
   if (!explanation.excited) {
@@ -20,6 +42,7 @@ std::string model_text(const core::model::Explanation& explanation) {
     const core::model::Step& step = explanation.steps[i];
     text += text_line(fmt::format("  + step {}", i + 1),
                       fmt::format("{}: {}", name(step.effect), core::diagnosis::step_text(step)));
+    text += asked_lines(step);
   }
   text += text_line("  left", core::diagnosis::unexplained_text(explanation));
   if (explanation.closed_loop) {

@@ -23,12 +23,17 @@ Explanation sticking() {
   step.p = 1e-9;
   step.margin = 42.0;
   step.statement = "The valve sticks.";
+  step.asked_by = {{"op_direction", 1e-30, 0.31, "Errors follow the direction of op."},
+                   {"op_level", 1e-4, {}, ""}};
+  step.promise_rank = 2;
   Explanation explanation;
   explanation.excited = true;
   explanation.excitation = "op moves by 3 %.";
   explanation.noise_floor = 0.4;
   explanation.baseline = {"first order", 1.0, {false, 2.0, 20.0, 0.0, 5.0}};
   explanation.steps = {step};
+  explanation.asked = {{core::model::EffectKind::load_step, "time_event", 1e-40},
+                       {core::model::EffectKind::valve_stiction, "op_direction", 1e-30}};
   explanation.unexplained = {0.1, 0.3, 0.2, "Nothing is left."};
   explanation.questions = {{"periodic", 0.7, ""}};
   explanation.closed_loop = {0.5, 30.0, 0.9, 1.5, 0.7, 60.0, 150.0};
@@ -68,10 +73,35 @@ TEST(ModelJson, TellsTheWholeStory) {
   EXPECT_EQ(json["closed_loop"]["peak_sensitivity"], 1.5);
 }
 
+TEST(ModelJson, SaysWhichTestAskedForWhat) {
+  const Json json = model_json(sticking());
+  const Json& step = json["steps"].at(0);
+  EXPECT_EQ(step["asked_by"].dump(),
+            R"([{"test":"op_direction","p":1e-30,"p_after":0.31,"statement":)"
+            R"("Errors follow the direction of op."},)"
+            R"({"test":"op_level","p":0.0001,"p_after":null,"statement":""}])");
+  EXPECT_EQ(step["promise_rank"], 2);
+  EXPECT_EQ(json["asked"].dump(),
+            R"([{"effect":"load_step","test":"time_event","p":1e-40},)"
+            R"({"effect":"valve_stiction","test":"op_direction","p":1e-30}])");
+}
+
+TEST(ModelJson, AStepThatNoTestAskedForHasAnEmptyList) {
+  Explanation explanation = sticking();
+  explanation.steps[0].asked_by.clear();
+  explanation.steps[0].promise_rank = 0;
+  explanation.asked.clear();
+  const Json json = model_json(explanation);
+  EXPECT_EQ(json["steps"][0]["asked_by"], Json::array());
+  EXPECT_EQ(json["steps"][0]["promise_rank"], 0);
+  EXPECT_EQ(json["asked"], Json::array());
+}
+
 TEST(ModelJson, WithoutAModelTheKeysStayAndKnowNothing) {
   const Json none = model_json(std::nullopt);
   expect_same_keys(none, model_json(sticking()), "");
   EXPECT_EQ(none["steps"], Json::array());
+  EXPECT_EQ(none["asked"], Json::array());
   EXPECT_TRUE(none["error_kind"].is_null());
   EXPECT_TRUE(none["excited"].is_null());
   EXPECT_TRUE(none["unexplained"]["fraction"].is_null());

@@ -1,6 +1,6 @@
 #include "daemon/output/model_text.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace loopscope::daemon {
 namespace {
@@ -30,9 +30,24 @@ TEST(ModelText, TellsTheStoryLineByLine) {
             "(one_step, floor 0.4)\n"
             "    + step 1    valve_stiction: The valve sticks, S 4.2 %. Error on unseen samples "
             "1 -> 0.5 (evidence 300, p 1e-09).\n"
+            "                  asked for by no residual test; a first look showed it\n"
             "    left        Of what could be explained the model leaves 10 % (whiteness p 0.3).\n"
             "    closed loop Closed loop implied by the records: peak sensitivity 1.5, damping "
             "0.7, period 60 s, settles in 2.5 min.\n");
+}
+
+TEST(ModelText, AStepNamesTheTestsThatAskedForIt) {
+  core::model::Explanation explanation = story();
+  explanation.steps[0].asked_by = {
+      {"op_direction", 0.0, 0.31, "Errors follow the direction of op."},
+      {"op_level", 0.004, {}, ""}};
+  const std::string text = model_text(explanation);
+  EXPECT_THAT(text, testing::HasSubstr(
+                        "(evidence 300, p 1e-09).\n"
+                        "                  asked for by op_direction (p < 1e-12, afterwards 0.31): "
+                        "Errors follow the direction of op.\n"
+                        "                  asked for by op_level (p = 0.004)\n"
+                        "    left "));
 }
 
 TEST(ModelText, WithoutExcitationItClaimsNothing) {
