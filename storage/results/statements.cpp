@@ -42,13 +42,14 @@ const Statement kInsertSteps{"insert_steps", R"(
     INSERT INTO loopscope.explanation_step (loop_id, slot_end, algorithm_revision, input_revision,
                                             step, effect, parameters, intervals,
                                             holdout_error_before, holdout_error_after, evidence, p,
-                                            margin, simulation_ratio, steadiness, statement)
+                                            margin, simulation_ratio, steadiness, statement,
+                                            asked_by)
     SELECT loop_id, slot_end, algorithm_revision, input_revision,
            number, taken->>'effect', taken->'parameters', taken->'intervals',
            (taken->>'holdout_error_before')::float8, (taken->>'holdout_error_after')::float8,
            (taken->>'evidence')::float8, (taken->>'p')::float8, (taken->>'margin')::float8,
            (taken->>'simulation_ratio')::float8, (taken->>'steadiness')::float8,
-           taken->>'statement'
+           taken->>'statement', taken->'asked_by'
     FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::integer[], $5::text[])
       AS row (loop_id, slot_end, algorithm_revision, input_revision, model)
     CROSS JOIN jsonb_array_elements(model::jsonb->'steps') WITH ORDINALITY AS s (taken, number))",

@@ -46,8 +46,9 @@ UPDATE schedule SET last_slot_end = told.slot_end, result_slot_end = told.slot_e
 FROM told WHERE told.loop_id = schedule.loop_id AND told.age_days = 0;
 
 INSERT INTO explanation_step (loop_id, slot_end, algorithm_revision, input_revision, step, effect, parameters, intervals,
-                              holdout_error_before, holdout_error_after, statement)
-SELECT loop_id, slot_end, 1, 1, 1, 'valve_stiction', '{"S": 4.2}', '{}', 1.0, 0.25, 'The valve sticks.'
+                              holdout_error_before, holdout_error_after, statement, asked_by)
+SELECT loop_id, slot_end, 1, 1, 1, 'valve_stiction', '{"S": 4.2}', '{}', 1.0, 0.25, 'The valve sticks.',
+       '[{"test": "op_direction", "p": 1e-40, "p_after": 0.31, "statement": "It depends on which way op last went."}]'
 FROM told WHERE name = 'FIC101' AND age_days = 0;
 -- Late rows changed a verdict of NEW1, five days ago.
 INSERT INTO verdict (loop_id, slot_end, algorithm_revision, input_revision, analysis_id, code, confidence, summary, reasons, action)

@@ -39,6 +39,29 @@ TEST_F(ExplanationTest, EveryStepIsARow) {
                  "NULL", "NULL", "1", "A sinusoid enters."}}));
 }
 
+TEST_F(ExplanationTest, AStepSaysWhichTestsAskedForIt) {
+  finish("d1", [](AnalysisRecord& record) { explain(record); });
+  EXPECT_EQ(rows("SELECT step, test->>'test', (test->>'p')::float8, (test->>'p_after')::float8,"
+                 " test->>'statement' FROM loopscope.explanation"
+                 " CROSS JOIN jsonb_array_elements(asked_by) AS test ORDER BY step, 3"),
+            (TextRows{{"1", "op_direction", "1e-300", "0.31", "Errors \"follow\" op."},
+                      {"1", "op_level", "0.004", "NULL", ""}}));
+  EXPECT_EQ(value("SELECT asked_by FROM loopscope.explanation_step WHERE step = 2"), "[]")
+      << "no test asked for the sinusoid";
+  EXPECT_EQ(value("SELECT model->'asked'->0->>'test' FROM loopscope.analysis"), "op_direction");
+}
+
+/// A worker of the version before is still at work: it does not say, so nothing is claimed.
+TEST_F(ExplanationTest, AModelThatDoesNotSayWhatAskedLeavesItUnknown) {
+  finish("d1", [](AnalysisRecord& record) {
+    explain(record);
+    record.model_json = R"({"steps": [{"effect": "load_step", "parameters": {}, "intervals": {},
+                                       "statement": "A load step."}]})";
+  });
+  EXPECT_EQ(rows("SELECT effect, asked_by FROM loopscope.explanation_step"),
+            (TextRows{{"load_step", "NULL"}}));
+}
+
 TEST_F(ExplanationTest, AnErrorThatIsNoNumberIsNullAndStopsNothing) {
   EXPECT_EQ(finish("d1", [](AnalysisRecord& record) { explain(record, "null"); }).inserted, 1U);
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.explanation_step WHERE holdout_error_after"

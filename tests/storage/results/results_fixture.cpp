@@ -112,11 +112,17 @@ void explain(AnalysisRecord& record, const std::string& last_error) {
       {"effect": "valve_stiction", "parameters": {"S": 4.2, "law": "kano"},
        "intervals": {"S": [4.0, 4.4]}, "holdout_error_before": 1.0,
        "holdout_error_after": 0.30000000000000004, "evidence": 812.5, "p": 1e-300, "margin": 90,
-       "simulation_ratio": 0.5, "steadiness": 0.75, "statement": "The valve's \"stem\" sticks."},
+       "simulation_ratio": 0.5, "steadiness": 0.75, "statement": "The valve's \"stem\" sticks.",
+       "asked_by": [{"test": "op_direction", "p": 1e-300, "p_after": 0.31,
+                     "statement": "Errors \"follow\" op."},
+                    {"test": "op_level", "p": 0.004, "p_after": null, "statement": ""}],
+       "promise_rank": 1},
       {"effect": "external_oscillation", "parameters": {"period_s": 40.0}, "intervals": {},
        "holdout_error_before": 0.5, "holdout_error_after": )" +
                       last_error + R"(, "evidence": 12, "p": 0.001, "margin": null,
-       "simulation_ratio": null, "steadiness": 1.0, "statement": "A sinusoid enters."}],
+       "simulation_ratio": null, "steadiness": 1.0, "statement": "A sinusoid enters.",
+       "asked_by": [], "promise_rank": 0}],
+    "asked": [{"effect": "valve_stiction", "test": "op_direction", "p": 1e-300}],
     "unexplained": {"fraction": 0.0625, "whiteness_p": 0.5}, "closed_loop": null})";
 }
 

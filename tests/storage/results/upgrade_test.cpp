@@ -27,8 +27,8 @@ class UpgradeTest : public testing::Test {
     reader = database->make_login("loopscope_reader");
     make_former_schema(*database, "loopscope_owner", from_);
     database->execute(kRows);
-    for (const char* table :
-         {"loop", "schedule", "analysis", "verdict", "annotation", "plant_round", "parameter"})
+    for (const char* table : {"loop", "schedule", "analysis", "verdict", "annotation",
+                              "plant_round", "parameter", "explanation_step"})
       selects.push_back(database->value(
           std::string(
               "SELECT 'SELECT row(' || string_agg(attname, ', ' ORDER BY attnum) || ')::text"
@@ -71,6 +71,10 @@ class UpgradeTest : public testing::Test {
         code, confidence, summary, reasons, action)
       SELECT loop_id, slot_end, 1, 1, analysis_id, 'valve_stiction', 0.9, 'sticks', '{}', 'stroke it'
       FROM loopscope.analysis;
+    INSERT INTO loopscope.explanation_step (loop_id, slot_end, algorithm_revision, input_revision,
+        step, effect, parameters, intervals, holdout_error_before, holdout_error_after, statement)
+      SELECT loop_id, slot_end, 1, 1, number, 'valve_stiction', '{"S": 4.2}', '{}', 1, 0.25, 'It sticks.'
+      FROM loopscope.analysis CROSS JOIN generate_series(1, 2) AS number;
     UPDATE loopscope.schedule SET owner = 'host/1/0', fence = 1, attempts = 2, lost_leases = 1,
         visible_at = now() - interval '1 s', last_slot_end = '2026-01-01 01:00:00+00',
         result_slot_end = '2026-01-01 01:00:00+00'
@@ -102,7 +106,7 @@ class UpgradeFromTest : public UpgradeTest, public testing::WithParamInterface<i
  protected:
   UpgradeFromTest() : UpgradeTest(GetParam()) {}
 };
-INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18));
+INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18, 19));
 
 TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   const ConnectionSettings as_owner = settings_for(*database, owner);
@@ -113,6 +117,22 @@ TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   EXPECT_EQ(results.claim_due("host/2/0", 60, 10).size(), 2U);
   EXPECT_EQ(PlantRounds(settings_for(*database, worker)).take_turn(0, "host/2", 60).wait_s, 0.0);
   EXPECT_NO_THROW(static_cast<void>(maintain(as_owner, {})));
+}
+
+/// Of a step that was stored before nobody knows what asked for it: null, which is not "none did".
+TEST_P(UpgradeFromTest, StepsOfBeforeClaimNothingOfWhatAskedForThem) {
+  migrate(settings_for(*database, owner));
+  EXPECT_EQ(database->rows("SELECT count(*), count(asked_by) FROM loopscope.explanation_step"),
+            (TextRows{{"4", "0"}}));
+  EXPECT_EQ(database->rows("SELECT count(*), count(asked_by) FROM loopscope.explanation"),
+            (TextRows{{"2", "0"}}));
+  EXPECT_THAT(
+      database->value("SELECT string_agg(DISTINCT left(col_description(attrelid, attnum), 14), '|')"
+                      " FROM pg_attribute WHERE attname = 'asked_by' AND attrelid IN (SELECT"
+                      " inhrelid FROM pg_inherits WHERE inhparent ="
+                      " 'loopscope.explanation_step'::regclass)"),
+      testing::StrEq("Residual tests"))
+      << "in every partition";
 }
 
 /// Before, each of these values stopped every claim.
