@@ -17,7 +17,6 @@ namespace loopscope::daemon {
 namespace {
 
 using core::model::Explanation;
-using core::model::Parameter;
 using core::model::Step;
 using storage::FlaggedRow;
 
@@ -102,23 +101,6 @@ std::string pictures(const LoopStory& story) {
   return text + "</div>\n";
 }
 
-std::string parameter_text(const Parameter& parameter) {
-  const std::string unit = parameter.unit.empty() ? "" : " " + std::string(parameter.unit);
-  std::string text =
-      fmt::format("{} {}{}", in_words(parameter.name), digits(parameter.value), unit);
-  if (parameter.low && parameter.high)
-    text += fmt::format(" ({} to {})", digits(*parameter.low), digits(*parameter.high));
-  return text;
-}
-
-std::string parameters_text(const Step& step) {
-  std::string text;
-  for (const Parameter& parameter : step.parameters)
-    text += (text.empty() ? "" : "; ") + parameter_text(parameter);
-  if (!step.law.empty()) text += "; law " + std::string(step.law);
-  return text;
-}
-
 std::string table_row(const std::string& stage, const std::string& figures,
                       const std::string& before, const std::string& after,
                       const std::string& evidence, const std::string& p) {
@@ -142,7 +124,9 @@ std::string rest_text(const Explanation& explanation) {
 
 std::string explanation_part(const LoopStory& story) {
   if (!story.evidence || !story.evidence->diagnosis.evidence.model) return {};
-  return "<h3>Explanation</h3>\n" + explanation_table(*story.evidence->diagnosis.evidence.model);
+  const Explanation& explanation = *story.evidence->diagnosis.evidence.model;
+  return "<h3>Explanation</h3>\n" + chain_table(explanation, story.chain) +
+         explanation_table(explanation);
 }
 
 std::string repairs_part(const LoopStory& story) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/report/chain_table.hpp"
 #include "daemon/report/figure.hpp"
 #include "daemon/report/loop_evidence.hpp"
 #include "storage/results/report_rows.hpp"
@@ -19,10 +20,12 @@ struct LoopStory {
   std::vector<storage::RepairRow> repairs;
   std::optional<LoopEvidence> evidence;  ///< nullopt = its window could not be read again
   std::vector<Picture> pictures;
+  std::vector<StepPictures> chain;  ///< of the steps of the loop model
   std::string trouble;  ///< why there are no pictures of the window, a sentence; empty = there are
 };
 
-/// One loop as HTML: cause, action, evidence, pictures, the explanation's errors, data, repairs.
+/// One loop as HTML: cause, action, evidence, pictures, what led to the explanation and its errors,
+/// data, repairs.
 [[nodiscard]] std::string loop_section(const LoopStory& story);
 
 /// The table of the model's errors before and after each effect, and what is left.

@@ -8,6 +8,7 @@
 #include "daemon/report/draw_figures.hpp"
 #include "daemon/report/explanation_figures.hpp"
 #include "daemon/report/history_figures.hpp"
+#include "daemon/report/residual_pairs.hpp"
 #include "daemon/report/signal_figures.hpp"
 #include "daemon/report/spectrum_figures.hpp"
 
@@ -26,6 +27,26 @@ void look(LoopStory& story, const storage::CatalogueEntry& loop, const LoopInput
   } catch (const std::exception& error) {
     story.trouble = std::string("the window could not be analysed again: ") + error.what();
   }
+}
+
+/// All pictures by one run of gnuplot: those of the window and the past, then those of the steps.
+void draw(LoopStory& story, const std::filesystem::path& gnuplot, const std::stop_token& stop) {
+  std::vector<Figure> figures = figures_of(story);
+  const std::size_t shown = figures.size();
+  std::vector<std::size_t> steps;
+  if (story.evidence) {
+    for (ResidualPair& pair : residual_pairs(*story.evidence)) {
+      steps.push_back(pair.step);
+      figures.push_back(std::move(pair.before));
+      figures.push_back(std::move(pair.after));
+    }
+  }
+  std::vector<Picture> pictures = draw_figures(figures, gnuplot, stop);
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    story.chain.push_back(
+        {steps[k], std::move(pictures[shown + 2 * k]), std::move(pictures[shown + 2 * k + 1])});
+  pictures.resize(shown);
+  story.pictures = std::move(pictures);
 }
 
 }  // namespace
@@ -67,7 +88,7 @@ void illustrate(LoopStory& story, const storage::CatalogueEntry& loop,
   else
     look(story, loop, std::get<LoopInput>(reading), settings);
   try {
-    story.pictures = draw_figures(figures_of(story), gnuplot, stop);
+    draw(story, gnuplot, stop);
   } catch (const Failure& failure) {
     story.trouble = failure.what();
   }

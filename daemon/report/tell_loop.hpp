@@ -19,7 +19,8 @@ inline constexpr std::int64_t kHistoryReachUs = std::int64_t{90} * 86'400 * 1'00
 [[nodiscard]] LoopStory read_story(storage::ReportDatabase& database,
                                    const storage::FlaggedRow& row);
 
-/// All figures of a story; those of its window only when it was looked at again.
+/// The figures of a story but those of the model's steps; those of its window only when it was
+/// looked at again.
 [[nodiscard]] std::vector<Figure> figures_of(const LoopStory& story);
 
 /// Looks at the window again and draws the pictures. What cannot be had is said in the story's

@@ -39,6 +39,7 @@ TEST(Report, OneFileTellsOfEveryFlaggedLoopWithItsPictures) {
   EXPECT_EQ(count(page, "<section class=\"loop\""), 2U);
   EXPECT_GE(count(page, "<img src=\"data:image/svg+xml,"), 12U);
   EXPECT_THAT(page, HasSubstr("Valve stiction"));
+  EXPECT_THAT(page, HasSubstr("<th>Test that spoke</th>"));
   EXPECT_THAT(page, HasSubstr("&lt;b&gt;&quot;TIC&quot; &amp; co&lt;/b&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("<b>\"TIC\"")));
   EXPECT_THAT(page, HasSubstr("Content-Security-Policy"));
