@@ -13,7 +13,6 @@ namespace {
 
 using core::model::EffectKind;
 using testing::HasSubstr;
-using testing::Not;
 
 core::model::Explanation two_steps(const std::string& saw) {
   core::model::Explanation told;

@@ -6,8 +6,6 @@
 namespace loopscope::storage {
 namespace {
 
-using testing::ElementsAre;
-
 class ExplanationTest : public ResultsTest {
  protected:
   void SetUp() override {

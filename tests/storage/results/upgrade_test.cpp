@@ -16,7 +16,7 @@ using testing::IsEmpty;
 /// partitions and rights that are there.
 class UpgradeTest : public testing::Test {
  protected:
-  explicit UpgradeTest(int from = 15) : from_(from) {}
+  explicit UpgradeTest(int from = 15) : former(from) {}
 
   void SetUp() override {
     if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
@@ -25,7 +25,7 @@ class UpgradeTest : public testing::Test {
     owner = database->make_login("loopscope_owner");
     worker = database->make_login("loopscope_worker");
     reader = database->make_login("loopscope_reader");
-    make_former_schema(*database, "loopscope_owner", from_);
+    make_former_schema(*database, "loopscope_owner", former);
     database->execute(kRows);
     for (const char* table : {"loop", "schedule", "analysis", "verdict", "annotation",
                               "plant_round", "parameter", "explanation_step"})
@@ -94,7 +94,7 @@ class UpgradeTest : public testing::Test {
     return rows;
   }
 
-  int from_;
+  int former;
   std::unique_ptr<tests::TestDatabase> database;
   std::string owner, worker, reader;
   std::vector<std::string> selects;
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18, 
 
 TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   const ConnectionSettings as_owner = settings_for(*database, owner);
-  EXPECT_EQ(static_cast<int>(migrate(as_owner).size()), required_schema_version() - from_);
+  EXPECT_EQ(static_cast<int>(migrate(as_owner).size()), required_schema_version() - former);
   EXPECT_EQ(contents(), before);
   EXPECT_THAT(migrate(as_owner), IsEmpty());
   ResultsDatabase results(settings_for(*database, worker));
@@ -163,7 +163,7 @@ TEST_F(UpgradeTest, MonthsThatMaintainHadMadeCanBeReadAfterwards) {
 /// A superuser was given as owner, and nobody had run roles.sql.
 TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
   const tests::TestDatabase other;
-  make_former_schema(other, "postgres", from_);
+  make_former_schema(other, "postgres", former);
   EXPECT_THROW(migrate(settings_for(other, "postgres")), DatabaseError);
   other.make_roles();
   const std::string runbook = tests::content_of(tests::source_dir() / "deploy" / "RUNBOOK.md");
@@ -173,7 +173,7 @@ TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
   const std::size_t from = at + begin.size();
   other.execute(runbook.substr(from, runbook.find("\nSQL\n", from) - from));
   EXPECT_EQ(static_cast<int>(migrate(settings_for(other, owner)).size()),
-            required_schema_version() - from_);
+            required_schema_version() - former);
   EXPECT_THAT(other.rows("SELECT oid::regclass::text FROM pg_class WHERE relnamespace ="
                          " 'loopscope'::regnamespace AND relowner <> 'loopscope_owner'::regrole"
                          " UNION ALL SELECT oid::regproc::text FROM pg_proc WHERE pronamespace ="
