@@ -12,8 +12,9 @@ struct Round {
   const LoopData& original;  ///< rows as laid out, before any step was seen by fit and score alike
   const LoopData& data;      ///< rows on which `now` is judged
   const TwinFit& now;
-  const Asked& asked;    ///< for by the residual tests
-  bool load_steps_only;  ///< they come in groups: the next one before anything else is looked at
+  const Asked& asked;  ///< for by the residual tests
+  bool load_steps_only =
+      false;             ///< they come in groups: the next one before anything else is looked at
   bool unasked = false;  ///< what nobody asked for, instead of what somebody did
 };
 
