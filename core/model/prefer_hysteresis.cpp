@@ -78,7 +78,7 @@ void prefer_hysteresis(const ModelInput& input, const std::vector<Answer>& first
   explanation.noise_floor = std::nan("");
   explanation.unexplained.fraction =
       std::clamp(step->holdout_error_after / step->holdout_error_before, 0.0, 1.0);
-  step->asked_by = asked_by(step->effect, first, left);
+  step->asked_by = asked_by(step->effect, first, {});  // not asked again: no one-step model has it
   step->promise_rank = Asked(first).rank(step->effect);
   explanation.steps = {std::move(*step)};
 }

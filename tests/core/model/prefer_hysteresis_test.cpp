@@ -28,6 +28,7 @@ Explanation preferred(const char* scenario, std::vector<Step> steps) {
   const ModelInput input{record.pv, record.op, record.sp, {}, record.sample_interval_s, true, 1};
   Answer direction;
   direction.question = {"op_direction", 1e-6, ""};
+  direction.nominations = {{.effect = valve_stiction, .p = 1e-6}};
   Explanation explanation;
   explanation.steps = std::move(steps);
   prefer_hysteresis(input, {direction}, {direction}, kManyTurns, explanation);
@@ -45,6 +46,16 @@ TEST(PreferHysteresis, SlipsThatPassForJumpsAreTheValves) {
   EXPECT_TRUE(by_cycle(preferred("square_limit_cycle", {})));
   EXPECT_TRUE(by_cycle(preferred("square_limit_cycle", {kSlip, kSlip})));
   EXPECT_TRUE(by_cycle(preferred("square_limit_cycle", {kSlip, kSlip, kSlip, kValve})));
+}
+
+/// No one-step model has the valve, so that nothing can be asked with it in place.
+TEST(PreferHysteresis, AValveOfTheCycleKeepsWhoAskedForIt) {
+  const Explanation explanation = preferred("square_limit_cycle", {});
+  ASSERT_TRUE(by_cycle(explanation));
+  ASSERT_EQ(explanation.steps.front().asked_by.size(), 1U);
+  EXPECT_EQ(explanation.steps.front().asked_by.front().test, "op_direction");
+  EXPECT_FALSE(explanation.steps.front().asked_by.front().p_after);
+  EXPECT_EQ(explanation.steps.front().promise_rank, 1U);
 }
 
 TEST(PreferHysteresis, AValveThatLeadsTheStoryStands) {
