@@ -14,10 +14,10 @@ inline constexpr double kAsks = 0.01;
 
 /// The effects that the residual tests ask for, by what they promise. Twice the negative logarithm
 /// of a test's p is what an effect that explains all that the test saw would come to in evidence:
-/// in that measure tests of any kind compare, so that they are ordered by p.
+/// in that measure tests of any kind compare, so that they are ranked by p. All of them are tried;
+/// the rank says what was expected, and stands in the results.
 class Asked {
  public:
-  Asked() = default;
   explicit Asked(const std::vector<Answer>& answers);
   /// Tests only: what another loop's residual asked for.
   explicit Asked(std::span<const Nomination> nominations);

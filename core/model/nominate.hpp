@@ -11,8 +11,9 @@ namespace loopscope::core::model {
 /// places on a coarse net, or what the innovations point at. Kinds that the fit has already are
 /// left out by the caller.
 ///
-/// `asked`: what the residual tests say of that effect, their places, periods and limits included.
-/// A valve with hysteresis has a search of its own.
+/// `asked`: what the residual tests say of that effect. Their periods are where waves start;
+/// places, limits and bands start from nets and from the marks of a load. A valve with hysteresis
+/// has a search of its own.
 [[nodiscard]] std::vector<EffectPtr> nominate(EffectKind kind, const LoopData& data, const Fit& fit,
                                               const std::vector<Nomination>& asked = {});
 /// Limits, bent trims and bent processes.

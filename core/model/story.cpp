@@ -78,9 +78,9 @@ EffectKind kind_of(const Chapter& chapter) {
 }
 
 /// What an effect has to explain beyond chance where the tests that asked for it still see the
-/// same. Of 395 effects that were right half left 0.05 of it and one in ten 0.3, whereas what
-/// something else in the loop or beside it is taken for leaves half of it and more: 12 of 17 such
-/// effects of a neighbour's wave would not enter at this price, and 6 of the 395.
+/// same. Of 395 effects that were right half left at most 0.04 of it and nine in ten at most 0.17;
+/// 17 that a neighbour's wave was taken for left 0.5 in the median. 12 of the 17 do not enter at
+/// this price, nor do 6 of the 395.
 double price_of_share_left(double share) {
   constexpr double kPrice = 400.0;  // of evidence, of all that the tests saw
   return kPrice * share * share;
