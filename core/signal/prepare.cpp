@@ -1,5 +1,6 @@
 #include "core/signal/prepare.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -84,14 +85,15 @@ void scale_output(const LoopWindow& window, const PrepareSettings& settings, Pre
 }
 
 /// Outliers are looked for in what the stored samples say of all; returns how many were taken out.
-std::size_t discard_stored_spikes(StoredSamples& stored) {
+std::size_t discard_stored_spikes(const LoopWindow& window, const PrepareSettings& settings,
+                                  StoredSamples& stored) {
   const Samples whole = reconstruct(stored).value;
-  Samples calm = whole;
-  const std::size_t spikes = discard_spikes(calm);
-  for (std::size_t k = 0; k < calm.size() && spikes > 0; ++k) {
-    if (std::isnan(calm[k]) && !std::isnan(whole[k])) stored.value[k] = kMissing;
+  const std::vector<bool> spikes =
+      find_spikes(whole, cut(window.op, settings), cut(window.sp, settings));
+  for (std::size_t k = 0; k < spikes.size(); ++k) {
+    if (spikes[k]) stored.value[k] = kMissing;
   }
-  return spikes;
+  return static_cast<std::size_t>(std::count(spikes.begin(), spikes.end(), true));
 }
 
 /// pv as recorded, less what `stored` lacks of its own values: outliers and frozen stretches, but
@@ -109,7 +111,7 @@ void take_pv(const LoopWindow& window, const PrepareSettings& settings, Prepared
   loop.pv_recorded = count_recorded(pv);
   loop.pv_frozen = longest_flat_run(pv);
   StoredSamples stored = find_stored(pv, cut(window.pv_rows, settings));
-  loop.spikes = discard_stored_spikes(stored);
+  loop.spikes = discard_stored_spikes(window, settings, stored);
   whole = reconstruct(stored);
   loop.archive = stored.archive;
   loop.band = stored.band;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/signal/loop_prediction.hpp"
 #include "core/signal/median.hpp"
 #include "core/signal/neighbour_errors.hpp"
 #include "core/signal/spread.hpp"
@@ -30,6 +31,9 @@ constexpr int kRounds = 4;
 /// (their median is known within an eighth).
 constexpr std::size_t kAround = 32;
 constexpr double kLoud = 1.5;
+
+/// Share of a run's height that its own loop may foretell of an outlier.
+constexpr double kUnforeseen = 0.5;
 
 /// Share of the outliers that chance may have made (Benjamini and Hochberg 1995).
 constexpr double kByChance = 0.05;
@@ -146,24 +150,67 @@ class SpikeSearch {
   double large_ = 0.0;
 };
 
-std::size_t count_runs(const std::vector<bool>& marked) {
-  std::size_t runs = 0;
+/// An outlier of one or a few samples in a row.
+struct Run {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+std::vector<Run> runs_of(const std::vector<bool>& marked) {
+  std::vector<Run> runs;
   for (std::size_t k = 0; k < marked.size(); ++k) {
-    if (marked[k] && (k == 0 || !marked[k - 1])) ++runs;
+    if (!marked[k]) continue;
+    if (k == 0 || !marked[k - 1]) runs.push_back({k, k});
+    runs.back().last = k;
   }
   return runs;
 }
 
+/// Where a straight line between the samples beside the run is at sample k.
+double between(const Samples& samples, const Run& run, std::size_t k) {
+  const double before = samples[run.first - 1];
+  const double after = samples[run.last + 1];
+  const auto at = static_cast<double>(k - run.first + 1);
+  return before + (after - before) * at / static_cast<double>(run.last - run.first + 2);
+}
+
+/// Whether at most half of the run's height was foreseen. Its best sample counts: the first of an
+/// outlier foretells the second.
+bool unforeseen(const LoopPrediction& prediction, const Samples& past, const Run& run) {
+  double height = 0.0;
+  double error = 0.0;
+  for (std::size_t k = run.first; k <= run.last; ++k) {
+    const double off = prediction.error(past, k);
+    if (std::isnan(off)) return true;
+    height = std::max(height, std::abs(past[k] - between(past, run, k)));
+    error = std::max(error, std::abs(off));
+  }
+  return error >= kUnforeseen * height;
+}
+
+/// Unmarks what the loop's own past foretells. Outliers are bridged in the past of what follows:
+/// the loop answers them too.
+void keep_own_answers(const Samples& pv, const LoopPrediction& prediction,
+                      std::vector<bool>& found) {
+  Samples past = pv;
+  for (const Run& run : runs_of(found)) {
+    const bool outlier = unforeseen(prediction, past, run);
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      found[k] = outlier;
+      if (outlier) past[k] = between(pv, run, k);
+    }
+  }
+}
+
 }  // namespace
 
-std::size_t discard_spikes(Samples& samples) {
-  const std::vector<bool> found = SpikeSearch(samples).run();
-  const double most = kMostSpikes * static_cast<double>(samples.size());
-  if (static_cast<double>(count_runs(found)) > most) return 0;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    if (found[k]) samples[k] = kMissing;
-  }
-  return static_cast<std::size_t>(std::count(found.begin(), found.end(), true));
+std::vector<bool> find_spikes(const Samples& pv, const Samples& op, const Samples& sp) {
+  std::vector<bool> found = SpikeSearch(pv).run();
+  if (runs_of(found).empty()) return found;
+  keep_own_answers(pv, LoopPrediction(pv, op, sp, found), found);
+  const bool too_many = static_cast<double>(runs_of(found).size()) >
+                        kMostSpikes * static_cast<double>(pv.size());
+  return too_many ? std::vector<bool>(pv.size(), false) : found;
 }
 
 }  // namespace loopscope::core::signal

@@ -1,5 +1,6 @@
 #include "core/signal/spikes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -18,6 +19,15 @@ Samples noise(std::uint64_t seed, double pole = 0.0) {
   double state = 0.0;
   for (double& v : samples) v = state = pole * state + normal(random);
   return samples;
+}
+
+/// Makes the outliers of a signal without a loop missing; how many samples they were.
+std::size_t discard_spikes(Samples& samples) {
+  const std::vector<bool> found = find_spikes(samples, {}, {});
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (found[k]) samples[k] = kMissing;
+  }
+  return static_cast<std::size_t>(std::count(found.begin(), found.end(), true));
 }
 
 TEST(Spikes, AnIsolatedOutlierBecomesMissing) {
