@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/diagnosis/contradiction.hpp"
+#include "core/diagnosis/disturbance_words.hpp"
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/implied_tuning.hpp"
 #include "core/diagnosis/leading_effect.hpp"
@@ -96,6 +97,13 @@ VerdictCode code_of(const Case& loop, const LeadingEffect& leading) {
              : leading.code;
 }
 
+/// A wave has another action than a load that moves.
+void tell_disturbance(const model::Explanation& explanation, Verdict& verdict) {
+  const DisturbanceWords words = words_of(disturbance_of(explanation), explanation);
+  verdict.summary = words.summary;
+  verdict.action = words.action;
+}
+
 Verdict of_leading(const Case& loop, const BelievedExplanation& story) {
   const LeadingEffect leading = leading_effect(story.explanation);
   std::vector<std::string> reasons = reasons_with(loop, story, leading.code);
@@ -105,6 +113,7 @@ Verdict of_leading(const Case& loop, const BelievedExplanation& story) {
   Verdict verdict =
       make(code, held_by_coupling(loop, code, confidence_with(loop, story.explanation, leading)),
            std::move(reasons), p_with(loop, leading, code));
+  if (code == VerdictCode::external_disturbance) tell_disturbance(story.explanation, verdict);
   // The words for saturation say so already.
   const bool said = verdict.code == VerdictCode::valve_saturation;
   if (withholds_tuning(verdict.code) && !said) verdict.action += tuning_waits();
