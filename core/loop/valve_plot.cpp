@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
+#include "core/loop/actuator.hpp"
 #include "core/loop/if_finite.hpp"
 #include "core/loop/valve_work.hpp"
 #include "core/signal/spread.hpp"
@@ -16,6 +18,7 @@ namespace {
 /// noise. The smaller counts: a valve that moves by half a percent in all still has its branches.
 constexpr double kShareOfSwing = 0.02;
 constexpr double kTransmitterPercent = 0.1;
+constexpr double kNoiseOfSwing = 0.05;
 /// Slices of mv in which the branches are compared, so that a valve with a bent characteristic is
 /// compared with itself at the same position.
 constexpr std::size_t kSlices = 20;
@@ -40,16 +43,33 @@ struct Slice {
 
 using Slices = std::array<Slice, kSlices>;
 
+/// Five standard deviations of the noise of a valve that rests in half of the samples or more: the
+/// lower quartile of the moves from sample to sample is 0.45 of one. Of a valve that never rests it
+/// is a move.
+double resting_noise(std::span<const double> mv) {
+  constexpr double kNoise = 5.0 / 0.45;
+  std::vector<double> moves;
+  for (std::size_t k = 1; k < mv.size(); ++k) {
+    if (const double move = std::abs(mv[k] - mv[k - 1]); std::isfinite(move)) moves.push_back(move);
+  }
+  if (moves.empty()) return 0.0;
+  const auto quartile = moves.begin() + static_cast<std::ptrdiff_t>(moves.size() / 4);
+  std::nth_element(moves.begin(), quartile, moves.end());
+  return kNoise * *quartile;
+}
+
 double valve_tolerance(std::span<const double> mv, const signal::Spread& spread) {
-  const double noise = std::min(kShareOfSwing * (spread.high - spread.low), kTransmitterPercent);
-  return std::max(noise, move_tolerance(mv));
+  const double swing = spread.high - spread.low;
+  const double least = std::min(kShareOfSwing * swing, kTransmitterPercent);
+  const double most = std::min(kNoiseOfSwing * swing, kTransmitterPercent);
+  return std::max({least, std::min(resting_noise(mv), most), move_tolerance(mv)});
 }
 
 /// A sample is on a branch when mv has left its last resting place by more than the tolerance.
-Slices collect_branches(std::span<const double> op, std::span<const double> mv,
-                        const signal::Spread& spread) {
+Branches find_branches(std::span<const double> op, std::span<const double> mv,
+                       const signal::Spread& spread) {
   const double tolerance = valve_tolerance(mv, spread);
-  Slices slices;
+  Branches branches;
   double rest = std::nan("");
   for (std::size_t k = 0; k < mv.size(); ++k) {
     if (!std::isfinite(op[k]) || !std::isfinite(mv[k])) {
@@ -59,11 +79,21 @@ Slices collect_branches(std::span<const double> op, std::span<const double> mv,
     const double move = mv[k] - rest;
     if (std::abs(move) <= tolerance) continue;
     rest = mv[k];
-    if (std::isnan(move)) continue;
+    if (!std::isnan(move)) (move > 0.0 ? branches.rising : branches.falling).push_back(k);
+  }
+  return branches;
+}
+
+Slices slices_of(const Branches& branches, const signal::Samples& input, std::span<const double> mv,
+                 const signal::Spread& spread) {
+  Slices slices;
+  const auto add = [&](std::size_t k, Mean Slice::* branch) {
     const double position = (mv[k] - spread.low) / (spread.high - spread.low);
     Slice& slice = slices[std::min(kSlices - 1, static_cast<std::size_t>(position * kSlices))];
-    (move > 0.0 ? slice.rising : slice.falling).add(op[k] - mv[k]);
-  }
+    if (std::isfinite(input[k])) (slice.*branch).add(input[k] - mv[k]);
+  };
+  for (const std::size_t k : branches.rising) add(k, &Slice::rising);
+  for (const std::size_t k : branches.falling) add(k, &Slice::falling);
   return slices;
 }
 
@@ -139,8 +169,10 @@ ValvePlot measure_valve_plot(std::span<const double> op, std::span<const double>
       mv_spread->constant()) {
     return {};
   }
-  return {branch_width(collect_branches(op, mv, *mv_spread)), slip_jump_of(op, mv, *mv_spread),
-          stuck_fraction_of(op, mv, *mv_spread)};
+  const Branches branches = find_branches(op, mv, *mv_spread);
+  const signal::Samples input = behind_actuator(op, mv, branches);
+  return {branch_width(slices_of(branches, input, mv, *mv_spread)),
+          slip_jump_of(input, mv, *mv_spread), stuck_fraction_of(op, mv, *mv_spread)};
 }
 
 }  // namespace loopscope::core::loop

@@ -5,7 +5,8 @@
 
 namespace loopscope::core::loop {
 
-/// The mv-op plot: what the valve does with what it is told.
+/// The mv-op plot: what the valve does with what it is told, behind the delay and the lag of its
+/// actuator (actuator.hpp).
 struct ValvePlot {
   /// Mean width in op between the branch on which mv rises and the one on which it falls, at the
   /// same mv (at any mv where they share none), in units of op: the dead band, or stickband less

@@ -69,6 +69,56 @@ TEST(ValvePlot, PositionNoiseDoesNotHideTheBand) {
   EXPECT_NEAR(*measure_valve_plot(op, mv).width, 2.0, 0.1);
 }
 
+/// op of a controller that answers noise, in which a lag is as wide as a dead band.
+Series restless_op(Random& random) {
+  Series op = swinging_op(random);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  for (double& v : op) v += noise(random);
+  return op;
+}
+
+Series behind_lag(const Series& op, double lag_samples) {
+  const double pole = std::exp(-1.0 / lag_samples);
+  Series out;
+  double state = op.front();
+  for (const double v : op) out.push_back(state = pole * state + (1.0 - pole) * v);
+  return out;
+}
+
+TEST(ValvePlot, ALagIsNoBand) {
+  for (const double lag_samples : {0.3, 0.45, 1.0, 2.4, 5.0}) {
+    Random random(7);
+    const Series op = restless_op(random);
+    const Series position = behind_lag(op, lag_samples);
+    const ValvePlot plot = measure_valve_plot(
+        op, signals::sum(position, signals::white(random, op.size()), 0.01));
+    EXPECT_LT(*plot.width, 0.1) << lag_samples;
+    EXPECT_LT(*plot.slip_jump, 0.1) << lag_samples;
+  }
+}
+
+TEST(ValvePlot, BandAndJumpAreSeenBehindALag) {
+  for (const double lag_samples : {0.5, 1.2, 3.0}) {
+    Random random(8);
+    const Series op = restless_op(random);
+    const Series input = behind_lag(op, lag_samples);
+    EXPECT_NEAR(*measure_valve_plot(op, signals::through_valve(input, 2.0, 0.0)).width, 2.0, 0.1);
+    const ValvePlot sticks = measure_valve_plot(op, signals::through_valve(input, 3.0, 1.5));
+    EXPECT_NEAR(*sticks.width, 1.5, 0.2) << lag_samples;
+    EXPECT_GT(*sticks.slip_jump, 0.2 * (*sticks.slip_jump + *sticks.width)) << lag_samples;
+  }
+}
+
+/// Else every sample's noise is a move, of a branch of its own.
+TEST(ValvePlot, NoiseOfAValveThatRestsIsNoMove) {
+  Random random(9);
+  Series op = restless_op(random);
+  for (double& v : op) v = 50.0 + 0.3 * (v - 50.0);
+  const Series mv =
+      signals::sum(signals::through_valve(op, 2.0, 0.0), signals::white(random, op.size()), 0.02);
+  EXPECT_NEAR(*measure_valve_plot(op, mv).width, 2.0, 0.2);
+}
+
 TEST(ValvePlot, GapsAreSkipped) {
   Random random(5);
   const Series op = swinging_op(random);
