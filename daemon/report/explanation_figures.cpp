@@ -9,6 +9,7 @@
 #include "core/signal/grid.hpp"
 #include "core/signal/spread.hpp"
 #include "daemon/report/gnuplot_text.hpp"
+#include "daemon/report/shown_model.hpp"
 #include "daemon/report/verdict_words.hpp"
 
 namespace loopscope::daemon {
@@ -112,20 +113,17 @@ int height_of(std::size_t stages) {
   return std::max(Figure{}.height, static_cast<int>(stages) * kPanelHeight + kAxisHeight);
 }
 
-/// What a stage says pv would be: run on op alone, where that can be had.
-const Series& model_series(const TraceStage& stage) {
-  return stage.simulated.empty() ? stage.one_step_prediction : stage.simulated;
-}
-
 std::vector<Figure> fit_figure(const LoopEvidence& evidence, const ExplanationTraces& traces) {
   const Span span{traces.telling_from, traces.telling_samples};
   if (span.samples < 2) return {};
+  const std::vector<const TraceStage*> stages = stages_to_show(traces);
+  const ShownModel model = shown_model(traces.measured, stages, span.from, span.samples);
   StagePanels panels(evidence, span);
   std::string script = panels.data("measured", traces.measured, true);
   std::vector<std::string> plots;
-  for (const TraceStage* stage : stages_to_show(traces)) {
+  for (const TraceStage* stage : stages) {
     const std::string block = fmt::format("model{}", plots.size());
-    script += panels.data(block, model_series(*stage), false);
+    script += panels.data(block, model.series_of(*stage), false);
     plots.push_back(fmt::format("$measured using 1:2 {} {}, ${} using 1:2 {} title '{}'",
                                 line_style(colour::kBlue, 1.0),
                                 plots.empty() ? "title 'measured'" : "notitle", block,
@@ -134,7 +132,7 @@ std::vector<Figure> fit_figure(const LoopEvidence& evidence, const ExplanationTr
   if (panels.empty()) return {};
   const int height = height_of(plots.size());
   Figure figure{"Measured against model, before and after each added effect",
-                "measured process variable and the model run on op alone, one panel a stage",
+                fmt::format("measured process variable and the model, {}, one panel a stage", model.words()),
                 script + panels.script(plots, "pv (pv units)", height)};
   figure.height = height;
   return {figure};
