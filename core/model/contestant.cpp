@@ -6,6 +6,7 @@
 
 #include "core/model/effects/valve.hpp"
 #include "core/model/hysteresis_net.hpp"
+#include "core/model/multi_step_error.hpp"
 #include "core/model/stem_search.hpp"
 
 namespace loopscope::core::model {
@@ -56,6 +57,13 @@ Contestant scored(Contestant trial, Fit fit, std::size_t tries) {
   trial.price = 2.0 * std::log(tries_of(trial.effect(), tries, trial.rows.size()));
   trial.comparison.p = std::min(1.0, std::exp(-0.5 * trial.worth()));
   return trial;
+}
+
+bool foresees(const Contestant& trial) {
+  if (same_cause(trial.kind(), EffectKind::load_step)) return true;
+  if (!trial.rows.without.has(Mechanism::multi_step)) return true;
+  const double evidence = multi_step_evidence(trial.rows, trial.before.fit, trial.fit.fit);
+  return std::exp(-0.5 * evidence) <= kEnters;
 }
 
 bool refutes_plainer(const Contestant& trial) {

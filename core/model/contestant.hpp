@@ -31,6 +31,10 @@ struct Contestant {
 /// valve they follow from what was fitted. What is scored once has no mirror yet.
 [[nodiscard]] Contestant scored(Contestant trial, Fit fit, std::size_t tries);
 
+/// Whether an effect within the loop is significant several rows ahead as well
+/// (multi_step_error.hpp); true of what comes from outside, which op does not foretell.
+[[nodiscard]] bool foresees(const Contestant& trial);
+
 /// Whether what it explains beyond each plainer effect that leaves part of the same mark
 /// (Effect::plainer) is significant by itself, at the price of its search.
 [[nodiscard]] bool refutes_plainer(const Contestant& trial);

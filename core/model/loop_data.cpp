@@ -93,7 +93,9 @@ Rows lay_out(const std::vector<bool>& usable, std::size_t shortest) {
     const double spread = std::fmod(kGolden * static_cast<double>(block), 1.0);
     const std::size_t length =
         shortest + static_cast<std::size_t>(spread * static_cast<double>(2 * shortest));
-    const Range range{first + kGuard, std::min(usable.size(), first + length)};
+    const std::size_t begin = std::min(usable.size(), first + kGuard);
+    const Range range{begin, std::min(usable.size(), first + length)};
+    add_runs(usable, {first, begin}, rows.guard);
     first += length;
     if (range.first < range.end) add_runs(usable, range, block % 2 == 0 ? rows.fit : rows.score);
   }
@@ -149,7 +151,7 @@ Rows seen_by_both(const Rows& rows, std::size_t at, std::size_t length) {
   if (rows.fit.empty() || rows.score.empty()) return rows;
   const std::size_t last = std::max(rows.fit.back().end, rows.score.back().end);
   const Range window{std::min(at, last - 1), std::min(at + length, last)};
-  return {united(rows.fit, window), united(rows.score, window)};
+  return {united(rows.fit, window), united(rows.score, window), rows.guard};
 }
 
 LoopData make_loop_data(std::span<const double> pv, std::span<const double> op,

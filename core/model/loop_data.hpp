@@ -22,6 +22,10 @@ struct Range {
 struct Rows {
   std::vector<Range> fit;
   std::vector<Range> score;
+  /// Before each block: no fit sees them and none is scored on them. Residual tests see them too: a
+  /// sudden effect that begins there would else be missed, one of twelve (of a held sensor one of
+  /// six).
+  std::vector<Range> guard;
   [[nodiscard]] std::size_t fit_count() const;
   [[nodiscard]] std::size_t score_count() const;
 };

@@ -8,10 +8,10 @@
 namespace loopscope::core::model {
 namespace {
 
-/// The one-step errors of every sample that counts, pv units; NaN elsewhere.
+/// The one-step errors of every recorded sample behind the warm-up, pv units; NaN elsewhere.
 std::vector<double> residual_of(const LoopData& data, const Fit& fit) {
   std::vector<double> residual(data.size(), std::nan(""));
-  for (const auto* rows : {&data.rows.fit, &data.rows.score}) {
+  for (const auto* rows : {&data.rows.fit, &data.rows.score, &data.rows.guard}) {
     for (const Range& range : *rows) {
       for (std::size_t k = range.first; k < range.end; ++k)
         residual[k] = fit.innovations[k] * data.pv_scale;

@@ -37,7 +37,7 @@ LoopData beginning(const LoopData& data, std::size_t rows) {
   LoopData result = data;
   result.pv.resize(rows);
   result.op.resize(data.grid.sample_of(rows - 1) + 1);
-  result.rows = {cut_off(data.rows.fit, rows), cut_off(data.rows.score, rows)};
+  result.rows = {cut_off(data.rows.fit, rows), cut_off(data.rows.score, rows), {}};
   return result;
 }
 

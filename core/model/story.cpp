@@ -93,16 +93,21 @@ bool comes_alone(EffectKind kind) {
 
 bool answers_its_tests(const Contestant& trial, const Chapter& chapter) {
   const EffectKind kind = kind_of(chapter);
-  if (!comes_alone(kind)) return true;
+  if (!comes_alone(kind) || !trial.rows.without.has(Mechanism::share_left)) return true;
   const double left = share_left(asked_by(kind, chapter.asked_for, chapter.left));
   return std::exp(-0.5 * (trial.worth() - price_of_share_left(left))) <= kEnters;
 }
 
-/// The first of the trials that enters and answers the tests that asked for it becomes a chapter.
+/// The first of the trials that enters, explains something further ahead as well and answers the
+/// tests that asked for it becomes a chapter.
 bool take_in(std::vector<Contestant> trials, const LoopData& original, const ResidualTests& tests,
              const std::vector<Answer>& answers, Story& story) {
   const LoopData data = story.data;
   while (!trials.empty() && trials.front().enters()) {
+    if (!foresees(trials.front())) {
+      trials.erase(trials.begin());
+      continue;
+    }
     add_chapter(original, trials, story);
     Chapter& chapter = story.chapters.back();
     chapter.asked_for = answers;

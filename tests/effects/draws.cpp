@@ -22,8 +22,8 @@ const core::model::Explanation* model_of(const Evidence& evidence) {
 }
 
 std::vector<core::model::Answer> answers_of(const std::string& kind, std::uint64_t seed,
-                                            Size size) {
-  const Record record = generate(kind, seed, size);
+                                            const Plan& plan) {
+  const Record record = generate(kind, seed, plan.size, plan.noise);
   const core::FirstLook first = core::first_look(window_of(record, record.interval_s), {});
   return core::model::look_at(core::model_input(first, {.seed = seed})).answers;
 }
@@ -36,13 +36,13 @@ const std::string& other_kind(const Plan& plan, const std::string& kind) {
 
 Outcome run_draw(const std::string& kind, std::uint64_t seed, const Plan& plan) {
   using Clock = std::chrono::steady_clock;
-  const Record record = generate(kind, seed, plan.size);
+  const Record record = generate(kind, seed, plan.size, plan.noise);
   const core::signal::LoopWindow window = window_of(record, record.interval_s);
   core::LoopFacts facts{
       .integrating = record.truth.loop.integrating, .seed = seed, .without = plan.without};
   std::vector<core::model::Answer> others;
   if (plan.permuted) {
-    others = answers_of(other_kind(plan, kind), seed, plan.size);
+    others = answers_of(other_kind(plan, kind), seed, plan);
     facts.without.hear_instead(others);
   }
   const auto start = Clock::now();

@@ -16,6 +16,7 @@ struct Plan {
   std::size_t draws = 20;
   unsigned threads = 1;
   Size size = Size::realistic;
+  NoiseFamily noise = NoiseFamily::gaussian;
   core::model::Without without{};  ///< parts of the search that are left out
   /// Each loop hears what the residual tests say of a loop of the next kind but one.
   bool permuted = false;

@@ -87,8 +87,13 @@ const std::vector<KindInfo>& all_kinds() {
   return kinds;
 }
 
-Record generate(std::string_view kind, std::uint64_t seed, Size size) {
-  return record_of(kind, seed, finish(kind, seed, size));
+Record generate(std::string_view kind, std::uint64_t seed, Size size, NoiseFamily noise) {
+  Finished finished = finish(kind, seed, size);
+  if (noise != NoiseFamily::gaussian) {
+    finished.draft.scenario.noise_family = noise;
+    finished.series = simulate(finished.draft.scenario);
+  }
+  return record_of(kind, seed, finished);
 }
 
 Record generate_stretch(std::string_view kind, std::uint64_t seed, std::uint64_t stretch) {

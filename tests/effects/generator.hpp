@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/effects/noise_family.hpp"
+
 namespace loopscope::tests::effects {
 
 /// A figure that the effect was made with, in the words and units of the results.
@@ -79,10 +81,14 @@ struct Record {
 /// In the order of the report.
 [[nodiscard]] const std::vector<KindInfo>& all_kinds();
 
-/// The same record for the same kind, seed and size on every machine of one floating-point
+/// `noise` other than Gaussian is put into a loop that was drawn with Gaussian noise; whether its
+/// effects show in it is not asked again, and error_floor is that of Gaussian noise.
+///
+/// The same record for the same kind, seed, size and noise on every machine of one floating-point
 /// behaviour. Throws std::invalid_argument for an unknown kind.
 [[nodiscard]] Record generate(std::string_view kind, std::uint64_t seed,
-                              Size size = Size::realistic);
+                              Size size = Size::realistic,
+                              NoiseFamily noise = NoiseFamily::gaussian);
 
 /// The same loop with the same effects and set point over another stretch of time: load and noise
 /// are drawn anew for each `stretch`, 0 = the record of generate(). Whether the effects show in it

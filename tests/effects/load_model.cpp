@@ -31,9 +31,9 @@ Eigen::Matrix3d power(const Eigen::Matrix3d& matrix, int exponent) {
 
 }  // namespace
 
-void LoadModel::step(Eigen::Vector3d& state, Random& random) const {
+void LoadModel::step(Eigen::Vector3d& state, double noise) const {
   state = (transition * state).eval();
-  if (scale != 0.0) state(0) += scale * std::sqrt(kStep) * random.normal();
+  state(0) += scale * std::sqrt(kStep) * noise;
 }
 
 LoadModel output_load_model(double memory) {

@@ -20,7 +20,8 @@ struct LoadModel {
   double scale = 0.0;
 
   [[nodiscard]] double value(const Eigen::Vector3d& state) const { return output * state; }
-  void step(Eigen::Vector3d& state, Random& random) const;
+  /// `noise`: w of this substep, of variance 1.
+  void step(Eigen::Vector3d& state, double noise) const;
 };
 
 /// `memory` per sample, 1 = integrated noise; one unit of `scale` is one of w's deviation a sample.

@@ -35,6 +35,8 @@ class Reader {
       options_.plan.permuted = true;
     else if (word == "--without")
       leave_out(words_.value(word));
+    else if (word == "--noise")
+      read_noise(words_.value(word));
     else if (word == "--faint")
       options_.plan.size = Size::faint;
     else if (word == "--with-mv")
@@ -66,6 +68,12 @@ class Reader {
       options_.plan.kinds.push_back(known(kind));
   }
 
+  void read_noise(const std::string& family) {
+    const auto noise = noise_family_of(family);
+    if (!noise) throw WrongUsage("no noise " + family + ": gaussian, t5, bursts or garch");
+    options_.plan.noise = *noise;
+  }
+
   void leave_out(const std::string& name) {
     const auto mechanism = core::model::mechanism_of(name);
     if (!mechanism) throw WrongUsage("no mechanism " + name + " (--list shows them)");
@@ -90,13 +98,14 @@ Options read_options(const std::vector<std::string>& words) {
 
 std::string usage() {
   return "effects_run [--seed N] [--draws M] [--kinds A,B] [--threads T] [--faint]\n"
-         "            [--without MECHANISM] [--permuted] [--json | --records]\n"
+         "            [--noise FAMILY] [--without MECHANISM] [--permuted] [--json | --records]\n"
          "effects_run --dump KIND SEED FILE.csv [--with-mv] [--faint]    one record, truth on "
          "standard error\n"
          "effects_run --list                                   kinds of records, mechanisms\n"
          "Draws loops with undeclared effects, diagnoses each and compares with the truth.\n"
          "Defaults: seed 1, 20 draws of every kind, one thread per processor.\n"
          "--faint draws effects however small instead of such that show in the one-step error.\n"
+         "--noise gives load and readings the noise of a plant: t5, bursts or garch.\n"
          "--permuted lets each loop hear the residual tests of another.\n"
          "--without leaves a part of the search out; --records prints a line of JSON a draw.\n";
 }

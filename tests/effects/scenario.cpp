@@ -65,7 +65,9 @@ class Run {
         controller_(scenario.op0),
         valve_(scenario.valve ? scenario.valve() : nullptr),
         load_noise_(seed_for("load", scenario.noise_seed)),
-        sensor_noise_(seed_for("sensor", scenario.noise_seed)) {}
+        sensor_noise_(seed_for("sensor", scenario.noise_seed)),
+        load_volatility_(scenario.noise_family, seed_for("load size", scenario.noise_seed)),
+        sensor_volatility_(scenario.noise_family, seed_for("sensor size", scenario.noise_seed)) {}
 
   Series run() {
     for (std::size_t k = 0; k < kTotal; ++k) {
@@ -81,7 +83,8 @@ class Run {
 
  private:
   void sense(std::size_t k, double time) {
-    const double noise = s_.load.value(load_) + s_.noise_sd * sensor_noise_.normal();
+    const double reading = s_.noise_sd * sensor_volatility_.next() * sensor_noise_.normal();
+    const double noise = s_.load.value(load_) + reading;
     if ((k % static_cast<std::size_t>(s_.hold)) != 0) return;
     const double true_pv =
         process_.pv() + at(s_.output_load, time, 0.0) + at(s_.sensor_bias, time, 0.0);
@@ -97,13 +100,14 @@ class Run {
 
   double hold_op(double op, double time) {
     double position = op;
+    const double loudness = load_volatility_.next();
     for (int i = 0; i < kSubsteps; ++i) {
       const double now = time + i * kStep;
       position = valve_ ? valve_->step(op) : op;
       const double flow = s_.trim ? s_.trim(position) : position - s_.op0;
       const double delayed = pipe_.step(flow, at(s_.delay, now, s_.process.delay));
       process_.step(at(s_.process_gain, now, 1.0) * delayed + at(s_.input_load, now, 0.0));
-      s_.load.step(load_, load_noise_);
+      s_.load.step(load_, loudness * load_noise_.normal());
     }
     return position;
   }
@@ -122,6 +126,8 @@ class Run {
   std::unique_ptr<Valve> valve_;
   Random load_noise_;
   Random sensor_noise_;
+  Volatility load_volatility_;
+  Volatility sensor_volatility_;
   ChangingDelay pipe_;
   Eigen::Vector3d load_ = Eigen::Vector3d::Zero();
   double pv_ = 0.0;

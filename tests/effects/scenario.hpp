@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/effects/load_model.hpp"
+#include "tests/effects/noise_family.hpp"
 #include "tests/effects/valve.hpp"
 
 namespace loopscope::tests::effects {
@@ -45,6 +46,7 @@ struct Scenario {
   LoadModel load;
   double noise_sd = 0.0;  ///< of the white measurement noise
   std::uint64_t noise_seed = 0;
+  NoiseFamily noise_family = NoiseFamily::gaussian;  ///< of load and measurement
   std::vector<double> sp;                         ///< kRunIn + kSamples values
   std::function<std::unique_ptr<Valve>()> valve;  ///< empty = follows at once
   Curve trim;                                     ///< stem position to flow; empty = position - op0
