@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "tests/effects/dump.hpp"
+#include "tests/effects/field_draws.hpp"
 #include "tests/effects/options.hpp"
 #include "tests/effects/summary.hpp"
 #include "tests/support/command_words.hpp"
@@ -39,6 +40,14 @@ void run(const effects::Options& options) {
   }
   if (options.list) return list_kinds();
   if (!options.dump_kind.empty()) return dump(options);
+  if (options.field) {
+    std::cout << lines_of(effects::field_draws(options.plan));
+    return;
+  }
+  if (!options.manifest.empty()) {
+    std::cout << lines_of(effects::recorded(options.plan, options.manifest));
+    return;
+  }
   const auto outcomes = effects::run_draws(options.plan);
   if (options.records) {
     std::cout << effects::lines_of(options.plan, outcomes);

@@ -31,6 +31,10 @@ class Reader {
       options_.json = true;
     else if (word == "--records")
       options_.records = true;
+    else if (word == "--field")
+      options_.field = true;
+    else if (word == "--recordings")
+      options_.manifest = words_.value(word);
     else if (word == "--permuted")
       options_.plan.permuted = true;
     else if (word == "--without")
@@ -99,6 +103,9 @@ Options read_options(const std::vector<std::string>& words) {
 std::string usage() {
   return "effects_run [--seed N] [--draws M] [--kinds A,B] [--threads T] [--faint]\n"
          "            [--noise FAMILY] [--without MECHANISM] [--permuted] [--json | --records]\n"
+         "effects_run --field | --recordings MANIFEST.csv [--seed N] [--draws M] [--without "
+         "MECHANISM]\n"
+         "                                   sticking or not, a line of JSON each\n"
          "effects_run --dump KIND SEED FILE.csv [--with-mv] [--faint]    one record, truth on "
          "standard error\n"
          "effects_run --list                                   kinds of records, mechanisms\n"

@@ -35,22 +35,27 @@ void read_samples(const std::string& path, FieldRecording& recording) {
 
 }  // namespace
 
-std::vector<FieldRecording> field_recordings() {
+std::vector<FieldRecording> recordings_of(const std::string& manifest) {
   std::vector<FieldRecording> recordings;
-  const char* folder = std::getenv("LOOPSCOPE_RECORDINGS");
-  if (folder == nullptr) return recordings;
-  std::ifstream manifest(std::string(folder) + "/manifest.csv");
+  const std::string folder = manifest.substr(0, manifest.find_last_of('/') + 1);
+  std::ifstream list(manifest);
   std::string line;
-  std::getline(manifest, line);
-  while (std::getline(manifest, line)) {
+  std::getline(list, line);
+  while (std::getline(list, line)) {
     // The first six columns hold no quoted commas.
     const std::vector<std::string> fields = fields_of(line);
     if (fields.size() < 6) continue;
-    FieldRecording recording{fields[0], fields[1], fields[5], {}, {}, {}};
-    read_samples(std::string(folder) + "/" + fields[0], recording);
+    FieldRecording recording{fields[0], fields[1], fields[2], fields[5], {}, {}, {}};
+    read_samples(folder + fields[0], recording);
     recordings.push_back(std::move(recording));
   }
   return recordings;
+}
+
+std::vector<FieldRecording> field_recordings() {
+  const char* folder = std::getenv("LOOPSCOPE_RECORDINGS");
+  return folder == nullptr ? std::vector<FieldRecording>{}
+                           : recordings_of(std::string(folder) + "/manifest.csv");
 }
 
 }  // namespace loopscope::tests::model

@@ -9,9 +9,13 @@ namespace loopscope::tests::model {
 struct FieldRecording {
   std::string name;
   std::string loop;
+  std::string type;                ///< flow, level, ...
   std::string label;               ///< stiction, no_stiction, unknown
   std::vector<double> sp, pv, op;  ///< NaN = missing
 };
+
+/// Those that a manifest lists (columns file, loop, type, interval, samples, label), files beside it.
+[[nodiscard]] std::vector<FieldRecording> recordings_of(const std::string& manifest);
 
 /// Those of the folder that the environment names in LOOPSCOPE_RECORDINGS, in the order of its
 /// manifest.csv; none when it is not set.
