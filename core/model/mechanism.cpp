@@ -28,6 +28,7 @@ constexpr std::array<NamedMechanism, kMechanisms> kMechanismNames = {{
     {Mechanism::bends_told_apart, "bends_told_apart"},
     {Mechanism::plainer_refuted, "plainer_refuted"},
     {Mechanism::fair_comparison, "fair_comparison"},
+    {Mechanism::settled_chapter, "settled_chapter"},
     {Mechanism::multi_step, "multi_step"},
     {Mechanism::share_left, "share_left"},
     {Mechanism::calm_rows, "calm_rows"},

@@ -27,11 +27,12 @@ enum class Mechanism {
   bends_told_apart,  ///< limit, trim or process on the same rows
   plainer_refuted,   ///< a change of gain against a load at its moment
   fair_comparison,   ///< against the model without the effect, polished anew
+  settled_chapter,   ///< the process once more with the effect in its place
   multi_step,        ///< what an effect explains further ahead (multi_step_error.hpp)
   share_left,        ///< what the tests that asked for an effect still see (story.cpp)
   calm_rows,         ///< a linear baseline without the rows of an upset
 };
-inline constexpr std::size_t kMechanisms = 19;
+inline constexpr std::size_t kMechanisms = 20;
 
 /// The word of the tests' option --without.
 [[nodiscard]] std::string_view name(Mechanism mechanism);

@@ -50,12 +50,26 @@ TwinFit linear_baseline(const LoopData& data) {
   return twin(data, evaluate(data, search_process(calm, first.structure).structure));
 }
 
+/// The process once more with the effect in its place: process and noise may have been bent by its
+/// absence, so that they are also sought from a plain noise.
+void settle_chapter(const LoopData& rows, Chapter& chapter) {
+  if (!rows.without.has(Mechanism::settled_chapter)) return;
+  Structure plain = chapter.fit.fit.structure;
+  plain.noise = NoiseModel{};
+  for (const Structure& start : {chapter.fit.fit.structure, plain}) {
+    Fit again = search_process(rows, start);
+    if (again.fit_error < chapter.fit.fit.fit_error && is_plausible(again))
+      chapter.fit = twin(rows, std::move(again));
+  }
+}
+
 void add_chapter(const LoopData& original, std::vector<Contestant>& trials, Story& story) {
   complete(trials.front());
   Chapter chapter = chapter_of(trials);
   const TwinFit& judged = chapter.judged.fit;
   story.data = judged_on(original, judged.fit.structure);
   chapter.fit = reevaluated(story.data, judged);
+  settle_chapter(story.data, chapter);
   story.chapters.push_back(std::move(chapter));
 }
 
