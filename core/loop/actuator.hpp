@@ -19,10 +19,9 @@ struct Branches {
 ///
 /// A valve that follows with a lag is behind op on both branches, as far as op is fast: its mv-op
 /// plot is as wide as a dead band's, but no dead band is in it. Friction moves the branches apart
-/// and leaves each of them a line. `op` and `mv` have one length and one unit, % of the range; NaN =
-/// missing (over missing samples of op the lag holds).
+/// and leaves each of them a line. `op` and `mv` have one length and one unit, % of the range; NaN
+/// = missing (over missing samples of op the lag holds).
 [[nodiscard]] signal::Samples behind_actuator(std::span<const double> op,
-                                              std::span<const double> mv,
-                                              const Branches& branches);
+                                              std::span<const double> mv, const Branches& branches);
 
 }  // namespace loopscope::core::loop

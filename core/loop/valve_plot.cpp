@@ -87,7 +87,7 @@ Branches find_branches(std::span<const double> op, std::span<const double> mv,
 Slices slices_of(const Branches& branches, const signal::Samples& input, std::span<const double> mv,
                  const signal::Spread& spread) {
   Slices slices;
-  const auto add = [&](std::size_t k, Mean Slice::* branch) {
+  const auto add = [&](std::size_t k, Mean Slice::*branch) {
     const double position = (mv[k] - spread.low) / (spread.high - spread.low);
     Slice& slice = slices[std::min(kSlices - 1, static_cast<std::size_t>(position * kSlices))];
     if (std::isfinite(input[k])) (slice.*branch).add(input[k] - mv[k]);

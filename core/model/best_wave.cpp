@@ -10,7 +10,7 @@ namespace loopscope::core::model {
 namespace {
 
 const ExternalOscillation& as_wave(const EffectPtr& effect) {
-  return dynamic_cast<const ExternalOscillation&>(*effect);
+  return *effect->as_wave();
 }
 
 double rows_of(const LoopData& data) {

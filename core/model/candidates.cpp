@@ -6,8 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/model/effects/gain_change.hpp"
-#include "core/model/effects/load_step.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/first_looks.hpp"
 #include "core/model/hysteresis_net.hpp"
@@ -28,35 +27,18 @@ constexpr std::size_t kStepSamples = 40;
 /// loop, 18 in one of ten, and has to come to an evidence of 30.
 constexpr double kWorthPlacing = 15.0;
 
-/// The sample at which something moves that a single one-step error may show.
-std::optional<std::size_t> moment_of(const Effect& effect) {
-  if (const auto* step = dynamic_cast<const LoadStep*>(&effect)) return step->at();
-  const auto* change = dynamic_cast<const GainChange*>(&effect);
-  return change != nullptr && change->sudden() ? std::optional(change->at()) : std::nullopt;
-}
-
-/// How often one kind may come.
-std::ptrdiff_t most_of(EffectKind kind) {
-  if (kind == EffectKind::load_step) return 3;
-  return kind == EffectKind::external_oscillation ? 2 : 1;
-}
-
 bool has_room(const Structure& structure, EffectKind kind) {
   const auto same = [&](const EffectPtr& effect) {
     return effect->kind() == kind ||
            (is_valve_hysteresis(kind) && is_valve_hysteresis(effect->kind()));
   };
-  return std::ranges::count_if(structure.effects, same) < most_of(kind);
+  return std::ranges::count_if(structure.effects, same) < traits_of(kind).most;
 }
 
-/// What gets a cheap look where no residual test asks for it: a wave whose phase wanders is spread
-/// over the spectrum, a gain that changes about another level leaves a level, and a load step that
-/// a test half sees may be one. At bends and limits the look won 16 times in 600 loops and was
-/// never right: their tests see them; at load steps of which their test sees nothing as often wrong
-/// as right.
+/// At bends and limits that no test asks for a look won 16 times in 600 loops and was never right.
 bool is_looked_at_unasked(const Round& round, EffectKind kind) {
-  if (kind == EffectKind::load_step) return round.asked.hints_at(kind);
-  return kind == EffectKind::external_oscillation || kind == EffectKind::gain_change;
+  const CheapLook look = traits_of(kind).cheap_look;
+  return look == CheapLook::where_hinted ? round.asked.hints_at(kind) : look == CheapLook::always;
 }
 
 /// Whether this round looks at such effects.
@@ -96,7 +78,7 @@ void add_hysteresis(const Round& round, double other_gain, std::vector<Candidate
   for (const NetFind& find : find_sticking(round.data, round.now.fit, *play)) add(find);
   if (!round.data.without.has(Mechanism::stem_search)) return;
   const EffectPtr& effect = play->structure.effects.back();
-  const double band = dynamic_cast<const ValveEffect&>(*effect).valve().stickband_percent;
+  const double band = effect->as_valve()->valve().stickband_percent;
   for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano})
     add(find_stem(round.data, play->structure, band, law));
 }
@@ -104,9 +86,7 @@ void add_hysteresis(const Round& round, double other_gain, std::vector<Candidate
 /// Load steps, changes of gain and lines are found by looking through all places and frequencies;
 /// what a valve was chosen from shows when it has been fitted.
 std::size_t tries_of(const Round& round, EffectKind kind, std::size_t nominees) {
-  const bool everywhere = kind == EffectKind::load_step || kind == EffectKind::gain_change ||
-                          kind == EffectKind::external_oscillation;
-  return everywhere ? round.data.size() : nominees;
+  return traits_of(kind).everywhere ? round.data.size() : nominees;
 }
 
 /// The best few are put in place: where a level comes with the new gain, a net of places shows of a
@@ -140,7 +120,7 @@ Candidates looked_at(const Round& round) {
   for (auto& [kind, list] : result) {
     if (list.empty()) continue;
     std::ranges::sort(list, std::greater{}, &Candidate::gain);
-    if (kind == EffectKind::gain_change) place_best(looks, list);
+    if (traits_of(kind).put_in_place) place_best(looks, list);
     for (Candidate& candidate : list) candidate.tries = tries_of(round, kind, list.size());
   }
   return result;
@@ -149,8 +129,8 @@ Candidates looked_at(const Round& round) {
 /// Of the valve's laws and plain play each is tried, and of a bend each of its shapes, which differ
 /// in their columns.
 bool same_law(const Effect& a, const Effect& b) {
-  const auto* valve = dynamic_cast<const ValveEffect*>(&a);
-  const auto* other = dynamic_cast<const ValveEffect*>(&b);
+  const ValveEffect* valve = a.as_valve();
+  const ValveEffect* other = b.as_valve();
   if (valve == nullptr || other == nullptr)
     return a.kind() == b.kind() && a.column_count() == b.column_count();
   const bool both_play = a.kind() == EffectKind::valve_deadband && b.kind() == a.kind();
@@ -161,7 +141,7 @@ bool same_law(const Effect& a, const Effect& b) {
 /// The best candidate of each law; of load steps all, since the error of one that is still to come
 /// hides what another gains.
 std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
-  if (!list.empty() && list.front().effect->kind() == EffectKind::load_step) return list;
+  if (!list.empty() && traits_of(list.front().effect->kind()).scored_once) return list;
   std::vector<Candidate> chosen;
   for (const Candidate& candidate : list) {
     const auto same = [&](const Candidate& other) {
@@ -174,16 +154,10 @@ std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
 
 }  // namespace
 
-bool looked_at_whole(EffectKind kind) {
-  using enum EffectKind;
-  return kind == valve_saturation || kind == valve_characteristic || kind == process_nonlinearity ||
-         kind == gain_change || kind == external_oscillation;
-}
-
 LoopData judged_on(const LoopData& original, const Structure& structure) {
   LoopData data = original;
   for (const EffectPtr& effect : structure.effects) {
-    const std::optional<std::size_t> at = moment_of(*effect);
+    const std::optional<std::size_t> at = effect->moment();
     if (!at) continue;
     const std::size_t row = data.grid.row_from(*at);
     const std::size_t from = row < kStepBefore ? 0 : row - kStepBefore;

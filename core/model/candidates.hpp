@@ -30,11 +30,6 @@ struct Candidate {
 /// structure seen by fit and score.
 [[nodiscard]] LoopData judged_on(const LoopData& original, const Structure& structure);
 
-/// A smooth effect is looked at on all rows: what it gains on the half that a fit would see is too
-/// little to go by, and its few starting points are few tries. So is a line, which has gone on for
-/// all of the record and whose tries count every frequency.
-[[nodiscard]] bool looked_at_whole(EffectKind kind);
-
 /// What is worth a full fit, by kind (the valve's two kinds under one): the best of each kind, of a
 /// valve and of a bend the best of each law, and all load steps.
 [[nodiscard]] std::vector<std::vector<Candidate>> find_candidates(const Round& round);

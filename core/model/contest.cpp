@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/model/baseline.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/fit_anew.hpp"
 #include "core/model/stem_search.hpp"
 #include "core/model/tell_bends_apart.hpp"
@@ -14,52 +15,25 @@
 namespace loopscope::core::model {
 namespace {
 
-/// An effect that does not gain so much (n ln) where it was fitted gains nothing on unseen rows.
-constexpr double kWorthFitting = 8.0;
-/// The same where all rows are looked at: less than what a later p of 0.001 asks for.
-constexpr double kWorthFittingWhole = 11.0;
-/// On the fit rows, of an effect that has shown so much on all: about its parameters.
-constexpr double kWorthScoring = 3.0;
-
 /// Of the error without it: a valve that is further off once the process has been searched behind
 /// it is not followed to its needle. One that is a little off may still have it before it.
 constexpr double kFarOff = 1.1;
 
-/// The same by kind: the best of thousands of places or frequencies gains 8 by chance in every
-/// loop, and has to reach an evidence of 30 with its tries. Of 856 steps that entered, scored once,
-/// none came from less than 14. On all rows the best line gains 16 by chance; of 267 that entered
-/// one came from 17.7, all others from 22 on. The best change of gain gains more than 18 in one
-/// healthy loop of ten.
-double worth_fitting(EffectKind kind) {
-  if (kind == EffectKind::load_step) return 13.5;
-  if (kind == EffectKind::gain_change) return 18.0;
-  if (kind == EffectKind::external_oscillation) return 17.0;
-  return looked_at_whole(kind) ? kWorthFittingWhole : kWorthFitting;
-}
-
-/// A first look is no more than that for what stands at a limit: by the wrong process it may see
-/// nothing of it.
-bool called_for(const Round& round, const Effect& effect) {
-  return effect.kind() == EffectKind::valve_saturation && !round.unasked;
-}
-
-/// What was looked at on all rows has shown its worth there.
-double least_gain(EffectKind kind) {
-  return looked_at_whole(kind) ? kWorthScoring : worth_fitting(kind);
+bool called_for(const Round& round, EffectKind kind) {
+  return traits_of(kind).fitted_when_asked && !round.unasked;
 }
 
 /// The error on the fit rows above which an effect of that kind is not worth while.
 double hopeless_error(const Contestant& trial, EffectKind kind) {
-  return error_after(trial.rows, trial.before.fit.fit_error, least_gain(kind));
+  return error_after(trial.rows, trial.before.fit.fit_error, traits_of(kind).worth_scoring);
 }
 
 std::optional<Contestant> try_candidate(const Round& round, const Candidate& candidate) {
   const EffectKind kind = candidate.effect->kind();
-  const double worth = worth_fitting(kind);
-  if (!called_for(round, *candidate.effect) && candidate.gain < worth) return std::nullopt;
+  const EffectTraits& traits = traits_of(kind);
+  if (!called_for(round, kind) && candidate.gain < traits.worth_fitting) return std::nullopt;
   Contestant trial{{}, {}, judged_on(round.original, candidate.structure), round.now, 0.0};
-  if (kind == EffectKind::load_step || kind == EffectKind::gain_change)
-    trial.before = reevaluated(trial.rows, round.now);
+  if (traits.on_own_rows) trial.before = reevaluated(trial.rows, round.now);
   const double hopeless = hopeless_error(trial, kind);
   const double far_off = kFarOff * trial.before.fit.fit_error;
   Fit fit = fit_anew(trial.rows, evaluate(trial.rows, candidate.structure), far_off);

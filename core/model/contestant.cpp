@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/hysteresis_net.hpp"
 #include "core/model/multi_step_error.hpp"
@@ -15,7 +16,7 @@ namespace {
 /// What a valve was chosen from shows when it has been fitted: play is smooth in its band, and only
 /// so many bands differ.
 double tries_of(const Effect& fitted, std::size_t tries, std::size_t samples) {
-  const auto* valve = dynamic_cast<const ValveEffect*>(&fitted);
+  const ValveEffect* valve = fitted.as_valve();
   if (valve == nullptr) return static_cast<double>(std::max<std::size_t>(tries, 1));
   const bool play = valve->valve().slip_jump_percent == 0.0;
   if (play && valve->valve().acts_at_samples()) return static_cast<double>(hysteresis_net_bands());
@@ -46,7 +47,7 @@ void compare_fairly(Contestant& trial) {
 }  // namespace
 
 bool Contestant::scored_once() const {
-  return kind() == EffectKind::load_step;
+  return traits_of(kind()).scored_once;
 }
 
 Contestant scored(Contestant trial, Fit fit, std::size_t tries) {
@@ -60,7 +61,7 @@ Contestant scored(Contestant trial, Fit fit, std::size_t tries) {
 }
 
 bool foresees(const Contestant& trial) {
-  if (same_cause(trial.kind(), EffectKind::load_step)) return true;
+  if (is_from_outside(trial.kind())) return true;
   if (!trial.rows.without.has(Mechanism::multi_step)) return true;
   const double evidence = multi_step_evidence(trial.rows, trial.before.fit, trial.fit.fit);
   return std::exp(-0.5 * evidence) <= kEnters;

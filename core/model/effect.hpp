@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,6 +23,8 @@ struct Signals {
 };
 
 class Effect;
+class ExternalOscillation;
+class ValveEffect;
 using EffectPtr = std::shared_ptr<const Effect>;
 using Column = std::vector<double>;
 
@@ -31,6 +34,12 @@ class Effect {
  public:
   virtual ~Effect() = default;
   [[nodiscard]] virtual EffectKind kind() const = 0;
+
+  /// The sample at which something moves that a single one-step error may show.
+  [[nodiscard]] virtual std::optional<std::size_t> moment() const { return std::nullopt; }
+  /// Itself, where it is a valve with friction or play; a wave.
+  [[nodiscard]] virtual const ValveEffect* as_valve() const { return nullptr; }
+  [[nodiscard]] virtual const ExternalOscillation* as_wave() const { return nullptr; }
 
   /// The way from op to flow, in place; both in % from the mean of op.
   virtual void shape_flow(std::span<double> /*flow*/) const {}

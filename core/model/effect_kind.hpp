@@ -28,9 +28,8 @@ enum class EffectKind {
 /// Acts between op and flow, so that the process has to be searched again behind it.
 [[nodiscard]] bool bends_flow(EffectKind kind);
 
-/// Whether half of the rows place its parameters. The moves of op right after a gain has changed
-/// lie in one half only: the other would shift the change to behind them.
-[[nodiscard]] bool moves_on_half(EffectKind kind);
+/// A wave or a load: by time alone, whatever op does.
+[[nodiscard]] bool is_from_outside(EffectKind kind);
 
 /// Both end in the same verdict.
 [[nodiscard]] bool same_cause(EffectKind a, EffectKind b);

@@ -5,6 +5,7 @@
 
 #include "core/model/baseline.hpp"
 #include "core/model/best_wave.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
@@ -20,11 +21,11 @@ FirstLooks::FirstLooks(const Round& round)
 
 Candidate FirstLooks::at(const EffectPtr& effect) {
   if (bends_flow(effect->kind())) return through(effect);
-  return effect->kind() == EffectKind::load_step ? at_step(effect) : beside(effect);
+  return traits_of(effect->kind()).scored_once ? at_step(effect) : beside(effect);
 }
 
 Candidate FirstLooks::through(const EffectPtr& effect) const {
-  const View& view = looked_at_whole(effect->kind()) ? whole_ : part_;
+  const View& view = traits_of(effect->kind()).looked_at_whole ? whole_ : part_;
   Structure structure = with(round_.now.fit.structure, effect);
   structure.process = glance(view.rows, structure);
   structure.two_taps = false;
@@ -53,12 +54,12 @@ Candidate FirstLooks::at_step(const EffectPtr& effect) const {
 
 /// An effect that leaves the flow and the rows as they are.
 Candidate FirstLooks::beside(const EffectPtr& effect) {
-  const bool all = looked_at_whole(effect->kind());
+  const bool all = traits_of(effect->kind()).looked_at_whole;
   const View& view = all ? whole_ : part_;
   std::optional<FitVariants>& variants = all ? whole_variants_ : part_variants_;
   Structure structure = with(round_.now.fit.structure, effect);
   if (!variants) variants.emplace(view.rows, structure);
-  if (effect->kind() == EffectKind::external_oscillation) {
+  if (effect->as_wave() != nullptr) {
     const double misfit = first_look_at_wave(*variants, view.rows, effect).misfit;
     const auto rows = static_cast<double>(view.rows.rows.fit_count());
     return {effect, std::move(structure), gain_of(view.rows, view.before, std::exp(misfit / rows))};

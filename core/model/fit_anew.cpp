@@ -5,6 +5,7 @@
 
 #include "core/model/baseline.hpp"
 #include "core/model/best_wave.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit_variants.hpp"
 #include "core/model/stem_search.hpp"
@@ -16,7 +17,7 @@ namespace {
 /// The slip jump is nearly flat in the error until process and noise have followed it: a few of
 /// them are followed. The band stays as it is.
 Fit scan_jump(const LoopData& data, Fit fit) {
-  const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
+  const ValveEffect* valve = fit.structure.effects.back()->as_valve();
   if (valve == nullptr || !valve->valve().acts_at_samples()) return fit;
   const Fit start = fit;
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -48,7 +49,7 @@ Fit sweep(const LoopData& data, const Structure& start, const ValveEffect& valve
 /// where the valve begins and from either direction.
 Fit scan_band(const LoopData& data, Fit fit) {
   const Structure start = fit.structure;
-  const auto* valve = dynamic_cast<const ValveEffect*>(start.effects.back().get());
+  const ValveEffect* valve = start.effects.back()->as_valve();
   if (valve == nullptr || !valve->valve().acts_at_samples()) return fit;
   fit = sweep(data, start, *valve, fit);
   for (const double direction : {-1.0, 1.0}) {
@@ -82,7 +83,7 @@ Fit fit_wave(const LoopData& data, const Fit& line) {
 
 /// A jump is claimed only where the data ask for it: play alone is the simpler valve.
 Fit prefer_play(const LoopData& data, Fit fit) {
-  const auto* valve = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
+  const ValveEffect* valve = fit.structure.effects.back()->as_valve();
   if (valve == nullptr || valve->kind() == EffectKind::valve_deadband) return fit;
   constexpr double kWorthOfAJump = 8.0;  // n ln: one parameter by BIC
   Structure structure = fit.structure;
@@ -94,7 +95,7 @@ Fit prefer_play(const LoopData& data, Fit fit) {
 }  // namespace
 
 std::optional<Fit> sought_between_samples(const LoopData& data, const Fit& fit) {
-  const auto* effect = dynamic_cast<const ValveEffect*>(fit.structure.effects.back().get());
+  const ValveEffect* effect = fit.structure.effects.back()->as_valve();
   if (effect == nullptr) return std::nullopt;
   const Valve& valve = effect->valve();
   std::optional<NetFind> best;
@@ -111,9 +112,9 @@ std::optional<Fit> sought_between_samples(const LoopData& data, const Fit& fit) 
 Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {
   const EffectKind kind = fit.structure.effects.back()->kind();
   const bool bends = bends_flow(kind);
-  if (!moves_on_half(kind)) return searched_and_settled(data, fit);
+  if (!traits_of(kind).moves_on_half) return searched_and_settled(data, fit);
   fit = refine_last(data, std::move(fit));
-  if (kind == EffectKind::external_oscillation) return fit_wave(data, fit);
+  if (fit.structure.effects.back()->as_wave() != nullptr) return fit_wave(data, fit);
   // The linear baseline takes all of a valve's travel for dynamics.
   fit = bends ? search_process(data, fit.structure) : settle(data, fit);
   if (is_valve_hysteresis(kind) && fit.fit_error > hopeless) return fit;

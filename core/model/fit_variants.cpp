@@ -13,12 +13,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Columns of time alone, whatever op does.
-bool goes_by_time(const EffectPtr& effect) {
-  return effect->kind() == EffectKind::load_step ||
-         effect->kind() == EffectKind::external_oscillation;
-}
-
 /// Of the columns' products, pv's first: the sum of squares that the fit leaves.
 double squares_left(const MatrixXd& normal) {
   const Index terms = normal.rows() - 1;
@@ -32,8 +26,7 @@ std::vector<ValveAndProcess> valves_among(std::span<const EffectPtr> effects,
                                           const ProcessShape& process) {
   std::vector<ValveAndProcess> valves;
   for (const EffectPtr& effect : effects) {
-    const auto* valve = dynamic_cast<const ValveEffect*>(effect.get());
-    if (valve != nullptr) valves.push_back({valve, &process});
+    if (const ValveEffect* valve = effect->as_valve()) valves.push_back({valve, &process});
   }
   return valves;
 }
@@ -49,7 +42,9 @@ FitVariants::FitVariants(const LoopData& data, const Structure& structure)
   for (const EffectPtr& effect : structure_.effects) effect->shape_flow(flow_);
   std::vector<EffectPtr> steady = structure_.effects;
   if (bends_) {
-    const auto moving = std::stable_partition(steady.begin(), steady.end(), goes_by_time);
+    const auto moving = std::stable_partition(
+        steady.begin(), steady.end(),
+        [](const EffectPtr& effect) { return is_from_outside(effect->kind()); });
     following_.assign(moving, steady.end());
     steady.erase(moving, steady.end());
   } else {

@@ -143,7 +143,7 @@ std::optional<NetFind> find_play(const LoopData& data, const Fit& now, double to
 
 std::vector<NetFind> find_sticking(const LoopData& data, const Fit& now, const NetFind& play) {
   const EffectPtr& best_play = play.structure.effects.back();
-  const double band = dynamic_cast<const ValveEffect&>(*best_play).valve().stickband_percent;
+  const double band = best_play->as_valve()->valve().stickband_percent;
   const Structure linear = with(now.structure, best_play);
   std::vector<NetFind> found;
   for (const Mesh& mesh : kMeshes) {

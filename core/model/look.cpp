@@ -27,7 +27,7 @@ constexpr double kStructuredP = 1e-3;
 /// moves pv, wherever the general measures draw the line.
 bool shows_that_op_acts(const Step& step) {
   constexpr double kPlain = 100.0;  // a chance of 1e-22
-  return step.evidence >= kPlain && !same_cause(step.effect, EffectKind::load_step);
+  return step.evidence >= kPlain && !is_from_outside(step.effect);
 }
 
 /// How old a value of pv is in the mean when the controller reads it, samples.

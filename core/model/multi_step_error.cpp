@@ -44,8 +44,8 @@ double squares_ahead(const std::vector<Range>& held_out, const Fit& fit, std::si
 
 double multi_step_evidence(const LoopData& rows, const Fit& before, const Fit& after) {
   const std::size_t ahead = rows_ahead(rows);
-  const double ratio = squares_ahead(rows.rows.score, before, ahead) /
-                       squares_ahead(rows.rows.score, after, ahead);
+  const double ratio =
+      squares_ahead(rows.rows.score, before, ahead) / squares_ahead(rows.rows.score, after, ahead);
   const double apart = static_cast<double>(rows.rows.score_count()) / static_cast<double>(ahead);
   return ratio > 0.0 ? apart * std::log(ratio) : 0.0;
 }

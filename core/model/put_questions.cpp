@@ -30,7 +30,7 @@ std::vector<double> undisturbed_pv(const ModelInput& input, const LoopData& data
   std::size_t at = fit.taps();
   for (std::size_t place = 0; place < effects.size(); ++place) {
     const std::span<const double> own = coefficients_of(fit, place);
-    if (same_cause(effects[place]->kind(), EffectKind::external_oscillation))
+    if (is_from_outside(effects[place]->kind()))
       std::ranges::copy(own, outside.coefficients.begin() + static_cast<std::ptrdiff_t>(at));
     at += own.size();
   }

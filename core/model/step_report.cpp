@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/model/asked.hpp"
+#include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -39,12 +40,6 @@ std::vector<Parameter> on_part(const LoopData& data, const Fit& fit, std::size_t
                        fit.structure.effects.size() - 1);
 }
 
-/// Sits at one place, or needs the whole record to be told from its neighbours.
-bool has_parts(EffectKind kind) {
-  return kind != EffectKind::load_step && kind != EffectKind::gain_change &&
-         kind != EffectKind::external_oscillation;
-}
-
 void add_spread(const LoopData& data, const Fit& fit, std::vector<Parameter>& parameters) {
   std::vector<std::vector<Parameter>> parts;
   for (std::size_t part = 0; part < kRefits; ++part) parts.push_back(on_part(data, fit, part));
@@ -67,7 +62,7 @@ Step report(const LoopData& data, const Chapter& chapter) {
   Step step;
   step.effect = effect.kind();
   step.parameters = parameters_of(data, fit, fit.structure.effects.size() - 1);
-  if (has_parts(step.effect)) add_spread(data, fit, step.parameters);
+  if (traits_of(step.effect).has_parts) add_spread(data, fit, step.parameters);
   step.law = effect.law();
   step.holdout_error_before = chapter.comparison.before * square;
   step.holdout_error_after = chapter.comparison.after * square;

@@ -88,7 +88,7 @@ double price_of_share_left(double share) {
 
 /// A test that sees one load step, or one line, sees the next one behind it.
 bool comes_alone(EffectKind kind) {
-  return !same_cause(kind, EffectKind::load_step);
+  return !is_from_outside(kind);
 }
 
 bool answers_its_tests(const Contestant& trial, const Chapter& chapter) {

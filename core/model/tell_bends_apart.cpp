@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/model/effects/exponential_trim.hpp"
 #include "core/model/nominate.hpp"
 
 namespace loopscope::core::model {
@@ -32,7 +31,7 @@ std::vector<BendShape> shapes_of(const LoopData& data, const Contestant& trial) 
   const EffectPtr& effect = trial.fit.fit.structure.effects.back();
   if (trial.kind() == EffectKind::valve_saturation) return {{effect, 0.0}};
   if (trial.kind() == EffectKind::process_nonlinearity) return {{effect, kPriceOfTwoShapes}};
-  const bool simple = dynamic_cast<const ExponentialTrim*>(effect.get()) != nullptr;
+  const bool simple = effect->column_count() == 1;  // its slope never turns
   std::vector<BendShape> shapes{{effect, simple ? 0.0 : kPriceOfAnS}};
   for (const EffectPtr& trim : nominate_trims(data)) shapes.push_back({trim, 0.0});
   return shapes;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit_variants.hpp"
 
@@ -61,7 +62,8 @@ TwinFit twin(const LoopData& data, Fit fit) {
   Fit mirror = polish(other, fit.structure, 4);
   // A valve's band is a needle: the half that it is scored on stands for the tries of its search.
   const Effect* last = fit.structure.effects.empty() ? nullptr : fit.structure.effects.back().get();
-  if (last != nullptr && !is_valve_hysteresis(last->kind()) && moves_on_half(last->kind()))
+  if (last != nullptr && !is_valve_hysteresis(last->kind()) &&
+      traits_of(last->kind()).moves_on_half)
     mirror = refine_last(other, std::move(mirror), 0.25);
   return {std::move(fit), std::move(mirror)};
 }

@@ -208,8 +208,8 @@ std::vector<bool> find_spikes(const Samples& pv, const Samples& op, const Sample
   std::vector<bool> found = SpikeSearch(pv).run();
   if (runs_of(found).empty()) return found;
   keep_own_answers(pv, LoopPrediction(pv, op, sp, found), found);
-  const bool too_many = static_cast<double>(runs_of(found).size()) >
-                        kMostSpikes * static_cast<double>(pv.size());
+  const bool too_many =
+      static_cast<double>(runs_of(found).size()) > kMostSpikes * static_cast<double>(pv.size());
   return too_many ? std::vector<bool>(pv.size(), false) : found;
 }
 

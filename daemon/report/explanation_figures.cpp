@@ -131,9 +131,10 @@ std::vector<Figure> fit_figure(const LoopEvidence& evidence, const ExplanationTr
   }
   if (panels.empty()) return {};
   const int height = height_of(plots.size());
-  Figure figure{"Measured against model, before and after each added effect",
-                fmt::format("measured process variable and the model, {}, one panel a stage", model.words()),
-                script + panels.script(plots, "pv (pv units)", height)};
+  Figure figure{
+      "Measured against model, before and after each added effect",
+      fmt::format("measured process variable and the model, {}, one panel a stage", model.words()),
+      script + panels.script(plots, "pv (pv units)", height)};
   figure.height = height;
   return {figure};
 }

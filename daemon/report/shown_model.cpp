@@ -35,7 +35,7 @@ std::string_view ShownModel::words() const {
 
 ShownModel shown_model(const Series& measured, const std::vector<const TraceStage*>& stages,
                        std::size_t from, std::size_t samples) {
-  const auto lacks = [&](Series TraceStage::* series) {
+  const auto lacks = [&](Series TraceStage::*series) {
     return std::ranges::any_of(stages, [&](const auto* stage) { return (stage->*series).empty(); });
   };
   if (lacks(&TraceStage::one_step_prediction)) return {true};

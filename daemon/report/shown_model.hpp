@@ -20,8 +20,8 @@ struct ShownModel {
 /// The model run on op alone shows what an effect does, but it is not what most effects are scored
 /// by: of a vessel, which keeps every error, it may run away while the prediction one sample ahead
 /// gets better. It is shown where over these samples no stage is farther from the measurement
-/// than the one before, else the prediction that was scored. A stage without a prediction was scored by
-/// its simulation, and all are shown by theirs.
+/// than the one before, else the prediction that was scored. A stage without a prediction was
+/// scored by its simulation, and all are shown by theirs.
 [[nodiscard]] ShownModel shown_model(const std::vector<double>& measured,
                                      const std::vector<const core::model::TraceStage*>& stages,
                                      std::size_t from, std::size_t samples);

@@ -10,8 +10,8 @@ namespace loopscope::tests::effects {
 
 /// What the diagnosis says of a record about which only this is known: whether the valve sticks.
 struct FieldOutcome {
-  std::string kind;         ///< family, or the recording's label
-  std::uint64_t seed = 0;   ///< of a recording its place in the list
+  std::string kind;        ///< family, or the recording's label
+  std::uint64_t seed = 0;  ///< of a recording its place in the list
   std::string verdict;
   double confidence = 0.0;
   bool sticks = false;

@@ -48,8 +48,8 @@ double Volatility::next_garch() {
   constexpr double kNews = 0.1;
   constexpr double kMemory = 0.85;
   const double size = std::sqrt(variance_);
-  variance_ = (1.0 - kNews - kMemory) + kNews * std::pow(size * random_.normal(), 2) +
-              kMemory * variance_;
+  variance_ =
+      (1.0 - kNews - kMemory) + kNews * std::pow(size * random_.normal(), 2) + kMemory * variance_;
   return size;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 struct Moments {
   double mean_square = 0.0;
-  double kurtosis = 0.0;   ///< of what it makes of normal noise
+  double kurtosis = 0.0;    ///< of what it makes of normal noise
   double clustering = 0.0;  ///< correlation of squares of neighbours
 };
 

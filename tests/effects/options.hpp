@@ -18,7 +18,7 @@ struct Options {
   std::uint64_t dump_seed = 0;
   std::string dump_file;  ///< "-" = standard output
   bool with_mv = false;
-  bool field = false;     ///< the families of field recordings instead of kinds
+  bool field = false;    ///< the families of field recordings instead of kinds
   std::string manifest;  ///< not empty: the recordings that it lists
 };
 

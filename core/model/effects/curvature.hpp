@@ -1,11 +1,27 @@
 #pragma once
 
 #include "core/model/effect.hpp"
+#include "core/model/effect_traits.hpp"
 
 namespace loopscope::core::model {
 
 /// % of op: curvatures are those of parabolas over half a span of 100 (contract.md).
 inline constexpr double kHalfSpan = 50.0;
+
+inline constexpr EffectTraits kTrim{.kind = EffectKind::valve_characteristic,
+                                    .word = "valve_characteristic",
+                                    .cause = EffectKind::valve_characteristic,
+                                    .place = Place::process,
+                                    .worth_fitting = kWorthFittingWhole,
+                                    .worth_scoring = kWorthScoring,
+                                    .looked_at_whole = true};
+inline constexpr EffectTraits kCurvedProcess{.kind = EffectKind::process_nonlinearity,
+                                             .word = "process_nonlinearity",
+                                             .cause = EffectKind::process_nonlinearity,
+                                             .place = Place::process,
+                                             .worth_fitting = kWorthFittingWhole,
+                                             .worth_scoring = kWorthScoring,
+                                             .looked_at_whole = true};
 
 /// A flow that is not proportional to travel (wear, corroded seat, wrong trim): the process
 /// answers to the square and the cube of the travel as well.

@@ -1,8 +1,26 @@
 #pragma once
 
 #include "core/model/effect.hpp"
+#include "core/model/effect_traits.hpp"
 
 namespace loopscope::core::model {
+
+/// The best change gains more than 18 on all rows in one healthy loop of ten. The moves of op right
+/// after it lie in one half only: the other would shift the change to behind them. A gain that
+/// changes about another level leaves a level, which its test does not always see.
+inline constexpr EffectTraits kGainChange{.kind = EffectKind::gain_change,
+                                          .word = "gain_change",
+                                          .cause = EffectKind::gain_change,
+                                          .place = Place::process,
+                                          .cheap_look = CheapLook::always,
+                                          .worth_fitting = 18.0,
+                                          .worth_scoring = kWorthScoring,
+                                          .looked_at_whole = true,
+                                          .everywhere = true,
+                                          .on_own_rows = true,
+                                          .put_in_place = true,
+                                          .moves_on_half = false,
+                                          .has_parts = false};
 
 /// A process gain that changes once, or drifts over the rest of the record. The flow that it
 /// multiplies is none at a working point of its own: about the mean of op a level comes with it.
@@ -14,8 +32,10 @@ class GainChange final : public Effect {
 
   GainChange(std::size_t at, std::size_t until) : at_(at), until_(until) {}
 
-  [[nodiscard]] std::size_t at() const { return at_; }
-  [[nodiscard]] bool sudden() const { return until_ == at_; }
+  /// Of a sudden change.
+  [[nodiscard]] std::optional<std::size_t> moment() const override {
+    return sudden() ? std::optional(at_) : std::nullopt;
+  }
   [[nodiscard]] EffectKind kind() const override { return EffectKind::gain_change; }
   [[nodiscard]] std::size_t column_count() const override { return 2; }
   void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
@@ -31,6 +51,8 @@ class GainChange final : public Effect {
   [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;
 
  private:
+  [[nodiscard]] bool sudden() const { return until_ == at_; }
+
   std::size_t at_;     ///< sample of the change, or where it begins
   std::size_t until_;  ///< where it ends; at_ = sudden
 };

@@ -1,8 +1,26 @@
 #pragma once
 
 #include "core/model/effect.hpp"
+#include "core/model/effect_traits.hpp"
 
 namespace loopscope::core::model {
+
+/// A step lives in a single one-step error. The best of thousands of places gains 8 by chance in
+/// every loop, and has to reach an evidence of 30 with its tries: of 856 steps that entered, scored
+/// once, none came from less than 14. Where a test only hints at it the look is right as often as
+/// at others; unseen by its test it was as often wrong as right.
+inline constexpr EffectTraits kLoadStep{.kind = EffectKind::load_step,
+                                        .word = "load_step",
+                                        .cause = EffectKind::load_step,
+                                        .place = Place::outside,
+                                        .most = 3,
+                                        .cheap_look = CheapLook::where_hinted,
+                                        .worth_fitting = 13.5,
+                                        .worth_scoring = 13.5,
+                                        .everywhere = true,
+                                        .on_own_rows = true,
+                                        .scored_once = true,
+                                        .has_parts = false};
 
 /// A load that moves once and stays: at once, and through a lag of its own or, where that is not
 /// known, the slower one of the process (of a vessel: as a ramp of its level).
@@ -17,7 +35,7 @@ class LoadStep final : public Effect {
   explicit LoadStep(std::size_t at, std::size_t samples_per_row = 1, double lag_samples = 0.0)
       : at_(at), samples_per_row_(samples_per_row), lag_samples_(lag_samples) {}
 
-  [[nodiscard]] std::size_t at() const { return at_; }
+  [[nodiscard]] std::optional<std::size_t> moment() const override { return at_; }
   [[nodiscard]] EffectKind kind() const override { return EffectKind::load_step; }
   [[nodiscard]] std::size_t column_count() const override { return 2; }
   void add_columns(const Signals& signals, std::vector<Column>& columns) const override;

@@ -1,8 +1,18 @@
 #pragma once
 
 #include "core/model/effect.hpp"
+#include "core/model/effect_traits.hpp"
 
 namespace loopscope::core::model {
+
+inline constexpr EffectTraits kSaturation{.kind = EffectKind::valve_saturation,
+                                          .word = "valve_saturation",
+                                          .cause = EffectKind::valve_saturation,
+                                          .place = Place::valve,
+                                          .worth_fitting = kWorthFittingWhole,
+                                          .worth_scoring = kWorthScoring,
+                                          .looked_at_whole = true,
+                                          .fitted_when_asked = true};
 
 /// A stem that cannot travel the whole way: flow held between two limits.
 class Saturation final : public Effect {

@@ -1,9 +1,24 @@
 #pragma once
 
 #include "core/model/effect.hpp"
+#include "core/model/effect_traits.hpp"
 #include "core/model/valve_law.hpp"
 
 namespace loopscope::core::model {
+
+/// The two are one fit, told apart by the jump that it ends with.
+inline constexpr EffectTraits kStiction{.kind = EffectKind::valve_stiction,
+                                        .word = "valve_stiction",
+                                        .cause = EffectKind::valve_stiction,
+                                        .place = Place::valve,
+                                        .worth_fitting = kWorthFitting,
+                                        .worth_scoring = kWorthFitting};
+inline constexpr EffectTraits kDeadband{.kind = EffectKind::valve_deadband,
+                                        .word = "valve_deadband",
+                                        .cause = EffectKind::valve_deadband,
+                                        .place = Place::valve,
+                                        .worth_fitting = kWorthFitting,
+                                        .worth_scoring = kWorthFitting};
 
 /// A valve that sticks and jumps, or only has play: op -> valve_law -> flow.
 class ValveEffect final : public Effect {
@@ -14,6 +29,7 @@ class ValveEffect final : public Effect {
 
   explicit ValveEffect(const Valve& valve) : valve_(valve) {}
 
+  [[nodiscard]] const ValveEffect* as_valve() const override { return this; }
   [[nodiscard]] const Valve& valve() const { return valve_; }
   /// The same valve with a slip jump of that share of its band.
   [[nodiscard]] EffectPtr with_jump(double share) const { return with_band(1.0, share); }

@@ -43,8 +43,7 @@ TEST(DisturbanceWords, WhatExplainsMoreLeads) {
   const model::Step wave = clear_step(external_oscillation, 0.5, 0.4);
   EXPECT_EQ(disturbance_of(explanation_with({load_at(500.0, 1.0, 0.5), wave})),
             Disturbance::moved_once);
-  EXPECT_EQ(disturbance_of(explanation_with({load_at(500.0, 0.5, 0.45), wave})),
-            Disturbance::wave);
+  EXPECT_EQ(disturbance_of(explanation_with({load_at(500.0, 0.5, 0.45), wave})), Disturbance::wave);
 }
 
 TEST(DisturbanceWords, ALoadOfWhichTheResidualStillShowsMoreKeepsMoving) {

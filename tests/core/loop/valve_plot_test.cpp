@@ -90,8 +90,8 @@ TEST(ValvePlot, ALagIsNoBand) {
     Random random(7);
     const Series op = restless_op(random);
     const Series position = behind_lag(op, lag_samples);
-    const ValvePlot plot = measure_valve_plot(
-        op, signals::sum(position, signals::white(random, op.size()), 0.01));
+    const ValvePlot plot =
+        measure_valve_plot(op, signals::sum(position, signals::white(random, op.size()), 0.01));
     EXPECT_LT(*plot.width, 0.1) << lag_samples;
     EXPECT_LT(*plot.slip_jump, 0.1) << lag_samples;
   }

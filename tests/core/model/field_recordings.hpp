@@ -14,7 +14,8 @@ struct FieldRecording {
   std::vector<double> sp, pv, op;  ///< NaN = missing
 };
 
-/// Those that a manifest lists (columns file, loop, type, interval, samples, label), files beside it.
+/// Those that a manifest lists (columns file, loop, type, interval, samples, label), files beside
+/// it.
 [[nodiscard]] std::vector<FieldRecording> recordings_of(const std::string& manifest);
 
 /// Those of the folder that the environment names in LOOPSCOPE_RECORDINGS, in the order of its

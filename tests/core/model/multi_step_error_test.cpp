@@ -31,8 +31,8 @@ double rows_apart(const LoopData& data) {
 }
 
 /// The error ten ahead of the right noise has the variance (1 - 0.9^20) / (1 - 0.81); that of a
-/// model without memory is the noise itself, 1 / (1 - 0.81), and a little of gain and offset, which it
-/// fits as if the noise were white.
+/// model without memory is the noise itself, 1 / (1 - 0.81), and a little of gain and offset, which
+/// it fits as if the noise were white.
 TEST(MultiStepError, MemoryIsWorthWhatTheoryGives) {
   constexpr std::uint64_t kSeeds = 30;
   double sum = 0.0;

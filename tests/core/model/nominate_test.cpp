@@ -35,7 +35,7 @@ TEST(Nominate, FindsThePlaceOfALoadStep) {
     const Looked looked = looked_at("load_upsets", seed);
     std::vector<long> places;
     for (const EffectPtr& effect : nominate_load_steps(looked.data, looked.fit)) {
-      places.push_back(static_cast<long>(dynamic_cast<const LoadStep&>(*effect).at()));
+      places.push_back(static_cast<long>(*effect->moment()));
     }
     ASSERT_FALSE(places.empty());
     for (const long truth : {819L, 1843L, 2867L}) {
@@ -54,7 +54,7 @@ TEST(Nominate, PlacesNoLoadStepWhereThePastIsStillSeen) {
       std::fill_n(looked.fit.innovations.begin() + 45, 3, 50.0);
       const double lags = std::min(3.0 / -std::log(pole), 512.0);
       for (const EffectPtr& effect : nominate_load_steps(looked.data, looked.fit)) {
-        EXPECT_GE(static_cast<double>(dynamic_cast<const LoadStep&>(*effect).at()), lags);
+        EXPECT_GE(static_cast<double>(*effect->moment()), lags);
       }
     }
   }
@@ -118,7 +118,7 @@ TEST(Nominate, ShortRecordsNominateWithinThemselves) {
       tests::process_record(tests::one_lag(0.6, 2), 1.2, op, tests::white_noise(400, 2)), op, 1.0);
   const Fit fit = evaluate(data, tests::structure_of(tests::one_lag(0.6, 2)));
   for (const EffectPtr& effect : nominate_load_steps(data, fit)) {
-    EXPECT_LT(dynamic_cast<const LoadStep&>(*effect).at(), 400U);
+    EXPECT_LT(*effect->moment(), 400U);
   }
   for (const EffectPtr& effect : nominate_oscillations(data, fit)) {
     const double period = dynamic_cast<const ExternalOscillation&>(*effect).period_samples();
@@ -133,7 +133,7 @@ TEST(Nominate, OfAHeldSensorPlacesAndPeriodsAreInSamples) {
   const LoopData data = make_loop_data(record.pv, record.op, 1.0, {6, 0});
   const Fit fit = evaluate(data, tests::structure_of(tests::noiseless_process()));
   for (const EffectPtr& effect : nominate_load_steps(data, fit)) {
-    EXPECT_EQ(dynamic_cast<const LoadStep&>(*effect).at() % 6, 0U);
+    EXPECT_EQ(*effect->moment() % 6, 0U);
   }
   const simulate::LoopRecord other = simulate::simulate_scenario("outside_oscillation", {}, 1);
   const LoopData line = make_loop_data(other.pv, other.op, 1.0, {6, 0});

@@ -22,7 +22,8 @@ struct Loop {
   Samples op;
 };
 
-/// A lag, a delay of 2 samples and a tight PI controller whose setpoint moves every 350 samples; an outlier of `spike` (pv units) on every 200th reading of pv.
+/// A lag, a delay of 2 samples and a tight PI controller whose setpoint moves every 350 samples; an
+/// outlier of `spike` (pv units) on every 200th reading of pv.
 Loop tight_loop(std::uint64_t seed, double spike) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -88,8 +89,7 @@ TEST(LoopPrediction, LeavesWhatNoPastTells) {
   const Samples no_setpoint;
   const LoopPrediction prediction(pv, op, no_setpoint, std::vector<bool>(kLength, false));
   double sum = 0.0;
-  for (std::size_t k = 20; k < kLength; ++k)
-    sum += std::pow(prediction.error(pv, k) - noise[k], 2);
+  for (std::size_t k = 20; k < kLength; ++k) sum += std::pow(prediction.error(pv, k) - noise[k], 2);
   // 24 coefficients of 4000 rows cost 24 / 4000 of the noise.
   EXPECT_LT(sum / kLength, 0.02);
 }

@@ -26,7 +26,8 @@ bool simulated(const std::vector<TraceStage>& stages) {
 
 TEST(ShownModel, ASimulationThatComesNearerIsShown) {
   EXPECT_TRUE(simulated({stage_off(3.0), stage_off(2.0), stage_off(1.0)}));
-  EXPECT_TRUE(simulated({stage_off(3.0), stage_off(3.0)})) << "a grid of the sensor changes nothing";
+  EXPECT_TRUE(simulated({stage_off(3.0), stage_off(3.0)}))
+      << "a grid of the sensor changes nothing";
 }
 
 TEST(ShownModel, OneThatRunsAwayGivesWayToWhatWasScored) {

@@ -89,7 +89,7 @@ TEST(LoadStep, ColumnsAndNeighbours) {
   tests::expect_neighbours(LoadStep(500, 1, 4.0));
   tests::expect_columns(LoadStep(999999));
   for (const EffectPtr& neighbour : LoadStep(0).neighbours(1.0)) {
-    EXPECT_LT(dynamic_cast<const LoadStep&>(*neighbour).at(), 100U);
+    EXPECT_LT(*neighbour->moment(), 100U);
   }
 }
 
