@@ -7,8 +7,8 @@ namespace loopscope::core::model {
 
 /// A step lives in a single one-step error. The best of thousands of places gains 8 by chance in
 /// every loop, and has to reach an evidence of 30 with its tries: of 856 steps that entered, scored
-/// once, none came from less than 14. Where a test only hints at it the look is right as often as
-/// at others; unseen by its test it was as often wrong as right.
+/// once, none came from less than 14. A step that its test half sees may be one; where its test
+/// sees nothing a cheap look was as often wrong as right.
 inline constexpr EffectTraits kLoadStep{.kind = EffectKind::load_step,
                                         .word = "load_step",
                                         .cause = EffectKind::load_step,
