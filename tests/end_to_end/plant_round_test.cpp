@@ -122,7 +122,8 @@ TEST_F(PlantRound, IsMadeByTheDaemonOnItsSchedule) {
 }
 
 TEST_F(PlantRound, ARoundThatFailsKeepsNoFlagBack) {
-  plant.write_settings(Plant::settings(R"("plant": {"round_s": 0.5, "notice_s": 0})"));
+  plant.write_settings(
+      Plant::settings(R"("plant": {"round_s": 0.5, "notice_s": 0}, "schedule": {"settle_s": 0})"));
   ASSERT_EQ(plant.loopscope("once").exit_code, 0);
   ASSERT_EQ(plant.sql("select count(*) from loopscope.flag_notice"), "0") << "nobody asked";
   plant.sql("delete from loopscope.plant_round; alter table history rename to away");
