@@ -6,12 +6,10 @@
 
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/words.hpp"
+#include "core/model/asked.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
-
-/// At which a residual test asks for an effect (core/model).
-constexpr double kAsks = 0.01;
 
 using model::EffectKind;
 
@@ -32,7 +30,7 @@ double explained_by_all(const std::vector<model::Step>& steps) {
 
 bool sudden_loads_left(const model::Explanation& explanation) {
   return std::ranges::any_of(explanation.questions, [](const model::Question& question) {
-    return question.name == "time_event" && question.p <= kAsks;
+    return question.name == "time_event" && question.p <= model::kAsks;
   });
 }
 

@@ -21,7 +21,7 @@ enum class Disturbance {
 [[nodiscard]] Disturbance disturbance_of(const model::Explanation& explanation);
 
 /// Load steps apart from each other by more than the process takes to answer: delay and slowest
-/// time constant.
+/// time constant, of a vessel the delay alone.
 [[nodiscard]] std::size_t load_moves(const model::Explanation& explanation);
 
 struct DisturbanceWords {

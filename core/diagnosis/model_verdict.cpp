@@ -123,7 +123,7 @@ Verdict of_leading(const Case& loop, const BelievedExplanation& story) {
 BelievedExplanation from_outside(const Case& loop) {
   BelievedExplanation story{*loop.evidence.model, {}};
   const auto inside = [](const model::Step& step) {
-    return !model::same_cause(step.effect, model::EffectKind::load_step);
+    return !model::is_from_outside(step.effect);
   };
   for (const model::Step& step : story.explanation.steps) {
     if (inside(step))

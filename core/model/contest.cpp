@@ -19,22 +19,24 @@ namespace {
 /// it is not followed to its needle. One that is a little off may still have it before it.
 constexpr double kFarOff = 1.1;
 
-bool called_for(const Round& round, EffectKind kind) {
-  return traits_of(kind).fitted_when_asked && !round.unasked;
+/// What was looked at on all rows has shown its worth there: on the fit rows, about its parameters.
+double least_gain(const EffectTraits& traits) {
+  constexpr double kWorthScoring = 3.0;
+  return traits.looked_at_whole ? kWorthScoring : traits.worth_fitting;
 }
 
-/// The error on the fit rows above which an effect of that kind is not worth while.
-double hopeless_error(const Contestant& trial, EffectKind kind) {
-  return error_after(trial.rows, trial.before.fit.fit_error, traits_of(kind).worth_scoring);
+/// The error on the fit rows above which such an effect is not worth while.
+double hopeless_error(const Contestant& trial, const EffectTraits& traits) {
+  return error_after(trial.rows, trial.before.fit.fit_error, least_gain(traits));
 }
 
 std::optional<Contestant> try_candidate(const Round& round, const Candidate& candidate) {
-  const EffectKind kind = candidate.effect->kind();
-  const EffectTraits& traits = traits_of(kind);
-  if (!called_for(round, kind) && candidate.gain < traits.worth_fitting) return std::nullopt;
+  const EffectTraits& traits = traits_of(candidate.effect->kind());
+  const bool called_for = traits.fitted_when_asked && !round.unasked;
+  if (!called_for && candidate.gain < traits.worth_fitting) return std::nullopt;
   Contestant trial{{}, {}, judged_on(round.original, candidate.structure), round.now, 0.0};
   if (traits.on_own_rows) trial.before = reevaluated(trial.rows, round.now);
-  const double hopeless = hopeless_error(trial, kind);
+  const double hopeless = hopeless_error(trial, traits);
   const double far_off = kFarOff * trial.before.fit.fit_error;
   Fit fit = fit_anew(trial.rows, evaluate(trial.rows, candidate.structure), far_off);
   if (!(fit.fit_error <= hopeless) || !is_plausible(fit)) return std::nullopt;

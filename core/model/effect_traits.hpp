@@ -22,9 +22,6 @@ enum class CheapLook { never, where_hinted, always };
 inline constexpr double kWorthFitting = 8.0;
 /// The same where all rows are looked at: less than what a later p of 0.001 asks for.
 inline constexpr double kWorthFittingWhole = 11.0;
-/// On the fit rows, of an effect that has shown so much on all: about its parameters.
-inline constexpr double kWorthScoring = 3.0;
-
 /// What the search has to know of a kind of effect; each stands in the header of its effect.
 struct EffectTraits {
   EffectKind kind = EffectKind::load_step;
@@ -34,15 +31,14 @@ struct EffectTraits {
   Place place = Place::process;
   std::ptrdiff_t most = 1;  ///< how often it may come
   CheapLook cheap_look = CheapLook::never;
-  /// What a first look has to gain (n ln) that a full fit is worth while, and, of the fit rows,
-  /// what the full fit has to keep.
-  double worth_fitting = 0.0;
-  double worth_scoring = 0.0;
+  double worth_fitting = 0.0;  ///< what a first look has to gain (n ln) for a full fit
   /// The first look sees all rows: what a smooth effect gains on the half that a fit would see is
   /// too little to go by, and its few starting points are few tries. So is a line, which has gone
   /// on for all of the record and whose tries count every frequency.
   bool looked_at_whole = false;
-  bool everywhere = false;    ///< chosen from all places or frequencies: its p counts them
+  /// Chosen from all places or frequencies: its p counts them, and no part of the record shows its
+  /// parameters by itself.
+  bool everywhere = false;
   bool on_own_rows = false;   ///< sits in one place: rows about it are seen by fit and score
   bool scored_once = false;   ///< what it gains is counted on one half
   bool put_in_place = false;  ///< the best first looks are moved to where they gain most
@@ -51,7 +47,6 @@ struct EffectTraits {
   bool fitted_when_asked = false;
   /// Half of the rows place its parameters.
   bool moves_on_half = true;
-  bool has_parts = true;  ///< parts of a record show its parameters: their spread can be told
 };
 
 }  // namespace loopscope::core::model

@@ -62,7 +62,7 @@ Step report(const LoopData& data, const Chapter& chapter) {
   Step step;
   step.effect = effect.kind();
   step.parameters = parameters_of(data, fit, fit.structure.effects.size() - 1);
-  if (traits_of(step.effect).has_parts) add_spread(data, fit, step.parameters);
+  if (!traits_of(step.effect).everywhere) add_spread(data, fit, step.parameters);
   step.law = effect.law();
   step.holdout_error_before = chapter.comparison.before * square;
   step.holdout_error_after = chapter.comparison.after * square;

@@ -23,8 +23,8 @@ void list_kinds() {
 }
 
 void dump(const effects::Options& options) {
-  const effects::Record record =
-      effects::generate(options.dump_kind, options.dump_seed, options.plan.size);
+  const effects::Record record = effects::generate(options.dump_kind, options.dump_seed,
+                                                   options.plan.size, options.plan.noise);
   const auto write = [&](std::ostream& out) { effects::write_csv(out, record, options.with_mv); };
   if (options.dump_file == "-")
     write(std::cout);

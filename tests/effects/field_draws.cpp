@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/diagnosis/diagnose.hpp"
+#include "core/diagnosis/loop_facts.hpp"
 #include "tests/core/model/field_families.hpp"
 #include "tests/core/model/field_recordings.hpp"
 #include "tests/support/command_words.hpp"
@@ -12,10 +13,6 @@
 
 namespace loopscope::tests::effects {
 namespace {
-
-bool is_level(std::string_view name) {
-  return name.find("level") != std::string_view::npos;
-}
 
 void judge(const core::signal::LoopWindow& window, bool level, const Plan& plan,
            FieldOutcome& outcome) {
@@ -50,7 +47,7 @@ std::vector<FieldOutcome> field_draws(const Plan& plan) {
     outcome.kind = family.name;
     outcome.seed = plan.seed + job % plan.draws;
     outcome.sticks = family.sticks;
-    judge(window_of(record_of(family, outcome.seed)), is_level(family.name), plan, outcome);
+    judge(window_of(record_of(family, outcome.seed)), is_level(family), plan, outcome);
   });
   return outcomes;
 }
@@ -68,7 +65,7 @@ std::vector<FieldOutcome> recorded(const Plan& plan, const std::string& manifest
     outcome.kind = recording.label;
     outcome.seed = job;
     outcome.sticks = recording.label == "stiction";
-    judge(window_of(recording), is_level(recording.type), plan, outcome);
+    judge(window_of(recording), core::is_integrating_type(recording.type), plan, outcome);
   });
   return outcomes;
 }

@@ -16,6 +16,7 @@ class Reader {
   Options read() {
     options_.plan.threads = std::max(1U, std::thread::hardware_concurrency());
     while (!words_.done()) read_option(words_.next());
+    refuse_what_is_not_heard();
     if (options_.plan.kinds.empty())
       for (const KindInfo& kind : all_kinds()) options_.plan.kinds.push_back(kind.name);
     return options_;
@@ -70,6 +71,18 @@ class Reader {
     std::istringstream text(list);
     for (std::string kind; std::getline(text, kind, ',');)
       options_.plan.kinds.push_back(known(kind));
+  }
+
+  /// Field records and recordings have loops, noise and effects of their own.
+  void refuse_what_is_not_heard() const {
+    if (options_.field && !options_.manifest.empty())
+      throw WrongUsage("--field and --recordings exclude each other");
+    if (!options_.field && options_.manifest.empty()) return;
+    const Plan& plan = options_.plan;
+    if (!plan.kinds.empty() || plan.noise != NoiseFamily::gaussian || plan.permuted ||
+        plan.size != Size::realistic || options_.json || !options_.dump_kind.empty())
+      throw WrongUsage(
+          "--field and --recordings go with --seed, --draws, --threads and --without only");
   }
 
   void read_noise(const std::string& family) {

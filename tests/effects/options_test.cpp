@@ -27,6 +27,24 @@ TEST(EffectsOptions, EffectsAreOfRealisticSizeUnlessFaintOnesAreAskedFor) {
   EXPECT_EQ(read_options({"--faint"}).plan.size, Size::faint);
 }
 
+TEST(EffectsOptions, ReadsTheNoiseOfAPlant) {
+  EXPECT_EQ(read_options({"--noise", "t5"}).plan.noise, NoiseFamily::t5);
+  EXPECT_THROW((void)read_options({"--noise", "loud"}), WrongUsage);
+}
+
+/// A run that left an option out would be taken for what it is not.
+TEST(EffectsOptions, FieldRecordsAndRecordingsHearNothingOfKindsAndNoise) {
+  EXPECT_TRUE(read_options({"--field", "--draws", "3", "--without", "multi_step"}).field);
+  EXPECT_EQ(read_options({"--recordings", "list.csv"}).manifest, "list.csv");
+  const std::vector<std::vector<std::string>> wrong = {{"--field", "--kinds", "tight"},
+                                                       {"--field", "--noise", "t5"},
+                                                       {"--recordings", "list.csv", "--faint"},
+                                                       {"--field", "--permuted"},
+                                                       {"--field", "--json"},
+                                                       {"--field", "--recordings", "list.csv"}};
+  for (const auto& words : wrong) EXPECT_THROW((void)read_options(words), WrongUsage) << words[1];
+}
+
 TEST(EffectsOptions, RefusesWhatItDoesNotKnow) {
   const std::vector<std::vector<std::string>> wrong = {
       {"--sed", "7"},     {"--seed"},          {"--seed", "x"},  {"--draws", "0"},

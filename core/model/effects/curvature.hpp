@@ -13,14 +13,12 @@ inline constexpr EffectTraits kTrim{.kind = EffectKind::valve_characteristic,
                                     .cause = EffectKind::valve_characteristic,
                                     .place = Place::process,
                                     .worth_fitting = kWorthFittingWhole,
-                                    .worth_scoring = kWorthScoring,
                                     .looked_at_whole = true};
 inline constexpr EffectTraits kCurvedProcess{.kind = EffectKind::process_nonlinearity,
                                              .word = "process_nonlinearity",
                                              .cause = EffectKind::process_nonlinearity,
                                              .place = Place::process,
                                              .worth_fitting = kWorthFittingWhole,
-                                             .worth_scoring = kWorthScoring,
                                              .looked_at_whole = true};
 
 /// A flow that is not proportional to travel (wear, corroded seat, wrong trim): the process

@@ -16,10 +16,8 @@ inline constexpr EffectTraits kOscillation{.kind = EffectKind::external_oscillat
                                            .most = 2,
                                            .cheap_look = CheapLook::always,
                                            .worth_fitting = 17.0,
-                                           .worth_scoring = kWorthScoring,
                                            .looked_at_whole = true,
-                                           .everywhere = true,
-                                           .has_parts = false};
+                                           .everywhere = true};
 
 /// A periodic wave from outside the loop: a fundamental and its harmonics, each of an amplitude and
 /// a phase that are constant or change slowly, along straight lines from knot to knot.

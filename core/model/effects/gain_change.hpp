@@ -14,13 +14,11 @@ inline constexpr EffectTraits kGainChange{.kind = EffectKind::gain_change,
                                           .place = Place::process,
                                           .cheap_look = CheapLook::always,
                                           .worth_fitting = 18.0,
-                                          .worth_scoring = kWorthScoring,
                                           .looked_at_whole = true,
                                           .everywhere = true,
                                           .on_own_rows = true,
                                           .put_in_place = true,
-                                          .moves_on_half = false,
-                                          .has_parts = false};
+                                          .moves_on_half = false};
 
 /// A process gain that changes once, or drifts over the rest of the record. The flow that it
 /// multiplies is none at a working point of its own: about the mean of op a level comes with it.

@@ -16,11 +16,9 @@ inline constexpr EffectTraits kLoadStep{.kind = EffectKind::load_step,
                                         .most = 3,
                                         .cheap_look = CheapLook::where_hinted,
                                         .worth_fitting = 13.5,
-                                        .worth_scoring = 13.5,
                                         .everywhere = true,
                                         .on_own_rows = true,
-                                        .scored_once = true,
-                                        .has_parts = false};
+                                        .scored_once = true};
 
 /// A load that moves once and stays: at once, and through a lag of its own or, where that is not
 /// known, the slower one of the process (of a vessel: as a ramp of its level).

@@ -10,7 +10,6 @@ inline constexpr EffectTraits kSaturation{.kind = EffectKind::valve_saturation,
                                           .cause = EffectKind::valve_saturation,
                                           .place = Place::valve,
                                           .worth_fitting = kWorthFittingWhole,
-                                          .worth_scoring = kWorthScoring,
                                           .looked_at_whole = true,
                                           .fitted_when_asked = true};
 

@@ -11,14 +11,12 @@ inline constexpr EffectTraits kStiction{.kind = EffectKind::valve_stiction,
                                         .word = "valve_stiction",
                                         .cause = EffectKind::valve_stiction,
                                         .place = Place::valve,
-                                        .worth_fitting = kWorthFitting,
-                                        .worth_scoring = kWorthFitting};
+                                        .worth_fitting = kWorthFitting};
 inline constexpr EffectTraits kDeadband{.kind = EffectKind::valve_deadband,
                                         .word = "valve_deadband",
                                         .cause = EffectKind::valve_deadband,
                                         .place = Place::valve,
-                                        .worth_fitting = kWorthFitting,
-                                        .worth_scoring = kWorthFitting};
+                                        .worth_fitting = kWorthFitting};
 
 /// A valve that sticks and jumps, or only has play: op -> valve_law -> flow.
 class ValveEffect final : public Effect {

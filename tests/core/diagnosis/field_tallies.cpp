@@ -9,11 +9,6 @@ namespace {
 
 using loopscope::tests::model::FieldFamily;
 
-/// A plant knows which of its loops are level loops.
-bool is_level(std::string_view name) {
-  return name.find("level") != std::string_view::npos;
-}
-
 }  // namespace
 
 Verdict recorded_verdict(std::vector<double> sp, std::vector<double> pv, std::vector<double> op,
@@ -40,7 +35,7 @@ Tally tally(const FieldFamily& family, std::uint64_t first, std::size_t records)
   Tally result;
   for (std::uint64_t seed = first; seed < first + records; ++seed) {
     const loopscope::tests::model::FieldLoop loop = record_of(family, seed);
-    result.add(recorded_verdict(loop.sp, loop.pv, loop.op, is_level(family.name)));
+    result.add(recorded_verdict(loop.sp, loop.pv, loop.op, is_level(family)));
   }
   return result;
 }

@@ -15,6 +15,10 @@ std::span<const FieldFamily> field_families() {
   return all;
 }
 
+bool is_level(const FieldFamily& family) {
+  return family.name.find("level") != std::string_view::npos;
+}
+
 FieldLoop record_of(const FieldFamily& family, std::uint64_t seed) {
   const auto place = static_cast<std::uint64_t>(&family - field_families().data());
   Draw draw(100'000 * (place + 1) + seed);

@@ -17,6 +17,9 @@ struct FieldFamily {
   FieldLoop (*simulate)(Draw& draw) = nullptr;
 };
 
+/// A plant knows which of its loops are level loops.
+[[nodiscard]] bool is_level(const FieldFamily& family);
+
 [[nodiscard]] std::span<const FieldFamily> sticking_families();
 [[nodiscard]] std::span<const FieldFamily> healthy_families();
 /// Slow, long, coarse, interacting, interrupted and complicated ones.

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 namespace loopscope::tests::model {
 namespace {
@@ -20,9 +21,15 @@ double number_of(const std::vector<std::string>& fields, std::size_t i) {
   return std::strtod(fields[i].c_str(), nullptr);
 }
 
+std::ifstream opened(const std::string& path) {
+  std::ifstream file(path);
+  if (!file.is_open()) throw std::invalid_argument("cannot read " + path);
+  return file;
+}
+
 /// Columns t_s, sp, pv, op.
 void read_samples(const std::string& path, FieldRecording& recording) {
-  std::ifstream file(path);
+  std::ifstream file = opened(path);
   std::string line;
   std::getline(file, line);
   while (std::getline(file, line)) {
@@ -31,6 +38,7 @@ void read_samples(const std::string& path, FieldRecording& recording) {
     recording.pv.push_back(number_of(fields, 2));
     recording.op.push_back(number_of(fields, 3));
   }
+  if (recording.pv.empty()) throw std::invalid_argument("no samples in " + path);
 }
 
 }  // namespace
@@ -38,7 +46,7 @@ void read_samples(const std::string& path, FieldRecording& recording) {
 std::vector<FieldRecording> recordings_of(const std::string& manifest) {
   std::vector<FieldRecording> recordings;
   const std::string folder = manifest.substr(0, manifest.find_last_of('/') + 1);
-  std::ifstream list(manifest);
+  std::ifstream list = opened(manifest);
   std::string line;
   std::getline(list, line);
   while (std::getline(list, line)) {

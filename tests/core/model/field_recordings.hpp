@@ -16,6 +16,7 @@ struct FieldRecording {
 
 /// Those that a manifest lists (columns file, loop, type, interval, samples, label), files beside
 /// it.
+/// @throws std::invalid_argument the manifest or a file of it cannot be read, or holds no samples
 [[nodiscard]] std::vector<FieldRecording> recordings_of(const std::string& manifest);
 
 /// Those of the folder that the environment names in LOOPSCOPE_RECORDINGS, in the order of its

@@ -43,15 +43,16 @@ class OldSnapshotTest : public ResultsTest {
   static constexpr int kBatch = 20;
 };
 
-/// The cost rises by half while the index under the snapshot gets its second level, some twenty
-/// periods long, and must not rise any more: dead rows only grow in number.
-TEST_F(OldSnapshotTest, ClaimsAndCompletionsCostAsMuchAfterAHundredPeriodsAsAfterThirty) {
+/// While the index under the snapshot gets its second level, some twenty periods long, the cost
+/// rises a little; single periods differ by where rows fall on pages. Later it must not rise at
+/// all, though dead rows grow in number.
+TEST_F(OldSnapshotTest, ClaimsAndCompletionsCostAsMuchAfterAHundredPeriodsAsAtFirst) {
   std::vector<std::string> names;
   for (int k = 0; k < kLoops; ++k) names.push_back("L" + std::to_string(k));
   add_loops(names);
   database->execute("ALTER TABLE loopscope.schedule SET (autovacuum_enabled = false)");
   const auto floors = std::make_shared<ClaimFloors>();
-  const long first = visit_all(floors);
+  static_cast<void>(visit_all(floors));
   const tests::SqlConnection reader(database->conninfo());
   reader.run("BEGIN ISOLATION LEVEL REPEATABLE READ");
   reader.run("SELECT count(*) FROM loopscope.schedule");
@@ -60,12 +61,13 @@ TEST_F(OldSnapshotTest, ClaimsAndCompletionsCostAsMuchAfterAHundredPeriodsAsAfte
     for (int period = 0; period < count; ++period) sum += visit_all(floors);
     return static_cast<double>(sum) / count;
   };
-  static_cast<void>(periods(30));
+  const double first = periods(10);
+  static_cast<void>(periods(20));
   const double after_thirty = periods(10);
   static_cast<void>(periods(60));
   const double after_a_hundred = periods(10);
   EXPECT_GT(first, kLoops) << "something was counted";
-  EXPECT_LT(after_thirty, 2.0 * static_cast<double>(first));
+  EXPECT_LT(after_thirty, 1.5 * first);
   EXPECT_LT(after_a_hundred, 1.1 * after_thirty);
 }
 
