@@ -52,7 +52,7 @@ std::vector<FieldOutcome> field_draws(const Plan& plan) {
   return outcomes;
 }
 
-std::vector<FieldOutcome> recorded(const Plan& plan, const std::string& manifest) {
+std::vector<FieldOutcome> recorded(const Plan& plan, const std::string& manifest) try {
   std::vector<model::FieldRecording> recordings = model::recordings_of(manifest);
   std::erase_if(recordings, [](const model::FieldRecording& recording) {
     return recording.label != "stiction" && recording.label != "no_stiction";
@@ -68,6 +68,8 @@ std::vector<FieldOutcome> recorded(const Plan& plan, const std::string& manifest
     judge(window_of(recording), core::is_integrating_type(recording.type), plan, outcome);
   });
   return outcomes;
+} catch (const std::invalid_argument& unreadable) {
+  throw WrongUsage(unreadable.what());
 }
 
 std::string lines_of(const std::vector<FieldOutcome>& outcomes) {

@@ -23,6 +23,7 @@ struct FieldOutcome {
 [[nodiscard]] std::vector<FieldOutcome> field_draws(const Plan& plan);
 
 /// The recordings of a manifest that are labelled as sticking or not.
+/// @throws WrongUsage a file cannot be read, or there are none
 [[nodiscard]] std::vector<FieldOutcome> recorded(const Plan& plan, const std::string& manifest);
 
 /// A line of JSON for each.

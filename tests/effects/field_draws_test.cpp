@@ -27,14 +27,14 @@ constexpr const char* kHead = "file,loop,type,interval_s,samples,label\n";
 
 /// A recording that is left out would be counted as a valve that nobody accuses.
 TEST_F(FieldDraws, AManifestWhoseFilesCannotBeReadIsRefused) {
-  EXPECT_THROW((void)recorded(plan_, folder_ / "nowhere.csv"), std::invalid_argument);
+  EXPECT_THROW((void)recorded(plan_, folder_ / "nowhere.csv"), WrongUsage);
   EXPECT_THROW(
       (void)recorded(plan_, file("lost.csv", std::string(kHead) + "a.csv,A,flow,1,9,stiction\n")),
-      std::invalid_argument);
+      WrongUsage);
   (void)file("empty.csv", "t_s,sp,pv,op\n");
   EXPECT_THROW((void)recorded(
                    plan_, file("list.csv", std::string(kHead) + "empty.csv,A,flow,1,0,stiction\n")),
-               std::invalid_argument);
+               WrongUsage);
   EXPECT_THROW((void)recorded(plan_, file("none.csv", kHead)), WrongUsage);
 }
 
