@@ -12,30 +12,30 @@ namespace {
 
 class FieldDraws : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { std::filesystem::create_directories(folder); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
   std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
+    std::ofstream(folder / name) << text;
+    return folder / name;
   }
-  const std::filesystem::path folder_ =
+  const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("field_draws_" + std::to_string(::getpid()));
-  const Plan plan_;
+  const Plan plan{};
 };
 
 constexpr const char* kHead = "file,loop,type,interval_s,samples,label\n";
 
 /// A recording that is left out would be counted as a valve that nobody accuses.
 TEST_F(FieldDraws, AManifestWhoseFilesCannotBeReadIsRefused) {
-  EXPECT_THROW((void)recorded(plan_, folder_ / "nowhere.csv"), WrongUsage);
+  EXPECT_THROW((void)recorded(plan, folder / "nowhere.csv"), WrongUsage);
   EXPECT_THROW(
-      (void)recorded(plan_, file("lost.csv", std::string(kHead) + "a.csv,A,flow,1,9,stiction\n")),
+      (void)recorded(plan, file("lost.csv", std::string(kHead) + "a.csv,A,flow,1,9,stiction\n")),
       WrongUsage);
   (void)file("empty.csv", "t_s,sp,pv,op\n");
   EXPECT_THROW((void)recorded(
-                   plan_, file("list.csv", std::string(kHead) + "empty.csv,A,flow,1,0,stiction\n")),
+                   plan, file("list.csv", std::string(kHead) + "empty.csv,A,flow,1,0,stiction\n")),
                WrongUsage);
-  EXPECT_THROW((void)recorded(plan_, file("none.csv", kHead)), WrongUsage);
+  EXPECT_THROW((void)recorded(plan, file("none.csv", kHead)), WrongUsage);
 }
 
 TEST_F(FieldDraws, LabelledRecordingsAreJudgedAndOthersLeftOut) {
@@ -45,7 +45,7 @@ TEST_F(FieldDraws, LabelledRecordingsAreJudgedAndOthersLeftOut) {
   const std::string list = file("list.csv", std::string(kHead) +
                                                 "a.csv,A,flow,1,50,no_stiction\n"
                                                 "a.csv,B,level,1,50,unknown\n");
-  const std::vector<FieldOutcome> outcomes = recorded(plan_, list);
+  const std::vector<FieldOutcome> outcomes = recorded(plan, list);
   ASSERT_EQ(outcomes.size(), 1U);
   EXPECT_EQ(outcomes.front().verdict, "insufficient_data");
   EXPECT_FALSE(outcomes.front().sticks || outcomes.front().accuses_valve);
