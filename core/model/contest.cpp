@@ -9,7 +9,6 @@
 #include "core/model/baseline.hpp"
 #include "core/model/effects/catalogue.hpp"
 #include "core/model/fit_anew.hpp"
-#include "core/model/stem_search.hpp"
 #include "core/model/tell_bends_apart.hpp"
 
 namespace loopscope::core::model {
@@ -60,32 +59,6 @@ void rank(std::vector<Contestant>& entries) {
   std::ranges::sort(entries, std::greater{}, &Contestant::worth);
 }
 
-auto hysteresis_among(std::vector<Contestant>& entries) {
-  return std::ranges::find_if(
-      entries, [](const Contestant& entry) { return is_valve_hysteresis(entry.kind()); });
-}
-
-/// Where a valve's own law has something to show: from nothing a search between the samples led to
-/// nothing in 376 loops, and what is far behind another effect comes after it.
-bool worth_a_closer_look(const Contestant& valve, const Contestant& leader) {
-  constexpr double kFarBehind = 0.3;
-  return valve.comparison.evidence > 0.0 &&
-         (!leader.enters() || valve.worth() >= kFarBehind * leader.worth());
-}
-
-/// The best valve once more, between the samples.
-void look_between_samples(const Round& round, std::vector<Contestant>& entries) {
-  if (!round.data.without.has(Mechanism::stem_search)) return;
-  const auto valve = hysteresis_among(entries);
-  if (valve == entries.end() || !worth_a_closer_look(*valve, entries.front())) return;
-  std::optional<Fit> fit = sought_between_samples(valve->rows, valve->fit.fit);
-  if (!fit) return;
-  Contestant trial = scored({{}, {}, valve->rows, round.now, 0.0}, std::move(*fit), kStemGuesses);
-  if (trial.worth() <= valve->worth()) return;
-  *valve = std::move(trial);
-  rank(entries);
-}
-
 }  // namespace
 
 std::vector<Contestant> hold_contest(const Round& round) {
@@ -95,7 +68,6 @@ std::vector<Contestant> hold_contest(const Round& round) {
     if (best) result.push_back(std::move(*best));
   }
   rank(result);
-  look_between_samples(round, result);
   tell_bends_apart(round.data, result);
   return result;
 }

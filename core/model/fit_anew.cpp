@@ -8,7 +8,6 @@
 #include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit_variants.hpp"
-#include "core/model/stem_search.hpp"
 #include "core/model/trial.hpp"
 
 namespace loopscope::core::model {
@@ -93,21 +92,6 @@ Fit prefer_play(const LoopData& data, Fit fit) {
 }
 
 }  // namespace
-
-std::optional<Fit> sought_between_samples(const LoopData& data, const Fit& fit) {
-  const ValveEffect* effect = fit.structure.effects.back()->as_valve();
-  if (effect == nullptr) return std::nullopt;
-  const Valve& valve = effect->valve();
-  std::optional<NetFind> best;
-  for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano}) {
-    // Between the samples the two move so differently that the one which leads is the right one.
-    if (!valve.acts_at_samples() && law != valve.law) continue;
-    NetFind find = find_stem(data, fit.structure, valve.stickband_percent, law);
-    if (!best || find.fit_error < best->fit_error) best = std::move(find);
-  }
-  if (best->fit_error >= fit.fit_error) return std::nullopt;
-  return fit_anew(data, evaluate(data, best->structure));
-}
 
 Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {
   const EffectKind kind = fit.structure.effects.back()->kind();

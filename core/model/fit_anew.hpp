@@ -13,10 +13,4 @@ namespace loopscope::core::model {
 [[nodiscard]] Fit fit_anew(const LoopData& data, Fit fit,
                            double hopeless = std::numeric_limits<double>::infinity());
 
-/// A valve that has been fitted, looked at between the samples (stem_search.hpp) from the process
-/// that was found behind it: one that is only about right shows the process well enough for the
-/// right one to show. nullopt where none is better, on the fit rows, than a valve that follows its
-/// law alone.
-[[nodiscard]] std::optional<Fit> sought_between_samples(const LoopData& data, const Fit& fit);
-
 }  // namespace loopscope::core::model

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <random>
 #include <utility>
 #include <vector>
 
+#include "core/hos/uniform_draw.hpp"
 #include "core/model/fit_variants.hpp"
 #include "core/model/stem_genes.hpp"
 
@@ -15,14 +17,20 @@ namespace {
 
 // Chosen on 48 sticking loops of tests/effects by how much of what the true stem gains was found;
 // twice as many guesses find a few percent more (README.valves.md).
-constexpr std::size_t kFirstWindow = 512;
+constexpr std::size_t kFirstWindow = 640;
 constexpr double kWindowGrowth = 1.42;
-constexpr std::size_t kGuesses = 3000;
-constexpr std::size_t kParents = 250;
+constexpr std::size_t kGuesses = 2000;
+constexpr std::size_t kParents = 200;
 constexpr std::size_t kFewestParents = 8;
 constexpr double kParentsKept = 0.7;
-constexpr std::size_t kChildren = 12;
+constexpr std::size_t kChildren = 5;
+constexpr int kGenerations = 2;
+constexpr int kLastGenerations = 10;
+/// Of the way between two guesses, at most.
+constexpr double kLongestShare = 0.7;
 constexpr double kCooling = 0.64;
+/// From here on guesses of play tell that the valve has no more.
+constexpr std::size_t kTellingRows = 1500;
 /// From here on the noise is fitted again behind the best guess.
 constexpr std::size_t kFitFrom = 1000;
 
@@ -43,42 +51,72 @@ LoopData beginning(const LoopData& data, std::size_t rows) {
 
 class Evolution {
  public:
-  Evolution(const LoopData& data, Structure behind, double band, ValveLaw law)
-      : data_(data), start_(std::move(behind)), law_(law) {
+  Evolution(const LoopData& data, Structure behind, double band, ValveLaw law, std::size_t attempt)
+      : data_(data), start_(std::move(behind)), law_(law), random_(attempt) {
     start_.two_taps = false;
-    for (std::size_t i = 0; i < kGuesses; ++i) guesses_.push_back(drawn_genes(law, band, i));
+    for (std::size_t i = 0; i < kGuesses; ++i)
+      guesses_.push_back(drawn_genes(band, attempt * kGuesses + i));
   }
 
   NetFind run() {
     auto window = static_cast<double>(kFirstWindow);
     while (window < static_cast<double>(data_.size())) {
       const LoopData seen = beginning(data_, static_cast<std::size_t>(window));
-      look_at(seen);
+      look_at(seen, kGenerations);
+      if (seen.size() >= kTellingRows && are_plays()) return found(0);
       if (seen.size() >= kFitFrom) start_.noise = fitted(seen, 3).structure.noise;
       window *= kWindowGrowth;
       scale_ *= kCooling;
       parents_ = std::max(kFewestParents,
                           static_cast<std::size_t>(kParentsKept * static_cast<double>(parents_)));
     }
-    look_at(data_);
+    return found(kLastGenerations);
+  }
+
+ private:
+  void look_at(const LoopData& seen, int generations) {
+    const FitVariants variants(seen, start_);
+    rate(guesses_, variants);
+    keep_best();
+    for (int i = 0; i < generations; ++i) {
+      std::vector<StemGenes> children = born();
+      rate(children, variants);
+      guesses_.insert(guesses_.end(), children.begin(), children.end());
+      keep_best();
+    }
+  }
+
+  /// The best quarter hardly jumps, or half of it.
+  [[nodiscard]] bool are_plays() const {
+    const std::size_t best = std::max<std::size_t>(1, guesses_.size() / 4);
+    const auto is_play = [](const StemGenes& guess) {
+      return guess[Gene::jump_share] < ValveEffect::kPlay;
+    };
+    const auto plays = std::count_if(guesses_.begin(),
+                                     guesses_.begin() + static_cast<std::ptrdiff_t>(best), is_play);
+    return static_cast<std::size_t>(plays) == best;
+  }
+
+  std::vector<StemGenes> born() {
+    std::vector<StemGenes> children;
+    for (const StemGenes& parent : guesses_) {
+      for (std::size_t i = 0; i < kChildren; ++i) {
+        const StemGenes& from = any_guess();
+        const StemGenes& to = any_guess();
+        const double share = kLongestShare * hos::uniform_draw(random_);
+        children.push_back(varied(parent, {from, to, share}, scale_, children_++));
+      }
+    }
+    return children;
+  }
+
+  NetFind found(int generations) {
+    look_at(data_, generations);
     Fit fit = fitted(data_, 6);
     return {std::move(fit.structure), fit.fit_error};
   }
 
- private:
-  void look_at(const LoopData& seen) {
-    const FitVariants variants(seen, start_);
-    rate(guesses_, variants);
-    keep_best();
-    std::vector<StemGenes> children;
-    for (const StemGenes& parent : guesses_) {
-      for (std::size_t i = 0; i < kChildren; ++i)
-        children.push_back(varied(parent, scale_, children_++));
-    }
-    rate(children, variants);
-    guesses_.insert(guesses_.end(), children.begin(), children.end());
-    keep_best();
-  }
+  const StemGenes& any_guess() { return guesses_[random_() % guesses_.size()]; }
 
   void rate(std::vector<StemGenes>& guesses, const FitVariants& variants) const {
     std::vector<ValveEffect> valves;
@@ -123,13 +161,15 @@ class Evolution {
   std::vector<StemGenes> guesses_;
   std::size_t parents_ = kParents;
   std::size_t children_ = 0;
-  double scale_ = 1.0;
+  std::mt19937_64 random_;
+  double scale_ = 0.7;
 };
 
 }  // namespace
 
-NetFind find_stem(const LoopData& data, const Structure& behind, double band, ValveLaw law) {
-  return Evolution(data, behind, band, law).run();
+NetFind find_stem(const LoopData& data, const Structure& behind, double band, ValveLaw law,
+                  std::size_t attempt) {
+  return Evolution(data, behind, band, law, attempt).run();
 }
 
 }  // namespace loopscope::core::model

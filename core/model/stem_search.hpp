@@ -10,16 +10,20 @@ namespace loopscope::core::model {
 /// process behind it.
 ///
 /// Such a valve keeps an error of its position until the next one, so that over the whole record
-/// the right one is a needle in eight dimensions. Over a few hundred samples it is a hill: guesses
-/// that fill the room are ranked there, the best ones have children, and while those that are left
-/// are looked at over longer and longer beginnings of the record they come closer to each other.
+/// the right one is a needle in nine dimensions. Over a few hundred samples it is a hill: guesses
+/// that fill the room evenly are ranked there, and the best ones have children by differential
+/// evolution (Storn and Price 1997): they lie along what other guesses differ by, which is as long
+/// and as slanted as the hill. Those that are left are looked at over longer and longer beginnings
+/// of the record. Where the best of them hardly jump halfway, the valve has play, and no more of
+/// them are born.
 ///
-/// `behind` ends with a valve; its process and noise are where the search begins. The same data
-/// give the same result.
+/// `behind` ends with a valve; its process and noise are where the search begins. Each `attempt`
+/// has first guesses of its own. The same data give the same result.
 [[nodiscard]] NetFind find_stem(const LoopData& data, const Structure& behind, double band,
-                                ValveLaw law);
+                                ValveLaw law, std::size_t attempt = 0);
 
-/// Guesses that one search looks at, about: what it finds has been chosen from these.
-inline constexpr std::size_t kStemGuesses = 12000;
+/// Guesses that the searches for one valve look at, about: by both laws and in three closer looks
+/// (closer_look.hpp) 9000 each. What they find has been chosen from these.
+inline constexpr std::size_t kStemGuesses = 45000;
 
 }  // namespace loopscope::core::model

@@ -24,6 +24,8 @@ struct Chapter {
   std::size_t promise_rank = 0;   ///< among what the residual tests asked for; 0 = nobody did
   std::vector<Answer> asked_for;  ///< of the residual tests, before it and after it
   std::vector<Answer> left;
+  /// Of the effect.
+  [[nodiscard]] EffectKind kind() const { return fit.fit.structure.effects.back()->kind(); }
   Judged judged;  ///< what `comparison` has after it, before the process was settled behind it
 };
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/contestant.hpp"
+#include "core/model/story.hpp"
+
+namespace loopscope::core::model {
+
+/// What a round's trials are taken in by.
+struct IntakeTerms {
+  const LoopData& original;            ///< before any effect placed its rows
+  const ResidualTests& tests;          ///< put to what is left once an effect is in
+  const std::vector<Answer>& answers;  ///< what they said before
+};
+
+/// The first of the trials that enters, explains something further ahead as well (`foresees`) and
+/// answers the tests that asked for it becomes a chapter; they come the most probable first.
+/// Whether there was one.
+///
+/// A valve's law is a needle, and the search for it is one of chance: a valve that goes between the
+/// samples, or that does not foresee what it should, is looked for once more before it is weighed,
+/// and again as long as a test that asked for it still speaks with it in the model
+/// (closer_look.hpp).
+[[nodiscard]] bool take_in(std::vector<Contestant> trials, const IntakeTerms& terms, Story& story);
+
+}  // namespace loopscope::core::model
