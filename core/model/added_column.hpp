@@ -15,12 +15,13 @@ class AddedColumn {
 
   /// The sum of squares that is left; `moved`: the added column's products with those columns, in
   /// their order, and with itself.
-  [[nodiscard]] double squares_left(std::span<const double> moved) const;
+  [[nodiscard]] double squares_left(std::span<const double> moved);
 
  private:
   std::vector<double> diagonal_;      ///< of the regressors' products
   std::vector<double> coefficients_;  ///< without the added column
   Eigen::MatrixXd inverse_;           ///< of the regressors' products
+  std::vector<double> reduced_;       ///< scratch: what the regressors share with the added one
   double squares_;                    ///< of pv less what the regressors take, but for the ridge
 };
 

@@ -74,7 +74,7 @@ void add_hysteresis(const Round& round, double other_gain, std::vector<Candidate
   const Fit& now = round.now.fit;
   const std::optional<NetFind> play =
       find_play(round.data, now, error_after(round.data, now.fit_error, kLeastGain));
-  if (!play || add(*play) < worth_searching) return;
+  if (!play || add(*play) < worth_searching || !can_seek_sticking(play->structure)) return;
   for (const NetFind& find : find_sticking(round.data, round.now.fit, *play)) add(find);
   if (!round.data.without.has(Mechanism::stem_search)) return;
   const EffectPtr& effect = play->structure.effects.back();

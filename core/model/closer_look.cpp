@@ -24,7 +24,8 @@ NetFind best_stem(const LoopData& rows, const Structure& behind, std::size_t att
 
 std::optional<Contestant> look_closer(const Contestant& entered, const Fit& settled,
                                       std::size_t attempt) {
-  if (!entered.rows.without.has(Mechanism::stem_search)) return std::nullopt;
+  if (!entered.rows.without.has(Mechanism::stem_search) || !can_seek_sticking(settled.structure))
+    return std::nullopt;
   const NetFind find = best_stem(entered.rows, settled.structure, attempt);
   if (!(find.fit_error < settled.fit_error)) return std::nullopt;
   Fit fit = fit_anew(entered.rows, evaluate(entered.rows, find.structure));

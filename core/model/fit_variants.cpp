@@ -139,7 +139,7 @@ std::vector<double> FitVariants::fit_errors(std::span<const ValveAndProcess> val
     return errors;
   }
   const ValveAnswers answers(flow_, structure_, steady_columns_, data_.rows.fit);
-  const AddedColumn added(steady_normal_);
+  AddedColumn added(steady_normal_);
   const auto rows = static_cast<double>(data_.rows.fit_count());
   const bool ranked = digits == Digits::single && !structure_.two_taps && rows > 0.0;
   for (const MatrixXd& moved : answers.products(valves, digits)) {

@@ -143,15 +143,28 @@ MatrixXd joint_products(const LoopData& data, const Solution& solution, const Ma
   return joint;
 }
 
-}  // namespace
-
-VectorXd solve_normal(const MatrixXd& normal, const VectorXd& right) {
+VectorXd scale_of(const MatrixXd& normal) {
   const VectorXd diagonal = normal.diagonal().array() + kPrior;
-  const VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
+  return diagonal.cwiseSqrt().cwiseInverse();
+}
+
+Eigen::LDLT<MatrixXd> factors_of(const MatrixXd& normal, const VectorXd& scale) {
   MatrixXd scaled = scale.asDiagonal() * normal * scale.asDiagonal();
   scaled.diagonal().setOnes();
   scaled.diagonal().array() += kRidge;
-  return scale.asDiagonal() * scaled.ldlt().solve(scale.asDiagonal() * right);
+  return scaled.ldlt();
+}
+
+}  // namespace
+
+VectorXd solve_normal(const MatrixXd& normal, const VectorXd& right) {
+  const VectorXd scale = scale_of(normal);
+  return scale.asDiagonal() * factors_of(normal, scale).solve(scale.asDiagonal() * right);
+}
+
+MatrixXd inverse_of_normal(const MatrixXd& normal) {
+  const VectorXd scale = scale_of(normal);
+  return scale.asDiagonal() * factors_of(normal, scale).solve(MatrixXd(scale.asDiagonal()));
 }
 
 NewtonStep::NewtonStep(const LoopData& data, const Solution& solution, const Structure& structure)

@@ -26,6 +26,9 @@ inline constexpr double kPrior = 1e-20;
 [[nodiscard]] Eigen::VectorXd solve_normal(const Eigen::MatrixXd& normal,
                                            const Eigen::VectorXd& right);
 
+/// What solve_normal() multiplies `right` by, from one factorisation.
+[[nodiscard]] Eigen::MatrixXd inverse_of_normal(const Eigen::MatrixXd& normal);
+
 /// A structure after a step, and by how much of itself the error on the fit rows should fall.
 struct NextStructure {
   Structure structure;

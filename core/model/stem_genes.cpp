@@ -50,10 +50,11 @@ const std::array<Drawn, kGenes> kFirst{
      {std::log(0.02), std::log(0.4), 0.0},
      {2.0 * std::log(kSlowestRest) - std::log(1e-2), std::log(1e-2), 0.0}}};
 
-/// How far a child goes by itself at scale 1, and the limits that it keeps to.
+/// How far a child goes by itself at scale 1, and the limits that it keeps to. Those of logarithms
+/// keep exp() and the dead time finite.
 struct Moved {
   double reach = 0.0;
-  double low = -50.0, high = 50.0;
+  double low = -20.0, high = 20.0;
 };
 
 const std::array<Moved, kGenes> kMoved{{{0.012},
@@ -61,9 +62,9 @@ const std::array<Moved, kGenes> kMoved{{{0.012},
                                         {0.15, -1.0, 1.0},
                                         {0.25, std::log(0.02), 0.0},
                                         {0.2},
-                                        {0.1},
+                                        {0.1, -3.0, 3.0},
                                         {0.1, -0.9, 0.9},
-                                        {0.3, -50.0, std::log(0.6)},
+                                        {0.3, -20.0, std::log(0.6)},
                                         {0.5}}};
 
 double samples_of_lag(double pole) {

@@ -60,5 +60,16 @@ TEST(NewtonStep, PromisesWhatItGains) {
   EXPECT_NEAR(next.promise, gained, 0.2 * gained);
 }
 
+/// One factorisation for all right sides, collinear columns and idle ones included.
+TEST(SolveNormal, AgreesWithItsInverse) {
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Random(40, 5);
+  columns.col(3) = 2.0 * columns.col(1);
+  columns.col(4).setZero();
+  const Eigen::MatrixXd normal = columns.transpose() * columns;
+  const Eigen::VectorXd right = columns.transpose() * Eigen::VectorXd::LinSpaced(40, -1.0, 1.0);
+  const Eigen::VectorXd solved = solve_normal(normal, right);
+  EXPECT_LT((inverse_of_normal(normal) * right - solved).norm(), 1e-6 * solved.norm());
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "core/model/baseline.hpp"
+#include "core/model/effects/gain_change.hpp"
+#include "core/model/effects/load_step.hpp"
 #include "core/model/effects/valve.hpp"
 #include "tests/core/model/model_records.hpp"
 #include "tests/support/numbers.hpp"
@@ -73,6 +75,32 @@ TEST(StemSearch, ARecordShorterThanTheFirstWindowIsSearched) {
   data = make_loop_data(std::span(data.pv).first(450), std::span(data.op).first(450), 1.0);
   const NetFind find = find_stem(data, record.behind, 4.4, ValveLaw::he);
   EXPECT_TRUE(std::isfinite(find.fit_error));
+}
+
+TEST(StemSearch, AnotherAttemptHasOtherGuesses) {
+  const ValveRecord record = recorded({ValveLaw::he, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}}, 4);
+  const NetFind first = find_stem(record.data, record.behind, 4.4, ValveLaw::he);
+  const NetFind second = find_stem(record.data, record.behind, 4.4, ValveLaw::he, 1);
+  EXPECT_NE(first.fit_error, second.fit_error);
+}
+
+/// Of play the search need not go to the end; what it gives is as good as the play.
+TEST(StemSearch, PlayIsFoundAsPlay) {
+  const ValveRecord record = recorded({ValveLaw::he, 4.0, 0.0, 1.0, {0.2, 0.0, 0.0}}, 6);
+  const Valve valve = tests::valve_of(find_stem(record.data, record.behind, 4.4, ValveLaw::he));
+  EXPECT_LT(valve.slip_jump_percent, ValveEffect::kPlay * valve.stickband_percent);
+  EXPECT_NEAR(valve.stickband_percent, 4.0, 0.2);
+}
+
+TEST(StemSearch, IsForAValveThatNoOtherEffectWithinTheLoopFollows) {
+  const auto play = std::make_shared<ValveEffect>(Valve{ValveLaw::he, 4.0, 0.0, 1.0});
+  Structure behind;
+  behind.effects = {play};
+  EXPECT_TRUE(can_seek_sticking(behind));
+  behind.effects = {std::make_shared<LoadStep>(1000), play};
+  EXPECT_TRUE(can_seek_sticking(behind));
+  behind.effects = {std::make_shared<GainChange>(1000, 2000), play};
+  EXPECT_FALSE(can_seek_sticking(behind));
 }
 
 }  // namespace
