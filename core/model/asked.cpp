@@ -51,6 +51,11 @@ std::size_t Asked::rank(EffectKind effect) const {
   return 0;
 }
 
+double Asked::promise(EffectKind effect) const {
+  const std::vector<Nomination> asked = nominations(effect);
+  return asked.empty() ? 0.0 : -2.0 * std::log(asked.front().p);
+}
+
 bool Asked::hints_at(EffectKind effect) const {
   return std::ranges::find(hints_, effect) != hints_.end();
 }

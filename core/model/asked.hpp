@@ -14,8 +14,8 @@ inline constexpr double kAsks = 0.01;
 
 /// The effects that the residual tests ask for, by what they promise. Twice the negative logarithm
 /// of a test's p is what an effect that explains all that the test saw would come to in evidence:
-/// in that measure tests of any kind compare, so that they are ranked by p. All of them are tried;
-/// the rank says what was expected, and stands in the results.
+/// in that measure tests of any kind compare, so that they are ranked by p. They are tried in that
+/// order (contest.cpp); the rank stands in the results.
 class Asked {
  public:
   explicit Asked(const std::vector<Answer>& answers);
@@ -26,6 +26,8 @@ class Asked {
   [[nodiscard]] bool for_effect(EffectKind effect) const { return rank(effect) > 0; }
   /// 1 = the most promising; 0 = nobody asks for it.
   [[nodiscard]] std::size_t rank(EffectKind effect) const;
+  /// Twice the negative logarithm of the smallest p that asks for it; 0 = nobody asks.
+  [[nodiscard]] double promise(EffectKind effect) const;
   /// Those of one effect, the most promising first.
   [[nodiscard]] std::vector<Nomination> nominations(EffectKind effect) const;
   /// Whether a test points to it at kSignificant, if not at kAsks.

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/valve.hpp"
-#include "core/model/first_looks.hpp"
 #include "core/model/hysteresis_net.hpp"
 #include "core/model/nominate.hpp"
 #include "core/model/stem_search.hpp"
@@ -16,12 +14,6 @@
 
 namespace loopscope::core::model {
 namespace {
-
-/// A sudden step is seen by fit and score over so many rows from so many before it on: about as
-/// far as its place moves while it is fitted. A place whose first sample the fit does not see
-/// leaves one of its coefficients free.
-constexpr std::size_t kStepBefore = 12;
-constexpr std::size_t kStepSamples = 40;
 
 /// n ln at the places looked at; where nothing changes the best of them gains 11 in the median
 /// loop, 18 in one of ten, and has to come to an evidence of 30.
@@ -46,18 +38,7 @@ bool is_sought(const Round& round, EffectKind kind) {
   if (!has_room(round.now.fit.structure, kind)) return false;
   if (round.load_steps_only) return kind == EffectKind::load_step;
   const bool asked = round.asked.for_effect(kind);
-  return round.unasked ? !asked && is_looked_at_unasked(round, kind) : asked;
-}
-
-std::vector<EffectPtr> nominees(const Round& round) {
-  std::vector<EffectPtr> all;
-  for (const EffectKind kind : all_effect_kinds()) {
-    if (!is_sought(round, kind)) continue;
-    const std::vector<EffectPtr> more =
-        nominate(kind, round.data, round.now.fit, round.asked.nominations(kind));
-    all.insert(all.end(), more.begin(), more.end());
-  }
-  return all;
+  return round.reach == Reach::unasked ? !asked && is_looked_at_unasked(round, kind) : asked;
 }
 
 /// Valves by their law alone: sticking ones where play, which is cheap to look for, gains
@@ -99,31 +80,10 @@ void place_best(const FirstLooks& looks, std::vector<Candidate>& list) {
   std::ranges::sort(list, std::greater{}, &Candidate::gain);
 }
 
-using Candidates = std::map<EffectKind, std::vector<Candidate>>;
-
-double best_gain(const Candidates& candidates) {
+double best_gain(const std::vector<Candidate>& list) {
   double best = 0.0;
-  for (const auto& [kind, list] : candidates) {
-    for (const Candidate& candidate : list) best = std::max(best, candidate.gain);
-  }
+  for (const Candidate& candidate : list) best = std::max(best, candidate.gain);
   return best;
-}
-
-/// The valve's two kinds go under one name: which it is shows when its jump has been fitted.
-Candidates looked_at(const Round& round) {
-  Candidates result;
-  FirstLooks looks(round);
-  for (const EffectPtr& effect : nominees(round))
-    result[effect->kind()].push_back(looks.at(effect));
-  if (!round.unasked && !round.load_steps_only && is_sought(round, EffectKind::valve_stiction))
-    add_hysteresis(round, best_gain(result), result[EffectKind::valve_stiction]);
-  for (auto& [kind, list] : result) {
-    if (list.empty()) continue;
-    std::ranges::sort(list, std::greater{}, &Candidate::gain);
-    if (traits_of(kind).put_in_place) place_best(looks, list);
-    for (Candidate& candidate : list) candidate.tries = tries_of(round, kind, list.size());
-  }
-  return result;
 }
 
 /// Of the valve's laws and plain play each is tried, and of a bend each of its shapes, which differ
@@ -154,22 +114,35 @@ std::vector<Candidate> worth_trying(const std::vector<Candidate>& list) {
 
 }  // namespace
 
-LoopData judged_on(const LoopData& original, const Structure& structure) {
-  LoopData data = original;
-  for (const EffectPtr& effect : structure.effects) {
-    const std::optional<std::size_t> at = effect->moment();
-    if (!at) continue;
-    const std::size_t row = data.grid.row_from(*at);
-    const std::size_t from = row < kStepBefore ? 0 : row - kStepBefore;
-    data.rows = seen_by_both(data.rows, from, kStepSamples);
+CandidateSearch::CandidateSearch(const Round& round) : round_(round), looks_(round) {
+  for (const EffectKind kind : all_effect_kinds()) {
+    // The valve's two kinds go under one name: which it is shows when its jump has been fitted.
+    if (kind == EffectKind::valve_deadband || !is_sought(round, kind)) continue;
+    SoughtKind sought = look_at(kind);
+    if (sought.looked_at.empty() && kind != EffectKind::valve_stiction) continue;
+    kinds_.push_back(std::move(sought));
+    best_look_ = std::max(best_look_, best_gain(kinds_.back().looked_at));
   }
-  return data;
+  std::ranges::stable_sort(kinds_, std::greater{}, &SoughtKind::promise);
 }
 
-std::vector<std::vector<Candidate>> find_candidates(const Round& round) {
-  std::vector<std::vector<Candidate>> result;
-  for (const auto& [kind, list] : looked_at(round)) result.push_back(worth_trying(list));
-  return result;
+SoughtKind CandidateSearch::look_at(EffectKind kind) {
+  SoughtKind sought{kind, 0.0, {}};
+  for (const EffectPtr& effect :
+       nominate(kind, round_.data, round_.now.fit, round_.asked.nominations(kind)))
+    sought.looked_at.push_back(looks_.at(effect));
+  sought.promise = std::max(round_.asked.promise(kind), best_gain(sought.looked_at));
+  return sought;
+}
+
+std::vector<Candidate> CandidateSearch::worth_fitting(const SoughtKind& sought) const {
+  std::vector<Candidate> list = sought.looked_at;
+  if (sought.kind == EffectKind::valve_stiction && round_.reach != Reach::unasked)
+    add_hysteresis(round_, best_look_, list);
+  std::ranges::sort(list, std::greater{}, &Candidate::gain);
+  if (traits_of(sought.kind).put_in_place) place_best(looks_, list);
+  for (Candidate& candidate : list) candidate.tries = tries_of(round_, sought.kind, list.size());
+  return worth_trying(list);
 }
 
 }  // namespace loopscope::core::model

@@ -2,36 +2,35 @@
 
 #include <vector>
 
-#include "core/model/asked.hpp"
-#include "core/model/trial.hpp"
+#include "core/model/first_looks.hpp"
+#include "core/model/round.hpp"
 
 namespace loopscope::core::model {
 
-/// One round of a story: what is to be explained, and on which rows.
-struct Round {
-  const LoopData& original;  ///< rows as laid out, before any step was seen by fit and score alike
-  const LoopData& data;      ///< rows on which `now` is judged
-  const TwinFit& now;
-  const Asked& asked;  ///< for by the residual tests
-  bool load_steps_only =
-      false;             ///< they come in groups: the next one before anything else is looked at
-  bool unasked = false;  ///< what nobody asked for, instead of what somebody did
+/// A kind of effect that a round looks for.
+struct SoughtKind {
+  EffectKind kind = EffectKind::load_step;
+  double promise = 0.0;  ///< evidence: Asked::promise, or what the best first look gains
+  std::vector<Candidate> looked_at;
 };
 
-/// An effect that was looked at, not yet fitted in full.
-struct Candidate {
-  EffectPtr effect;
-  Structure structure;    ///< with it last; process and noise as they are, or by glance()
-  double gain = 0.0;      ///< n ln(error before / after) on the rows that were looked at
-  std::size_t tries = 1;  ///< how many of its kind were looked at on rows that score it
+/// What a round may try. `round` has to outlive it.
+class CandidateSearch {
+ public:
+  explicit CandidateSearch(const Round& round);
+
+  /// What promises most is first; the valve's two kinds go under one.
+  [[nodiscard]] const std::vector<SoughtKind>& kinds() const { return kinds_; }
+  /// The best of a kind, of a valve and of a bend the best of each law, and all load steps.
+  [[nodiscard]] std::vector<Candidate> worth_fitting(const SoughtKind& sought) const;
+
+ private:
+  [[nodiscard]] SoughtKind look_at(EffectKind kind);
+
+  const Round& round_;
+  FirstLooks looks_;
+  std::vector<SoughtKind> kinds_;
+  double best_look_ = 0.0;  ///< of all kinds, n ln
 };
-
-/// The original rows, with the samples around every load step and sudden change of gain of the
-/// structure seen by fit and score.
-[[nodiscard]] LoopData judged_on(const LoopData& original, const Structure& structure);
-
-/// What is worth a full fit, by kind (the valve's two kinds under one): the best of each kind, of a
-/// valve and of a bend the best of each law, and all load steps.
-[[nodiscard]] std::vector<std::vector<Candidate>> find_candidates(const Round& round);
 
 }  // namespace loopscope::core::model

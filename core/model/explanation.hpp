@@ -51,7 +51,8 @@ struct Step {
   double holdout_error_after = 0.0;
   double evidence = 0.0;  ///< n ln(before / after) over the n held-out samples
   double p = 1.0;         ///< that an effect which is not there lowers the held-out error so far
-  double margin = 0.0;    ///< evidence less that of the best rival of another verdict
+  double margin = 0.0;    ///< evidence less that of the best rival of another verdict, or less what
+                          ///< one promised that was not tried
   /// Mean square of the simulation error after the step by that before it; nullopt = not computed.
   std::optional<double> simulation_ratio;
   double steadiness = 1.0;  ///< share of the record's parts in which the effect lowers the error

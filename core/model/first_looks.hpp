@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "core/model/candidates.hpp"
 #include "core/model/fit_variants.hpp"
+#include "core/model/round.hpp"
 
 namespace loopscope::core::model {
 

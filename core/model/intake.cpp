@@ -7,31 +7,31 @@
 
 #include "core/model/asked.hpp"
 #include "core/model/baseline.hpp"
-#include "core/model/candidates.hpp"
 #include "core/model/closer_look.hpp"
 #include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/valve.hpp"
+#include "core/model/round.hpp"
 #include "core/model/simulation_error.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-/// At the price of the winner's search.
-double rival_evidence(const std::vector<Contestant>& trials) {
+/// At the price of the winner's search; of kinds that were passed over, what they promised.
+double rival_evidence(const std::vector<Contestant>& trials, double passed_over) {
   const Contestant& winner = trials.front();
   for (const Contestant& trial : trials) {
     if (!same_cause(trial.kind(), winner.kind()))
-      return std::max(0.0, trial.worth() + winner.price);
+      return std::max(passed_over, trial.worth() + winner.price);
   }
-  return 0.0;
+  return passed_over;
 }
 
 /// All but its fit.
-Chapter chapter_of(const std::vector<Contestant>& trials) {
+Chapter chapter_of(const std::vector<Contestant>& trials, double passed_over) {
   const Contestant& winner = trials.front();
   Chapter chapter;
   chapter.comparison = winner.comparison;
-  chapter.rival_evidence = rival_evidence(trials);
+  chapter.rival_evidence = rival_evidence(trials, passed_over);
   chapter.simulation_ratio = simulation_error(winner.rows, winner.fit.fit) /
                              simulation_error(winner.rows, winner.before.fit);
   chapter.judged = {winner.fit, winner.rows.rows, winner.scored_once()};
@@ -51,11 +51,11 @@ void settle_chapter(const LoopData& rows, Chapter& chapter) {
   }
 }
 
-void add_chapter(const LoopData& original, std::vector<Contestant>& trials, Story& story) {
+void add_chapter(const IntakeTerms& terms, std::vector<Contestant>& trials, Story& story) {
   complete(trials.front());
-  Chapter chapter = chapter_of(trials);
+  Chapter chapter = chapter_of(trials, terms.passed_over);
   const TwinFit& judged = chapter.judged.fit;
-  story.data = judged_on(original, judged.fit.structure);
+  story.data = judged_on(terms.original, judged.fit.structure);
   chapter.fit = reevaluated(story.data, judged);
   settle_chapter(story.data, chapter);
   story.chapters.push_back(std::move(chapter));
@@ -99,20 +99,27 @@ class Intake {
 
   bool run() {
     for (; !trials_.empty() && trials_.front().enters(); trials_.erase(trials_.begin())) {
-      if (!can_come_in()) continue;
-      put_in();
-      while (looks_ < kMostLooks && is_still_asked_for(story_.chapters.back())) {
-        if (!look_again(story_.last().fit)) continue;
-        take_out();
-        put_in();
-      }
-      if (answers_its_tests(trials_.front(), story_.chapters.back())) return true;
-      take_out();
+      const EffectKind kind = trials_.front().kind();
+      if (comes_in()) return true;
+      if (kind == terms_.outdone_by) return false;
     }
     return false;
   }
 
  private:
+  bool comes_in() {
+    if (!can_come_in()) return false;
+    put_in();
+    while (looks_ < kMostLooks && is_still_asked_for(story_.chapters.back())) {
+      if (!look_again(story_.last().fit)) continue;
+      take_out();
+      put_in();
+    }
+    if (answers_its_tests(trials_.front(), story_.chapters.back())) return true;
+    take_out();
+    return false;
+  }
+
   /// With five 0.875 instead of 0.858 of 120 sticking loops are named, in 1.07 of the time.
   static constexpr std::size_t kMostLooks = 3;
 
@@ -129,7 +136,7 @@ class Intake {
   }
 
   void put_in() {
-    add_chapter(terms_.original, trials_, story_);
+    add_chapter(terms_, trials_, story_);
     Chapter& chapter = story_.chapters.back();
     chapter.asked_for = terms_.answers;
     chapter.left = terms_.tests(story_.data, chapter.fit.fit);

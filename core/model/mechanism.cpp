@@ -31,7 +31,7 @@ constexpr std::array<NamedMechanism, kMechanisms> kMechanismNames = {{
     {Mechanism::settled_chapter, "settled_chapter"},
     {Mechanism::multi_step, "multi_step"},
     {Mechanism::share_left, "share_left"},
-    {Mechanism::calm_rows, "calm_rows"},
+    {Mechanism::outdone_skipped, "outdone_skipped"},
 }};
 
 constexpr std::array<Mechanism, kMechanisms> kAllMechanisms = [] {

@@ -30,7 +30,7 @@ enum class Mechanism {
   settled_chapter,   ///< the process once more with the effect in its place
   multi_step,        ///< what an effect explains further ahead (multi_step_error.hpp)
   share_left,        ///< what the tests that asked for an effect still see (story.cpp)
-  calm_rows,         ///< a linear baseline without the rows of an upset
+  outdone_skipped,   ///< effects that promise little beside one tried before (contest.cpp)
 };
 inline constexpr std::size_t kMechanisms = 20;
 
@@ -48,6 +48,7 @@ class Without {
   [[nodiscard]] bool has(Mechanism mechanism) const {
     return !out_.test(static_cast<std::size_t>(mechanism));
   }
+  [[nodiscard]] bool any() const { return out_.any(); }
   /// The residual tests are not heard: in their place stands what they said of another loop.
   void hear_instead(const std::vector<Answer>& others) { others_ = &others; }
   [[nodiscard]] const std::vector<Answer>* others() const { return others_; }

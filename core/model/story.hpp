@@ -19,7 +19,8 @@ struct Judged {
 struct Chapter {
   TwinFit fit;                  ///< with it and all before it
   Comparison comparison;        ///< with it against without it
-  double rival_evidence = 0.0;  ///< of the best effect of another cause in the same round
+  double rival_evidence = 0.0;  ///< of the best effect of another cause in the same round; of such
+                                ///< as were not tried, their promise
   double simulation_ratio = 1.0;
   std::size_t promise_rank = 0;   ///< among what the residual tests asked for; 0 = nobody did
   std::vector<Answer> asked_for;  ///< of the residual tests, before it and after it

@@ -15,12 +15,6 @@ constexpr double kPriceOfAnS = 4.0;
 /// A process has two shapes to choose from, a trim one: about 2 ln 2.
 constexpr double kPriceOfTwoShapes = 1.0;
 
-bool is_bend(const Contestant& trial) {
-  using enum EffectKind;
-  return trial.kind() == valve_saturation || trial.kind() == valve_characteristic ||
-         trial.kind() == process_nonlinearity;
-}
-
 /// One shape that a bend may have, and what it has to gain on another to be believed.
 struct BendShape {
   EffectPtr effect;
@@ -66,12 +60,17 @@ double least_misfit(const LoopData& all, const std::vector<Contestant*>& rivals,
 
 }  // namespace
 
+bool is_bend(EffectKind kind) {
+  using enum EffectKind;
+  return kind == valve_saturation || kind == valve_characteristic || kind == process_nonlinearity;
+}
+
 void tell_bends_apart(const LoopData& data, std::vector<Contestant>& trials) {
   if (!data.without.has(Mechanism::bends_told_apart)) return;
-  if (trials.empty() || !is_bend(trials.front())) return;
+  if (trials.empty() || !is_bend(trials.front().kind())) return;
   std::vector<Contestant*> rivals;
   for (Contestant& trial : trials) {
-    if (is_bend(trial) && trial.enters()) rivals.push_back(&trial);
+    if (is_bend(trial.kind()) && trial.enters()) rivals.push_back(&trial);
   }
   if (rivals.size() < 2) return;
   const LoopData all = seen_whole(data);

@@ -2,11 +2,14 @@
 
 #include <vector>
 
-#include "core/model/contest.hpp"
+#include "core/model/contestant.hpp"
 
 namespace loopscope::core::model {
 
-/// Puts the likeliest of a valve that stops short, a curved valve and a curved process first, where
+/// A valve that stops short, a curved valve or a curved process.
+[[nodiscard]] bool is_bend(EffectKind kind);
+
+/// Puts the likeliest of the bends first, where
 /// one of them leads; only those come into question that would be taken in alone. At rest they are
 /// nearly the same, and what tells them apart is how pv goes from one level to the next, a few
 /// percent of the rows. So they are compared on all rows, fitted jointly, and not on rows held out:

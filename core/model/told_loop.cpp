@@ -34,6 +34,17 @@ bool fittable(const ModelInput& input) {
   return both >= kFewestForModel && varies(input.pv) && varies(input.op);
 }
 
+/// pv rests but for fewer changes than a linear loop has parameters: those are no answer to op, and
+/// what a fit leaves everywhere else is rounding.
+bool rests(std::span<const double> pv) {
+  constexpr int kParameters = 12;  // two taps, delay, two poles, offset, six of the noise
+  int changes = 0;
+  for (std::size_t k = 1; k < pv.size(); ++k) {
+    if (std::isfinite(pv[k]) && std::isfinite(pv[k - 1]) && pv[k] != pv[k - 1]) ++changes;
+  }
+  return changes < kParameters;
+}
+
 /// `fewest` rows of each kind.
 bool has_rows(const Look& look, std::size_t fewest) {
   const Rows& rows = look.story.data.rows;
@@ -109,7 +120,8 @@ std::optional<ToldLoop> tell_loop(const ModelInput& input) {
   if (!told) {
     // Of a held sensor with few renewals nothing but the hold is claimed: samples in between follow
     // no loop.
-    Explanation explanation = sensor.renewed() ? tell_linear(look) : tell_story(look);
+    const bool linear_only = sensor.renewed() || rests(input.pv);
+    Explanation explanation = linear_only ? tell_linear(look) : tell_story(look);
     told = ToldLoop{std::move(explanation), std::move(look.story), std::nullopt};
     if (sensor.hold) add_first(*sensor.hold, told->explanation);
   }

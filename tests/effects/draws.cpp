@@ -4,8 +4,7 @@
 #include <chrono>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "core/diagnosis/loop_model.hpp"
-#include "core/model/look.hpp"
+#include "tests/effects/residual_tests.hpp"
 #include "tests/effects/window_of.hpp"
 #include "tests/support/in_threads.hpp"
 
@@ -19,13 +18,6 @@ const core::model::Explanation* model_of(const Evidence& evidence) {
     return evidence.model ? &*evidence.model : nullptr;
   else
     return nullptr;
-}
-
-std::vector<core::model::Answer> answers_of(const std::string& kind, std::uint64_t seed,
-                                            const Plan& plan) {
-  const Record record = generate(kind, seed, plan.size, plan.noise);
-  const core::FirstLook first = core::first_look(window_of(record, record.interval_s), {});
-  return core::model::look_at(core::model_input(first, {.seed = seed})).answers;
 }
 
 /// Of the plan, two places on, round to the first one.

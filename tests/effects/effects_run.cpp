@@ -3,6 +3,7 @@
 #include "tests/effects/dump.hpp"
 #include "tests/effects/field_draws.hpp"
 #include "tests/effects/options.hpp"
+#include "tests/effects/residual_tests.hpp"
 #include "tests/effects/summary.hpp"
 #include "tests/support/command_words.hpp"
 
@@ -40,6 +41,10 @@ void run(const effects::Options& options) {
   }
   if (options.list) return list_kinds();
   if (!options.dump_kind.empty()) return dump(options);
+  if (options.residual_tests) {
+    std::cout << effects::passing_table(options.plan);
+    return;
+  }
   if (options.field) {
     std::cout << lines_of(effects::field_draws(options.plan));
     return;

@@ -32,6 +32,8 @@ class Reader {
       options_.json = true;
     else if (word == "--records")
       options_.records = true;
+    else if (word == "--residual-tests")
+      options_.residual_tests = true;
     else if (word == "--field")
       options_.field = true;
     else if (word == "--recordings")
@@ -39,7 +41,7 @@ class Reader {
     else if (word == "--permuted")
       options_.plan.permuted = true;
     else if (word == "--without")
-      leave_out(words_.value(word));
+      options_.plan.without.leave_out(read_mechanism(words_.value(word)));
     else if (word == "--noise")
       read_noise(words_.value(word));
     else if (word == "--faint")
@@ -75,12 +77,18 @@ class Reader {
 
   /// Field records and recordings have loops, noise and effects of their own.
   void refuse_what_is_not_heard() const {
+    if (options_.residual_tests && (options_.json || options_.records || options_.plan.permuted ||
+                                    options_.plan.without.any()))
+      throw WrongUsage(
+          "--residual-tests goes with --seed, --draws, --threads, --kinds, --noise and --faint "
+          "only");
     if (options_.field && !options_.manifest.empty())
       throw WrongUsage("--field and --recordings exclude each other");
     if (!options_.field && options_.manifest.empty()) return;
     const Plan& plan = options_.plan;
-    if (!plan.kinds.empty() || plan.noise != NoiseFamily::gaussian || plan.permuted ||
-        plan.size != Size::realistic || options_.json || !options_.dump_kind.empty())
+    if (options_.residual_tests || !plan.kinds.empty() || plan.noise != NoiseFamily::gaussian ||
+        plan.permuted || plan.size != Size::realistic || options_.json ||
+        !options_.dump_kind.empty())
       throw WrongUsage(
           "--field and --recordings go with --seed, --draws, --threads and --without only");
   }
@@ -89,12 +97,6 @@ class Reader {
     const auto noise = noise_family_of(family);
     if (!noise) throw WrongUsage("no noise " + family + ": gaussian, t5, bursts or garch");
     options_.plan.noise = *noise;
-  }
-
-  void leave_out(const std::string& name) {
-    const auto mechanism = core::model::mechanism_of(name);
-    if (!mechanism) throw WrongUsage("no mechanism " + name + " (--list shows them)");
-    options_.plan.without.leave_out(*mechanism);
   }
 
   void read_dump(const std::string& word) {
@@ -109,6 +111,12 @@ class Reader {
 
 }  // namespace
 
+core::model::Mechanism read_mechanism(const std::string& name) {
+  const auto mechanism = core::model::mechanism_of(name);
+  if (!mechanism) throw WrongUsage("no mechanism " + name + " (effects_run --list shows them)");
+  return *mechanism;
+}
+
 Options read_options(const std::vector<std::string>& words) {
   return Reader(words).read();
 }
@@ -122,6 +130,8 @@ std::string usage() {
          "    interval_s, samples, label (stiction or no_stiction); files (t_s,sp,pv,op) lie "
          "beside "
          "it\n"
+         "effects_run --residual-tests [--seed N] [--draws M] [--kinds A,B] [--noise FAMILY]\n"
+         "    in how many of 100 draws each residual test of the linear loop passes at 0.01\n"
          "effects_run --dump KIND SEED FILE.csv [--with-mv] [--faint]    one record, truth on "
          "standard error\n"
          "effects_run --list                                   kinds of records, mechanisms\n"

@@ -12,7 +12,8 @@ struct Options {
   bool help = false;
   bool list = false;
   bool json = false;
-  bool records = false;  ///< a line of JSON for each draw instead of the summary
+  bool records = false;         ///< a line of JSON for each draw instead of the summary
+  bool residual_tests = false;  ///< how often each passes, instead of diagnoses
   Plan plan;
   std::string dump_kind;  ///< not empty: write one record instead of running draws
   std::uint64_t dump_seed = 0;
@@ -24,6 +25,9 @@ struct Options {
 
 /// `words` = without the program's name. Throws WrongUsage.
 [[nodiscard]] Options read_options(const std::vector<std::string>& words);
+
+/// A word of --without. Throws WrongUsage.
+[[nodiscard]] core::model::Mechanism read_mechanism(const std::string& name);
 
 [[nodiscard]] std::string usage();
 

@@ -41,8 +41,16 @@ TEST(EffectsOptions, FieldRecordsAndRecordingsHearNothingOfKindsAndNoise) {
                                                        {"--recordings", "list.csv", "--faint"},
                                                        {"--field", "--permuted"},
                                                        {"--field", "--json"},
+                                                       {"--field", "--residual-tests"},
                                                        {"--field", "--recordings", "list.csv"}};
   for (const auto& words : wrong) EXPECT_THROW((void)read_options(words), WrongUsage) << words[1];
+}
+
+TEST(EffectsOptions, ResidualTestsHearNothingOfTheSearch) {
+  EXPECT_TRUE(read_options({"--residual-tests", "--kinds", "tight"}).residual_tests);
+  for (const char* more : {"--json", "--records", "--permuted"})
+    EXPECT_THROW((void)read_options({"--residual-tests", more}), WrongUsage) << more;
+  EXPECT_THROW((void)read_options({"--residual-tests", "--without", "play_net"}), WrongUsage);
 }
 
 TEST(EffectsOptions, RefusesWhatItDoesNotKnow) {

@@ -27,9 +27,10 @@ std::size_t tests_of(const core::Diagnosis& diagnosis) {
 
 }  // namespace
 
-DiagnosedLoop diagnose_loop(const PlantLoop& loop) {
+DiagnosedLoop diagnose_loop(const PlantLoop& loop, const core::model::Without& without) {
   const effects::Record record = record_of(loop);
-  const core::LoopFacts facts{.integrating = record.truth.loop.integrating, .seed = loop.seed};
+  const core::LoopFacts facts{
+      .integrating = record.truth.loop.integrating, .seed = loop.seed, .without = without};
   const core::Diagnosis diagnosis =
       core::diagnose(effects::window_of(record, record.interval_s), {}, facts);
   DiagnosedLoop diagnosed{std::string(name(diagnosis.verdict.code)),
@@ -43,9 +44,11 @@ DiagnosedLoop diagnose_loop(const PlantLoop& loop) {
   return diagnosed;
 }
 
-std::vector<DiagnosedLoop> diagnose_plant(const std::vector<PlantLoop>& plant, unsigned threads) {
+std::vector<DiagnosedLoop> diagnose_plant(const std::vector<PlantLoop>& plant, unsigned threads,
+                                          const core::model::Without& without) {
   std::vector<DiagnosedLoop> all(plant.size());
-  in_threads(plant.size(), threads, [&](std::size_t k) { all[k] = diagnose_loop(plant[k]); });
+  in_threads(plant.size(), threads,
+             [&](std::size_t k) { all[k] = diagnose_loop(plant[k], without); });
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/mechanism.hpp"
 #include "tests/plants/plant.hpp"
 
 namespace loopscope::tests::plants {
@@ -19,10 +20,12 @@ struct DiagnosedLoop {
   std::vector<std::string> steps;
 };
 
-[[nodiscard]] DiagnosedLoop diagnose_loop(const PlantLoop& loop);
+[[nodiscard]] DiagnosedLoop diagnose_loop(const PlantLoop& loop,
+                                          const core::model::Without& without = {});
 
 /// Every loop, in order; the same for any number of threads. Throws what a loop throws.
 [[nodiscard]] std::vector<DiagnosedLoop> diagnose_plant(const std::vector<PlantLoop>& plant,
-                                                        unsigned threads);
+                                                        unsigned threads,
+                                                        const core::model::Without& without = {});
 
 }  // namespace loopscope::tests::plants

@@ -19,7 +19,7 @@ void diagnose(const plants::Options& options) {
   std::vector<plants::SeedScore> scores;
   for (std::uint64_t seed = options.seed; seed < options.seed + options.plants; ++seed) {
     const auto plant = plants::draw_plant(seed, options.size);
-    const auto diagnosed = plants::diagnose_plant(plant, options.threads);
+    const auto diagnosed = plants::diagnose_plant(plant, options.threads, options.without);
     scores.push_back(
         {seed, plants::score(plant, plants::flags_of(plant, diagnosed, options.rule))});
   }

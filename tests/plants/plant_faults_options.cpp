@@ -4,6 +4,7 @@
 #include <map>
 #include <thread>
 
+#include "tests/effects/options.hpp"
 #include "tests/support/command_words.hpp"
 
 namespace loopscope::tests::plants {
@@ -51,6 +52,8 @@ void set_number(Options& options, const std::string& option, std::uint64_t value
 void set(Options& options, const std::string& option, CommandWords& words) {
   if (option == "--rate")
     options.rule.false_discovery_rate = rate(words, option);
+  else if (option == "--without")
+    options.without.leave_out(effects::read_mechanism(words.value(option)));
   else
     set_number(options, option, words.number<std::uint64_t>(option, "a whole number"));
 }
@@ -72,13 +75,17 @@ Options read_options(const std::vector<std::string>& words) {
       set(options, word, left);
   }
   if (options.size.faulty > options.size.loops) throw WrongUsage("more --faulty than --loops");
+  if (options.without.any() && options.task != Task::diagnose && options.task != Task::help)
+    throw WrongUsage("--without goes with diagnosing only");
   return options;
 }
 
 std::string usage() {
-  return "plant_faults [--seed N] [--plants M] [--threads T] [--rate Q] [--json]\n"
+  return "plant_faults [--seed N] [--plants M] [--threads T] [--rate Q] [--without MECHANISM]\n"
+         "             [--json]\n"
          "    diagnoses the plants of seeds N to N + M - 1 in memory and scores their flags;\n"
-         "    --rate: share of the flags that may be false, else the default of the settings\n"
+         "    --rate: share of the flags that may be false, else the default of the settings;\n"
+         "    --without: a part of the model's search left out\n"
          "plant_faults --seed N --history|--earlier-history --end SECONDS   rows for COPY\n"
          "plant_faults --seed N --catalogue|--earlier-catalogue             CSV for loops load\n"
          "plant_faults --seed N --score [--json]        scores \"NAME VERDICT\" lines read\n"

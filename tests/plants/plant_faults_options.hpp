@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/mechanism.hpp"
 #include "tests/plants/flags.hpp"
 #include "tests/plants/plant.hpp"
 
@@ -17,6 +18,7 @@ struct Options {
   std::size_t plants = 1;
   PlantSize size;
   FlagRule rule;
+  core::model::Without without;  ///< parts of the model's search
   unsigned threads = 1;
   std::int64_t end_us = 0;  ///< time of the newest sample
   bool json = false;

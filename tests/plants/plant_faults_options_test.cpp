@@ -17,6 +17,9 @@ TEST(PlantFaultsOptions, AreReadInAnyOrder) {
   EXPECT_EQ(options.size.faulty, 25U);
   EXPECT_TRUE(options.json);
   EXPECT_EQ(read_options({"--rate", "0.02"}).rule.false_discovery_rate, 0.02);
+  const Options without = read_options({"--without", "play_net"});
+  EXPECT_FALSE(without.without.has(core::model::Mechanism::play_net));
+  EXPECT_TRUE(without.without.has(core::model::Mechanism::stem_search));
 }
 
 TEST(PlantFaultsOptions, WrongWordsAreNamed) {
@@ -26,6 +29,8 @@ TEST(PlantFaultsOptions, WrongWordsAreNamed) {
                                                 {"plant"},
                                                 {"--rate", "0"},
                                                 {"--rate", "much"},
+                                                {"--without", "luck"},
+                                                {"--score", "--without", "play_net"},
                                                 {"--loops", "3"}})
     EXPECT_THROW(static_cast<void>(read_options(words)), WrongUsage) << words.front();
 }

@@ -34,6 +34,18 @@ std::optional<Centred> centred(std::span<const double> signal, std::size_t fewes
   return result;
 }
 
+std::vector<double> high_passed(std::span<const double> signal) {
+  std::vector<double> result(signal.size(), std::numeric_limits<double>::quiet_NaN());
+  double mean = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t k = 0; k < signal.size(); ++k) {
+    if (!std::isfinite(signal[k])) continue;
+    if (std::isnan(mean)) mean = signal[k];
+    result[k] = signal[k] - mean;
+    mean += result[k] / kMemorySamples;
+  }
+  return result;
+}
+
 std::vector<double> sorted_finite(std::span<const double> signal) {
   std::vector<double> sorted;
   for (const double value : signal)

@@ -19,6 +19,15 @@ struct Centred {
 /// nullopt when fewer than `fewest` samples are finite or they do not vary beyond rounding.
 [[nodiscard]] std::optional<Centred> centred(std::span<const double> signal, std::size_t fewest);
 
+/// Samples over which high_passed() forgets. op answers to past residuals, so that a feature of op
+/// that wanders slower than the record is long enough for does not average out
+/// (README.questions.md); what a valve or a bend does within a few dozen samples of a move is kept.
+inline constexpr double kMemorySamples = 40.0;
+
+/// signal(k) less its exponential mean before k: what the past alone decides, as the tests that
+/// regress on it need. Missing samples stay NaN.
+[[nodiscard]] std::vector<double> high_passed(std::span<const double> signal);
+
 /// The finite samples, ascending.
 [[nodiscard]] std::vector<double> sorted_finite(std::span<const double> signal);
 

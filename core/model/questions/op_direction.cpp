@@ -55,7 +55,8 @@ std::optional<Answer> ask_op_direction(const Questioned& questioned) {
   std::vector<Centred> lags;
   std::vector<double> widths;
   for (const double share : kFilterWidths) {
-    auto lag = centred(lag_of_play(questioned.view.op_percent, share * usual), kFewestAsked);
+    auto lag =
+        centred(high_passed(lag_of_play(questioned.view.op_percent, share * usual)), kFewestAsked);
     if (!lag) continue;
     widths.push_back(share * usual);
     lags.push_back(std::move(*lag));

@@ -19,7 +19,7 @@ template <class Map>
 double p_of(const Questioned& questioned, Map map) {
   std::vector<double> mapped(questioned.view.op_percent.begin(), questioned.view.op_percent.end());
   for (double& value : mapped) value = map(value);
-  const std::optional<Centred> feature = centred(mapped, kFewestAsked);
+  const std::optional<Centred> feature = centred(high_passed(mapped), kFewestAsked);
   if (!feature) return 1.0;
   LaggedColumns columns(mapped.size());
   columns.add(feature->values, Questioned::kOpLags);

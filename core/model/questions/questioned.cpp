@@ -20,8 +20,9 @@ void check(const ResidualView& view) {
 }
 
 /// Each sample of a few, then further apart.
-constexpr std::array kPastLags = {1, 2, 3, 4, 5, 6, 8, 10};
-constexpr std::array kLinearOpLags = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 14, 16, 20};
+constexpr std::array kPastLags = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 20, 25, 30};
+constexpr std::array kLinearOpLags = {1,  2,  3,  4,  5,  6,  7,  8,  9, 10,
+                                      11, 12, 14, 16, 20, 25, 30, 40, 60};
 
 /// A missing sample stays 0.
 Centred fresh_of(const Questioned& questioned) {

@@ -16,7 +16,7 @@ std::optional<Centred> square_of(const Questioned& questioned) {
     const double deviation = (x - questioned.response->mean) / questioned.response->std;
     x = deviation * deviation;
   }
-  return centred(square, kFewestAsked);
+  return centred(high_passed(square), kFewestAsked);
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ std::optional<Answer> ask_response_level(const Questioned& questioned) {
   linear.add(questioned.response->values, kResponseLags);
   LaggedColumns columns(square->values.size());
   columns.add(square->values, kResponseLags);
-  const Eigen::MatrixXd known = orthonormal(linear, questioned.recorded);
+  const Eigen::MatrixXd known = orthonormal(questioned.linear_past, linear, questioned.recorded);
   const Score score =
       score_test(without(known, questioned.residual.values), columns, known, questioned.recorded);
   if (score.freedom == 0) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/hos/symmetric_eigen.hpp"
 #include "core/model/questions/tails.hpp"
@@ -22,6 +23,9 @@ MatrixXd gram(const MatrixXd& columns) {
   product.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
   return product;
 }
+
+/// Share of a column's squared length below which nothing but rounding is left of it.
+constexpr double kVanished = 1e-12;
 
 /// Rows that are worked on at a time: twenty columns of them stay in the processor's cache.
 constexpr Index kBlock = 256;
@@ -53,17 +57,18 @@ struct ScoreSums {
 
 /// One over the length of each column; 0 where nothing is left of it.
 VectorXd scales(const ScoreSums& sums) {
-  constexpr double kVanished = 1e-12;
   VectorXd scale(sums.after.size());
   for (Index j = 0; j < scale.size(); ++j)
     scale[j] = sums.after[j] > kVanished * sums.before[j] ? 1.0 / std::sqrt(sums.after[j]) : 0.0;
   return scale;
 }
 
-Score quadratic_form(const ScoreSums& sums) {
+/// `free` = share of the rows that the known columns leave: r is what a fit of them left, whose
+/// squares are too small by that.
+Score quadratic_form(const ScoreSums& sums, double free) {
   const VectorXd scale = scales(sums);
   const VectorXd score = scale.cwiseProduct(sums.score);
-  const MatrixXd variance = scale.asDiagonal() * sums.variance * scale.asDiagonal();
+  const MatrixXd variance = scale.asDiagonal() * sums.variance * scale.asDiagonal() / free;
   Score result;
   result.t = VectorXd::Zero(score.size());
   for (Index j = 0; j < score.size(); ++j)
@@ -80,6 +85,21 @@ Score quadratic_form(const ScoreSums& sums) {
   }
   if (result.freedom > 0) result.p = chi_square_upper(statistic, result.freedom);
   return result;
+}
+
+/// The directions that the columns span, each of length 1.
+MatrixXd orthonormalised(MatrixXd weighted) {
+  for (Index j = 0; j < weighted.cols(); ++j) weighted.col(j).stableNormalize();
+  const hos::SymmetricEigen eigen = hos::symmetric_eigen(gram(weighted));
+  const double largest = eigen.values.tail(1)[0];
+  MatrixXd turn(weighted.cols(), 0);
+  for (Index j = 0; j < weighted.cols(); ++j) {
+    const double value = eigen.values[j];
+    if (!(value > kRankTolerance * largest)) continue;
+    turn.conservativeResize(Eigen::NoChange, turn.cols() + 1);
+    turn.rightCols(1) = eigen.vectors.col(j) / std::sqrt(value);
+  }
+  return weighted * turn;
 }
 
 }  // namespace
@@ -105,17 +125,22 @@ MatrixXd orthonormal(const LaggedColumns& columns, const Eigen::ArrayXd& weights
   weighted.col(0) = weights.matrix();
   weighted.rightCols(columns.columns()) =
       weights.matrix().asDiagonal() * columns.block(0, columns.rows());
-  for (Index j = 0; j < weighted.cols(); ++j) weighted.col(j).stableNormalize();
-  const hos::SymmetricEigen eigen = hos::symmetric_eigen(gram(weighted));
-  const double largest = eigen.values.tail(1)[0];
-  MatrixXd turn(weighted.cols(), 0);
-  for (Index j = 0; j < weighted.cols(); ++j) {
-    const double value = eigen.values[j];
-    if (!(value > kRankTolerance * largest)) continue;
-    turn.conservativeResize(Eigen::NoChange, turn.cols() + 1);
-    turn.rightCols(1) = eigen.vectors.col(j) / std::sqrt(value);
-  }
-  return weighted * turn;
+  return orthonormalised(std::move(weighted));
+}
+
+MatrixXd orthonormal(const MatrixXd& known, const LaggedColumns& columns,
+                     const Eigen::ArrayXd& weights) {
+  MatrixXd rest = weights.matrix().asDiagonal() * columns.block(0, columns.rows());
+  const VectorXd before = rest.colwise().squaredNorm();
+  rest -= known * (known.transpose() * rest);
+  for (Index j = 0; j < rest.cols(); ++j)
+    if (rest.col(j).squaredNorm() <= kVanished * before[j]) rest.col(j).setZero();
+  MatrixXd more = orthonormalised(std::move(rest));
+  // Of a column that is nearly known, little is left, and rounding in it.
+  more -= known * (known.transpose() * more);
+  MatrixXd result(known.rows(), known.cols() + more.cols());
+  result << known, more;
+  return result;
 }
 
 VectorXd without(const MatrixXd& known, std::span<const double> residual) {
@@ -140,7 +165,7 @@ Score score_test(const VectorXd& residual, const LaggedColumns& columns, const M
     z.noalias() -= known.middleRows(row, rows) * explained;
     sums.add(z, residual.segment(row, rows));
   });
-  return quadratic_form(sums);
+  return quadratic_form(sums, 1.0 - static_cast<double>(known.cols()) / weights.sum());
 }
 
 }  // namespace loopscope::core::model

@@ -34,6 +34,11 @@ class LaggedColumns {
 [[nodiscard]] Eigen::MatrixXd orthonormal(const LaggedColumns& columns,
                                           const Eigen::ArrayXd& weights);
 
+/// The same with a basis that is there already, followed by what the columns span beyond it.
+[[nodiscard]] Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& known,
+                                          const LaggedColumns& columns,
+                                          const Eigen::ArrayXd& weights);
+
 /// The residual less what `known` explains of it; it holds 0 where the weight of `known` was 0.
 [[nodiscard]] Eigen::VectorXd without(const Eigen::MatrixXd& known,
                                       std::span<const double> residual);
@@ -49,9 +54,11 @@ struct Score {
 ///
 ///     s' V^-1 s ~ chi-square, rank V degrees of freedom
 ///
-/// z less what `known` (from orthonormal(), with the same weights) explains of it; r comes from
-/// without(). One sample can never add more than its own share: outliers do not make
-/// it reject.
+/// with V times n / (n - columns of `known`), n recorded rows (MacKinnon and White 1985, HC1).
+///
+/// Here z is less what `known` (from orthonormal(), with the same weights) explains of it; r comes
+/// from without(). One sample can never add more than its own share: outliers do not make it
+/// reject.
 [[nodiscard]] Score score_test(const Eigen::VectorXd& residual, const LaggedColumns& columns,
                                const Eigen::MatrixXd& known, const Eigen::ArrayXd& weights);
 

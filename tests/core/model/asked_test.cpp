@@ -1,5 +1,6 @@
 #include "core/model/asked.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace loopscope::core::model {
@@ -24,6 +25,13 @@ TEST(Asked, TheMostSignificantPromisesMost) {
   EXPECT_EQ(asked.rank(EffectKind::external_oscillation), 1U);
   EXPECT_EQ(asked.rank(EffectKind::valve_stiction), 2U);
   EXPECT_EQ(asked.nominations(EffectKind::external_oscillation).size(), 1U);
+}
+
+TEST(Asked, APromiseIsTheEvidenceThatTheTestComesTo) {
+  const Asked asked(two_tests());
+  EXPECT_NEAR(asked.promise(EffectKind::valve_deadband), -2.0 * std::log(1e-4), 1e-12);
+  EXPECT_NEAR(asked.promise(EffectKind::external_oscillation), -2.0 * std::log(1e-9), 1e-12);
+  EXPECT_EQ(asked.promise(EffectKind::gain_change), 0.0);
 }
 
 /// The two are one search, told apart by the jump that it ends with.

@@ -23,10 +23,10 @@ LoopData changed(double level, double part, std::uint64_t seed) {
   return make_loop_data(tests::process_record(kShape, 1.5, op, rest), op, 1.0);
 }
 
-std::vector<Contestant> first_contest(const LoopData& data) {
+Contest first_contest(const LoopData& data, Reach reach = Reach::promising) {
   const Story story = begin_story(data);
   const Asked asked = tests::everything_asked();
-  return hold_contest({story.data, story.data, story.last(), asked, false});
+  return hold_contest({story.data, story.data, story.last(), asked, false, reach});
 }
 
 bool among(const std::vector<Contestant>& entries, EffectKind kind) {
@@ -36,7 +36,7 @@ bool among(const std::vector<Contestant>& entries, EffectKind kind) {
 
 TEST(Contest, ALoadThatMovesIsNoChangeOfGain) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const auto entries = first_contest(changed(12.0, 0.0, seed));
+    const auto entries = first_contest(changed(12.0, 0.0, seed)).trials;
     EXPECT_TRUE(among(entries, EffectKind::load_step)) << seed;
     EXPECT_FALSE(among(entries, EffectKind::gain_change)) << seed;
   }
@@ -44,11 +44,29 @@ TEST(Contest, ALoadThatMovesIsNoChangeOfGain) {
 
 TEST(Contest, AChangeOfGainTakesItsLevelWithIt) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const auto entries = first_contest(changed(12.0, 0.6, seed));
+    const auto entries = first_contest(changed(12.0, 0.6, seed)).trials;
     ASSERT_FALSE(entries.empty());
     EXPECT_EQ(entries.front().kind(), EffectKind::gain_change) << seed;
     EXPECT_TRUE(entries.front().enters()) << seed;
   }
+}
+
+TEST(Contest, WhatAnEarlierTrialOutdoesIsPassedOver) {
+  const LoopData data = changed(40.0, 0.0, 1);
+  const Contest promising = first_contest(data), all = first_contest(data, Reach::asked);
+  EXPECT_EQ(promising.outdone_by, EffectKind::load_step);
+  EXPECT_GT(promising.passed_over, 0.0);
+  EXPECT_FALSE(all.outdone_by);
+  ASSERT_FALSE(promising.trials.empty());
+  EXPECT_LT(promising.trials.size(), all.trials.size());
+  EXPECT_EQ(promising.trials.front().kind(), all.trials.front().kind());
+  EXPECT_EQ(promising.trials.front().worth(), all.trials.front().worth());
+}
+
+TEST(Contest, WithoutThatMechanismEverythingIsTried) {
+  LoopData data = changed(40.0, 0.0, 1);
+  data.without.leave_out(Mechanism::outdone_skipped);
+  EXPECT_FALSE(first_contest(data).outdone_by);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "core/model/contest.hpp"
 #include "core/model/story.hpp"
 #include "tests/core/model/everything_asked.hpp"
 #include "tests/core/model/model_records.hpp"
@@ -52,7 +53,7 @@ tests::Series through_process(const tests::Series& op, std::uint64_t seed) {
 std::vector<Contestant> contest(const tests::Series& pv, const tests::Series& op) {
   const Story story = begin_story(make_loop_data(pv, op, 1.0));
   const Asked asked = tests::everything_asked();
-  return hold_contest({story.data, story.data, story.last(), asked, false});
+  return hold_contest({story.data, story.data, story.last(), asked}).trials;
 }
 
 template <class Make>

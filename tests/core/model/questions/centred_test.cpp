@@ -25,6 +25,16 @@ TEST(Centred, ConstantShortAndEmptySignalsAreNone) {
   EXPECT_FALSE(centred({}, 0));
 }
 
+TEST(Centred, HighPassedIsWhatThePastDidNotForetell) {
+  const std::vector<double> step = high_passed(std::vector{5.0, 5.0, 6.0, 6.0, kMissing, 6.0});
+  EXPECT_EQ(step[0], 0.0);
+  EXPECT_EQ(step[1], 0.0);
+  EXPECT_EQ(step[2], 1.0);
+  EXPECT_NEAR(step[3], 1.0 - 1.0 / kMemorySamples, 1e-12);
+  EXPECT_TRUE(std::isnan(step[4]));
+  EXPECT_NEAR(step[5], step[3] * step[3], 1e-12);
+}
+
 TEST(Centred, IncrementsOfAGapAreMissing) {
   const std::vector<double> moves = increments(std::vector{1.0, 3.0, kMissing, 4.0});
   EXPECT_TRUE(std::isnan(moves[0]) && std::isnan(moves[2]) && std::isnan(moves[3]));
