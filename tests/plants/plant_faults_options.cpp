@@ -13,7 +13,7 @@ namespace {
 using Task = Options::Task;
 
 const std::map<std::string, Task>& tasks() {
-  static const std::map<std::string, Task> kTasks = {
+  static const std::map<std::string, Task> known = {
       {"--help", Task::help},
       {"--history", Task::history},
       {"--earlier-history", Task::earlier_history},
@@ -21,7 +21,7 @@ const std::map<std::string, Task>& tasks() {
       {"--earlier-catalogue", Task::earlier_catalogue},
       {"--score", Task::score},
   };
-  return kTasks;
+  return known;
 }
 
 double rate(CommandWords& words, const std::string& option) {

@@ -16,41 +16,41 @@ class IntakeOfTrials : public testing::Test {
  protected:
   void SetUp() override {
     const Asked asked = tests::everything_asked();
-    trials_ =
-        hold_contest({story_.data, story_.data, story_.last(), asked, false, Reach::asked}).trials;
-    ASSERT_GE(trials_.size(), 2U);
-    ASSERT_TRUE(trials_[1].enters());
-    leader_ = trials_.front().kind();
-    said_ = {{{"a test", 1e-30, "saw something"}, {{.effect = leader_, .p = 1e-30}}}};
+    trials =
+        hold_contest({story.data, story.data, story.last(), asked, false, Reach::asked}).trials;
+    ASSERT_GE(trials.size(), 2U);
+    ASSERT_TRUE(trials[1].enters());
+    leader = trials.front().kind();
+    said = {{{"a test", 1e-30, "saw something"}, {{.effect = leader, .p = 1e-30}}}};
   }
   bool take(std::optional<EffectKind> outdone_by, double passed_over = 0.0) {
-    const ResidualTests tests = [&](const LoopData&, const Fit&) { return said_; };
-    return take_in(trials_, {original_, tests, said_, outdone_by, passed_over}, story_);
+    const ResidualTests tests = [&](const LoopData&, const Fit&) { return said; };
+    return take_in(trials, {original, tests, said, outdone_by, passed_over}, story);
   }
 
-  const simulate::LoopRecord record_ = simulate::simulate_scenario("worn_valve", {}, 1);
-  const LoopData original_ = make_loop_data(record_.pv, record_.op, record_.sample_interval_s);
-  Story story_ = begin_story(original_);
-  std::vector<Contestant> trials_;
-  EffectKind leader_ = EffectKind::load_step;
-  std::vector<Answer> said_;
+  const simulate::LoopRecord record = simulate::simulate_scenario("worn_valve", {}, 1);
+  const LoopData original = make_loop_data(record.pv, record.op, record.sample_interval_s);
+  Story story = begin_story(original);
+  std::vector<Contestant> trials;
+  EffectKind leader = EffectKind::load_step;
+  std::vector<Answer> said;
 };
 
 TEST_F(IntakeOfTrials, BehindARefusedTrialTheNextOneEnters) {
   EXPECT_TRUE(take(std::nullopt));
-  ASSERT_EQ(story_.chapters.size(), 1U);
-  EXPECT_NE(story_.chapters.front().kind(), leader_);
+  ASSERT_EQ(story.chapters.size(), 1U);
+  EXPECT_NE(story.chapters.front().kind(), leader);
 }
 
 TEST_F(IntakeOfTrials, ButNotWhereTheRefusedOneLetOthersBePassedOver) {
-  EXPECT_FALSE(take(leader_));
-  EXPECT_TRUE(story_.chapters.empty());
+  EXPECT_FALSE(take(leader));
+  EXPECT_TRUE(story.chapters.empty());
 }
 
 TEST_F(IntakeOfTrials, WhatWasPassedOverIsARivalByItsPromise) {
-  const double promise = trials_[1].comparison.evidence;
+  const double promise = trials[1].comparison.evidence;
   ASSERT_TRUE(take(std::nullopt, promise));
-  EXPECT_GE(story_.chapters.front().rival_evidence, promise);
+  EXPECT_GE(story.chapters.front().rival_evidence, promise);
 }
 
 }  // namespace
