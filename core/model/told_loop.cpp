@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "core/model/look.hpp"
 #include "core/model/renewed_record.hpp"
 #include "core/model/sensor_steps.hpp"
+#include "core/signal/median.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::model {
@@ -34,15 +37,17 @@ bool fittable(const ModelInput& input) {
   return both >= kFewestForModel && varies(input.pv) && varies(input.op);
 }
 
-/// pv rests but for fewer changes than a linear loop has parameters: those are no answer to op, and
-/// what a fit leaves everywhere else is rounding.
+/// pv stands at one value but for fewer samples than a linear loop has parameters: those are no
+/// answer to op, and what a fit leaves everywhere else is rounding.
 bool rests(std::span<const double> pv) {
-  constexpr int kParameters = 12;  // two taps, delay, two poles, offset, six of the noise
-  int changes = 0;
-  for (std::size_t k = 1; k < pv.size(); ++k) {
-    if (std::isfinite(pv[k]) && std::isfinite(pv[k - 1]) && pv[k] != pv[k - 1]) ++changes;
-  }
-  return changes < kParameters;
+  constexpr std::ptrdiff_t kParameters =
+      12;  // two taps, delay, two poles, offset, six of the noise
+  std::vector<double> recorded;
+  std::ranges::copy_if(pv, std::back_inserter(recorded),
+                       [](double value) { return std::isfinite(value); });
+  const double usual = signal::median(recorded);
+  return std::ranges::count_if(recorded, [&](double value) { return value != usual; }) <
+         kParameters;
 }
 
 /// `fewest` rows of each kind.
