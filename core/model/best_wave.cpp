@@ -28,8 +28,12 @@ double price_of(const ExternalOscillation& wave, double rows) {
   return (constant - 2.0) * std::log(rows) + (all - constant) * kPriceOfAKnot;
 }
 
+double misfit(double error, double rows, const EffectPtr& wave) {
+  return rows * std::log(error) + price_of(as_wave(wave), rows);
+}
+
 PricedWave priced(const FitVariants& variants, double rows, const EffectPtr& wave) {
-  return {wave, rows * std::log(variants.fit_error(wave)) + price_of(as_wave(wave), rows)};
+  return {wave, misfit(variants.fit_error(wave), rows, wave)};
 }
 
 double added_columns(const PricedWave& few, const PricedWave& many) {
@@ -69,6 +73,18 @@ void take_best_net(const FitVariants& variants, double rows, const std::vector<E
 
 }  // namespace
 
+double misfit_of(const Fit& fit, const LoopData& data) {
+  return misfit(fit.fit_error, rows_of(data), fit.structure.effects.back());
+}
+
+EffectPtr slowly_changing(const EffectPtr& line, const LoopData& data) {
+  constexpr std::size_t kNet = 2;  // eight stretches: the line itself comes first
+  if (!data.without.has(Mechanism::wave_shape)) return nullptr;
+  const std::vector<EffectPtr> nets =
+      as_wave(line).with_knots(data.samples(), data.grid.samples_per_row);
+  return nets.size() > kNet ? nets[kNet] : nullptr;
+}
+
 PricedWave best_wave(const FitVariants& variants, const LoopData& data, const EffectPtr& start) {
   constexpr int kTurns = 3;
   const double rows = rows_of(data);
@@ -84,13 +100,10 @@ PricedWave best_wave(const FitVariants& variants, const LoopData& data, const Ef
 
 PricedWave first_look_at_wave(const FitVariants& variants, const LoopData& data,
                               const EffectPtr& line) {
-  constexpr std::size_t kNet = 2;  // eight stretches: the line itself comes first
   const double rows = rows_of(data);
   PricedWave best = priced(variants, rows, line);
-  if (!data.without.has(Mechanism::wave_shape)) return best;
-  const std::vector<EffectPtr> waves =
-      as_wave(line).with_knots(data.samples(), data.grid.samples_per_row);
-  if (waves.size() > kNet) take_best(variants, rows, {waves[kNet]}, best);
+  const EffectPtr changing = slowly_changing(line, data);
+  if (changing) take_best(variants, rows, {changing}, best);
   return best;
 }
 

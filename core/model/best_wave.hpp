@@ -11,6 +11,12 @@ struct PricedWave {
   double misfit = 0.0;
 };
 
+/// The same of a fit whose last effect is a wave.
+[[nodiscard]] double misfit_of(const Fit& fit, const LoopData& data);
+
+/// The line changing a few times over the record; null where the record is too short for that.
+[[nodiscard]] EffectPtr slowly_changing(const EffectPtr& line, const LoopData& data);
+
 /// The wave that explains most for its price, of those that share a period with `start`, by turns
 /// with other harmonics and with other knots; process and noise as the variants have them.
 [[nodiscard]] PricedWave best_wave(const FitVariants& variants, const LoopData& data,

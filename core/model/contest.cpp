@@ -30,10 +30,17 @@ double hopeless_error(const Contestant& trial, const EffectTraits& traits) {
   return error_after(trial.rows, trial.before.fit.fit_error, least_gain(traits));
 }
 
+bool is_fitted_unseen(const Round& round, const EffectTraits& traits) {
+  return traits.fitted_when_asked && round.reach != Reach::unasked &&
+         std::ranges::none_of(round.now.fit.structure.effects, [&](const EffectPtr& effect) {
+           return effect->kind() == traits.kind;
+         });
+}
+
 std::optional<Contestant> try_candidate(const Round& round, const Candidate& candidate) {
   const EffectTraits& traits = traits_of(candidate.effect->kind());
-  const bool called_for = traits.fitted_when_asked && round.reach != Reach::unasked;
-  if (!called_for && candidate.gain < traits.worth_fitting) return std::nullopt;
+  if (!is_fitted_unseen(round, traits) && candidate.gain < traits.worth_fitting)
+    return std::nullopt;
   Contestant trial{{}, {}, judged_on(round.original, candidate.structure), round.now, 0.0};
   if (traits.on_own_rows) trial.before = reevaluated(trial.rows, round.now);
   const double hopeless = hopeless_error(trial, traits);

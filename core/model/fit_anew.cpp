@@ -65,11 +65,23 @@ Fit searched_and_settled(const LoopData& data, const Fit& fit) {
   return settled.fit_error < searched.fit_error ? std::move(settled) : std::move(searched);
 }
 
-/// The process is searched behind the plain line, which costs few columns; harmonics and knots are
-/// added at the end, as long as the process that they leave asks for others.
+/// What a line leaves of a wave whose phase wanders bends the process through itself, and behind
+/// that process neither line nor knots explain anything: it is searched behind the changing wave
+/// too. 150 waves: 148 named without it, all with it, and 4 of 14 that were missed are 1 of 14.
+Fit search_behind_wave(const LoopData& data, const Fit& line) {
+  constexpr ProcessSearch kShort{.starts = 1};  // two name no more, in 1.2 of the time
+  Fit fit = searched_and_settled(data, line);
+  const EffectPtr changing = slowly_changing(line.structure.effects.back(), data);
+  if (!changing) return fit;
+  Fit behind = search_process(data, with_last(line.structure, changing), kShort);
+  return misfit_of(behind, data) < misfit_of(fit, data) ? std::move(behind) : std::move(fit);
+}
+
+/// Harmonics and knots are added at the end, as long as the process that they leave asks for
+/// others.
 Fit fit_wave(const LoopData& data, const Fit& line) {
   constexpr int kRounds = 3;
-  Fit fit = searched_and_settled(data, line);
+  Fit fit = search_behind_wave(data, line);
   for (int round = 0; round < kRounds; ++round) {
     const EffectPtr now = fit.structure.effects.back();
     const PricedWave wave = best_wave(FitVariants(data, fit.structure), data, now);
@@ -97,8 +109,8 @@ Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {
   const EffectKind kind = fit.structure.effects.back()->kind();
   const bool bends = bends_flow(kind);
   if (!traits_of(kind).moves_on_half) return searched_and_settled(data, fit);
-  fit = refine_last(data, std::move(fit));
   if (fit.structure.effects.back()->as_wave() != nullptr) return fit_wave(data, fit);
+  fit = refine_last(data, std::move(fit));
   // The linear baseline takes all of a valve's travel for dynamics.
   fit = bends ? search_process(data, fit.structure) : settle(data, fit);
   if (is_valve_hysteresis(kind) && fit.fit_error > hopeless) return fit;

@@ -146,7 +146,7 @@ Explanation tell_story(Look& look) {
   const Fit& last = story.last().fit;
   const bool changed = !story.chapters.empty();
   if (changed) explanation.baseline.process = report_process(story.data, last);
-  for (Answer& answer : question_coupling(look.at_rows, story.data, last))
+  for (Answer& answer : question_coupling(story.data, last, look.at_rows.seed))
     left.push_back(std::move(answer));
   const std::size_t op_turns = judge_loop(look, last, explanation);
   report_rest(story, left, explanation);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/model/op_direction.hpp"
+#include "core/model/questions/coupling.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -42,18 +43,6 @@ std::vector<double> undisturbed_pv(const ModelInput& input, const LoopData& data
   return result;
 }
 
-/// `ask` with what the fit leaves.
-template <typename Ask>
-std::vector<Answer> with_view(const ModelInput& input, const LoopData& data, const Fit& fit,
-                              const Ask& ask) {
-  const std::vector<double> residual = residual_of(data, fit);
-  const std::vector<double> direction = op_direction(input.op);
-  const std::vector<double> response = response_of(data, fit);
-  const std::vector<double> undisturbed = undisturbed_pv(input, data, fit);
-  return ask(
-      {residual, input.op, direction, response, input.pv, input.sample_interval_s, undisturbed});
-}
-
 }  // namespace
 
 std::vector<double> response_of(const LoopData& data, const Fit& fit) {
@@ -63,13 +52,16 @@ std::vector<double> response_of(const LoopData& data, const Fit& fit) {
 }
 
 std::vector<Answer> question(const ModelInput& input, const LoopData& data, const Fit& fit) {
-  return with_view(input, data, fit, question_residual);
+  const std::vector<double> residual = residual_of(data, fit);
+  const std::vector<double> direction = op_direction(input.op);
+  const std::vector<double> response = response_of(data, fit);
+  const std::vector<double> undisturbed = undisturbed_pv(input, data, fit);
+  return question_residual(
+      {residual, input.op, direction, response, input.pv, input.sample_interval_s, undisturbed});
 }
 
-std::vector<Answer> question_coupling(const ModelInput& input, const LoopData& data,
-                                      const Fit& fit) {
-  return with_view(input, data, fit,
-                   [&](const ResidualView& view) { return question_coupling(view, input.seed); });
+std::vector<Answer> question_coupling(const LoopData& data, const Fit& fit, std::uint64_t seed) {
+  return ask_coupling(residual_of(data, fit), seed);
 }
 
 }  // namespace loopscope::core::model

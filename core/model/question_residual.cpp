@@ -3,7 +3,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/model/questions/coupling.hpp"
 #include "core/model/questions/grid.hpp"
 #include "core/model/questions/held.hpp"
 #include "core/model/questions/op_direction.hpp"
@@ -42,11 +41,6 @@ std::vector<Answer> question_residual(const ResidualView& view) {
   add(ask_grid(*questioned), answers);
   add(ask_held(*questioned), answers);
   return answers;
-}
-
-std::vector<Answer> question_coupling(const ResidualView& view, std::uint64_t seed) {
-  const std::optional<Questioned> questioned = prepare_questions(view);
-  return questioned ? ask_coupling(*questioned, seed) : std::vector<Answer>();
 }
 
 }  // namespace loopscope::core::model

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "core/model/questions/answer.hpp"
@@ -16,9 +15,5 @@ namespace loopscope::core::model {
 /// Each p is that of its own test; the tests are not corrected for each other. Throws
 /// std::invalid_argument when the spans differ in length or the sample interval is not positive.
 [[nodiscard]] std::vector<Answer> question_residual(const ResidualView& view);
-
-/// The same of core/hos, which cost more than the others together: nonlinear, ngi. `seed` drives
-/// the simulations behind their p-values.
-[[nodiscard]] std::vector<Answer> question_coupling(const ResidualView& view, std::uint64_t seed);
 
 }  // namespace loopscope::core::model

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/model/question_residual.hpp"
+#include "core/model/questions/coupling.hpp"
 #include "tests/core/model/questions/pass_rates.hpp"
 #include "tests/tables/table.hpp"
 
@@ -56,7 +57,7 @@ LOOPSCOPE_TABLE(question_coupling_sizes, "the same with the questions of couplin
       PassRates rates;
       for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         const Questionable loop = tests::closed_loop(tests::white(kind, samples, 131 * seed), seed);
-        count(question_coupling(loop.view(), seed), rates);
+        count(ask_coupling(loop.view().innovation, seed), rates);
       }
       print(std::to_string(samples) + " " + std::string(tests::name(kind)), rates, 0);
     }

@@ -17,7 +17,8 @@ inline constexpr EffectTraits kOscillation{.kind = EffectKind::external_oscillat
                                            .cheap_look = CheapLook::always,
                                            .worth_fitting = 17.0,
                                            .looked_at_whole = true,
-                                           .everywhere = true};
+                                           .everywhere = true,
+                                           .fitted_when_asked = true};
 
 /// A periodic wave from outside the loop: a fundamental and its harmonics, each of an amplitude and
 /// a phase that are constant or change slowly, along straight lines from knot to knot.

@@ -12,8 +12,8 @@ Answer answer_of(std::string_view question, double p, const std::string& stateme
 
 }  // namespace
 
-std::vector<Answer> ask_coupling(const Questioned& questioned, std::uint64_t seed) {
-  const auto result = hos::analyse(questioned.view.innovation, hos::Settings{}, seed);
+std::vector<Answer> ask_coupling(std::span<const double> innovation, std::uint64_t seed) {
+  const auto result = hos::analyse(innovation, hos::Settings{}, seed);
   std::vector<Answer> answers;
   if (result && result->nonlinear_p) {
     answers.push_back(answer_of("nonlinear", *result->nonlinear_p,

@@ -29,7 +29,7 @@ std::optional<Answer> ask_op_dynamics(const Questioned& questioned) {
   if (!moves) return std::nullopt;
   LaggedColumns columns(moves->values.size());
   columns.add(moves->values, kMoveLags);
-  const Score score = score_test(without(questioned.constant, questioned.residual.values), columns,
+  const Score score = score_test(questioned.constant.without(questioned.residual.values), columns,
                                  questioned.constant, questioned.recorded);
   if (score.freedom == 0) return std::nullopt;
   Answer answer{{"op_dynamics", score.p, {}}, {}};

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/model/questions/fast_noise.hpp"
-#include "core/model/questions/score_test.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -61,11 +60,11 @@ std::optional<Questioned> prepare_questions(const ResidualView& view) {
     result.recorded[k] = std::isfinite(view.innovation[static_cast<std::size_t>(k)]) ? 1.0 : 0.0;
 
   LaggedColumns columns(view.innovation.size());
-  result.constant = orthonormal(columns, result.recorded);
+  result.constant = LinearSpan(columns, result.recorded);
   columns.add(result.residual.values, kPastLags);
   if (result.op) columns.add(result.op->values, kLinearOpLags);
-  result.linear_past = orthonormal(columns, result.recorded);
-  result.beyond_linear = without(result.linear_past, result.residual.values);
+  result.linear_past = LinearSpan(columns, result.recorded);
+  result.beyond_linear = result.linear_past.without(result.residual.values);
   result.fresh = fresh_of(result);
   if (result.pv) result.grid = find_grid(view.pv, result.fast_noise_std);
   return result;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/model/questions/centred.hpp"
+#include "core/model/questions/linear_span.hpp"
 #include "core/model/questions/value_grid.hpp"
 #include "core/model/residual_view.hpp"
 
@@ -22,10 +23,9 @@ struct Questioned {
   double fast_noise_std = 0.0;      ///< pv units, see fast_noise.hpp
   ValueGrid grid;                   ///< of pv
   Eigen::ArrayXd recorded;          ///< 1 where the residual is, else 0
-  /// Orthonormal over the recorded samples, zero elsewhere: a constant, and the constant with the
-  /// residual's own past and op's.
-  Eigen::MatrixXd constant;
-  Eigen::MatrixXd linear_past;
+  /// A constant, and the constant with the residual's own past and op's.
+  LinearSpan constant;
+  LinearSpan linear_past;
   /// The residual less what linear_past explains. A linear loop whose delay is no whole number of
   /// samples, or whose order is higher than the fit's, leaves traces of op and of itself, which
   /// every question but `white` and `op_dynamics` would take for its own: without this

@@ -29,9 +29,9 @@ std::optional<Answer> ask_response_level(const Questioned& questioned) {
   linear.add(questioned.response->values, kResponseLags);
   LaggedColumns columns(square->values.size());
   columns.add(square->values, kResponseLags);
-  const Eigen::MatrixXd known = orthonormal(questioned.linear_past, linear, questioned.recorded);
+  const LinearSpan known(questioned.linear_past, linear, questioned.recorded);
   const Score score =
-      score_test(without(known, questioned.residual.values), columns, known, questioned.recorded);
+      score_test(known.without(questioned.residual.values), columns, known, questioned.recorded);
   if (score.freedom == 0) return std::nullopt;
   Answer answer{{"response_level", score.p, {}}, {}};
   if (score.p > kSignificant) return answer;

@@ -71,5 +71,24 @@ TEST(BestWave, AFirstLookSeesALineWhosePhaseWanders) {
   EXPECT_LT(look.misfit, plain - 30.0);
 }
 
+TEST(BestWave, AChangingWavePaysForItsColumns) {
+  const LoopData data = waving([](double k) { return std::sin(angle(k, 40.0)); }, 1);
+  const EffectPtr line = std::make_shared<ExternalOscillation>(40.0);
+  const EffectPtr changing = slowly_changing(line, data);
+  ASSERT_NE(changing, nullptr);
+  EXPECT_EQ(changing->column_count(), 18U);
+  Structure structure = tests::structure_of(tests::one_lag(0.8, 3), {line});
+  structure.noise = kNoise;
+  const Fit plain = evaluate(data, structure);
+  const Fit more = evaluate(data, with_last(structure, changing));
+  EXPECT_LT(more.fit_error, plain.fit_error);
+  EXPECT_GT(misfit_of(more, data), misfit_of(plain, data));
+}
+
+TEST(BestWave, TooSlowAWaveDoesNotChange) {
+  const LoopData data = waving([](double k) { return std::sin(angle(k, 900.0)); }, 1);
+  EXPECT_EQ(slowly_changing(std::make_shared<ExternalOscillation>(900.0), data), nullptr);
+}
+
 }  // namespace
 }  // namespace loopscope::core::model

@@ -150,14 +150,5 @@ TEST(QuestionResidual, ScaleDoesNotMatter) {
     EXPECT_NEAR(a[i].question.p, b[i].question.p, 1e-9) << a[i].question.name;
 }
 
-TEST(QuestionResidual, CouplingIsAskedWithTheSeed) {
-  const Questionable loop = tests::closed_loop(tests::white(White::exponential, 4096, 9), 9);
-  const auto a = question_coupling(loop.view(), 3);
-  const auto b = question_coupling(loop.view(), 3);
-  EXPECT_LT(tests::p_of(a, "ngi"), 1e-3) << "skewed noise";
-  EXPECT_GT(tests::p_of(a, "nonlinear"), 0.01) << "is not nonlinear";
-  EXPECT_EQ(tests::p_of(a, "nonlinear"), tests::p_of(b, "nonlinear"));
-}
-
 }  // namespace
 }  // namespace loopscope::core::model

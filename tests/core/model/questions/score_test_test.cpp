@@ -16,8 +16,8 @@ struct Regression {
   explicit Regression(std::size_t samples)
       : weights(Eigen::ArrayXd::Ones(static_cast<long>(samples))) {}
   [[nodiscard]] Score test(const Series& r, const LaggedColumns& columns) const {
-    const Eigen::MatrixXd constant = orthonormal(LaggedColumns(r.size()), weights);
-    return score_test(without(constant, r), columns, constant, weights);
+    const LinearSpan constant(LaggedColumns(r.size()), weights);
+    return score_test(constant.without(r), columns, constant, weights);
   }
   Eigen::ArrayXd weights;
 };
@@ -39,24 +39,6 @@ TEST(ScoreTest, OneColumnIsItsStudentisedSum) {
   EXPECT_EQ(score.freedom, 1U);
   EXPECT_NEAR(score.t[0], sum / std::sqrt(squares * double(n) / double(n - 1)), 1e-10);
   EXPECT_NEAR(score.p, std::erfc(std::abs(score.t[0]) / std::sqrt(2.0)), 1e-10);
-}
-
-TEST(ScoreTest, ABasisGrowsByWhatIsNew) {
-  const std::size_t n = 700;
-  const Series old = tests::white(White::gaussian, n, 1), more = tests::white(White::laplace, n, 2);
-  const Eigen::ArrayXd weights = Eigen::ArrayXd::Ones(static_cast<long>(n));
-  LaggedColumns first(n), second(n);
-  first.add(old, std::array{0});
-  second.add(more, std::array{0});
-  second.add(old, std::array{0});  // which the basis spans already
-  Series near(old);
-  for (std::size_t k = 0; k < n; ++k) near[k] += 1e-5 * more[n - 1 - k];
-  second.add(near, std::array{0});
-  const Eigen::MatrixXd basis = orthonormal(orthonormal(first, weights), second, weights);
-  ASSERT_EQ(basis.cols(), 4);
-  EXPECT_TRUE((basis.transpose() * basis).isIdentity(1e-10));
-  EXPECT_LT(without(basis, more).norm(),
-            1e-10 * Eigen::Map<const Eigen::VectorXd>(more.data(), 700).norm());
 }
 
 TEST(ScoreTest, LagsLookBack) {
