@@ -11,10 +11,11 @@ struct PricedWave {
   double misfit = 0.0;
 };
 
-/// The same of a fit whose last effect is a wave.
+/// The misfit of a PricedWave, of a fit whose last effect is a wave.
 [[nodiscard]] double misfit_of(const Fit& fit, const LoopData& data);
 
-/// The line changing a few times over the record; null where the record is too short for that.
+/// The line changing a few times over the record; null where the record is too short for that, or
+/// Mechanism::wave_shape is left out.
 [[nodiscard]] EffectPtr slowly_changing(const EffectPtr& line, const LoopData& data);
 
 /// The wave that explains most for its price, of those that share a period with `start`, by turns

@@ -42,8 +42,8 @@ struct EffectTraits {
   bool on_own_rows = false;   ///< sits in one place: rows about it are seen by fit and score
   bool scored_once = false;   ///< what it gains is counted on one half
   bool put_in_place = false;  ///< the best first looks are moved to where they gain most
-  /// A test that asks for it is enough for a full fit, the first time: by a process that was fitted
-  /// without it a first look may see nothing of it.
+  /// A test that asks for it is enough for a full fit as long as the model has none: by a process
+  /// that was fitted without it a first look may see nothing of it.
   bool fitted_when_asked = false;
   /// Half of the rows place its parameters.
   bool moves_on_half = true;

@@ -2,6 +2,7 @@
 
 #include "core/hos/analyse.hpp"
 #include "core/model/phrases.hpp"
+#include "core/model/questions/questioned.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -13,6 +14,7 @@ Answer answer_of(std::string_view question, double p, const std::string& stateme
 }  // namespace
 
 std::vector<Answer> ask_coupling(std::span<const double> innovation, std::uint64_t seed) {
+  if (!centred(innovation, kFewestAsked)) return {};
   const auto result = hos::analyse(innovation, hos::Settings{}, seed);
   std::vector<Answer> answers;
   if (result && result->nonlinear_p) {

@@ -12,9 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Of a column of which the others leave less than this share of its square rounding is left.
-constexpr double kLeastAdded = 1e-10;
-
 MatrixXd products_of(const MatrixXd& columns) {
   MatrixXd products = MatrixXd::Zero(columns.cols(), columns.cols());
   products.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
@@ -38,7 +35,7 @@ MatrixXd root_of(const MatrixXd& products) {
   VectorXd added = products.diagonal();
   MatrixXd factors(columns, 0);
   std::vector<Index> chosen;
-  for (Index next = 0; added.maxCoeff(&next) > kLeastAdded;) {
+  for (Index next = 0; added.maxCoeff(&next) > kLeastLeft;) {
     const Index rank = factors.cols();
     VectorXd factor = all.col(next) - factors * factors.row(next).transpose();
     factor /= std::sqrt(added[next]);

@@ -29,6 +29,9 @@ class LaggedColumns {
   std::vector<Column> columns_;
 };
 
+/// Of a column of which the others leave less than this share of its square rounding is left.
+inline constexpr double kLeastLeft = 1e-10;
+
 /// Rows that are worked on at a time: twenty columns of them stay in the processor's cache.
 inline constexpr Eigen::Index kRowsTogether = 256;
 
@@ -37,7 +40,7 @@ inline constexpr Eigen::Index kRowsTogether = 256;
 /// basis K R itself, which would cost twice as much as the products.
 class LinearSpan {
  public:
-  LinearSpan() = default;
+  LinearSpan() = default;  ///< of no rows: to be assigned
   /// `recorded` = 1 where a sample is and 0 elsewhere, one per row.
   LinearSpan(const LaggedColumns& columns, const Eigen::ArrayXd& recorded);
   /// What `known` and the columns explain together. The same samples are recorded.
@@ -46,8 +49,8 @@ class LinearSpan {
   /// Columns that say something beyond the others; what they leave of theirs is more than rounding.
   [[nodiscard]] Eigen::Index rank() const { return root_.cols(); }
   [[nodiscard]] Eigen::Index columns() const { return columns_.cols(); }
-  /// K of some rows, 0 where nothing is recorded.
-  [[nodiscard]] auto rows(Eigen::Index first, Eigen::Index count) const {
+  /// K of some rows, 0 where nothing is recorded. A view of this span.
+  [[nodiscard]] auto rows(Eigen::Index first, Eigen::Index count) const& {
     return columns_.middleRows(first, count);
   }
   /// The coefficients of K that explain most of signals y, of which `products` = K'y.

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/hos/symmetric_eigen.hpp"
 #include "core/model/questions/tails.hpp"
@@ -17,9 +16,6 @@ using Eigen::VectorXd;
 
 /// A direction with less than this share of the largest one's variance is rounding noise.
 constexpr double kRankTolerance = 1e-10;
-
-/// Share of a column's squared length below which nothing but rounding is left of it.
-constexpr double kVanished = 1e-12;
 
 template <class Work>
 void for_blocks(Index rows, Work work) {
@@ -51,7 +47,7 @@ struct ScoreSums {
 VectorXd scales(const ScoreSums& sums) {
   VectorXd scale(sums.after.size());
   for (Index j = 0; j < scale.size(); ++j)
-    scale[j] = sums.after[j] > kVanished * sums.before[j] ? 1.0 / std::sqrt(sums.after[j]) : 0.0;
+    scale[j] = sums.after[j] > kLeastLeft * sums.before[j] ? 1.0 / std::sqrt(sums.after[j]) : 0.0;
   return scale;
 }
 

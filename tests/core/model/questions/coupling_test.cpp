@@ -19,7 +19,14 @@ TEST(Coupling, IsAskedWithTheSeed) {
 }
 
 TEST(Coupling, TooFewSamplesHaveNoAnswer) {
-  EXPECT_TRUE(ask_coupling(tests::Series(150, 1.0), 3).empty());
+  EXPECT_TRUE(ask_coupling(tests::white(White::gaussian, 199, 1), 3).empty());
+  EXPECT_FALSE(ask_coupling(tests::white(White::gaussian, 400, 1), 3).empty());
+  tests::Series gappy = tests::white(White::gaussian, 400, 1);
+  for (std::size_t k = 150; k < 400; ++k) gappy[k] = std::nan("");
+  EXPECT_TRUE(ask_coupling(gappy, 3).empty());
+}
+
+TEST(Coupling, WhatDoesNotVaryHasNoAnswer) {
   EXPECT_TRUE(ask_coupling(tests::Series(4096, 1.0), 3).empty());
   EXPECT_TRUE(ask_coupling(tests::Series(4096, std::nan("")), 3).empty());
   EXPECT_TRUE(ask_coupling({}, 3).empty());

@@ -41,6 +41,20 @@ TEST(ScoreTest, OneColumnIsItsStudentisedSum) {
   EXPECT_NEAR(score.p, std::erfc(std::abs(score.t[0]) / std::sqrt(2.0)), 1e-10);
 }
 
+/// Neither the span nor the test takes the rounding that is left of a known column for news.
+TEST(ScoreTest, WhatIsKnownButForRoundingAddsNothing) {
+  const std::size_t n = 700;
+  const Series r = tests::white(White::gaussian, n, 1), z = tests::white(White::laplace, n, 2);
+  Series near(z);
+  for (std::size_t k = 0; k < n; ++k) near[k] += 1e-6 * z[n - 1 - k];  // a share of 1e-12
+  const Eigen::ArrayXd recorded = Eigen::ArrayXd::Ones(static_cast<long>(n));
+  LaggedColumns known(n), columns(n);
+  known.add(z, std::array{0});
+  columns.add(near, std::array{0});
+  const LinearSpan span(known, recorded);
+  EXPECT_EQ(score_test(span.without(r), columns, span, recorded).freedom, 0U);
+}
+
 TEST(ScoreTest, LagsLookBack) {
   const std::size_t n = 1000;
   const Series z = tests::white(White::gaussian, n, 3);
