@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/model/asked.hpp"
 #include "core/model/closed_loop.hpp"
 #include "core/model/controller_trap.hpp"
 #include "core/model/excitation.hpp"
