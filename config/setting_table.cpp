@@ -11,6 +11,8 @@ namespace loopscope::config {
 namespace {
 
 using core::AnalysisSettings;
+using core::diagnosis::DecisionSettings;
+using core::diagnosis::Priors;
 using core::loop::OscillationSettings;
 using core::loop::PerformanceSettings;
 using core::signal::PrepareSettings;
@@ -41,6 +43,11 @@ constexpr auto in_analysis = at<&Settings::analysis, member>;
 template <auto member>
 constexpr auto in_prepare = at<&Settings::analysis, &AnalysisSettings::prepare, member>;
 template <auto member>
+constexpr auto in_decision = at<&Settings::analysis, &AnalysisSettings::decision, member>;
+template <auto member>
+constexpr auto in_priors =
+    at<&Settings::analysis, &AnalysisSettings::decision, &DecisionSettings::priors, member>;
+template <auto member>
 constexpr auto in_hos = at<&Settings::analysis, &AnalysisSettings::hos, member>;
 template <auto member>
 constexpr auto in_oscillation = at<&Settings::analysis, &AnalysisSettings::oscillation, member>;
@@ -63,6 +70,9 @@ const auto kWindowNames = [] {
 constexpr double kFewestSamples = 512;
 /// A window this long holds a week at one sample in five seconds.
 constexpr double kMostSamples = 131072;
+
+/// 0 = as in the loops that the curves of the causes were fitted on.
+constexpr auto kPrior = range(0, 0.99);
 
 constexpr std::array kOtherSettings = {
     Setting{"/results/connection", in_results<&ResultsSettings::connection>, any(Form::connection),
@@ -214,6 +224,33 @@ constexpr std::array kOtherSettings = {
             "longest plausible delay of a loop"},
     Setting{"/analysis/performance/ar_order", in_performance<&PerformanceSettings::ar_order>,
             range(1, 200, "coefficients"), "order of the error model behind the Harris index"},
+
+    Setting{"/analysis/decision/line", in_decision<&DecisionSettings::line>, range(0, 1),
+            "least probability of a cause that is named"},
+    Setting{"/analysis/priors/healthy", in_priors<&Priors::healthy>, kPrior,
+            "share of loops in which nothing is wrong; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/valve_stiction", in_priors<&Priors::valve_stiction>, kPrior,
+            "share of loops in which the valve sticks; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/valve_deadband", in_priors<&Priors::valve_deadband>, kPrior,
+            "share of loops in which the valve has dead band; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/valve_saturation", in_priors<&Priors::valve_saturation>, kPrior,
+            "share of loops in which the output meets a limit; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/valve_characteristic", in_priors<&Priors::valve_characteristic>, kPrior,
+            "share of loops in which the valve's characteristic is curved; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/valve_oversized", in_priors<&Priors::valve_oversized>, kPrior,
+            "share of loops in which the valve is too large; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/process_nonlinearity", in_priors<&Priors::process_nonlinearity>, kPrior,
+            "share of loops in which the process is nonlinear; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/external_disturbance", in_priors<&Priors::external_disturbance>, kPrior,
+            "share of loops in which something reaches the loop from outside; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/process_change", in_priors<&Priors::process_change>, kPrior,
+            "share of loops in which the process changes; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/sensor_fault", in_priors<&Priors::sensor_fault>, kPrior,
+            "share of loops in which the measurement is faulty; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/tight_tuning", in_priors<&Priors::tight_tuning>, kPrior,
+            "share of loops in which the controller is too tight; 0 = as in the loops of the fit"},
+    Setting{"/analysis/priors/sluggish_tuning", in_priors<&Priors::sluggish_tuning>, kPrior,
+            "share of loops in which the controller is too slow; 0 = as in the loops of the fit"},
 };
 
 /// In the order of the documentation: the historians stand after the results.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/diagnosis/decision_settings.hpp"
 #include "core/hos/settings.hpp"
 #include "core/loop/oscillation.hpp"
 #include "core/loop/performance.hpp"
@@ -13,6 +14,7 @@ struct AnalysisSettings {
   hos::Settings hos;
   loop::OscillationSettings oscillation;
   loop::PerformanceSettings performance;
+  diagnosis::DecisionSettings decision;
   bool fit_model = true;  ///< false = statistics and shapes only
 };
 

@@ -2,115 +2,123 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
-#include "core/diagnosis/case.hpp"
-#include "core/diagnosis/model_verdict.hpp"
-#include "core/diagnosis/model_words.hpp"
-#include "core/diagnosis/nonlinear_verdict.hpp"
-#include "core/diagnosis/uncoupled_verdict.hpp"
+#include "core/diagnosis/disturbance_words.hpp"
+#include "core/diagnosis/effect_verdict.hpp"
+#include "core/diagnosis/nonlinearity.hpp"
+#include "core/diagnosis/reasons.hpp"
+#include "core/diagnosis/structure.hpp"
+#include "core/diagnosis/verdict_p.hpp"
 #include "core/diagnosis/words.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
 
-using Kind = ValvePattern::Kind;
+using Causes = std::vector<WeighedCause>;
 
-/// op at a limit for more of the window than this is a finding of its own (notes on 141 loops).
-constexpr double kSaturatedFraction = 0.05;
-/// Findings on fewer than 32 segments weigh less.
-constexpr double kShortRecord = 0.75;
-
-Verdict saturated(const Evidence& evidence) {
-  const double fraction = *evidence.data_quality.saturated_fraction;
-  return make(VerdictCode::valve_saturation, 0.5 + 0.4 * std::min(1.0, fraction / 0.5),
-              {"op is at a limit of its range in " + percent(fraction) + " of the samples."});
+double probability_of(const Causes& causes, VerdictCode code) {
+  const auto found = std::ranges::find(causes, code, &WeighedCause::code);
+  return found == causes.end() ? 0.0 : found->probability();
 }
 
-/// The valve position was recorded: what it shows is measured, whatever the bispectrum says.
-Verdict faulty_position(const Case& loop) {
-  const bool sticks = loop.valve.kind == Kind::sticks;
-  return make(sticks ? VerdictCode::valve_stiction : VerdictCode::valve_deadband, 0.9,
-              reasons_of(loop));
+bool may_be_named(const WeighedCause& cause, const Circumstances& circumstances) {
+  if (cause.code == VerdictCode::healthy || cause.code == VerdictCode::nonlinear_unexplained)
+    return false;
+  return cause.code != VerdictCode::valve_oversized || circumstances.sizes_known;
+}
+
+Circumstances circumstances_of(const Evidence& evidence) {
+  return {is_structured(evidence),
+          evidence.op_range_known && evidence.valve_gain.pv_span_percent.has_value()};
+}
+
+double confidence_in(VerdictCode code, const Causes& causes) {
+  if (code != VerdictCode::unexplained) return probability_of(causes, code);
+  double largest = 0.0;
+  for (const WeighedCause& cause : causes) largest = std::max(largest, cause.probability());
+  return 1.0 - largest;
 }
 
 Verdict insufficient(const Evidence& evidence) {
-  return make(VerdictCode::insufficient_data, 1.0, {evidence.data_quality.reason + "."});
+  return {VerdictCode::insufficient_data,
+          1.0,
+          summary_of(VerdictCode::insufficient_data),
+          {evidence.data_quality.reason + "."},
+          action_for(VerdictCode::insufficient_data)};
 }
 
-Verdict unrefreshed(const Evidence& evidence) {
-  const double factor = evidence.data_quality.compression_factor.value_or(1.0);
-  return make(VerdictCode::sensor_fault, 0.7,
-              {has_flag(evidence, "pv_frozen")
-                   ? "pv stands still for hundreds of samples while op moves."
-                   : "pv is renewed only every " + number(factor) + " samples on average."});
+/// Tuning waits while a valve or a sensor is to be mended, and more so where that is the verdict.
+std::string action_with(VerdictCode code, const Causes& causes, double line) {
+  if (code == VerdictCode::valve_saturation) return action_for(code);  // which says so already
+  if (withholds_tuning(code)) return action_for(code) + tuning_waits();
+  if (code != VerdictCode::tight_tuning && code != VerdictCode::sluggish_tuning) return action_for(code);
+  const auto first = std::ranges::find_if(causes, [&](const WeighedCause& cause) {
+    return withholds_tuning(cause.code) && cause.probability() >= line;
+  });
+  return first == causes.end() ? action_for(code) : action_for(first->code) + tuning_waits();
 }
 
-Verdict not_in_command() {
-  Verdict verdict = make(VerdictCode::unexplained, 0.6,
-                         {"pv stays many standard deviations away from its setpoint: the "
-                          "controller is not in command, or has no integral action."});
+/// A wave has another action than a load that moves.
+void tell_disturbance(const Evidence& evidence, Verdict& verdict) {
+  if (!evidence.model) return;
+  const Disturbance disturbance = disturbance_of(*evidence.model);
+  if (disturbance == Disturbance::none) return;
+  DisturbanceWords words = words_of(disturbance, *evidence.model);
+  verdict.summary = std::move(words.summary);
+  verdict.action = std::move(words.action);
+}
+
+Verdict not_in_command(Verdict verdict) {
+  verdict.reasons.insert(verdict.reasons.begin(),
+                         "pv stays many standard deviations away from its setpoint: the controller "
+                         "is not in command, or has no integral action.");
   verdict.action =
-      "Check whether an override or another controller holds the valve; if that is "
-      "meant, disable the loop in the catalogue.";
+      "Check whether an override or another controller holds the valve; if that is meant, disable "
+      "the loop in the catalogue.";
   return verdict;
 }
 
-/// What the model found beside a fact, for the record.
-Verdict with_effects(Verdict verdict, const Evidence& evidence) {
-  if (!evidence.model || !evidence.model->excited) return verdict;
-  for (const model::Step& step : evidence.model->steps) verdict.reasons.push_back(step_text(step));
-  return verdict;
-}
-
-Verdict with_excitation(Verdict verdict, const Evidence& evidence) {
-  if (evidence.model && !evidence.model->excitation.empty()) {
-    verdict.reasons.push_back("Of the way from op to pv the model claims nothing: " +
-                              evidence.model->excitation);
-  }
-  return verdict;
-}
-
-/// Tuning and health are what is said where nothing else is known.
-bool knows_no_cause(VerdictCode code) {
-  using enum VerdictCode;
-  return code == healthy || code == sluggish_tuning || code == tight_tuning || code == unexplained;
-}
-
-/// By the statistics, unless they know less than what the model saw come from outside.
-Verdict without_model(const Case& loop) {
-  Verdict verdict = coupling_leads(loop) ? nonlinear_verdict(loop) : uncoupled_verdict(loop);
-  if (!loop.evidence.model || !knows_no_cause(verdict.code)) return verdict;
-  return outside_verdict(loop).value_or(std::move(verdict));
-}
-
-Verdict choose(const Evidence& evidence, const hos::Settings& settings) {
-  if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
-  if (has_flag(evidence, "pv_frozen") || has_flag(evidence, "pv_held")) {
-    return unrefreshed(evidence);
-  }
-  if (evidence.data_quality.saturated_fraction.value_or(0.0) > kSaturatedFraction) {
-    return with_effects(saturated(evidence), evidence);
-  }
-  if (has_flag(evidence, "sp_not_followed")) return not_in_command();
-  const Case loop{evidence, judge_nonlinearity(evidence, settings), judge_valve(evidence)};
-  const bool faulty = loop.valve.kind == Kind::sticks || loop.valve.kind == Kind::dead_band;
-  if (loop.valve.measured && faulty) return with_effects(faulty_position(loop), evidence);
-  if (evidence.model && evidence.model->excited) return model_verdict(loop);
-  return with_excitation(without_model(loop), evidence);
-}
-
-}  // namespace
-
-Verdict decide(const Evidence& evidence, const hos::Settings& settings) {
-  Verdict verdict = choose(evidence, settings);
-  if (has_flag(evidence, "short") && verdict.code != VerdictCode::insufficient_data) {
-    verdict.confidence *= kShortRecord;
+void note_window(const Evidence& evidence, Verdict& verdict) {
+  if (has_flag(evidence, "short"))
     verdict.reasons.emplace_back("Short record: fewer than 32 segments.");
-  }
   if (!evidence.data_quality.stretch.empty()) {
     verdict.reasons.push_back("The loop changed within the window: the tests see only " +
                               evidence.data_quality.stretch + ".");
   }
+}
+
+}  // namespace
+
+VerdictCode code_for(const Causes& causes, const Circumstances& circumstances, double line) {
+  const auto named = std::ranges::find_if(
+      causes, [&](const WeighedCause& cause) { return may_be_named(cause, circumstances); });
+  const double health = probability_of(causes, VerdictCode::healthy);
+  const double least = std::max(line, health);
+  if (named != causes.end() && named->probability() >= least) return named->code;
+  if (probability_of(causes, VerdictCode::nonlinear_unexplained) >= least)
+    return VerdictCode::nonlinear_unexplained;
+  const bool unclear = health < line && circumstances.structured;
+  return unclear ? VerdictCode::unexplained : VerdictCode::healthy;
+}
+
+Verdict decide(const Evidence& evidence, const hos::Settings& settings,
+               const DecisionSettings& decision) {
+  if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
+  const Causes causes = weigh_causes(evidence, decision);
+  const bool followed = !has_flag(evidence, "sp_not_followed");
+  const VerdictCode code = followed ? code_for(causes, circumstances_of(evidence), decision.line) : VerdictCode::unexplained;
+  Verdict verdict{code, confidence_in(code, causes), summary_of(code), {}, {}};
+  for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
+  const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);
+  const auto own = std::ranges::find(verdict.causes, code, &CauseReport::code);
+  verdict.reasons = own == verdict.causes.end() ? findings(evidence, nonlinearity)
+                                                : reasons_for(*own, evidence, nonlinearity);
+  verdict.action = action_with(code, causes, decision.line);
+  verdict.p = followed ? p_of_verdict(code, evidence) : std::nullopt;
+  if (code == VerdictCode::external_disturbance) tell_disturbance(evidence, verdict);
+  if (!followed) verdict = not_in_command(std::move(verdict));
+  note_window(evidence, verdict);
   return verdict;
 }
 

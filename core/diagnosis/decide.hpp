@@ -1,23 +1,42 @@
 #pragma once
 
+#include <vector>
+
+#include "core/diagnosis/cause_odds.hpp"
+#include "core/diagnosis/decision_settings.hpp"
 #include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/verdict.hpp"
 #include "core/hos/settings.hpp"
 
 namespace loopscope::core::diagnosis {
 
-/// The decision flow of the paper's figure 1 (its text: sections 1, 3 and 5), from evidence to
-/// verdict:
+/// What decides beside the probabilities.
+struct Circumstances {
+  bool structured = false;   ///< something in the loop is clearly no noise (structure.hpp)
+  bool sizes_known = false;  ///< the ranges of op and pv
+};
+
+/// The code that the probabilities come to; see decide(). The most probable cause comes first.
+[[nodiscard]] VerdictCode code_for(const std::vector<WeighedCause>& causes,
+                                   const Circumstances& circumstances, double line);
+
+/// From evidence to verdict. Each cause has log odds, a sum of weights over figures
+/// (cause_odds.hpp); the verdict is the most probable cause above the line:
 ///
-///     usable? -> pv frozen or held? -> op at its limit? -> setpoint
-///       followed at all? -> valve position recorded and faulty?
-///       -> loop model fitted and excited? yes -> model_verdict()
-///       -> NGI, NLI: nonlinear?  yes -> oversized? sticking? valve acquitted? else unexplained
-///                                no  -> oscillating? sticking (odd-symmetric)? sustained from
-///                                       outside? tight tuning;  else slow? healthy
-///          (in place of tuning and health what a model without excitation saw come from outside)
+///     no data to judge                                -> insufficient_data
+///     setpoint not followed at all                    -> unexplained (not in command)
+///     the most probable of causes and healthy is above the line
+///         a cause                                     -> that cause
+///         valve or process nonlinear, more probable than healthy
+///                                                     -> nonlinear_unexplained
+///         healthy                                     -> healthy
+///     else something is no noise (structure.hpp)      -> unexplained
+///     else                                            -> healthy
 ///
-/// Confidence is 0 to 1 and falls with short records. Never throws.
-[[nodiscard]] Verdict decide(const Evidence& evidence, const hos::Settings& settings);
+/// Confidence is the probability of what is said; of `unexplained` 1 less the largest probability
+/// of all others. `valve_oversized` is named only where the ranges of op and pv are known, since it
+/// compares the two. Never throws.
+[[nodiscard]] Verdict decide(const Evidence& evidence, const hos::Settings& settings,
+                             const DecisionSettings& decision = {});
 
 }  // namespace loopscope::core::diagnosis

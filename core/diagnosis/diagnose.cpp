@@ -10,13 +10,14 @@ namespace {
 bool wants_model(const FirstLook& first, const Evidence& evidence, const AnalysisSettings& settings,
                  const ModelPlan& plan) {
   if (!settings.fit_model || !can_be_modelled(first, evidence)) return false;
-  return !plan.cause || gives_cause_for_a_model(evidence, settings.hos, *plan.cause);
+  return !plan.cause || gives_cause_for_a_model(evidence, settings, *plan.cause);
 }
 
 void fit_model(const FirstLook& first, const LoopFacts& facts, const ModelPlan& plan,
                Diagnosis& diagnosis) {
   if (!plan.traces) {
-    diagnosis.evidence.model = explain_loop(first, facts);
+    const auto& cycle = diagnosis.evidence.cycle;
+    diagnosis.evidence.model = explain_loop(first, facts, cycle ? &*cycle : nullptr);
     return;
   }
   diagnosis.traces = trace_loop(first, facts);
@@ -43,7 +44,7 @@ Diagnosis diagnose(const FirstLook& first, const AnalysisSettings& settings, con
     fit_model(first, facts, plan, diagnosis);
     if (evidence.model) done(Stage::model);
   }
-  diagnosis.verdict = diagnosis::decide(evidence, settings.hos);
+  diagnosis.verdict = diagnosis::decide(evidence, settings.hos, settings.decision);
   done(Stage::verdict);
   return diagnosis;
 }

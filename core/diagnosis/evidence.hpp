@@ -6,11 +6,15 @@
 
 #include "core/hos/analyse.hpp"
 #include "core/hos/slow_look.hpp"
+#include "core/loop/op_rest.hpp"
 #include "core/loop/oscillation.hpp"
 #include "core/loop/performance.hpp"
+#include "core/loop/rests.hpp"
 #include "core/loop/shape.hpp"
 #include "core/loop/valve_gain.hpp"
 #include "core/model/explanation.hpp"
+#include "core/model/limit_cycle_cause.hpp"
+#include "core/model/slow_travel.hpp"
 #include "core/signal/data_quality.hpp"
 
 namespace loopscope::core {
@@ -33,7 +37,18 @@ struct Evidence {
   loop::Performance performance;
   loop::Shape shape;
   loop::ValveGain valve_gain;
-  bool integrating = false;  ///< level loop: the vessel integrates (from the catalogue)
+  bool integrating = false;     ///< level loop: the vessel integrates (from the catalogue)
+  bool op_range_known = false;  ///< op is in percent
+  double interval_s = 1.0;
+  /// The loop's cycle, if it has one, and whether a valve that sticks would make it; nullopt where
+  /// pv or op cannot be judged. Its figures are filled below five cycles, too.
+  std::optional<model::CycleCause> cycle;
+  std::optional<model::SlowTravel> travel;  ///< whether pv follows op's slow travel
+  /// The same on means over a slow cycle's hundred-and-twenty-eighths; nullopt where the cycle is
+  /// faster or there is none.
+  std::optional<model::SlowTravel> cycle_travel;
+  std::optional<loop::Rests> rests;         ///< of pv while op travels, in that cycle
+  std::optional<loop::OpRest> op_rest;      ///< at the ends of what op covers
   /// The same statistics on data resampled to fit a slow oscillation; nullopt when none is needed
   /// or too little is recorded.
   std::optional<hos::SlowLook> hos_slow;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/diagnosis/archive_null.hpp"
 #include "core/diagnosis/steady_error.hpp"
@@ -97,11 +98,45 @@ void note_too_short(const FirstLook& first, Evidence& evidence) {
   evidence.samples_wanted = static_cast<std::size_t>(wanted);
 }
 
-void measure_shapes(const FirstLook& first, Evidence& evidence) {
+/// judge_slow_travel() averages eight samples: sixteen of its means a cycle show the shape.
+constexpr double kSamplesOfTravel = 128.0;
+
+/// Of `every` samples each; NaN where one is missing.
+signal::Samples means(const signal::Samples& samples, std::size_t every) {
+  signal::Samples result(samples.size() / every, 0.0);
+  for (std::size_t k = 0; k < result.size() * every; ++k)
+    result[k / every] += samples[k] / static_cast<double>(every);
+  return result;
+}
+
+std::optional<model::SlowTravel> travel_in_cycle(const signal::PreparedLoop& loop,
+                                                 double period_samples) {
+  const double factor = std::floor(period_samples / kSamplesOfTravel);
+  if (!(factor >= 2.0)) return std::nullopt;
+  const auto every = static_cast<std::size_t>(factor);
+  return model::judge_slow_travel(means(loop.pv, every),
+                                  means(loop.op_percent, every));
+}
+
+void measure_cycle(const signal::PreparedLoop& loop, const LoopFacts& facts, Evidence& evidence) {
+  if (!loop.op_moves) return;
+  model::CycleCause cycle =
+      model::judge_limit_cycle(loop.pv, loop.op_percent, loop.sp, facts.without);
+  if (!(cycle.evidence.cycles > 0.0)) return;
+  evidence.rests = loop::measure_rests(loop.pv, loop.op_percent, cycle.evidence.period_samples,
+                                       evidence.integrating);
+  evidence.cycle_travel = travel_in_cycle(loop, cycle.evidence.period_samples);
+  evidence.cycle = std::move(cycle);
+}
+
+void measure_shapes(const FirstLook& first, const LoopFacts& facts, Evidence& evidence) {
   const signal::PreparedLoop& loop = first.loop;
   evidence.shape = loop::measure_shape({loop.error, loop.pv, loop.op_percent, loop.mv_percent,
                                         first.period_samples(), evidence.integrating});
-  evidence.valve_gain = loop::measure_valve_gain(loop.pv, loop.op_percent);
+  evidence.valve_gain = loop::measure_valve_gain(loop.pv, loop.op_percent, facts.pv_span);
+  evidence.op_rest = loop::measure_op_rest(loop.op_percent);
+  measure_cycle(loop, facts, evidence);
+  if (loop.op_moves) evidence.travel = model::judge_slow_travel(loop.pv, loop.op_percent);
 }
 
 SteadyError long_error(const signal::LoopWindow& window, double interval_s,
@@ -136,6 +171,8 @@ Evidence gather_evidence(const FirstLook& first, const AnalysisSettings& setting
   Evidence evidence;
   evidence.data_quality = loop.quality;
   evidence.integrating = facts.integrating;
+  evidence.op_range_known = loop.op_range_known;
+  evidence.interval_s = loop.sample_interval_s;
   evidence.oscillation = first.oscillation;
   evidence.slow_span_samples = first.slow_span_samples;
   evidence.performance =
@@ -143,7 +180,7 @@ Evidence gather_evidence(const FirstLook& first, const AnalysisSettings& setting
                                 loop.op_range_known, settings.performance);
   if (evidence.data_quality.usable) {
     measure_statistics(loop, settings, facts.seed, evidence);
-    measure_shapes(first, evidence);
+    measure_shapes(first, facts, evidence);
     if (evidence.hos) {
       look_slowly(first, settings, facts.seed, long_window, evidence);
       note_too_short(first, evidence);

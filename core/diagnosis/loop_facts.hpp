@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "core/model/mechanism.hpp"
@@ -13,6 +14,8 @@ struct LoopFacts {
   /// Of the simulations behind p-values (core/hos/significance.hpp); made from the loop and the
   /// window, so that a replay is identical.
   std::uint64_t seed = 0;
+  /// Width of the transmitter's range, pv units, > 0; nullopt = not known.
+  std::optional<double> pv_span = std::nullopt;
   model::Without without{};  ///< tests only
 };
 

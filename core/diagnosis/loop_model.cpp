@@ -5,11 +5,12 @@
 
 namespace loopscope::core {
 
-model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts) {
+model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts,
+                              const model::CycleCause* cycle) {
   const signal::PreparedLoop& loop = first.loop;
   return {loop.pv,    loop.op_percent,        loop.sp,
           loop.error, loop.sample_interval_s, loop.op_range_known,
-          facts.seed, facts.without};
+          facts.seed, facts.without,           cycle};
 }
 
 bool can_be_modelled(const FirstLook& first, const Evidence& evidence) {
@@ -26,14 +27,16 @@ bool ModelCause::given_by(diagnosis::VerdictCode code, double confidence,
          p.value_or(0.0) <= largest_p && confidence >= least_confidence;
 }
 
-bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& settings,
+bool gives_cause_for_a_model(const Evidence& evidence, const AnalysisSettings& settings,
                              const ModelCause& cause) {
-  const diagnosis::Verdict verdict = diagnosis::decide(evidence, settings);
+  const diagnosis::Verdict verdict =
+      diagnosis::decide(evidence, settings.hos, settings.decision);
   return cause.given_by(verdict.code, verdict.confidence, verdict.p);
 }
 
-std::optional<model::Explanation> explain_loop(const FirstLook& first, const LoopFacts& facts) {
-  return model::explain(model_input(first, facts));
+std::optional<model::Explanation> explain_loop(const FirstLook& first, const LoopFacts& facts,
+                                               const model::CycleCause* cycle) {
+  return model::explain(model_input(first, facts, cycle));
 }
 
 std::optional<model::ExplanationTraces> trace_loop(const FirstLook& first, const LoopFacts& facts) {

@@ -2,11 +2,11 @@
 
 #include <optional>
 
+#include "core/diagnosis/analysis_settings.hpp"
 #include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/first_look.hpp"
 #include "core/diagnosis/loop_facts.hpp"
 #include "core/diagnosis/verdict.hpp"
-#include "core/hos/settings.hpp"
 #include "core/model/explanation.hpp"
 #include "core/model/model_input.hpp"
 #include "core/model/traces.hpp"
@@ -28,16 +28,18 @@ struct ModelCause {
 };
 
 /// Whether the evidence without a model gives cause to fit one.
-[[nodiscard]] bool gives_cause_for_a_model(const Evidence& evidence, const hos::Settings& settings,
+[[nodiscard]] bool gives_cause_for_a_model(const Evidence& evidence,
+                                           const AnalysisSettings& settings,
                                            const ModelCause& cause = {});
 
-/// What core/model is given; views `first`.
-[[nodiscard]] model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts);
+/// What core/model is given; views `first`, and `cycle` where it was judged before.
+[[nodiscard]] model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts,
+                                            const model::CycleCause* cycle = nullptr);
 
 /// What the loop model (core/model) makes of a window that can be modelled; nullopt = no model
 /// was fitted. A pure function of the window, the settings behind `first` and the facts.
-[[nodiscard]] std::optional<model::Explanation> explain_loop(const FirstLook& first,
-                                                             const LoopFacts& facts);
+[[nodiscard]] std::optional<model::Explanation> explain_loop(
+    const FirstLook& first, const LoopFacts& facts, const model::CycleCause* cycle = nullptr);
 
 /// The same with the series behind it, for pictures; on the grid of `first.loop`.
 [[nodiscard]] std::optional<model::ExplanationTraces> trace_loop(const FirstLook& first,

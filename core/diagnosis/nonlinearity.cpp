@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/diagnosis/case.hpp"
+#include "core/diagnosis/structure.hpp"
 #include "core/diagnosis/words.hpp"
 
 namespace loopscope::core::diagnosis {

@@ -34,10 +34,18 @@ enum class VerdictCode {
 /// Every code, in the order above.
 [[nodiscard]] std::span<const VerdictCode> all_verdict_codes();
 
+/// One cause of the catalogue as the evidence weighs it. Causes may stand together.
+struct CauseReport {
+  VerdictCode code = VerdictCode::healthy;
+  double probability = 0.0;             ///< 0 to 1
+  std::vector<std::string> in_favour;  ///< what speaks for it, strongest first, with numbers
+  std::vector<std::string> against;
+};
+
 /// What the evidence says about one loop, in words that can go into a work order.
 struct Verdict {
   VerdictCode code = VerdictCode::insufficient_data;
-  double confidence = 0.0;           ///< 0 to 1
+  double confidence = 0.0;           ///< probability of the code, 0 to 1
   std::string summary;               ///< one sentence
   std::vector<std::string> reasons;  ///< each names its numbers
   std::string action;                ///< what to do next
@@ -45,6 +53,7 @@ struct Verdict {
   /// fault. nullopt when it rests on a fact (a saturated output, a held sensor, a measured valve
   /// position), when its test was not computed, and for `healthy` and `insufficient_data`.
   std::optional<double> p = std::nullopt;
+  std::vector<CauseReport> causes = {};  ///< all that were weighed, the most probable first
 };
 
 }  // namespace loopscope::core::diagnosis

@@ -39,13 +39,15 @@ double mean_absolute(const std::vector<double>& values) {
 
 }  // namespace
 
-ValveGain measure_valve_gain(std::span<const double> pv, std::span<const double> op_percent) {
+ValveGain measure_valve_gain(std::span<const double> pv, std::span<const double> op_percent,
+                             std::optional<double> pv_range) {
   ValveGain gain;
   gain.op_span_percent = central_span(sorted_recorded(op_percent));
   const std::vector<double> pv_values = sorted_recorded(pv);
   const std::optional<double> pv_span = central_span(pv_values);
   const double level = mean_absolute(pv_values);
   if (pv_span && level > 0.0) gain.pv_relative_span = *pv_span / level;
+  if (pv_span && pv_range && *pv_range > 0.0) gain.pv_span_percent = 100.0 * *pv_span / *pv_range;
   return gain;
 }
 

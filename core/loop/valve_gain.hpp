@@ -12,10 +12,14 @@ struct ValveGain {
   std::optional<double> op_span_percent;
   /// The same distance of pv, as a share of the mean absolute pv.
   std::optional<double> pv_relative_span;
+  /// The same distance, % of the transmitter's range; nullopt where that is not known.
+  std::optional<double> pv_span_percent;
 };
 
 /// Spans may hold NaN; a figure of an empty or unrecorded series is nullopt.
+/// `pv_range`: width of the transmitter's range, pv units, > 0.
 [[nodiscard]] ValveGain measure_valve_gain(std::span<const double> pv,
-                                           std::span<const double> op_percent);
+                                           std::span<const double> op_percent,
+                                           std::optional<double> pv_range = std::nullopt);
 
 }  // namespace loopscope::core::loop

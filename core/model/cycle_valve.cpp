@@ -60,7 +60,7 @@ double odds_that_valve_cycles(const CycleCause& cause, double band_percent) {
 
 void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps) {
   if (!input.without.has(Mechanism::cycle_score) || std::ranges::none_of(steps, has_band)) return;
-  const CycleCause cause = judge_limit_cycle(input.pv, input.op, input.sp, input.without);
+  const CycleCause cause = cycle_of(input);
   if (cause.decision == CycleCause::Decision::undecided) return;
   const bool cycles = cycles_by_itself(cause.evidence, input);
   const bool steadily = cause.evidence.op_coherence >= kRepeats && !setpoint_moves(input);

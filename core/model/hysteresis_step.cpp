@@ -40,7 +40,7 @@ Step step_of(double stickband, double slip_jump, double p) {
 }
 
 std::optional<Step> by_cycle(const ModelInput& input, double p) {
-  const CycleCause cause = judge_limit_cycle(input.pv, input.op, input.sp, input.without);
+  const CycleCause cause = cycle_of(input);
   if (cause.decision != CycleCause::Decision::sticks || cause.score < kClearScore) {
     return std::nullopt;
   }

@@ -22,7 +22,9 @@ CycleEvidence combine(const std::vector<CycleEvidence>& parts) {
       &CycleEvidence::error_before, &CycleEvidence::error_law,   &CycleEvidence::error_turning,
       &CycleEvidence::part_ratio,   &CycleEvidence::steadiness,  &CycleEvidence::band_share,
       &CycleEvidence::op_coherence, &CycleEvidence::op_triangle, &CycleEvidence::pv_third,
-      &CycleEvidence::pv_triangle,  &CycleEvidence::travel};
+      &CycleEvidence::pv_triangle,  &CycleEvidence::travel,      &CycleEvidence::pv_coherence,
+      &CycleEvidence::op_move_kurtosis, &CycleEvidence::pv_move_kurtosis,
+      &CycleEvidence::pv_bend_kurtosis};
   for (const auto member : kMeans) {
     double sum = 0.0;
     for (const CycleEvidence& part : parts) sum += part.*member;
@@ -104,6 +106,11 @@ CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double>
   cause.decision =
       cause.score >= 0.5 ? CycleCause::Decision::sticks : CycleCause::Decision::does_not_stick;
   return cause;
+}
+
+CycleCause cycle_of(const ModelInput& input) {
+  return input.cycle ? *input.cycle
+                     : judge_limit_cycle(input.pv, input.op, input.sp, input.without);
 }
 
 }  // namespace loopscope::core::model

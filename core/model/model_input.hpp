@@ -7,6 +7,8 @@
 
 namespace loopscope::core::model {
 
+struct CycleCause;
+
 /// What was recorded of one loop, on one grid, equally long. NaN = missing.
 struct ModelInput {
   std::span<const double> pv;      ///< pv units
@@ -17,6 +19,8 @@ struct ModelInput {
   bool op_in_percent = true;
   std::uint64_t seed = 0;  ///< of the simulations behind p-values
   Without without{};       ///< tests only
+  /// What judge_limit_cycle() says of these series, where it was asked before; nullptr = ask it.
+  const CycleCause* cycle = nullptr;
 };
 
 }  // namespace loopscope::core::model

@@ -53,8 +53,7 @@ void simulate_part(const CycleRecord& part, const CycleBand& band, bool by_law, 
 std::optional<WitnessSimulation> simulate_cycle(const ModelInput& input) {
   const CycleRecording recording = cycle_recording(input.pv, input.op, input.sp);
   if (!unusable(recording).empty()) return std::nullopt;
-  const CycleEvidence evidence =
-      judge_limit_cycle(input.pv, input.op, input.sp, input.without).evidence;
+  const CycleEvidence evidence = cycle_of(input).evidence;
   const CycleBand band(cycle_period(recording));
   WitnessSimulation result = nowhere(input.pv.size());
   for (const CycleRecord& part : parts_of(recording, band)) {

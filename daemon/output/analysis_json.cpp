@@ -121,18 +121,27 @@ Json shape_json(const core::Evidence& evidence) {
           {"mv_slip_jump", number_or_null(shape.mv_slip_jump)},
           {"mv_stuck_fraction", number_or_null(shape.mv_stuck_fraction)},
           {"op_span_percent", number_or_null(evidence.valve_gain.op_span_percent)},
-          {"pv_relative_span", number_or_null(evidence.valve_gain.pv_relative_span)}};
+          {"pv_relative_span", number_or_null(evidence.valve_gain.pv_relative_span)},
+          {"pv_span_percent", number_or_null(evidence.valve_gain.pv_span_percent)}};
 }
 
 }  // namespace
 
 Json verdict_json(const core::diagnosis::Verdict& verdict) {
+  Json causes = Json::array();
+  for (const core::diagnosis::CauseReport& cause : verdict.causes) {
+    causes.push_back({{"code", core::diagnosis::name(cause.code)},
+                      {"probability", cause.probability},
+                      {"for", cause.in_favour},
+                      {"against", cause.against}});
+  }
   return {{"code", core::diagnosis::name(verdict.code)},
           {"confidence", verdict.confidence},
           {"p", number_or_null(verdict.p)},
           {"summary", verdict.summary},
           {"reasons", verdict.reasons},
-          {"action", verdict.action}};
+          {"action", verdict.action},
+          {"causes", std::move(causes)}};
 }
 
 Json slow_look_json(const core::hos::SlowLook& look, core::TestedOn tested_on) {

@@ -34,7 +34,10 @@ TEST(SettingTable, EveryFieldOfEveryStructHasItsRow) {
   EXPECT_EQ(settings_in("/analysis/hos"), field_count<core::hos::Settings>());
   EXPECT_EQ(settings_in("/analysis/oscillation"), field_count<core::loop::OscillationSettings>());
   EXPECT_EQ(settings_in("/analysis/performance"), field_count<core::loop::PerformanceSettings>());
-  EXPECT_EQ(field_count<core::AnalysisSettings>(), 5U) << "a section is not in the table";
+  EXPECT_EQ(settings_in("/analysis/decision") + 1,
+            field_count<core::diagnosis::DecisionSettings>());
+  EXPECT_EQ(settings_in("/analysis/priors"), field_count<core::diagnosis::Priors>());
+  EXPECT_EQ(field_count<core::AnalysisSettings>(), 6U) << "a section is not in the table";
   EXPECT_EQ(field_count<Settings>(), 9U) << "a section is not in the table";
 }
 

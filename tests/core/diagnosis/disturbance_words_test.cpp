@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "core/diagnosis/model_verdict.hpp"
+#include "core/diagnosis/decide.hpp"
 #include "tests/core/diagnosis/explanations.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -79,7 +79,7 @@ TEST(DisturbanceWords, OnlyAWaveSendsTheReaderToLoopsOfTheSamePeriod) {
 }
 
 TEST(DisturbanceWords, TheVerdictSpeaksThem) {
-  const Verdict verdict = model_verdict(case_of(evidence_with(explanation_with({load_at(500.0)}))));
+  const Verdict verdict = decide(evidence_with(explanation_with({load_at(500.0)})), {});
   EXPECT_EQ(verdict.code, VerdictCode::external_disturbance);
   EXPECT_EQ(verdict.summary, "The load moved once within the window.");
   EXPECT_NE(verdict.action.find("upstream"), std::string::npos);

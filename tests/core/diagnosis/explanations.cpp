@@ -1,9 +1,6 @@
 #include "tests/core/diagnosis/explanations.hpp"
 
-#include <gtest/gtest.h>
 #include <utility>
-
-#include "core/diagnosis/decide.hpp"
 
 namespace loopscope::core::diagnosis {
 
@@ -55,7 +52,7 @@ Evidence quiet_evidence() {
   evidence.performance.harris_low = 0.4;
   evidence.performance.harris_high = 0.8;
   evidence.performance.error_std = 0.8;
-  evidence.valve_gain = {20.0, 0.1};
+  evidence.valve_gain = {20.0, 0.1, std::nullopt};
   return evidence;
 }
 
@@ -69,22 +66,6 @@ Evidence evidence_with(std::optional<model::Explanation> model) {
 
 void oscillate(Evidence& evidence, double period_s, double persistence) {
   evidence.oscillation = {true, period_s, 3.0, 1.0, persistence, kOscillationP};
-}
-
-void show_stiction_shapes(Evidence& evidence) {
-  evidence.shape.shape_index = 0.8;
-  evidence.shape.horch_dtau = 0.9;
-  evidence.shape.horch_drho = 0.6;
-}
-
-void expect_verdict(const Evidence& evidence, VerdictCode code, std::optional<double> p) {
-  const Verdict verdict = decide(evidence, {});
-  EXPECT_EQ(name(verdict.code), name(code));
-  EXPECT_EQ(verdict.p, p) << name(code);
-}
-
-Case case_of(const Evidence& evidence) {
-  return {evidence, judge_nonlinearity(evidence, {}), judge_valve(evidence)};
 }
 
 }  // namespace loopscope::core::diagnosis

@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/diagnosis/case.hpp"
 #include "core/diagnosis/evidence.hpp"
 #include "core/model/explanation.hpp"
 
@@ -29,14 +28,5 @@ namespace loopscope::core::diagnosis {
 inline constexpr double kOscillationP = 1e-6;
 /// Adds an oscillation that carries most of the error's variance.
 void oscillate(Evidence& evidence, double period_s, double persistence = 0.95);
-
-/// Shapes and cross-correlation of a sticking valve.
-void show_stiction_shapes(Evidence& evidence);
-
-/// That the flow gives this verdict, which rests on this p-value.
-void expect_verdict(const Evidence& evidence, VerdictCode code, std::optional<double> p);
-
-/// What the branches of the flow are given.
-[[nodiscard]] Case case_of(const Evidence& evidence);
 
 }  // namespace loopscope::core::diagnosis

@@ -1,99 +1,75 @@
+#include "core/diagnosis/verdict_p.hpp"
+
+#include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/diagnosis/decide.hpp"
 #include "tests/core/diagnosis/explanations.hpp"
 
-/// Which p-value each verdict of the flow rests on.
 namespace loopscope::core::diagnosis {
 namespace {
 
+using Code = VerdictCode;
+
 constexpr double kCouplingP = 1e-4, kHarrisP = 1e-8;
 
-/// Every test computed, no coupling, nothing found.
+/// Every test computed, coupling and an oscillation found.
 Evidence tested_evidence() {
   Evidence evidence = quiet_evidence();
-  evidence.hos->nonlinear_p = 0.8;
-  evidence.performance.harris_p = 1.0;
-  evidence.oscillation.p = 1.0;
-  return evidence;
-}
-
-Evidence coupled_evidence() {
-  Evidence evidence = tested_evidence();
-  evidence.hos->ngi = 0.02;
-  evidence.hos->nli = 0.3;
   evidence.hos->nonlinear_p = kCouplingP;
-  evidence.hos->peaks = {{0.1, 0.1, 0.8, {}}};
+  evidence.performance.harris_p = kHarrisP;
+  oscillate(evidence, 60.0);
   return evidence;
 }
 
-TEST(VerdictP, CouplingRestsOnItsTest) {
-  expect_verdict(coupled_evidence(), VerdictCode::nonlinear_unexplained, kCouplingP);
-  Evidence evidence = coupled_evidence();
-  evidence.data_quality.flags = {"op_constant"};
-  expect_verdict(evidence, VerdictCode::nonlinear_unexplained, kCouplingP);
-}
-
-TEST(VerdictP, WhatEitherBranchWouldSayRestsOnTheStrongerTest) {
-  Evidence evidence = coupled_evidence();
-  oscillate(evidence, 60.0, 0.9);
-  show_stiction_shapes(evidence);
-  expect_verdict(evidence, VerdictCode::valve_stiction, kOscillationP);
-  evidence.oscillation.p = 0.01;
-  expect_verdict(evidence, VerdictCode::valve_stiction, kCouplingP);
-  evidence.valve_gain = {0.6, 0.2};
-  expect_verdict(evidence, VerdictCode::valve_oversized, kCouplingP);
+TEST(VerdictP, EachVerdictRestsOnTheTestOfItsCause) {
+  const Evidence evidence = tested_evidence();
+  EXPECT_EQ(p_of_verdict(Code::nonlinear_unexplained, evidence), kCouplingP);
+  EXPECT_EQ(p_of_verdict(Code::process_nonlinearity, evidence), kCouplingP);
+  EXPECT_EQ(p_of_verdict(Code::external_disturbance, evidence), kOscillationP);
+  EXPECT_EQ(p_of_verdict(Code::tight_tuning, evidence), kOscillationP);
+  EXPECT_EQ(p_of_verdict(Code::sluggish_tuning, evidence), kHarrisP);
+  EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), kOscillationP) << "the clearer of two";
 }
 
 TEST(VerdictP, AnOscillationOfNoWeightLendsNone) {
-  Evidence evidence = coupled_evidence();
-  oscillate(evidence, 60.0, 0.9);
-  show_stiction_shapes(evidence);
+  Evidence evidence = tested_evidence();
   evidence.oscillation.amplitude = 0.1;
-  expect_verdict(evidence, VerdictCode::valve_stiction, kCouplingP);
+  EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), kCouplingP);
+  EXPECT_EQ(p_of_verdict(Code::tight_tuning, evidence), 1.0);
 }
 
-TEST(VerdictP, OscillationsRestOnTheirs) {
-  Evidence evidence = tested_evidence();
-  oscillate(evidence, 60.0, 0.2);
-  expect_verdict(evidence, VerdictCode::tight_tuning, kOscillationP);
-  oscillate(evidence, 60.0, 0.95);
-  expect_verdict(evidence, VerdictCode::external_disturbance, kOscillationP);
-  evidence.data_quality.flags = {"op_constant"};
-  expect_verdict(evidence, VerdictCode::external_disturbance, kOscillationP);
-  evidence.data_quality.flags = {"op_missing"};
-  expect_verdict(evidence, VerdictCode::unexplained, kOscillationP);
-  evidence.data_quality.flags = {};
-  show_stiction_shapes(evidence);
-  expect_verdict(evidence, VerdictCode::valve_stiction, kOscillationP);
-  evidence.valve_gain = {0.6, 0.2};
-  expect_verdict(evidence, VerdictCode::valve_oversized, kOscillationP);
+TEST(VerdictP, AStepOfTheModelIsAsRareAsItsEvidence) {
+  model::Step step = clear_step(model::EffectKind::valve_deadband);
+  step.evidence = 100.0;
+  Evidence evidence = evidence_with(explanation_of({step}));
+  EXPECT_EQ(p_of_verdict(Code::valve_deadband, evidence), measured_p(step));
+  EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), measured_p(step)) << "one fit";
+  EXPECT_EQ(p_of_verdict(Code::process_change, evidence), 0.6) << "that of coupling";
+  evidence.model->excited = false;
+  EXPECT_EQ(p_of_verdict(Code::valve_deadband, evidence), 0.6);
 }
 
-TEST(VerdictP, SlownessRestsOnTheHarrisIndex) {
-  Evidence evidence = tested_evidence();
-  evidence.performance.harris_low = 0.02;
-  evidence.performance.harris_high = 0.1;
-  evidence.performance.harris_p = kHarrisP;
-  expect_verdict(evidence, VerdictCode::sluggish_tuning, kHarrisP);
+TEST(VerdictP, MeasuredPFallsWithTheEvidenceAndNeverBelowTheStepsOwn) {
+  model::Step step = clear_step(model::EffectKind::load_step);
+  step.p = 1e-5;
+  step.evidence = 50.0;
+  EXPECT_NEAR(measured_p(step), 0.02 * std::exp(-2.0), 1e-12);
+  step.evidence = 5000.0;
+  EXPECT_EQ(measured_p(step), 1e-5);
+  step.evidence = std::nan("");
+  EXPECT_EQ(measured_p(step), 1.0);
 }
 
 TEST(VerdictP, FactsAndHealthHaveNone) {
-  expect_verdict(tested_evidence(), VerdictCode::healthy, std::nullopt);
-  Evidence evidence = coupled_evidence();
-  oscillate(evidence, 60.0, 0.9);
+  Evidence evidence = tested_evidence();
+  EXPECT_EQ(p_of_verdict(Code::healthy, evidence), std::nullopt);
+  EXPECT_EQ(p_of_verdict(Code::insufficient_data, evidence), std::nullopt);
   evidence.shape.mv_op_width = 3.0;
-  evidence.shape.mv_slip_jump = 2.0;
-  expect_verdict(evidence, VerdictCode::valve_stiction, std::nullopt);
-  evidence.data_quality.flags = {"sp_not_followed"};
-  expect_verdict(evidence, VerdictCode::unexplained, std::nullopt);
-  evidence.data_quality.saturated_fraction = 0.3;
-  expect_verdict(evidence, VerdictCode::valve_saturation, std::nullopt);
+  EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), std::nullopt);
   evidence.data_quality.flags = {"pv_frozen"};
-  expect_verdict(evidence, VerdictCode::sensor_fault, std::nullopt);
-  Evidence coarse = tested_evidence();
-  coarse.data_quality.flags = {"pv_quantised"};
-  expect_verdict(coarse, VerdictCode::sensor_fault, std::nullopt);
+  EXPECT_EQ(p_of_verdict(Code::sensor_fault, evidence), std::nullopt);
+  evidence.data_quality.saturated_fraction = 0.3;
+  EXPECT_EQ(p_of_verdict(Code::valve_saturation, evidence), std::nullopt);
 }
 
 }  // namespace

@@ -56,7 +56,17 @@ class Stem {
   explicit Stem(const FieldValve& valve)
       : valve_(valve),
         friction_(generators::friction_of(valve.stickband_percent, valve.slip_jump_percent)) {}
-  double next(double op) {
+  double next(double op, Draw& draw) {
+    const double before = position_;
+    const double after = moved(op);
+    if (valve_.spread > 0.0 && after == before && moves_)
+      uneven_ = std::exp(valve_.spread * draw.normal());
+    moves_ = after != before;
+    return after;
+  }
+
+ private:
+  double moved(double op) {
     const bool away = valve_.stretch_steps > 0 && step_++ / valve_.stretch_steps % 2 == 1;
     if (away) velocity_ = 0.0;
     if (valve_.friction == Friction::none || away) return position_ = op;
@@ -65,12 +75,11 @@ class Stem {
     for (int i = 0; i < kSubSteps; ++i) karnopp(op);
     return position_;
   }
-
- private:
   static constexpr int kSubSteps = 20;
   /// Friction against a motion with this sign.
   [[nodiscard]] generators::Friction on_the_way(double force) const {
-    const double scale = force > 0.0 ? 1.0 + valve_.asymmetry : 1.0 - valve_.asymmetry;
+    const double scale =
+        uneven_ * (force > 0.0 ? 1.0 + valve_.asymmetry : 1.0 - valve_.asymmetry);
     return {friction_.static_friction * scale, friction_.kinetic_friction * scale};
   }
   void karnopp(double op) {
@@ -95,6 +104,8 @@ class Stem {
   generators::Friction friction_;
   double position_ = kMiddle;
   double velocity_ = 0.0;
+  double uneven_ = 1.0;  ///< friction of this stroke by the mean one
+  bool moves_ = false;
   std::size_t step_ = 0;
 };
 
@@ -181,24 +192,34 @@ FieldLoop run_field_loop(const FieldSettings& s, std::size_t samples, Draw& draw
     double at_input = load, at_output = 0.0;
     for (Wave& wave : waves) (wave.at_input() ? at_input : at_output) += wave.next(draw);
     if (!s.neighbour.empty()) at_output += s.neighbour[k % s.neighbour.size()];
-    air = actuator * air + (1.0 - actuator) * controller.op();
-    const double mv = stem.next(air);
+    air = actuator * air + (1.0 - actuator) * to_grid(controller.op(), s.op_step);
+    const double mv = stem.next(air, draw);
     const double flow = (mv - kMiddle) * (1.0 + s.trim * (mv - kMiddle) / kMiddle);
     pv = plant.next(flow + at_input) + at_output;
     seen = filter * seen + (1.0 - filter) * pv;
     const double reading = sensor.next(seen + s.noise_std * draw.normal(), draw);
-    const double op_before = controller.op();
+    const double op_before = to_grid(controller.op(), s.op_step);
     if (s.setpoint_every > 0.0 && draw.chance(1.0 / s.setpoint_every)) {
       sp_base = s.setpoint_step_std * draw.normal();
     }
     sp_walk = 0.99 * sp_walk + s.master_walk * std::sqrt(1.0 - 0.99 * 0.99) * draw.normal();
     const double sp = sp_base + sp_walk + master.next(draw);
-    const double op = controller.step(sp - reading, s.controller_gain, s.integral_steps);
-    if (k >= kRunIn && (k - kRunIn) % s.recording.every == 0) {
+    if (k % s.controller_every == 0) {
+      controller.step(sp - reading, s.controller_gain, s.integral_steps,
+                      static_cast<double>(s.controller_every));
+    }
+    const double op = to_grid(controller.op(), s.op_step);
+    if (k < kRunIn) continue;
+    const double op_kept = s.recording.pv_late ? op_before : op;
+    if ((k - kRunIn) % s.recording.every == 0) {
       loop.sp.push_back(100.0 + sp);
       loop.pv.push_back(100.0 + reading);
-      loop.op.push_back(s.recording.pv_late ? op_before : op);
+      loop.op.push_back(op_kept);
       loop.mv.push_back(mv);
+    } else if (s.recording.means) {
+      const double share = 1.0 / static_cast<double>((k - kRunIn) % s.recording.every + 1);
+      loop.pv.back() += share * (100.0 + reading - loop.pv.back());
+      loop.op.back() += share * (op_kept - loop.op.back());
     }
   }
   const Recording& r = s.recording;

@@ -32,6 +32,7 @@ struct FieldValve {
   double stickband_percent = 0.0;
   double slip_jump_percent = 0.0;
   double asymmetry = 0.0;  ///< share by which friction is larger on the way up
+  double spread = 0.0;     ///< of ln(friction) from one stroke to the next: packing is not even
   /// Friction comes and goes: there for so many steps, away for as many; 0 = always there.
   std::size_t stretch_steps = 0;
 };
@@ -61,6 +62,7 @@ struct Recording {
   bool pv_late = false;      ///< op is recorded a step before the pv beside it
   bool interpolate = false;  ///< archive joins its points by lines (else holds them)
   std::size_t every = 1;     ///< steps between recorded samples
+  bool means = false;        ///< of pv and op over these steps are recorded, not the last values
 };
 
 struct FieldSettings {
@@ -75,6 +77,8 @@ struct FieldSettings {
   double controller_gain = 0.3;  ///< % per pv unit, sign of `gain`
   double integral_steps = 10.0;
   double op_low = 0.0, op_high = 100.0;
+  std::size_t controller_every = 1;  ///< steps from one move of op to the next
+  double op_step = 0.0;              ///< % by which op moves at least: a stepping output; 0 = any
   FieldValve valve;
   std::vector<OutsideWave> waves;
   std::vector<double> neighbour;  ///< what another loop adds to pv, step by step; again and again

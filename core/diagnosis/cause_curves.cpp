@@ -1,0 +1,30 @@
+#include "core/diagnosis/cause_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+#include "core/diagnosis/fitted_curves.inc"
+
+}  // namespace
+
+const std::vector<CauseCurves>& fitted_curves(bool with_model) {
+  static const std::vector<CauseCurves> with = curves_with_model();
+  static const std::vector<CauseCurves> without = curves_without_model();
+  return with_model ? with : without;
+}
+
+double weight_at(const FigureCurve& curve, double value) {
+  const auto& points = curve.points;
+  if (points.empty() || std::isnan(value)) return curve.not_computed;
+  if (value <= points.front().value) return points.front().weight;
+  if (value >= points.back().value) return points.back().weight;
+  const auto right = std::ranges::upper_bound(points, value, {}, &CurvePoint::value);
+  const auto left = std::prev(right);
+  const double part = (value - left->value) / (right->value - left->value);
+  return left->weight + part * (right->weight - left->weight);
+}
+
+}  // namespace loopscope::core::diagnosis

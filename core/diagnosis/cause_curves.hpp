@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace loopscope::core::diagnosis {
+
+/// A place on a curve: the weight of evidence, in log odds, of a figure with this value.
+struct CurvePoint {
+  double value = 0.0;
+  double weight = 0.0;
+};
+
+/// What one figure says of one cause: straight between its points, level outside of them.
+struct FigureCurve {
+  std::string_view figure;  ///< figure.hpp
+  double not_computed = 0.0;
+  std::vector<CurvePoint> points;  ///< by ascending value
+};
+
+/// The log odds of one cause: a sum over figures (Good 1950; Spiegelhalter and Knill-Jones 1984).
+/// Over the loops of the fit the weights of a curve have the mean 0.
+struct CauseCurves {
+  std::string_view cause;    ///< code of the verdict
+  double share = 0.0;        ///< of the loops of the fit: its prior
+  double log_odds = 0.0;     ///< where all figures say nothing
+  std::vector<FigureCurve> curves;
+};
+
+/// The fitted tables (fitted_curves.inc, written by tests/verdict/train): for loops with a model,
+/// whose figures of steps and closed loop are among the curves, and for loops without one.
+/// `nonlinear_unexplained` stands for any nonlinearity of valve or process.
+[[nodiscard]] const std::vector<CauseCurves>& fitted_curves(bool with_model);
+
+/// Weight of a value that was computed; of a NaN too.
+[[nodiscard]] double weight_at(const FigureCurve& curve, double value);
+
+}  // namespace loopscope::core::diagnosis

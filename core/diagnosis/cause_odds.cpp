@@ -1,0 +1,119 @@
+#include "core/diagnosis/cause_odds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "core/diagnosis/cause_curves.hpp"
+#include "core/diagnosis/figure.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+double logit(double probability) {
+  return std::log(probability / (1.0 - probability));
+}
+
+/// Curves with the places of their figures.
+struct PlacedCause {
+  const CauseCurves* curves = nullptr;
+  VerdictCode code = VerdictCode::healthy;
+  std::vector<std::size_t> figures;
+};
+
+std::vector<PlacedCause> place(const std::vector<CauseCurves>& table) {
+  std::vector<PlacedCause> placed;
+  for (const CauseCurves& curves : table) {
+    PlacedCause cause{&curves, verdict_code(curves.cause).value(), {}};
+    for (const FigureCurve& curve : curves.curves)
+      cause.figures.push_back(figure_place(curve.figure).value());
+    placed.push_back(std::move(cause));
+  }
+  return placed;
+}
+
+const std::vector<PlacedCause>& placed_table(bool with_model) {
+  static const std::vector<PlacedCause> with = place(fitted_curves(true));
+  static const std::vector<PlacedCause> without = place(fitted_curves(false));
+  return with_model ? with : without;
+}
+
+/// 0 = as in the fit.
+double prior_of(VerdictCode code, const Priors& priors) {
+  switch (code) {
+    case VerdictCode::healthy:
+      return priors.healthy;
+    case VerdictCode::valve_stiction:
+      return priors.valve_stiction;
+    case VerdictCode::valve_deadband:
+      return priors.valve_deadband;
+    case VerdictCode::valve_saturation:
+      return priors.valve_saturation;
+    case VerdictCode::valve_characteristic:
+      return priors.valve_characteristic;
+    case VerdictCode::valve_oversized:
+      return priors.valve_oversized;
+    case VerdictCode::process_nonlinearity:
+      return priors.process_nonlinearity;
+    case VerdictCode::external_disturbance:
+      return priors.external_disturbance;
+    case VerdictCode::process_change:
+      return priors.process_change;
+    case VerdictCode::sensor_fault:
+      return priors.sensor_fault;
+    case VerdictCode::tight_tuning:
+      return priors.tight_tuning;
+    case VerdictCode::sluggish_tuning:
+      return priors.sluggish_tuning;
+    default:
+      return 0.0;
+  }
+}
+
+WeighedCause weigh(const PlacedCause& cause, const std::vector<std::optional<double>>& values,
+                   const Priors& priors) {
+  const CauseCurves& curves = *cause.curves;
+  WeighedCause weighed{cause.code, curves.log_odds, {}};
+  const double prior = prior_of(cause.code, priors);
+  if (prior > 0.0) weighed.log_odds += logit(prior) - logit(curves.share);
+  for (std::size_t k = 0; k < curves.curves.size(); ++k) {
+    const std::optional<double> value = values[cause.figures[k]];
+    const double weight =
+        weight_at(curves.curves[k], value.value_or(std::numeric_limits<double>::quiet_NaN()));
+    weighed.log_odds += weight;
+    weighed.parts.push_back({cause.figures[k], value, weight});
+  }
+  std::ranges::stable_sort(weighed.parts, std::greater{},
+                           [](const Part& part) { return std::abs(part.weight); });
+  return weighed;
+}
+
+}  // namespace
+
+double WeighedCause::probability() const {
+  return 1.0 / (1.0 + std::exp(-log_odds));
+}
+
+std::vector<WeighedCause> weigh_causes(const Evidence& evidence, const DecisionSettings& settings) {
+  const std::vector<std::optional<double>> values = measure_figures(evidence);
+  std::vector<WeighedCause> causes;
+  for (const PlacedCause& cause : placed_table(evidence.model.has_value()))
+    causes.push_back(weigh(cause, values, settings.priors));
+  std::ranges::stable_sort(causes, std::greater{}, &WeighedCause::log_odds);
+  return causes;
+}
+
+void check(const DecisionSettings& settings) {
+  const auto refuse = [](const char* what) {
+    throw std::invalid_argument(std::string("decision: ") + what);
+  };
+  if (!(settings.line >= 0.0) || settings.line > 1.0) refuse("line has to be from 0 to 1");
+  for (const VerdictCode code : all_verdict_codes()) {
+    const double prior = prior_of(code, settings.priors);
+    if (!(prior >= 0.0) || prior >= 1.0) refuse("a prior has to be 0, or more and below 1");
+  }
+}
+
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/diagnosis/decision_settings.hpp"
+#include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/verdict.hpp"
+
+namespace loopscope::core::diagnosis {
+
+/// What one figure adds to the log odds of a cause.
+struct Part {
+  std::size_t figure = 0;       ///< place in all_figures()
+  std::optional<double> value;  ///< nullopt = not computed
+  double weight = 0.0;          ///< log odds; above 0 it speaks for the cause
+};
+
+/// A cause and what speaks for it. Causes may stand together: their probabilities need not add up.
+struct WeighedCause {
+  VerdictCode code = VerdictCode::healthy;
+  double log_odds = 0.0;
+  std::vector<Part> parts;  ///< the weightiest first
+  [[nodiscard]] double probability() const;
+};
+
+/// Every cause of the fitted tables, the most probable first. By the curves for loops with a model
+/// where one was fitted.
+[[nodiscard]] std::vector<WeighedCause> weigh_causes(const Evidence& evidence,
+                                                     const DecisionSettings& settings = {});
+
+}  // namespace loopscope::core::diagnosis

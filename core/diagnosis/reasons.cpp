@@ -1,0 +1,112 @@
+#include "core/diagnosis/reasons.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "core/diagnosis/figure.hpp"
+#include "core/diagnosis/model_words.hpp"
+#include "core/diagnosis/structure.hpp"
+#include "core/diagnosis/words.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+/// A person reads so many; the rest is in the figures.
+constexpr std::size_t kMostParts = 4;
+/// Odds changed by less than a tenth are not worth a line.
+constexpr double kLeastWeight = 0.1;
+
+/// "op repeats its half cycle: 93 % (odds times 3.1)".
+std::string part_text(const Part& part) {
+  const Figure& figure = all_figures()[part.figure];
+  const std::string text = part.value ? figure_text(figure, *part.value)
+                                      : std::string(figure.words) + ": not computed";
+  const bool raises = part.weight > 0.0;
+  return text + " (odds " + (raises ? "times " : "divided by ") +
+         number(std::exp(std::abs(part.weight))) + ")";
+}
+
+std::string oscillation_text(const loop::Oscillation& oscillation) {
+  return "Oscillation of period " + duration(oscillation.period_s.value_or(0.0)) + ", regularity " +
+         number(oscillation.regularity.value_or(0.0)) + ", persistence " +
+         number(oscillation.persistence.value_or(0.0)) + ".";
+}
+
+std::string position_text(const loop::Shape& shape) {
+  return "The mv-op plot is " + number(*shape.mv_op_width) + " % wide, mv jumps by " +
+         number(shape.mv_slip_jump.value_or(0.0)) + " % when it leaves rest; it stands still in " +
+         percent(shape.mv_stuck_fraction.value_or(0.0)) + " of the samples in which op moves.";
+}
+
+void add_model(const model::Explanation& model, std::vector<std::string>& reasons) {
+  for (const model::Step& step : model.steps) {
+    const bool believed = model.excited || model::is_from_outside(step.effect);
+    reasons.push_back(believed ? step_text(step)
+                               : "The model took in " + std::string(model::name(step.effect)) +
+                                     ", but op moves too little to show it: not believed.");
+  }
+  if (!model.excited) {
+    reasons.push_back("Of the way from op to pv the model claims nothing: " + model.excitation);
+    return;
+  }
+  reasons.push_back((model.steps.empty() ? "The linear model needs no effect. " : "") +
+                    unexplained_text(model));
+  if (!model.process_doubt.empty()) reasons.push_back(model.process_doubt);
+  if (model.closed_loop) reasons.push_back(closed_loop_text(*model.closed_loop));
+}
+
+void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
+  if (!op_speaks(evidence)) {
+    reasons.emplace_back("op does not move or is not recorded: nothing is known of controller and "
+                         "valve.");
+  }
+  if (has_flag(evidence, "pv_quantised")) {
+    reasons.push_back("pv moves in steps of " +
+                      number(evidence.data_quality.quantisation_factor.value_or(0.0)) +
+                      " of its standard deviation.");
+  }
+  if (has_flag(evidence, "pv_held")) {
+    reasons.push_back("pv is renewed only every " +
+                      number(evidence.data_quality.compression_factor.value_or(1.0)) +
+                      " samples on average.");
+  }
+  if (has_flag(evidence, "pv_frozen"))
+    reasons.emplace_back("pv stands still for hundreds of samples while op moves.");
+  if (const auto share = evidence.data_quality.saturated_fraction; share && *share > 0.0)
+    reasons.push_back("op is at a limit of its range in " + percent(*share) + " of the samples.");
+}
+
+}  // namespace
+
+CauseReport report_of(const WeighedCause& cause) {
+  CauseReport report{cause.code, cause.probability(), {}, {}};
+  for (const Part& part : cause.parts) {
+    if (std::abs(part.weight) < kLeastWeight) break;
+    std::vector<std::string>& side = part.weight > 0.0 ? report.in_favour : report.against;
+    if (side.size() < kMostParts) side.push_back(part_text(part));
+  }
+  return report;
+}
+
+std::vector<std::string> findings(const Evidence& evidence,
+                                  const NonlinearityFinding& nonlinearity) {
+  std::vector<std::string> reasons;
+  if (evidence.model) add_model(*evidence.model, reasons);
+  add_data(evidence, reasons);
+  if (evidence.shape.mv_op_width) reasons.push_back(position_text(evidence.shape));
+  reasons.push_back(nonlinearity.reason);
+  if (oscillates(evidence)) reasons.push_back(oscillation_text(evidence.oscillation));
+  return reasons;
+}
+
+std::vector<std::string> reasons_for(const CauseReport& cause, const Evidence& evidence,
+                                     const NonlinearityFinding& nonlinearity) {
+  std::vector<std::string> reasons;
+  for (const std::string& part : cause.in_favour) reasons.push_back("For: " + part + ".");
+  for (const std::string& part : cause.against) reasons.push_back("Against: " + part + ".");
+  for (std::string& finding : findings(evidence, nonlinearity))
+    reasons.push_back(std::move(finding));
+  return reasons;
+}
+
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace loopscope::core::loop {
+
+/// Where op rests at an end of what it covers in the record: at a limit of the controller or of the
+/// valve, or only where its cycle turns.
+struct OpRest {
+  double share = 0.0;   ///< of the samples, within a thousandth of the span of an end, in runs
+  double visits = 0.0;  ///< runs of at least three samples there, at the busier end
+};
+
+/// NaN = missing; nullopt where op does not move or fewer than 32 samples are recorded.
+[[nodiscard]] std::optional<OpRest> measure_op_rest(std::span<const double> op);
+
+}  // namespace loopscope::core::loop

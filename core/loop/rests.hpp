@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace loopscope::core::loop {
+
+/// How pv rests while op travels, over a cycle of the loop: behind a valve that sticks pv stands on
+/// two plateaus while integral action ramps op, and jumps between them. Of a vessel, which
+/// integrates, the plateaus are in the slope of pv.
+///
+/// pv is averaged over a twelfth of a cycle; its move from one mean to the next but one is compared
+/// with the root mean square of all such moves. No cycle has to repeat another, so that three are
+/// enough.
+struct Rests {
+  /// Kurtosis of the moves: 1.5 for a sine, 3 for normal noise, more where pv rests and jumps.
+  double move_kurtosis = 0.0;
+  /// Share of the time in which pv rests: moves by less than a quarter of the root mean square. 0.11
+  /// for a sine.
+  double time_share = 0.0;
+  /// Share of op's travel that falls into these rests.
+  double op_travel_share = 0.0;
+  /// Kurtosis of op's moves: 1 for the ramps of a triangle, 1.5 for a sine.
+  double op_move_kurtosis = 0.0;
+  double cycles = 0.0;  ///< in the record
+};
+
+/// pv and op (any units) of equal length, NaN = missing; `period_samples` of the cycle. nullopt with
+/// fewer than three cycles, with cycles of less than six samples, or where pv or op stands still.
+[[nodiscard]] std::optional<Rests> measure_rests(std::span<const double> pv,
+                                                 std::span<const double> op, double period_samples,
+                                                 bool integrating);
+
+}  // namespace loopscope::core::loop

@@ -1,0 +1,72 @@
+#include "core/diagnosis/reasons.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/diagnosis/figure.hpp"
+#include "tests/core/diagnosis/explanations.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+Part part(std::string_view figure, std::optional<double> value, double weight) {
+  return {figure_place(figure).value(), value, weight};
+}
+
+TEST(Reasons, PartsForAndAgainstInWordsWithTheirNumbers) {
+  const CauseReport report =
+      report_of({VerdictCode::valve_stiction, 0.0,
+                 {part("cycle.op_coherence", 0.93, 1.0), part("oscillation.p", 0.0, -0.7),
+                  part("position.width", std::nullopt, -0.2), part("shape.index", 0.5, 0.01)}});
+  EXPECT_EQ(report.probability, 0.5);
+  EXPECT_THAT(report.in_favour, ElementsAre("op repeats its half cycle: 93 % (odds times 2.72)"));
+  EXPECT_THAT(report.against,
+              ElementsAre("an oscillation is present: p = 1 (odds divided by 2.01)",
+                          "width of the recorded mv-op plot, %: not computed (odds divided by "
+                          "1.22)"));
+}
+
+NonlinearityFinding finding() {
+  NonlinearityFinding nonlinearity;
+  nonlinearity.reason = "No quadratic or cubic coupling found.";
+  return nonlinearity;
+}
+
+TEST(Reasons, FindingsNameWhatTheModelTookIn) {
+  const auto reasons = findings(
+      evidence_with(explanation_of({clear_step(model::EffectKind::valve_stiction)})), finding());
+  EXPECT_THAT(reasons, Contains(HasSubstr("valve_stiction. Error on unseen samples 1 -> 0.5")));
+  EXPECT_THAT(reasons, Contains("No quadratic or cubic coupling found."));
+  EXPECT_THAT(reasons, Not(Contains(HasSubstr("Oscillation of period"))));
+}
+
+TEST(Reasons, AModelThatIsNotExcitedIsBelievedOfWhatComesFromOutside) {
+  Evidence evidence =
+      evidence_with(explanation_of({clear_step(model::EffectKind::valve_deadband),
+                                    clear_step(model::EffectKind::external_oscillation)}));
+  evidence.model->excited = false;
+  evidence.model->excitation = "Not excited: op stands still.";
+  const auto reasons = findings(evidence, finding());
+  EXPECT_THAT(reasons, Contains(HasSubstr("valve_deadband, but op moves too little")));
+  EXPECT_THAT(reasons, Contains(HasSubstr("external_oscillation. Error")));
+  EXPECT_THAT(reasons, Contains(HasSubstr("op stands still")));
+}
+
+TEST(Reasons, DataThatAreOddAreNamed) {
+  Evidence evidence = quiet_evidence();
+  evidence.data_quality.flags = {"pv_held", "op_missing"};
+  evidence.data_quality.compression_factor = 12.0;
+  evidence.data_quality.saturated_fraction = 0.3;
+  const auto reasons = findings(evidence, finding());
+  EXPECT_THAT(reasons, Contains(HasSubstr("renewed only every 12 samples")));
+  EXPECT_THAT(reasons, Contains(HasSubstr("op does not move or is not recorded")));
+  EXPECT_THAT(reasons, Contains(HasSubstr("at a limit of its range in 30 %")));
+}
+
+}  // namespace
+}  // namespace loopscope::core::diagnosis

@@ -1,0 +1,48 @@
+#include "core/loop/op_rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "core/signal/loop_window.hpp"
+
+namespace loopscope::core::loop {
+namespace {
+
+/// A wave of 40 samples, held at `limit`.
+std::vector<double> held_wave(double limit) {
+  std::vector<double> op(400);
+  for (std::size_t k = 0; k < op.size(); ++k)
+    op[k] = std::min(limit, 50.0 + 10.0 * std::sin(0.157079632679 * static_cast<double>(k) + 0.05));
+  return op;
+}
+
+TEST(OpRest, ALimitIsMetInEveryCycle) {
+  const auto rest = measure_op_rest(held_wave(55.0));
+  ASSERT_TRUE(rest);
+  EXPECT_NEAR(rest->share, 1.0 / 3.0, 0.05);
+  EXPECT_EQ(rest->visits, 10.0);
+}
+
+TEST(OpRest, AWaveThatTurnsRestsNowhere) {
+  const auto rest = measure_op_rest(held_wave(100.0));
+  ASSERT_TRUE(rest);
+  EXPECT_LT(rest->share, 0.02);
+}
+
+TEST(OpRest, OneLongRestIsOneVisit) {
+  std::vector<double> op = held_wave(100.0);
+  std::fill(op.begin() + 100, op.begin() + 200, 61.0);
+  EXPECT_EQ(measure_op_rest(op)->visits, 1.0);
+}
+
+TEST(OpRest, WhatStandsStillOrIsShortIsNone) {
+  EXPECT_FALSE(measure_op_rest(std::vector<double>(100, 1.0)));
+  EXPECT_FALSE(measure_op_rest(std::vector<double>{1.0, 2.0}));
+  EXPECT_FALSE(measure_op_rest(std::vector<double>(100, signal::kMissing)));
+  EXPECT_FALSE(measure_op_rest({}));
+}
+
+}  // namespace
+}  // namespace loopscope::core::loop

@@ -1,0 +1,49 @@
+"""The fitted table as core/diagnosis reads it."""
+
+HEAD = """// Written by tests/verdict/train; not edited by hand.
+// {records} simulated records, seeds {first} to {last}; algorithm revision {revision}; ridge {ridge:g}.
+// Held-out families, with a model: {with_model}.
+// Held-out families, without one: {without_model}.
+// Each curve: the figure, its weight where it was not computed, and (value, weight) at its bends.
+// Weights are natural logarithms of odds.
+
+"""
+
+# Smaller weights than this change odds by a thousandth.
+LEAST = 5e-4
+
+
+def number(value):
+    return f"{value:.6g}"
+
+
+def weight(value):
+    return f"{0.0 if abs(value) < LEAST else value:.4g}"
+
+
+def curve_text(figure, not_computed, points):
+    pairs = ", ".join(f"{{{number(v)}, {weight(w)}}}" for v, w in points)
+    return f'        {{"{figure}", {weight(not_computed)}, {{{pairs}}}}},\n'
+
+
+def is_flat(not_computed, points):
+    return abs(not_computed) < LEAST and all(abs(w) < LEAST for _, w in points)
+
+
+def table_text(name, fits):
+    """`fits`: by cause."""
+    text = f"std::vector<CauseCurves> {name}() {{\n  return {{\n"
+    for cause, fit in fits.items():
+        rest, curves = fit.curves()
+        text += f'      {{"{cause}", {number(fit.share)}, {rest:.4g},\n       {{\n'
+        text += "".join(curve_text(*curve) for curve in curves if not is_flat(*curve[1:]))
+        text += "       }},\n"
+    return text + "  };\n}\n"
+
+
+def write(path, facts, with_model, without_model):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(HEAD.format(**facts))
+        file.write(table_text("curves_with_model", with_model))
+        file.write("\n")
+        file.write(table_text("curves_without_model", without_model))

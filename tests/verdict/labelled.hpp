@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/diagnosis/loop_facts.hpp"
+#include "core/diagnosis/verdict.hpp"
+#include "core/signal/loop_window.hpp"
+
+namespace loopscope::tests::verdict {
+
+/// What is wrong with a simulated loop.
+struct Truth {
+  std::set<core::diagnosis::VerdictCode> causes;  ///< there, from faint to gross
+  /// Neither there nor absent: a tuning between good and bad, a bend that op hardly travels. Left
+  /// out where the cause is fitted or scored.
+  std::set<core::diagnosis::VerdictCode> doubtful;
+  std::string family;  ///< what made it
+};
+
+/// A simulated loop before a historian has seen it: op and mv in %, one value an interval.
+struct SimulatedLoop {
+  std::vector<double> sp, pv, op;
+  std::vector<double> mv;  ///< empty = the generator does not tell
+  double interval_s = 1.0;
+  bool integrating = false;
+  std::optional<double> pv_span;  ///< width of the transmitter's range, pv units
+  Truth truth;
+};
+
+/// What the diagnosis is given of it.
+struct LabelledRecord {
+  core::signal::LoopWindow window;
+  core::LoopFacts facts;
+  Truth truth;
+};
+
+}  // namespace loopscope::tests::verdict

@@ -1,0 +1,50 @@
+"""Records as `verdict_records` prints them."""
+
+import csv
+
+import numpy
+
+
+class Records:
+    """Columns of figures (NaN = not computed) and the truth of each record."""
+
+    def __init__(self, lines):
+        rows = csv.reader(lines, delimiter="\t")
+        heading = next(rows)
+        body = [row for row in rows if len(row) == len(heading)]
+        self.names = [name.rstrip("*") for name in heading[4:]]
+        self.of_model = [name.rstrip("*") for name in heading[4:] if name.endswith("*")]
+        self.seeds = [row[0] for row in body]
+        self.families = numpy.array([row[1] for row in body])
+        self.causes = [set(filter(None, row[2].split(","))) for row in body]
+        self.doubtful = [set(filter(None, row[3].split(","))) for row in body]
+        values = numpy.array([[float(v) if v else numpy.nan for v in row[4:]] for row in body])
+        self.figures = {name: values[:, k] for k, name in enumerate(self.names)}
+
+    def __len__(self):
+        return len(self.causes)
+
+    def without_model(self):
+        """The same records as a loop without a model shows them."""
+        nothing = numpy.full(len(self), numpy.nan)
+        return {n: nothing if n in self.of_model else v for n, v in self.figures.items()}
+
+    def truth(self, cause):
+        """1, 0, or NaN where the generator leaves it open."""
+        return numpy.array([self._truth(k, cause) for k in range(len(self))])
+
+    def _truth(self, k, cause):
+        own, open_ones = self.causes[k], self.doubtful[k]
+        if cause == "healthy":
+            return 0.0 if own else numpy.nan if open_ones else 1.0
+        if cause == "nonlinear_unexplained":
+            return 1.0 if own & NONLINEAR else numpy.nan if open_ones & NONLINEAR else 0.0
+        return 1.0 if cause in own else numpy.nan if cause in open_ones else 0.0
+
+
+NONLINEAR = {"valve_stiction", "valve_deadband", "valve_saturation", "valve_characteristic",
+             "process_nonlinearity"}
+
+
+def rows(figures, kept):
+    return {name: values[kept] for name, values in figures.items()}
