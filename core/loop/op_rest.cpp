@@ -13,6 +13,7 @@ constexpr std::size_t kFewestForRests = 32;
 constexpr double kNear = 1e-3;  ///< of the span
 /// Two equal samples come by rounding at every turn of op.
 constexpr std::size_t kShortestRun = 3;
+constexpr std::size_t kFewestVisits = 2;
 
 struct Runs {
   std::size_t samples = 0;
@@ -51,8 +52,9 @@ std::optional<OpRest> measure_op_rest(std::span<const double> op) {
   if (!(near > 0.0)) return std::nullopt;
   const Runs below = runs_where(recorded, [&](double v) { return v <= low + near; });
   const Runs above = runs_where(recorded, [&](double v) { return v >= high - near; });
-  return OpRest{static_cast<double>(below.samples + above.samples) /
-                    static_cast<double>(recorded.size()),
+  std::size_t resting = 0;
+  for (const Runs& runs : {below, above}) resting += runs.count >= kFewestVisits ? runs.samples : 0;
+  return OpRest{static_cast<double>(resting) / static_cast<double>(recorded.size()),
                 static_cast<double>(std::max(below.count, above.count))};
 }
 

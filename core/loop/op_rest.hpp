@@ -8,7 +8,9 @@ namespace loopscope::core::loop {
 /// Where op rests at an end of what it covers in the record: at a limit of the controller or of the
 /// valve, or only where its cycle turns.
 struct OpRest {
-  double share = 0.0;   ///< of the samples, within a thousandth of the span of an end, in runs
+  /// Of the samples, within a thousandth of the span of an end that op comes back to, in runs: a
+  /// single rest is no limit.
+  double share = 0.0;
   double visits = 0.0;  ///< runs of at least three samples there, at the busier end
 };
 

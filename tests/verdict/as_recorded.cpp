@@ -105,11 +105,24 @@ core::signal::LoopWindow window_of(const SimulatedLoop& loop) {
   return window;
 }
 
+/// A transmitter, or its tag, that stands still for a while or for good.
+void freeze(LabelledRecord& record, Random& random) {
+  constexpr int kShortest = 320;
+  Samples& pv = record.window.pv;
+  const auto size = static_cast<int>(pv.size());
+  if (size < 2 * kShortest) return;
+  const int length = random.whole(kShortest, size / 2);
+  const int first = random.whole(0, size - length);
+  std::fill_n(pv.begin() + first, length, pv[static_cast<std::size_t>(first)]);
+  record.truth.causes.insert(Code::sensor_fault);
+}
+
 /// What the catalogue says and what the plant records.
 void describe(const SimulatedLoop& loop, LabelledRecord& record, Random& random) {
   core::signal::LoopWindow& window = record.window;
   if (random.chance(0.6)) {
-    window.op_range = core::signal::OpRange{};
+    // A controller's limits are those of its range as often as they lie within it.
+    window.op_range = random.chance(0.5) ? loop.limits : core::signal::OpRange{};
   } else if (random.chance(0.5)) {
     centre(window.op, mean_of(window.op));
   }
@@ -140,6 +153,8 @@ LabelledRecord as_recorded(const SimulatedLoop& simulated, std::uint64_t seed) {
   if (!record.facts.pv_span && record.truth.causes.erase(Code::valve_oversized) > 0)
     record.truth.doubtful.insert(Code::valve_oversized);
   if (random.chance(0.05)) lose(record.window.pv, random);
+  if (random.chance(0.02)) freeze(record, random);
+  for (const Code cause : record.truth.causes) record.truth.doubtful.erase(cause);
   return record;
 }
 

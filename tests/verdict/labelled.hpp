@@ -27,6 +27,7 @@ struct SimulatedLoop {
   double interval_s = 1.0;
   bool integrating = false;
   std::optional<double> pv_span;  ///< width of the transmitter's range, pv units
+  core::signal::OpRange limits;   ///< of op, %: those of its range, or within it
   Truth truth;
 };
 

@@ -207,6 +207,7 @@ SimulatedLoop mixed_loop(std::uint64_t seed) {
   loop.integrating = m.settings.integrating;
   loop.truth = m.truth;
   loop.truth.family = "mixed";
+  loop.limits = {m.settings.op_low, m.settings.op_high};
   size_valve(m, loop, draw);
   return loop;
 }

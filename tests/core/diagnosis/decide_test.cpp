@@ -116,9 +116,13 @@ TEST(Decide, PartsForAndAgainstStandFirstAmongTheReasons) {
 }
 
 TEST(Decide, TuningWaitsForAValve) {
-  const Verdict verdict =
-      decide(evidence_with(explanation_of({clear_step(model::EffectKind::valve_stiction)})), {});
-  EXPECT_TRUE(verdict.code == Code::valve_stiction || verdict.code == Code::valve_deadband);
+  Evidence evidence =
+      evidence_with(explanation_of({clear_step(model::EffectKind::valve_stiction)}));
+  evidence.shape.mv_op_width = 3.0;
+  evidence.shape.mv_slip_jump = 2.0;
+  evidence.shape.mv_stuck_fraction = 0.9;
+  const Verdict verdict = decide(evidence, {});
+  EXPECT_EQ(verdict.code, Code::valve_stiction);
   EXPECT_THAT(verdict.action, HasSubstr("Leave the tuning alone"));
 }
 

@@ -35,6 +35,7 @@ TEST(OpRest, OneLongRestIsOneVisit) {
   std::vector<double> op = held_wave(100.0);
   std::fill(op.begin() + 100, op.begin() + 200, 61.0);
   EXPECT_EQ(measure_op_rest(op)->visits, 1.0);
+  EXPECT_EQ(measure_op_rest(op)->share, 0.0) << "and no limit";
 }
 
 TEST(OpRest, WhatStandsStillOrIsShortIsNone) {
