@@ -54,6 +54,13 @@ void ArrayLiteral::add_text_list(std::span<const std::string> values) {
   add_text(list.text());
 }
 
+void ArrayLiteral::add_number_list(std::span<const std::optional<double>> values) {
+  if (values.empty()) return add_null();
+  ArrayLiteral list;
+  for (const std::optional<double>& value : values) list.add_number(value);
+  add_text(list.text());
+}
+
 std::string number_text(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;

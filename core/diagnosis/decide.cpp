@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/disturbance_words.hpp"
-#include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/nonlinearity.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/structure.hpp"
@@ -40,23 +40,33 @@ double confidence_in(VerdictCode code, const Causes& causes) {
   return 1.0 - largest;
 }
 
+Verdict verdict_with(VerdictCode code, double confidence) {
+  const CatalogueEntry& entry = catalogue_entry(code);
+  return {code, confidence, std::string(entry.summary), {}, std::string(entry.action)};
+}
+
 Verdict insufficient(const Evidence& evidence) {
-  return {VerdictCode::insufficient_data,
-          1.0,
-          summary_of(VerdictCode::insufficient_data),
-          {evidence.data_quality.reason + "."},
-          action_for(VerdictCode::insufficient_data)};
+  Verdict verdict = verdict_with(VerdictCode::insufficient_data, 1.0);
+  verdict.reasons = {evidence.data_quality.reason + "."};
+  return verdict;
+}
+
+bool is_tuning(VerdictCode code) {
+  return catalogue_entry(code).blames == plant::Fault::tuning;
 }
 
 /// Tuning waits while a valve or a sensor is to be mended, and more so where that is the verdict.
 std::string action_with(VerdictCode code, const Causes& causes, double line) {
-  if (code == VerdictCode::valve_saturation) return action_for(code);  // which says so already
-  if (withholds_tuning(code)) return action_for(code) + tuning_waits();
-  if (code != VerdictCode::tight_tuning && code != VerdictCode::sluggish_tuning) return action_for(code);
+  const std::string own(catalogue_entry(code).action);
+  // The words for saturation say so already.
+  if (code == VerdictCode::valve_saturation) return own;
+  if (catalogue_entry(code).withholds_tuning) return own + tuning_waits();
+  if (!is_tuning(code)) return own;
   const auto first = std::ranges::find_if(causes, [&](const WeighedCause& cause) {
-    return withholds_tuning(cause.code) && cause.probability() >= line;
+    return catalogue_entry(cause.code).withholds_tuning && cause.probability() >= line;
   });
-  return first == causes.end() ? action_for(code) : action_for(first->code) + tuning_waits();
+  if (first == causes.end()) return own;
+  return std::string(catalogue_entry(first->code).action) + tuning_waits();
 }
 
 /// A wave has another action than a load that moves.
@@ -108,7 +118,7 @@ Verdict decide(const Evidence& evidence, const hos::Settings& settings,
   const Causes causes = weigh_causes(evidence, decision);
   const bool followed = !has_flag(evidence, "sp_not_followed");
   const VerdictCode code = followed ? code_for(causes, circumstances_of(evidence), decision.line) : VerdictCode::unexplained;
-  Verdict verdict{code, confidence_in(code, causes), summary_of(code), {}, {}};
+  Verdict verdict = verdict_with(code, confidence_in(code, causes));
   for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
   const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);
   const auto own = std::ranges::find(verdict.causes, code, &CauseReport::code);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <vector>
 
+#include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/words.hpp"
 #include "core/model/asked.hpp"
@@ -91,8 +92,8 @@ DisturbanceWords words_of(Disturbance disturbance, const model::Explanation& exp
     case Disturbance::none:
       break;
   }
-  return {summary_of(VerdictCode::external_disturbance),
-          action_for(VerdictCode::external_disturbance)};
+  return {"An oscillation reaches the loop from outside.",
+          std::string(catalogue_entry(VerdictCode::external_disturbance).action)};
 }
 
 }  // namespace loopscope::core::diagnosis

@@ -38,18 +38,4 @@ VerdictCode verdict_of(const model::Step& step) {
   return step.cycles_as_if_stuck ? VerdictCode::valve_stiction : verdict_of(step.effect);
 }
 
-bool withholds_tuning(VerdictCode code) {
-  switch (code) {
-    case VerdictCode::valve_stiction:
-    case VerdictCode::valve_deadband:
-    case VerdictCode::valve_saturation:
-    case VerdictCode::valve_characteristic:
-    case VerdictCode::valve_oversized:
-    case VerdictCode::sensor_fault:
-      return true;
-    default:
-      return false;
-  }
-}
-
 }  // namespace loopscope::core::diagnosis

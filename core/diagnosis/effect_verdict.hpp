@@ -13,8 +13,4 @@ namespace loopscope::core::diagnosis {
 /// moves when the loop answers its setpoint stands for something that the model does not know.
 [[nodiscard]] VerdictCode verdict_of(const model::Step& step);
 
-/// Valve and sensor faults: the findings of a controller behind one say nothing of its tuning, so
-/// that advice on tuning waits until the fault is mended.
-[[nodiscard]] bool withholds_tuning(VerdictCode code);
-
 }  // namespace loopscope::core::diagnosis

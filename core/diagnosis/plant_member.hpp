@@ -6,9 +6,6 @@
 
 namespace loopscope::core::diagnosis {
 
-/// The family that a verdict belongs to.
-[[nodiscard]] plant::Fault fault_of(VerdictCode code);
-
 /// What the loop's own diagnosis tells the plant.
 [[nodiscard]] plant::OwnFindings own_findings(const Evidence& evidence, const Verdict& verdict);
 

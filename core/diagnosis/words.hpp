@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "core/diagnosis/verdict.hpp"
 #include "core/model/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -28,12 +27,6 @@ namespace loopscope::core::diagnosis {
 [[nodiscard]] inline std::string duration(double seconds) {
   return model::in_time(seconds);
 }
-
-/// One sentence that names the verdict.
-[[nodiscard]] std::string summary_of(VerdictCode code);
-
-/// What to do next, in words for a work order.
-[[nodiscard]] std::string action_for(VerdictCode code);
 
 /// What is added to the action for a valve or sensor fault: tuning waits.
 [[nodiscard]] std::string tuning_waits();

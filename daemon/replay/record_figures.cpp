@@ -26,6 +26,8 @@ nlohmann::json record_figures(const storage::AnalysisRecord& record,
                               const std::string& measured_columns) {
   nlohmann::json figures = nlohmann::json::parse(measured_columns);
   figures["verdict"] = verdict_json(record.diagnosis.verdict);
+  // The verdict follows from them, and of their parts only the probabilities are stored, rounded.
+  figures["verdict"].erase("causes");
   figures["peaks"] = peaks_json(record.diagnosis.evidence);
   figures["steps"] = record.model_json.empty()
                          ? nlohmann::json::array()

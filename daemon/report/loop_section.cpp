@@ -5,6 +5,7 @@
 
 #include "core/diagnosis/model_words.hpp"
 #include "core/model/phrases.hpp"
+#include "daemon/report/cause_bars.hpp"
 #include "daemon/report/compact_svg.hpp"
 #include "daemon/report/data_section.hpp"
 #include "daemon/report/hidden_words.hpp"
@@ -62,13 +63,18 @@ std::string source_words(const FlaggedRow& row) {
       *row.plant_oscillation_number);
 }
 
+/// Of the window as the historian gives it now.
+std::string causes_of(const LoopStory& story) {
+  return story.evidence ? cause_bars(story.evidence->diagnosis.verdict.causes) : std::string();
+}
+
 std::string findings(const LoopStory& story) {
   const FlaggedRow& row = story.row;
   return fmt::format(
       "<dl class=\"findings\">\n<dt>Cause</dt><dd>{}</dd>\n{}{}<dt>Action</dt><dd "
-      "class=\"action\">{}</dd>\n<dt>Evidence</dt><dd>{}</dd>\n</dl>\n",
+      "class=\"action\">{}</dd>\n{}<dt>Evidence</dt><dd>{}</dd>\n</dl>\n",
       html(row.summary), source_words(row), hidden_words(story.hidden), html(row.action),
-      evidence_list(row));
+      causes_of(story), evidence_list(row));
 }
 
 /// The verdict that the pictures show may be another than the stored one: late rows, settings.

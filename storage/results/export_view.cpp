@@ -27,6 +27,7 @@ constexpr ExportedView kViews[] = {
     {"plant_oscillation_member", "slot_end", true, "loop in a shared oscillation"},
     {"revised_verdict", "revised_at", true, "verdict that late rows have changed"},
     {"stage_breakdown", "hour", false, "hour and host: where the time went"},
+    {"verdict_cause", "slot_end", true, "verdict and cause: how probable it is"},
     {"verdict_kind", "", false, "verdict and what it means"},
 };
 

@@ -57,9 +57,20 @@ std::optional<double> p_of(const core::diagnosis::Verdict& verdict) {
   return *verdict.p >= 0.0 ? std::min(*verdict.p, 1.0) : 1.0;
 }
 
+/// In the catalogue's order, up to the last cause that was weighed.
+std::vector<std::optional<double>> probabilities_of(const core::diagnosis::Verdict& verdict) {
+  std::vector<std::optional<double>> probabilities;
+  for (const core::diagnosis::CauseReport& cause : verdict.causes) {
+    const auto place = static_cast<std::size_t>(cause.code);
+    if (place >= probabilities.size()) probabilities.resize(place + 1);
+    probabilities[place] = cause.probability;
+  }
+  return probabilities;
+}
+
 void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
   KeyArrays key;
-  ArrayLiteral analysis_id, code, confidence, p, summary, reasons, action;
+  ArrayLiteral analysis_id, code, confidence, p, summary, reasons, action, causes;
   for (const WrittenAnalysis& written : analyses) {
     const core::diagnosis::Verdict& verdict = written.loop->record->diagnosis.verdict;
     key.add(written);
@@ -70,11 +81,12 @@ void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis
     summary.add_text(verdict.summary);
     reasons.add_text_list(verdict.reasons);
     action.add_text(verdict.action);
+    causes.add_number_list(probabilities_of(verdict));
   }
   transaction.run(statements::kInsertVerdicts,
                   {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
                    key.input_revision.text(), analysis_id.text(), code.text(), confidence.text(),
-                   p.text(), summary.text(), reasons.text(), action.text()});
+                   p.text(), summary.text(), reasons.text(), action.text(), causes.text()});
 }
 
 void insert_peaks(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {

@@ -1,7 +1,6 @@
 #include "core/diagnosis/effect_verdict.hpp"
 
 #include <gtest/gtest.h>
-#include <set>
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -25,16 +24,6 @@ TEST(EffectVerdict, NoEffectIsForgotten) {
   for (const model::EffectKind effect : model::all_effect_kinds()) {
     EXPECT_NE(verdict_of(effect), VerdictCode::unexplained) << model::name(effect);
   }
-}
-
-TEST(EffectVerdict, ValveAndSensorFaultsWithholdTuning) {
-  std::set<VerdictCode> withheld;
-  for (const VerdictCode code : all_verdict_codes()) {
-    if (withholds_tuning(code)) withheld.insert(code);
-  }
-  EXPECT_EQ(withheld, (std::set{VerdictCode::valve_stiction, VerdictCode::valve_deadband,
-                                VerdictCode::valve_saturation, VerdictCode::valve_characteristic,
-                                VerdictCode::valve_oversized, VerdictCode::sensor_fault}));
 }
 
 TEST(EffectVerdict, PlayThatTheLoopCyclesAboutEndsAsStiction) {

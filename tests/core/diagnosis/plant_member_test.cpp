@@ -6,20 +6,6 @@
 namespace loopscope::core::diagnosis {
 namespace {
 
-TEST(PlantMember, EveryVerdictHasAFamily) {
-  EXPECT_EQ(fault_of(VerdictCode::healthy), plant::Fault::none);
-  EXPECT_EQ(fault_of(VerdictCode::insufficient_data), plant::Fault::none);
-  EXPECT_EQ(fault_of(VerdictCode::valve_stiction), plant::Fault::friction);
-  EXPECT_EQ(fault_of(VerdictCode::valve_saturation), plant::Fault::valve);
-  EXPECT_EQ(fault_of(VerdictCode::external_disturbance), plant::Fault::disturbance);
-  EXPECT_EQ(fault_of(VerdictCode::sluggish_tuning), plant::Fault::tuning);
-  for (const VerdictCode code : all_verdict_codes()) {
-    const bool valve = fault_of(code) == plant::Fault::valve;
-    const bool friction = fault_of(code) == plant::Fault::friction;
-    EXPECT_EQ(valve || friction, name(code).starts_with("valve_"));
-  }
-}
-
 TEST(PlantMember, SumsTheStepsByWhatTheyBlame) {
   Evidence evidence;
   evidence.model.emplace();

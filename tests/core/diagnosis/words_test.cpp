@@ -1,22 +1,9 @@
 #include "core/diagnosis/words.hpp"
 
 #include <gtest/gtest.h>
-#include <set>
 
 namespace loopscope::core::diagnosis {
 namespace {
-
-TEST(Words, EveryCodeHasItsOwnNameAndWords) {
-  std::set<std::string_view> names;
-  std::set<std::string> summaries;
-  for (const VerdictCode code : all_verdict_codes()) {
-    names.insert(name(code));
-    summaries.insert(summary_of(code));
-    EXPECT_FALSE(action_for(code).empty());
-  }
-  EXPECT_EQ(names.size(), all_verdict_codes().size());
-  EXPECT_EQ(summaries.size(), all_verdict_codes().size());
-}
 
 TEST(Words, NumbersAreShort) {
   EXPECT_EQ(number(0.0123456), "0.0123");

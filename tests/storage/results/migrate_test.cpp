@@ -5,6 +5,7 @@
 #include <sstream>
 #include <thread>
 
+#include "core/diagnosis/catalogue.hpp"
 #include "storage/results/embedded_migrations.hpp"
 #include "tests/storage/results/results_fixture.hpp"
 #include "tests/support/source_dir.hpp"
@@ -154,26 +155,30 @@ TEST_F(MigrateTest, FailureLeavesNothingBehind) {
             "1");
 }
 
-TEST_F(MigrateTest, VerdictKindsAreTheProgramsVerdicts) {
+/// One catalogue of verdicts: what SQL says of a code is what the program says.
+TEST_F(MigrateTest, VerdictKindsAreTheProgramsCatalogue) {
   migrate(settings_for(*database));
-  for (const core::diagnosis::VerdictCode code : core::diagnosis::all_verdict_codes()) {
-    const std::string word(core::diagnosis::name(code));
-    const bool is_fault = word != "healthy" && word != "insufficient_data";
-    EXPECT_EQ(database->value("SELECT is_fault AND weight > 0 OR NOT is_fault AND weight IS NULL"
-                              " FROM loopscope.verdict_kind WHERE code = '" +
-                              word + "'"),
-              "t");
+  for (const core::diagnosis::CatalogueEntry& entry : core::diagnosis::catalogue()) {
+    const std::string code = " WHERE code = '" + std::string(entry.name) + "'";
+    const bool fault = entry.weight > 0.0;
+    EXPECT_EQ(database->value("SELECT is_fault FROM loopscope.verdict_kind" + code),
+              fault ? "t" : "f");
+    EXPECT_EQ(database->value("SELECT meaning FROM loopscope.verdict_kind" + code), entry.meaning);
     EXPECT_EQ(
-        database->value("SELECT is_fault FROM loopscope.verdict_kind WHERE code = '" + word + "'"),
-        is_fault ? "t" : "f");
-    EXPECT_EQ(database->value("SELECT pg_get_constraintdef(oid) LIKE '%''" + word +
+        database->value("SELECT coalesce(max(weight), 0) = " + std::to_string(entry.weight) +
+                        " FROM loopscope.verdict_kind" + code),
+        "t");
+    EXPECT_EQ(database->value("SELECT coalesce(max(family), '') FROM loopscope.fault_family" + code),
+              entry.family);
+    EXPECT_EQ(database->value("SELECT pg_get_constraintdef(oid) LIKE '%''" +
+                              std::string(entry.name) +
                               "''%'"
                               " FROM pg_constraint WHERE conname = 'verdict_code_check'"
                               " AND conrelid = 'loopscope.verdict'::regclass"),
               "t");
   }
   EXPECT_EQ(database->value("SELECT count(*) FROM loopscope.verdict_kind"),
-            std::to_string(core::diagnosis::all_verdict_codes().size()));
+            std::to_string(core::diagnosis::catalogue().size()));
 }
 
 }  // namespace

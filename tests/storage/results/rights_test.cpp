@@ -107,6 +107,7 @@ TEST_F(RightsTest, ReaderOnlyReads) {
                            "plant_oscillation_member",
                            "monitor_health",
                            "verdict_kind",
+                           "verdict_cause",
                            "analysis",
                            "parameter",
                            "data_problem",

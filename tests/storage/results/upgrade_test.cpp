@@ -106,7 +106,7 @@ class UpgradeFromTest : public UpgradeTest, public testing::WithParamInterface<i
  protected:
   UpgradeFromTest() : UpgradeTest(GetParam()) {}
 };
-INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18, 19));
+INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18, 19, 20));
 
 TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   const ConnectionSettings as_owner = settings_for(*database, owner);
@@ -133,6 +133,14 @@ TEST_P(UpgradeFromTest, StepsOfBeforeClaimNothingOfWhatAskedForThem) {
                       " 'loopscope.explanation_step'::regclass)"),
       testing::StrEq("Residual tests"))
       << "in every partition";
+}
+
+/// Nobody weighed causes before: no row, and none of the verdicts is touched.
+TEST_P(UpgradeFromTest, VerdictsOfBeforeHaveNoCauses) {
+  migrate(settings_for(*database, owner));
+  EXPECT_EQ(database->rows("SELECT count(*), count(cause_probabilities) FROM loopscope.verdict"),
+            (TextRows{{"2", "0"}}));
+  EXPECT_EQ(database->value("SELECT count(*) FROM loopscope.verdict_cause"), "0");
 }
 
 /// Before, each of these values stopped every claim.

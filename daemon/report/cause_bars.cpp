@@ -1,0 +1,49 @@
+#include "daemon/report/cause_bars.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <vector>
+
+#include "daemon/report/html_text.hpp"
+#include "daemon/report/page_text.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using core::diagnosis::CauseReport;
+
+/// Less probable ones take room and tell nothing.
+constexpr double kLeast = 0.05;
+constexpr std::size_t kMost = 6;
+
+std::string parts(const char* title, const std::vector<std::string>& texts) {
+  if (texts.empty()) return {};
+  std::string list = fmt::format("<p>{}</p><ul>", title);
+  for (const std::string& text : texts) list += "<li>" + html(text) + "</li>";
+  return list + "</ul>";
+}
+
+std::string bar(const CauseReport& cause) {
+  const std::string code(core::diagnosis::name(cause.code));
+  const long percent = std::lround(100.0 * cause.probability);
+  return fmt::format(
+      "<details class=\"cause\"><summary><span class=\"label\">{}</span>"
+      "<span class=\"bar\"><span class=\"{}\" style=\"width:{}%\"></span></span>"
+      "<span class=\"share\">{} %</span></summary>{}{}</details>\n",
+      html(in_words(code)), html(code), percent, percent, parts("For", cause.in_favour),
+      parts("Against", cause.against));
+}
+
+}  // namespace
+
+std::string cause_bars(std::span<const CauseReport> causes) {
+  std::string text;
+  for (std::size_t k = 0; k < causes.size() && k < kMost && causes[k].probability >= kLeast; ++k)
+    text += bar(causes[k]);
+  if (text.empty()) return text;
+  return "<dt>Probable causes</dt><dd class=\"causes\">" + text +
+         "<p class=\"note\">Causes may stand together: the shares need not add up.</p></dd>\n";
+}
+
+}  // namespace loopscope::daemon
