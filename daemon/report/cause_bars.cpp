@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "daemon/report/html_text.hpp"
-#include "daemon/report/page_text.hpp"
+#include "daemon/report/verdict_words.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -29,7 +29,8 @@ std::string bar(const CauseReport& cause) {
   const long percent = std::lround(100.0 * cause.probability);
   return fmt::format(
       "<details class=\"cause\"><summary><span class=\"label\">{}</span>"
-      "<span class=\"bar\"><span class=\"{}\" style=\"width:{}%\"></span></span>"
+      "<svg class=\"bar\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" aria-hidden=\"true\">"
+      "<rect class=\"{}\" width=\"{}\" height=\"8\"/></svg>"
       "<span class=\"share\">{} %</span></summary>{}{}</details>\n",
       html(in_words(code)), html(code), percent, percent, parts("For", cause.in_favour),
       parts("Against", cause.against));
