@@ -6,7 +6,9 @@
 namespace loopscope::core::diagnosis {
 namespace {
 
-#include "core/diagnosis/fitted_curves.inc"
+#include "core/diagnosis/curves_with_model.inc"
+
+#include "core/diagnosis/curves_without_model.inc"
 
 }  // namespace
 

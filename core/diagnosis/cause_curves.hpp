@@ -28,7 +28,7 @@ struct CauseCurves {
   std::vector<FigureCurve> curves;
 };
 
-/// The fitted tables (fitted_curves.inc, written by tests/verdict/train): for loops with a model,
+/// The fitted tables (curves_with_model.inc and its sister, written by tests/verdict/train): for loops with a model,
 /// whose figures of steps and closed loop are among the curves, and for loops without one.
 /// `nonlinear_unexplained` stands for any nonlinearity of valve or process.
 [[nodiscard]] const std::vector<CauseCurves>& fitted_curves(bool with_model);

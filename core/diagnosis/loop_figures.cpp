@@ -18,11 +18,6 @@ const model::ClosedLoop* closed_loop(const Evidence& evidence) {
   return known ? &*evidence.model->closed_loop : nullptr;
 }
 
-Value left_unexplained(const Evidence& evidence) {
-  if (!evidence.model || !evidence.model->excited) return std::nullopt;
-  return std::clamp(evidence.model->unexplained.fraction, 0.0, 1.0);
-}
-
 /// A peak sensitivity above this says no more.
 constexpr double kMostSensitive = 20.0;
 
@@ -160,12 +155,9 @@ Value size_of_valve(const Evidence& evidence) {
 }
 
 constexpr std::array kLoopFigures = {
-    Figure{"model.unexplained", "left of what could be explained", Scale::share, left_unexplained},
     Figure{"model.sensitivity", "peak sensitivity of the implied loop", Scale::plain, sensitivity},
     Figure{"model.damping", "damping of the implied loop", Scale::plain,
            of_loop<&model::ClosedLoop::damping>},
-    Figure{"model.controller_fit", "share of op's moves that a PI law explains", Scale::share,
-           of_loop<&model::ClosedLoop::controller_fit>},
     Figure{"model.off_resonance", "ln of the oscillation's by the implied loop's period",
            Scale::plain, off_resonance},
     Figure{"model.slowness", "integral action of SIMC tuning by the recorded one", Scale::plain,
@@ -190,8 +182,6 @@ constexpr std::array kLoopFigures = {
     Figure{"hos.nonlinear_p", "the error couples frequencies", Scale::decades, both_looks},
     Figure{"hos.ngi_p", "quadratic coupling on average", Scale::decades,
            hos_decades<&hos::Result::ngi_p>},
-    Figure{"hos.nli_p", "quadratic coupling at single bifrequencies", Scale::decades,
-           hos_decades<&hos::Result::nli_p>},
     Figure{"hos.cubic_p", "cubic coupling", Scale::decades, hos_decades<&hos::Result::cubic_p>},
     Figure{"hos.skewness", "skewness of the error (size)", Scale::plain,
            hos_size<&hos::Result::skewness>},
@@ -215,8 +205,6 @@ constexpr std::array kLoopFigures = {
            [](const Evidence& e) { return flag(e, "sp_moving"); }},
     Figure{"data.integrates", "the loop's vessel integrates (catalogue)", Scale::yes_no,
            [](const Evidence& e) { return Value(e.integrating ? 1.0 : 0.0); }},
-    Figure{"op.speaks", "op is recorded and moves", Scale::yes_no,
-           [](const Evidence& e) { return Value(op_speaks(e) ? 1.0 : 0.0); }},
     Figure{"op.at_limit", "time of op at a limit of its range", Scale::share,
            data<&signal::DataQuality::saturated_fraction>},
     Figure{"size.gain", "pv's travel by op's, both in percent of their ranges", Scale::plain,

@@ -113,11 +113,6 @@ Value all_hysteresis(const Evidence& evidence) {
   return *sticks + *evidence_of<EffectKind::valve_deadband>(evidence);
 }
 
-Value count_of_loads(const Evidence& evidence) {
-  if (!evidence.model) return std::nullopt;
-  return static_cast<double>(load_moves(*evidence.model));
-}
-
 /// Of load steps that come when the loop answers its setpoint.
 Value chance_of_loads(const Evidence& evidence) {
   if (!evidence.model) return std::nullopt;
@@ -154,12 +149,6 @@ constexpr std::array kStepFigures = {
            Scale::plain, evidence_of<EffectKind::sensor_quantisation>},
     Figure{"step.sensor_hold", "evidence for a sensor that holds its value on unseen samples",
            Scale::plain, evidence_of<EffectKind::sensor_hold>},
-    Figure{"share.valve_stiction", "a sticking valve's share of what the model's steps explain",
-           Scale::share, share_of<EffectKind::valve_stiction>},
-    Figure{"share.valve_deadband", "dead band's share of what the model's steps explain",
-           Scale::share, share_of<EffectKind::valve_deadband>},
-    Figure{"share.valve_saturation", "a limit's share of what the model's steps explain",
-           Scale::share, share_of<EffectKind::valve_saturation>},
     Figure{"share.valve_characteristic",
            "a curved characteristic's share of what the model's steps explain", Scale::share,
            share_of<EffectKind::valve_characteristic>},
@@ -169,8 +158,6 @@ constexpr std::array kStepFigures = {
     Figure{"share.external_oscillation",
            "a wave from outside: share of what the model's steps explain", Scale::share,
            share_of<EffectKind::external_oscillation>},
-    Figure{"share.load_step", "load steps' share of what the model's steps explain", Scale::share,
-           share_of<EffectKind::load_step>},
     Figure{"share.gain_change", "a changed gain's share of what the model's steps explain",
            Scale::share, share_of<EffectKind::gain_change>},
     Figure{"asked.valve_stiction", "what a linear loop leaves depends on op's direction",
@@ -189,12 +176,8 @@ constexpr std::array kStepFigures = {
            Scale::decades, [](const Evidence& e) { return left_of(e, "op_direction"); }},
     Figure{"left.op_level", "op's level still shows in the model's residual", Scale::decades,
            [](const Evidence& e) { return left_of(e, "op_level"); }},
-    Figure{"left.op_dynamics", "op's past still shows in the model's residual", Scale::decades,
-           [](const Evidence& e) { return left_of(e, "op_dynamics"); }},
     Figure{"left.periodic", "lines are left in the model's residual or in pv", Scale::decades,
            [](const Evidence& e) { return left_of(e, "periodic"); }},
-    Figure{"left.time_event", "sudden loads are left in the model's residual", Scale::decades,
-           [](const Evidence& e) { return left_of(e, "time_event"); }},
     Figure{"left.time_gain", "a change of gain is left in the model's residual", Scale::decades,
            [](const Evidence& e) { return left_of(e, "time_gain"); }},
     Figure{"left.time_spread", "the model's residual is louder at some times", Scale::decades,
@@ -207,15 +190,8 @@ constexpr std::array kStepFigures = {
     Figure{"band.odds", "log odds that a valve with this band makes the cycle", Scale::plain,
            odds_of_cycle},
     Figure{"band.jump", "the valve's slip jump by its stickband", Scale::share, jump_of_band},
-    Figure{"band.steadiness", "parts of the record in which the valve's band lowers the error",
-           Scale::share, of_hysteresis<&model::Step::steadiness>},
-    Figure{"band.margin", "evidence of the valve's band over that of its best rival", Scale::plain,
-           of_hysteresis<&model::Step::margin>},
     Figure{"band.as_if_stuck", "the loop keeps up a cycle about the band of play", Scale::yes_no,
            of_hysteresis<&model::Step::cycles_as_if_stuck>},
-    Figure{"band.beside_cycle", "the loop cycles otherwise than about the valve's band",
-           Scale::yes_no, of_hysteresis<&model::Step::beside_the_cycle>},
-    Figure{"loads.count", "times that the load moved", Scale::plain, count_of_loads},
     Figure{"loads.after_moves", "load steps come when the loop answers its setpoint by chance",
            Scale::decades, chance_of_loads},
 };

@@ -90,7 +90,6 @@ std::optional<Rests> measure_rests(std::span<const double> pv, std::span<const d
   }
   if (!(travel > 0.0)) return std::nullopt;
   rests.move_kurtosis = moments.kurtosis;
-  rests.op_move_kurtosis = moments_of(op_moves).kurtosis;
   rests.time_share = resting / static_cast<double>(moments.count);
   rests.op_travel_share = travel_at_rest / travel;
   return rests;

@@ -20,8 +20,6 @@ struct Rests {
   double time_share = 0.0;
   /// Share of op's travel that falls into these rests.
   double op_travel_share = 0.0;
-  /// Kurtosis of op's moves: 1 for the ramps of a triangle, 1.5 for a sine.
-  double op_move_kurtosis = 0.0;
   double cycles = 0.0;  ///< in the record
 };
 

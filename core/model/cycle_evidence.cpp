@@ -41,13 +41,9 @@ void read_shapes(const BandedCycle& banded, const CycleBand& band, CycleEvidence
   if (const auto mean = mean_half_cycle(banded.op, turns)) {
     evidence.op_coherence = mean->coherence;
     evidence.op_triangle = -mean->third_harmonic;
-    evidence.op_move_kurtosis = mean->move_kurtosis;
   }
   if (const auto mean = mean_half_cycle(banded.pv, turns)) {
     evidence.pv_third = mean->third_harmonic;
-    evidence.pv_coherence = mean->coherence;
-    evidence.pv_move_kurtosis = mean->move_kurtosis;
-    evidence.pv_bend_kurtosis = mean->bend_kurtosis;
   }
   evidence.pv_triangle = triangle_share(banded.pv, band.period()).value_or(0.5);
 }

@@ -52,21 +52,6 @@ double third_harmonic_of(const HalfCycle& wave) {
   return -(harmonic(wave, 3.0) * back * back * back).real() / (size * size);
 }
 
-/// From point to point of the wave that goes on with its own negative.
-HalfCycle moves_of(const HalfCycle& wave) {
-  HalfCycle moves;
-  for (std::size_t i = 0; i < kPoints; ++i)
-    moves[i] = (i + 1 < kPoints ? wave[i + 1] : -wave[0]) - wave[i];
-  return moves;
-}
-
-double kurtosis(const HalfCycle& wave) {
-  double fourths = 0.0;
-  for (const double value : wave) fourths += value * value * value * value;
-  const double squares = square(wave);
-  return squares > 0.0 ? static_cast<double>(kPoints) * fourths / (squares * squares) : 0.0;
-}
-
 /// Squares that the best sine or triangle with its peak at one of the points leaves.
 template <typename QuarterWave>
 double misfit(const HalfCycle& wave, QuarterWave quarter_wave) {
@@ -125,9 +110,7 @@ std::optional<MeanHalfCycle> mean_half_cycle(std::span<const double> signal,
   }
   if (count < kFewestHalves || !(squares > 0.0)) return std::nullopt;
   const double coherence = square(mean) / (static_cast<double>(count) * squares);
-  const HalfCycle moves = moves_of(mean);
-  return MeanHalfCycle{coherence, third_harmonic_of(mean), kurtosis(moves),
-                       kurtosis(moves_of(moves))};
+  return MeanHalfCycle{coherence, third_harmonic_of(mean)};
 }
 
 std::optional<double> triangle_share(std::span<const double> signal, double period) {

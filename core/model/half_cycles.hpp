@@ -15,10 +15,6 @@ struct MeanHalfCycle {
   /// Third harmonic over the fundamental in the fundamental's phase: -1/9 triangle, 0 sine, 1/3
   /// square, whatever the shift against op.
   double third_harmonic = 0.0;
-  /// Kurtosis of the mean half cycle's moves from point to point: 1 triangle, 1.5 sine, more where
-  /// it rests and jumps.
-  double move_kurtosis = 1.5;
-  double bend_kurtosis = 1.5;  ///< the same of the changes between these moves
 };
 
 /// `signal` in the band of the cycle, sampled as op was when the turns were found. nullopt with

@@ -22,9 +22,7 @@ CycleEvidence combine(const std::vector<CycleEvidence>& parts) {
       &CycleEvidence::error_before, &CycleEvidence::error_law,   &CycleEvidence::error_turning,
       &CycleEvidence::part_ratio,   &CycleEvidence::steadiness,  &CycleEvidence::band_share,
       &CycleEvidence::op_coherence, &CycleEvidence::op_triangle, &CycleEvidence::pv_third,
-      &CycleEvidence::pv_triangle,  &CycleEvidence::travel,      &CycleEvidence::pv_coherence,
-      &CycleEvidence::op_move_kurtosis, &CycleEvidence::pv_move_kurtosis,
-      &CycleEvidence::pv_bend_kurtosis};
+      &CycleEvidence::pv_triangle,  &CycleEvidence::travel};
   for (const auto member : kMeans) {
     double sum = 0.0;
     for (const CycleEvidence& part : parts) sum += part.*member;

@@ -24,10 +24,6 @@ struct CycleEvidence {
   double op_coherence = 0.0;  ///< share of op that its mean half cycle explains
   double op_triangle = 0.0;   ///< - third harmonic of op: 1/9 triangle, 0 sine, -1/3 square
   double pv_third = 0.0;      ///< third harmonic of pv: 1/3 square
-  double pv_coherence = 0.0;  ///< share of pv that its mean half cycle explains
-  /// Of the mean half cycles (half_cycles.hpp): 1 triangle, 1.5 sine, more where it rests and jumps.
-  double op_move_kurtosis = 1.5, pv_move_kurtosis = 1.5;
-  double pv_bend_kurtosis = 1.5;  ///< of a vessel's level: where its slope rests and jumps
   double pv_triangle = 0.5;   ///< He's index of pv, 0 sine, 1 triangle
   double stickband = 0.0;     ///< S, op units
   double slip_jump = 0.0;     ///< J, op units

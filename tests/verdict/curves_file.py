@@ -2,8 +2,7 @@
 
 HEAD = """// Written by tests/verdict/train; not edited by hand.
 // {records} simulated records, seeds {first} to {last}; algorithm revision {revision}; ridge {ridge:g}.
-// Held-out families, with a model: {with_model}.
-// Held-out families, without one: {without_model}.
+// Held-out families: {figures}.
 // Each curve: the figure, its weight where it was not computed, and (value, weight) at its bends.
 // Weights are natural logarithms of odds.
 
@@ -41,9 +40,9 @@ def table_text(name, fits):
     return text + "  };\n}\n"
 
 
-def write(path, facts, with_model, without_model):
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(HEAD.format(**facts))
-        file.write(table_text("curves_with_model", with_model))
-        file.write("\n")
-        file.write(table_text("curves_without_model", without_model))
+def write(folder, facts, fits):
+    """`fits`: by name of the table, by cause. A file for each."""
+    for name, by_cause in fits.items():
+        with open(folder / f"curves_{name}.inc", "w", encoding="utf-8") as file:
+            file.write(HEAD.format(figures=facts[name], **facts))
+            file.write(table_text(f"curves_{name}", by_cause))

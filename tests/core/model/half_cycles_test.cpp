@@ -42,16 +42,6 @@ TEST(HalfCycles, ThirdHarmonicNamesTheShapeWhateverItsShift) {
   }
 }
 
-TEST(HalfCycles, MovesOfTheMeanCycleTellRampsFromJumps) {
-  const std::vector<OpTurn> turns = find_op_turns(repeat(triangle_wave), 0.6);
-  const auto of = [&](const std::vector<double>& s) { return *mean_half_cycle(s, turns); };
-  EXPECT_NEAR(of(repeat(sine_wave)).move_kurtosis, 1.5, 0.1);
-  EXPECT_LT(of(repeat(sine_wave)).bend_kurtosis, 2.5) << "drawn from twenty samples";
-  EXPECT_LT(of(repeat(triangle_wave)).move_kurtosis, 1.2);
-  EXPECT_GT(of(repeat(triangle_wave)).bend_kurtosis, 5.0);
-  EXPECT_GT(of(repeat(square_wave)).move_kurtosis, 5.0);
-}
-
 TEST(HalfCycles, NoiseIsNotCoherent) {
   simulate::GaussianSource normal(3);
   std::vector<double> noise(2000);
