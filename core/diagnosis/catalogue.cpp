@@ -21,8 +21,7 @@ constexpr std::array kCatalogue{
                    true, "The valve has play (backlash)", "The control valve has dead band.",
                    "Check linkage and positioner for play; measure the travel in both directions."},
     CatalogueEntry{VerdictCode::valve_saturation, "valve_saturation", 0.9, "limit", Fault::valve,
-                   true, "The valve runs into a limit",
-                   "The controller output is at its limit.",
+                   true, "The valve runs into a limit", "The controller output is at its limit.",
                    "Check whether the valve is too small, the bypass open or the setpoint out of "
                    "reach; tune only after that."},
     CatalogueEntry{VerdictCode::valve_characteristic, "valve_characteristic", 0.7, "curve",
@@ -43,7 +42,8 @@ constexpr std::array kCatalogue{
     CatalogueEntry{VerdictCode::external_disturbance, "external_disturbance", 0.5, "oscillation",
                    Fault::disturbance, false, "Something outside the loop disturbs it",
                    "A disturbance reaches the loop from outside.",
-                   "Look for another loop with the same period before this one is touched."},
+                   "Look for what reaches it (feeds, utilities, another loop) before this loop is "
+                   "touched."},
     CatalogueEntry{VerdictCode::process_change, "process_change", 0.6, "oscillation",
                    Fault::process, false, "The process gain changed",
                    "The process has changed within the window.",
@@ -52,8 +52,7 @@ constexpr std::array kCatalogue{
                    "The measurement is coarse or held", "The measurement is not trustworthy.",
                    "Check transmitter, impulse lines and the archive's settings for this tag."},
     CatalogueEntry{VerdictCode::tight_tuning, "tight_tuning", 0.7, "oscillation", Fault::tuning,
-                   false, "The controller is tuned too tightly",
-                   "The controller is too tight.",
+                   false, "The controller is tuned too tightly", "The controller is too tight.",
                    "Lower the controller gain or slow the integral action; check that no valve "
                    "fault hides behind it."},
     CatalogueEntry{VerdictCode::sluggish_tuning, "sluggish_tuning", 0.4, "slowness", Fault::tuning,

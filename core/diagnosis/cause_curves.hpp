@@ -22,16 +22,24 @@ struct FigureCurve {
 /// The log odds of one cause: a sum over figures (Good 1950; Spiegelhalter and Knill-Jones 1984).
 /// Over the loops of the fit the weights of a curve have the mean 0.
 struct CauseCurves {
-  std::string_view cause;    ///< code of the verdict
-  double share = 0.0;        ///< of the loops of the fit: its prior
-  double log_odds = 0.0;     ///< where all figures say nothing
+  std::string_view cause;  ///< code of the verdict
+  double share = 0.0;      ///< of the loops of the fit: its prior
+  double log_odds = 0.0;   ///< where all figures say nothing
+  /// Beside the others: scale * log odds + offset + the weight that `rival` has at the log odds of
+  /// the most probable other cause. What another cause explains needs no second one.
+  double scale = 1.0;
+  double offset = 0.0;
+  std::vector<CurvePoint> rival;  ///< empty = this one has none
   std::vector<FigureCurve> curves;
 };
 
-/// The fitted tables (curves_with_model.inc and its sister, written by tests/verdict/train): for loops with a model,
-/// whose figures of steps and closed loop are among the curves, and for loops without one.
-/// `nonlinear_unexplained` stands for any nonlinearity of valve or process.
+/// The fitted tables (curves_with_model.inc and its sister, written by tests/verdict/train): for
+/// loops with a model, whose figures of steps and closed loop are among the curves, and for loops
+/// without one. `nonlinear_unexplained` stands for any nonlinearity of valve or process.
 [[nodiscard]] const std::vector<CauseCurves>& fitted_curves(bool with_model);
+
+/// On the lines between the points, level outside of them; `points` is not empty.
+[[nodiscard]] double height_at(const std::vector<CurvePoint>& points, double value);
 
 /// Weight of a value that was computed; of a NaN too.
 [[nodiscard]] double weight_at(const FigureCurve& curve, double value);

@@ -72,12 +72,10 @@ double prior_of(VerdictCode code, const Priors& priors) {
   }
 }
 
-WeighedCause weigh(const PlacedCause& cause, const std::vector<std::optional<double>>& values,
-                   const Priors& priors) {
+/// What its own figures say.
+WeighedCause weigh(const PlacedCause& cause, const std::vector<std::optional<double>>& values) {
   const CauseCurves& curves = *cause.curves;
   WeighedCause weighed{cause.code, curves.log_odds, {}};
-  const double prior = prior_of(cause.code, priors);
-  if (prior > 0.0) weighed.log_odds += logit(prior) - logit(curves.share);
   for (std::size_t k = 0; k < curves.curves.size(); ++k) {
     const std::optional<double> value = values[cause.figures[k]];
     const double weight =
@@ -85,9 +83,39 @@ WeighedCause weigh(const PlacedCause& cause, const std::vector<std::optional<dou
     weighed.log_odds += weight;
     weighed.parts.push_back({cause.figures[k], value, weight});
   }
-  std::ranges::stable_sort(weighed.parts, std::greater{},
-                           [](const Part& part) { return std::abs(part.weight); });
   return weighed;
+}
+
+/// The most probable other cause, of those that have rivals themselves; nullptr = there is none.
+const WeighedCause* rival_of(std::size_t place, const std::vector<WeighedCause>& causes,
+                             const std::vector<PlacedCause>& table) {
+  const WeighedCause* found = nullptr;
+  for (std::size_t k = 0; k < causes.size(); ++k) {
+    if (k == place || table[k].curves->rival.empty()) continue;
+    if (!found || causes[k].log_odds > found->log_odds) found = &causes[k];
+  }
+  return found;
+}
+
+/// `cause` beside the others.
+WeighedCause among(std::size_t place, const std::vector<WeighedCause>& causes,
+                   const std::vector<PlacedCause>& table) {
+  const CauseCurves& curves = *table[place].curves;
+  WeighedCause result = causes[place];
+  result.log_odds = curves.scale * result.log_odds + curves.offset;
+  for (Part& part : result.parts) part.weight *= curves.scale;
+  const WeighedCause* rival = rival_of(place, causes, table);
+  if (rival && !curves.rival.empty()) {
+    const double weight = height_at(curves.rival, rival->log_odds);
+    result.log_odds += weight;
+    result.parts.push_back({std::nullopt, rival->probability(), weight, rival->code});
+  }
+  return result;
+}
+
+void shift(WeighedCause& cause, double share, const Priors& priors) {
+  const double prior = prior_of(cause.code, priors);
+  if (prior > 0.0) cause.log_odds += logit(prior) - logit(share);
 }
 
 }  // namespace
@@ -98,9 +126,17 @@ double WeighedCause::probability() const {
 
 std::vector<WeighedCause> weigh_causes(const Evidence& evidence, const DecisionSettings& settings) {
   const std::vector<std::optional<double>> values = measure_figures(evidence);
+  const std::vector<PlacedCause>& table = placed_table(evidence.model.has_value());
+  std::vector<WeighedCause> alone;
+  for (const PlacedCause& cause : table) alone.push_back(weigh(cause, values));
   std::vector<WeighedCause> causes;
-  for (const PlacedCause& cause : placed_table(evidence.model.has_value()))
-    causes.push_back(weigh(cause, values, settings.priors));
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    WeighedCause cause = among(k, alone, table);
+    shift(cause, table[k].curves->share, settings.priors);
+    std::ranges::stable_sort(cause.parts, std::greater{},
+                             [](const Part& part) { return std::abs(part.weight); });
+    causes.push_back(std::move(cause));
+  }
   std::ranges::stable_sort(causes, std::greater{}, &WeighedCause::log_odds);
   return causes;
 }

@@ -10,11 +10,12 @@
 
 namespace loopscope::core::diagnosis {
 
-/// What one figure adds to the log odds of a cause.
+/// What one figure adds to the log odds of a cause, or the most probable other cause.
 struct Part {
-  std::size_t figure = 0;       ///< place in all_figures()
-  std::optional<double> value;  ///< nullopt = not computed
-  double weight = 0.0;          ///< log odds; above 0 it speaks for the cause
+  std::optional<std::size_t> figure;  ///< place in all_figures(); nullopt = of the rival
+  std::optional<double> value;        ///< nullopt = not computed; of a rival its probability
+  double weight = 0.0;                ///< log odds; above 0 it speaks for the cause
+  VerdictCode rival = VerdictCode::healthy;
 };
 
 /// A cause and what speaks for it. Causes may stand together: their probabilities need not add up.

@@ -22,15 +22,24 @@ double probability_of(const Causes& causes, VerdictCode code) {
   return found == causes.end() ? 0.0 : found->probability();
 }
 
+/// Of valve and controller nothing is said where op says nothing.
+bool needs_op(VerdictCode code) {
+  const plant::Fault blames = catalogue_entry(code).blames;
+  return blames == plant::Fault::friction || blames == plant::Fault::valve ||
+         blames == plant::Fault::tuning;
+}
+
 bool may_be_named(const WeighedCause& cause, const Circumstances& circumstances) {
   if (cause.code == VerdictCode::healthy || cause.code == VerdictCode::nonlinear_unexplained)
     return false;
+  if (!circumstances.op_speaks && needs_op(cause.code)) return false;
   return cause.code != VerdictCode::valve_oversized || circumstances.sizes_known;
 }
 
 Circumstances circumstances_of(const Evidence& evidence) {
   return {is_structured(evidence),
-          evidence.op_range_known && evidence.valve_gain.pv_span_percent.has_value()};
+          evidence.op_range_known && evidence.valve_gain.pv_span_percent.has_value(),
+          op_speaks(evidence)};
 }
 
 double confidence_in(VerdictCode code, const Causes& causes) {
@@ -71,10 +80,11 @@ std::string action_with(VerdictCode code, const Causes& causes, double line) {
 
 /// A wave has another action than a load that moves.
 void tell_disturbance(const Evidence& evidence, Verdict& verdict) {
-  if (!evidence.model) return;
-  const Disturbance disturbance = disturbance_of(*evidence.model);
+  const model::Explanation model = evidence.model.value_or(model::Explanation{});
+  Disturbance disturbance = disturbance_of(model);
+  if (disturbance == Disturbance::none && oscillates(evidence)) disturbance = Disturbance::wave;
   if (disturbance == Disturbance::none) return;
-  DisturbanceWords words = words_of(disturbance, *evidence.model);
+  DisturbanceWords words = words_of(disturbance, model);
   verdict.summary = std::move(words.summary);
   verdict.action = std::move(words.action);
 }
@@ -117,7 +127,8 @@ Verdict decide(const Evidence& evidence, const hos::Settings& settings,
   if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
   const Causes causes = weigh_causes(evidence, decision);
   const bool followed = !has_flag(evidence, "sp_not_followed");
-  const VerdictCode code = followed ? code_for(causes, circumstances_of(evidence), decision.line) : VerdictCode::unexplained;
+  const VerdictCode code = followed ? code_for(causes, circumstances_of(evidence), decision.line)
+                                    : VerdictCode::unexplained;
   Verdict verdict = verdict_with(code, confidence_in(code, causes));
   for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
   const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);

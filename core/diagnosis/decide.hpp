@@ -14,6 +14,7 @@ namespace loopscope::core::diagnosis {
 struct Circumstances {
   bool structured = false;   ///< something in the loop is clearly no noise (structure.hpp)
   bool sizes_known = false;  ///< the ranges of op and pv
+  bool op_speaks = true;     ///< op was recorded and moves
 };
 
 /// The code that the probabilities come to; see decide(). The most probable cause comes first.

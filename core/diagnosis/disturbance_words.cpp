@@ -4,7 +4,6 @@
 #include <iterator>
 #include <vector>
 
-#include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/words.hpp"
 #include "core/model/asked.hpp"
@@ -93,7 +92,7 @@ DisturbanceWords words_of(Disturbance disturbance, const model::Explanation& exp
       break;
   }
   return {"An oscillation reaches the loop from outside.",
-          std::string(catalogue_entry(VerdictCode::external_disturbance).action)};
+          "Look for another loop with the same period before this one is touched."};
 }
 
 }  // namespace loopscope::core::diagnosis

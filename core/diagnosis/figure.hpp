@@ -25,8 +25,8 @@ inline constexpr double kMostDecades = 12.0;
 /// One number about a loop that the causes are weighed by: without a dimension, so that loops of
 /// all kinds compare. nullopt = not computed.
 struct Figure {
-  std::string_view name;  ///< room and figure, e.g. "cycle.op_coherence"
-  std::string_view words; ///< in a reason, before the value
+  std::string_view name;   ///< room and figure, e.g. "cycle.op_coherence"
+  std::string_view words;  ///< in a reason, before the value
   Scale scale = Scale::plain;
   std::optional<double> (*of)(const Evidence&) = nullptr;
 };

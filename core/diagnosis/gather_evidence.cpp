@@ -114,8 +114,7 @@ std::optional<model::SlowTravel> travel_in_cycle(const signal::PreparedLoop& loo
   const double factor = std::floor(period_samples / kSamplesOfTravel);
   if (!(factor >= 2.0)) return std::nullopt;
   const auto every = static_cast<std::size_t>(factor);
-  return model::judge_slow_travel(means(loop.pv, every),
-                                  means(loop.op_percent, every));
+  return model::judge_slow_travel(means(loop.pv, every), means(loop.op_percent, every));
 }
 
 void measure_cycle(const signal::PreparedLoop& loop, const LoopFacts& facts, Evidence& evidence) {

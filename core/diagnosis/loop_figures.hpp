@@ -6,7 +6,8 @@
 
 namespace loopscope::core::diagnosis {
 
-/// What is known of the loop as a whole: the closed loop implied by the model, oscillation, performance, higher-order statistics, data.
+/// What is known of the loop as a whole: the closed loop implied by the model, oscillation,
+/// performance, higher-order statistics, data.
 [[nodiscard]] std::span<const Figure> loop_figures();
 
 }  // namespace loopscope::core::diagnosis

@@ -10,7 +10,7 @@ model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts,
   const signal::PreparedLoop& loop = first.loop;
   return {loop.pv,    loop.op_percent,        loop.sp,
           loop.error, loop.sample_interval_s, loop.op_range_known,
-          facts.seed, facts.without,           cycle};
+          facts.seed, facts.without,          cycle};
 }
 
 bool can_be_modelled(const FirstLook& first, const Evidence& evidence) {
@@ -29,8 +29,7 @@ bool ModelCause::given_by(diagnosis::VerdictCode code, double confidence,
 
 bool gives_cause_for_a_model(const Evidence& evidence, const AnalysisSettings& settings,
                              const ModelCause& cause) {
-  const diagnosis::Verdict verdict =
-      diagnosis::decide(evidence, settings.hos, settings.decision);
+  const diagnosis::Verdict verdict = diagnosis::decide(evidence, settings.hos, settings.decision);
   return cause.given_by(verdict.code, verdict.confidence, verdict.p);
 }
 

@@ -16,11 +16,20 @@ constexpr std::size_t kMostParts = 4;
 /// Odds changed by less than a tenth are not worth a line.
 constexpr double kLeastWeight = 0.1;
 
+std::string measured_text(const Part& part) {
+  const Figure& figure = all_figures()[*part.figure];
+  return part.value ? figure_text(figure, *part.value)
+                    : std::string(figure.words) + ": not computed";
+}
+
+std::string rival_text(const Part& part) {
+  return "by its own figures alone the most probable other finding, " +
+         std::string(name(part.rival)) + ", has " + percent(part.value.value_or(0.0));
+}
+
 /// "op repeats its half cycle: 93 % (odds times 3.1)".
 std::string part_text(const Part& part) {
-  const Figure& figure = all_figures()[part.figure];
-  const std::string text = part.value ? figure_text(figure, *part.value)
-                                      : std::string(figure.words) + ": not computed";
+  const std::string text = part.figure ? measured_text(part) : rival_text(part);
   const bool raises = part.weight > 0.0;
   return text + " (odds " + (raises ? "times " : "divided by ") +
          number(std::exp(std::abs(part.weight))) + ")";
@@ -57,8 +66,9 @@ void add_model(const model::Explanation& model, std::vector<std::string>& reason
 
 void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
   if (!op_speaks(evidence)) {
-    reasons.emplace_back("op does not move or is not recorded: nothing is known of controller and "
-                         "valve.");
+    reasons.emplace_back(
+        "op does not move or is not recorded: nothing is known of controller and "
+        "valve.");
   }
   if (has_flag(evidence, "pv_quantised")) {
     reasons.push_back("pv moves in steps of " +

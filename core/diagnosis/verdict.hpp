@@ -37,7 +37,7 @@ enum class VerdictCode {
 /// One cause of the catalogue as the evidence weighs it. Causes may stand together.
 struct CauseReport {
   VerdictCode code = VerdictCode::healthy;
-  double probability = 0.0;             ///< 0 to 1
+  double probability = 0.0;            ///< 0 to 1
   std::vector<std::string> in_favour;  ///< what speaks for it, strongest first, with numbers
   std::vector<std::string> against;
 };

@@ -32,7 +32,8 @@ std::vector<double> running_means(std::span<const double> values, std::size_t wi
 /// From each mean to the next that shares no sample with it.
 std::vector<double> moves_of(const std::vector<double>& means, std::size_t width) {
   std::vector<double> moves;
-  for (std::size_t k = 0; k + width < means.size(); ++k) moves.push_back(means[k + width] - means[k]);
+  for (std::size_t k = 0; k + width < means.size(); ++k)
+    moves.push_back(means[k + width] - means[k]);
   return moves;
 }
 
@@ -73,8 +74,8 @@ std::optional<Rests> measure_rests(std::span<const double> pv, std::span<const d
   if (integrating) {
     pv_moves = moves_of(pv_moves, width);
     // The bend of pv at k + width is seen between the moves to either side.
-    op_moves.erase(op_moves.begin(),
-                   op_moves.begin() + static_cast<std::ptrdiff_t>(std::min(width, op_moves.size())));
+    op_moves.erase(op_moves.begin(), op_moves.begin() + static_cast<std::ptrdiff_t>(
+                                                            std::min(width, op_moves.size())));
   }
   const Moments moments = moments_of(pv_moves);
   if (moments.count < kFewestMoves || !(moments.mean_square > 0.0)) return std::nullopt;

@@ -15,16 +15,17 @@ namespace loopscope::core::loop {
 struct Rests {
   /// Kurtosis of the moves: 1.5 for a sine, 3 for normal noise, more where pv rests and jumps.
   double move_kurtosis = 0.0;
-  /// Share of the time in which pv rests: moves by less than a quarter of the root mean square. 0.11
-  /// for a sine.
+  /// Share of the time in which pv rests: moves by less than a quarter of the root mean square.
+  /// 0.11 for a sine.
   double time_share = 0.0;
   /// Share of op's travel that falls into these rests.
   double op_travel_share = 0.0;
   double cycles = 0.0;  ///< in the record
 };
 
-/// pv and op (any units) of equal length, NaN = missing; `period_samples` of the cycle. nullopt with
-/// fewer than three cycles, with cycles of less than six samples, or where pv or op stands still.
+/// pv and op (any units) of equal length, NaN = missing; `period_samples` of the cycle. nullopt
+/// with fewer than three cycles, with cycles of less than six samples, or where pv or op stands
+/// still.
 [[nodiscard]] std::optional<Rests> measure_rests(std::span<const double> pv,
                                                  std::span<const double> op, double period_samples,
                                                  bool integrating);

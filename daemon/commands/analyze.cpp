@@ -18,6 +18,7 @@ struct AnalyzeOptions {
   std::string file;
   std::string config;
   std::string op_range;
+  std::string pv_range;
   std::string type;
   std::size_t window = 0;
   bool json = false;
@@ -32,7 +33,8 @@ void analyze(const AnalyzeOptions& options) {
   const Recording recording = read_recording(options.file);
   const auto [window, input, diagnosis] =
       analyse_recording(recording, settings, parse_op_range(options.op_range),
-                        {.integrating = core::is_integrating_type(options.type)});
+                        {.integrating = core::is_integrating_type(options.type),
+                         .pv_span = parse_pv_span(options.pv_range)});
   if (options.json) {
     std::cout << json_text(analysis_json(input, diagnosis)) << '\n';
   } else {
@@ -57,6 +59,7 @@ void add_analyze(CLI::App& program) {
   command.add_option("--window", options->window, "Analyse the last N samples (default 4096)")
       ->check(CLI::Range(16, 10'000'000));
   command.add_option("--op-range", options->op_range, "Controller output at 0 and 100 %: LOW,HIGH");
+  command.add_option("--pv-range", options->pv_range, "Range of pv's transmitter: LOW,HIGH");
   command.add_option("--type", options->type,
                      "Kind of loop: flow, pressure, temperature, ...; level = integrating");
   command.add_option("--config", options->config, "Settings file for the analysis part");

@@ -7,7 +7,11 @@
 
 namespace loopscope::daemon {
 
-std::optional<core::signal::OpRange> parse_op_range(const std::string& text) {
+namespace {
+
+/// `what` is named in the error.
+std::optional<core::signal::OpRange> parse_range(const std::string& text, const std::string& what,
+                                                 const char* hint) {
   if (text.empty()) return std::nullopt;
   const std::size_t comma = text.find(',');
   const auto low = parse_number(text.substr(0, comma));
@@ -16,8 +20,20 @@ std::optional<core::signal::OpRange> parse_op_range(const std::string& text) {
   if (low && high && std::isfinite(*low) && std::isfinite(*high) && *low < *high) {
     return core::signal::OpRange{*low, *high};
   }
-  throw Failure(ExitCode::usage, "op range \"" + text + "\" is not LOW,HIGH with LOW below HIGH",
-                "e.g. --op-range 4,20 for milliamperes");
+  throw Failure(ExitCode::usage, what + " \"" + text + "\" is not LOW,HIGH with LOW below HIGH",
+                hint);
+}
+
+}  // namespace
+
+std::optional<core::signal::OpRange> parse_op_range(const std::string& text) {
+  return parse_range(text, "op range", "e.g. --op-range 4,20 for milliamperes");
+}
+
+std::optional<double> parse_pv_span(const std::string& text) {
+  const auto range = parse_range(text, "pv range", "e.g. --pv-range 0,250 for 0 to 250 m3/h");
+  if (!range) return std::nullopt;
+  return range->high - range->low;
 }
 
 }  // namespace loopscope::daemon

@@ -136,6 +136,10 @@ TEST_F(Analyze, WrongUsage) {
   EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "nonsense"}).exit_code, 2);
   EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "analyze"}).exit_code, 2);
   EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "analyze", "--op-range", "7", "f.csv"}).exit_code, 5);
+  EXPECT_EQ(
+      run_program({LOOPSCOPE_PROGRAM, "analyze", "--pv-range", "9,1", write("p.csv", rows(10))})
+          .exit_code,
+      2);
   const ProgramResult range =
       run_program({LOOPSCOPE_PROGRAM, "analyze", "--op-range", "20,4", write("r.csv", rows(10))});
   EXPECT_EQ(range.exit_code, 2);

@@ -66,7 +66,8 @@ void compress(std::vector<double>& values, double band, bool lines) {
 
 void store(SimulatedLoop& loop, Random& random) {
   const double pv = standard_deviation(loop.pv), op = standard_deviation(loop.op);
-  if (random.chance(0.15)) compress(loop.pv, pv * random.log_uniform(0.03, 0.4), random.chance(0.5));
+  if (random.chance(0.15))
+    compress(loop.pv, pv * random.log_uniform(0.03, 0.4), random.chance(0.5));
   if (random.chance(0.1)) compress(loop.op, op * random.log_uniform(0.03, 0.3), random.chance(0.5));
   if (random.chance(0.5)) {
     const double share = random.log_uniform(1e-3, 0.3);
@@ -163,7 +164,7 @@ LabelledRecord draw_record(std::uint64_t seed) {
   const double which = random.uniform(0.0, 1.0);
   const SimulatedLoop loop = which < 0.42   ? effects_loop(seed)
                              : which < 0.62 ? family_loop(random.next() % 4'000'000)
-                                           : mixed_loop(random.next());
+                                            : mixed_loop(random.next());
   return as_recorded(loop, seed);
 }
 

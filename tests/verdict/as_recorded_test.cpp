@@ -1,8 +1,8 @@
 #include "tests/verdict/as_recorded.hpp"
 
-#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <set>
 
 namespace loopscope::tests::verdict {

@@ -8,7 +8,9 @@ import numpy
 from scipy.optimize import minimize
 
 # Of the values that are no ties with the commonest one: 2 % at either end are left level.
-KNOT_SHARES = (0.02, 0.25, 0.5, 0.75, 0.98)
+KNOT_SHARES = (0.02, 0.15, 0.4, 0.65, 0.85, 0.95, 0.99)
+# Differences of equal samples.
+ROUNDING = 1e-9
 # In records: a ramp that moves the odds by e costs as much as half of so many log scores of 1.
 RIDGE = 10.0
 
@@ -16,6 +18,7 @@ RIDGE = 10.0
 def knots_of(values):
     """Where the curve may bend; the commonest value, as 0 of a step that is not there, is one."""
     values = values[~numpy.isnan(values)]
+    values = numpy.where(numpy.abs(values) < ROUNDING, 0.0, values)
     if values.size == 0:
         return numpy.array([])
     several, counts = numpy.unique(values, return_counts=True)

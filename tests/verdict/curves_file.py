@@ -29,12 +29,21 @@ def is_flat(not_computed, points):
     return abs(not_computed) < LEAST and all(abs(w) < LEAST for _, w in points)
 
 
+def rival_text(rival):
+    """Scale of its own odds, offset, and the curve over the rival's."""
+    if rival is None:
+        return "1, 0, {}"
+    pairs = ", ".join(f"{{{number(v)}, {weight(w)}}}" for v, w in rival.points)
+    return f"{rival.scale:.4g}, {rival.offset:.4g}, {{{pairs}}}"
+
+
 def table_text(name, fits):
-    """`fits`: by cause."""
+    """`fits`: curves and rival by cause."""
     text = f"std::vector<CauseCurves> {name}() {{\n  return {{\n"
-    for cause, fit in fits.items():
+    for cause, (fit, rival) in fits.items():
         rest, curves = fit.curves()
-        text += f'      {{"{cause}", {number(fit.share)}, {rest:.4g},\n       {{\n'
+        text += f'      {{"{cause}", {number(fit.share)}, {rest:.4g},\n'
+        text += f"       {rival_text(rival)},\n       {{\n"
         text += "".join(curve_text(*curve) for curve in curves if not is_flat(*curve[1:]))
         text += "       }},\n"
     return text + "  };\n}\n"

@@ -126,7 +126,8 @@ SimulatedLoop effects_loop(std::uint64_t seed) {
   const int place = random.chance(kHealthy) ? random.whole(0, 1) : random.whole(0, last);
   const effects::KindInfo& kind = kinds[static_cast<std::size_t>(place)];
   constexpr double kFaint = 0.3;
-  const effects::Size size = random.chance(kFaint) ? effects::Size::faint : effects::Size::realistic;
+  const effects::Size size =
+      random.chance(kFaint) ? effects::Size::faint : effects::Size::realistic;
   effects::Record record = effects::generate(kind.name, seed, size, draw_noise(random));
   SimulatedLoop loop;
   loop.sp = std::move(record.sp);

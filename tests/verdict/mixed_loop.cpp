@@ -40,8 +40,9 @@ FieldSettings any_base(Draw& draw) {
 }
 
 std::size_t any_length(Draw& draw) {
-  return draw.chance(0.35) ? static_cast<std::size_t>(kMostSamples)
-                           : static_cast<std::size_t>(draw.log_between(kLeastSamples, kMostSamples));
+  return draw.chance(0.35)
+             ? static_cast<std::size_t>(kMostSamples)
+             : static_cast<std::size_t>(draw.log_between(kLeastSamples, kMostSamples));
 }
 
 /// A record of three to nine cycles, where the loop is slow enough for one.
@@ -54,7 +55,8 @@ void few_cycles(Making& m, double period_samples, Draw& draw) {
 void sticks(Making& m, Draw& draw) {
   const bool few = draw.chance(0.3);
   const auto base = few ? model::slow : any_base;
-  m.settings = model::sticking(base, model::either(draw), static_cast<std::size_t>(kMostSamples), draw);
+  m.settings =
+      model::sticking(base, model::either(draw), static_cast<std::size_t>(kMostSamples), draw);
   m.settings.trim = 0.0;
   m.truth.causes.insert(Code::valve_stiction);
   if (!few) return;
@@ -75,7 +77,8 @@ void stir(Making& m, Draw& draw) {
   s.load_step_std = (s.integrating ? 0.25 : 1.0) * draw.log_between(0.3, 6.0) *
                     std::sqrt(1.0 - s.load_memory * s.load_memory);
   if (draw.chance(0.3)) {
-    s.setpoint_step_std = std::abs(s.integrating ? 20.0 * s.gain : s.gain) * draw.log_between(1.0, 15.0);
+    s.setpoint_step_std =
+        std::abs(s.integrating ? 20.0 * s.gain : s.gain) * draw.log_between(1.0, 15.0);
     s.setpoint_every = draw.log_between(40.0, 1000.0);
   }
 }
@@ -83,8 +86,8 @@ void stir(Making& m, Draw& draw) {
 OutsideWave any_wave(const Making& m, Draw& draw) {
   const auto shape = static_cast<OutsideWave::Shape>(draw.whole(0, 3));
   const bool plain = draw.chance(0.5);
-  OutsideWave wave =
-      model::outside(plain ? OutsideWave::Shape::sine : shape, m.settings.integrating || draw.chance(0.4), draw);
+  OutsideWave wave = model::outside(plain ? OutsideWave::Shape::sine : shape,
+                                    m.settings.integrating || draw.chance(0.4), draw);
   const auto steps = static_cast<double>(m.samples * m.settings.recording.every);
   if (draw.chance(0.2)) wave.period_steps = steps / draw.between(3.0, 9.0);
   wave.amplitude = (wave.at_input ? m.swing_op : m.swing_pv) * draw.log_between(0.3, 3.0);

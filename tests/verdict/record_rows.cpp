@@ -28,9 +28,8 @@ std::string joined(const std::set<VerdictCode>& codes) {
 bool of_model(const core::diagnosis::Figure& figure) {
   const auto steps = core::diagnosis::step_figures();
   return figure.name.starts_with("model.") ||
-         std::ranges::any_of(steps, [&](const core::diagnosis::Figure& step) {
-           return step.name == figure.name;
-         });
+         std::ranges::any_of(
+             steps, [&](const core::diagnosis::Figure& step) { return step.name == figure.name; });
 }
 
 /// Empty where the data cannot be judged. `first_cells`: what stands before the figures.
@@ -40,8 +39,8 @@ std::string row_of(const LabelledRecord& record, const std::string& first_cells)
   core::Evidence evidence = core::gather_evidence(first, settings, record.facts);
   if (!evidence.data_quality.usable || !evidence.hos) return {};
   if (core::can_be_modelled(first, evidence)) {
-    evidence.model = core::explain_loop(first, record.facts,
-                                        evidence.cycle ? &*evidence.cycle : nullptr);
+    evidence.model =
+        core::explain_loop(first, record.facts, evidence.cycle ? &*evidence.cycle : nullptr);
   }
   std::string row = first_cells;
   for (const std::optional<double>& value : core::diagnosis::measure_figures(evidence))
@@ -70,8 +69,8 @@ std::string recorded_row(const model::FieldRecording& recording) {
   record.window.pv = recording.pv;
   record.window.op = recording.op;
   record.facts.integrating = core::is_integrating_type(recording.type);
-  return row_of(record, fmt::format("{}\t{}\t{}\t", recording.name, recording.type,
-                                    recording.label));
+  return row_of(record,
+                fmt::format("{}\t{}\t{}\t", recording.name, recording.type, recording.label));
 }
 
 }  // namespace loopscope::tests::verdict

@@ -7,8 +7,8 @@
 
 namespace loopscope::tests::verdict {
 
-/// seed, family, causes, doubtful causes, then the names of the figures; those that a loop without a
-/// model lacks are marked by a star. Between tabs, with an end of line.
+/// seed, family, causes, doubtful causes, then the names of the figures; those that a loop without
+/// a model lacks are marked by a star. Between tabs, with an end of line.
 [[nodiscard]] std::string heading();
 
 /// The same of one labelled record (as_recorded.hpp), with a model where the data allow one; empty

@@ -21,6 +21,20 @@ class Records:
         values = numpy.array([[float(v) if v else numpy.nan for v in row[4:]] for row in body])
         self.figures = {name: values[:, k] for k, name in enumerate(self.names)}
 
+    def counted(self, times):
+        """The same with each record as often as the rarest of its causes counts."""
+        often = [max([times.get(cause, 1) for cause in causes or {"healthy"}])
+                 for causes in self.causes]
+        order = numpy.repeat(numpy.arange(len(self)), often)
+        result = object.__new__(Records)
+        result.names, result.of_model = self.names, self.of_model
+        result.seeds = [self.seeds[k] for k in order]
+        result.families = self.families[order]
+        result.causes = [self.causes[k] for k in order]
+        result.doubtful = [self.doubtful[k] for k in order]
+        result.figures = {name: values[order] for name, values in self.figures.items()}
+        return result
+
     def __len__(self):
         return len(self.causes)
 

@@ -1,5 +1,5 @@
-/// Figures and truth of labelled records, a row of tab-separated text each: what tests/verdict/train
-/// fits curves to.
+/// Figures and truth of labelled records, a row of tab-separated text each: what
+/// tests/verdict/train fits curves to.
 
 #include <algorithm>
 #include <iostream>
@@ -17,8 +17,10 @@ namespace {
 constexpr const char* kUsage =
     "usage: verdict_records [--seed N] [--records M] [--threads T]\n"
     "       verdict_records --recordings MANIFEST.csv\n"
-    "Records N to N + M - 1, or the recordings of a manifest (tests/core/model/field_recordings.hpp)\n"
-    "with their names and labels in place of seeds and causes. Columns: seed, family, causes, doubtful ones, then the figures; empty =\n"
+    "Records N to N + M - 1, or the recordings of a manifest "
+    "(tests/core/model/field_recordings.hpp)\n"
+    "with their names and labels in place of seeds and causes. Columns: seed, family, causes, "
+    "doubtful ones, then the figures; empty =\n"
     "not computed. A figure that a loop without a model lacks is marked by a star.\n";
 
 struct Plan {

@@ -21,12 +21,28 @@ const WeighedCause& cause_in(const std::vector<WeighedCause>& causes, VerdictCod
 TEST(CauseOdds, AreTheSumOfTheirPartsTheWeightiestFirst) {
   const Evidence evidence = evidence_with(explanation_of());
   for (const WeighedCause& cause : weigh_causes(evidence)) {
-    const auto curves = std::ranges::find(fitted_curves(true), name(cause.code), &CauseCurves::cause);
-    double sum = curves->log_odds;
+    const auto curves =
+        std::ranges::find(fitted_curves(true), name(cause.code), &CauseCurves::cause);
+    double sum = curves->scale * curves->log_odds + curves->offset;
     for (const Part& part : cause.parts) sum += part.weight;
     EXPECT_NEAR(cause.log_odds, sum, 1e-9);
     for (std::size_t k = 1; k < cause.parts.size(); ++k)
       EXPECT_GE(std::abs(cause.parts[k - 1].weight), std::abs(cause.parts[k].weight));
+  }
+}
+
+TEST(CauseOdds, WhatAnotherCauseExplainsNeedsNoSecondOne) {
+  const auto weight_of_rival = [](double load_evidence) {
+    model::Step load = clear_step(model::EffectKind::load_step);
+    load.evidence = load_evidence;
+    const auto causes = weigh_causes(evidence_with(explanation_of({load})));
+    const WeighedCause& cause = cause_in(causes, VerdictCode::tight_tuning);
+    return std::ranges::find_if(cause.parts, [](const Part& part) { return !part.figure; })->weight;
+  };
+  EXPECT_LE(weight_of_rival(3000.0), weight_of_rival(0.0)) << "a load in the place of a tuning";
+  for (const CauseCurves& curves : fitted_curves(true)) {
+    for (std::size_t k = 1; k < curves.rival.size(); ++k)
+      EXPECT_LE(curves.rival[k].weight, curves.rival[k - 1].weight) << curves.cause;
   }
 }
 

@@ -25,11 +25,12 @@ std::vector<WeighedCause> causes_of(std::initializer_list<Given> given) {
   return causes;
 }
 
-constexpr Circumstances kCalm{.structured = false, .sizes_known = false};
-constexpr Circumstances kStructured{.structured = true, .sizes_known = false};
+constexpr Circumstances kCalm{};
+constexpr Circumstances kStructured{.structured = true, .sizes_known = false, .op_speaks = true};
 
 TEST(Decide, TheMostProbableCauseAboveTheLineIsNamed) {
-  const auto causes = causes_of({{Code::tight_tuning, 0.7}, {Code::valve_stiction, 0.6}, {Code::healthy, 0.1}});
+  const auto causes =
+      causes_of({{Code::tight_tuning, 0.7}, {Code::valve_stiction, 0.6}, {Code::healthy, 0.1}});
   EXPECT_EQ(code_for(causes, kCalm, 0.3), Code::tight_tuning);
   EXPECT_EQ(code_for(causes, kCalm, 0.65), Code::tight_tuning);
 }
@@ -47,18 +48,30 @@ TEST(Decide, BelowTheLineStructureTellsUnexplainedFromHealthy) {
 }
 
 TEST(Decide, ANonlinearityWithoutACauseIsNamedWhereItIsProbable) {
-  const auto causes =
-      causes_of({{Code::nonlinear_unexplained, 0.5}, {Code::valve_stiction, 0.28}, {Code::healthy, 0.2}});
+  const auto causes = causes_of(
+      {{Code::nonlinear_unexplained, 0.5}, {Code::valve_stiction, 0.28}, {Code::healthy, 0.2}});
   EXPECT_EQ(code_for(causes, kCalm, 0.3), Code::nonlinear_unexplained);
   EXPECT_EQ(code_for(causes, kCalm, 0.25), Code::valve_stiction) << "a cause says more";
-  EXPECT_EQ(code_for(causes_of({{Code::healthy, 0.6}, {Code::nonlinear_unexplained, 0.5}}), kCalm, 0.3),
-            Code::healthy);
+  EXPECT_EQ(
+      code_for(causes_of({{Code::healthy, 0.6}, {Code::nonlinear_unexplained, 0.5}}), kCalm, 0.3),
+      Code::healthy);
 }
 
 TEST(Decide, NoValveIsTooLargeWhereTheRangesAreUnknown) {
-  const auto causes = causes_of({{Code::valve_oversized, 0.9}, {Code::valve_stiction, 0.4}, {Code::healthy, 0.1}});
+  const auto causes =
+      causes_of({{Code::valve_oversized, 0.9}, {Code::valve_stiction, 0.4}, {Code::healthy, 0.1}});
   EXPECT_EQ(code_for(causes, kCalm, 0.3), Code::valve_stiction);
-  EXPECT_EQ(code_for(causes, {.structured = false, .sizes_known = true}, 0.3), Code::valve_oversized);
+  EXPECT_EQ(code_for(causes, {.structured = false, .sizes_known = true, .op_speaks = true}, 0.3),
+            Code::valve_oversized);
+}
+
+TEST(Decide, OfValveAndControllerNothingIsSaidWhereOpSaysNothing) {
+  const auto causes = causes_of({{Code::valve_stiction, 0.9},
+                                 {Code::tight_tuning, 0.8},
+                                 {Code::external_disturbance, 0.4},
+                                 {Code::healthy, 0.1}});
+  EXPECT_EQ(code_for(causes, {.structured = false, .sizes_known = false, .op_speaks = false}, 0.3),
+            Code::external_disturbance);
 }
 
 TEST(Decide, UnusableDataAreNotJudged) {
@@ -106,9 +119,17 @@ TEST(Decide, CausesComeTheMostProbableFirst) {
     EXPECT_GE(verdict.causes[k - 1].probability, verdict.causes[k].probability);
 }
 
+/// A site that expects next to nothing else.
+DecisionSettings expecting_disturbances() {
+  DecisionSettings decision;
+  decision.priors.external_disturbance = 0.99;
+  return decision;
+}
+
 TEST(Decide, PartsForAndAgainstStandFirstAmongTheReasons) {
-  const Verdict verdict =
-      decide(evidence_with(explanation_of({clear_step(model::EffectKind::load_step)})), {});
+  const Evidence evidence =
+      evidence_with(explanation_of({clear_step(model::EffectKind::load_step)}));
+  const Verdict verdict = decide(evidence, {}, expecting_disturbances());
   EXPECT_EQ(verdict.code, Code::external_disturbance);
   EXPECT_THAT(verdict.reasons.front(), HasSubstr("For: "));
   EXPECT_THAT(verdict.reasons.front(), HasSubstr("(odds times "));

@@ -79,7 +79,9 @@ TEST(DisturbanceWords, OnlyAWaveSendsTheReaderToLoopsOfTheSamePeriod) {
 }
 
 TEST(DisturbanceWords, TheVerdictSpeaksThem) {
-  const Verdict verdict = decide(evidence_with(explanation_with({load_at(500.0)})), {});
+  DecisionSettings decision;
+  decision.priors.external_disturbance = 0.99;
+  const Verdict verdict = decide(evidence_with(explanation_with({load_at(500.0)})), {}, decision);
   EXPECT_EQ(verdict.code, VerdictCode::external_disturbance);
   EXPECT_EQ(verdict.summary, "The load moved once within the window.");
   EXPECT_NE(verdict.action.find("upstream"), std::string::npos);

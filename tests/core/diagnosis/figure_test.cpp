@@ -19,8 +19,7 @@ TEST(Figure, EveryNameStandsOnceAndHasWords) {
   for (const Figure& figure : all_figures()) {
     EXPECT_TRUE(names.insert(figure.name).second) << figure.name;
     EXPECT_FALSE(figure.words.empty()) << figure.name;
-    EXPECT_EQ(figure_place(figure.name),
-              static_cast<std::size_t>(&figure - all_figures().data()));
+    EXPECT_EQ(figure_place(figure.name), static_cast<std::size_t>(&figure - all_figures().data()));
   }
   EXPECT_EQ(figure_place("no.such"), std::nullopt);
 }
@@ -40,8 +39,8 @@ TEST(Figure, NothingOfEmptyEvidenceIsANumberThatIsNone) {
 }
 
 TEST(Figure, StepsCountByTheirEvidence) {
-  Evidence evidence = evidence_with(explanation_of({clear_step(model::EffectKind::valve_stiction),
-                                                    clear_step(model::EffectKind::load_step)}));
+  Evidence evidence = evidence_with(explanation_of(
+      {clear_step(model::EffectKind::valve_stiction), clear_step(model::EffectKind::load_step)}));
   EXPECT_EQ(value_of("step.hysteresis", evidence), 500.0);
   EXPECT_EQ(value_of("step.load_step", evidence), 500.0);
   evidence.model->excited = false;

@@ -20,11 +20,17 @@ Part part(std::string_view figure, std::optional<double> value, double weight) {
 
 TEST(Reasons, PartsForAndAgainstInWordsWithTheirNumbers) {
   const CauseReport report =
-      report_of({VerdictCode::valve_stiction, 0.0,
+      report_of({VerdictCode::valve_stiction,
+                 0.0,
                  {part("cycle.op_coherence", 0.93, 1.0), part("oscillation.p", 0.0, -0.7),
-                  part("position.width", std::nullopt, -0.2), part("shape.index", 0.5, 0.01)}});
+                  part("position.width", std::nullopt, -0.2),
+                  Part{std::nullopt, 0.12, 0.15, VerdictCode::tight_tuning},
+                  part("shape.index", 0.5, 0.01)}});
   EXPECT_EQ(report.probability, 0.5);
-  EXPECT_THAT(report.in_favour, ElementsAre("op repeats its half cycle: 93 % (odds times 2.72)"));
+  EXPECT_THAT(report.in_favour,
+              ElementsAre("op repeats its half cycle: 93 % (odds times 2.72)",
+                          "by its own figures alone the most probable other finding, tight_tuning, "
+                          "has 12 % (odds times 1.16)"));
   EXPECT_THAT(report.against,
               ElementsAre("an oscillation is present: p = 1 (odds divided by 2.01)",
                           "width of the recorded mv-op plot, %: not computed (odds divided by "

@@ -51,12 +51,14 @@ TEST(Rests, OfAVesselTheSlopeRests) {
   const auto rests = measure_rests(repeated(triangle_at), repeated(triangle_at), kCycle, true);
   ASSERT_TRUE(rests);
   EXPECT_GT(rests->time_share, 0.6);
-  EXPECT_LT(measure_rests(repeated(triangle_at), repeated(triangle_at), kCycle, false)->time_share, 0.2);
+  EXPECT_LT(measure_rests(repeated(triangle_at), repeated(triangle_at), kCycle, false)->time_share,
+            0.2);
 }
 
 TEST(Rests, ThreeCyclesAreEnoughAndFewerAreNot) {
   EXPECT_TRUE(measure_rests(repeated(plateaus_at, 370), repeated(triangle_at, 370), kCycle, false));
-  EXPECT_FALSE(measure_rests(repeated(plateaus_at, 350), repeated(triangle_at, 350), kCycle, false));
+  EXPECT_FALSE(
+      measure_rests(repeated(plateaus_at, 350), repeated(triangle_at, 350), kCycle, false));
 }
 
 TEST(Rests, WhatCannotBeMeasuredIsNone) {
@@ -73,7 +75,9 @@ TEST(Rests, MissingSamplesAreLeftOut) {
   for (std::size_t k = 300; k < 360; ++k) pv[k] = signal::kMissing;
   const auto rests = measure_rests(pv, repeated(triangle_at), kCycle, false);
   ASSERT_TRUE(rests);
-  EXPECT_NEAR(rests->time_share, measure_rests(repeated(plateaus_at), repeated(triangle_at), kCycle, false)->time_share, 0.05);
+  EXPECT_NEAR(
+      rests->time_share,
+      measure_rests(repeated(plateaus_at), repeated(triangle_at), kCycle, false)->time_share, 0.05);
 }
 
 }  // namespace

@@ -78,8 +78,7 @@ class Stem {
   static constexpr int kSubSteps = 20;
   /// Friction against a motion with this sign.
   [[nodiscard]] generators::Friction on_the_way(double force) const {
-    const double scale =
-        uneven_ * (force > 0.0 ? 1.0 + valve_.asymmetry : 1.0 - valve_.asymmetry);
+    const double scale = uneven_ * (force > 0.0 ? 1.0 + valve_.asymmetry : 1.0 - valve_.asymmetry);
     return {friction_.static_friction * scale, friction_.kinetic_friction * scale};
   }
   void karnopp(double op) {

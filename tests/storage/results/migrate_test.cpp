@@ -164,18 +164,18 @@ TEST_F(MigrateTest, VerdictKindsAreTheProgramsCatalogue) {
     EXPECT_EQ(database->value("SELECT is_fault FROM loopscope.verdict_kind" + code),
               fault ? "t" : "f");
     EXPECT_EQ(database->value("SELECT meaning FROM loopscope.verdict_kind" + code), entry.meaning);
-    EXPECT_EQ(
-        database->value("SELECT coalesce(max(weight), 0) = " + std::to_string(entry.weight) +
-                        " FROM loopscope.verdict_kind" + code),
-        "t");
-    EXPECT_EQ(database->value("SELECT coalesce(max(family), '') FROM loopscope.fault_family" + code),
-              entry.family);
-    EXPECT_EQ(database->value("SELECT pg_get_constraintdef(oid) LIKE '%''" +
-                              std::string(entry.name) +
-                              "''%'"
-                              " FROM pg_constraint WHERE conname = 'verdict_code_check'"
-                              " AND conrelid = 'loopscope.verdict'::regclass"),
+    EXPECT_EQ(database->value("SELECT coalesce(max(weight), 0) = " + std::to_string(entry.weight) +
+                              " FROM loopscope.verdict_kind" + code),
               "t");
+    EXPECT_EQ(
+        database->value("SELECT coalesce(max(family), '') FROM loopscope.fault_family" + code),
+        entry.family);
+    EXPECT_EQ(
+        database->value("SELECT pg_get_constraintdef(oid) LIKE '%''" + std::string(entry.name) +
+                        "''%'"
+                        " FROM pg_constraint WHERE conname = 'verdict_code_check'"
+                        " AND conrelid = 'loopscope.verdict'::regclass"),
+        "t");
   }
   EXPECT_EQ(database->value("SELECT count(*) FROM loopscope.verdict_kind"),
             std::to_string(core::diagnosis::catalogue().size()));
