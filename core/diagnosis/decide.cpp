@@ -36,10 +36,10 @@ bool may_be_named(const WeighedCause& cause, const Circumstances& circumstances)
   return cause.code != VerdictCode::valve_oversized || circumstances.sizes_known;
 }
 
-Circumstances circumstances_of(const Evidence& evidence) {
+Circumstances circumstances_of(const Evidence& evidence, double alpha) {
   return {is_structured(evidence),
           evidence.op_range_known && evidence.valve_gain.pv_span_percent.has_value(),
-          op_speaks(evidence)};
+          op_speaks(evidence), shows_nonlinearity(evidence, alpha)};
 }
 
 double confidence_in(VerdictCode code, const Causes& causes) {
@@ -116,7 +116,8 @@ VerdictCode code_for(const Causes& causes, const Circumstances& circumstances, d
   const double health = probability_of(causes, VerdictCode::healthy);
   const double least = std::max(line, health);
   if (named != causes.end() && named->probability() >= least) return named->code;
-  if (probability_of(causes, VerdictCode::nonlinear_unexplained) >= least)
+  if (circumstances.nonlinear_shown &&
+      probability_of(causes, VerdictCode::nonlinear_unexplained) >= least)
     return VerdictCode::nonlinear_unexplained;
   const bool unclear = health < line && circumstances.structured;
   return unclear ? VerdictCode::unexplained : VerdictCode::healthy;
@@ -127,8 +128,9 @@ Verdict decide(const Evidence& evidence, const hos::Settings& settings,
   if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
   const Causes causes = weigh_causes(evidence, decision);
   const bool followed = !has_flag(evidence, "sp_not_followed");
-  const VerdictCode code = followed ? code_for(causes, circumstances_of(evidence), decision.line)
-                                    : VerdictCode::unexplained;
+  const VerdictCode code =
+      followed ? code_for(causes, circumstances_of(evidence, settings.alpha), decision.line)
+               : VerdictCode::unexplained;
   Verdict verdict = verdict_with(code, confidence_in(code, causes));
   for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
   const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);

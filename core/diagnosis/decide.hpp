@@ -15,6 +15,8 @@ struct Circumstances {
   bool structured = false;   ///< something in the loop is clearly no noise (structure.hpp)
   bool sizes_known = false;  ///< the ranges of op and pv
   bool op_speaks = true;     ///< op was recorded and moves
+  /// A test of coupling, a residual test or a step of the model shows a nonlinearity.
+  bool nonlinear_shown = true;
 };
 
 /// The code that the probabilities come to; see decide(). The most probable cause comes first.

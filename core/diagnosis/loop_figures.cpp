@@ -49,18 +49,6 @@ Value slowness(const Evidence& evidence) {
   return loop->slowness;
 }
 
-/// How long the error remembers by integral time and longest plausible delay: what a loop with a
-/// gain to speak of needs to make up for a load.
-Value memory_by_controller(const Evidence& evidence) {
-  const model::ClosedLoop* loop = closed_loop(evidence);
-  const loop::Performance& performance = evidence.performance;
-  if (!loop || evidence.integrating || !performance.error_memory_s) return std::nullopt;
-  if (loop->integral_per_s == 0.0) return std::nullopt;
-  const double usual_s = performance.longest_delay_s + loop->integral_time_s;
-  if (!(usual_s > 0.0)) return std::nullopt;
-  return *performance.error_memory_s / usual_s;
-}
-
 /// Time that the closed loop takes to make up for a load by the process's own.
 Value slower_than_process(const Evidence& evidence) {
   const model::ClosedLoop* loop = closed_loop(evidence);
@@ -215,6 +203,16 @@ constexpr std::array kLoopFigures = {
 
 std::span<const Figure> loop_figures() {
   return kLoopFigures;
+}
+
+std::optional<double> memory_by_controller(const Evidence& evidence) {
+  const model::ClosedLoop* loop = closed_loop(evidence);
+  const loop::Performance& performance = evidence.performance;
+  if (!loop || evidence.integrating || !performance.error_memory_s) return std::nullopt;
+  if (loop->integral_per_s == 0.0) return std::nullopt;
+  const double usual_s = performance.longest_delay_s + loop->integral_time_s;
+  if (!(usual_s > 0.0)) return std::nullopt;
+  return *performance.error_memory_s / usual_s;
 }
 
 }  // namespace loopscope::core::diagnosis

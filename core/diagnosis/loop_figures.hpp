@@ -10,4 +10,8 @@ namespace loopscope::core::diagnosis {
 /// performance, higher-order statistics, data.
 [[nodiscard]] std::span<const Figure> loop_figures();
 
+/// How long the error remembers by integral time and longest plausible delay: what a loop with a
+/// gain to speak of needs to make up for a load. nullopt without a model, or of a vessel.
+[[nodiscard]] std::optional<double> memory_by_controller(const Evidence& evidence);
+
 }  // namespace loopscope::core::diagnosis

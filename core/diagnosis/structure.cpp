@@ -68,6 +68,17 @@ bool is_structured(const Evidence& evidence) {
   return evidence.model && evidence.model->excited && structure_p(*evidence.model) <= kStructuredP;
 }
 
+bool shows_nonlinearity(const Evidence& evidence, double alpha) {
+  if (nonlinear_p(evidence) <= alpha) return true;
+  if (!evidence.model || !evidence.model->excited) return false;
+  const auto bends = [](const auto& found) {
+    return model::bends_flow(found.effect) ||
+           found.effect == model::EffectKind::process_nonlinearity;
+  };
+  return std::ranges::any_of(evidence.model->steps, bends) ||
+         std::ranges::any_of(evidence.model->asked, bends);
+}
+
 bool oscillates(const Evidence& evidence) {
   const double amplitude = evidence.oscillation.amplitude.value_or(0.0);
   const double error_std = evidence.performance.error_std.value_or(0.0);

@@ -15,6 +15,10 @@ namespace loopscope::core::diagnosis {
 /// much behind, couples as much or oscillates as clearly.
 [[nodiscard]] bool is_structured(const Evidence& evidence);
 
+/// A nonlinearity of valve or process shows: coupling with p <= alpha, a step of the model, or a
+/// residual test that asks for one.
+[[nodiscard]] bool shows_nonlinearity(const Evidence& evidence, double alpha);
+
 /// An oscillation is present and carries enough of the error's variance to matter.
 [[nodiscard]] bool oscillates(const Evidence& evidence);
 

@@ -16,7 +16,8 @@ using core::diagnosis::Verdict;
 using Code = core::diagnosis::VerdictCode;
 using core::model::EffectKind;
 
-constexpr double kLine = 0.3;  // DecisionSettings
+constexpr double kLine = 0.3;    // DecisionSettings
+constexpr double kAlpha = 0.05;  // hos::Settings
 
 bool has(const std::string& text, std::string_view words) {
   return text.find(words) != std::string::npos;
@@ -44,9 +45,9 @@ double largest(const Verdict& verdict) {
 }
 
 bool has_step(const Evidence& evidence, EffectKind effect) {
-  return evidence.model &&
-         std::ranges::any_of(evidence.model->steps,
-                             [&](const auto& step) { return step.effect == effect; });
+  return evidence.model && std::ranges::any_of(evidence.model->steps, [&](const auto& step) {
+           return step.effect == effect;
+         });
 }
 
 bool in_command(const Evidence& evidence) {
@@ -72,6 +73,7 @@ constexpr std::array kAll = {
                            !has_step(e, EffectKind::external_oscillation);
                   },
                   [](Evidence& e, Verdict& v) {
+                    e.model.reset();
                     e.oscillation.present = false;
                     v.summary = "An oscillation reaches the loop from outside.";
                   }},
@@ -132,22 +134,14 @@ constexpr std::array kAll = {
                     e.shape.mv_slip_jump = 0.0;
                     v.code = Code::valve_stiction;
                   }},
-    Contradiction{"a valve, and op not recorded or still",
+    Contradiction{"a valve or a tuning, and op not recorded or still",
                   [](const Evidence& e, const Verdict& v) {
-                    return is_valve(v.code) && !core::diagnosis::op_speaks(e);
+                    return (is_valve(v.code) || blames(v.code, core::plant::Fault::tuning)) &&
+                           !core::diagnosis::op_speaks(e);
                   },
                   [](Evidence& e, Verdict& v) {
                     e.data_quality.flags = {"op_missing"};
                     v.code = Code::valve_stiction;
-                  }},
-    Contradiction{"a tuning, and op not recorded or still",
-                  [](const Evidence& e, const Verdict& v) {
-                    return blames(v.code, core::plant::Fault::tuning) &&
-                           !core::diagnosis::op_speaks(e);
-                  },
-                  [](Evidence& e, Verdict& v) {
-                    e.data_quality.flags = {"op_constant"};
-                    v.code = Code::tight_tuning;
                   }},
     Contradiction{"healthy, and not controlling",
                   [](const Evidence& e, const Verdict& v) {
@@ -161,8 +155,9 @@ constexpr std::array kAll = {
                   [](const Evidence& e, const Verdict& v) {
                     if (v.code != Code::healthy) return false;
                     return std::ranges::any_of(v.causes, [&](const CauseReport& cause) {
-                      const bool named = !is_valve(cause.code) &&
-                                         !blames(cause.code, core::plant::Fault::tuning);
+                      if (cause.code == Code::nonlinear_unexplained) return false;
+                      const bool named =
+                          !is_valve(cause.code) && !blames(cause.code, core::plant::Fault::tuning);
                       return is_fault(cause.code) && cause.probability >= kLine &&
                              cause.probability > v.confidence &&
                              (named || (cause.code != Code::valve_oversized &&
@@ -173,14 +168,6 @@ constexpr std::array kAll = {
                     v.code = Code::healthy;
                     v.confidence = 0.4;
                     set(v, Code::sensor_fault, 0.9);
-                  }},
-    Contradiction{"nothing to do, and a fault",
-                  [](const Evidence&, const Verdict& v) {
-                    return is_fault(v.code) && has(v.action, "Nothing to do");
-                  },
-                  [](Evidence&, Verdict& v) {
-                    v.code = Code::sensor_fault;
-                    v.action = "Nothing to do.";
                   }},
     Contradiction{"unexplained, and a cause above the line",
                   [](const Evidence& e, const Verdict& v) {
@@ -246,6 +233,17 @@ constexpr std::array kAll = {
                     e.hos.emplace();
                     v.reasons.emplace_back("Quadratic coupling: p = 0.2");
                   }},
+    Contradiction{"nonlinear, and nothing shows it",
+                  [](const Evidence& e, const Verdict& v) {
+                    return v.code == Code::nonlinear_unexplained &&
+                           !core::diagnosis::shows_nonlinearity(e, kAlpha);
+                  },
+                  [](Evidence& e, Verdict& v) {
+                    e.model.reset();
+                    e.hos.emplace().nonlinear_p = 0.6;
+                    e.hos_slow.reset();
+                    v.code = Code::nonlinear_unexplained;
+                  }},
     Contradiction{"the valve is recorded, and no position was",
                   [](const Evidence& e, const Verdict& v) {
                     return says(v, "The mv-op plot is") && !e.shape.mv_op_width;
@@ -265,7 +263,7 @@ constexpr std::array kAll = {
                   }},
     Contradiction{"pv is held, and new in every sample",
                   [](const Evidence& e, const Verdict& v) {
-                    return says(v, "is renewed only every") &&
+                    return says(v, "samples on average") &&
                            e.data_quality.compression_factor.value_or(1.0) < 1.5;
                   },
                   [](Evidence& e, Verdict& v) {

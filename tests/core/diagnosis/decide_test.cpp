@@ -26,7 +26,8 @@ std::vector<WeighedCause> causes_of(std::initializer_list<Given> given) {
 }
 
 constexpr Circumstances kCalm{};
-constexpr Circumstances kStructured{.structured = true, .sizes_known = false, .op_speaks = true};
+constexpr Circumstances kStructured{
+    .structured = true, .sizes_known = false, .op_speaks = true, .nonlinear_shown = true};
 
 TEST(Decide, TheMostProbableCauseAboveTheLineIsNamed) {
   const auto causes =
@@ -61,8 +62,12 @@ TEST(Decide, NoValveIsTooLargeWhereTheRangesAreUnknown) {
   const auto causes =
       causes_of({{Code::valve_oversized, 0.9}, {Code::valve_stiction, 0.4}, {Code::healthy, 0.1}});
   EXPECT_EQ(code_for(causes, kCalm, 0.3), Code::valve_stiction);
-  EXPECT_EQ(code_for(causes, {.structured = false, .sizes_known = true, .op_speaks = true}, 0.3),
-            Code::valve_oversized);
+  EXPECT_EQ(
+      code_for(
+          causes,
+          {.structured = false, .sizes_known = true, .op_speaks = true, .nonlinear_shown = true},
+          0.3),
+      Code::valve_oversized);
 }
 
 TEST(Decide, OfValveAndControllerNothingIsSaidWhereOpSaysNothing) {
@@ -70,8 +75,12 @@ TEST(Decide, OfValveAndControllerNothingIsSaidWhereOpSaysNothing) {
                                  {Code::tight_tuning, 0.8},
                                  {Code::external_disturbance, 0.4},
                                  {Code::healthy, 0.1}});
-  EXPECT_EQ(code_for(causes, {.structured = false, .sizes_known = false, .op_speaks = false}, 0.3),
-            Code::external_disturbance);
+  EXPECT_EQ(
+      code_for(
+          causes,
+          {.structured = false, .sizes_known = false, .op_speaks = false, .nonlinear_shown = true},
+          0.3),
+      Code::external_disturbance);
 }
 
 TEST(Decide, UnusableDataAreNotJudged) {

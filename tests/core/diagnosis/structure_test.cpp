@@ -38,6 +38,20 @@ TEST(Structure, CouplingAnOscillationOrWhatTheModelLeavesIsStructure) {
   EXPECT_FALSE(is_structured(modelled));
 }
 
+TEST(Structure, ANonlinearityShowsByCouplingAStepOrAResidualTest) {
+  Evidence evidence = evidence_with(explanation_of());
+  EXPECT_FALSE(shows_nonlinearity(evidence, 0.05));
+  evidence.hos->nonlinear_p = 0.04;
+  EXPECT_TRUE(shows_nonlinearity(evidence, 0.05));
+  EXPECT_TRUE(shows_nonlinearity(
+      evidence_with(explanation_of({clear_step(model::EffectKind::valve_deadband)})), 0.05));
+  Evidence asked = evidence_with(explanation_of());
+  asked.model->asked = {{model::EffectKind::process_nonlinearity, "response_level", 0.001}};
+  EXPECT_TRUE(shows_nonlinearity(asked, 0.05));
+  Evidence load = evidence_with(explanation_of({clear_step(model::EffectKind::load_step)}));
+  EXPECT_FALSE(shows_nonlinearity(load, 0.05));
+}
+
 TEST(Structure, AnOscillationOfLittleWeightIsNone) {
   Evidence evidence = quiet_evidence();
   oscillate(evidence, 60.0);

@@ -31,6 +31,16 @@ TEST(VerdictP, EachVerdictRestsOnTheTestOfItsCause) {
   EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), kOscillationP) << "the clearer of two";
 }
 
+TEST(VerdictP, SlownessIsAsRareAsItsMemoryAmongHealthyLoops) {
+  Evidence evidence = evidence_with(explanation_of());
+  evidence.performance.harris_p = kHarrisP;
+  evidence.performance.error_memory_s = 400.0;
+  evidence.model->closed_loop = slow_loop();  // integral time and longest delay make 40 s
+  EXPECT_NEAR(*p_of_verdict(Code::sluggish_tuning, evidence), 0.27 * std::pow(10.0, -3.3), 1e-9);
+  evidence.performance.harris_p = 0.5;
+  EXPECT_EQ(p_of_verdict(Code::sluggish_tuning, evidence), 0.5);
+}
+
 TEST(VerdictP, AnOscillationOfNoWeightLendsNone) {
   Evidence evidence = tested_evidence();
   evidence.oscillation.amplitude = 0.1;
