@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "core/diagnosis/cause_curves.hpp"
 #include "core/diagnosis/figure.hpp"
@@ -98,8 +100,8 @@ const WeighedCause* rival_of(std::size_t place, const std::vector<WeighedCause>&
 }
 
 /// `cause` beside the others.
-WeighedCause among(std::size_t place, const std::vector<WeighedCause>& causes,
-                   const std::vector<PlacedCause>& table) {
+WeighedCause beside_rivals(std::size_t place, const std::vector<WeighedCause>& causes,
+                           const std::vector<PlacedCause>& table) {
   const CauseCurves& curves = *table[place].curves;
   WeighedCause result = causes[place];
   result.log_odds = curves.scale * result.log_odds + curves.offset;
@@ -131,7 +133,7 @@ std::vector<WeighedCause> weigh_causes(const Evidence& evidence, const DecisionS
   for (const PlacedCause& cause : table) alone.push_back(weigh(cause, values));
   std::vector<WeighedCause> causes;
   for (std::size_t k = 0; k < table.size(); ++k) {
-    WeighedCause cause = among(k, alone, table);
+    WeighedCause cause = beside_rivals(k, alone, table);
     shift(cause, table[k].curves->share, settings.priors);
     std::ranges::stable_sort(cause.parts, std::greater{},
                              [](const Part& part) { return std::abs(part.weight); });

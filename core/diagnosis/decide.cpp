@@ -32,14 +32,13 @@ bool needs_op(VerdictCode code) {
 bool may_be_named(const WeighedCause& cause, const Circumstances& circumstances) {
   if (cause.code == VerdictCode::healthy || cause.code == VerdictCode::nonlinear_unexplained)
     return false;
-  if (!circumstances.op_speaks && needs_op(cause.code)) return false;
   return cause.code != VerdictCode::valve_oversized || circumstances.sizes_known;
 }
 
 Circumstances circumstances_of(const Evidence& evidence, double alpha) {
   return {is_structured(evidence),
           evidence.op_range_known && evidence.valve_gain.pv_span_percent.has_value(),
-          op_speaks(evidence), shows_nonlinearity(evidence, alpha)};
+          shows_nonlinearity(evidence, alpha)};
 }
 
 double confidence_in(VerdictCode code, const Causes& causes) {
@@ -64,8 +63,18 @@ bool is_tuning(VerdictCode code) {
   return catalogue_entry(code).blames == plant::Fault::tuning;
 }
 
+/// What would show where the nonlinearity is.
+std::string record_more(const Evidence& evidence) {
+  if (!op_speaks(evidence)) return "Record the controller output (op), then analyse again.";
+  if (evidence.shape.mv_op_width)
+    return "Do a stroke test; compare pv with the valve position at several levels.";
+  return std::string(catalogue_entry(VerdictCode::nonlinear_unexplained).action);
+}
+
 /// Tuning waits while a valve or a sensor is to be mended, and more so where that is the verdict.
-std::string action_with(VerdictCode code, const Causes& causes, double line) {
+std::string action_with(VerdictCode code, const Evidence& evidence, const Causes& causes,
+                        double line) {
+  if (code == VerdictCode::nonlinear_unexplained) return record_more(evidence);
   const std::string own(catalogue_entry(code).action);
   // The words for saturation say so already.
   if (code == VerdictCode::valve_saturation) return own;
@@ -74,8 +83,7 @@ std::string action_with(VerdictCode code, const Causes& causes, double line) {
   const auto first = std::ranges::find_if(causes, [&](const WeighedCause& cause) {
     return catalogue_entry(cause.code).withholds_tuning && cause.probability() >= line;
   });
-  if (first == causes.end()) return own;
-  return std::string(catalogue_entry(first->code).action) + tuning_waits();
+  return first == causes.end() ? own : action_with(first->code, evidence, causes, line);
 }
 
 /// A wave has another action than a load that moves.
@@ -89,13 +97,40 @@ void tell_disturbance(const Evidence& evidence, Verdict& verdict) {
   verdict.action = std::move(words.action);
 }
 
-Verdict not_in_command(Verdict verdict) {
+/// A state, seen in the data: no cause is weighed.
+Verdict not_in_command(const Evidence& evidence, const NonlinearityFinding& nonlinearity) {
+  Verdict verdict = verdict_with(VerdictCode::unexplained, 1.0);
+  verdict.summary = "The controller is not in command, or has no integral action.";
+  verdict.reasons = findings(evidence, nonlinearity);
   verdict.reasons.insert(verdict.reasons.begin(),
                          "pv stays many standard deviations away from its setpoint: the controller "
                          "is not in command, or has no integral action.");
   verdict.action =
       "Check whether an override or another controller holds the valve; if that is meant, disable "
       "the loop in the catalogue.";
+  return verdict;
+}
+
+/// Of valve and controller nothing is known where op says nothing.
+Causes known_causes(const Evidence& evidence, const DecisionSettings& decision) {
+  Causes causes = weigh_causes(evidence, decision);
+  if (!op_speaks(evidence))
+    std::erase_if(causes, [](const WeighedCause& cause) { return needs_op(cause.code); });
+  return causes;
+}
+
+Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearity, double alpha,
+                const DecisionSettings& decision) {
+  const Causes causes = known_causes(evidence, decision);
+  const VerdictCode code = code_for(causes, circumstances_of(evidence, alpha), decision.line);
+  Verdict verdict = verdict_with(code, confidence_in(code, causes));
+  for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
+  const auto own = std::ranges::find(verdict.causes, code, &CauseReport::code);
+  verdict.reasons = own == verdict.causes.end() ? findings(evidence, nonlinearity)
+                                                : reasons_for(*own, evidence, nonlinearity);
+  verdict.action = action_with(code, evidence, causes, decision.line);
+  verdict.p = p_of_verdict(code, evidence);
+  if (code == VerdictCode::external_disturbance) tell_disturbance(evidence, verdict);
   return verdict;
 }
 
@@ -126,21 +161,10 @@ VerdictCode code_for(const Causes& causes, const Circumstances& circumstances, d
 Verdict decide(const Evidence& evidence, const hos::Settings& settings,
                const DecisionSettings& decision) {
   if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
-  const Causes causes = weigh_causes(evidence, decision);
-  const bool followed = !has_flag(evidence, "sp_not_followed");
-  const VerdictCode code =
-      followed ? code_for(causes, circumstances_of(evidence, settings.alpha), decision.line)
-               : VerdictCode::unexplained;
-  Verdict verdict = verdict_with(code, confidence_in(code, causes));
-  for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
   const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);
-  const auto own = std::ranges::find(verdict.causes, code, &CauseReport::code);
-  verdict.reasons = own == verdict.causes.end() ? findings(evidence, nonlinearity)
-                                                : reasons_for(*own, evidence, nonlinearity);
-  verdict.action = action_with(code, causes, decision.line);
-  verdict.p = followed ? p_of_verdict(code, evidence) : std::nullopt;
-  if (code == VerdictCode::external_disturbance) tell_disturbance(evidence, verdict);
-  if (!followed) verdict = not_in_command(std::move(verdict));
+  Verdict verdict = has_flag(evidence, "sp_not_followed")
+                        ? not_in_command(evidence, nonlinearity)
+                        : by_odds(evidence, nonlinearity, settings.alpha, decision);
   note_window(evidence, verdict);
   return verdict;
 }

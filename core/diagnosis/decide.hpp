@@ -14,7 +14,6 @@ namespace loopscope::core::diagnosis {
 struct Circumstances {
   bool structured = false;   ///< something in the loop is clearly no noise (structure.hpp)
   bool sizes_known = false;  ///< the ranges of op and pv
-  bool op_speaks = true;     ///< op was recorded and moves
   /// A test of coupling, a residual test or a step of the model shows a nonlinearity.
   bool nonlinear_shown = true;
 };
@@ -28,13 +27,16 @@ struct Circumstances {
 ///
 ///     no data to judge                                -> insufficient_data
 ///     setpoint not followed at all                    -> unexplained (not in command)
-///     the most probable of causes and healthy is above the line
-///         a cause                                     -> that cause
-///         valve or process nonlinear, more probable than healthy
+///     the most probable cause is above the line and at least as probable as healthy
+///                                                     -> that cause
+///     valve or process nonlinear, any of them: likewise, and something shows it
 ///                                                     -> nonlinear_unexplained
-///         healthy                                     -> healthy
-///     else something is no noise (structure.hpp)      -> unexplained
+///     healthy below the line, and something is clearly no noise (structure.hpp)
+///                                                     -> unexplained
 ///     else                                            -> healthy
+///
+/// Where op is not recorded or stands still, causes in valve and controller are not weighed. Of
+/// `healthy` below the line confidence says how little is known.
 ///
 /// Confidence is the probability of what is said; of `unexplained` 1 less the largest probability
 /// of all others. `valve_oversized` is named only where the ranges of op and pv are known, since it

@@ -3,7 +3,8 @@
 namespace loopscope::core::diagnosis {
 
 /// How often each cause is to be expected, 0 to 1; 0 = as in the simulated loops that the curves
-/// were fitted on (cause_curves.hpp names those shares).
+/// were fitted on (cause_curves.hpp names those shares). `nonlinear_unexplained`, any of several,
+/// keeps its own.
 struct Priors {
   double healthy = 0.0;
   double valve_stiction = 0.0;

@@ -36,6 +36,7 @@ Diagnosis diagnose(const FirstLook& first, const AnalysisSettings& settings, con
   const auto done = [&](Stage stage) {
     if (plan.done) plan.done(stage);
   };
+  diagnosis::check(settings.decision);
   Diagnosis diagnosis;
   Evidence& evidence = diagnosis.evidence;
   evidence = gather_evidence(first, settings, facts, long_window);

@@ -45,7 +45,8 @@ std::string figure_text(const Figure& figure, double value) {
     case Scale::share:
       return text + ": " + percent(value);
     case Scale::decades:
-      return text + ": " + p_equals(value >= kMostDecades ? 0.0 : std::pow(10.0, -value));
+      return "test whether " + text + ": " +
+             p_equals(value >= kMostDecades ? 0.0 : std::pow(10.0, -value));
     case Scale::plain:
       break;
   }

@@ -15,7 +15,7 @@ namespace loopscope::core::diagnosis {
 enum class Scale {
   plain,    ///< a number
   share,    ///< 0 to 1, written in percent
-  decades,  ///< -log10 of a p-value, at most kMostDecades; written as p
+  decades,  ///< -log10 of the p of a test whether `words`, at most kMostDecades; written as p
   yes_no,   ///< 1 or 0
 };
 

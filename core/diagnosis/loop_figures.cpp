@@ -107,7 +107,7 @@ Value hos_decades(const Evidence& evidence) {
   return decades(*((*evidence.hos).*member));
 }
 
-Value both_looks(const Evidence& evidence) {
+Value nonlinear_decades(const Evidence& evidence) {
   if (!evidence.hos || !evidence.hos->nonlinear_p) return std::nullopt;
   return decades(nonlinear_p(evidence));
 }
@@ -143,7 +143,8 @@ Value size_of_valve(const Evidence& evidence) {
 }
 
 constexpr std::array kLoopFigures = {
-    Figure{"model.sensitivity", "peak sensitivity of the implied loop", Scale::plain, sensitivity},
+    Figure{"model.sensitivity", "peak sensitivity of the implied loop (20 = 20 or more)",
+           Scale::plain, sensitivity},
     Figure{"model.damping", "damping of the implied loop", Scale::plain,
            of_loop<&model::ClosedLoop::damping>},
     Figure{"model.off_resonance", "ln of the oscillation's by the implied loop's period",
@@ -167,10 +168,11 @@ constexpr std::array kLoopFigures = {
     Figure{"error.memory", "how long the error remembers by the longest plausible delay",
            Scale::plain, memory_by_delay},
     Figure{"op.reversals", "reversals of op a sample", Scale::plain, reversals},
-    Figure{"hos.nonlinear_p", "the error couples frequencies", Scale::decades, both_looks},
-    Figure{"hos.ngi_p", "quadratic coupling on average", Scale::decades,
+    Figure{"hos.nonlinear_p", "the error couples frequencies", Scale::decades, nonlinear_decades},
+    Figure{"hos.ngi_p", "the error couples quadratically on average", Scale::decades,
            hos_decades<&hos::Result::ngi_p>},
-    Figure{"hos.cubic_p", "cubic coupling", Scale::decades, hos_decades<&hos::Result::cubic_p>},
+    Figure{"hos.cubic_p", "the error couples cubically", Scale::decades,
+           hos_decades<&hos::Result::cubic_p>},
     Figure{"hos.skewness", "skewness of the error (size)", Scale::plain,
            hos_size<&hos::Result::skewness>},
     Figure{"hos.kurtosis", "excess kurtosis of the error", Scale::plain,

@@ -1,16 +1,12 @@
 #include "core/diagnosis/nonlinearity.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/diagnosis/structure.hpp"
 #include "core/diagnosis/words.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
-
-/// Nobody sends a fitter for p = 0.04; one loop in ten thousand linear ones shows this.
-constexpr double kConvincing = 1e-4;
 
 std::string coupling_text(hos::Coupling coupling) {
   switch (coupling) {
@@ -115,8 +111,6 @@ NonlinearityFinding judge_nonlinearity(const Evidence& evidence, const hos::Sett
   }
   finding.p = nonlinear_p(evidence);
   finding.found = finding.p <= settings.alpha;
-  finding.belief = std::clamp(
-      std::log(settings.alpha / finding.p) / std::log(settings.alpha / kConvincing), 0.0, 1.0);
   finding.reason = coupling_text(hos.coupling) + ": " + tests_text(hos) +
                    peak_text(hos, settings.alpha) + published_text(hos) + ".";
   if (evidence.hos_slow) finding.reason += slow_text(*evidence.hos_slow);

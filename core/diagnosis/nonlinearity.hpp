@@ -9,10 +9,9 @@ namespace loopscope::core::diagnosis {
 
 /// What the calibrated tests say, for the decision; both looks taken together.
 struct NonlinearityFinding {
-  bool found = false;   ///< p <= alpha of the settings
-  double p = 1.0;       ///< that a linear loop under its own noise looks like this or more so
-  double belief = 0.0;  ///< 0 at p = alpha, 1 from p = 1e-4 down
-  std::string reason;   ///< names the coupling, the p-values and the published figures
+  bool found = false;  ///< p <= alpha of the settings
+  double p = 1.0;      ///< that a linear loop under its own noise looks like this or more so
+  std::string reason;  ///< names the coupling, the p-values and the published figures
 };
 
 /// p of one look, or of the stronger of two, corrected for having looked twice. 1 when the

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "core/diagnosis/figure.hpp"
 #include "core/diagnosis/model_words.hpp"
@@ -17,9 +18,7 @@ constexpr std::size_t kMostParts = 4;
 constexpr double kLeastWeight = 0.1;
 
 std::string measured_text(const Part& part) {
-  const Figure& figure = all_figures()[*part.figure];
-  return part.value ? figure_text(figure, *part.value)
-                    : std::string(figure.words) + ": not computed";
+  return figure_text(all_figures()[*part.figure], *part.value);
 }
 
 std::string rival_text(const Part& part) {
@@ -27,12 +26,15 @@ std::string rival_text(const Part& part) {
          std::string(name(part.rival)) + ", has " + percent(part.value.value_or(0.0));
 }
 
+/// " (odds times 3.1)".
+std::string odds_text(double weight) {
+  return std::string(weight > 0.0 ? " (odds times " : " (odds divided by ") +
+         number(std::exp(std::abs(weight))) + ")";
+}
+
 /// "op repeats its half cycle: 93 % (odds times 3.1)".
 std::string part_text(const Part& part) {
-  const std::string text = part.figure ? measured_text(part) : rival_text(part);
-  const bool raises = part.weight > 0.0;
-  return text + " (odds " + (raises ? "times " : "divided by ") +
-         number(std::exp(std::abs(part.weight))) + ")";
+  return (part.figure ? measured_text(part) : rival_text(part)) + odds_text(part.weight);
 }
 
 std::string oscillation_text(const loop::Oscillation& oscillation) {
@@ -90,10 +92,17 @@ void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
 
 CauseReport report_of(const WeighedCause& cause) {
   CauseReport report{cause.code, cause.probability(), {}, {}};
+  double unknown = 0.0;
   for (const Part& part : cause.parts) {
-    if (std::abs(part.weight) < kLeastWeight) break;
+    const bool computed = !part.figure || part.value;
+    if (!computed) unknown += part.weight;
+    if (!computed || std::abs(part.weight) < kLeastWeight) continue;
     std::vector<std::string>& side = part.weight > 0.0 ? report.in_favour : report.against;
     if (side.size() < kMostParts) side.push_back(part_text(part));
+  }
+  if (std::abs(unknown) >= kLeastWeight) {
+    std::vector<std::string>& side = unknown > 0.0 ? report.in_favour : report.against;
+    side.push_back("figures that could not be computed" + odds_text(unknown));
   }
   return report;
 }

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "core/diagnosis/disturbance_words.hpp"
 #include "core/diagnosis/structure.hpp"
 #include "core/model/cycle_valve.hpp"
 
@@ -192,7 +190,7 @@ constexpr std::array kStepFigures = {
     Figure{"band.jump", "the valve's slip jump by its stickband", Scale::share, jump_of_band},
     Figure{"band.as_if_stuck", "the loop keeps up a cycle about the band of play", Scale::yes_no,
            of_hysteresis<&model::Step::cycles_as_if_stuck>},
-    Figure{"loads.after_moves", "load steps come when the loop answers its setpoint by chance",
+    Figure{"loads.after_moves", "load steps come with the loop's answers to its setpoint",
            Scale::decades, chance_of_loads},
 };
 

@@ -50,8 +50,9 @@ struct Verdict {
   std::vector<std::string> reasons;  ///< each names its numbers
   std::string action;                ///< what to do next
   /// Probability of evidence as strong as what the verdict rests on, were the loop without that
-  /// fault. nullopt when it rests on a fact (a saturated output, a held sensor, a measured valve
-  /// position), when its test was not computed, and for `healthy` and `insufficient_data`.
+  /// fault; 1 where its test was not computed. nullopt when it rests on a fact (op at its limit, a
+  /// sensor's data, a recorded valve position, not in command), for `healthy` and
+  /// `insufficient_data`.
   std::optional<double> p = std::nullopt;
   std::vector<CauseReport> causes = {};  ///< all that were weighed, the most probable first
 };

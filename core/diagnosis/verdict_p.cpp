@@ -29,7 +29,7 @@ std::optional<double> step_p(VerdictCode code, const Evidence& evidence) {
   };
   std::optional<double> smallest;
   for (const model::Step& step : evidence.model->steps) {
-    const VerdictCode verdict = verdict_of(step.effect);
+    const VerdictCode verdict = verdict_of(step);
     if (verdict != code && !(friction(verdict) && friction(code))) continue;
     if (!evidence.model->excited && !model::is_from_outside(step.effect)) continue;
     smallest = std::min(smallest.value_or(1.0), measured_p(step));
@@ -55,17 +55,23 @@ double left_p(const Evidence& evidence) {
   return known ? structure_p(*evidence.model) : 1.0;
 }
 
-/// Seen and not inferred.
+/// Positioners hold half a percent; twice that is more than their tolerance.
+constexpr double kFaultyWidthPercent = 1.0;
+/// Disturbances push op to its limit for a moment.
+constexpr double kAtLimit = 0.05;
+
+/// Seen and not inferred: a recorded position that does not follow, op at a limit of its range; the
+/// grid, the age and the rests of pv are the data themselves.
 bool is_fact(VerdictCode code, const Evidence& evidence) {
   switch (code) {
     case VerdictCode::valve_stiction:
     case VerdictCode::valve_deadband:
-      return evidence.shape.mv_op_width.has_value();
+      return evidence.shape.mv_op_width.value_or(0.0) + evidence.shape.mv_slip_jump.value_or(0.0) >=
+             kFaultyWidthPercent;
     case VerdictCode::valve_saturation:
-      return evidence.data_quality.saturated_fraction.value_or(0.0) > 0.0;
+      return evidence.data_quality.saturated_fraction.value_or(0.0) > kAtLimit;
     case VerdictCode::sensor_fault:
-      return has_flag(evidence, "pv_frozen") || has_flag(evidence, "pv_held") ||
-             has_flag(evidence, "pv_quantised");
+      return true;
     default:
       return false;
   }

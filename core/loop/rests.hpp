@@ -9,7 +9,7 @@ namespace loopscope::core::loop {
 /// two plateaus while integral action ramps op, and jumps between them. Of a vessel, which
 /// integrates, the plateaus are in the slope of pv.
 ///
-/// pv is averaged over a twelfth of a cycle; its move from one mean to the next but one is compared
+/// pv is averaged over a twelfth of a cycle; its move from one mean to the next that shares no sample is compared
 /// with the root mean square of all such moves. No cycle has to repeat another, so that three are
 /// enough.
 struct Rests {

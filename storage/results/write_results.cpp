@@ -63,7 +63,9 @@ std::vector<std::optional<double>> probabilities_of(const core::diagnosis::Verdi
   for (const core::diagnosis::CauseReport& cause : verdict.causes) {
     const auto place = static_cast<std::size_t>(cause.code);
     if (place >= probabilities.size()) probabilities.resize(place + 1);
-    probabilities[place] = cause.probability;
+    // PostgreSQL refuses a real that is next to nothing, and the whole batch with it.
+    constexpr double kLeast = 1e-30;
+    probabilities[place] = std::max(cause.probability, kLeast);
   }
   return probabilities;
 }

@@ -27,7 +27,7 @@ std::vector<WeighedCause> causes_of(std::initializer_list<Given> given) {
 
 constexpr Circumstances kCalm{};
 constexpr Circumstances kStructured{
-    .structured = true, .sizes_known = false, .op_speaks = true, .nonlinear_shown = true};
+    .structured = true, .sizes_known = false, .nonlinear_shown = true};
 
 TEST(Decide, TheMostProbableCauseAboveTheLineIsNamed) {
   const auto causes =
@@ -63,24 +63,18 @@ TEST(Decide, NoValveIsTooLargeWhereTheRangesAreUnknown) {
       causes_of({{Code::valve_oversized, 0.9}, {Code::valve_stiction, 0.4}, {Code::healthy, 0.1}});
   EXPECT_EQ(code_for(causes, kCalm, 0.3), Code::valve_stiction);
   EXPECT_EQ(
-      code_for(
-          causes,
-          {.structured = false, .sizes_known = true, .op_speaks = true, .nonlinear_shown = true},
-          0.3),
+      code_for(causes, {.structured = false, .sizes_known = true, .nonlinear_shown = true}, 0.3),
       Code::valve_oversized);
 }
 
 TEST(Decide, OfValveAndControllerNothingIsSaidWhereOpSaysNothing) {
-  const auto causes = causes_of({{Code::valve_stiction, 0.9},
-                                 {Code::tight_tuning, 0.8},
-                                 {Code::external_disturbance, 0.4},
-                                 {Code::healthy, 0.1}});
-  EXPECT_EQ(
-      code_for(
-          causes,
-          {.structured = false, .sizes_known = false, .op_speaks = false, .nonlinear_shown = true},
-          0.3),
-      Code::external_disturbance);
+  Evidence evidence = quiet_evidence();
+  oscillate(evidence, 60.0);
+  evidence.data_quality.flags = {"op_missing"};
+  for (const CauseReport& cause : decide(evidence, {}).causes) {
+    EXPECT_FALSE(name(cause.code).starts_with("valve_")) << name(cause.code);
+    EXPECT_FALSE(name(cause.code).ends_with("_tuning")) << name(cause.code);
+  }
 }
 
 TEST(Decide, UnusableDataAreNotJudged) {
@@ -94,12 +88,14 @@ TEST(Decide, UnusableDataAreNotJudged) {
   EXPECT_THAT(verdict.reasons, Contains(HasSubstr("pv is constant")));
 }
 
-TEST(Decide, AControllerThatIsNotInCommandIsNotHealthy) {
+TEST(Decide, AControllerThatIsNotInCommandIsAStateAndNoCause) {
   Evidence evidence = quiet_evidence();
   evidence.data_quality.flags = {"sp_not_followed"};
   const Verdict verdict = decide(evidence, {});
   EXPECT_EQ(verdict.code, Code::unexplained);
-  EXPECT_THAT(verdict.reasons.front(), HasSubstr("not in command"));
+  EXPECT_EQ(verdict.confidence, 1.0);
+  EXPECT_THAT(verdict.summary, HasSubstr("not in command"));
+  EXPECT_THAT(verdict.causes, testing::IsEmpty());
   EXPECT_EQ(verdict.p, std::nullopt);
 }
 
@@ -115,10 +111,26 @@ TEST(Decide, ConfidenceIsTheProbabilityOfTheCode) {
 }
 
 TEST(Decide, OfWhatIsUnexplainedConfidenceIsWhatNoCauseTakes) {
+  DecisionSettings strict;
+  strict.line = 1.0;
   Evidence evidence = quiet_evidence();
-  evidence.data_quality.flags = {"sp_not_followed"};
-  const Verdict verdict = decide(evidence, {});
+  oscillate(evidence, 60.0);
+  const Verdict verdict = decide(evidence, {}, strict);
+  ASSERT_EQ(verdict.code, Code::unexplained);
   EXPECT_DOUBLE_EQ(verdict.confidence, 1.0 - verdict.causes.front().probability);
+}
+
+TEST(Decide, WhatToRecordFollowsFromWhatIsRecorded) {
+  DecisionSettings decision;
+  Evidence evidence = quiet_evidence();
+  evidence.hos->nonlinear_p = 1e-9;
+  const auto action = [&] { return decide(evidence, {}, decision); };
+  for (const char* flag : {"op_missing", ""}) {
+    evidence.data_quality.flags = {flag};
+    const Verdict verdict = action();
+    if (verdict.code != Code::nonlinear_unexplained) continue;
+    EXPECT_THAT(verdict.action, HasSubstr(*flag != 0 ? "(op)" : "(mv)"));
+  }
 }
 
 TEST(Decide, CausesComeTheMostProbableFirst) {

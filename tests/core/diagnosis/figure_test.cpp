@@ -63,8 +63,8 @@ TEST(Figure, TextsCarryTheirNumbers) {
   const auto text = [](std::string_view name, double value) {
     return figure_text(all_figures()[figure_place(name).value()], value);
   };
-  EXPECT_EQ(text("oscillation.p", 3.0), "an oscillation is present: p = 0.001");
-  EXPECT_EQ(text("oscillation.p", 12.0), "an oscillation is present: p < 1e-12");
+  EXPECT_EQ(text("oscillation.p", 3.0), "test whether an oscillation is present: p = 0.001");
+  EXPECT_EQ(text("oscillation.p", 12.0), "test whether an oscillation is present: p < 1e-12");
   EXPECT_EQ(text("cycle.op_coherence", 0.934), "op repeats its half cycle: 93 %");
   EXPECT_EQ(text("data.held", 1.0), "pv is renewed less often than it is recorded: yes");
 }

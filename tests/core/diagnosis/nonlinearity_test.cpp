@@ -31,14 +31,6 @@ TEST(Nonlinearity, IsFoundAtTheLevelOfTheSettings) {
   EXPECT_FALSE(judge_nonlinearity(with_p(0.01), strict).found);
 }
 
-TEST(Nonlinearity, IsBelievedTheMoreTheSmallerThePValue) {
-  EXPECT_DOUBLE_EQ(judge_nonlinearity(with_p(0.05), {}).belief, 0.0);
-  EXPECT_NEAR(judge_nonlinearity(with_p(1e-4), {}).belief, 1.0, 1e-12);
-  EXPECT_DOUBLE_EQ(judge_nonlinearity(with_p(1e-12), {}).belief, 1.0);
-  EXPECT_GT(judge_nonlinearity(with_p(1e-3), {}).belief,
-            judge_nonlinearity(with_p(1e-2), {}).belief);
-}
-
 TEST(Nonlinearity, SaysWhatTheTestsRestOn) {
   Evidence evidence = with_p(1e-9);
   EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, Not(HasSubstr("setpoint")));

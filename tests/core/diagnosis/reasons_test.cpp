@@ -32,9 +32,8 @@ TEST(Reasons, PartsForAndAgainstInWordsWithTheirNumbers) {
                           "by its own figures alone the most probable other finding, tight_tuning, "
                           "has 12 % (odds times 1.16)"));
   EXPECT_THAT(report.against,
-              ElementsAre("an oscillation is present: p = 1 (odds divided by 2.01)",
-                          "width of the recorded mv-op plot, %: not computed (odds divided by "
-                          "1.22)"));
+              ElementsAre("test whether an oscillation is present: p = 1 (odds divided by 2.01)",
+                          "figures that could not be computed (odds divided by 1.22)"));
 }
 
 NonlinearityFinding finding() {

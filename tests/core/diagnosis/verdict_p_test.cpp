@@ -74,10 +74,12 @@ TEST(VerdictP, FactsAndHealthHaveNone) {
   Evidence evidence = tested_evidence();
   EXPECT_EQ(p_of_verdict(Code::healthy, evidence), std::nullopt);
   EXPECT_EQ(p_of_verdict(Code::insufficient_data, evidence), std::nullopt);
+  evidence.shape.mv_op_width = 0.4;
+  EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), kOscillationP) << "it follows";
   evidence.shape.mv_op_width = 3.0;
   EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), std::nullopt);
-  evidence.data_quality.flags = {"pv_frozen"};
   EXPECT_EQ(p_of_verdict(Code::sensor_fault, evidence), std::nullopt);
+  EXPECT_EQ(p_of_verdict(Code::valve_saturation, evidence), kCouplingP);
   evidence.data_quality.saturated_fraction = 0.3;
   EXPECT_EQ(p_of_verdict(Code::valve_saturation, evidence), std::nullopt);
 }
