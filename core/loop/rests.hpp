@@ -9,9 +9,9 @@ namespace loopscope::core::loop {
 /// two plateaus while integral action ramps op, and jumps between them. Of a vessel, which
 /// integrates, the plateaus are in the slope of pv.
 ///
-/// pv is averaged over a twelfth of a cycle; its move from one mean to the next that shares no sample is compared
-/// with the root mean square of all such moves. No cycle has to repeat another, so that three are
-/// enough.
+/// pv is averaged over a twelfth of a cycle; its move from one mean to the next that shares no
+/// sample is compared with the root mean square of all such moves. No cycle has to repeat another,
+/// so that three are enough.
 struct Rests {
   /// Kurtosis of the moves: 1.5 for a sine, 3 for normal noise, more where pv rests and jumps.
   double move_kurtosis = 0.0;

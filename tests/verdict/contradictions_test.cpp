@@ -1,8 +1,8 @@
 #include "tests/verdict/contradictions.hpp"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <algorithm>
 #include <mutex>
 #include <thread>
 

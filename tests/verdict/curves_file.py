@@ -5,6 +5,7 @@ HEAD = """// Written by tests/verdict/train; not edited by hand.
 // Held-out families: {figures}.
 // Each curve: the figure, its weight where it was not computed, and (value, weight) at its bends.
 // Weights are natural logarithms of odds.
+// clang-format off
 
 """
 
