@@ -75,7 +75,7 @@ std::string record_more(const Evidence& evidence) {
 std::string action_with(VerdictCode code, const Evidence& evidence, const Causes& causes,
                         double line) {
   if (code == VerdictCode::nonlinear_unexplained) return record_more(evidence);
-  const std::string own(catalogue_entry(code).action);
+  std::string own(catalogue_entry(code).action);
   // The words for saturation say so already.
   if (code == VerdictCode::valve_saturation) return own;
   if (catalogue_entry(code).withholds_tuning) return own + tuning_waits();

@@ -47,11 +47,11 @@ std::optional<OpRest> measure_op_rest(std::span<const double> op) {
   std::vector<double> recorded;
   std::ranges::copy_if(op, std::back_inserter(recorded), [](double v) { return std::isfinite(v); });
   if (recorded.size() < kFewestForRests) return std::nullopt;
-  const auto [low, high] = std::ranges::minmax(recorded);
-  const double near = kNear * (high - low);
+  const auto ends = std::ranges::minmax(recorded);
+  const double near = kNear * (ends.max - ends.min);
   if (!(near > 0.0)) return std::nullopt;
-  const Runs below = runs_where(recorded, [&](double v) { return v <= low + near; });
-  const Runs above = runs_where(recorded, [&](double v) { return v >= high - near; });
+  const Runs below = runs_where(recorded, [&](double v) { return v <= ends.min + near; });
+  const Runs above = runs_where(recorded, [&](double v) { return v >= ends.max - near; });
   std::size_t resting = 0;
   for (const Runs& runs : {below, above}) resting += runs.count >= kFewestVisits ? runs.samples : 0;
   return OpRest{static_cast<double>(resting) / static_cast<double>(recorded.size()),

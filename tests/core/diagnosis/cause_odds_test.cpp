@@ -1,5 +1,6 @@
 #include "core/diagnosis/cause_odds.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>

@@ -1,5 +1,6 @@
 #include "core/diagnosis/decide.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
