@@ -12,7 +12,6 @@ namespace loopscope::tests::repairs {
 namespace {
 
 using testing::HasSubstr;
-using testing::StartsWith;
 
 constexpr std::size_t kWindows = 2;
 
