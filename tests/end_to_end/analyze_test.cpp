@@ -19,8 +19,8 @@ using Json = nlohmann::json;
 class Analyze : public testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.path() / name, std::ios::binary) << text;
-    return (folder_.path() / name).string();
+    std::ofstream(folder.path() / name, std::ios::binary) << text;
+    return (folder.path() / name).string();
   }
 
   static ProgramResult analyze(const std::string& file) {
@@ -46,7 +46,7 @@ class Analyze : public testing::Test {
     return json;
   }
 
-  TemporaryFolder folder_;
+  TemporaryFolder folder;
 };
 
 /// A healthy loop; a constant output replaces the recorded one when it is given.
@@ -64,7 +64,7 @@ std::string rows(std::size_t count, const std::string& op = "") {
 }
 
 TEST_F(Analyze, FilesThatCannotBeParsedAreErrorsWithoutOutput) {
-  const ProgramResult missing = analyze((folder_.path() / "absent.csv").string());
+  const ProgramResult missing = analyze((folder.path() / "absent.csv").string());
   EXPECT_EQ(missing.exit_code, 5);
   EXPECT_THAT(missing.err, HasSubstr("cannot be read"));
   expect_refused("empty.csv", "", "is empty");

@@ -20,14 +20,14 @@ class PaperRepairs : public testing::Test {
  protected:
   void SetUp() override {
     if (!test_server()) GTEST_SKIP() << kNoServer;
-    database_ = std::make_unique<TestDatabase>();
-    settings_.conninfo = database_->conninfo(database_->owner());
-    settings_.purpose = "results";
-    storage::migrate(settings_);
+    database = std::make_unique<TestDatabase>();
+    settings.conninfo = database->conninfo(database->owner());
+    settings.purpose = "results";
+    storage::migrate(settings);
   }
   storage::MaintenanceRow tell(const Repair& repair) {
-    done_ = diagnose_repair(repair, "flow loop");
-    return store_repairs(settings_, std::vector{done_}).front();
+    done = diagnose_repair(repair, "flow loop");
+    return store_repairs(settings, std::vector{done}).front();
   }
   /// Of the windows of one side, the smallest or largest index.
   static double ngi(const std::vector<storage::AnalysisRecord>& side, bool largest) {
@@ -35,30 +35,30 @@ class PaperRepairs : public testing::Test {
     for (const auto& record : side) values.push_back(record.diagnosis.evidence.hos.value().ngi);
     return largest ? *std::ranges::max_element(values) : *std::ranges::min_element(values);
   }
-  [[nodiscard]] std::string value(const std::string& sql) const { return database_->value(sql); }
+  [[nodiscard]] std::string value(const std::string& sql) const { return database->value(sql); }
 
-  std::unique_ptr<TestDatabase> database_;
-  storage::ConnectionSettings settings_;
-  DiagnosedRepair done_;
+  std::unique_ptr<TestDatabase> database;
+  storage::ConnectionSettings settings;
+  DiagnosedRepair done;
 };
 
 // Paper: op between 49.4 and 50, NGI 0.01 and NLI 0.10 before; NGI 0.0005, linear, after.
 TEST_F(PaperRepairs, OversizedValveReplacedIsFixed) {
   const storage::MaintenanceRow row = tell(flow_loop_1(kWindows, 1));
-  for (const auto& record : done_.before) {
+  for (const auto& record : done.before) {
     // Without pv's range nobody can tell that it is the size; the family is that of one repair.
     EXPECT_EQ(core::diagnosis::catalogue_entry(record.diagnosis.verdict.code).family, "friction");
     EXPECT_LT(record.diagnosis.evidence.valve_gain.op_span_percent, 0.7);
     EXPECT_LT(record.diagnosis.evidence.hos.value().nonlinear_p, 1e-6);
   }
-  EXPECT_GT(ngi(done_.before, true), 0.001);
+  EXPECT_GT(ngi(done.before, true), 0.001);
   // One sound window in twenty has p <= 0.05 by chance, and a verdict that nobody is shown for it.
-  for (const auto& record : done_.after) {
+  for (const auto& record : done.after) {
     const auto& verdict = record.diagnosis.verdict;
     EXPECT_TRUE(verdict.code == core::diagnosis::VerdictCode::healthy || verdict.confidence < 0.3)
         << testing::PrintToString(verdict.reasons);
   }
-  EXPECT_LT(ngi(done_.after, false), 0.001);
+  EXPECT_LT(ngi(done.after, false), 0.001);
   EXPECT_EQ(row.word, "fixed") << row.statement;
   EXPECT_THAT(row.statement, HasSubstr("which stood in 2 of 2 windows"));
 }
@@ -68,9 +68,9 @@ TEST_F(PaperRepairs, OversizedValveReplacedIsFixed) {
 // windows after the repair all have p < 0.05 and 55 p < 0.001.
 TEST_F(PaperRepairs, CorrodedSeatReplacedIsImproved) {
   const storage::MaintenanceRow row = tell(flow_loop_2(kWindows, 1));
-  EXPECT_GT(ngi(done_.before, false), 0.01);
-  EXPECT_GT(ngi(done_.after, false), 0.001);
-  for (const auto& record : done_.after)
+  EXPECT_GT(ngi(done.before, false), 0.01);
+  EXPECT_GT(ngi(done.after, false), 0.001);
+  for (const auto& record : done.after)
     EXPECT_LT(record.diagnosis.evidence.hos.value().nonlinear_p, 0.05);
   // A seat that is still bent a little is as probably healthy as not: where the fault before is not
   // named again, the repair counts as having ended it.
