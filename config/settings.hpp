@@ -106,7 +106,10 @@ struct DaemonSettings {
 
 /// Which loops are shown as flagged.
 struct FlagSettings {
-  double false_discovery_rate = 0.005;  ///< share of tested flags that may be false, 0.0001 to 0.5
+  /// Expected share of loops without a fault on the list, 0 to 0.5: of flagged_loop.
+  double list_false_share = 0.05;
+  /// Of the control by p-values, which is shown beside the list, 0.0001 to 0.5.
+  double false_discovery_rate = 0.005;
   /// positive: tests of different loops are independent or rise together; arbitrary: in any way
   std::string false_discovery_dependence = "positive";
   double min_confidence = 0.3;  ///< verdicts below are not flagged, 0 to 1

@@ -77,7 +77,7 @@ double prior_of(VerdictCode code, const Priors& priors) {
 /// What its own figures say.
 WeighedCause weigh(const PlacedCause& cause, const std::vector<std::optional<double>>& values) {
   const CauseCurves& curves = *cause.curves;
-  WeighedCause weighed{cause.code, curves.log_odds, {}};
+  WeighedCause weighed{cause.code, curves.log_odds, curves.share, {}};
   for (std::size_t k = 0; k < curves.curves.size(); ++k) {
     const std::optional<double> value = values[cause.figures[k]];
     const double weight =
@@ -115,9 +115,11 @@ WeighedCause beside_rivals(std::size_t place, const std::vector<WeighedCause>& c
   return result;
 }
 
-void shift(WeighedCause& cause, double share, const Priors& priors) {
+void shift(WeighedCause& cause, const Priors& priors) {
   const double prior = prior_of(cause.code, priors);
-  if (prior > 0.0) cause.log_odds += logit(prior) - logit(share);
+  if (!(prior > 0.0)) return;
+  cause.log_odds += logit(prior) - logit(cause.prior);
+  cause.prior = prior;
 }
 
 }  // namespace
@@ -134,7 +136,7 @@ std::vector<WeighedCause> weigh_causes(const Evidence& evidence, const DecisionS
   std::vector<WeighedCause> causes;
   for (std::size_t k = 0; k < table.size(); ++k) {
     WeighedCause cause = beside_rivals(k, alone, table);
-    shift(cause, table[k].curves->share, settings.priors);
+    shift(cause, settings.priors);
     std::ranges::stable_sort(cause.parts, std::greater{},
                              [](const Part& part) { return std::abs(part.weight); });
     causes.push_back(std::move(cause));

@@ -22,6 +22,7 @@ struct Part {
 struct WeighedCause {
   VerdictCode code = VerdictCode::healthy;
   double log_odds = 0.0;
+  double prior = 0.0;       ///< probability before anything is measured, of the settings or the fit
   std::vector<Part> parts;  ///< the weightiest first
   [[nodiscard]] double probability() const;
 };

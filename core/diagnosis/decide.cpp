@@ -1,6 +1,8 @@
 #include "core/diagnosis/decide.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -119,15 +121,35 @@ Causes known_causes(const Evidence& evidence, const DecisionSettings& decision) 
   return causes;
 }
 
+/// The log odds of this window give way to those of all.
+void put_combined(const CombinedOdds& combined, Causes& causes) {
+  for (WeighedCause& cause : causes) {
+    const auto place = static_cast<std::size_t>(cause.code);
+    if (place < combined.probabilities.size() && combined.probabilities[place])
+      cause.log_odds = log_odds_of(*combined.probabilities[place]);
+  }
+  std::ranges::stable_sort(causes, std::greater{}, &WeighedCause::log_odds);
+}
+
+std::string windows_text(const CombinedOdds& combined, double alone) {
+  return "Several windows together, worth " + number(combined.windows) +
+         " that share no sample; the newest alone gives this finding " + percent(alone) + ".";
+}
+
 Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearity, double alpha,
-                const DecisionSettings& decision) {
-  const Causes causes = known_causes(evidence, decision);
+                const DecisionSettings& decision, const CombinedOdds* combined) {
+  Causes causes = known_causes(evidence, decision);
+  const Causes alone = causes;
+  if (combined) put_combined(*combined, causes);
   const VerdictCode code = code_for(causes, circumstances_of(evidence, alpha), decision.line);
   Verdict verdict = verdict_with(code, confidence_in(code, causes));
   for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
   const auto own = std::ranges::find(verdict.causes, code, &CauseReport::code);
   verdict.reasons = own == verdict.causes.end() ? findings(evidence, nonlinearity)
                                                 : reasons_for(*own, evidence, nonlinearity);
+  if (combined)
+    verdict.reasons.insert(verdict.reasons.begin(),
+                           windows_text(*combined, confidence_in(code, alone)));
   verdict.action = action_with(code, evidence, causes, decision.line);
   verdict.p = p_of_verdict(code, evidence);
   if (code == VerdictCode::external_disturbance) tell_disturbance(evidence, verdict);
@@ -159,12 +181,12 @@ VerdictCode code_for(const Causes& causes, const Circumstances& circumstances, d
 }
 
 Verdict decide(const Evidence& evidence, const hos::Settings& settings,
-               const DecisionSettings& decision) {
+               const DecisionSettings& decision, const CombinedOdds* combined) {
   if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
   const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);
   Verdict verdict = has_flag(evidence, "sp_not_followed")
                         ? not_in_command(evidence, nonlinearity)
-                        : by_odds(evidence, nonlinearity, settings.alpha, decision);
+                        : by_odds(evidence, nonlinearity, settings.alpha, decision, combined);
   note_window(evidence, verdict);
   return verdict;
 }

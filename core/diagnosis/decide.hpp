@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/diagnosis/cause_odds.hpp"
+#include "core/diagnosis/combined_odds.hpp"
 #include "core/diagnosis/decision_settings.hpp"
 #include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/verdict.hpp"
@@ -41,7 +42,11 @@ struct Circumstances {
 /// Confidence is the probability of what is said; of `unexplained` 1 less the largest probability
 /// of all others. `valve_oversized` is named only where the ranges of op and pv are known, since it
 /// compares the two. Never throws.
+///
+/// `combined`: of this window and those before it; the verdict is then that of all of them, with
+/// the figures of this one. nullptr = this window alone.
 [[nodiscard]] Verdict decide(const Evidence& evidence, const hos::Settings& settings,
-                             const DecisionSettings& decision = {});
+                             const DecisionSettings& decision = {},
+                             const CombinedOdds* combined = nullptr);
 
 }  // namespace loopscope::core::diagnosis

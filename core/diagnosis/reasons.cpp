@@ -91,7 +91,7 @@ void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
 }  // namespace
 
 CauseReport report_of(const WeighedCause& cause) {
-  CauseReport report{cause.code, cause.probability(), {}, {}};
+  CauseReport report{cause.code, cause.probability(), cause.prior, {}, {}};
   double unknown = 0.0;
   for (const Part& part : cause.parts) {
     const bool computed = !part.figure || part.value;

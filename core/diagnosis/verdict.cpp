@@ -1,6 +1,7 @@
 #include "core/diagnosis/verdict.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "core/diagnosis/catalogue.hpp"
 
@@ -14,6 +15,28 @@ std::optional<VerdictCode> verdict_code(std::string_view name) {
   const auto found = std::ranges::find(catalogue(), name, &CatalogueEntry::name);
   if (found == catalogue().end()) return std::nullopt;
   return found->code;
+}
+
+namespace {
+
+PerCause by_place(const Verdict& verdict, double CauseReport::*member) {
+  PerCause values;
+  for (const CauseReport& cause : verdict.causes) {
+    const auto place = static_cast<std::size_t>(cause.code);
+    if (place >= values.size()) values.resize(place + 1);
+    values[place] = cause.*member;
+  }
+  return values;
+}
+
+}  // namespace
+
+PerCause probabilities_of(const Verdict& verdict) {
+  return by_place(verdict, &CauseReport::probability);
+}
+
+PerCause priors_of(const Verdict& verdict) {
+  return by_place(verdict, &CauseReport::prior);
 }
 
 std::span<const VerdictCode> all_verdict_codes() {

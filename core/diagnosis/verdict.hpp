@@ -38,6 +38,7 @@ enum class VerdictCode {
 struct CauseReport {
   VerdictCode code = VerdictCode::healthy;
   double probability = 0.0;            ///< 0 to 1
+  double prior = 0.0;                  ///< the same before anything was measured
   std::vector<std::string> in_favour;  ///< what speaks for it, strongest first, with numbers
   std::vector<std::string> against;
 };
@@ -56,5 +57,12 @@ struct Verdict {
   std::optional<double> p = std::nullopt;
   std::vector<CauseReport> causes = {};  ///< all that were weighed, the most probable first
 };
+
+/// One value for each cause in the catalogue's order; nullopt = not weighed.
+using PerCause = std::vector<std::optional<double>>;
+
+/// Of the causes that were weighed, up to the last of them in the catalogue.
+[[nodiscard]] PerCause probabilities_of(const Verdict& verdict);
+[[nodiscard]] PerCause priors_of(const Verdict& verdict);
 
 }  // namespace loopscope::core::diagnosis

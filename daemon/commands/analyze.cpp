@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
@@ -9,7 +10,7 @@
 #include "daemon/failure.hpp"
 #include "daemon/output/analysis_text.hpp"
 #include "daemon/output/printable.hpp"
-#include "daemon/recording/analyse_recording.hpp"
+#include "daemon/recording/analyse_windows.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -25,18 +26,31 @@ struct AnalyzeOptions {
   bool no_model = false;
 };
 
+nlohmann::ordered_json windows_json(const WindowsAnalysis& analysis) {
+  if (!analysis.newest_alone) return nullptr;
+  return {{"judged", analysis.judged},
+          {"worth", analysis.worth},
+          {"newest_alone", verdict_json(*analysis.newest_alone)}};
+}
+
 void analyze(const AnalyzeOptions& options) {
   core::AnalysisSettings settings;
   if (!options.config.empty()) settings = config::read_settings(options.config).analysis;
   if (options.no_model) settings.fit_model = false;
   if (options.window > 0) settings.prepare.window_samples = options.window;
   const Recording recording = read_recording(options.file);
-  const auto [window, input, diagnosis] =
-      analyse_recording(recording, settings, parse_op_range(options.op_range),
-                        {.integrating = core::is_integrating_type(options.type),
-                         .pv_span = parse_pv_span(options.pv_range)});
+  const std::optional<core::signal::OpRange> op_range = parse_op_range(options.op_range);
+  const core::LoopFacts facts{.integrating = core::is_integrating_type(options.type),
+                              .pv_span = parse_pv_span(options.pv_range)};
+  // A window that was asked for is one look.
+  const WindowsAnalysis analysis =
+      options.window > 0 ? WindowsAnalysis{analyse_recording(recording, settings, op_range, facts)}
+                         : analyse_windows(recording, settings, op_range, facts);
+  const auto& [window, input, diagnosis] = analysis.newest;
   if (options.json) {
-    std::cout << json_text(analysis_json(input, diagnosis)) << '\n';
+    nlohmann::ordered_json object = analysis_json(input, diagnosis);
+    object["windows"] = windows_json(analysis);
+    std::cout << json_text(object) << '\n';
   } else {
     const auto title = fmt::format("{}: {} samples every {:.6g} s", printable(options.file),
                                    window.size(), window.sample_interval_s);
@@ -56,7 +70,10 @@ void add_analyze(CLI::App& program) {
   command.add_flag("--json", options->json, "One JSON object instead of text");
   command.add_flag("--no-model", options->no_model,
                    "Statistics and shapes only: no loop model is fitted");
-  command.add_option("--window", options->window, "Analyse the last N samples (default 4096)")
+  command
+      .add_option("--window", options->window,
+                  "One look at the last N samples (default: windows of 4096, as many as cover the "
+                  "file, eight at most, judged together)")
       ->check(CLI::Range(16, 10'000'000));
   command.add_option("--op-range", options->op_range, "Controller output at 0 and 100 %: LOW,HIGH");
   command.add_option("--pv-range", options->pv_range, "Range of pv's transmitter: LOW,HIGH");

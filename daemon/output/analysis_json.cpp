@@ -132,6 +132,7 @@ Json verdict_json(const core::diagnosis::Verdict& verdict) {
   for (const core::diagnosis::CauseReport& cause : verdict.causes) {
     causes.push_back({{"code", core::diagnosis::name(cause.code)},
                       {"probability", cause.probability},
+                      {"prior", cause.prior},
                       {"for", cause.in_favour},
                       {"against", cause.against}});
   }

@@ -19,7 +19,7 @@ std::string line(const storage::WhatIfRow& row) {
   return fmt::format("{} {:>5} {:<24} {:<22} {:>10.2f} {:>9} {:>7.3f}  {}\n",
                      row.change == "gained" ? '+' : (lost ? '-' : ' '),
                      lost ? std::string("-") : std::to_string(flagged.rank),
-                     printable(flagged.loop_name), flagged.code, flagged.confidence,
+                     printable(flagged.loop_name), flagged.code, flagged.believed(),
                      flagged.p ? p_figure_text(flagged.p) : "fact", flagged.score, flagged.status);
 }
 

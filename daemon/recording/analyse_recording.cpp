@@ -30,14 +30,14 @@ InputFacts facts_of(const Recording& recording, const LoopWindow& window) {
 RecordingAnalysis analyse_recording(const Recording& recording,
                                     const core::AnalysisSettings& settings,
                                     const std::optional<core::signal::OpRange>& op_range,
-                                    core::LoopFacts facts) {
+                                    core::LoopFacts facts, std::optional<std::int64_t> end_us) {
   RecordingAnalysis analysis;
-  analysis.window = last_window(recording, settings.prepare.window_samples, op_range);
+  analysis.window = last_window(recording, settings.prepare.window_samples, op_range, end_us);
   analysis.input = facts_of(recording, analysis.window);
   const core::FirstLook first = core::first_look(analysis.window, settings);
   std::optional<LoopWindow> longer;
   if (first.slow_span_samples > 0) {
-    longer = last_window(recording, first.slow_span_samples, op_range);
+    longer = last_window(recording, first.slow_span_samples, op_range, end_us);
   }
   facts.seed = core::signal::window_seed(analysis.window);
   analysis.diagnosis = core::diagnose(first, settings, facts, longer ? &*longer : nullptr);

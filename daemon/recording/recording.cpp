@@ -66,11 +66,11 @@ Recording read_recording(const std::filesystem::path& file) {
 
 core::signal::LoopWindow last_window(const Recording& recording, std::size_t max_samples,
                                      const std::optional<core::signal::OpRange>& op_range,
-                                     std::optional<double> interval_s) {
+                                     std::optional<std::int64_t> end_us) {
   const RawSeries& pv = recording.rows.pv;
-  const double usual = interval_s.value_or(core::signal::base_interval_s(pv));
+  const double usual = core::signal::base_interval_s(pv);
   const double interval = usual > 0.0 ? usual : 1.0;
-  const std::int64_t end = pv.empty() ? 0 : pv.time_us.back();
+  const std::int64_t end = end_us.value_or(pv.empty() ? 0 : pv.time_us.back());
   return core::signal::assemble(
       recording.rows, core::signal::window_grid(pv, interval, end, max_samples), op_range);
 }

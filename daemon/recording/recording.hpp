@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,10 +27,10 @@ struct Recording {
 /// parse_recording(read_csv(file)).
 [[nodiscard]] Recording read_recording(const std::filesystem::path& file);
 
-/// The last `max_samples` samples of the recording on its own grid (`interval_s` or the usual
-/// spacing of its rows).
+/// The last `max_samples` samples of the recording, of those up to `end_us` where it is given, on
+/// its own grid (the usual spacing of its rows).
 [[nodiscard]] core::signal::LoopWindow last_window(
     const Recording& recording, std::size_t max_samples,
-    const std::optional<core::signal::OpRange>& op_range, std::optional<double> interval_s = {});
+    const std::optional<core::signal::OpRange>& op_range, std::optional<std::int64_t> end_us = {});
 
 }  // namespace loopscope::daemon

@@ -28,7 +28,19 @@ std::string facts_line(const FlaggedRow& row) {
     text += fmt::format(
         ", score {} = severity {} \u00d7 importance {} \u00d7 kind {} \u00d7 confidence {}",
         digits(row.score), two_decimals(row.severity), digits(row.importance),
-        two_decimals(row.kind_weight), two_decimals(row.confidence));
+        two_decimals(row.kind_weight), two_decimals(row.believed()));
+  return text;
+}
+
+/// By the newest window, by all of them, and whether anything is wrong at all.
+std::string confidence_words(const FlaggedRow& row) {
+  std::string text =
+      fmt::format("<span>confidence <b>{}</b></span> ", two_decimals(row.confidence));
+  if (row.combined_confidence)
+    text += fmt::format("<span>with the windows before it <b>{}</b></span> ",
+                        two_decimals(*row.combined_confidence));
+  if (row.fault_probability)
+    text += fmt::format("<span>any fault <b>{}</b></span> ", two_decimals(*row.fault_probability));
   return text;
 }
 
@@ -38,12 +50,12 @@ std::string heading(const FlaggedRow& row) {
   const std::string status = row.rank > 0 ? row.status : "not flagged";
   return fmt::format(
       "<h2>{}<bdi>{}</bdi></h2>\n<p class=\"facts\">{}</p>\n<p class=\"finding\">"
-      "<span class=\"verdict {}\">{}</span> <span>confidence <b>{}</b></span> "
+      "<span class=\"verdict {}\">{}</span> {}"
       "<span class=\"status {}\">{}</span> <span>since {}</span> <span>window until "
       "{}</span></p>\n",
       rank, html(row.loop_name), facts_line(row), html(row.code), html(as_heading(row.code)),
-      two_decimals(row.confidence), html(row.rank > 0 ? row.status : ""), html(status),
-      utc(row.since_us), utc(row.slot_end_us));
+      confidence_words(row), html(row.rank > 0 ? row.status : ""), html(status), utc(row.since_us),
+      utc(row.slot_end_us));
 }
 
 std::string evidence_list(const FlaggedRow& row) {

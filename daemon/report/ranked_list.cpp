@@ -36,7 +36,7 @@ std::string ranked_row(const FlaggedRow& row, std::int64_t since_us, LoopLinks l
   text += name_cell(row, links);
   text += fmt::format("<td data-label=\"Verdict\"><span class=\"verdict {}\">{}</span></td>",
                       html(row.code), html(as_heading(row.code)));
-  text += number_cell("Confidence", row.confidence, two_decimals(row.confidence));
+  text += number_cell("Confidence", row.believed(), two_decimals(row.believed()));
   text += fmt::format("<td data-label=\"Status\"><span class=\"status {0}\">{0}</span></td>",
                       html(row.status));
   text += fmt::format("<td class=\"when\" data-label=\"Since\" data-sort=\"{}\">{}{}</td>",

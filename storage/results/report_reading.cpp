@@ -84,6 +84,8 @@ FlaggedRow read_flagged(const pqxx::row& row) {
   flagged.importance = row["importance"].as<double>();
   flagged.kind_weight = row["kind_weight"].as<double>();
   flagged.confidence = row["confidence"].as<double>();
+  flagged.combined_confidence = read_number(row["combined_confidence"]);
+  flagged.fault_probability = read_number(row["fault_probability"]);
   flagged.p = read_number(row["p"]);
   flagged.nonlinear_p = read_number(row["nonlinear_p"]);
   flagged.status = row["status"].c_str();

@@ -14,12 +14,15 @@ struct FlaggedRow {
   std::string loop_name, source;
   std::optional<std::string> loop_type;  ///< flow, pressure, ...; nullopt = not said
   std::string code;                      ///< the verdict
-  double score = 0.0;                    ///< severity x importance x kind_weight x confidence
+  double score = 0.0;                    ///< severity x importance x kind_weight x believed()
   double severity = 0.0;                 ///< 0 to 1
   double importance = 0.0;               ///< > 0, 1 = ordinary
   double kind_weight = 0.0;              ///< > 0; 0 = the verdict is no fault
-  double confidence = 0.0;               ///< 0 to 1
-  std::optional<double> p;               ///< of the test behind the verdict; nullopt = a fact
+  double confidence = 0.0;               ///< 0 to 1, by the newest window
+  /// The same by all windows together; nullopt = the code is no cause, or nothing was combined.
+  std::optional<double> combined_confidence;
+  std::optional<double> fault_probability;  ///< that anything is wrong; nullopt = not weighed
+  std::optional<double> p;                  ///< of the test behind the verdict; nullopt = a fact
   std::optional<double> nonlinear_p;
   std::string status;         ///< "watch" or "confirmed"
   std::int64_t since_us = 0;  ///< slot of the first verdict of the unbroken run of this code
@@ -33,6 +36,8 @@ struct FlaggedRow {
   std::optional<double> oscillation_period_s;  ///< seconds
   std::optional<double> harris_low, harris_high;
   std::optional<std::int64_t> plant_oscillation_number;  ///< of the one that it is the source of
+
+  [[nodiscard]] double believed() const { return combined_confidence.value_or(confidence); }
 };
 
 /// Why loops cannot be judged, in words, with what mends it.

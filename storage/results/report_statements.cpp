@@ -12,7 +12,8 @@ std::string us(const std::string& time) {
 /// The columns of a FlaggedRow out of a row of flagged_loop.
 std::string flagged_columns() {
   return R"(rank, loop_id, loop_name, source, loop_type, code, score, severity, importance,
-            kind_weight, confidence, p, nonlinear_p, status, )" +
+            kind_weight, confidence, combined_confidence, fault_probability, p, nonlinear_p,
+            status, )" +
          us("since") + " AS since_us, " + us("slot_end") + R"( AS slot_end_us, algorithm_revision,
             input_revision, analysis_id, summary, reasons, action, ngi, nli, oscillation_period_s,
             harris_low, harris_high, plant_oscillation_number )";

@@ -7,9 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "core/diagnosis/combined_odds.hpp"
+#include "core/signal/grid.hpp"
 #include "storage/array_literal.hpp"
 #include "storage/results/analysis_columns.hpp"
 #include "storage/results/statements.hpp"
+#include "storage/results/write_combined.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -57,16 +60,11 @@ std::optional<double> p_of(const core::diagnosis::Verdict& verdict) {
   return *verdict.p >= 0.0 ? std::min(*verdict.p, 1.0) : 1.0;
 }
 
-/// In the catalogue's order, up to the last cause that was weighed.
-std::vector<std::optional<double>> probabilities_of(const core::diagnosis::Verdict& verdict) {
-  std::vector<std::optional<double>> probabilities;
-  for (const core::diagnosis::CauseReport& cause : verdict.causes) {
-    const auto place = static_cast<std::size_t>(cause.code);
-    if (place >= probabilities.size()) probabilities.resize(place + 1);
-    // PostgreSQL refuses a real that is next to nothing, and the whole batch with it.
-    constexpr double kLeast = 1e-30;
-    probabilities[place] = std::max(cause.probability, kLeast);
-  }
+/// PostgreSQL refuses a real that is next to nothing, and the whole batch with it.
+std::vector<std::optional<double>> as_reals(std::vector<std::optional<double>> probabilities) {
+  constexpr double kLeast = 1e-30;
+  for (std::optional<double>& probability : probabilities)
+    if (probability) probability = std::max(*probability, kLeast);
   return probabilities;
 }
 
@@ -83,7 +81,7 @@ void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis
     summary.add_text(verdict.summary);
     reasons.add_text_list(verdict.reasons);
     action.add_text(verdict.action);
-    causes.add_number_list(probabilities_of(verdict));
+    causes.add_number_list(as_reals(core::diagnosis::probabilities_of(verdict)));
   }
   transaction.run(statements::kInsertVerdicts,
                   {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
@@ -126,6 +124,29 @@ void insert_steps(Transaction& transaction, const std::vector<WrittenAnalysis>& 
                    key.input_revision.text(), model.text()});
 }
 
+/// Slots that are too old to count for the window of this record.
+std::int64_t forgotten_before(const AnalysisRecord& record) {
+  const double window_us =
+      static_cast<double>(std::max<std::int64_t>(0, record.window_end_us - record.window_start_us));
+  return core::signal::moved_us(record.slot_end_us,
+                                -core::diagnosis::longest_memory_windows() * window_us);
+}
+
+void combine_windows(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
+  std::map<int, std::map<std::int64_t, ChangedSlots>> changed;  // by algorithm revision
+  for (const WrittenAnalysis& written : analyses) {
+    const AnalysisRecord& record = *written.loop->record;
+    const core::diagnosis::Verdict& verdict = record.diagnosis.verdict;
+    const ChangedSlots slots{record.slot_end_us, forgotten_before(record),
+                             verdict.causes.empty() ? core::diagnosis::shares_of_causes()
+                                                    : core::diagnosis::priors_of(verdict)};
+    auto [known, is_new] =
+        changed[record.algorithm_revision].try_emplace(written.loop->loop_id, slots);
+    if (!is_new && slots.first_us < known->second.first_us) known->second = slots;
+  }
+  for (const auto& [revision, loops] : changed) write_combined(transaction, revision, loops);
+}
+
 }  // namespace
 
 WriteCount write_records(Transaction& transaction, const std::vector<const CompletedLoop*>& loops) {
@@ -137,6 +158,7 @@ WriteCount write_records(Transaction& transaction, const std::vector<const Compl
   insert_verdicts(transaction, written);
   insert_peaks(transaction, written);
   insert_steps(transaction, written);
+  combine_windows(transaction, written);
   const auto is_new = [](const WrittenAnalysis& analysis) { return analysis.input_revision == 1; };
   count.inserted = static_cast<std::size_t>(std::ranges::count_if(written, is_new));
   count.revised = written.size() - count.inserted;

@@ -131,6 +131,20 @@ TEST_F(Analyze, TextForPeople) {
   EXPECT_THAT(result.out, HasSubstr("What to do: Nothing to do."));
 }
 
+TEST_F(Analyze, AFileLongerThanAWindowIsJudgedBySeveral) {
+  const std::string file = write("long.csv", rows(9000));
+  const Json all = Json::parse(analyze(file).out);
+  EXPECT_EQ(all["windows"]["judged"], 3);
+  EXPECT_GT(all["windows"]["worth"].get<double>(), 1.5);
+  EXPECT_EQ(all["input"]["samples"], 4096) << "every other key is the newest window's";
+  EXPECT_THAT(all["verdict"]["reasons"][0].dump(), HasSubstr("Several windows together"));
+  const Json one = Json::parse(
+      run_program({LOOPSCOPE_PROGRAM, "analyze", file, "--json", "--window", "4096"}).out);
+  EXPECT_TRUE(one["windows"].is_null());
+  EXPECT_EQ(one["verdict"], all["windows"]["newest_alone"]);
+  EXPECT_EQ(one["model"], all["model"]);
+}
+
 TEST_F(Analyze, WrongUsage) {
   EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM}).exit_code, 2);
   EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "nonsense"}).exit_code, 2);

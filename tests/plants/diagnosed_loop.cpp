@@ -25,6 +25,12 @@ std::size_t tests_of(const core::Diagnosis& diagnosis) {
   return std::max<std::size_t>(tests, diagnosis.verdict.p ? 1U : 0U);
 }
 
+std::optional<double> fault_probability_of(const core::diagnosis::Verdict& verdict) {
+  for (const core::diagnosis::CauseReport& cause : verdict.causes)
+    if (cause.code == core::diagnosis::VerdictCode::healthy) return 1.0 - cause.probability;
+  return std::nullopt;
+}
+
 }  // namespace
 
 DiagnosedLoop diagnose_loop(const PlantLoop& loop, const core::model::Without& without) {
@@ -37,7 +43,8 @@ DiagnosedLoop diagnose_loop(const PlantLoop& loop, const core::model::Without& w
                           diagnosis.verdict.confidence,
                           diagnosis.verdict.p,
                           tests_of(diagnosis),
-                          {}};
+                          {},
+                          fault_probability_of(diagnosis.verdict)};
   if (diagnosis.evidence.model)
     for (const auto& step : diagnosis.evidence.model->steps)
       diagnosed.steps.emplace_back(name(step.effect));

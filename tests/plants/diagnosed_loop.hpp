@@ -18,6 +18,8 @@ struct DiagnosedLoop {
   std::optional<double> p;  ///< of what the verdict rests on
   std::size_t tests = 0;    ///< that the loop brings into the family
   std::vector<std::string> steps;
+  /// 1 less the probability of healthy; nullopt = nothing was weighed.
+  std::optional<double> fault_probability = std::nullopt;
 };
 
 [[nodiscard]] DiagnosedLoop diagnose_loop(const PlantLoop& loop,

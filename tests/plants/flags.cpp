@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/plant/false_discovery.hpp"
+#include "core/plant/list_by_odds.hpp"
 
 namespace loopscope::tests::plants {
 namespace {
@@ -11,6 +12,17 @@ namespace {
 bool is_shown(const DiagnosedLoop& loop, const FlagRule& rule) {
   return loop.verdict != "healthy" && loop.verdict != "insufficient_data" &&
          loop.confidence >= rule.min_confidence;
+}
+
+/// Of the loops that may be shown; NaN for the others.
+std::vector<double> fault_probabilities(const std::vector<DiagnosedLoop>& loops,
+                                        const FlagRule& rule) {
+  std::vector<double> result;
+  for (const DiagnosedLoop& loop : loops) {
+    const bool counts = is_shown(loop, rule) && loop.fault_probability;
+    result.push_back(counts ? *loop.fault_probability : std::numeric_limits<double>::quiet_NaN());
+  }
+  return result;
 }
 
 }  // namespace
@@ -26,9 +38,13 @@ std::vector<bool> flagged(const std::vector<DiagnosedLoop>& loops, const FlagRul
   }
   const core::plant::FalseDiscovery control =
       core::plant::control_false_discovery(family, rule.false_discovery_rate);
+  const std::vector<bool> listed =
+      core::plant::list_by_odds(fault_probabilities(loops, rule), rule.list_false_share);
   std::vector<bool> result;
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    result.push_back(is_shown(loops[k], rule) && (!loops[k].p || control.flagged[k]));
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const bool within = loops[k].fault_probability ? listed[k] : !loops[k].p || control.flagged[k];
+    result.push_back(is_shown(loops[k], rule) && within);
+  }
   return result;
 }
 

@@ -34,6 +34,16 @@ TEST(Flags, WhatIsHardlyBelievedLendsNoRank) {
               ElementsAre(false, false));
 }
 
+TEST(Flags, WhereFaultsWereWeighedTheMostProbableAreListed) {
+  const auto weighed = [](double fault_probability) {
+    DiagnosedLoop loop = faulty(0.5);
+    loop.fault_probability = fault_probability;
+    return loop;
+  };
+  EXPECT_THAT(flagged({weighed(0.99), weighed(0.92), weighed(0.8), healthy()}, kAtFivePercent),
+              ElementsAre(true, true, false, false));
+}
+
 TEST(Flags, DataThatCannotBeJudgedAreNoFault) {
   EXPECT_THAT(flagged({{"insufficient_data", 1.0, {}, 0, {}}}), ElementsAre(false));
 }

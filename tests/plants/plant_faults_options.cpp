@@ -52,6 +52,8 @@ void set_number(Options& options, const std::string& option, std::uint64_t value
 void set(Options& options, const std::string& option, CommandWords& words) {
   if (option == "--rate")
     options.rule.false_discovery_rate = rate(words, option);
+  else if (option == "--share")
+    options.rule.list_false_share = rate(words, option);
   else if (option == "--without")
     options.without.leave_out(effects::read_mechanism(words.value(option)));
   else
@@ -81,10 +83,12 @@ Options read_options(const std::vector<std::string>& words) {
 }
 
 std::string usage() {
-  return "plant_faults [--seed N] [--plants M] [--threads T] [--rate Q] [--without MECHANISM]\n"
-         "             [--json]\n"
+  return "plant_faults [--seed N] [--plants M] [--threads T] [--share S] [--rate Q]\n"
+         "             [--without MECHANISM] [--json]\n"
          "    diagnoses the plants of seeds N to N + M - 1 in memory and scores their flags;\n"
-         "    --rate: share of the flags that may be false, else the default of the settings;\n"
+         "    --share: of loops without a fault on the list; --rate: of the control by p, where "
+         "nothing\n"
+         "    was weighed; else the defaults of the settings;\n"
          "    --without: a part of the model's search left out\n"
          "plant_faults --seed N --history|--earlier-history --end SECONDS   rows for COPY\n"
          "plant_faults --seed N --catalogue|--earlier-catalogue             CSV for loops load\n"

@@ -31,6 +31,11 @@ std::vector<double> last(std::vector<double> values, std::size_t count) {
   return values;
 }
 
+Samples part_of(const Samples& values, std::size_t from, std::size_t length) {
+  const auto first = values.begin() + static_cast<std::ptrdiff_t>(from);
+  return {first, first + static_cast<std::ptrdiff_t>(length)};
+}
+
 void each_series(SimulatedLoop& loop, auto change) {
   for (std::vector<double>* series : {&loop.sp, &loop.pv, &loop.op, &loop.mv})
     if (!series->empty()) *series = change(*series);
@@ -166,6 +171,28 @@ LabelledRecord draw_record(std::uint64_t seed) {
                              : which < 0.62 ? family_loop(random.next() % 4'000'000)
                                             : mixed_loop(random.next());
   return as_recorded(loop, seed);
+}
+
+std::vector<SuccessiveWindow> draw_windows(std::uint64_t seed, std::size_t count) {
+  const LabelledRecord whole = draw_record(seed);
+  const std::size_t samples = whole.window.pv.size();
+  if (count < 2 || samples < 2 * kLeast) return {};
+  Random random(effects::seed_for("windows", seed));
+  const auto length = static_cast<std::size_t>(
+      random.log_uniform(static_cast<double>(kLeast), 0.5 * static_cast<double>(samples)));
+  const std::size_t step = (samples - length) / (count - 1);
+  if (step == 0) return {};
+  std::vector<SuccessiveWindow> windows;
+  for (std::size_t w = 0; w < count; ++w) {
+    const std::size_t from = samples - length - (count - 1 - w) * step;
+    LabelledRecord record = whole;
+    for (Samples* series :
+         {&record.window.sp, &record.window.pv, &record.window.op, &record.window.mv})
+      if (!series->empty()) *series = part_of(*series, from, length);
+    const double share = static_cast<double>(step) / static_cast<double>(length);
+    windows.push_back({std::move(record), w == 0 ? 1.0 : std::min(1.0, share)});
+  }
+  return windows;
 }
 
 }  // namespace loopscope::tests::verdict

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "tests/verdict/labelled.hpp"
 
@@ -13,5 +15,15 @@ namespace loopscope::tests::verdict {
 
 /// The record with this number: of one of the three generators, as recorded.
 [[nodiscard]] LabelledRecord draw_record(std::uint64_t seed);
+
+/// A window of a loop that is looked at again and again.
+struct SuccessiveWindow {
+  LabelledRecord record;
+  double new_share = 1.0;  ///< of its samples, those that the window before it did not hold
+};
+
+/// `count` windows that slide over the record with this number, the oldest first: of 512 samples to
+/// half of it, by steps of one length. Empty where the record is too short for that.
+[[nodiscard]] std::vector<SuccessiveWindow> draw_windows(std::uint64_t seed, std::size_t count);
 
 }  // namespace loopscope::tests::verdict

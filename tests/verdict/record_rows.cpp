@@ -25,6 +25,11 @@ std::string joined(const std::set<VerdictCode>& codes) {
   return text;
 }
 
+std::string truth_cells(const std::string& name, const Truth& truth) {
+  return fmt::format("{}\t{}\t{}\t{}", name, truth.family, joined(truth.causes),
+                     joined(truth.doubtful));
+}
+
 bool of_model(const core::diagnosis::Figure& figure) {
   const auto steps = core::diagnosis::step_figures();
   return figure.name.starts_with("model.") ||
@@ -59,8 +64,17 @@ std::string heading() {
 
 std::string simulated_row(std::uint64_t seed) {
   const LabelledRecord record = draw_record(seed);
-  return row_of(record, fmt::format("{}\t{}\t{}\t{}", seed, record.truth.family,
-                                    joined(record.truth.causes), joined(record.truth.doubtful)));
+  return row_of(record, truth_cells(std::to_string(seed), record.truth));
+}
+
+std::string window_rows(std::uint64_t seed, std::size_t windows) {
+  std::string rows;
+  std::size_t number = 0;
+  for (const SuccessiveWindow& window : draw_windows(seed, windows)) {
+    const std::string name = fmt::format("{}/{}/{:.6g}", seed, ++number, window.new_share);
+    rows += row_of(window.record, truth_cells(name, window.record.truth));
+  }
+  return rows;
 }
 
 std::string recorded_row(const model::FieldRecording& recording) {

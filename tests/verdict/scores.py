@@ -7,6 +7,11 @@ def brier(probability, truth):
     return float(numpy.mean((probability - truth) ** 2))
 
 
+def any_of(*probabilities):
+    """Of causes that hardly stand together: a valve is told to stick or to have play."""
+    return numpy.minimum(1.0, numpy.sum(probabilities, axis=0))
+
+
 def log_score(probability, truth):
     p = numpy.clip(probability, 1e-12, 1 - 1e-12)
     return float(-numpy.mean(truth * numpy.log(p) + (1 - truth) * numpy.log(1 - p)))

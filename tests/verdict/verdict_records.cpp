@@ -15,17 +15,20 @@ namespace loopscope::tests::verdict {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: verdict_records [--seed N] [--records M] [--threads T]\n"
+    "usage: verdict_records [--seed N] [--records M] [--windows W] [--threads T]\n"
     "       verdict_records --recordings MANIFEST.csv\n"
     "Records N to N + M - 1, or the recordings of a manifest "
     "(tests/core/model/field_recordings.hpp)\n"
     "with their names and labels in place of seeds and causes. Columns: seed, family, causes, "
     "doubtful ones, then the figures; empty =\n"
-    "not computed. A figure that a loop without a model lacks is marked by a star.\n";
+    "not computed. With --windows each record is looked at W times, by successive windows, and\n"
+    "the first cell is seed/window/share of new samples. A figure that a loop without a model "
+    "lacks is marked by a star.\n";
 
 struct Plan {
   std::uint64_t seed = 1;
   std::size_t records = 100;
+  std::size_t windows = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   std::string manifest;  ///< not empty: recordings instead
   bool help = false;
@@ -42,6 +45,8 @@ Plan plan_of(const std::vector<std::string>& words_given) {
       plan.seed = words.count(option, 0);
     else if (option == "--records")
       plan.records = words.count(option, 1);
+    else if (option == "--windows")
+      plan.windows = words.count(option, 1);
     else if (option == "--recordings")
       plan.manifest = words.value(option);
     else if (option == "--threads")
@@ -55,6 +60,10 @@ Plan plan_of(const std::vector<std::string>& words_given) {
 void print_recordings(const std::string& manifest) {
   for (const model::FieldRecording& recording : model::recordings_of(manifest))
     std::cout << recorded_row(recording);
+}
+
+std::string rows_of(std::uint64_t seed, std::size_t windows) {
+  return windows > 1 ? window_rows(seed, windows) : simulated_row(seed);
 }
 
 void run(const std::vector<std::string>& words) {
@@ -72,7 +81,7 @@ void run(const std::vector<std::string>& words) {
   for (std::size_t done = 0; done < plan.records; done += kTogether) {
     std::vector<std::string> rows(std::min(kTogether, plan.records - done));
     in_threads(rows.size(), plan.threads,
-               [&](std::size_t k) { rows[k] = simulated_row(plan.seed + done + k); });
+               [&](std::size_t k) { rows[k] = rows_of(plan.seed + done + k, plan.windows); });
     for (const std::string& row : rows) std::cout << row;
     std::cout.flush();
   }

@@ -22,6 +22,7 @@ TEST(Reasons, PartsForAndAgainstInWordsWithTheirNumbers) {
   const CauseReport report =
       report_of({VerdictCode::valve_stiction,
                  0.0,
+                 0.2,
                  {part("cycle.op_coherence", 0.93, 1.0), part("oscillation.p", 0.0, -0.7),
                   part("position.width", std::nullopt, -0.2),
                   Part{std::nullopt, 0.12, 0.15, VerdictCode::tight_tuning},

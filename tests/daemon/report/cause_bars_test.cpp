@@ -14,9 +14,13 @@ using testing::Not;
 
 TEST(CauseBars, ABarIsAsLongAsItsCauseIsProbable) {
   const std::vector<CauseReport> causes = {
-      {VerdictCode::valve_stiction, 0.826, {"op repeats its half cycle: 93 % (odds times 3)"}, {}},
-      {VerdictCode::tight_tuning, 0.2, {}, {"a <b> & more"}},
-      {VerdictCode::healthy, 0.01, {"never shown"}, {}}};
+      {VerdictCode::valve_stiction,
+       0.826,
+       0.15,
+       {"op repeats its half cycle: 93 % (odds times 3)"},
+       {}},
+      {VerdictCode::tight_tuning, 0.2, 0.1, {}, {"a <b> & more"}},
+      {VerdictCode::healthy, 0.01, 0.2, {"never shown"}, {}}};
   const std::string page = cause_bars(causes);
   EXPECT_THAT(page, HasSubstr("<rect class=\"valve_stiction\" width=\"83\""));
   EXPECT_THAT(page, HasSubstr("<span class=\"share\">20 %</span>"));

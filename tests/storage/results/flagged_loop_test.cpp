@@ -1,5 +1,8 @@
+#include <cmath>
 #include <gmock/gmock.h>
+#include <random>
 
+#include "core/plant/list_by_odds.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 namespace loopscope::storage {
@@ -63,6 +66,45 @@ TEST_F(FlaggedLoopTest, VerdictsThatRestOnATestHaveToPassTheControl) {
   EXPECT_THAT(flagged(), UnorderedElementsAre("fact", "certain", "doubtful"));
   connect().set_parameter("false_discovery_dependence", 1.0);
   EXPECT_THAT(flagged(), UnorderedElementsAre("fact", "certain"));
+}
+
+TEST_F(FlaggedLoopTest, WhereCausesWereWeighedTheMostProbableFaultsAreListed) {
+  tell({{.loop = "sure", .p = 0.9, .oscillation_p = 0.9, .fault_probability = 0.99},
+        {.loop = "likely", .p = 1e-9, .fault_probability = 0.95},
+        {.loop = "doubtful", .p = 1e-9, .fault_probability = 0.8},
+        {.loop = "fine", .code = VerdictCode::healthy, .fault_probability = 0.1},
+        {.loop = "of before", .p = 1e-9, .nonlinear_p = 1e-9}});
+  EXPECT_THAT(flagged(), UnorderedElementsAre("sure", "likely", "of before"));
+  EXPECT_THAT(column("SELECT loop_name FROM loopscope.flagged_loop WHERE within_false_discovery"),
+              UnorderedElementsAre("likely", "of before"))
+      << "the control by p stands beside it";
+  connect().set_parameter("list_false_share", 0.1);
+  EXPECT_THAT(flagged(), UnorderedElementsAre("sure", "likely", "doubtful", "of before"));
+  EXPECT_THAT(column("SELECT loop_name FROM loopscope.flagged_at(0.02)"),
+              UnorderedElementsAre("sure", "of before"));
+}
+
+TEST_F(FlaggedLoopTest, TheListIsThatOfCore) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform;
+  std::vector<Story> stories;
+  std::vector<double> probability;
+  for (int k = 0; k < 40; ++k) {
+    // Ties, too.
+    const double value = k % 3 == 0 ? 0.9 : std::pow(uniform(random), 0.2);
+    stories.push_back({.loop = "L" + std::to_string(k), .fault_probability = value});
+    // As it is stored, in four bytes.
+    probability.push_back(1.0 - static_cast<double>(static_cast<float>(1.0 - value)));
+  }
+  tell(stories);
+  for (const double share : {0.0, 0.03, 0.08, 0.2}) {
+    connect().set_parameter("list_false_share", share);
+    const std::vector<bool> listed = core::plant::list_by_odds(probability, share);
+    std::vector<std::string> expected;
+    for (std::size_t k = 0; k < listed.size(); ++k)
+      if (listed[k]) expected.push_back(stories[k].loop);
+    EXPECT_THAT(flagged(), testing::UnorderedElementsAreArray(expected)) << share;
+  }
 }
 
 TEST_F(FlaggedLoopTest, AnnotationsHideWhileTheyHold) {

@@ -101,17 +101,22 @@ class UpgradeTest : public testing::Test {
   TextRows before;
 };
 
+/// list_false_share, of schema 22.
+constexpr std::size_t kNewParameters = 1;
+
 /// From each version that a program was given out with.
 class UpgradeFromTest : public UpgradeTest, public testing::WithParamInterface<int> {
  protected:
   UpgradeFromTest() : UpgradeTest(GetParam()) {}
 };
-INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18, 19, 20));
+INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18, 19, 20, 21));
 
 TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   const ConnectionSettings as_owner = settings_for(*database, owner);
   EXPECT_EQ(static_cast<int>(migrate(as_owner).size()), required_schema_version() - former);
-  EXPECT_EQ(contents(), before);
+  const TextRows after = contents();
+  EXPECT_THAT(after, testing::IsSupersetOf(before));
+  EXPECT_EQ(after.size(), before.size() + kNewParameters);
   EXPECT_THAT(migrate(as_owner), IsEmpty());
   ResultsDatabase results(settings_for(*database, worker));
   EXPECT_EQ(results.claim_due("host/2/0", 60, 10).size(), 2U);
@@ -141,6 +146,33 @@ TEST_P(UpgradeFromTest, VerdictsOfBeforeHaveNoCauses) {
   EXPECT_EQ(database->rows("SELECT count(*), count(cause_probabilities) FROM loopscope.verdict"),
             (TextRows{{"2", "0"}}));
   EXPECT_EQ(database->value("SELECT count(*) FROM loopscope.verdict_cause"), "0");
+}
+
+/// A filled schema 21: what was weighed stays, nothing is combined, and the list goes by the
+/// window.
+TEST_F(UpgradeTest, WindowsOfSchema21StayAndAreListedByTheirOwnProbability) {
+  tests::TestDatabase other;
+  other.make_roles();
+  make_former_schema(other, "loopscope_owner", 21);
+  other.execute(kRows);
+  other.execute("UPDATE loopscope.verdict SET cause_probabilities = '{0.01,0.9}'");
+  other.execute("UPDATE loopscope.annotation SET withdrawn_at = now() WHERE withdrawn_at IS NULL");
+  const std::string rows =
+      "SELECT row(loop_id, slot_end, algorithm_revision, input_revision, code, confidence,"
+      " cause_probabilities)::text FROM loopscope.verdict ORDER BY 1";
+  const TextRows verdicts = other.rows(rows);
+  migrate(settings_for(other, other.make_login("loopscope_owner")));
+  EXPECT_EQ(other.rows(rows), verdicts);
+  EXPECT_EQ(other.rows("SELECT count(*), count(combined_probabilities), count(combined_windows)"
+                       " FROM loopscope.analysis"),
+            (TextRows{{"2", "0", "0"}}));
+  EXPECT_EQ(other.rows("SELECT loop_name, combined_confidence, round(fault_probability::numeric, 2)"
+                       " FROM loopscope.flagged_loop"),
+            (TextRows{{"a", "NULL", "0.99"}}))
+      << "loop b has not been given back: no newest slot";
+  EXPECT_EQ(other.value("SELECT count(*) FROM pg_attribute WHERE attname = 'combined_windows' AND"
+                        " col_description(attrelid, attnum) IS NULL"),
+            "0");
 }
 
 /// Before, each of these values stopped every claim.

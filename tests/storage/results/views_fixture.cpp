@@ -24,6 +24,8 @@ void ViewsTest::tell(const std::vector<Story>& stories) {
     diagnosis.evidence.performance.harris_high = story.harris;
     diagnosis.evidence.performance.error_std = story.error_std;
     diagnosis.evidence.data_quality.usable = story.usable;
+    if (story.fault_probability)
+      diagnosis.verdict.causes = {{kHealthy, 1.0 - *story.fault_probability, 0.2, {}, {}}};
     results.finish(std::vector{loop}, {});
   }
 }

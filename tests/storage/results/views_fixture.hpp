@@ -21,6 +21,8 @@ struct Story {
   int slot_hours = 1;                           ///< slot end, hours after slot(0)
   double error_std = 1.0;
   bool usable = true;
+  /// 1 less the probability of healthy; nullopt = no cause was weighed.
+  std::optional<double> fault_probability = std::nullopt;
 };
 
 /// Results that went through the program itself.

@@ -1,0 +1,33 @@
+#include "core/plant/list_by_odds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <stdexcept>
+
+namespace loopscope::core::plant {
+
+std::vector<bool> list_by_odds(std::span<const double> fault_probability, double share) {
+  const auto is_share = [](double value) { return value >= 0.0 && value <= 1.0; };
+  if (!is_share(share)) throw std::invalid_argument("the share is not within 0 to 1");
+  std::vector<double> sorted;
+  std::ranges::copy_if(fault_probability, std::back_inserter(sorted),
+                       [](double value) { return !std::isnan(value); });
+  if (!std::ranges::all_of(sorted, is_share))
+    throw std::invalid_argument("a probability is not within 0 to 1");
+  std::ranges::sort(sorted, std::greater{});
+  double least = 2.0;  // none is as probable
+  double doubt = 0.0;
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    doubt += 1.0 - sorted[k];
+    const bool last_of_equals = k + 1 == sorted.size() || sorted[k + 1] < sorted[k];
+    if (last_of_equals && doubt <= share * static_cast<double>(k + 1)) least = sorted[k];
+  }
+  std::vector<bool> listed;
+  for (const double value : fault_probability) listed.push_back(value >= least);
+  return listed;
+}
+
+}  // namespace loopscope::core::plant

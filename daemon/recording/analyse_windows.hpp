@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/diagnosis/combined_odds.hpp"
+#include "daemon/recording/analyse_recording.hpp"
+
+namespace loopscope::daemon {
+
+/// A recording longer than a window, judged by several as the daemon judges a loop.
+struct WindowsAnalysis {
+  RecordingAnalysis newest;  ///< its verdict is that of all windows together
+  std::size_t judged = 1;    ///< windows that could be judged
+  /// Of the newest window alone; nullopt = there was only one.
+  std::optional<core::diagnosis::Verdict> newest_alone = std::nullopt;
+  double worth = 1.0;  ///< windows that share no sample
+};
+
+/// Full windows, evenly spread over the recording and as few as cover it; of a longer recording the
+/// last eight, beyond which a window's weight is next to nothing.
+[[nodiscard]] WindowsAnalysis analyse_windows(const Recording& recording,
+                                              const core::AnalysisSettings& settings,
+                                              const std::optional<core::signal::OpRange>& op_range,
+                                              const core::LoopFacts& facts = {});
+
+}  // namespace loopscope::daemon

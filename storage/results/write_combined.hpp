@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "core/diagnosis/verdict.hpp"
+#include "storage/results/session.hpp"
+
+namespace loopscope::storage {
+
+/// What has changed of a loop's stored slots.
+struct ChangedSlots {
+  std::int64_t first_us = 0;     ///< end of the earliest of them
+  std::int64_t earliest_us = 0;  ///< slots before are forgotten (longest_memory_windows())
+  core::diagnosis::PerCause priors;
+};
+
+/// Combines the odds of each loop's windows (core/diagnosis/combined_odds) from the first changed
+/// slot on, by what is stored of them and of the combined one before: late data and a replay of
+/// slots in any order come to the same. Only rows of `algorithm_revision` are combined.
+void write_combined(Transaction& transaction, int algorithm_revision,
+                    const std::map<std::int64_t, ChangedSlots>& changed);
+
+}  // namespace loopscope::storage

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <map>
+#include <random>
+
+#include "core/diagnosis/combined_odds.hpp"
+#include "tests/storage/results/results_fixture.hpp"
+
+/// What analysis keeps of several windows against core/diagnosis/combined_odds.
+namespace loopscope::storage {
+namespace {
+
+namespace diagnosis = core::diagnosis;
+using diagnosis::VerdictCode;
+
+constexpr double kMicrosecondsPerSecond = 1e6;
+
+/// A window an hour, of 4096 s: seven eighths of it are new.
+struct Look {
+  int hour = 1;
+  double stiction = 0.5;
+  bool with_model = true;
+  bool judged = true;
+};
+
+class CombinedWindowsTest : public ResultsTest {
+ protected:
+  static std::vector<diagnosis::CauseReport> causes(double stiction) {
+    return {{VerdictCode::valve_stiction, stiction, 0.15, {}, {}},
+            {VerdictCode::healthy, 1.0 - stiction, 0.2, {}, {}}};
+  }
+
+  static AnalysisRecord record_of(const Look& look, const std::string& digest) {
+    AnalysisRecord record = record_at(slot(look.hour), digest);
+    if (look.judged) record.diagnosis.verdict.causes = causes(look.stiction);
+    if (look.with_model) explain(record);
+    return record;
+  }
+
+  void finish(const Look& look, const std::string& digest, const std::vector<Look>& revised = {}) {
+    database->execute(kEndLeases);
+    ResultsDatabase results = connect();
+    CompletedLoop loop = completed(claim_all(results).at(0), slot(look.hour), digest);
+    loop.record = record_of(look, digest);
+    for (const Look& earlier : revised)
+      loop.revised.push_back(record_of(earlier, digest + std::to_string(earlier.hour)));
+    results.finish(std::vector{loop}, {});
+  }
+
+  /// Rows of (hour, stiction, windows) as core comes to them.
+  static TextRows expected(const std::map<int, Look>& looks) {
+    TextRows rows;
+    std::optional<diagnosis::CombinedOdds> combined;
+    for (const auto& [hour, look] : looks) {
+      if (!look.judged) {
+        rows.push_back({std::to_string(hour), "NULL", "NULL"});
+        continue;
+      }
+      const double end_s = static_cast<double>(slot(hour)) / kMicrosecondsPerSecond;
+      combined = diagnosis::combine(
+          combined, {end_s - 4095.0, end_s, look.with_model, {1.0 - look.stiction, look.stiction}},
+          {0.2, 0.15});
+      rows.push_back(
+          {std::to_string(hour), rounded(*combined->probabilities[1]), rounded(combined->windows)});
+    }
+    return rows;
+  }
+
+  static std::string rounded(double value) {
+    std::string text = std::to_string(value);
+    return text.substr(0, text.size() - 2);
+  }
+
+  [[nodiscard]] TextRows stored() const {
+    return database->rows(
+        "SELECT extract(epoch FROM slot_end - '2026-01-01 00:00:00+00')::integer / 3600,"
+        " trunc(combined_probabilities[2]::numeric, 4), trunc(combined_windows::numeric, 4)"
+        " FROM loopscope.analysis ORDER BY slot_end");
+  }
+
+  /// Equal to a digit in the third place: four bytes each.
+  static void expect_same(const TextRows& found, const TextRows& wanted) {
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k][0], wanted[k][0]);
+      for (const std::size_t column : {1u, 2u}) {
+        if (wanted[k][column] == "NULL" || found[k][column] == "NULL")
+          EXPECT_EQ(found[k][column], wanted[k][column]);
+        else
+          EXPECT_NEAR(std::stod(found[k][column]), std::stod(wanted[k][column]), 3e-4);
+      }
+    }
+  }
+};
+
+TEST_F(CombinedWindowsTest, EachSlotHoldsWhatAllWindowsUpToItSay) {
+  add_loops({"a"});
+  std::map<int, Look> looks;
+  for (const Look& look : {Look{1, 0.4}, Look{2, 0.7}, Look{3, 0.6, false},
+                           Look{4, 0.0, false, false}, Look{5, 0.8}, Look{9, 0.1}}) {
+    looks[look.hour] = look;
+    finish(look, "d" + std::to_string(look.hour));
+  }
+  expect_same(stored(), expected(looks));
+  EXPECT_EQ(value("SELECT combined_confidence = combined_probabilities[2]::float8"
+                  " AND fault_probability = 1 - combined_probabilities[1]::float8"
+                  " FROM loopscope.latest_verdict"),
+            "t");
+}
+
+TEST_F(CombinedWindowsTest, LateDataReachesEverySlotBehindIt) {
+  add_loops({"a"});
+  std::map<int, Look> looks;
+  for (int hour = 1; hour <= 4; ++hour) {
+    looks[hour] = {hour, 0.5};
+    finish(looks[hour], "d" + std::to_string(hour));
+  }
+  looks[2] = {2, 0.95};
+  looks[5] = {5, 0.6};
+  finish(looks[5], "d5", {looks[2]});
+  expect_same(stored(), expected(looks));
+}
+
+TEST_F(CombinedWindowsTest, SlotsInAnyOrderComeToTheSame) {
+  add_loops({"a"});
+  std::map<int, Look> looks;
+  std::vector<int> hours = {1, 2, 3, 4, 5, 6};
+  std::mt19937 random(7);
+  std::ranges::shuffle(hours, random);
+  for (const int hour : hours) {
+    looks[hour] = {hour, 0.1 * hour, hour % 2 == 0};
+    // The newest slot brings the others in as revised ones.
+    finish({9, 0.5}, "n" + std::to_string(hour), {looks[hour]});
+  }
+  looks[9] = {9, 0.5};
+  expect_same(stored(), expected(looks));
+}
+
+TEST_F(CombinedWindowsTest, AnotherRevisionBeginsAnew) {
+  add_loops({"a"});
+  finish({1, 0.9}, "d1");
+  database->execute("UPDATE loopscope.analysis SET algorithm_revision = 1");
+  finish({2, 0.3}, "d2");
+  const TextRows rows = stored();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_NEAR(std::stod(rows[1][1]), 0.3, 3e-4);
+  EXPECT_NEAR(std::stod(rows[1][2]), 1.0, 3e-4);
+}
+
+}  // namespace
+}  // namespace loopscope::storage
