@@ -139,9 +139,11 @@ constexpr std::array kOtherSettings = {
     Setting{"/flags/list_false_share", in_flags<&FlagSettings::list_false_share>, range(0, 0.5),
             "share of loops without a fault that is expected on the list: the mean of 1 less the "
             "probability of a fault"},
-    Setting{"/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
-            range(0.0001, 0.5),
-            "of the control by p-values, shown beside the list (`within_false_discovery`)"},
+    Setting{
+        "/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
+        range(0.0001, 1),
+        "share of the flags that may be false by the p-values that they rest on; 1 = odds alone "
+        "decide"},
     Setting{"/flags/false_discovery_dependence",
             in_flags<&FlagSettings::false_discovery_dependence>, one_of(kDependences),
             "of the tests of different loops; `arbitrary` is safe whatever they share, and costs "

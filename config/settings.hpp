@@ -107,8 +107,8 @@ struct DaemonSettings {
 /// Which loops are shown as flagged.
 struct FlagSettings {
   /// Expected share of loops without a fault on the list, 0 to 0.5: of flagged_loop.
-  double list_false_share = 0.05;
-  /// Of the control by p-values, which is shown beside the list, 0.0001 to 0.5.
+  double list_false_share = 0.02;
+  /// Share of tested flags that may be false, 0.0001 to 1; 1 = the list goes by odds alone.
   double false_discovery_rate = 0.005;
   /// positive: tests of different loops are independent or rise together; arbitrary: in any way
   std::string false_discovery_dependence = "positive";

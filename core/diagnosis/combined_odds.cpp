@@ -25,25 +25,33 @@ double worth(double windows, std::size_t cause) {
   return windows / (1.0 + (windows - 1.0) * kWindowCorrelation.at(cause));
 }
 
-/// A cause that this window says nothing of was weighed by windows before.
-double expected(std::size_t cause, const PerCause& priors) {
-  if (cause < priors.size() && priors[cause]) return *priors[cause];
-  const PerCause& shares = shares_of_causes();
-  return cause < shares.size() ? shares[cause].value_or(0.5) : 0.5;
+std::optional<double> at(const PerCause& values, std::size_t cause) {
+  return cause < values.size() ? values[cause] : std::nullopt;
 }
 
-/// Mean log odds beyond the prior.
-std::optional<double> mean_of(const CombinedOdds& combined, std::size_t cause, double prior) {
-  if (cause >= combined.probabilities.size() || !combined.probabilities[cause]) return std::nullopt;
-  return (log_odds_of(*combined.probabilities[cause]) - prior) / worth(combined.windows, cause);
+/// Mean and n of one cause.
+struct Weighed {
+  double mean = 0.0;
+  double windows = 0.0;
+};
+
+/// `fading`: what time has left of it, 0 to 1.
+std::optional<Weighed> next(const std::optional<Weighed>& before, double fading,
+                            const std::optional<double>& added, double weight) {
+  if (!before && !added) return std::nullopt;
+  const Weighed known = before.value_or(Weighed{});
+  const double kept = known.windows * fading;
+  if (!added) return Weighed{known.mean * fading, kept};
+  return Weighed{(kept * known.mean + weight * *added) / (kept + weight), kept + weight};
 }
 
-/// The mean with one more window; what was not weighed changes nothing.
-std::optional<double> next_mean(std::optional<double> before, double kept,
-                                std::optional<double> added, double weight) {
-  if (!before) return added;
-  if (!added) return before;
-  return (kept * *before + weight * *added) / (kept + weight);
+std::optional<Weighed> weighed_before(const std::optional<CombinedOdds>& before,
+                                      std::size_t cause) {
+  if (!before) return std::nullopt;
+  const std::optional<double> mean = at(before->evidence, cause);
+  const std::optional<double> windows = at(before->windows, cause);
+  if (!mean || !windows) return std::nullopt;
+  return Weighed{*mean, *windows};
 }
 
 }  // namespace
@@ -61,34 +69,56 @@ const PerCause& shares_of_causes() {
   return shares;
 }
 
-CombinedOdds combine(const std::optional<CombinedOdds>& before, const JudgedWindow& window,
-                     const PerCause& priors) {
+PerCause evidence_of(const Verdict& verdict) {
+  PerCause evidence = probabilities_of(verdict);
+  const PerCause priors = priors_of(verdict);
+  for (std::size_t cause = 0; cause < evidence.size(); ++cause)
+    if (evidence[cause])
+      evidence[cause] = log_odds_of(*evidence[cause]) - log_odds_of(*priors[cause]);
+  return evidence;
+}
+
+CombinedOdds combine(const std::optional<CombinedOdds>& before, const JudgedWindow& window) {
   const double length = window.end_s - window.start_s;
   if (!(length > 0.0) || (before && before->end_s >= window.end_s))
     throw std::invalid_argument("combine: windows are given by ascending ends, each with a length");
   const double age = before ? (window.end_s - before->end_s) / length : kLongestMemory;
-  const double kept =
-      before && age < kLongestMemory ? before->windows * std::exp(-age / kMemoryWindows) : 0.0;
+  const double fading = age < kLongestMemory ? std::exp(-age / kMemoryWindows) : 0.0;
   const double weight = std::min(1.0, age) * (window.with_model ? 1.0 : kWithoutModel);
-  const std::size_t causes =
-      std::max(window.probabilities.size(), before ? before->probabilities.size() : 0);
-  CombinedOdds result{window.end_s, kept + weight, PerCause(causes)};
+  const std::size_t causes = std::max(window.evidence.size(), before ? before->evidence.size() : 0);
+  CombinedOdds result{window.end_s, PerCause(causes), PerCause(causes)};
   for (std::size_t cause = 0; cause < causes; ++cause) {
-    const double prior = log_odds_of(expected(cause, priors));
-    std::optional<double> own;
-    if (cause < window.probabilities.size() && window.probabilities[cause])
-      own = log_odds_of(*window.probabilities[cause]) - prior;
-    const auto mean =
-        next_mean(kept > 0.0 ? mean_of(*before, cause, prior) : std::nullopt, kept, own, weight);
-    if (!mean) continue;
-    const double odds = prior + *mean * worth(result.windows, cause);
-    result.probabilities[cause] = 1.0 / (1.0 + std::exp(-odds));
+    const auto weighed =
+        next(weighed_before(before, cause), fading, at(window.evidence, cause), weight);
+    if (!weighed) continue;
+    result.evidence[cause] = weighed->mean;
+    result.windows[cause] = weighed->windows;
   }
   return result;
 }
 
+PerCause probabilities_of(const CombinedOdds& combined, const PerCause& priors) {
+  PerCause result(combined.evidence.size());
+  for (std::size_t cause = 0; cause < result.size(); ++cause) {
+    const std::optional<double> mean = combined.evidence[cause];
+    if (!mean) continue;
+    const double prior = at(priors, cause).value_or(at(shares_of_causes(), cause).value_or(0.5));
+    const double odds =
+        log_odds_of(prior) + *mean * worth(at(combined.windows, cause).value_or(0.0), cause);
+    result[cause] = 1.0 / (1.0 + std::exp(-odds));
+  }
+  return result;
+}
+
+double most_windows(const CombinedOdds& combined) {
+  double most = 0.0;
+  for (const std::optional<double>& windows : combined.windows)
+    most = std::max(most, windows.value_or(0.0));
+  return most;
+}
+
 double log_odds_of(double probability) {
-  // Odds that are stored in four bytes keep six digits of a probability.
+  // What is surer than a million to one is as sure as a model of a plant can be.
   constexpr double kLeast = 1e-6;
   const double p = std::clamp(probability, kLeast, 1.0 - kLeast);
   return std::log(p / (1.0 - p));

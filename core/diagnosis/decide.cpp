@@ -123,16 +123,23 @@ Causes known_causes(const Evidence& evidence, const DecisionSettings& decision) 
 
 /// The log odds of this window give way to those of all.
 void put_combined(const CombinedOdds& combined, Causes& causes) {
+  PerCause priors;
+  for (const WeighedCause& cause : causes) {
+    const auto place = static_cast<std::size_t>(cause.code);
+    if (place >= priors.size()) priors.resize(place + 1);
+    priors[place] = cause.prior;
+  }
+  const PerCause probabilities = probabilities_of(combined, priors);
   for (WeighedCause& cause : causes) {
     const auto place = static_cast<std::size_t>(cause.code);
-    if (place < combined.probabilities.size() && combined.probabilities[place])
-      cause.log_odds = log_odds_of(*combined.probabilities[place]);
+    if (place < probabilities.size() && probabilities[place])
+      cause.log_odds = log_odds_of(*probabilities[place]);
   }
   std::ranges::stable_sort(causes, std::greater{}, &WeighedCause::log_odds);
 }
 
 std::string windows_text(const CombinedOdds& combined, double alone) {
-  return "Several windows together, worth " + number(combined.windows) +
+  return "Several windows together, worth " + number(most_windows(combined)) +
          " that share no sample; the newest alone gives this finding " + percent(alone) + ".";
 }
 

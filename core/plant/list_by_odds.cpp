@@ -18,12 +18,14 @@ std::vector<bool> list_by_odds(std::span<const double> fault_probability, double
   if (!std::ranges::all_of(sorted, is_share))
     throw std::invalid_argument("a probability is not within 0 to 1");
   std::ranges::sort(sorted, std::greater{});
+  constexpr double kMoreLikelyThanNot = 0.5;
   double least = 2.0;  // none is as probable
   double doubt = 0.0;
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     doubt += 1.0 - sorted[k];
     const bool last_of_equals = k + 1 == sorted.size() || sorted[k + 1] < sorted[k];
-    if (last_of_equals && doubt <= share * static_cast<double>(k + 1)) least = sorted[k];
+    const bool within = doubt <= share * static_cast<double>(k + 1);
+    if (last_of_equals && within && sorted[k] >= kMoreLikelyThanNot) least = sorted[k];
   }
   std::vector<bool> listed;
   for (const double value : fault_probability) listed.push_back(value >= least);

@@ -9,9 +9,9 @@ namespace loopscope::core::plant {
 /// probability over the list is at most `share`, which is then the expected share of loops without
 /// a fault on it (Newton, Noueiry, Sarkar, Ahlquist 2004; Mueller, Parmigiani, Rice 2007: of all
 /// lists with that share it is the longest). Rests on probabilities that hold, on nothing else:
-/// loops may hang together in any way. Equal probabilities are listed together or not at all. NaN =
-/// not weighed: not listed. @throws std::invalid_argument a probability or the share is not from 0
-/// to 1.
+/// loops may hang together in any way. What is more likely no fault than one is not listed. Equal
+/// probabilities are listed together or not at all. NaN = not weighed: not listed. @throws
+/// std::invalid_argument a probability or the share is not from 0 to 1.
 [[nodiscard]] std::vector<bool> list_by_odds(std::span<const double> fault_probability,
                                              double share);
 

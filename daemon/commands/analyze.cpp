@@ -29,7 +29,7 @@ struct AnalyzeOptions {
 nlohmann::ordered_json windows_json(const WindowsAnalysis& analysis) {
   if (!analysis.newest_alone) return nullptr;
   return {{"judged", analysis.judged},
-          {"worth", analysis.worth},
+          {"together", analysis.together},
           {"newest_alone", verdict_json(*analysis.newest_alone)}};
 }
 

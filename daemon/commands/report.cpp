@@ -123,10 +123,8 @@ void add_report(CLI::App& program) {
                      "What began after this time counts as new (default: a week ago)");
   command.add_flag("--pdf", options->pdf, "A PDF beside the page (wants WeasyPrint)");
   command.add_flag("--no-pictures", options->no_pictures, "Figures and words only, no gnuplot");
-  command.add_option(
-      "--what-if", options->what_if,
-      "Instead: what other thresholds would flag, e.g. rate=0.1,confidence=0.5; rate: "
-      "share of loops without a fault that may be on the list");
+  command.add_option("--what-if", options->what_if,
+                     "Instead: what other thresholds would flag, e.g. rate=0.1,confidence=0.5");
   command.callback([options] { report(*options); });
 }
 

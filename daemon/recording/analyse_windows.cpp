@@ -37,7 +37,7 @@ diagnosis::JudgedWindow judged(const RecordingAnalysis& analysis) {
   const double start_s = static_cast<double>(window.start_us) / kMicrosecondsPerSecond;
   const double length_s = static_cast<double>(window.size()) * window.sample_interval_s;
   return {start_s, start_s + length_s, analysis.diagnosis.evidence.model.has_value(),
-          diagnosis::probabilities_of(analysis.diagnosis.verdict)};
+          diagnosis::evidence_of(analysis.diagnosis.verdict)};
 }
 
 /// Windows that could not be judged say nothing.
@@ -45,7 +45,7 @@ void add(const RecordingAnalysis& analysis, std::optional<diagnosis::CombinedOdd
          std::size_t& count) {
   const diagnosis::Verdict& verdict = analysis.diagnosis.verdict;
   if (verdict.causes.empty()) return;
-  combined = diagnosis::combine(combined, judged(analysis), diagnosis::priors_of(verdict));
+  combined = diagnosis::combine(combined, judged(analysis));
   ++count;
 }
 
@@ -67,7 +67,7 @@ WindowsAnalysis analyse_windows(const Recording& recording, const core::Analysis
   // With nothing before it, or nothing of its own, the newest window's verdict stands.
   if (before == 0 || count == before) return result;
   result.judged = count;
-  result.worth = combined->windows;
+  result.together = diagnosis::most_windows(*combined);
   result.newest_alone = std::move(newest.verdict);
   newest.verdict = diagnosis::decide(newest.evidence, settings.hos, settings.decision, &*combined);
   return result;

@@ -8,13 +8,13 @@
 
 namespace loopscope::daemon {
 
-/// A recording longer than a window, judged by several as the daemon judges a loop.
+/// A recording longer than a window, judged by several: their odds are combined as those of a loop.
 struct WindowsAnalysis {
   RecordingAnalysis newest;  ///< its verdict is that of all windows together
   std::size_t judged = 1;    ///< windows that could be judged
   /// Of the newest window alone; nullopt = there was only one.
   std::optional<core::diagnosis::Verdict> newest_alone = std::nullopt;
-  double worth = 1.0;  ///< windows that share no sample
+  double together = 1.0;  ///< windows that share no sample would weigh as much
 };
 
 /// Full windows, evenly spread over the recording and as few as cover it; of a longer recording the

@@ -1,11 +1,14 @@
 -- Several windows of a loop make one verdict, and the list goes by how probable a fault is.
 
-ALTER TABLE loopscope.analysis ADD COLUMN combined_probabilities real[], ADD COLUMN combined_windows real;
+ALTER TABLE loopscope.verdict ADD COLUMN cause_evidence real[];
+COMMENT ON COLUMN loopscope.verdict.cause_evidence IS 'Log odds of each cause beyond its prior, in the order of cause_probabilities; null = nothing was weighed, or a program before schema 22';
+ALTER TABLE loopscope.analysis ADD COLUMN combined_probabilities real[], ADD COLUMN combined_evidence real[], ADD COLUMN combined_windows real[];
 COMMENT ON COLUMN loopscope.analysis.combined_probabilities IS 'Probability of each cause by this window and those before it, in the order of verdict.cause_probabilities; follows from the stored rows (core/diagnosis/combined_odds); null = the window could not be judged, or a program before schema 22';
-COMMENT ON COLUMN loopscope.analysis.combined_windows IS 'As many windows that share no sample would weigh as much: new samples count, old windows are forgotten';
+COMMENT ON COLUMN loopscope.analysis.combined_evidence IS 'Weighted mean of the log odds of each cause beyond its prior, of this window and those before it';
+COMMENT ON COLUMN loopscope.analysis.combined_windows IS 'For each cause, as many windows that share no sample would weigh as much: new samples count, old windows are forgotten';
 
 INSERT INTO loopscope.parameter (name, value, unit, description) VALUES
-  ('list_false_share', 0.05, 'share, 0 to 1', 'Expected share of loops without a fault among those on the list: the mean of 1 - fault_probability');
+  ('list_false_share', 0.02, 'share, 0 to 1', 'Expected share of loops without a fault among those on the list: the mean of 1 - fault_probability');
 
 -- A partition's columns have comments of their own.
 DO $$
@@ -16,7 +19,7 @@ BEGIN
     FROM pg_inherits AS part
     JOIN pg_attribute AS own ON own.attrelid = part.inhrelid AND own.attnum > 0 AND NOT own.attisdropped
     JOIN pg_attribute AS whole ON whole.attrelid = part.inhparent AND whole.attname = own.attname
-    WHERE part.inhparent = 'loopscope.analysis'::regclass
+    WHERE part.inhparent IN ('loopscope.analysis'::regclass, 'loopscope.verdict'::regclass)
       AND col_description(part.inhrelid, own.attnum) IS DISTINCT FROM col_description(part.inhparent, whole.attnum)
   LOOP
     EXECUTE format('COMMENT ON COLUMN %s.%I IS %L', missing.name, missing.attname, missing.words);
@@ -33,7 +36,7 @@ CREATE OR REPLACE VIEW loopscope.latest_verdict AS
          analysis.oscillating, analysis.oscillation_period_s, analysis.oscillation_p,
          analysis.harris_low, analysis.harris_high, analysis.harris_p, analysis.error_std,
          analysis.model_excited,
-         verdict.cause_probabilities, analysis.combined_probabilities, analysis.combined_windows,
+         verdict.cause_probabilities, analysis.combined_probabilities,
          analysis.combined_probabilities[array_position(
            '{healthy,valve_stiction,valve_deadband,valve_saturation,valve_characteristic,valve_oversized,process_nonlinearity,external_disturbance,process_change,sensor_fault,tight_tuning,sluggish_tuning,nonlinear_unexplained}'::text[],
            verdict.code)]::double precision AS combined_confidence,
@@ -52,28 +55,25 @@ CREATE OR REPLACE VIEW loopscope.latest_verdict AS
     LIMIT 1) AS analysis;
 COMMENT ON COLUMN loopscope.latest_verdict.cause_probabilities IS 'Probability of each cause by the newest window alone (verdict_cause has a row for each)';
 COMMENT ON COLUMN loopscope.latest_verdict.combined_probabilities IS 'The same by this window and those before it';
-COMMENT ON COLUMN loopscope.latest_verdict.combined_windows IS 'As many windows that share no sample would weigh as much';
 COMMENT ON COLUMN loopscope.latest_verdict.combined_confidence IS 'Probability of the code by this window and those before it; null = the code is no cause, or was judged by a program before schema 22';
 COMMENT ON COLUMN loopscope.latest_verdict.fault_probability IS '1 less the probability of healthy, by all windows where they were combined; null = nothing was weighed';
 
-DROP VIEW loopscope.flagged_loop;
-DROP FUNCTION loopscope.flagged_at(double precision, double precision, double precision);
-
--- The list, at any thresholds. Loops in the order of how probable a fault is, as long as the mean of what is left to doubt stays
--- below the share (Newton et al. 2004; core/plant/README.md). A verdict without probabilities (a program of before, a loop that is not
--- in command) is listed as before, by the control of 0006, which is shown beside all others. What hides a verdict hides it before.
-CREATE FUNCTION loopscope.flagged_at(rate float8 DEFAULT NULL, dependence float8 DEFAULT NULL, least_confidence float8 DEFAULT NULL)
+-- The list, at any thresholds. It asks two things. Whether a fault is probable: loops in the order of how probable one is, as long
+-- as the mean of what is left to doubt stays below the share (Newton et al. 2004). And the control of 0006, whether evidence as strong
+-- is rare among loops without that fault; at a rate of 1 odds alone decide. core/plant/README.md says why both. A verdict without
+-- probabilities (a program of before, a loop that is not in command) is asked the second alone. What hides a verdict hides it before.
+CREATE FUNCTION loopscope.flagged_by_odds(rate float8 DEFAULT NULL, dependence float8 DEFAULT NULL, least_confidence float8 DEFAULT NULL)
 RETURNS TABLE (
   rank bigint, loop_id bigint, loop_name text, source text, loop_type text, code text, score float8, severity float8,
   importance float8, kind_weight float8, confidence float8, p float8, false_discovery_threshold float8, nonlinear_p float8,
   slot_end timestamptz, algorithm_revision integer, input_revision integer, analysis_id bigint, summary text, reasons text[],
   action text, ngi float8, nli float8, oscillation_period_s float8, harris_low float8, harris_high float8,
   status text, since timestamptz, plant_oscillation_number integer,
-  combined_confidence float8, fault_probability float8, within_false_discovery boolean) LANGUAGE sql STABLE
+  combined_confidence float8, fault_probability float8) LANGUAGE sql STABLE
 BEGIN ATOMIC
   WITH setting AS (
-    SELECT coalesce(rate, max(value) FILTER (WHERE name = 'list_false_share')) AS list_false_share,
-           max(value) FILTER (WHERE name = 'false_discovery_rate') AS false_discovery_rate,
+    SELECT coalesce(rate, max(value) FILTER (WHERE name = 'false_discovery_rate')) AS false_discovery_rate,
+           max(value) FILTER (WHERE name = 'list_false_share') AS list_false_share,
            coalesce(dependence, max(value) FILTER (WHERE name = 'false_discovery_dependence')) AS false_discovery_dependence,
            coalesce(least_confidence, max(value) FILTER (WHERE name = 'min_confidence')) AS min_confidence
     FROM loopscope.parameter
@@ -86,7 +86,7 @@ BEGIN ATOMIC
            -- A model that may claim something makes two: of the next effect, and of what is left.
            greatest(CASE WHEN usable THEN num_nonnulls(nonlinear_p, oscillation_p, harris_p) + CASE WHEN model_excited THEN 2 ELSE 0 END
                          ELSE 0 END, num_nonnulls(p)) AS tests,
-           kind.is_fault AND confidence >= setting.min_confidence AND NOT coalesce(held.whatever_the_code
+           kind.is_fault AND coalesce(combined_confidence, confidence) >= setting.min_confidence AND NOT coalesce(held.whatever_the_code
              OR latest_verdict.code = ANY (held.codes) OR latest_verdict.slot_end <= held.last_slot, false) AS shown
     FROM loopscope.latest_verdict JOIN loopscope.verdict_kind AS kind USING (code)
     LEFT JOIN held USING (loop_id) CROSS JOIN setting
@@ -99,18 +99,18 @@ BEGIN ATOMIC
   ), control AS (
     SELECT max(ranked.p) AS threshold FROM ranked CROSS JOIN scale CROSS JOIN setting
     WHERE ranked.p <= setting.false_discovery_rate * ranked.i / scale.scaled_m
-  ), listed AS (  -- those of one probability come together or not at all
-    SELECT loop_id, doubt <= setting.list_false_share AS within_share
-    FROM (SELECT loop_id, avg(1 - fault_probability) OVER (ORDER BY fault_probability DESC) AS doubt
+  ), listed AS (  -- those of one probability come together or not at all; what is more likely no fault than one is not listed
+    SELECT loop_id, doubt <= setting.list_false_share AND fault_probability >= 0.5 AS within_share
+    FROM (SELECT loop_id, fault_probability, avg(1 - fault_probability) OVER (ORDER BY fault_probability DESC) AS doubt
           FROM latest WHERE shown AND fault_probability IS NOT NULL) AS ordered CROSS JOIN setting
   ), candidate AS (
-    SELECT latest.*, p IS NULL OR coalesce(p <= control.threshold, false) AS within_false_discovery,
+    SELECT latest.*,
            -- What a perfect linear controller could win; the middle where the index is unknown.
            CASE WHEN harris_low IS NULL OR harris_high IS NULL THEN 0.5
                 ELSE least(greatest(1 - (harris_low + harris_high) / 2, 0), 1) END AS severity,
            control.threshold AS false_discovery_threshold
     FROM latest LEFT JOIN listed USING (loop_id) CROSS JOIN control
-    WHERE shown AND coalesce(listed.within_share, p IS NULL OR p <= control.threshold)
+    WHERE shown AND coalesce(listed.within_share, true) AND (p IS NULL OR p <= control.threshold)
   ), caused AS (
     SELECT source_loop_id, min(number) AS number, max(holds_until) AS holds_until
     FROM loopscope.current_plant_oscillation GROUP BY source_loop_id
@@ -123,16 +123,19 @@ BEGIN ATOMIC
          slot_end, algorithm_revision, input_revision, analysis_id, summary, reasons, action,
          ngi, nli, oscillation_period_s, harris_low, harris_high,
          CASE WHEN run.confirmed THEN 'confirmed' ELSE 'watch' END AS status, run.since, caused.number AS plant_oscillation_number,
-         combined_confidence, fault_probability, within_false_discovery
+         combined_confidence, fault_probability
   FROM candidate
   CROSS JOIN LATERAL loopscope.verdict_run(candidate.loop_id, candidate.slot_end, candidate.code) AS run
   LEFT JOIN caused ON caused.source_loop_id = candidate.loop_id AND candidate.slot_end <= caused.holds_until
   ORDER BY rank;
 END;
-COMMENT ON FUNCTION loopscope.flagged_at(double precision, double precision, double precision) IS 'flagged_loop as it would be at other thresholds: list_false_share, false_discovery_dependence, min_confidence; null = as they are set';
+-- Views of a site's own, and rights of persons, stay: the view keeps its columns, the function its name.
+CREATE OR REPLACE VIEW loopscope.flagged_loop AS SELECT * FROM loopscope.flagged_by_odds();
+DROP FUNCTION loopscope.flagged_at(double precision, double precision, double precision);
+ALTER FUNCTION loopscope.flagged_by_odds RENAME TO flagged_at;
+COMMENT ON FUNCTION loopscope.flagged_at(double precision, double precision, double precision) IS 'flagged_loop as it would be at other thresholds: false_discovery_rate, false_discovery_dependence, min_confidence; null = as they are set';
 
-CREATE VIEW loopscope.flagged_loop AS SELECT * FROM loopscope.flagged_at();
-COMMENT ON VIEW loopscope.flagged_loop IS 'Loops that somebody should act on, worst first: faults of enabled loops, as many of the most probable ones as keep the expected share of loops without a fault below list_false_share, and neither annotated away nor victims of a shared oscillation';
+COMMENT ON VIEW loopscope.flagged_loop IS 'Loops that somebody should act on, worst first: faults of enabled loops, as many of the most probable ones as keep the expected share of loops without a fault below list_false_share, that are facts or pass the false-discovery control, and neither annotated away nor victims of a shared oscillation';
 COMMENT ON COLUMN loopscope.flagged_loop.status IS 'watch = new; confirmed = the same verdict came in a second window that shares no sample with the first one of its run';
 COMMENT ON COLUMN loopscope.flagged_loop.since IS 'Slot of the first verdict of the unbroken run of this code';
 COMMENT ON COLUMN loopscope.flagged_loop.plant_oscillation_number IS 'Shared oscillation (current_plant_oscillation) that the loop is the source of; null = none';
@@ -140,8 +143,7 @@ COMMENT ON COLUMN loopscope.flagged_loop.rank IS '1 = act here first';
 COMMENT ON COLUMN loopscope.flagged_loop.score IS 'severity x importance x kind_weight x combined_confidence (confidence where there is none)';
 COMMENT ON COLUMN loopscope.flagged_loop.severity IS '1 minus the middle of the Harris index, 0 to 1; 0.5 where that is unknown';
 COMMENT ON COLUMN loopscope.flagged_loop.kind_weight IS 'Weight of the kind of fault (parameter weight_...)';
-COMMENT ON COLUMN loopscope.flagged_loop.false_discovery_threshold IS 'Largest p that passes the false-discovery control today; null = none does, only facts';
-COMMENT ON COLUMN loopscope.flagged_loop.within_false_discovery IS 'Whether the loop passes the false-discovery control by p-values as well';
+COMMENT ON COLUMN loopscope.flagged_loop.false_discovery_threshold IS 'Largest p that is flagged today; null = none is, only facts';
 
 -- As in 0014: a column that is named like an older one means the same.
 DO $$

@@ -250,7 +250,9 @@ const Statement& upsert_analyses() {
 
 std::string measured_object(const std::string& row) {
   return "to_jsonb(" + row +
-         ") - '{analysis_id,input_revision,analysed_at,combined_probabilities,combined_windows," +
+         ") - "
+         "'{analysis_id,input_revision,analysed_at,combined_probabilities,combined_evidence,"
+         "combined_windows," +
          joined([](const Column& column) {
            return is_key(column.name) || is_provenance(column.name) ? std::string(column.name)
                                                                     : std::string();

@@ -112,10 +112,10 @@ std::vector<LoopRow> ReportDatabase::loops() {
   return read_all(impl_->snapshot->run(statements::kReportLoops), read_loop_row);
 }
 
-std::vector<WhatIfRow> ReportDatabase::what_if(std::optional<double> list_false_share,
+std::vector<WhatIfRow> ReportDatabase::what_if(std::optional<double> false_discovery_rate,
                                                std::optional<int> dependence,
                                                std::optional<double> min_confidence) {
-  return read_all(impl_->snapshot->run(statements::kWhatIf, {threshold_text(list_false_share),
+  return read_all(impl_->snapshot->run(statements::kWhatIf, {threshold_text(false_discovery_rate),
                                                              threshold_text(dependence),
                                                              threshold_text(min_confidence)}),
                   [](const pqxx::row& row) {

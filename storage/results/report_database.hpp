@@ -52,10 +52,10 @@ class ReportDatabase {
   [[nodiscard]] std::vector<LoopRow> loops();
 
   /// What other thresholds would flag: the rows in their would-be order, then those that would be
-  /// lost. nullopt = the present setting. `list_false_share` 0 to 1, `dependence` 0 or 1
+  /// lost. nullopt = the present setting. `false_discovery_rate` 0 to 1, `dependence` 0 or 1
   /// (parameter false_discovery_dependence), `min_confidence` 0 to 1.
   /// daemon/output/what_if_text makes a table of it.
-  [[nodiscard]] std::vector<WhatIfRow> what_if(std::optional<double> list_false_share,
+  [[nodiscard]] std::vector<WhatIfRow> what_if(std::optional<double> false_discovery_rate,
                                                std::optional<int> dependence,
                                                std::optional<double> min_confidence);
 

@@ -152,7 +152,8 @@ const Statement kReportLoops{"report_loops",
            CASE WHEN flagged.rank IS NOT NULL OR NOT kind.is_fault THEN NULL
                 WHEN NOT loop.enabled THEN 'disabled'
                 WHEN hidden.by IS NOT NULL THEN hidden.by
-                WHEN latest.confidence < least.value THEN 'confidence'
+                WHEN coalesce(latest.combined_confidence, latest.confidence) < least.value
+                THEN 'confidence'
                 WHEN kind.is_fault THEN 'control' END AS hidden_by,
            health.state
     FROM loopscope.loop

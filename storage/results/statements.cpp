@@ -20,14 +20,15 @@ const Statement kStoredDigests{"stored_digests", R"(
 const Statement kInsertVerdicts{"insert_verdicts", R"(
     INSERT INTO loopscope.verdict (loop_id, slot_end, algorithm_revision, input_revision,
                                    analysis_id, code, confidence, p, summary, reasons,
-                                   action, cause_probabilities)
+                                   action, cause_probabilities, cause_evidence)
     SELECT loop_id, slot_end, algorithm_revision, input_revision,
-           analysis_id, code, confidence, p, summary, reasons::text[], action, causes::real[]
+           analysis_id, code, confidence, p, summary, reasons::text[], action, causes::real[],
+           evidence::real[]
     FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::integer[],
                 $5::bigint[], $6::text[], $7::float8[], $8::float8[], $9::text[], $10::text[],
-                $11::text[], $12::text[])
-      AS row (loop_id, slot_end, algorithm_revision, input_revision,
-              analysis_id, code, confidence, p, summary, reasons, action, causes))",
+                $11::text[], $12::text[], $13::text[])
+      AS row (loop_id, slot_end, algorithm_revision, input_revision, analysis_id, code, confidence,
+              p, summary, reasons, action, causes, evidence))",
                                 Rows::none};
 
 const Statement kInsertPeaks{"insert_peaks", R"(

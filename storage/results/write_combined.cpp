@@ -1,6 +1,9 @@
 #include "storage/results/write_combined.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <pqxx/pqxx>
 #include <string>
@@ -16,46 +19,51 @@ namespace {
 namespace diagnosis = core::diagnosis;
 using diagnosis::PerCause;
 
-// Of each loop the slots from the first changed one on, and the combined one before them.
+// Of each loop the slots from the first changed one on, and the combined one before them. The bound
+// that all share is a constant, so that months before it are not even planned.
 const Statement kWindowsToCombine{"windows_to_combine", R"(
     SELECT wanted.loop_id, (extract(epoch FROM slot.slot_end) * 1000000)::bigint AS slot_end_us,
            extract(epoch FROM slot.window_start)::float8 AS start_s,
            extract(epoch FROM slot.window_end)::float8 AS end_s,
            slot.model IS NOT NULL AS with_model, slot.is_before,
-           slot.combined_windows::float8 AS windows,
-           CASE WHEN slot.is_before THEN slot.combined_probabilities
-                ELSE given.cause_probabilities END::text AS probabilities
+           slot.combined_windows::text AS windows,
+           CASE WHEN slot.is_before THEN slot.combined_evidence
+                ELSE given.cause_evidence END::text AS evidence
     FROM unnest($1::bigint[], $3::timestamptz[], $4::timestamptz[])
       AS wanted (loop_id, first, earliest)
     CROSS JOIN LATERAL (
       (SELECT stored.*, true AS is_before FROM loopscope.analysis AS stored
        WHERE stored.loop_id = wanted.loop_id AND stored.algorithm_revision = $2::integer
          AND stored.slot_end < wanted.first AND stored.slot_end >= wanted.earliest
-         AND stored.combined_windows IS NOT NULL
+         AND stored.slot_end >= $5::timestamptz AND stored.combined_windows IS NOT NULL
        ORDER BY stored.slot_end DESC LIMIT 1)
       UNION ALL
       (SELECT stored.*, false FROM loopscope.analysis AS stored
        WHERE stored.loop_id = wanted.loop_id AND stored.algorithm_revision = $2::integer
-         AND stored.slot_end >= wanted.first)) AS slot
+         AND stored.slot_end >= wanted.first AND stored.slot_end >= $5::timestamptz)) AS slot
     LEFT JOIN LATERAL (
-      SELECT said.cause_probabilities FROM loopscope.verdict AS said
+      SELECT said.cause_evidence FROM loopscope.verdict AS said
       WHERE said.loop_id = slot.loop_id AND said.slot_end = slot.slot_end
         AND said.algorithm_revision = slot.algorithm_revision
-        AND said.input_revision = slot.input_revision
+        AND said.input_revision = slot.input_revision AND said.slot_end >= $5::timestamptz
       LIMIT 1) AS given ON true
     ORDER BY wanted.loop_id, slot.slot_end)"};
 
 const Statement kSetCombined{"set_combined", R"(
     UPDATE loopscope.analysis AS stored
-    SET combined_probabilities = row.probabilities::real[], combined_windows = row.windows
-    FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::text[], $5::float8[])
-      AS row (loop_id, slot_end, algorithm_revision, probabilities, windows)
+    SET combined_probabilities = row.probabilities::real[],
+        combined_evidence = row.evidence::real[], combined_windows = row.windows::real[]
+    FROM unnest($1::bigint[], $2::timestamptz[], $4::text[], $5::text[], $6::text[])
+      AS row (loop_id, slot_end, probabilities, evidence, windows)
     WHERE stored.loop_id = row.loop_id AND stored.slot_end = row.slot_end
-      AND stored.algorithm_revision = row.algorithm_revision)",
+      AND stored.algorithm_revision = $3::integer AND stored.slot_end >= $7::timestamptz
+      AND (stored.combined_evidence, stored.combined_windows, stored.combined_probabilities)
+          IS DISTINCT FROM
+          (row.evidence::real[], row.windows::real[], row.probabilities::real[]))",
                              Rows::none};
 
 /// "{0.1,NULL,...}"; no values for NULL.
-PerCause read_probabilities(const pqxx::field& field) {
+PerCause read_values(const pqxx::field& field) {
   PerCause values;
   if (field.is_null()) return values;
   pqxx::array_parser elements = field.as_array();
@@ -70,83 +78,95 @@ PerCause read_probabilities(const pqxx::field& field) {
 }
 
 /// PostgreSQL refuses a real that is next to nothing.
-PerCause storable(PerCause probabilities) {
+PerCause storable(PerCause values) {
   constexpr double kLeast = 1e-30;
-  for (std::optional<double>& probability : probabilities)
-    if (probability) probability = std::max(*probability, kLeast);
-  return probabilities;
+  for (std::optional<double>& value : values)
+    if (value && std::abs(*value) < kLeast) value = 0.0;
+  return values;
 }
 
 /// Rows of analysis to write, an array for each column.
 struct CombinedRows {
-  ArrayLiteral loop_id, slot_end, algorithm_revision, probabilities, windows;
+  ArrayLiteral loop_id, slot_end, probabilities, evidence, windows;
+  std::int64_t first_us = std::numeric_limits<std::int64_t>::max();
 
-  void add(const pqxx::row& row, int revision,
-           const std::optional<diagnosis::CombinedOdds>& combined) {
+  void add(const pqxx::row& row, const std::optional<diagnosis::CombinedOdds>& combined,
+           const PerCause& priors) {
+    const auto slot_end_us = row["slot_end_us"].as<std::int64_t>();
+    first_us = std::min(first_us, slot_end_us);
     loop_id.add_integer(row["loop_id"].as<std::int64_t>());
-    slot_end.add_time(row["slot_end_us"].as<std::int64_t>());
-    algorithm_revision.add_integer(revision);
-    probabilities.add_number_list(combined ? storable(combined->probabilities) : PerCause{});
-    windows.add_number(combined ? std::optional(combined->windows) : std::nullopt);
+    slot_end.add_time(slot_end_us);
+    const auto known = combined.value_or(diagnosis::CombinedOdds{});
+    probabilities.add_number_list(storable(diagnosis::probabilities_of(known, priors)));
+    evidence.add_number_list(storable(known.evidence));
+    windows.add_number_list(storable(known.windows));
   }
 };
 
 /// The slots of one loop, in their order.
 class LoopWindows {
  public:
-  explicit LoopWindows(const PerCause& priors) : priors_(&priors) {}
-
   void begin_with(const pqxx::row& row) {
-    combined_ = diagnosis::CombinedOdds{row["end_s"].as<double>(), row["windows"].as<double>(),
-                                        read_probabilities(row["probabilities"])};
+    combined_ = diagnosis::CombinedOdds{row["end_s"].as<double>(), read_values(row["evidence"]),
+                                        read_values(row["windows"])};
   }
 
   /// nullopt where the window says nothing: it could not be judged, or holds nothing new.
   std::optional<diagnosis::CombinedOdds> next(const pqxx::row& row) {
     const diagnosis::JudgedWindow window{row["start_s"].as<double>(), row["end_s"].as<double>(),
                                          row["with_model"].as<bool>(),
-                                         read_probabilities(row["probabilities"])};
+                                         read_values(row["evidence"])};
+    if (window.evidence.empty() || !(window.end_s > window.start_s)) return std::nullopt;
     const bool is_new = !combined_ || window.end_s > combined_->end_s;
-    if (window.probabilities.empty() || !(window.end_s > window.start_s)) return std::nullopt;
-    if (is_new) combined_ = diagnosis::combine(combined_, window, *priors_);
+    if (is_new) combined_ = diagnosis::combine(combined_, window);
     return combined_;
   }
 
  private:
-  const PerCause* priors_;
   std::optional<diagnosis::CombinedOdds> combined_;
 };
+
+std::string time_text(std::int64_t time_us) {
+  ArrayLiteral one;
+  one.add_time(time_us);
+  const std::string text = one.text();
+  return text.substr(1, text.size() - 2);
+}
 
 pqxx::result windows_of(Transaction& transaction, int algorithm_revision,
                         const std::map<std::int64_t, ChangedSlots>& changed) {
   ArrayLiteral loop_id, first, earliest;
+  std::int64_t earliest_us = std::numeric_limits<std::int64_t>::max();
   for (const auto& [id, slots] : changed) {
     loop_id.add_integer(id);
     first.add_time(slots.first_us);
     earliest.add_time(slots.earliest_us);
+    earliest_us = std::min(earliest_us, slots.earliest_us);
   }
-  return transaction.run(kWindowsToCombine, {loop_id.text(), std::to_string(algorithm_revision),
-                                             first.text(), earliest.text()});
+  return transaction.run(kWindowsToCombine,
+                         {loop_id.text(), std::to_string(algorithm_revision), first.text(),
+                          earliest.text(), time_text(earliest_us)});
 }
 
 }  // namespace
 
 void write_combined(Transaction& transaction, int algorithm_revision,
-                    const std::map<std::int64_t, ChangedSlots>& changed) {
+                    const std::map<std::int64_t, ChangedSlots>& changed, const PerCause& priors) {
   if (changed.empty()) return;
   CombinedRows rows;
   std::map<std::int64_t, LoopWindows> loops;
   for (const pqxx::row& row : windows_of(transaction, algorithm_revision, changed)) {
-    const auto id = row["loop_id"].as<std::int64_t>();
-    LoopWindows& loop = loops.try_emplace(id, changed.at(id).priors).first->second;
+    LoopWindows& loop = loops[row["loop_id"].as<std::int64_t>()];
     if (row["is_before"].as<bool>())
       loop.begin_with(row);
     else
-      rows.add(row, algorithm_revision, loop.next(row));
+      rows.add(row, loop.next(row), priors);
   }
+  if (loops.empty()) return;
   transaction.run(kSetCombined,
-                  {rows.loop_id.text(), rows.slot_end.text(), rows.algorithm_revision.text(),
-                   rows.probabilities.text(), rows.windows.text()});
+                  {rows.loop_id.text(), rows.slot_end.text(), std::to_string(algorithm_revision),
+                   rows.probabilities.text(), rows.evidence.text(), rows.windows.text(),
+                   time_text(rows.first_us)});
 }
 
 }  // namespace loopscope::storage

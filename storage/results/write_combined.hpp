@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <vector>
 
 #include "core/diagnosis/verdict.hpp"
 #include "storage/results/session.hpp"
@@ -11,15 +10,17 @@ namespace loopscope::storage {
 
 /// What has changed of a loop's stored slots.
 struct ChangedSlots {
-  std::int64_t first_us = 0;     ///< end of the earliest of them
-  std::int64_t earliest_us = 0;  ///< slots before are forgotten (longest_memory_windows())
-  core::diagnosis::PerCause priors;
+  std::int64_t first_us = 0;            ///< end of the earliest of them
+  std::int64_t longest_window_us = -1;  ///< of them; -1 = none was noted yet
+  std::int64_t earliest_us = 0;         ///< slots before are forgotten (longest_memory_windows())
 };
 
 /// Combines the odds of each loop's windows (core/diagnosis/combined_odds) from the first changed
 /// slot on, by what is stored of them and of the combined one before: late data and a replay of
-/// slots in any order come to the same. Only rows of `algorithm_revision` are combined.
+/// slots in any order come to the same. Only rows of `algorithm_revision` are combined; what a row
+/// keeps of its windows knows no priors, `priors` are those of the probabilities beside it.
 void write_combined(Transaction& transaction, int algorithm_revision,
-                    const std::map<std::int64_t, ChangedSlots>& changed);
+                    const std::map<std::int64_t, ChangedSlots>& changed,
+                    const core::diagnosis::PerCause& priors);
 
 }  // namespace loopscope::storage

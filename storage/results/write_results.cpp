@@ -1,6 +1,7 @@
 #include "storage/results/write_results.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -70,7 +71,7 @@ std::vector<std::optional<double>> as_reals(std::vector<std::optional<double>> p
 
 void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
   KeyArrays key;
-  ArrayLiteral analysis_id, code, confidence, p, summary, reasons, action, causes;
+  ArrayLiteral analysis_id, code, confidence, p, summary, reasons, action, causes, evidence;
   for (const WrittenAnalysis& written : analyses) {
     const core::diagnosis::Verdict& verdict = written.loop->record->diagnosis.verdict;
     key.add(written);
@@ -82,11 +83,13 @@ void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis
     reasons.add_text_list(verdict.reasons);
     action.add_text(verdict.action);
     causes.add_number_list(as_reals(core::diagnosis::probabilities_of(verdict)));
+    evidence.add_number_list(core::diagnosis::evidence_of(verdict));
   }
-  transaction.run(statements::kInsertVerdicts,
-                  {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
-                   key.input_revision.text(), analysis_id.text(), code.text(), confidence.text(),
-                   p.text(), summary.text(), reasons.text(), action.text(), causes.text()});
+  transaction.run(
+      statements::kInsertVerdicts,
+      {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
+       key.input_revision.text(), analysis_id.text(), code.text(), confidence.text(), p.text(),
+       summary.text(), reasons.text(), action.text(), causes.text(), evidence.text()});
 }
 
 void insert_peaks(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
@@ -124,27 +127,49 @@ void insert_steps(Transaction& transaction, const std::vector<WrittenAnalysis>& 
                    key.input_revision.text(), model.text()});
 }
 
-/// Slots that are too old to count for the window of this record.
-std::int64_t forgotten_before(const AnalysisRecord& record) {
-  const double window_us =
-      static_cast<double>(std::max<std::int64_t>(0, record.window_end_us - record.window_start_us));
-  return core::signal::moved_us(record.slot_end_us,
+/// As long as a window takes; a record without rows has none.
+std::int64_t length_us(const AnalysisRecord& record) {
+  return std::max<std::int64_t>(0, record.window_end_us - record.window_start_us);
+}
+
+/// Slots that are too old to count, by the longest of the loop's windows at hand.
+std::int64_t forgotten_before(const ChangedSlots& slots) {
+  constexpr std::int64_t kLeast_us = 86'400'000'000;
+  const auto window_us = static_cast<double>(std::max(kLeast_us, slots.longest_window_us));
+  return core::signal::moved_us(slots.first_us,
                                 -core::diagnosis::longest_memory_windows() * window_us);
 }
 
+void note_change(const AnalysisRecord& record, ChangedSlots& slots) {
+  const bool is_first = slots.longest_window_us < 0;
+  slots.first_us = is_first ? record.slot_end_us : std::min(slots.first_us, record.slot_end_us);
+  slots.longest_window_us = std::max(slots.longest_window_us, length_us(record));
+}
+
+/// All windows of a batch are judged by the same settings.
+core::diagnosis::PerCause priors_of(const std::vector<WrittenAnalysis>& analyses) {
+  core::diagnosis::PerCause priors;
+  for (const WrittenAnalysis& written : analyses) {
+    const core::diagnosis::PerCause own =
+        core::diagnosis::priors_of(written.loop->record->diagnosis.verdict);
+    priors.resize(std::max(priors.size(), own.size()));
+    for (std::size_t cause = 0; cause < own.size(); ++cause)
+      if (own[cause]) priors[cause] = own[cause];
+  }
+  return priors;
+}
+
 void combine_windows(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
+  const core::diagnosis::PerCause priors = priors_of(analyses);
   std::map<int, std::map<std::int64_t, ChangedSlots>> changed;  // by algorithm revision
   for (const WrittenAnalysis& written : analyses) {
     const AnalysisRecord& record = *written.loop->record;
-    const core::diagnosis::Verdict& verdict = record.diagnosis.verdict;
-    const ChangedSlots slots{record.slot_end_us, forgotten_before(record),
-                             verdict.causes.empty() ? core::diagnosis::shares_of_causes()
-                                                    : core::diagnosis::priors_of(verdict)};
-    auto [known, is_new] =
-        changed[record.algorithm_revision].try_emplace(written.loop->loop_id, slots);
-    if (!is_new && slots.first_us < known->second.first_us) known->second = slots;
+    note_change(record, changed[record.algorithm_revision][written.loop->loop_id]);
   }
-  for (const auto& [revision, loops] : changed) write_combined(transaction, revision, loops);
+  for (auto& [revision, loops] : changed) {
+    for (auto& [loop_id, slots] : loops) slots.earliest_us = forgotten_before(slots);
+    write_combined(transaction, revision, loops, priors);
+  }
 }
 
 }  // namespace

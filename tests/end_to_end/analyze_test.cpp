@@ -135,7 +135,7 @@ TEST_F(Analyze, AFileLongerThanAWindowIsJudgedBySeveral) {
   const std::string file = write("long.csv", rows(9000));
   const Json all = Json::parse(analyze(file).out);
   EXPECT_EQ(all["windows"]["judged"], 3);
-  EXPECT_GT(all["windows"]["worth"].get<double>(), 1.5);
+  EXPECT_GT(all["windows"]["together"].get<double>(), 1.5);
   EXPECT_EQ(all["input"]["samples"], 4096) << "every other key is the newest window's";
   EXPECT_THAT(all["verdict"]["reasons"][0].dump(), HasSubstr("Several windows together"));
   const Json one = Json::parse(

@@ -42,8 +42,9 @@ std::vector<bool> flagged(const std::vector<DiagnosedLoop>& loops, const FlagRul
       core::plant::list_by_odds(fault_probabilities(loops, rule), rule.list_false_share);
   std::vector<bool> result;
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const bool within = loops[k].fault_probability ? listed[k] : !loops[k].p || control.flagged[k];
-    result.push_back(is_shown(loops[k], rule) && within);
+    const bool probable = !loops[k].fault_probability || listed[k];
+    const bool rare = !loops[k].p || control.flagged[k];
+    result.push_back(is_shown(loops[k], rule) && probable && rare);
   }
   return result;
 }

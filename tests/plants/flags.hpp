@@ -11,7 +11,7 @@ namespace loopscope::tests::plants {
 struct FlagRule {
   double false_discovery_rate = 0.005;
   double min_confidence = 0.3;
-  double list_false_share = 0.05;
+  double list_false_share = 0.02;
 };
 
 /// Which loops the view flagged_loop would show, in their order: core/plant/README.md.

@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::Pair;
 
-constexpr FlagRule kAtFivePercent{0.05, 0.3};
+constexpr FlagRule kAtFivePercent{0.05, 0.3, 0.05};
 
 DiagnosedLoop healthy() {
   return {"healthy", 0.9, {}, 5, {}};
@@ -34,14 +34,17 @@ TEST(Flags, WhatIsHardlyBelievedLendsNoRank) {
               ElementsAre(false, false));
 }
 
-TEST(Flags, WhereFaultsWereWeighedTheMostProbableAreListed) {
-  const auto weighed = [](double fault_probability) {
-    DiagnosedLoop loop = faulty(0.5);
+TEST(Flags, WhereFaultsWereWeighedTheyHaveToBeProbableAsWell) {
+  const auto weighed = [](double fault_probability, std::optional<double> p) {
+    DiagnosedLoop loop = faulty(p);
     loop.fault_probability = fault_probability;
     return loop;
   };
-  EXPECT_THAT(flagged({weighed(0.99), weighed(0.92), weighed(0.8), healthy()}, kAtFivePercent),
-              ElementsAre(true, true, false, false));
+  constexpr FlagRule kHalf{0.05, 0.3, 0.05};
+  EXPECT_THAT(flagged({weighed(0.99, 1e-9), weighed(0.92, std::nullopt), weighed(0.8, 1e-9),
+                       weighed(0.99, 0.5), healthy()},
+                      kHalf),
+              ElementsAre(true, true, false, false, false));
 }
 
 TEST(Flags, DataThatCannotBeJudgedAreNoFault) {

@@ -18,6 +18,14 @@ TEST(ListByOdds, TheMostProbableAsLongAsTheMeanDoubtAllows) {
   EXPECT_THAT(list_by_odds(probability, 0.009), Each(false));
 }
 
+TEST(ListByOdds, SureFaultsLendADoubtfulLoopNoPlace) {
+  std::vector<double> probability(40, 0.999);
+  probability.push_back(0.4);
+  EXPECT_FALSE(list_by_odds(probability, 0.05).back());
+  probability.back() = 0.6;
+  EXPECT_TRUE(list_by_odds(probability, 0.05).back());
+}
+
 TEST(ListByOdds, EqualsComeTogetherAndWhatWasNotWeighedDoesNotCome) {
   const std::vector<double> probability = {0.9, 1.0, std::nan(""), 0.9};
   EXPECT_THAT(list_by_odds(probability, 0.06), ElementsAre(false, true, false, false));
@@ -35,7 +43,7 @@ TEST(ListByOdds, TheShareOfLoopsWithoutAFaultIsHeld) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> uniform;
   constexpr int kPlants = 400, kLoops = 200;
-  for (const double share : {0.02, 0.1}) {
+  for (const double share : {0.02, 0.08}) {
     double sum = 0.0, squares = 0.0;
     for (int plant = 0; plant < kPlants; ++plant) {
       std::vector<double> probability;

@@ -45,7 +45,7 @@ TEST(AnalyseWindows, TheNewestAloneIsOneLook) {
   const RecordingAnalysis one = analyse_recording(recording, windows_of(1024), {});
   EXPECT_EQ(several.newest_alone->code, one.diagnosis.verdict.code);
   EXPECT_EQ(several.newest_alone->confidence, one.diagnosis.verdict.confidence);
-  EXPECT_GT(several.worth, 0.0);
+  EXPECT_GT(several.together, 0.0);
 }
 
 TEST(AnalyseWindows, AWindowThatCannotBeJudgedSaysNothing) {

@@ -30,6 +30,12 @@ class CombinedWindowsTest : public ResultsTest {
             {VerdictCode::healthy, 1.0 - stiction, 0.2, {}, {}}};
   }
 
+  static diagnosis::Verdict verdict_of(const Look& look) {
+    diagnosis::Verdict verdict;
+    verdict.causes = causes(look.stiction);
+    return verdict;
+  }
+
   static AnalysisRecord record_of(const Look& look, const std::string& digest) {
     AnalysisRecord record = record_at(slot(look.hour), digest);
     if (look.judged) record.diagnosis.verdict.causes = causes(look.stiction);
@@ -57,11 +63,11 @@ class CombinedWindowsTest : public ResultsTest {
         continue;
       }
       const double end_s = static_cast<double>(slot(hour)) / kMicrosecondsPerSecond;
-      combined = diagnosis::combine(
-          combined, {end_s - 4095.0, end_s, look.with_model, {1.0 - look.stiction, look.stiction}},
-          {0.2, 0.15});
-      rows.push_back(
-          {std::to_string(hour), rounded(*combined->probabilities[1]), rounded(combined->windows)});
+      combined = diagnosis::combine(combined, {end_s - 4095.0, end_s, look.with_model,
+                                               diagnosis::evidence_of(verdict_of(look))});
+      rows.push_back({std::to_string(hour),
+                      rounded(*diagnosis::probabilities_of(*combined, {0.2, 0.15})[1]),
+                      rounded(*combined->windows[1])});
     }
     return rows;
   }
@@ -74,7 +80,7 @@ class CombinedWindowsTest : public ResultsTest {
   [[nodiscard]] TextRows stored() const {
     return database->rows(
         "SELECT extract(epoch FROM slot_end - '2026-01-01 00:00:00+00')::integer / 3600,"
-        " trunc(combined_probabilities[2]::numeric, 4), trunc(combined_windows::numeric, 4)"
+        " trunc(combined_probabilities[2]::numeric, 4), trunc(combined_windows[2]::numeric, 4)"
         " FROM loopscope.analysis ORDER BY slot_end");
   }
 

@@ -68,20 +68,28 @@ TEST_F(FlaggedLoopTest, VerdictsThatRestOnATestHaveToPassTheControl) {
   EXPECT_THAT(flagged(), UnorderedElementsAre("fact", "certain"));
 }
 
-TEST_F(FlaggedLoopTest, WhereCausesWereWeighedTheMostProbableFaultsAreListed) {
-  tell({{.loop = "sure", .p = 0.9, .oscillation_p = 0.9, .fault_probability = 0.99},
-        {.loop = "likely", .p = 1e-9, .fault_probability = 0.95},
+TEST_F(FlaggedLoopTest, WhereCausesWereWeighedFaultsHaveToBeProbableAsWell) {
+  tell({{.loop = "sure", .p = 1e-9, .fault_probability = 0.99},
+        {.loop = "a fact", .fault_probability = 0.95},
         {.loop = "doubtful", .p = 1e-9, .fault_probability = 0.8},
+        {.loop = "not rare", .p = 0.9, .oscillation_p = 0.9, .fault_probability = 0.99},
         {.loop = "fine", .code = VerdictCode::healthy, .fault_probability = 0.1},
         {.loop = "of before", .p = 1e-9, .nonlinear_p = 1e-9}});
-  EXPECT_THAT(flagged(), UnorderedElementsAre("sure", "likely", "of before"));
-  EXPECT_THAT(column("SELECT loop_name FROM loopscope.flagged_loop WHERE within_false_discovery"),
-              UnorderedElementsAre("likely", "of before"))
-      << "the control by p stands beside it";
+  connect().set_parameter("list_false_share", 0.05);
+  EXPECT_THAT(flagged(), UnorderedElementsAre("sure", "a fact", "of before"));
+  EXPECT_THAT(column("SELECT loop_name FROM loopscope.flagged_at(1)"),
+              UnorderedElementsAre("sure", "a fact", "not rare", "of before"))
+      << "by odds alone";
   connect().set_parameter("list_false_share", 0.1);
-  EXPECT_THAT(flagged(), UnorderedElementsAre("sure", "likely", "doubtful", "of before"));
-  EXPECT_THAT(column("SELECT loop_name FROM loopscope.flagged_at(0.02)"),
-              UnorderedElementsAre("sure", "of before"));
+  EXPECT_THAT(flagged(), UnorderedElementsAre("sure", "a fact", "doubtful", "of before"));
+}
+
+TEST_F(FlaggedLoopTest, SeveralWindowsDecideWhetherAFaultIsProbable) {
+  tell({{.loop = "a", .slot_hours = 1, .fault_probability = 0.999}});
+  EXPECT_THAT(flagged(), ElementsAre("a"));
+  tell({{.loop = "a", .slot_hours = 2, .fault_probability = 0.9}});
+  EXPECT_THAT(flagged(), ElementsAre("a")) << "one doubtful window does not take it off";
+  EXPECT_EQ(value("SELECT fault_probability > 0.98 FROM loopscope.flagged_loop"), "t");
 }
 
 TEST_F(FlaggedLoopTest, TheListIsThatOfCore) {

@@ -163,7 +163,7 @@ TEST_F(UpgradeTest, WindowsOfSchema21StayAndAreListedByTheirOwnProbability) {
   const TextRows verdicts = other.rows(rows);
   migrate(settings_for(other, other.make_login("loopscope_owner")));
   EXPECT_EQ(other.rows(rows), verdicts);
-  EXPECT_EQ(other.rows("SELECT count(*), count(combined_probabilities), count(combined_windows)"
+  EXPECT_EQ(other.rows("SELECT count(*), count(combined_probabilities), count(combined_evidence)"
                        " FROM loopscope.analysis"),
             (TextRows{{"2", "0", "0"}}));
   EXPECT_EQ(other.rows("SELECT loop_name, combined_confidence, round(fault_probability::numeric, 2)"
