@@ -16,7 +16,7 @@ using core::diagnosis::Verdict;
 using Code = core::diagnosis::VerdictCode;
 using core::model::EffectKind;
 
-constexpr double kLine = 0.3;    // DecisionSettings
+constexpr double kLine = core::diagnosis::DecisionSettings{}.line;
 constexpr double kAlpha = 0.05;  // hos::Settings
 
 bool has(const std::string& text, std::string_view words) {
@@ -226,7 +226,9 @@ constexpr std::array kAll = {
                   }},
     Contradiction{"coupling found, and the tests found none",
                   [](const Evidence& e, const Verdict& v) {
-                    return e.hos && e.hos->coupling == core::hos::Coupling::none_found &&
+                    const auto none = core::hos::Coupling::none_found;
+                    const bool slow = e.hos_slow && e.hos_slow->result.coupling != none;
+                    return e.hos && e.hos->coupling == none && !slow &&
                            (says(v, "Quadratic coupling:") || says(v, "Cubic coupling"));
                   },
                   [](Evidence& e, Verdict& v) {
