@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "storage/timestamp.hpp"
 #include "storage/utf8.hpp"
@@ -54,10 +55,12 @@ void ArrayLiteral::add_text_list(std::span<const std::string> values) {
   add_text(list.text());
 }
 
-void ArrayLiteral::add_number_list(std::span<const std::optional<double>> values) {
+void ArrayLiteral::add_real_list(std::span<const std::optional<double>> values) {
   if (values.empty()) return add_null();
+  constexpr double kLeast = std::numeric_limits<float>::min();
   ArrayLiteral list;
-  for (const std::optional<double>& value : values) list.add_number(value);
+  for (const std::optional<double>& value : values)
+    list.add_number(value && std::abs(*value) < kLeast ? 0.0 : value);
   add_text(list.text());
 }
 

@@ -24,8 +24,9 @@ class ArrayLiteral {
   /// A whole text[] as ONE element, to be cast `::text[]` per row: unnest() would flatten a
   /// two-dimensional array.
   void add_text_list(std::span<const std::string> values);
-  /// Likewise of numbers, to be cast `::real[]`; an empty list becomes NULL.
-  void add_number_list(std::span<const std::optional<double>> values);
+  /// Likewise of numbers, to be cast `::real[]`; an empty list becomes NULL. What is too near to 0
+  /// for four bytes, which PostgreSQL refuses, is 0.
+  void add_real_list(std::span<const std::optional<double>> values);
 
   /// "{...}"; the object can still be added to.
   [[nodiscard]] std::string text() const { return "{" + elements_ + "}"; }

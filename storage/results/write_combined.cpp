@@ -1,17 +1,18 @@
 #include "storage/results/write_combined.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <pqxx/pqxx>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "core/diagnosis/combined_odds.hpp"
 #include "storage/array_literal.hpp"
 #include "storage/statement.hpp"
+#include "storage/timestamp.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -26,9 +27,9 @@ const Statement kWindowsToCombine{"windows_to_combine", R"(
            extract(epoch FROM slot.window_start)::float8 AS start_s,
            extract(epoch FROM slot.window_end)::float8 AS end_s,
            slot.model IS NOT NULL AS with_model, slot.is_before,
-           slot.combined_windows::text AS windows,
+           slot.combined_windows::float8[]::text AS windows,
            CASE WHEN slot.is_before THEN slot.combined_evidence
-                ELSE given.cause_evidence END::text AS evidence
+                ELSE given.cause_evidence END::float8[]::text AS evidence
     FROM unnest($1::bigint[], $3::timestamptz[], $4::timestamptz[])
       AS wanted (loop_id, first, earliest)
     CROSS JOIN LATERAL (
@@ -77,11 +78,11 @@ PerCause read_values(const pqxx::field& field) {
   return values;
 }
 
-/// PostgreSQL refuses a real that is next to nothing.
-PerCause storable(PerCause values) {
-  constexpr double kLeast = 1e-30;
+/// The next slot begins with what is stored, four bytes each, whether it is reached in this
+/// transaction or in another.
+PerCause as_stored(PerCause values) {
   for (std::optional<double>& value : values)
-    if (value && std::abs(*value) < kLeast) value = 0.0;
+    if (value) value = static_cast<double>(static_cast<float>(*value));
   return values;
 }
 
@@ -97,9 +98,9 @@ struct CombinedRows {
     loop_id.add_integer(row["loop_id"].as<std::int64_t>());
     slot_end.add_time(slot_end_us);
     const auto known = combined.value_or(diagnosis::CombinedOdds{});
-    probabilities.add_number_list(storable(diagnosis::probabilities_of(known, priors)));
-    evidence.add_number_list(storable(known.evidence));
-    windows.add_number_list(storable(known.windows));
+    probabilities.add_real_list(diagnosis::probabilities_of(known, priors));
+    evidence.add_real_list(known.evidence);
+    windows.add_real_list(known.windows);
   }
 };
 
@@ -118,20 +119,16 @@ class LoopWindows {
                                          read_values(row["evidence"])};
     if (window.evidence.empty() || !(window.end_s > window.start_s)) return std::nullopt;
     const bool is_new = !combined_ || window.end_s > combined_->end_s;
-    if (is_new) combined_ = diagnosis::combine(combined_, window);
+    if (!is_new) return combined_;
+    combined_ = diagnosis::combine(combined_, window);
+    combined_->evidence = as_stored(std::move(combined_->evidence));
+    combined_->windows = as_stored(std::move(combined_->windows));
     return combined_;
   }
 
  private:
   std::optional<diagnosis::CombinedOdds> combined_;
 };
-
-std::string time_text(std::int64_t time_us) {
-  ArrayLiteral one;
-  one.add_time(time_us);
-  const std::string text = one.text();
-  return text.substr(1, text.size() - 2);
-}
 
 pqxx::result windows_of(Transaction& transaction, int algorithm_revision,
                         const std::map<std::int64_t, ChangedSlots>& changed) {
@@ -145,7 +142,7 @@ pqxx::result windows_of(Transaction& transaction, int algorithm_revision,
   }
   return transaction.run(kWindowsToCombine,
                          {loop_id.text(), std::to_string(algorithm_revision), first.text(),
-                          earliest.text(), time_text(earliest_us)});
+                          earliest.text(), timestamp_text(earliest_us)});
 }
 
 }  // namespace
@@ -166,7 +163,7 @@ void write_combined(Transaction& transaction, int algorithm_revision,
   transaction.run(kSetCombined,
                   {rows.loop_id.text(), rows.slot_end.text(), std::to_string(algorithm_revision),
                    rows.probabilities.text(), rows.evidence.text(), rows.windows.text(),
-                   time_text(rows.first_us)});
+                   timestamp_text(rows.first_us)});
 }
 
 }  // namespace loopscope::storage

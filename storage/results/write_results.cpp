@@ -61,14 +61,6 @@ std::optional<double> p_of(const core::diagnosis::Verdict& verdict) {
   return *verdict.p >= 0.0 ? std::min(*verdict.p, 1.0) : 1.0;
 }
 
-/// PostgreSQL refuses a real that is next to nothing, and the whole batch with it.
-std::vector<std::optional<double>> as_reals(std::vector<std::optional<double>> probabilities) {
-  constexpr double kLeast = 1e-30;
-  for (std::optional<double>& probability : probabilities)
-    if (probability) probability = std::max(*probability, kLeast);
-  return probabilities;
-}
-
 void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
   KeyArrays key;
   ArrayLiteral analysis_id, code, confidence, p, summary, reasons, action, causes, evidence;
@@ -82,8 +74,8 @@ void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis
     summary.add_text(verdict.summary);
     reasons.add_text_list(verdict.reasons);
     action.add_text(verdict.action);
-    causes.add_number_list(as_reals(core::diagnosis::probabilities_of(verdict)));
-    evidence.add_number_list(core::diagnosis::evidence_of(verdict));
+    causes.add_real_list(core::diagnosis::probabilities_of(verdict));
+    evidence.add_real_list(core::diagnosis::evidence_of(verdict));
   }
   transaction.run(
       statements::kInsertVerdicts,

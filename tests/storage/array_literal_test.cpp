@@ -42,6 +42,13 @@ TEST(ArrayLiteral, ListInsideIsOneElement) {
   EXPECT_EQ(array.text(), R"({"{\"x\",\"y\\\"\"}","{}"})");
 }
 
+TEST(ArrayLiteral, RealsThatFourBytesCannotHoldAreZero) {
+  ArrayLiteral array;
+  array.add_real_list(std::vector<std::optional<double>>{0.25, std::nullopt, 1e-60, -1e-300});
+  array.add_real_list({});
+  EXPECT_EQ(array.text(), R"({"{0.25,NULL,0,0}",NULL})");
+}
+
 TEST(NumberText, ReadsBackAsTheSameValue) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> value(0.0, 1e3);

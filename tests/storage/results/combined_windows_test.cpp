@@ -142,6 +142,27 @@ TEST_F(CombinedWindowsTest, SlotsInAnyOrderComeToTheSame) {
   expect_same(stored(), expected(looks));
 }
 
+/// To the last digit: slots that were reached in one transaction or in several are one.
+TEST_F(CombinedWindowsTest, AnUndisturbedRunStoresTheSameDigits) {
+  const auto digits = [&] {
+    return database->rows(
+        "SELECT loop_id, slot_end, combined_evidence, combined_windows, combined_probabilities"
+        " FROM loopscope.analysis ORDER BY loop_id, slot_end");
+  };
+  add_loops({"a"});
+  for (int hour = 1; hour <= 7; ++hour)
+    finish({hour, hour == 3 ? 0.83 : 0.3 + 0.0617 * hour}, "d" + std::to_string(hour));
+  finish({8, 0.77}, "d8", {{3, 0.3 + 0.0617 * 3}});
+  const TextRows revised = digits();
+  database->execute(
+      "DELETE FROM loopscope.verdict; DELETE FROM loopscope.bicoherence_peak;"
+      " DELETE FROM loopscope.explanation_step; DELETE FROM loopscope.analysis;"
+      "UPDATE loopscope.schedule SET last_slot_end = NULL, result_slot_end = NULL");
+  for (int hour = 1; hour <= 8; ++hour)
+    finish({hour, hour == 8 ? 0.77 : 0.3 + 0.0617 * hour}, "u" + std::to_string(hour));
+  EXPECT_EQ(digits(), revised);
+}
+
 TEST_F(CombinedWindowsTest, AnotherRevisionBeginsAnew) {
   add_loops({"a"});
   finish({1, 0.9}, "d1");
