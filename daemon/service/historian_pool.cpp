@@ -27,9 +27,11 @@ HistorianPool::Loan::Loan(HistorianPool& pool, const config::HistorianSettings& 
   try {
     connect(settings);
   } catch (const storage::DatabaseError& error) {
+    pool_.take_back(source_);
     source_.gate.leave_down(error, terms_.pause);
     throw;
   } catch (...) {
+    pool_.take_back(source_);
     source_.gate.leave();
     throw;
   }
@@ -46,15 +48,18 @@ void HistorianPool::Loan::connect(const config::HistorianSettings& settings) {
 
 HistorianPool::Loan::~Loan() {
   connection_.reset();
-  if (inside_) source_.gate.leave();
+  if (!inside_) return;
+  pool_.take_back(source_);
+  source_.gate.leave();
 }
 
 void HistorianPool::Loan::give_back() {
   {
     // Before the place is: so that all connections together never exceed the limit.
     const std::lock_guard lock(pool_.mutex_);
-    const auto kept = static_cast<int>(source_.idle.size()) + source_.gate.inside();
+    const auto kept = static_cast<int>(source_.idle.size()) + source_.lent;
     if (kept <= limit_) source_.idle.push_back(std::move(*connection_));
+    --source_.lent;
   }
   connection_.reset();
   inside_ = false;
@@ -64,6 +69,7 @@ void HistorianPool::Loan::give_back() {
 void HistorianPool::Loan::fail(const storage::DatabaseError& error) {
   connection_.reset();
   inside_ = false;
+  pool_.take_back(source_);
   speaks_of_the_source(error) ? source_.gate.leave_down(error, terms_.pause) : source_.gate.leave();
 }
 
@@ -77,12 +83,18 @@ HistorianPool::Source& HistorianPool::source(const std::string& name) {
 std::optional<HistorianPool::Connection> HistorianPool::take_idle(
     Source& source, const config::HistorianSettings& settings) {
   const std::lock_guard lock(mutex_);
+  ++source.lent;
   // After a reload the old connections may lead to another place.
   std::erase_if(source.idle, [&](const Connection& idle) { return !(idle.settings == settings); });
   if (source.idle.empty()) return std::nullopt;
   std::optional<Connection> connection(std::move(source.idle.back()));
   source.idle.pop_back();
   return connection;
+}
+
+void HistorianPool::take_back(Source& source) {
+  const std::lock_guard lock(mutex_);
+  --source.lent;
 }
 
 bool HistorianPool::is_down(const std::string& name) {

@@ -70,6 +70,10 @@ class HistorianPool {
   struct Source {
     SourceGate gate;
     std::vector<Connection> idle;
+    /// Connections in use. Fewer than are inside the gate: who has just entered may yet take an
+    /// idle one, and one that is closed for his sake counts at the server until its process has
+    /// ended.
+    int lent = 0;
   };
 
   /// A place inside the gate, with a connection.
@@ -98,8 +102,11 @@ class HistorianPool {
   };
 
   [[nodiscard]] Source& source(const std::string& name);
+  /// Counts one as lent, whether an idle one was found or the caller makes one.
   [[nodiscard]] std::optional<Connection> take_idle(Source& source,
                                                     const config::HistorianSettings& settings);
+  /// One that was lent is in use no longer.
+  void take_back(Source& source);
 
   Metrics& metrics_;
   std::mutex mutex_;  ///< over `sources_` and their idle connections
