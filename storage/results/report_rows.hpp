@@ -152,7 +152,8 @@ struct LoopRow {
   std::optional<std::string> status;  ///< watch or confirmed; nullopt = not flagged
   std::optional<std::int64_t> rank;   ///< in flagged_loop
   /// Why a fault is not flagged: "annotated", "victim", "confidence", "control" (not
-  /// probable enough by all windows, or the false-discovery control) or "disabled"; nullopt = flagged, or no fault.
+  /// probable enough by all windows, or the false-discovery control) or "disabled"; nullopt =
+  /// flagged, or no fault.
   std::optional<std::string> hidden_by;
   std::string health;  ///< state of monitor_health
 };

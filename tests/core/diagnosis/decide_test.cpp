@@ -22,7 +22,8 @@ struct Given {
 std::vector<WeighedCause> causes_of(std::initializer_list<Given> given) {
   std::vector<WeighedCause> causes;
   for (const Given& cause : given)
-    causes.push_back({cause.code, std::log(cause.probability / (1.0 - cause.probability)), 0.1, {}});
+    causes.push_back(
+        {cause.code, std::log(cause.probability / (1.0 - cause.probability)), 0.1, {}});
   return causes;
 }
 
