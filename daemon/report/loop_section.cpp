@@ -36,9 +36,10 @@ std::string facts_line(const FlaggedRow& row) {
 std::string confidence_words(const FlaggedRow& row) {
   std::string text =
       fmt::format("<span>confidence <b>{}</b></span> ", two_decimals(row.confidence));
-  if (row.combined_confidence)
+  // Of a first window, and where all say the same, once is enough.
+  if (two_decimals(row.believed()) != two_decimals(row.confidence))
     text += fmt::format("<span>with the windows before it <b>{}</b></span> ",
-                        two_decimals(*row.combined_confidence));
+                        two_decimals(row.believed()));
   if (row.fault_probability)
     text += fmt::format("<span>any fault <b>{}</b></span> ", two_decimals(*row.fault_probability));
   return text;
