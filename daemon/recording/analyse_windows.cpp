@@ -21,7 +21,7 @@ constexpr double kMicrosecondsPerSecond = 1e6;
 std::vector<std::int64_t> earlier_ends(const LoopWindow& whole, std::size_t window) {
   std::vector<std::int64_t> ends;
   if (whole.size() <= window) return ends;
-  const double beyond = static_cast<double>(whole.size() - window);
+  const auto beyond = static_cast<double>(whole.size() - window);
   const double parts = std::ceil(beyond / static_cast<double>(window));
   const double step_us = beyond / parts * whole.sample_interval_s * kMicrosecondsPerSecond;
   const core::signal::Grid grid{whole.start_us, whole.sample_interval_s, whole.size()};
