@@ -9,14 +9,11 @@
 #include <utility>
 
 #include "core/diagnosis/cause_curves.hpp"
+#include "core/diagnosis/combined_odds.hpp"
 #include "core/diagnosis/figure.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
-
-double logit(double probability) {
-  return std::log(probability / (1.0 - probability));
-}
 
 /// Curves with the places of their figures.
 struct PlacedCause {
@@ -118,7 +115,7 @@ WeighedCause beside_rivals(std::size_t place, const std::vector<WeighedCause>& c
 void shift(WeighedCause& cause, const Priors& priors) {
   const double prior = prior_of(cause.code, priors);
   if (!(prior > 0.0)) return;
-  cause.log_odds += logit(prior) - logit(cause.prior);
+  cause.log_odds += log_odds_of(prior) - log_odds_of(cause.prior);
   cause.prior = prior;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "core/diagnosis/cause_curves.hpp"
 #include "core/diagnosis/verdict.hpp"
@@ -19,10 +21,22 @@ namespace {
 constexpr double kMemoryWindows = 4.0;
 /// exp(-6) of a window's weight is a four-hundredth.
 constexpr double kLongestMemory = 6.0 * kMemoryWindows;
+
+/// By name in the table, so that no order can go wrong.
+const PerCause& correlations() {
+  static const PerCause all = [] {
+    PerCause result;
+    for (const auto& [cause, correlation] : kWindowCorrelation)
+      set_cause(result, verdict_code(cause).value(), correlation);
+    return result;
+  }();
+  return all;
+}
+
 /// How many windows without correlation n correlated ones are worth.
 double worth(double windows, std::size_t cause) {
   if (windows <= 1.0) return 1.0;
-  return windows / (1.0 + (windows - 1.0) * kWindowCorrelation.at(cause));
+  return windows / (1.0 + (windows - 1.0) * correlations().at(cause).value());
 }
 
 std::optional<double> at(const PerCause& values, std::size_t cause) {
@@ -59,11 +73,8 @@ std::optional<Weighed> weighed_before(const std::optional<CombinedOdds>& before,
 const PerCause& shares_of_causes() {
   static const PerCause shares = [] {
     PerCause result;
-    for (const CauseCurves& curves : fitted_curves(true)) {
-      const auto place = static_cast<std::size_t>(verdict_code(curves.cause).value());
-      if (place >= result.size()) result.resize(place + 1);
-      result[place] = curves.share;
-    }
+    for (const CauseCurves& curves : fitted_curves(true))
+      set_cause(result, verdict_code(curves.cause).value(), curves.share);
     return result;
   }();
   return shares;

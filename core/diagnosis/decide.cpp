@@ -124,11 +124,7 @@ Causes known_causes(const Evidence& evidence, const DecisionSettings& decision) 
 /// The log odds of this window give way to those of all.
 void put_combined(const CombinedOdds& combined, Causes& causes) {
   PerCause priors;
-  for (const WeighedCause& cause : causes) {
-    const auto place = static_cast<std::size_t>(cause.code);
-    if (place >= priors.size()) priors.resize(place + 1);
-    priors[place] = cause.prior;
-  }
+  for (const WeighedCause& cause : causes) set_cause(priors, cause.code, cause.prior);
   const PerCause probabilities = probabilities_of(combined, priors);
   for (WeighedCause& cause : causes) {
     const auto place = static_cast<std::size_t>(cause.code);

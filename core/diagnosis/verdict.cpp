@@ -21,15 +21,17 @@ namespace {
 
 PerCause by_place(const Verdict& verdict, double CauseReport::*member) {
   PerCause values;
-  for (const CauseReport& cause : verdict.causes) {
-    const auto place = static_cast<std::size_t>(cause.code);
-    if (place >= values.size()) values.resize(place + 1);
-    values[place] = cause.*member;
-  }
+  for (const CauseReport& cause : verdict.causes) set_cause(values, cause.code, cause.*member);
   return values;
 }
 
 }  // namespace
+
+void set_cause(PerCause& values, VerdictCode code, double value) {
+  const auto place = static_cast<std::size_t>(code);
+  if (place >= values.size()) values.resize(place + 1);
+  values[place] = value;
+}
 
 PerCause probabilities_of(const Verdict& verdict) {
   return by_place(verdict, &CauseReport::probability);

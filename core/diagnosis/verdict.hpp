@@ -60,6 +60,7 @@ struct Verdict {
 
 /// One value for each cause in the catalogue's order; nullopt = not weighed.
 using PerCause = std::vector<std::optional<double>>;
+void set_cause(PerCause& values, VerdictCode code, double value);
 
 /// Of the causes that were weighed, up to the last of them in the catalogue.
 [[nodiscard]] PerCause probabilities_of(const Verdict& verdict);

@@ -109,8 +109,8 @@ BEGIN ATOMIC
            CASE WHEN harris_low IS NULL OR harris_high IS NULL THEN 0.5
                 ELSE least(greatest(1 - (harris_low + harris_high) / 2, 0), 1) END AS severity,
            control.threshold AS false_discovery_threshold
-    FROM latest LEFT JOIN listed USING (loop_id) CROSS JOIN control
-    WHERE shown AND coalesce(listed.within_share, true) AND (p IS NULL OR p <= control.threshold)
+    FROM latest LEFT JOIN listed USING (loop_id) CROSS JOIN control CROSS JOIN setting
+    WHERE shown AND coalesce(listed.within_share, true) AND (p IS NULL OR p <= control.threshold OR setting.false_discovery_rate >= 1)
   ), caused AS (
     SELECT source_loop_id, min(number) AS number, max(holds_until) AS holds_until
     FROM loopscope.current_plant_oscillation GROUP BY source_loop_id

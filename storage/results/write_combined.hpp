@@ -10,9 +10,8 @@ namespace loopscope::storage {
 
 /// What has changed of a loop's stored slots.
 struct ChangedSlots {
-  std::int64_t first_us = 0;            ///< end of the earliest of them
-  std::int64_t longest_window_us = -1;  ///< of them; -1 = none was noted yet
-  std::int64_t earliest_us = 0;         ///< slots before are forgotten (longest_memory_windows())
+  std::int64_t first_us;     ///< end of the earliest of them
+  std::int64_t earliest_us;  ///< slots before are forgotten (longest_memory_windows())
 };
 
 /// Combines the odds of each loop's windows (core/diagnosis/combined_odds) from the first changed

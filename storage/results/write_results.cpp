@@ -119,23 +119,15 @@ void insert_steps(Transaction& transaction, const std::vector<WrittenAnalysis>& 
                    key.input_revision.text(), model.text()});
 }
 
-/// As long as a window takes; a record without rows has none.
-std::int64_t length_us(const AnalysisRecord& record) {
-  return std::max<std::int64_t>(0, record.window_end_us - record.window_start_us);
-}
-
-/// Slots that are too old to count, by the longest of the loop's windows at hand.
-std::int64_t forgotten_before(const ChangedSlots& slots) {
+/// Slots before are forgotten. A record without rows has a window of no length: those behind it
+/// are combined anew all the same, by windows of at most a day.
+ChangedSlots changed_by(const AnalysisRecord& record) {
   constexpr std::int64_t kLeast_us = 86'400'000'000;
-  const auto window_us = static_cast<double>(std::max(kLeast_us, slots.longest_window_us));
-  return core::signal::moved_us(slots.first_us,
-                                -core::diagnosis::longest_memory_windows() * window_us);
-}
-
-void note_change(const AnalysisRecord& record, ChangedSlots& slots) {
-  const bool is_first = slots.longest_window_us < 0;
-  slots.first_us = is_first ? record.slot_end_us : std::min(slots.first_us, record.slot_end_us);
-  slots.longest_window_us = std::max(slots.longest_window_us, length_us(record));
+  const auto window_us =
+      static_cast<double>(std::max(kLeast_us, record.window_end_us - record.window_start_us));
+  return {record.slot_end_us,
+          core::signal::moved_us(record.slot_end_us,
+                                 -core::diagnosis::longest_memory_windows() * window_us)};
 }
 
 /// All windows of a batch are judged by the same settings.
@@ -156,12 +148,13 @@ void combine_windows(Transaction& transaction, const std::vector<WrittenAnalysis
   std::map<int, std::map<std::int64_t, ChangedSlots>> changed;  // by algorithm revision
   for (const WrittenAnalysis& written : analyses) {
     const AnalysisRecord& record = *written.loop->record;
-    note_change(record, changed[record.algorithm_revision][written.loop->loop_id]);
+    const ChangedSlots own = changed_by(record);
+    ChangedSlots& slots =
+        changed[record.algorithm_revision].try_emplace(written.loop->loop_id, own).first->second;
+    slots = {std::min(slots.first_us, own.first_us), std::min(slots.earliest_us, own.earliest_us)};
   }
-  for (auto& [revision, loops] : changed) {
-    for (auto& [loop_id, slots] : loops) slots.earliest_us = forgotten_before(slots);
+  for (const auto& [revision, loops] : changed)
     write_combined(transaction, revision, loops, priors);
-  }
 }
 
 }  // namespace

@@ -45,6 +45,9 @@ TEST(Flags, WhereFaultsWereWeighedTheyHaveToBeProbableAsWell) {
                        weighed(0.99, 0.5), healthy()},
                       kHalf),
               ElementsAre(true, true, false, false, false));
+  constexpr FlagRule kByOddsAlone{1.0, 0.3, 0.05};
+  EXPECT_THAT(flagged({weighed(0.99, 0.9), healthy(), healthy(), healthy()}, kByOddsAlone),
+              ElementsAre(true, false, false, false));
 }
 
 TEST(Flags, DataThatCannotBeJudgedAreNoFault) {

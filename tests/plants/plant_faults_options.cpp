@@ -25,9 +25,9 @@ const std::map<std::string, Task>& tasks() {
 }
 
 double rate(CommandWords& words, const std::string& option) {
-  const std::string wanted = "a share above 0 and below 1";
+  const std::string wanted = "a share above 0, at most 1";
   const auto result = words.number<double>(option, wanted);
-  if (!(result > 0.0 && result < 1.0))
+  if (!(result > 0.0 && result <= 1.0))
     throw WrongUsage(option + " wants " + wanted + ", not " + std::to_string(result));
   return result;
 }

@@ -114,6 +114,27 @@ TEST_F(CombinedWindowsTest, EachSlotHoldsWhatAllWindowsUpToItSay) {
             "t");
 }
 
+/// The view finds the code's place in a list of its own.
+TEST_F(CombinedWindowsTest, TheCombinedConfidenceIsThatOfTheCode) {
+  add_loops({"a"});
+  int hour = 0;
+  for (const VerdictCode code : diagnosis::all_verdict_codes()) {
+    if (code > VerdictCode::nonlinear_unexplained) break;
+    ++hour;
+    database->execute(kEndLeases);
+    ResultsDatabase results = connect();
+    // A window of its own each time: the ones before are forgotten.
+    CompletedLoop loop = completed(claim_all(results).at(0), slot(48 * hour), "d");
+    diagnosis::Verdict& verdict = loop.record->diagnosis.verdict;
+    verdict.code = code;
+    verdict.causes = {{code, 0.5 + 0.01 * hour, 0.15, {}, {}}};
+    results.finish(std::vector{loop}, {});
+    EXPECT_EQ(value("SELECT round(combined_confidence::numeric, 4) FROM loopscope.latest_verdict"),
+              "0." + std::to_string(5000 + 100 * hour))
+        << diagnosis::name(code);
+  }
+}
+
 TEST_F(CombinedWindowsTest, LateDataReachesEverySlotBehindIt) {
   add_loops({"a"});
   std::map<int, Look> looks;

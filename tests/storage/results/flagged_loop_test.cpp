@@ -73,7 +73,11 @@ TEST_F(FlaggedLoopTest, WhereCausesWereWeighedFaultsHaveToBeProbableAsWell) {
         {.loop = "a fact", .fault_probability = 0.95},
         {.loop = "doubtful", .p = 1e-9, .fault_probability = 0.8},
         {.loop = "not rare", .p = 0.9, .oscillation_p = 0.9, .fault_probability = 0.99},
-        {.loop = "fine", .code = VerdictCode::healthy, .fault_probability = 0.1},
+        {.loop = "fine",
+         .code = VerdictCode::healthy,
+         .nonlinear_p = 0.8,
+         .oscillation_p = 0.9,
+         .fault_probability = 0.1},
         {.loop = "of before", .p = 1e-9, .nonlinear_p = 1e-9}});
   connect().set_parameter("list_false_share", 0.05);
   EXPECT_THAT(flagged(), UnorderedElementsAre("sure", "a fact", "of before"));
