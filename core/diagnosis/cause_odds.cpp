@@ -15,6 +15,10 @@
 namespace loopscope::core::diagnosis {
 namespace {
 
+double probability_of(double log_odds) {
+  return 1.0 / (1.0 + std::exp(-log_odds));
+}
+
 /// Curves with the places of their figures.
 struct PlacedCause {
   const CauseCurves* curves = nullptr;
@@ -85,33 +89,6 @@ WeighedCause weigh(const PlacedCause& cause, const std::vector<std::optional<dou
   return weighed;
 }
 
-/// The most probable other cause, of those that have rivals themselves; nullptr = there is none.
-const WeighedCause* rival_of(std::size_t place, const std::vector<WeighedCause>& causes,
-                             const std::vector<PlacedCause>& table) {
-  const WeighedCause* found = nullptr;
-  for (std::size_t k = 0; k < causes.size(); ++k) {
-    if (k == place || table[k].curves->rival.empty()) continue;
-    if (!found || causes[k].log_odds > found->log_odds) found = &causes[k];
-  }
-  return found;
-}
-
-/// `cause` beside the others.
-WeighedCause beside_rivals(std::size_t place, const std::vector<WeighedCause>& causes,
-                           const std::vector<PlacedCause>& table) {
-  const CauseCurves& curves = *table[place].curves;
-  WeighedCause result = causes[place];
-  result.log_odds = curves.scale * result.log_odds + curves.offset;
-  for (Part& part : result.parts) part.weight *= curves.scale;
-  const WeighedCause* rival = rival_of(place, causes, table);
-  if (rival && !curves.rival.empty()) {
-    const double weight = height_at(curves.rival, rival->log_odds);
-    result.log_odds += weight;
-    result.parts.push_back({std::nullopt, rival->probability(), weight, rival->code});
-  }
-  return result;
-}
-
 void shift(WeighedCause& cause, const Priors& priors) {
   const double prior = prior_of(cause.code, priors);
   if (!(prior > 0.0)) return;
@@ -119,20 +96,63 @@ void shift(WeighedCause& cause, const Priors& priors) {
   cause.prior = prior;
 }
 
+/// The other causes of one, of those that have rivals themselves.
+struct Rivals {
+  double log_odds = 0.0;  ///< that any of them is there, were they independent
+  const WeighedCause* first = nullptr;  ///< the most probable; nullptr = there is none
+};
+
+Rivals rivals_of(std::size_t place, const std::vector<WeighedCause>& causes,
+                 const std::vector<PlacedCause>& table) {
+  /// -ln of the probability that none is there; beyond it no double is below 1.
+  constexpr double kSurest = 30.0;
+  Rivals rivals;
+  double none = 0.0;
+  for (std::size_t k = 0; k < causes.size(); ++k) {
+    if (k == place || table[k].curves->rival.empty()) continue;
+    const double odds = causes[k].log_odds;
+    none += std::max(odds, 0.0) + std::log1p(std::exp(-std::abs(odds)));
+    if (!rivals.first || odds > rivals.first->log_odds) rivals.first = &causes[k];
+  }
+  rivals.log_odds = std::log(std::expm1(std::min(none, kSurest)));
+  return rivals;
+}
+
+/// `result`, by its own figures, beside the others, as probable as they are in this plant.
+WeighedCause beside_rivals(WeighedCause result, std::size_t place,
+                           const std::vector<WeighedCause>& others,
+                           const std::vector<PlacedCause>& table) {
+  const CauseCurves& curves = *table[place].curves;
+  result.log_odds = curves.scale * result.log_odds + curves.offset;
+  for (Part& part : result.parts) part.weight *= curves.scale;
+  const Rivals rivals = rivals_of(place, others, table);
+  if (rivals.first && !curves.rival.empty()) {
+    const double weight = height_at(curves.rival, rivals.log_odds);
+    result.log_odds += weight;
+    result.parts.push_back(
+        {std::nullopt, probability_of(rivals.log_odds), weight, rivals.first->code});
+  }
+  return result;
+}
+
 }  // namespace
 
 double WeighedCause::probability() const {
-  return 1.0 / (1.0 + std::exp(-log_odds));
+  return probability_of(log_odds);
 }
 
 std::vector<WeighedCause> weigh_causes(const Evidence& evidence, const DecisionSettings& settings) {
   const std::vector<std::optional<double>> values = measure_figures(evidence);
   const std::vector<PlacedCause>& table = placed_table(evidence.model.has_value());
-  std::vector<WeighedCause> alone;
-  for (const PlacedCause& cause : table) alone.push_back(weigh(cause, values));
+  std::vector<WeighedCause> alone, here;
+  for (const PlacedCause& cause : table) {
+    alone.push_back(weigh(cause, values));
+    here.push_back(alone.back());
+    shift(here.back(), settings.priors);
+  }
   std::vector<WeighedCause> causes;
   for (std::size_t k = 0; k < table.size(); ++k) {
-    WeighedCause cause = beside_rivals(k, alone, table);
+    WeighedCause cause = beside_rivals(std::move(alone[k]), k, here, table);
     shift(cause, settings.priors);
     std::ranges::stable_sort(cause.parts, std::greater{},
                              [](const Part& part) { return std::abs(part.weight); });

@@ -10,12 +10,12 @@
 
 namespace loopscope::core::diagnosis {
 
-/// What one figure adds to the log odds of a cause, or the most probable other cause.
+/// What one figure adds to the log odds of a cause, or the other causes.
 struct Part {
-  std::optional<std::size_t> figure;  ///< place in all_figures(); nullopt = of the rival
-  std::optional<double> value;        ///< nullopt = not computed; of a rival its probability
+  std::optional<std::size_t> figure;  ///< place in all_figures(); nullopt = of the others
+  std::optional<double> value;        ///< nullopt = not computed; of others the probability of any
   double weight = 0.0;                ///< log odds; above 0 it speaks for the cause
-  VerdictCode rival = VerdictCode::healthy;
+  VerdictCode rival = VerdictCode::healthy;  ///< the most probable of the others
 };
 
 /// A cause and what speaks for it. Causes may stand together: their probabilities need not add up.

@@ -10,7 +10,7 @@ namespace loopscope::core::diagnosis {
 [[nodiscard]] const PerCause& shares_of_causes();
 
 /// What one window says of each cause: log odds beyond the prior, kept a millionth away from 0
-/// and 1.
+/// and 1. What the most probable other cause takes away rests on the priors of the verdict.
 [[nodiscard]] PerCause evidence_of(const Verdict& verdict);
 
 /// One window of a loop as it was judged, and as it is stored.

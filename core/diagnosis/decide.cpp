@@ -19,6 +19,10 @@ namespace {
 
 using Causes = std::vector<WeighedCause>;
 
+/// Nonlinear or not is a question with two answers, and the likelier one is said; of a dozen causes
+/// one may be named sooner.
+constexpr double kLikelier = 0.5;
+
 double probability_of(const Causes& causes, VerdictCode code) {
   const auto found = std::ranges::find(causes, code, &WeighedCause::code);
   return found == causes.end() ? 0.0 : found->probability();
@@ -176,8 +180,8 @@ VerdictCode code_for(const Causes& causes, const Circumstances& circumstances, d
   const double health = probability_of(causes, VerdictCode::healthy);
   const double least = std::max(line, health);
   if (named != causes.end() && named->probability() >= least) return named->code;
-  if (circumstances.nonlinear_shown &&
-      probability_of(causes, VerdictCode::nonlinear_unexplained) >= least)
+  if (circumstances.nonlinear_shown && probability_of(causes, VerdictCode::nonlinear_unexplained) >=
+                                           std::max(least, kLikelier))
     return VerdictCode::nonlinear_unexplained;
   const bool unclear = health < line && circumstances.structured;
   return unclear ? VerdictCode::unexplained : VerdictCode::healthy;

@@ -30,7 +30,7 @@ struct Circumstances {
 ///     setpoint not followed at all                    -> unexplained (not in command)
 ///     the most probable cause is above the line and at least as probable as healthy
 ///                                                     -> that cause
-///     valve or process nonlinear, any of them: likewise, and something shows it
+///     valve or process nonlinear, any of them: likewise, likelier than not, and shown
 ///                                                     -> nonlinear_unexplained
 ///     healthy below the line, and something is clearly no noise (structure.hpp)
 ///                                                     -> unexplained

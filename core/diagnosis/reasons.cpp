@@ -22,8 +22,8 @@ std::string measured_text(const Part& part) {
 }
 
 std::string rival_text(const Part& part) {
-  return "by its own figures alone the most probable other finding, " +
-         std::string(name(part.rival)) + ", has " + percent(part.value.value_or(0.0));
+  return "by their own figures alone other findings, first of all " +
+         std::string(name(part.rival)) + ", have " + percent(part.value.value_or(0.0));
 }
 
 /// " (odds times 3.1)".

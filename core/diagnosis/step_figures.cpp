@@ -105,10 +105,21 @@ Value of_hysteresis(const Evidence& evidence) {
   return static_cast<double>(step->*member);
 }
 
+/// A vessel that integrates lets a loop cycle about play as well as about a valve that sticks.
+Value as_if_stuck(const Evidence& evidence) {
+  if (evidence.integrating || (evidence.cycle && evidence.cycle->evidence.integrating))
+    return std::nullopt;
+  return of_hysteresis<&model::Step::cycles_as_if_stuck>(evidence);
+}
+
 Value all_hysteresis(const Evidence& evidence) {
   const Value sticks = evidence_of<EffectKind::valve_stiction>(evidence);
   if (!sticks) return std::nullopt;
   return *sticks + *evidence_of<EffectKind::valve_deadband>(evidence);
+}
+
+Value direction_left(const Evidence& evidence) {
+  return left_of(evidence, "op_direction");
 }
 
 /// Of load steps that come when the loop answers its setpoint.
@@ -170,8 +181,13 @@ constexpr std::array kStepFigures = {
            asked_for<EffectKind::load_step>},
     Figure{"asked.gain_change", "what a linear loop leaves shows a change of gain", Scale::decades,
            asked_for<EffectKind::gain_change>},
-    Figure{"left.op_direction", "op's direction still shows in the model's residual",
-           Scale::decades, [](const Evidence& e) { return left_of(e, "op_direction"); }},
+    Figure{"left.direction_without_friction",
+           "op's direction shows in the residual of a model without friction", Scale::decades,
+           [](const Evidence& e) { return hysteresis(e) ? std::nullopt : direction_left(e); }},
+    Figure{"left.direction_behind_friction",
+           "op's direction still shows in the residual behind the model's friction",
+           Scale::decades,
+           [](const Evidence& e) { return hysteresis(e) ? direction_left(e) : std::nullopt; }},
     Figure{"left.op_level", "op's level still shows in the model's residual", Scale::decades,
            [](const Evidence& e) { return left_of(e, "op_level"); }},
     Figure{"left.periodic", "lines are left in the model's residual or in pv", Scale::decades,
@@ -189,7 +205,7 @@ constexpr std::array kStepFigures = {
            odds_of_cycle},
     Figure{"band.jump", "the valve's slip jump by its stickband", Scale::share, jump_of_band},
     Figure{"band.as_if_stuck", "the loop keeps up a cycle about the band of play", Scale::yes_no,
-           of_hysteresis<&model::Step::cycles_as_if_stuck>},
+           as_if_stuck},
     Figure{"loads.after_moves", "load steps come with the loop's answers to its setpoint",
            Scale::decades, chance_of_loads},
 };

@@ -71,7 +71,8 @@ double misfit(const HalfCycle& wave, QuarterWave quarter_wave) {
   return std::max(0.0, square(wave) - best);
 }
 
-/// Zero crossings between excursions beyond a share of the spread: noise near zero crosses often.
+}  // namespace
+
 std::vector<double> crossings_of(std::span<const double> signal) {
   constexpr double kGate = 0.15;
   double sum = 0.0;
@@ -91,8 +92,6 @@ std::vector<double> crossings_of(std::span<const double> signal) {
   }
   return crossings;
 }
-
-}  // namespace
 
 std::optional<MeanHalfCycle> mean_half_cycle(std::span<const double> signal,
                                              std::span<const OpTurn> turns) {

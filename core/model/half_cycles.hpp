@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/model/op_turns.hpp"
 
@@ -21,6 +22,10 @@ struct MeanHalfCycle {
 /// fewer than four half cycles of at least three samples.
 [[nodiscard]] std::optional<MeanHalfCycle> mean_half_cycle(std::span<const double> signal,
                                                            std::span<const OpTurn> turns);
+
+/// Places of zero crossings between excursions beyond a share of the spread: noise near zero crosses
+/// often, and counts as one.
+[[nodiscard]] std::vector<double> crossings_of(std::span<const double> signal);
 
 /// He, Wang, Pottmann and Qin (2007) on the half cycles between zero crossings of a signal in the
 /// band: mean of MSE_sine / (MSE_sine + MSE_triangle), 0 = sine, 1 = triangle. `period` in samples

@@ -51,17 +51,40 @@ void few_cycles(Making& m, double period_samples, Draw& draw) {
   if (length > kLeastSamples) m.samples = static_cast<std::size_t>(std::min(length, kMostSamples));
 }
 
-/// Where the loop is fast, fewer samples are left of it: a few cycles need a slow one.
-void sticks(Making& m, Draw& draw) {
+/// A level, or a temperature whose integral action outruns its lag: such loops cycle about play.
+FieldSettings outrunning(Draw& draw) {
+  const bool vessel = draw.chance(0.7);
+  FieldSettings s = vessel ? model::level(draw) : model::temperature(draw);
+  s.integral_steps *= vessel ? draw.log_between(0.4, 3.0) : draw.log_between(0.15, 0.7);
+  if (draw.chance(0.2)) model::complicate(s, draw);
+  return s;
+}
+
+/// Packing is not even, and a load that wanders as far as the cycle goes makes cycles uneven.
+void make_uneven(Making& m, double swing_op, Draw& draw) {
+  FieldSettings& s = m.settings;
+  if (draw.chance(0.5)) s.valve.asymmetry = draw.between(-0.4, 0.4);
+  if (!draw.chance(0.4)) return;
+  s.load_memory = 1.0 - draw.log_between(0.0005, 0.05);
+  s.load_step_std = (s.integrating ? 0.25 : 1.0) * swing_op * draw.log_between(0.1, 1.0) *
+                    std::sqrt(1.0 - s.load_memory * s.load_memory);
+}
+
+/// A loop that cycles about the band of its valve. Where it is fast, fewer samples are left of it: a
+/// few cycles need a slow one.
+void hunts(Making& m, bool sticks, Draw& draw) {
   const bool few = draw.chance(0.3);
-  const auto base = few ? model::slow : any_base;
-  m.settings =
-      model::sticking(base, model::either(draw), static_cast<std::size_t>(kMostSamples), draw);
+  const auto base = !sticks ? outrunning : few ? model::slow : any_base;
+  const model::JumpShares jumps =
+      sticks ? model::JumpShares{0.15, 1.0} : model::JumpShares{0.0, 0.0};
+  const model::Friction law = sticks ? model::either(draw) : model::Friction::he;
+  const auto most = static_cast<std::size_t>(kMostSamples);
+  m.settings = model::hunting(base, law, jumps, most, draw);
   m.settings.trim = 0.0;
-  m.truth.causes.insert(Code::valve_stiction);
-  if (!few) return;
-  const FieldLoop clear = run_field_loop(m.settings, static_cast<std::size_t>(kMostSamples), draw);
-  few_cycles(m, model::period_of(clear.op), draw);
+  m.truth.causes.insert(sticks ? Code::valve_stiction : Code::valve_deadband);
+  const FieldLoop clear = run_field_loop(m.settings, most, draw);
+  if (few) few_cycles(m, model::period_of(clear.op), draw);
+  make_uneven(m, standard_deviation(clear.op), draw);
 }
 
 void measure_swing(Making& m, Draw& draw) {
@@ -173,26 +196,29 @@ Making make(Draw& draw) {
   Making m;
   m.samples = any_length(draw);
   const double story = draw.between(0.0, 1.0);
-  if (story < 0.2) {
-    sticks(m, draw);
+  const bool cycles = story < 0.26;
+  if (cycles) {
+    hunts(m, story < 0.19, draw);
     measure_swing(m, draw);
   } else {
     m.settings = any_base(draw);
     stir(m, draw);
     if (story > 0.86) tune(m, draw);
     measure_swing(m, draw);
-    if (story < 0.45) add_friction(m, story < 0.25 ? draw.between(0.1, 1.0) : 0.0, draw);
+    if (story < 0.46) add_friction(m, story < 0.31 ? draw.between(0.1, 1.0) : 0.0, draw);
   }
   const bool quiet = m.truth.causes.empty();
   if (draw.chance(quiet ? 0.3 : 0.15)) add_wave(m, draw);
   if (draw.chance(0.06)) add_limit(m, draw);
-  if (draw.chance(0.1)) add_trim(m, draw);
+  if (draw.chance(cycles ? 0.3 : 0.1)) add_trim(m, draw);
   if (draw.chance(0.06)) add_coarse_sensor(m, draw);
   if (draw.chance(0.05)) add_hold(m, draw);
   if (draw.chance(0.4)) m.settings.valve.spread = draw.log_between(0.03, 0.3);
   add_habits(m, draw);
   const double noise = draw.log_between(0.02, 0.7);
   m.settings.noise_std = m.swing_pv * noise;
+  if (draw.chance(0.3))
+    m.settings.noise = draw.chance(0.5) ? model::NoiseKind::t5 : model::NoiseKind::bursts;
   return m;
 }
 

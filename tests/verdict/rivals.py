@@ -1,22 +1,26 @@
 """Explaining away: how much a cause loses where another explains the same loop.
 
 Curves of one cause do not know what the others say. A second, small regression puts its log odds
-beside those of its most probable rival: offset + scale * own + a curve that falls with the rival's.
-It is fitted to log odds by curves that have not seen the record's family."""
+beside those of its rivals, that any of them is there were they independent: offset + scale * own + a
+curve that falls with the rivals'. It is fitted to log odds by curves that have not seen the record's
+family."""
 
 import numpy
 from scipy.optimize import minimize
 
-# Log odds of the rival: from 2 % to 98 %.
+# Log odds of the rivals: from 2 % to 98 %.
 KNOTS = numpy.array([-4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 4.0])
 # Any nonlinearity is no rival of one of them; the oversized valve is known of few loops.
 NO_RIVALS = ("nonlinear_unexplained", "valve_oversized")
+# In -ln of the probability that none is there; beyond it no double is below 1.
+SUREST = 30.0
 
 
-def best_rival(log_odds, cause):
-    """`log_odds`: by cause. Of the most probable other one."""
-    others = [odds for name, odds in log_odds.items() if name != cause and name not in NO_RIVALS]
-    return numpy.max(others, axis=0)
+def any_rival(log_odds, cause):
+    """`log_odds`: by cause. That any other cause is there."""
+    none = sum(numpy.logaddexp(0.0, odds) for name, odds in log_odds.items()
+               if name != cause and name not in NO_RIVALS)
+    return numpy.log(numpy.expm1(numpy.minimum(none, SUREST)))
 
 
 class RivalFit:
@@ -58,11 +62,15 @@ def fit_all(log_odds, truths):
         if cause in NO_RIVALS:
             continue
         known = ~numpy.isnan(truths[cause])
-        result[cause] = RivalFit(own[known], best_rival(log_odds, cause)[known],
+        result[cause] = RivalFit(own[known], any_rival(log_odds, cause)[known],
                                  truths[cause][known])
     return result
 
 
-def apply_all(fits, log_odds):
-    return {cause: fits[cause].log_odds(own, best_rival(log_odds, cause)) if cause in fits else own
+def apply_all(fits, log_odds, shifts=None):
+    """`shifts`: by cause, of the log odds of priors where they are not those of the fit."""
+    shifts = shifts or {}
+    here = {cause: odds + shifts.get(cause, 0.0) for cause, odds in log_odds.items()}
+    return {cause: shifts.get(cause, 0.0) +
+            (fits[cause].log_odds(own, any_rival(here, cause)) if cause in fits else own)
             for cause, own in log_odds.items()}

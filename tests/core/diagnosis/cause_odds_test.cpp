@@ -58,8 +58,20 @@ TEST(CauseOdds, APriorMultipliesTheOddsByWhatItIsToThatOfTheFit) {
   const double before = odds(cause_in(plain, VerdictCode::valve_stiction).probability());
   const double after = odds(cause_in(shifted, VerdictCode::valve_stiction).probability());
   EXPECT_NEAR(after / before, odds(0.02) / odds(share), 1e-9);
-  EXPECT_EQ(cause_in(shifted, VerdictCode::healthy).log_odds,
-            cause_in(plain, VerdictCode::healthy).log_odds);
+  EXPECT_EQ(cause_in(shifted, VerdictCode::healthy).prior,
+            cause_in(plain, VerdictCode::healthy).prior);
+}
+
+/// Where no valve sticks, what looks like it has another cause.
+TEST(CauseOdds, ARivalCountsByThePlantsPrior) {
+  const Evidence evidence = evidence_with(
+      explanation_of({clear_step(model::EffectKind::valve_stiction)}));
+  const auto odds_of_deadband = [&](double prior) {
+    DecisionSettings settings;
+    settings.priors.valve_stiction = prior;
+    return cause_in(weigh_causes(evidence, settings), VerdictCode::valve_deadband).log_odds;
+  };
+  EXPECT_GT(odds_of_deadband(1e-4), odds_of_deadband(0.5));
 }
 
 TEST(CauseOdds, AStepOfTheModelRaisesItsCause) {

@@ -108,6 +108,38 @@ class Stem {
   std::size_t step_ = 0;
 };
 
+class Noise {
+ public:
+  Noise(NoiseKind kind, double std) : kind_(kind), std_(std) {}
+  double next(Draw& draw) {
+    const double normal = std_ * draw.normal();
+    if (kind_ == NoiseKind::t5) return normal / spread(draw);
+    if (kind_ == NoiseKind::bursts) return normal * loudness(draw);
+    return normal;
+  }
+
+ private:
+  /// Root of chi square over its degrees of freedom, so that the quotient has the variance 1.
+  static double spread(Draw& draw) {
+    constexpr int kFreedom = 5;
+    double squares = 0.0;
+    for (int i = 0; i < kFreedom; ++i) {
+      const double normal = draw.normal();
+      squares += normal * normal;
+    }
+    return std::sqrt(squares / (kFreedom - 2.0));
+  }
+  double loudness(Draw& draw) {
+    constexpr double kLoud = 4.0, kShare = 0.2, kMeanSteps = 50.0;
+    if (draw.chance(1.0 / (kMeanSteps * (loud_ ? 1.0 : 1.0 / kShare - 1.0)))) loud_ = !loud_;
+    static const double root_mean_square = std::sqrt(kShare * kLoud * kLoud + 1.0 - kShare);
+    return (loud_ ? kLoud : 1.0) / root_mean_square;
+  }
+  NoiseKind kind_;
+  double std_;
+  bool loud_ = false;
+};
+
 double pole(double lag) {
   return lag > 0.0 ? std::exp(-1.0 / lag) : 0.0;
 }
@@ -177,6 +209,7 @@ std::size_t Draw::whole(std::size_t low, std::size_t high) {
 FieldLoop run_field_loop(const FieldSettings& s, std::size_t samples, Draw& draw) {
   Plant plant(s);
   Sensor sensor(s.recording);
+  Noise noise(s.noise, s.noise_std);
   Stem stem(s.valve);
   std::vector<Wave> waves;
   for (const OutsideWave& wave : s.waves) waves.emplace_back(wave, draw);
@@ -196,7 +229,7 @@ FieldLoop run_field_loop(const FieldSettings& s, std::size_t samples, Draw& draw
     const double flow = (mv - kMiddle) * (1.0 + s.trim * (mv - kMiddle) / kMiddle);
     pv = plant.next(flow + at_input) + at_output;
     seen = filter * seen + (1.0 - filter) * pv;
-    const double reading = sensor.next(seen + s.noise_std * draw.normal(), draw);
+    const double reading = sensor.next(seen + noise.next(draw), draw);
     const double op_before = to_grid(controller.op(), s.op_step);
     if (s.setpoint_every > 0.0 && draw.chance(1.0 / s.setpoint_every)) {
       sp_base = s.setpoint_step_std * draw.normal();

@@ -27,11 +27,16 @@ std::vector<std::size_t> turns(const std::vector<double>& mv, double least) {
 }  // namespace
 
 FieldSettings sticking(Loop base, Friction friction, std::size_t samples, Draw& draw) {
+  return hunting(base, friction, {0.15, 1.0}, samples, draw);
+}
+
+FieldSettings hunting(Loop base, Friction friction, JumpShares jumps, std::size_t samples,
+                      Draw& draw) {
   for (;;) {
     FieldSettings s = base(draw);
     s.valve.friction = friction;
     s.valve.stickband_percent = draw.log_between(0.5, 10.0);
-    s.valve.slip_jump_percent = s.valve.stickband_percent * draw.between(0.15, 1.0);
+    s.valve.slip_jump_percent = s.valve.stickband_percent * draw.between(jumps.least, jumps.most);
     s.valve.asymmetry = draw.chance(0.5) ? draw.between(-0.1, 0.1) : 0.0;
     s.load_step_std = 1e-3 * s.valve.stickband_percent;
     const FieldLoop quiet = run_field_loop(s, samples, draw);

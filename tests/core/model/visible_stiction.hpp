@@ -11,6 +11,16 @@ namespace loopscope::tests::model {
 /// noise and load on top notwithstanding: an engineer could see it.
 [[nodiscard]] bool cycles_visibly(const FieldLoop& loop, const FieldSettings& settings);
 
+/// Slip jump by stickband; 0 = play.
+struct JumpShares {
+  double least = 0.0, most = 1.0;
+};
+
+/// A loop that cycles about the band of its valve, at least six times in `samples` and with at
+/// least six samples a cycle; noise and load on top.
+[[nodiscard]] FieldSettings hunting(Loop base, Friction friction, JumpShares jumps,
+                                    std::size_t samples, Draw& draw);
+
 /// A loop whose valve sticks so that it cycles, at least six times in `samples` and with at least
 /// six samples a cycle; noise and load on top.
 [[nodiscard]] FieldSettings sticking(Loop base, Friction friction, std::size_t samples, Draw& draw);
