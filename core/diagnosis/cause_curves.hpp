@@ -24,8 +24,8 @@ struct CauseCurves {
   std::string_view cause;  ///< code of the verdict
   double share = 0.0;      ///< of the loops of the fit: its prior
   double log_odds = 0.0;   ///< where all figures say nothing
-  /// Beside the others: scale * log odds + offset + the weight that `rival` has at the log odds that
-  /// any other cause is there. What another cause explains needs no second one.
+  /// Beside the others: scale * log odds + offset + the weight that `rival` has at the log odds
+  /// that any other cause is there. What another cause explains needs no second one.
   double scale = 1.0;
   double offset = 0.0;
   std::vector<CurvePoint> rival;  ///< empty = this one has none

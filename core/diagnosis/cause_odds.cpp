@@ -98,7 +98,7 @@ void shift(WeighedCause& cause, const Priors& priors) {
 
 /// The other causes of one, of those that have rivals themselves.
 struct Rivals {
-  double log_odds = 0.0;  ///< that any of them is there, were they independent
+  double log_odds = 0.0;                ///< that any of them is there, were they independent
   const WeighedCause* first = nullptr;  ///< the most probable; nullptr = there is none
 };
 

@@ -180,8 +180,8 @@ VerdictCode code_for(const Causes& causes, const Circumstances& circumstances, d
   const double health = probability_of(causes, VerdictCode::healthy);
   const double least = std::max(line, health);
   if (named != causes.end() && named->probability() >= least) return named->code;
-  if (circumstances.nonlinear_shown && probability_of(causes, VerdictCode::nonlinear_unexplained) >=
-                                           std::max(least, kLikelier))
+  if (circumstances.nonlinear_shown &&
+      probability_of(causes, VerdictCode::nonlinear_unexplained) >= std::max(least, kLikelier))
     return VerdictCode::nonlinear_unexplained;
   const bool unclear = health < line && circumstances.structured;
   return unclear ? VerdictCode::unexplained : VerdictCode::healthy;

@@ -68,7 +68,8 @@ void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps) {
     if (!has_band(step)) continue;
     const double odds = odds_that_valve_cycles(cause, step.parameters.front().value);
     const bool play = step.effect == EffectKind::valve_deadband;
-    if (play && odds > 0.0 && cycles && !cause.evidence.integrating) mark_as_stuck(step, cause.evidence);
+    if (play && odds > 0.0 && cycles && !cause.evidence.integrating)
+      mark_as_stuck(step, cause.evidence);
     step.beside_the_cycle = !play && odds < kThreeToOneAgainst && steadily;
   }
 }

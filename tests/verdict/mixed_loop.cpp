@@ -70,8 +70,8 @@ void make_uneven(Making& m, double swing_op, Draw& draw) {
                     std::sqrt(1.0 - s.load_memory * s.load_memory);
 }
 
-/// A loop that cycles about the band of its valve. Where it is fast, fewer samples are left of it: a
-/// few cycles need a slow one.
+/// A loop that cycles about the band of its valve. Where it is fast, fewer samples are left of it:
+/// a few cycles need a slow one.
 void hunts(Making& m, bool sticks, Draw& draw) {
   const bool few = draw.chance(0.3);
   const auto base = !sticks ? outrunning : few ? model::slow : any_base;

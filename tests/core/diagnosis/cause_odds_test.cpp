@@ -64,8 +64,8 @@ TEST(CauseOdds, APriorMultipliesTheOddsByWhatItIsToThatOfTheFit) {
 
 /// Where no valve sticks, what looks like it has another cause.
 TEST(CauseOdds, ARivalCountsByThePlantsPrior) {
-  const Evidence evidence = evidence_with(
-      explanation_of({clear_step(model::EffectKind::valve_stiction)}));
+  const Evidence evidence =
+      evidence_with(explanation_of({clear_step(model::EffectKind::valve_stiction)}));
   const auto odds_of_deadband = [&](double prior) {
     DecisionSettings settings;
     settings.priors.valve_stiction = prior;

@@ -54,9 +54,9 @@ TEST(Decide, ANonlinearityWithoutACauseIsNamedWhereItIsProbable) {
   const auto causes = causes_of(
       {{Code::nonlinear_unexplained, 0.5}, {Code::valve_stiction, 0.28}, {Code::healthy, 0.2}});
   EXPECT_EQ(code_for(causes, kCalm, 0.3), Code::nonlinear_unexplained);
-  EXPECT_EQ(code_for(causes_of({{Code::nonlinear_unexplained, 0.45}, {Code::healthy, 0.2}}), kCalm,
-                     0.3),
-            Code::healthy)
+  EXPECT_EQ(
+      code_for(causes_of({{Code::nonlinear_unexplained, 0.45}, {Code::healthy, 0.2}}), kCalm, 0.3),
+      Code::healthy)
       << "likelier linear";
   EXPECT_EQ(code_for(causes, kCalm, 0.25), Code::valve_stiction) << "a cause says more";
   EXPECT_EQ(

@@ -21,8 +21,8 @@ std::vector<double> half_cycles(double power, std::size_t count) {
     const double height = std::exp(0.25 * normal.next());
     const auto length = static_cast<std::size_t>(0.5 * kCycle * std::pow(height, power));
     for (std::size_t k = 0; k < length; ++k) {
-      const double angle = std::numbers::pi * (static_cast<double>(k) + 0.5) /
-                           static_cast<double>(length);
+      const double angle =
+          std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(length);
       signal.push_back((i % 2 == 0 ? 1.0 : -1.0) * height * std::sin(angle));
     }
   }

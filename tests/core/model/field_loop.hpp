@@ -24,8 +24,8 @@ class Draw {
   core::simulate::UniformSource uniform_;
 };
 
-/// Of a sensor: normal, Student's t of five degrees of freedom, or normal and four times as loud for
-/// stretches of fifty steps on average, a fifth of the time.
+/// Of a sensor: normal, Student's t of five degrees of freedom, or normal and four times as loud
+/// for stretches of fifty steps on average, a fifth of the time.
 enum class NoiseKind { normal, t5, bursts };
 
 enum class Friction { none, he, karnopp };
@@ -88,7 +88,7 @@ struct FieldSettings {
   std::vector<double> neighbour;  ///< what another loop adds to pv, step by step; again and again
   double noise_std = 0.0;         ///< white, pv units
   NoiseKind noise = NoiseKind::normal;
-  double load_step_std = 0.0;     ///< AR load at the input, % of flow per step
+  double load_step_std = 0.0;  ///< AR load at the input, % of flow per step
   double load_memory = 0.999;
   double setpoint_step_std = 0.0;  ///< size of moves, pv units
   double setpoint_every = 0.0;     ///< mean steps between them; 0 = none
