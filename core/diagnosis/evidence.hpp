@@ -43,7 +43,6 @@ struct Evidence {
   /// The loop's cycle, if it has one, and whether a valve that sticks would make it; nullopt where
   /// pv or op cannot be judged. Its figures are filled below five cycles, too.
   std::optional<model::CycleCause> cycle;
-  std::optional<double> pace;               ///< of that cycle, core/model/cycle_pace
   std::optional<model::SlowTravel> travel;  ///< whether pv follows op's slow travel
   /// The same on means over a slow cycle's hundred-and-twenty-eighths; nullopt where the cycle is
   /// faster or there is none.

@@ -10,8 +10,6 @@
 #include "core/diagnosis/archive_null.hpp"
 #include "core/diagnosis/steady_error.hpp"
 #include "core/hos/period.hpp"
-#include "core/model/cycle_pace.hpp"
-#include "core/model/cycle_recording.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core {
@@ -126,9 +124,6 @@ void measure_cycle(const signal::PreparedLoop& loop, const LoopFacts& facts, Evi
   if (!(cycle.evidence.cycles > 0.0)) return;
   evidence.rests = loop::measure_rests(loop.pv, loop.op_percent, cycle.evidence.period_samples,
                                        evidence.integrating);
-  evidence.pace =
-      model::pace_by_size(model::cycle_recording(loop.pv, loop.op_percent, loop.sp).error,
-                          cycle.evidence.period_samples);
   evidence.cycle_travel = travel_in_cycle(loop, cycle.evidence.period_samples);
   evidence.cycle = std::move(cycle);
 }

@@ -22,8 +22,8 @@ std::string measured_text(const Part& part) {
 }
 
 std::string rival_text(const Part& part) {
-  return "by their own figures alone other findings, first of all " +
-         std::string(name(part.rival)) + ", have " + percent(part.value.value_or(0.0));
+  return "any other finding by its own figures alone, first of all " +
+         std::string(name(part.rival)) + ": " + percent(part.value.value_or(0.0));
 }
 
 /// " (odds times 3.1)".

@@ -68,7 +68,7 @@ constexpr std::array kShapeFigures = {
     Figure{"cycle.linear_error", "error of the cycle that a linear process leaves", Scale::share,
            cycle_figure<&model::CycleEvidence::error_before>},
     Figure{"cycle.pace", "half cycles with a larger error are longer (-1: sooner over)",
-           Scale::plain, [](const Evidence& e) { return e.pace; }},
+           Scale::plain, cycle_figure<&model::CycleEvidence::pace>},
     Figure{"travel.gain", "error of op's slow travel that a sticking valve takes away",
            Scale::share, travel_gain<&Evidence::travel>},
     Figure{"travel.cycle_gain",

@@ -19,7 +19,7 @@ struct CycleRecord {
 /// CycleEvidence::op_coherence alone, which costs a hundredth of the rest.
 [[nodiscard]] double op_coherence(const CycleRecord& record, const CycleBand& band);
 
-/// All of CycleEvidence but `cycles` and `period_samples`. op and pv move.
+/// All of CycleEvidence but `cycles`, `period_samples` and `pace`. op and pv move.
 [[nodiscard]] CycleEvidence gather_cycle_evidence(const CycleRecord& record, const CycleBand& band);
 
 }  // namespace loopscope::core::model

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/model/cycle_evidence.hpp"
+#include "core/model/cycle_pace.hpp"
 #include "core/model/cycle_recording.hpp"
 
 namespace loopscope::core::model {
@@ -40,6 +41,7 @@ std::optional<CycleEvidence> gather(const CycleRecording& recording, double peri
   if (parts.empty()) return std::nullopt;
   CycleEvidence evidence = combine(parts);
   evidence.period_samples = period;
+  evidence.pace = pace_by_size(recording.error, period);
   evidence.cycles = static_cast<double>(recording.pv.size()) / period;
   return evidence;
 }

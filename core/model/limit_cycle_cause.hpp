@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -28,8 +29,9 @@ struct CycleEvidence {
   double stickband = 0.0;     ///< S, op units
   double slip_jump = 0.0;     ///< J, op units
   double delay_samples = 0.0;
-  double lag_samples = 0.0;  ///< infinite: integrating within the band
-  double gain = 0.0;         ///< pv units per op unit behind the lag (integrating: and kept sample)
+  double lag_samples = 0.0;    ///< infinite: integrating within the band
+  std::optional<double> pace;  ///< of the error's half cycles by their size (cycle_pace.hpp)
+  double gain = 0.0;  ///< pv units per op unit behind the lag (integrating: and kept sample)
   bool integrating = false;
 };
 

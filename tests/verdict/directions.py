@@ -23,7 +23,7 @@ OF_HYSTERESIS = {
     "position.width": 0,
     "position.stuck": 0,
     # What is left behind the model: the band is not all of it, or another wave is.
-    # Behind a model with friction and without one it tells opposite things.
+    # Of play it tells opposite things behind a model with friction and without one.
     "left.direction_without_friction": 0,
     "left.direction_behind_friction": 0,
     "left.periodic": 0,

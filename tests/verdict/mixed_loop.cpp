@@ -60,14 +60,18 @@ FieldSettings outrunning(Draw& draw) {
   return s;
 }
 
+/// A load that wanders: by so many standard deviations of op, or of 1 %.
+void wander(FieldSettings& s, double scale, double least, double most, Draw& draw) {
+  s.load_memory = 1.0 - draw.log_between(0.0005, 0.05);
+  s.load_step_std = (s.integrating ? 0.25 : 1.0) * scale * draw.log_between(least, most) *
+                    std::sqrt(1.0 - s.load_memory * s.load_memory);
+}
+
 /// Packing is not even, and a load that wanders as far as the cycle goes makes cycles uneven.
 void make_uneven(Making& m, double swing_op, Draw& draw) {
   FieldSettings& s = m.settings;
   if (draw.chance(0.5)) s.valve.asymmetry = draw.between(-0.4, 0.4);
-  if (!draw.chance(0.4)) return;
-  s.load_memory = 1.0 - draw.log_between(0.0005, 0.05);
-  s.load_step_std = (s.integrating ? 0.25 : 1.0) * swing_op * draw.log_between(0.1, 1.0) *
-                    std::sqrt(1.0 - s.load_memory * s.load_memory);
+  if (draw.chance(0.4)) wander(s, swing_op, 0.1, 1.0, draw);
 }
 
 /// A loop that cycles about the band of its valve. Where it is fast, fewer samples are left of it:
@@ -96,9 +100,7 @@ void measure_swing(Making& m, Draw& draw) {
 /// Something to travel for: a load that wanders, and often a setpoint that moves.
 void stir(Making& m, Draw& draw) {
   FieldSettings& s = m.settings;
-  s.load_memory = 1.0 - draw.log_between(0.0005, 0.05);
-  s.load_step_std = (s.integrating ? 0.25 : 1.0) * draw.log_between(0.3, 6.0) *
-                    std::sqrt(1.0 - s.load_memory * s.load_memory);
+  wander(s, 1.0, 0.3, 6.0, draw);
   if (draw.chance(0.3)) {
     s.setpoint_step_std =
         std::abs(s.integrating ? 20.0 * s.gain : s.gain) * draw.log_between(1.0, 15.0);

@@ -62,6 +62,29 @@ TEST(CauseOdds, APriorMultipliesTheOddsByWhatItIsToThatOfTheFit) {
             cause_in(plain, VerdictCode::healthy).prior);
 }
 
+/// Rivals are taken to be independent: that any is there is 1 less that none is.
+TEST(CauseOdds, TheOtherCausesCountTogether) {
+  const auto causes = weigh_causes(evidence_with(explanation_of()));
+  const auto curves_of = [](const WeighedCause& cause) {
+    return std::ranges::find(fitted_curves(true), name(cause.code), &CauseCurves::cause);
+  };
+  const auto none_of = [&](const WeighedCause& cause) {
+    const auto curves = curves_of(cause);
+    if (curves->rival.empty()) return 1.0;
+    double own = curves->log_odds;
+    for (const Part& part : cause.parts) own += part.figure ? part.weight / curves->scale : 0.0;
+    return 1.0 / (1.0 + std::exp(own));
+  };
+  for (const WeighedCause& cause : causes) {
+    if (curves_of(cause)->rival.empty()) continue;
+    double none = 1.0;
+    for (const WeighedCause& other : causes)
+      if (other.code != cause.code) none *= none_of(other);
+    const auto rivals = std::ranges::find_if(cause.parts, [](const Part& p) { return !p.figure; });
+    EXPECT_NEAR(*rivals->value, 1.0 - none, 1e-9) << name(cause.code);
+  }
+}
+
 /// Where no valve sticks, what looks like it has another cause.
 TEST(CauseOdds, ARivalCountsByThePlantsPrior) {
   const Evidence evidence =
