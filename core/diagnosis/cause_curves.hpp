@@ -3,13 +3,10 @@
 #include <string_view>
 #include <vector>
 
-namespace loopscope::core::diagnosis {
+#include "core/diagnosis/beside_others.hpp"
+#include "core/diagnosis/curve.hpp"
 
-/// A place on a curve: the weight of evidence, in log odds, of a figure with this value.
-struct CurvePoint {
-  double value = 0.0;
-  double weight = 0.0;
-};
+namespace loopscope::core::diagnosis {
 
 /// What one figure says of one cause: straight between its points, level outside of them.
 struct FigureCurve {
@@ -24,11 +21,7 @@ struct CauseCurves {
   std::string_view cause;  ///< code of the verdict
   double share = 0.0;      ///< of the loops of the fit: its prior
   double log_odds = 0.0;   ///< where all figures say nothing
-  /// Beside the others: scale * log odds + offset + the weight that `rival` has at the log odds
-  /// that any other cause is there. What another cause explains needs no second one.
-  double scale = 1.0;
-  double offset = 0.0;
-  std::vector<CurvePoint> rival;  ///< empty = this one has none
+  BesideOthers beside;
   std::vector<FigureCurve> curves;
 };
 
@@ -36,9 +29,6 @@ struct CauseCurves {
 /// loops with a model, whose figures of steps and closed loop are among the curves, and for loops
 /// without one. `nonlinear_unexplained` stands for any nonlinearity of valve or process.
 [[nodiscard]] const std::vector<CauseCurves>& fitted_curves(bool with_model);
-
-/// On the lines between the points, level outside of them; `points` is not empty.
-[[nodiscard]] double height_at(const std::vector<CurvePoint>& points, double value);
 
 /// Weight of a value that was computed; of a NaN too.
 [[nodiscard]] double weight_at(const FigureCurve& curve, double value);

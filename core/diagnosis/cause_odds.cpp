@@ -4,20 +4,17 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "core/diagnosis/cause_curves.hpp"
-#include "core/diagnosis/combined_odds.hpp"
 #include "core/diagnosis/figure.hpp"
+#include "core/diagnosis/log_odds.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
-
-double probability_of(double log_odds) {
-  return 1.0 / (1.0 + std::exp(-log_odds));
-}
 
 /// Curves with the places of their figures.
 struct PlacedCause {
@@ -86,6 +83,7 @@ WeighedCause weigh(const PlacedCause& cause, const std::vector<std::optional<dou
     weighed.log_odds += weight;
     weighed.parts.push_back({cause.figures[k], value, weight});
   }
+  weighed.evidence = weighed.log_odds - log_odds_of(curves.share);
   return weighed;
 }
 
@@ -96,42 +94,13 @@ void shift(WeighedCause& cause, const Priors& priors) {
   cause.prior = prior;
 }
 
-/// The other causes of one, of those that have rivals themselves.
-struct Rivals {
-  double log_odds = 0.0;                ///< that any of them is there, were they independent
-  const WeighedCause* first = nullptr;  ///< the most probable; nullptr = there is none
-};
-
-Rivals rivals_of(std::size_t place, const std::vector<WeighedCause>& causes,
-                 const std::vector<PlacedCause>& table) {
-  /// -ln of the probability that none is there; beyond it no double is below 1.
-  constexpr double kSurest = 30.0;
-  Rivals rivals;
-  double none = 0.0;
-  for (std::size_t k = 0; k < causes.size(); ++k) {
-    if (k == place || table[k].curves->rival.empty()) continue;
-    const double odds = causes[k].log_odds;
-    none += std::max(odds, 0.0) + std::log1p(std::exp(-std::abs(odds)));
-    if (!rivals.first || odds > rivals.first->log_odds) rivals.first = &causes[k];
-  }
-  rivals.log_odds = std::log(std::expm1(std::min(none, kSurest)));
-  return rivals;
-}
-
 /// `result`, by its own figures, beside the others, as probable as they are in this plant.
-WeighedCause beside_rivals(WeighedCause result, std::size_t place,
-                           const std::vector<WeighedCause>& others,
-                           const std::vector<PlacedCause>& table) {
-  const CauseCurves& curves = *table[place].curves;
-  result.log_odds = curves.scale * result.log_odds + curves.offset;
-  for (Part& part : result.parts) part.weight *= curves.scale;
-  const Rivals rivals = rivals_of(place, others, table);
-  if (rivals.first && !curves.rival.empty()) {
-    const double weight = height_at(curves.rival, rivals.log_odds);
-    result.log_odds += weight;
-    result.parts.push_back(
-        {std::nullopt, probability_of(rivals.log_odds), weight, rivals.first->code});
-  }
+WeighedCause beside_all(WeighedCause result, std::size_t place, std::span<const OwnOdds> all) {
+  const BesideOthers& beside = *all[place].beside;
+  for (Part& part : result.parts) part.weight *= beside.scale;
+  for (const OthersPart& part : parts_of_others(place, all))
+    result.parts.push_back({std::nullopt, part.probability, part.weight, part.first});
+  result.log_odds = beside_others(result.log_odds, place, all);
   return result;
 }
 
@@ -141,18 +110,29 @@ double WeighedCause::probability() const {
   return probability_of(log_odds);
 }
 
+PerCause priors_of(const DecisionSettings& settings) {
+  PerCause priors;
+  for (const PlacedCause& cause : placed_table(true)) {
+    const double set = prior_of(cause.code, settings.priors);
+    set_cause(priors, cause.code, set > 0.0 ? set : cause.curves->share);
+  }
+  return priors;
+}
+
 std::vector<WeighedCause> weigh_causes(const Evidence& evidence, const DecisionSettings& settings) {
   const std::vector<std::optional<double>> values = measure_figures(evidence);
   const std::vector<PlacedCause>& table = placed_table(evidence.model.has_value());
-  std::vector<WeighedCause> alone, here;
+  std::vector<WeighedCause> alone;
+  std::vector<OwnOdds> all;
   for (const PlacedCause& cause : table) {
     alone.push_back(weigh(cause, values));
-    here.push_back(alone.back());
-    shift(here.back(), settings.priors);
+    WeighedCause here = alone.back();
+    shift(here, settings.priors);
+    all.push_back({cause.code, here.log_odds, &cause.curves->beside});
   }
   std::vector<WeighedCause> causes;
   for (std::size_t k = 0; k < table.size(); ++k) {
-    WeighedCause cause = beside_rivals(std::move(alone[k]), k, here, table);
+    WeighedCause cause = beside_all(std::move(alone[k]), k, all);
     shift(cause, settings.priors);
     std::ranges::stable_sort(cause.parts, std::greater{},
                              [](const Part& part) { return std::abs(part.weight); });

@@ -10,12 +10,14 @@
 
 namespace loopscope::core::diagnosis {
 
-/// What one figure adds to the log odds of a cause, or the other causes.
+/// What one figure adds to the log odds of a cause, or the other causes together, or any
+/// nonlinearity of valve and process.
 struct Part {
   std::optional<std::size_t> figure;  ///< place in all_figures(); nullopt = of the others
   std::optional<double> value;        ///< nullopt = not computed; of others the probability of any
   double weight = 0.0;                ///< log odds; above 0 it speaks for the cause
-  VerdictCode rival = VerdictCode::healthy;  ///< the most probable of the others
+  /// The most probable of the others; nonlinear_unexplained = any nonlinearity.
+  VerdictCode other = VerdictCode::healthy;
 };
 
 /// A cause and what speaks for it. Causes may stand together: their probabilities need not add up.
@@ -24,8 +26,12 @@ struct WeighedCause {
   double log_odds = 0.0;
   double prior = 0.0;       ///< probability before anything is measured, of the settings or the fit
   std::vector<Part> parts;  ///< the weightiest first
+  double evidence = 0.0;    ///< log odds beyond the prior by its own figures, whatever the others
   [[nodiscard]] double probability() const;
 };
+
+/// Of each cause: what the settings say, else its share in the fit.
+[[nodiscard]] PerCause priors_of(const DecisionSettings& settings);
 
 /// Every cause of the fitted tables, the most probable first. By the curves for loops with a model
 /// where one was fitted.

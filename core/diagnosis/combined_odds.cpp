@@ -1,34 +1,45 @@
 #include "core/diagnosis/combined_odds.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "core/diagnosis/beside_others.hpp"
 #include "core/diagnosis/cause_curves.hpp"
+#include "core/diagnosis/log_odds.hpp"
 #include "core/diagnosis/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
 
-#include "core/diagnosis/window_correlation.inc"
+/// How the windows of a loop count together for one cause, and what it is beside the others then.
+struct SeveralWindows {
+  std::string_view cause;
+  double correlation = 1.0;
+  BesideOthers beside;
+};
+
+#include "core/diagnosis/several_windows.inc"
 
 /// A repair shows in the combined odds after a day or two of windows of some hours, and n of
 /// several windows is enough: their correlation leaves little to be won by more.
 constexpr double kMemoryWindows = 4.0;
 /// exp(-6) of a window's weight is a four-hundredth.
 constexpr double kLongestMemory = 6.0 * kMemoryWindows;
+/// Of a cause that the fit does not know.
+constexpr double kEven = 0.5;
 
-/// By name in the table, so that no order can go wrong.
-const PerCause& correlations() {
-  static const PerCause all = [] {
-    PerCause result;
-    for (const auto& [cause, correlation] : kWindowCorrelation)
-      set_cause(result, verdict_code(cause).value(), correlation);
-    return result;
+/// By place in the catalogue; a cause that the table lacks stands alone.
+const std::vector<SeveralWindows>& by_cause() {
+  static const std::vector<SeveralWindows> all = [] {
+    std::vector<SeveralWindows> placed(all_verdict_codes().size());
+    for (SeveralWindows& row : several_windows())
+      placed[static_cast<std::size_t>(verdict_code(row.cause).value())] = std::move(row);
+    return placed;
   }();
   return all;
 }
@@ -36,11 +47,15 @@ const PerCause& correlations() {
 /// How many windows without correlation n correlated ones are worth.
 double worth(double windows, std::size_t cause) {
   if (windows <= 1.0) return 1.0;
-  return windows / (1.0 + (windows - 1.0) * correlations().at(cause).value());
+  return windows / (1.0 + (windows - 1.0) * by_cause().at(cause).correlation);
 }
 
 std::optional<double> at(const PerCause& values, std::size_t cause) {
   return cause < values.size() ? values[cause] : std::nullopt;
+}
+
+std::optional<double> at(const PerCause& values, VerdictCode cause) {
+  return at(values, static_cast<std::size_t>(cause));
 }
 
 /// Mean and n of one cause.
@@ -81,11 +96,11 @@ const PerCause& shares_of_causes() {
 }
 
 PerCause evidence_of(const Verdict& verdict) {
-  PerCause evidence = probabilities_of(verdict);
-  const PerCause priors = priors_of(verdict);
-  for (std::size_t cause = 0; cause < evidence.size(); ++cause)
-    if (evidence[cause])
-      evidence[cause] = log_odds_of(*evidence[cause]) - log_odds_of(*priors[cause]);
+  PerCause evidence;
+  for (const CauseReport& cause : verdict.causes) {
+    const double prior = log_odds_of(at(shares_of_causes(), cause.code).value_or(cause.prior));
+    set_cause(evidence, cause.code, log_odds_of(probability_of(prior + cause.evidence)) - prior);
+  }
   return evidence;
 }
 
@@ -109,15 +124,22 @@ CombinedOdds combine(const std::optional<CombinedOdds>& before, const JudgedWind
 }
 
 PerCause probabilities_of(const CombinedOdds& combined, const PerCause& priors) {
-  PerCause result(combined.evidence.size());
-  for (std::size_t cause = 0; cause < result.size(); ++cause) {
+  std::vector<OwnOdds> all;
+  std::vector<double> shifts;
+  for (std::size_t cause = 0; cause < combined.evidence.size(); ++cause) {
     const std::optional<double> mean = combined.evidence[cause];
     if (!mean) continue;
-    const double prior = at(priors, cause).value_or(at(shares_of_causes(), cause).value_or(0.5));
-    const double odds =
-        log_odds_of(prior) + *mean * worth(at(combined.windows, cause).value_or(0.0), cause);
-    result[cause] = 1.0 / (1.0 + std::exp(-odds));
+    const double share = at(shares_of_causes(), cause).value_or(kEven);
+    shifts.push_back(log_odds_of(at(priors, cause).value_or(share)) - log_odds_of(share));
+    const double windows = at(combined.windows, cause).value_or(0.0);
+    const double own = log_odds_of(share) + *mean * worth(windows, cause);
+    all.push_back(
+        {static_cast<VerdictCode>(cause), own + shifts.back(), &by_cause().at(cause).beside});
   }
+  PerCause result(combined.evidence.size());
+  for (std::size_t k = 0; k < all.size(); ++k)
+    set_cause(result, all[k].code,
+              probability_of(shifts[k] + beside_others(all[k].log_odds - shifts[k], k, all)));
   return result;
 }
 
@@ -126,13 +148,6 @@ double most_windows(const CombinedOdds& combined) {
   for (const std::optional<double>& windows : combined.windows)
     most = std::max(most, windows.value_or(0.0));
   return most;
-}
-
-double log_odds_of(double probability) {
-  // What is surer than a million to one is as sure as a model of a plant can be.
-  constexpr double kLeast = 1e-6;
-  const double p = std::clamp(probability, kLeast, 1.0 - kLeast);
-  return std::log(p / (1.0 - p));
 }
 
 double longest_memory_windows() {

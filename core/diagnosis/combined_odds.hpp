@@ -9,8 +9,8 @@ namespace loopscope::core::diagnosis {
 /// The share of each cause in the fit, 0 to 1: what is expected before anything is measured.
 [[nodiscard]] const PerCause& shares_of_causes();
 
-/// What one window says of each cause: log odds beyond the prior, kept a millionth away from 0
-/// and 1. What the most probable other cause takes away rests on the priors of the verdict.
+/// What one window says of each cause by the cause's own figures: log odds beyond the prior, so far
+/// that no probability is nearer than a millionth to 0 and 1. Whatever the priors and the others.
 [[nodiscard]] PerCause evidence_of(const Verdict& verdict);
 
 /// One window of a loop as it was judged, and as it is stored.
@@ -34,24 +34,24 @@ struct CombinedOdds {
 ///     n           = sum of w exp(-age / kMemoryWindows), age in lengths of the window
 ///     mean m      = weighted mean of the windows' log odds beyond the prior
 ///     log odds    = prior + m n / (1 + (n - 1) correlation)        (n < 1: prior + m)
+///     then beside the others (beside_others.hpp), once, after all windows
 ///
 /// Windows of one loop are wrong together, because their loop is of one kind: the correlation of
 /// each cause is fitted (tests/verdict/windows), so that n windows count as many independent ones
-/// as they are worth (Kish's design effect). Mean and n of the window before are all that has to be
-/// kept, so that the result follows from stored rows, whatever the priors become. Of a cause that
-/// the window does not weigh (op stands still) what was known fades with its age. `before` ends
-/// before the window ends (std::invalid_argument).
+/// as they are worth (Kish's design effect). What others take away from a cause is no evidence that
+/// grows from window to window, and is counted last. Mean and n of the window before are all that
+/// has to be kept, so that the result follows from stored rows, whatever the priors become. Of a
+/// cause that the window does not weigh (op stands still) what was known fades with its age.
+/// `before` ends before the window ends (std::invalid_argument).
 [[nodiscard]] CombinedOdds combine(const std::optional<CombinedOdds>& before,
                                    const JudgedWindow& window);
 
-/// With these priors; missing ones are shares_of_causes().
+/// With these priors; missing ones are shares_of_causes(). After one window alone it is not quite
+/// the window's own: what stands beside the others is fitted to several, with and without a model.
 [[nodiscard]] PerCause probabilities_of(const CombinedOdds& combined, const PerCause& priors);
 
 /// The largest n.
 [[nodiscard]] double most_windows(const CombinedOdds& combined);
-
-/// Log odds of a probability, which is kept a millionth away from 0 and 1.
-[[nodiscard]] double log_odds_of(double probability);
 
 /// What is older counts for nothing, in lengths of the window.
 [[nodiscard]] double longest_memory_windows();

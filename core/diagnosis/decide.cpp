@@ -8,6 +8,7 @@
 
 #include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/disturbance_words.hpp"
+#include "core/diagnosis/log_odds.hpp"
 #include "core/diagnosis/nonlinearity.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/structure.hpp"
@@ -126,9 +127,7 @@ Causes known_causes(const Evidence& evidence, const DecisionSettings& decision) 
 }
 
 /// The log odds of this window give way to those of all.
-void put_combined(const CombinedOdds& combined, Causes& causes) {
-  PerCause priors;
-  for (const WeighedCause& cause : causes) set_cause(priors, cause.code, cause.prior);
+void put_combined(const CombinedOdds& combined, const PerCause& priors, Causes& causes) {
   const PerCause probabilities = probabilities_of(combined, priors);
   for (WeighedCause& cause : causes) {
     const auto place = static_cast<std::size_t>(cause.code);
@@ -147,7 +146,7 @@ Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearit
                 const DecisionSettings& decision, const CombinedOdds* combined) {
   Causes causes = known_causes(evidence, decision);
   const Causes alone = causes;
-  if (combined) put_combined(*combined, causes);
+  if (combined) put_combined(*combined, priors_of(decision), causes);
   const VerdictCode code = code_for(causes, circumstances_of(evidence, alpha), decision.line);
   Verdict verdict = verdict_with(code, confidence_in(code, causes));
   for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
@@ -172,6 +171,17 @@ void note_window(const Evidence& evidence, Verdict& verdict) {
   }
 }
 
+Verdict said_of(const Evidence& evidence, const hos::Settings& settings,
+                const DecisionSettings& decision, const CombinedOdds* combined) {
+  if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
+  const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);
+  Verdict verdict = has_flag(evidence, "sp_not_followed")
+                        ? not_in_command(evidence, nonlinearity)
+                        : by_odds(evidence, nonlinearity, settings.alpha, decision, combined);
+  note_window(evidence, verdict);
+  return verdict;
+}
+
 }  // namespace
 
 VerdictCode code_for(const Causes& causes, const Circumstances& circumstances, double line) {
@@ -189,12 +199,8 @@ VerdictCode code_for(const Causes& causes, const Circumstances& circumstances, d
 
 Verdict decide(const Evidence& evidence, const hos::Settings& settings,
                const DecisionSettings& decision, const CombinedOdds* combined) {
-  if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
-  const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);
-  Verdict verdict = has_flag(evidence, "sp_not_followed")
-                        ? not_in_command(evidence, nonlinearity)
-                        : by_odds(evidence, nonlinearity, settings.alpha, decision, combined);
-  note_window(evidence, verdict);
+  Verdict verdict = said_of(evidence, settings, decision, combined);
+  verdict.priors = priors_of(decision);
   return verdict;
 }
 

@@ -21,9 +21,12 @@ std::string measured_text(const Part& part) {
   return figure_text(all_figures()[*part.figure], *part.value);
 }
 
-std::string rival_text(const Part& part) {
-  return "any other finding by its own figures alone, first of all " +
-         std::string(name(part.rival)) + ": " + percent(part.value.value_or(0.0));
+std::string others_text(const Part& part) {
+  const std::string chance = percent(part.value.value_or(0.0));
+  if (part.other == VerdictCode::nonlinear_unexplained)
+    return "valve or process is nonlinear, in whatever way: " + chance;
+  return "some other finding by its own figures: " + chance + ", likeliest " +
+         std::string(name(part.other));
 }
 
 /// " (odds times 3.1)".
@@ -34,7 +37,7 @@ std::string odds_text(double weight) {
 
 /// "op repeats its half cycle: 93 % (odds times 3.1)".
 std::string part_text(const Part& part) {
-  return (part.figure ? measured_text(part) : rival_text(part)) + odds_text(part.weight);
+  return (part.figure ? measured_text(part) : others_text(part)) + odds_text(part.weight);
 }
 
 std::string oscillation_text(const loop::Oscillation& oscillation) {
@@ -51,7 +54,7 @@ std::string position_text(const loop::Shape& shape) {
 
 void add_model(const model::Explanation& model, std::vector<std::string>& reasons) {
   for (const model::Step& step : model.steps) {
-    const bool believed = model.excited || model::is_from_outside(step.effect);
+    const bool believed = model.excited || model::is_seen_without_op(step.effect);
     reasons.push_back(believed ? step_text(step)
                                : "The model took in " + std::string(model::name(step.effect)) +
                                      ", but op moves too little to show it: not believed.");
@@ -84,14 +87,15 @@ void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
   }
   if (has_flag(evidence, "pv_frozen"))
     reasons.emplace_back("pv stands still for hundreds of samples while op moves.");
-  if (const auto share = evidence.data_quality.saturated_fraction; share && *share > 0.0)
+  constexpr double kShownAsPercent = 0.005;
+  if (const auto share = evidence.data_quality.saturated_fraction; share >= kShownAsPercent)
     reasons.push_back("op is at a limit of its range in " + percent(*share) + " of the samples.");
 }
 
 }  // namespace
 
 CauseReport report_of(const WeighedCause& cause) {
-  CauseReport report{cause.code, cause.probability(), cause.prior, {}, {}};
+  CauseReport report{cause.code, cause.probability(), cause.prior, {}, {}, cause.evidence};
   double unknown = 0.0;
   for (const Part& part : cause.parts) {
     const bool computed = !part.figure || part.value;

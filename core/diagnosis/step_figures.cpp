@@ -105,10 +105,10 @@ Value of_hysteresis(const Evidence& evidence) {
   return static_cast<double>(step->*member);
 }
 
-/// A vessel that integrates lets a loop cycle about play as well as about a valve that sticks.
+/// Behind a process that integrates a loop cycles about play as well as about a valve that sticks.
 Value as_if_stuck(const Evidence& evidence) {
-  if (evidence.integrating || (evidence.cycle && evidence.cycle->evidence.integrating))
-    return std::nullopt;
+  if (evidence.integrating) return std::nullopt;
+  if (evidence.cycle && !model::follows_in_cycle(evidence.cycle->evidence)) return std::nullopt;
   return of_hysteresis<&model::Step::cycles_as_if_stuck>(evidence);
 }
 
@@ -198,7 +198,7 @@ constexpr std::array kStepFigures = {
     Figure{"left.response_level", "the response depends on pv's level in the model's residual",
            Scale::decades, [](const Evidence& e) { return left_of(e, "response_level"); }},
     Figure{"left.structure", "what the model leaves is no noise", Scale::decades, structure_left},
-    Figure{"band.of_travel", "the valve's band by op's travel in the cycle", Scale::share,
+    Figure{"band.of_travel", "the valve's band over op's travel in the cycle", Scale::plain,
            band_of_travel},
     Figure{"band.odds", "log odds that a valve with this band makes the cycle", Scale::plain,
            odds_of_cycle},

@@ -8,7 +8,8 @@
 namespace loopscope::core::diagnosis {
 
 /// p of "nothing is left in the residual": the smallest of whiteness and the residual tests that no
-/// step answers, times their number (Bonferroni), 0 to 1.
+/// step answers, times the number of all (Bonferroni: which are answered is known afterwards), 0
+/// to 1.
 [[nodiscard]] double structure_p(const model::Explanation& explanation);
 
 /// Something is in the loop that is clearly not noise: one healthy loop in a thousand leaves as

@@ -17,16 +17,6 @@ std::optional<VerdictCode> verdict_code(std::string_view name) {
   return found->code;
 }
 
-namespace {
-
-PerCause by_place(const Verdict& verdict, double CauseReport::*member) {
-  PerCause values;
-  for (const CauseReport& cause : verdict.causes) set_cause(values, cause.code, cause.*member);
-  return values;
-}
-
-}  // namespace
-
 void set_cause(PerCause& values, VerdictCode code, double value) {
   const auto place = static_cast<std::size_t>(code);
   if (place >= values.size()) values.resize(place + 1);
@@ -34,11 +24,9 @@ void set_cause(PerCause& values, VerdictCode code, double value) {
 }
 
 PerCause probabilities_of(const Verdict& verdict) {
-  return by_place(verdict, &CauseReport::probability);
-}
-
-PerCause priors_of(const Verdict& verdict) {
-  return by_place(verdict, &CauseReport::prior);
+  PerCause values;
+  for (const CauseReport& cause : verdict.causes) set_cause(values, cause.code, cause.probability);
+  return values;
 }
 
 std::span<const VerdictCode> all_verdict_codes() {

@@ -34,6 +34,10 @@ enum class VerdictCode {
 /// Every code, in the order above.
 [[nodiscard]] std::span<const VerdictCode> all_verdict_codes();
 
+/// One value for each cause in the catalogue's order; nullopt = not weighed.
+using PerCause = std::vector<std::optional<double>>;
+void set_cause(PerCause& values, VerdictCode code, double value);
+
 /// One cause of the catalogue as the evidence weighs it. Causes may stand together.
 struct CauseReport {
   VerdictCode code = VerdictCode::healthy;
@@ -41,6 +45,7 @@ struct CauseReport {
   double prior = 0.0;                  ///< the same before anything was measured
   std::vector<std::string> in_favour;  ///< what speaks for it, strongest first, with numbers
   std::vector<std::string> against;
+  double evidence = 0.0;  ///< log odds beyond the prior by its own figures, whatever the others
 };
 
 /// What the evidence says about one loop, in words that can go into a work order.
@@ -56,14 +61,10 @@ struct Verdict {
   /// `insufficient_data`.
   std::optional<double> p = std::nullopt;
   std::vector<CauseReport> causes = {};  ///< all that were weighed, the most probable first
+  PerCause priors = {};  ///< by which it was judged, whether a cause was weighed or not
 };
-
-/// One value for each cause in the catalogue's order; nullopt = not weighed.
-using PerCause = std::vector<std::optional<double>>;
-void set_cause(PerCause& values, VerdictCode code, double value);
 
 /// Of the causes that were weighed, up to the last of them in the catalogue.
 [[nodiscard]] PerCause probabilities_of(const Verdict& verdict);
-[[nodiscard]] PerCause priors_of(const Verdict& verdict);
 
 }  // namespace loopscope::core::diagnosis

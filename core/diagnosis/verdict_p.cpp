@@ -31,7 +31,7 @@ std::optional<double> step_p(VerdictCode code, const Evidence& evidence) {
   for (const model::Step& step : evidence.model->steps) {
     const VerdictCode verdict = verdict_of(step);
     if (verdict != code && !(friction(verdict) && friction(code))) continue;
-    if (!evidence.model->excited && !model::is_from_outside(step.effect)) continue;
+    if (!evidence.model->excited && !model::is_seen_without_op(step.effect)) continue;
     smallest = std::min(smallest.value_or(1.0), measured_p(step));
   }
   return smallest;
@@ -71,7 +71,8 @@ bool is_fact(VerdictCode code, const Evidence& evidence) {
     case VerdictCode::valve_saturation:
       return evidence.data_quality.saturated_fraction.value_or(0.0) > kAtLimit;
     case VerdictCode::sensor_fault:
-      return true;
+      return has_flag(evidence, "pv_quantised") || has_flag(evidence, "pv_held") ||
+             has_flag(evidence, "pv_frozen");
     default:
       return false;
   }

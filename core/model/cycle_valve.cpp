@@ -52,6 +52,11 @@ void mark_as_stuck(Step& step, const CycleEvidence& cycle) {
 
 }  // namespace
 
+bool follows_in_cycle(const CycleEvidence& cycle) {
+  constexpr double kHalfway = 0.5;
+  return cycle.process_lag() < kHalfway;
+}
+
 double odds_that_valve_cycles(const CycleCause& cause, double band_percent) {
   if (!(cause.evidence.travel > 0.0)) return kPriorLogOdds;
   const double share = std::min(band_percent / cause.evidence.travel, kWidestShare);
@@ -68,7 +73,7 @@ void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps) {
     if (!has_band(step)) continue;
     const double odds = odds_that_valve_cycles(cause, step.parameters.front().value);
     const bool play = step.effect == EffectKind::valve_deadband;
-    if (play && odds > 0.0 && cycles && !cause.evidence.integrating)
+    if (play && odds > 0.0 && cycles && follows_in_cycle(cause.evidence))
       mark_as_stuck(step, cause.evidence);
     step.beside_the_cycle = !play && odds < kThreeToOneAgainst && steadily;
   }

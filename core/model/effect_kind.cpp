@@ -20,6 +20,10 @@ bool is_from_outside(EffectKind kind) {
   return traits_of(kind).place == Place::outside;
 }
 
+bool is_seen_without_op(EffectKind kind) {
+  return is_from_outside(kind) || traits_of(kind).place == Place::sensor;
+}
+
 bool same_cause(EffectKind a, EffectKind b) {
   return traits_of(a).cause == traits_of(b).cause;
 }

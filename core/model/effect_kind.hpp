@@ -30,6 +30,8 @@ enum class EffectKind {
 
 /// A wave or a load: by time alone, whatever op does.
 [[nodiscard]] bool is_from_outside(EffectKind kind);
+/// A wave, a load, or what a sensor does: seen in pv, whether op moves or not.
+[[nodiscard]] bool is_seen_without_op(EffectKind kind);
 
 /// Both end in the same verdict.
 [[nodiscard]] bool same_cause(EffectKind a, EffectKind b);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -89,6 +90,13 @@ std::string reason_for(const CycleEvidence& e) {
 }
 
 }  // namespace
+
+double CycleEvidence::process_lag() const {
+  if (integrating) return 1.0;
+  if (!(period_samples > 0.0)) return 0.0;
+  constexpr double kQuarters = 2.0 / std::numbers::pi;
+  return kQuarters * std::atan(2.0 * std::numbers::pi * lag_samples / period_samples);
+}
 
 CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double> op,
                              std::span<const double> sp, const Without& without) {

@@ -33,6 +33,10 @@ struct CycleEvidence {
   std::optional<double> pace;  ///< of the error's half cycles by their size (cycle_pace.hpp)
   double gain = 0.0;  ///< pv units per op unit behind the lag (integrating: and kept sample)
   bool integrating = false;
+
+  /// By how much of a quarter of the cycle pv lags behind the flow, the dead time left out: 0 where
+  /// it follows at once, 1 behind an integrator.
+  [[nodiscard]] double process_lag() const;
 };
 
 struct CycleCause {

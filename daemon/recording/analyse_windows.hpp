@@ -18,7 +18,7 @@ struct WindowsAnalysis {
 };
 
 /// Full windows, evenly spread over the recording and as few as cover it; of a longer recording the
-/// last eight, beyond which a window's weight is next to nothing.
+/// last eight, beyond which a window's weight is less than a seventh.
 [[nodiscard]] WindowsAnalysis analyse_windows(const Recording& recording,
                                               const core::AnalysisSettings& settings,
                                               const std::optional<core::signal::OpRange>& op_range,

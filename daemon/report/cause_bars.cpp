@@ -17,6 +17,12 @@ using core::diagnosis::CauseReport;
 constexpr double kLeast = 0.05;
 constexpr std::size_t kMost = 6;
 
+/// Any nonlinearity of valve and process is no cause beside those that it sums up.
+bool is_shown(const CauseReport& cause) {
+  return cause.probability >= kLeast &&
+         cause.code != core::diagnosis::VerdictCode::nonlinear_unexplained;
+}
+
 std::string parts(const char* title, const std::vector<std::string>& texts) {
   if (texts.empty()) return {};
   std::string list = fmt::format("<p>{}</p><ul>", title);
@@ -40,11 +46,15 @@ std::string bar(const CauseReport& cause) {
 
 std::string cause_bars(std::span<const CauseReport> causes) {
   std::string text;
-  for (std::size_t k = 0; k < causes.size() && k < kMost && causes[k].probability >= kLeast; ++k)
-    text += bar(causes[k]);
+  std::size_t shown = 0;
+  for (const CauseReport& cause : causes) {
+    if (!is_shown(cause) || shown++ >= kMost) continue;
+    text += bar(cause);
+  }
   if (text.empty()) return text;
-  return "<dt>Probable causes</dt><dd class=\"causes\">" + text +
-         "<p class=\"note\">Causes may stand together: the shares need not add up.</p></dd>\n";
+  return "<dt>Probable findings</dt><dd class=\"causes\">" + text +
+         "<p class=\"note\">Of the newest window. Several may be true at once: the shares need not "
+         "add up.</p></dd>\n";
 }
 
 }  // namespace loopscope::daemon

@@ -130,21 +130,10 @@ ChangedSlots changed_by(const AnalysisRecord& record) {
                                  -core::diagnosis::longest_memory_windows() * window_us)};
 }
 
-/// All windows of a batch are judged by the same settings.
-core::diagnosis::PerCause priors_of(const std::vector<WrittenAnalysis>& analyses) {
-  core::diagnosis::PerCause priors;
-  for (const WrittenAnalysis& written : analyses) {
-    const core::diagnosis::PerCause own =
-        core::diagnosis::priors_of(written.loop->record->diagnosis.verdict);
-    priors.resize(std::max(priors.size(), own.size()));
-    for (std::size_t cause = 0; cause < own.size(); ++cause)
-      if (own[cause]) priors[cause] = own[cause];
-  }
-  return priors;
-}
-
 void combine_windows(Transaction& transaction, const std::vector<WrittenAnalysis>& analyses) {
-  const core::diagnosis::PerCause priors = priors_of(analyses);
+  if (analyses.empty()) return;
+  // All windows of a batch are judged by the same settings.
+  const core::diagnosis::PerCause& priors = analyses.front().loop->record->diagnosis.verdict.priors;
   std::map<int, std::map<std::int64_t, ChangedSlots>> changed;  // by algorithm revision
   for (const WrittenAnalysis& written : analyses) {
     const AnalysisRecord& record = *written.loop->record;

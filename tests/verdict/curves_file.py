@@ -22,20 +22,23 @@ def weight(value):
 
 
 def curve_text(figure, not_computed, points):
-    pairs = ", ".join(f"{{{number(v)}, {weight(w)}}}" for v, w in points)
-    return f'        {{"{figure}", {weight(not_computed)}, {{{pairs}}}}},\n'
+    return f'        {{"{figure}", {weight(not_computed)}, {points_text(points)}}},\n'
 
 
 def is_flat(not_computed, points):
     return abs(not_computed) < LEAST and all(abs(w) < LEAST for _, w in points)
 
 
-def rival_text(rival):
-    """Scale of its own odds, offset, and the curve over the rival's."""
+def points_text(points):
+    return "{" + ", ".join(f"{{{number(v)}, {weight(w)}}}" for v, w in points) + "}"
+
+
+def beside_text(rival):
+    """Scale of its own odds, offset, the curves over the rivals' odds and any nonlinearity's."""
     if rival is None:
-        return "1, 0, {}"
-    pairs = ", ".join(f"{{{number(v)}, {weight(w)}}}" for v, w in rival.points)
-    return f"{rival.scale:.4g}, {rival.offset:.4g}, {{{pairs}}}"
+        return "1, 0, {}, {}"
+    return (f"{rival.scale:.4g}, {rival.offset:.4g}, {points_text(rival.rival)},\n"
+            f"       {points_text(rival.nonlinear)}")
 
 
 def table_text(name, fits):
@@ -44,7 +47,7 @@ def table_text(name, fits):
     for cause, (fit, rival) in fits.items():
         rest, curves = fit.curves()
         text += f'      {{"{cause}", {number(fit.share)}, {rest:.4g},\n'
-        text += f"       {rival_text(rival)},\n       {{\n"
+        text += f"       {{{beside_text(rival)}}},\n       {{\n"
         text += "".join(curve_text(*curve) for curve in curves if not is_flat(*curve[1:]))
         text += "       }},\n"
     return text + "  };\n}\n"

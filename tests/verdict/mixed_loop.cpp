@@ -166,7 +166,7 @@ void add_habits(Making& m, Draw& draw) {
   FieldSettings& s = m.settings;
   if (draw.chance(0.4)) s.recording.means = true;
   if (draw.chance(0.2)) s.controller_every = draw.whole(2, 4) * (s.integrating ? 2 : 1);
-  if (draw.chance(0.15)) s.op_step = m.swing_op * draw.log_between(0.02, 0.5);
+  if (draw.chance(0.15)) s.op_step = m.swing_op * draw.log_between(0.02, 1.0);
   if (draw.chance(0.15)) {
     s.master = any_wave(m, draw);
     s.master.amplitude = m.swing_pv * draw.log_between(0.3, 2.0);

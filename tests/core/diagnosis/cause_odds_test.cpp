@@ -24,7 +24,7 @@ TEST(CauseOdds, AreTheSumOfTheirPartsTheWeightiestFirst) {
   for (const WeighedCause& cause : weigh_causes(evidence)) {
     const auto curves =
         std::ranges::find(fitted_curves(true), name(cause.code), &CauseCurves::cause);
-    double sum = curves->scale * curves->log_odds + curves->offset;
+    double sum = curves->beside.scale * curves->log_odds + curves->beside.offset;
     for (const Part& part : cause.parts) sum += part.weight;
     EXPECT_NEAR(cause.log_odds, sum, 1e-9);
     for (std::size_t k = 1; k < cause.parts.size(); ++k)
@@ -32,18 +32,22 @@ TEST(CauseOdds, AreTheSumOfTheirPartsTheWeightiestFirst) {
   }
 }
 
-TEST(CauseOdds, WhatAnotherCauseExplainsNeedsNoSecondOne) {
-  const auto weight_of_rival = [](double load_evidence) {
-    model::Step load = clear_step(model::EffectKind::load_step);
-    load.evidence = load_evidence;
-    const auto causes = weigh_causes(evidence_with(explanation_of({load})));
-    const WeighedCause& cause = cause_in(causes, VerdictCode::tight_tuning);
-    return std::ranges::find_if(cause.parts, [](const Part& part) { return !part.figure; })->weight;
-  };
-  EXPECT_LE(weight_of_rival(3000.0), weight_of_rival(0.0)) << "a load in the place of a tuning";
-  for (const CauseCurves& curves : fitted_curves(true)) {
-    for (std::size_t k = 1; k < curves.rival.size(); ++k)
-      EXPECT_LE(curves.rival[k].weight, curves.rival[k - 1].weight) << curves.cause;
+/// What the figures of a cause say of it is kept apart from the others and from the plant.
+TEST(CauseOdds, TheEvidenceKnowsNeitherPriorsNorOthers) {
+  const Evidence evidence =
+      evidence_with(explanation_of({clear_step(model::EffectKind::valve_stiction)}));
+  DecisionSettings settings;
+  settings.priors.valve_stiction = 0.5;
+  settings.priors.external_disturbance = 0.01;
+  const auto elsewhere = weigh_causes(evidence, settings);
+  for (const WeighedCause& cause : weigh_causes(evidence)) {
+    const auto curves =
+        std::ranges::find(fitted_curves(true), name(cause.code), &CauseCurves::cause);
+    double own = curves->log_odds - std::log(odds(curves->share));
+    for (const Part& part : cause.parts)
+      own += part.figure ? part.weight / curves->beside.scale : 0.0;
+    EXPECT_NEAR(cause.evidence, own, 1e-9);
+    EXPECT_NEAR(cause_in(elsewhere, cause.code).evidence, cause.evidence, 1e-12);
   }
 }
 
@@ -60,29 +64,6 @@ TEST(CauseOdds, APriorMultipliesTheOddsByWhatItIsToThatOfTheFit) {
   EXPECT_NEAR(after / before, odds(0.02) / odds(share), 1e-9);
   EXPECT_EQ(cause_in(shifted, VerdictCode::healthy).prior,
             cause_in(plain, VerdictCode::healthy).prior);
-}
-
-/// Rivals are taken to be independent: that any is there is 1 less that none is.
-TEST(CauseOdds, TheOtherCausesCountTogether) {
-  const auto causes = weigh_causes(evidence_with(explanation_of()));
-  const auto curves_of = [](const WeighedCause& cause) {
-    return std::ranges::find(fitted_curves(true), name(cause.code), &CauseCurves::cause);
-  };
-  const auto none_of = [&](const WeighedCause& cause) {
-    const auto curves = curves_of(cause);
-    if (curves->rival.empty()) return 1.0;
-    double own = curves->log_odds;
-    for (const Part& part : cause.parts) own += part.figure ? part.weight / curves->scale : 0.0;
-    return 1.0 / (1.0 + std::exp(own));
-  };
-  for (const WeighedCause& cause : causes) {
-    if (curves_of(cause)->rival.empty()) continue;
-    double none = 1.0;
-    for (const WeighedCause& other : causes)
-      if (other.code != cause.code) none *= none_of(other);
-    const auto rivals = std::ranges::find_if(cause.parts, [](const Part& p) { return !p.figure; });
-    EXPECT_NEAR(*rivals->value, 1.0 - none, 1e-9) << name(cause.code);
-  }
 }
 
 /// Where no valve sticks, what looks like it has another cause.

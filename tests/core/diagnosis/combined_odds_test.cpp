@@ -4,26 +4,37 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 
+#include "core/diagnosis/log_odds.hpp"
+
 namespace loopscope::core::diagnosis {
 namespace {
 
 constexpr double kWindow_s = 1000.0;
 
-const PerCause kPriors = {0.2, 0.15};
+/// A cause that stands alone, so that nothing but its own windows counts.
+constexpr auto kCause = static_cast<std::size_t>(VerdictCode::nonlinear_unexplained);
+
+double share(std::size_t cause = kCause) {
+  return *shares_of_causes().at(cause);
+}
+
+PerCause only(std::size_t cause, double value) {
+  PerCause values;
+  set_cause(values, static_cast<VerdictCode>(cause), value);
+  return values;
+}
 
 JudgedWindow window_at(double end_s, double probability, bool with_model = true) {
-  return {end_s - kWindow_s,
-          end_s,
-          with_model,
-          {std::nullopt, log_odds_of(probability) - log_odds_of(*kPriors[1])}};
+  return {end_s - kWindow_s, end_s, with_model,
+          only(kCause, log_odds_of(probability) - log_odds_of(share()))};
 }
 
 JudgedWindow without_op(double end_s) {
   return {end_s - kWindow_s, end_s, true, {0.5}};
 }
 
-double probability(const CombinedOdds& combined, const PerCause& priors = kPriors) {
-  return probabilities_of(combined, priors).at(1).value();
+double probability(const CombinedOdds& combined, const PerCause& priors = {}) {
+  return probabilities_of(combined, priors).at(kCause).value();
 }
 
 /// `count` windows of the same probability that share no sample.
@@ -38,19 +49,19 @@ TEST(CombinedOdds, OneWindowIsItself) {
   for (const bool with_model : {true, false}) {
     const CombinedOdds one = after(1, 0.7, with_model);
     EXPECT_NEAR(probability(one), 0.7, 1e-12);
-    EXPECT_FALSE(probabilities_of(one, kPriors).at(0)) << "what was not weighed stays unknown";
+    EXPECT_FALSE(probabilities_of(one, {}).at(0)) << "what was not weighed stays unknown";
   }
 }
 
 TEST(CombinedOdds, AgreeingWindowsSayMoreThanOneAndLessThanIndependentOnes) {
-  const double independent = 3.0 * (log_odds_of(0.7) - log_odds_of(0.15)) + log_odds_of(0.15);
+  const double independent = 3.0 * (log_odds_of(0.7) - log_odds_of(share())) + log_odds_of(share());
   EXPECT_GT(probability(after(3, 0.7)), 0.7);
   EXPECT_LT(log_odds_of(probability(after(3, 0.7))), independent);
   EXPECT_LT(probability(after(3, 0.05)), 0.05) << "against a cause as well";
 }
 
 TEST(CombinedOdds, WindowsThatSayNothingKeepThePrior) {
-  EXPECT_NEAR(probability(after(5, 0.15)), 0.15, 1e-9);
+  EXPECT_NEAR(probability(after(5, share())), share(), 1e-9);
 }
 
 TEST(CombinedOdds, AWindowCountsByItsNewSamples) {
@@ -81,8 +92,8 @@ TEST(CombinedOdds, WhatIsOldIsForgotten) {
 TEST(CombinedOdds, TheLastStepHoldsAllThatCameBefore) {
   // As storage keeps it: in four bytes.
   CombinedOdds kept = after(4, 0.8);
-  kept.evidence[1] = static_cast<double>(static_cast<float>(*kept.evidence[1]));
-  kept.windows[1] = static_cast<double>(static_cast<float>(*kept.windows[1]));
+  kept.evidence[kCause] = static_cast<double>(static_cast<float>(*kept.evidence[kCause]));
+  kept.windows[kCause] = static_cast<double>(static_cast<float>(*kept.windows[kCause]));
   EXPECT_NEAR(probability(combine(kept, window_at(5.0 * kWindow_s, 0.8))),
               probability(after(5, 0.8)), 1e-6);
 }
@@ -90,8 +101,8 @@ TEST(CombinedOdds, TheLastStepHoldsAllThatCameBefore) {
 TEST(CombinedOdds, APriorCountsOnceWheneverItIsSet) {
   const double shift = std::log(3.0);
   const auto shifted = [&](double p) { return 1.0 / (1.0 + std::exp(-log_odds_of(p) - shift)); };
-  EXPECT_NEAR(probability(after(5, 0.6), {0.2, shifted(0.15)}), shifted(probability(after(5, 0.6))),
-              1e-9);
+  EXPECT_NEAR(probability(after(5, 0.6), only(kCause, shifted(share()))),
+              shifted(probability(after(5, 0.6))), 1e-9);
 }
 
 TEST(CombinedOdds, WhatOpNoLongerShowsFades) {
@@ -101,7 +112,7 @@ TEST(CombinedOdds, WhatOpNoLongerShowsFades) {
   EXPECT_LT(probability(now), known);
   EXPECT_GT(probability(now), 0.5);
   for (int k = 5; k <= 30; ++k) now = combine(now, without_op(k * kWindow_s));
-  EXPECT_NEAR(probability(now), 0.15, 0.01);
+  EXPECT_NEAR(probability(now), share(), 0.01);
   now = combine(now, window_at(31.0 * kWindow_s, 0.02));
   EXPECT_NEAR(probability(now), 0.02, 0.002) << "and no longer weighs against what is new";
 }
@@ -114,7 +125,32 @@ TEST(CombinedOdds, ACauseThatIsWeighedLateIsItselfAtFirst) {
 
 TEST(CombinedOdds, VerySureWindowsKeepTheirMean) {
   const CombinedOdds sure = after(8, 0.9999);
-  EXPECT_NEAR(*sure.evidence[1], log_odds_of(0.9999) - log_odds_of(0.15), 1e-9);
+  EXPECT_NEAR(*sure.evidence[kCause], log_odds_of(0.9999) - log_odds_of(share()), 1e-9);
+}
+
+/// Counted after all windows, so that what others take away does not grow from window to window.
+TEST(CombinedOdds, OthersCountOnce) {
+  const auto sticking = [](double wave, int count) {
+    std::optional<CombinedOdds> combined;
+    for (int k = 1; k <= count; ++k) {
+      PerCause evidence = only(static_cast<std::size_t>(VerdictCode::valve_stiction), 2.0);
+      set_cause(evidence, VerdictCode::external_disturbance, wave);
+      combined = combine(combined, {(k - 1) * kWindow_s, k * kWindow_s, true, evidence});
+    }
+    return log_odds_of(probabilities_of(*combined, {}).at(1).value());
+  };
+  EXPECT_LT(sticking(2.0, 1), sticking(-2.0, 1));
+  EXPECT_LT(sticking(2.0, 8), sticking(-2.0, 8));
+  EXPECT_GT(sticking(2.0, 8), sticking(2.0, 1)) << "and its own windows still add up";
+}
+
+TEST(CombinedOdds, EvidenceIsOfItsOwnFigures) {
+  Verdict verdict;
+  verdict.causes = {{VerdictCode::valve_stiction, 0.6, 0.5, {}, {}, 1.25},
+                    {VerdictCode::healthy, 0.1, 0.3, {}, {}, -400.0}};
+  const PerCause evidence = evidence_of(verdict);
+  EXPECT_NEAR(*evidence.at(1), 1.25, 1e-9);
+  EXPECT_NEAR(*evidence.at(0), log_odds_of(0.0) - log_odds_of(share(0)), 1e-9);
 }
 
 TEST(CombinedOdds, WindowsComeByAscendingEnds) {

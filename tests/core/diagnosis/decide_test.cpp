@@ -126,15 +126,25 @@ TEST(Decide, OfWhatIsUnexplainedConfidenceIsWhatNoCauseTakes) {
   EXPECT_DOUBLE_EQ(verdict.confidence, 1.0 - verdict.causes.front().probability);
 }
 
+/// Several windows that show a nonlinearity and no cause of it.
+CombinedOdds nothing_but_nonlinear() {
+  CombinedOdds combined;
+  for (const VerdictCode code : all_verdict_codes()) {
+    if (code > Code::nonlinear_unexplained) break;
+    set_cause(combined.evidence, code, code == Code::nonlinear_unexplained ? 6.0 : -6.0);
+    set_cause(combined.windows, code, 1.0);
+  }
+  return combined;
+}
+
 TEST(Decide, WhatToRecordFollowsFromWhatIsRecorded) {
-  DecisionSettings decision;
   Evidence evidence = quiet_evidence();
   evidence.hos->nonlinear_p = 1e-9;
-  const auto action = [&] { return decide(evidence, {}, decision); };
+  const CombinedOdds combined = nothing_but_nonlinear();
   for (const char* flag : {"op_missing", ""}) {
     evidence.data_quality.flags = {flag};
-    const Verdict verdict = action();
-    if (verdict.code != Code::nonlinear_unexplained) continue;
+    const Verdict verdict = decide(evidence, {}, {}, &combined);
+    ASSERT_EQ(verdict.code, Code::nonlinear_unexplained);
     EXPECT_THAT(verdict.action, HasSubstr(*flag != 0 ? "(op)" : "(mv)"));
   }
 }

@@ -30,8 +30,8 @@ TEST(Reasons, PartsForAndAgainstInWordsWithTheirNumbers) {
   EXPECT_EQ(report.probability, 0.5);
   EXPECT_THAT(report.in_favour,
               ElementsAre("op repeats its half cycle: 93 % (odds times 2.72)",
-                          "any other finding by its own figures alone, first of all tight_tuning: "
-                          "12 % (odds times 1.16)"));
+                          "some other finding by its own figures: 12 %, likeliest tight_tuning "
+                          "(odds times 1.16)"));
   EXPECT_THAT(report.against,
               ElementsAre("test whether an oscillation is present: p = 1 (odds divided by 2.01)",
                           "figures that could not be computed (odds divided by 1.22)"));

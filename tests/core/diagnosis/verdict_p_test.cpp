@@ -78,7 +78,9 @@ TEST(VerdictP, FactsAndHealthHaveNone) {
   EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), kOscillationP) << "it follows";
   evidence.shape.mv_op_width = 3.0;
   EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), std::nullopt);
-  EXPECT_EQ(p_of_verdict(Code::sensor_fault, evidence), std::nullopt);
+  EXPECT_EQ(p_of_verdict(Code::sensor_fault, evidence), kCouplingP) << "inferred";
+  evidence.data_quality.flags = {"pv_held"};
+  EXPECT_EQ(p_of_verdict(Code::sensor_fault, evidence), std::nullopt) << "the data themselves";
   EXPECT_EQ(p_of_verdict(Code::valve_saturation, evidence), kCouplingP);
   evidence.data_quality.saturated_fraction = 0.3;
   EXPECT_EQ(p_of_verdict(Code::valve_saturation, evidence), std::nullopt);

