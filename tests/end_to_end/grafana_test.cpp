@@ -102,7 +102,12 @@ TEST(GrafanaDashboard, PanelsDoNotOverlapAndNameTheirAxes) {
   EXPECT_GT(ids.size(), 5U);
 }
 
-/// The page of figures of a daemon, once it shows a whole batch; the log says where it is.
+bool shows(const std::string& page, const char* metric) {
+  return page.find(metric) != std::string::npos;
+}
+
+/// The page of figures of a daemon, once it shows a whole batch and the state of the plant, which
+/// is read beside it; the log says where it is.
 std::string scraped(const std::string& log) {
   const std::regex address("http://[0-9.:]+");
   for (int tries = 0; tries < 300; ++tries) {
@@ -110,7 +115,9 @@ std::string scraped(const std::string& log) {
     std::smatch found;
     if (std::regex_search(lines, found, address)) {
       const ProgramResult page = run_program({"/usr/bin/curl", "-sf", found.str() + "/metrics"});
-      if (page.out.find("loopscope_batch_seconds_bucket") != std::string::npos) return page.out;
+      if (shows(page.out, "loopscope_batch_seconds_bucket") &&
+          shows(page.out, "loopscope_lag_seconds"))
+        return page.out;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
