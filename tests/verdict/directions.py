@@ -46,6 +46,9 @@ DIRECTIONS = {
         "band.as_if_stuck": 0,
         "position.jump": -1,
         "data.integrates": 0,
+        # Behind play a loop cycles by itself only where integral action outruns the lag.
+        "model.slowness": 0,
+        "model.memory": 0,
     },
     "valve_saturation": {
         "op.at_limit": 1,

@@ -53,7 +53,7 @@ void few_cycles(Making& m, double period_samples, Draw& draw) {
 
 /// A level, or a temperature whose integral action outruns its lag: such loops cycle about play.
 FieldSettings outrunning(Draw& draw) {
-  const bool vessel = draw.chance(0.7);
+  const bool vessel = draw.chance(0.5);
   FieldSettings s = vessel ? model::level(draw) : model::temperature(draw);
   s.integral_steps *= vessel ? draw.log_between(0.4, 3.0) : draw.log_between(0.15, 0.7);
   if (draw.chance(0.2)) model::complicate(s, draw);
@@ -200,7 +200,7 @@ Making make(Draw& draw) {
   const double story = draw.between(0.0, 1.0);
   const bool cycles = story < 0.26;
   if (cycles) {
-    hunts(m, story < 0.19, draw);
+    hunts(m, story < 0.17, draw);
     measure_swing(m, draw);
   } else {
     m.settings = any_base(draw);

@@ -30,7 +30,7 @@ def any_rival(log_odds, cause):
 
 
 class RivalFit:
-    def __init__(self, cause, log_odds, truth):
+    def __init__(self, cause, log_odds, truth, ridge):
         own = log_odds[cause]
         ramps = [self._ramps(any_rival(log_odds, cause)), self._ramps(log_odds[ANY_NONLINEARITY])]
         design = numpy.column_stack([own, *ramps])
@@ -40,8 +40,8 @@ class RivalFit:
             # The same as 1 / (1 + exp(-odds)), for odds of any size.
             grade = 0.5 * (1 + numpy.tanh(0.5 * odds)) - truth
             apart = beta - start
-            value = numpy.logaddexp(0, odds).sum() - truth @ odds + 0.5 * RIDGE * apart @ apart
-            slope = numpy.concatenate([[grade.sum()], design.T @ grade]) + RIDGE * apart
+            value = numpy.logaddexp(0, odds).sum() - truth @ odds + 0.5 * ridge * apart @ apart
+            slope = numpy.concatenate([[grade.sum()], design.T @ grade]) + ridge * apart
             return value / truth.size, slope / truth.size
 
         count = len(KNOTS) - 1
@@ -73,14 +73,14 @@ class RivalFit:
                 numpy.interp(nonlinear, *zip(*self.nonlinear)))
 
 
-def fit_all(log_odds, truths):
+def fit_all(log_odds, truths, ridge=RIDGE):
     """By cause; those that are no rivals have none."""
     result = {}
     for cause in log_odds:
         if cause in NO_RIVALS:
             continue
         known = ~numpy.isnan(truths[cause])
-        result[cause] = RivalFit(cause, rows(log_odds, known), truths[cause][known])
+        result[cause] = RivalFit(cause, rows(log_odds, known), truths[cause][known], ridge)
     return result
 
 
