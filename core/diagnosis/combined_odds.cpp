@@ -74,6 +74,12 @@ std::optional<Weighed> next(const std::optional<Weighed>& before, double fading,
   return Weighed{(kept * known.mean + weight * *added) / (kept + weight), kept + weight};
 }
 
+/// Of what was known before, in lengths of the window.
+double age_of(const std::optional<CombinedOdds>& before, const JudgedWindow& window) {
+  if (!before) return kLongestMemory;
+  return (window.end_s - before->end_s) / (window.end_s - window.start_s);
+}
+
 std::optional<Weighed> weighed_before(const std::optional<CombinedOdds>& before,
                                       std::size_t cause) {
   if (!before) return std::nullopt;
@@ -104,11 +110,14 @@ PerCause evidence_of(const Verdict& verdict) {
   return evidence;
 }
 
+bool stands_alone(const std::optional<CombinedOdds>& before, const JudgedWindow& window) {
+  return age_of(before, window) >= kLongestMemory;
+}
+
 CombinedOdds combine(const std::optional<CombinedOdds>& before, const JudgedWindow& window) {
-  const double length = window.end_s - window.start_s;
-  if (!(length > 0.0) || (before && before->end_s >= window.end_s))
+  const double age = age_of(before, window);
+  if (!(window.end_s > window.start_s) || !(age > 0.0))
     throw std::invalid_argument("combine: windows are given by ascending ends, each with a length");
-  const double age = before ? (window.end_s - before->end_s) / length : kLongestMemory;
   const double fading = age < kLongestMemory ? std::exp(-age / kMemoryWindows) : 0.0;
   const double weight = std::min(1.0, age) * (window.with_model ? 1.0 : kWithoutModel);
   const std::size_t causes = std::max(window.evidence.size(), before ? before->evidence.size() : 0);

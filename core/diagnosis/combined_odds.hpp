@@ -46,8 +46,12 @@ struct CombinedOdds {
 [[nodiscard]] CombinedOdds combine(const std::optional<CombinedOdds>& before,
                                    const JudgedWindow& window);
 
-/// With these priors; missing ones are shares_of_causes(). After one window alone it is not quite
-/// the window's own: what stands beside the others is fitted to several, with and without a model.
+/// Whether nothing before the window counts (any more): then what the window itself says stands.
+[[nodiscard]] bool stands_alone(const std::optional<CombinedOdds>& before,
+                                const JudgedWindow& window);
+
+/// With these priors; missing ones are shares_of_causes(). What stands beside the others is fitted
+/// to several windows, with and without a model: of one that stands alone it is not quite its own.
 [[nodiscard]] PerCause probabilities_of(const CombinedOdds& combined, const PerCause& priors);
 
 /// The largest n.

@@ -28,6 +28,7 @@ const Statement kWindowsToCombine{"windows_to_combine", R"(
            extract(epoch FROM slot.window_end)::float8 AS end_s,
            slot.model IS NOT NULL AS with_model, slot.is_before,
            slot.combined_windows::float8[]::text AS windows,
+           given.cause_probabilities::float8[]::text AS alone,
            CASE WHEN slot.is_before THEN slot.combined_evidence
                 ELSE given.cause_evidence END::float8[]::text AS evidence
     FROM unnest($1::bigint[], $3::timestamptz[], $4::timestamptz[])
@@ -43,7 +44,7 @@ const Statement kWindowsToCombine{"windows_to_combine", R"(
        WHERE stored.loop_id = wanted.loop_id AND stored.algorithm_revision = $2::integer
          AND stored.slot_end >= wanted.first AND stored.slot_end >= $5::timestamptz)) AS slot
     LEFT JOIN LATERAL (
-      SELECT said.cause_evidence FROM loopscope.verdict AS said
+      SELECT said.cause_evidence, said.cause_probabilities FROM loopscope.verdict AS said
       WHERE said.loop_id = slot.loop_id AND said.slot_end = slot.slot_end
         AND said.algorithm_revision = slot.algorithm_revision
         AND said.input_revision = slot.input_revision AND said.slot_end >= $5::timestamptz
@@ -86,19 +87,25 @@ PerCause as_stored(PerCause values) {
   return values;
 }
 
+/// What the windows up to a slot say; nullopt: its own says nothing.
+struct Combined {
+  std::optional<diagnosis::CombinedOdds> odds = std::nullopt;
+  bool alone = false;  ///< nothing before it counts
+};
+
 /// Rows of analysis to write, an array for each column.
 struct CombinedRows {
   ArrayLiteral loop_id, slot_end, probabilities, evidence, windows;
   std::int64_t first_us = std::numeric_limits<std::int64_t>::max();
 
-  void add(const pqxx::row& row, const std::optional<diagnosis::CombinedOdds>& combined,
-           const PerCause& priors) {
+  void add(const pqxx::row& row, const Combined& combined, const PerCause& priors) {
     const auto slot_end_us = row["slot_end_us"].as<std::int64_t>();
     first_us = std::min(first_us, slot_end_us);
     loop_id.add_integer(row["loop_id"].as<std::int64_t>());
     slot_end.add_time(slot_end_us);
-    const auto known = combined.value_or(diagnosis::CombinedOdds{});
-    probabilities.add_real_list(diagnosis::probabilities_of(known, priors));
+    const auto known = combined.odds.value_or(diagnosis::CombinedOdds{});
+    probabilities.add_real_list(combined.alone ? read_values(row["alone"])
+                                               : diagnosis::probabilities_of(known, priors));
     evidence.add_real_list(known.evidence);
     windows.add_real_list(known.windows);
   }
@@ -113,17 +120,18 @@ class LoopWindows {
   }
 
   /// nullopt where the window says nothing: it could not be judged, or holds nothing new.
-  std::optional<diagnosis::CombinedOdds> next(const pqxx::row& row) {
+  Combined next(const pqxx::row& row) {
     const diagnosis::JudgedWindow window{row["start_s"].as<double>(), row["end_s"].as<double>(),
                                          row["with_model"].as<bool>(),
                                          read_values(row["evidence"])};
-    if (window.evidence.empty() || !(window.end_s > window.start_s)) return std::nullopt;
+    if (window.evidence.empty() || !(window.end_s > window.start_s)) return {};
     const bool is_new = !combined_ || window.end_s > combined_->end_s;
-    if (!is_new) return combined_;
+    if (!is_new) return {combined_};
+    const bool alone = diagnosis::stands_alone(combined_, window);
     combined_ = diagnosis::combine(combined_, window);
     combined_->evidence = as_stored(std::move(combined_->evidence));
     combined_->windows = as_stored(std::move(combined_->windows));
-    return combined_;
+    return {combined_, alone};
   }
 
  private:

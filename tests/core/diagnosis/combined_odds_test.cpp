@@ -144,6 +144,14 @@ TEST(CombinedOdds, OthersCountOnce) {
   EXPECT_GT(sticking(2.0, 8), sticking(2.0, 1)) << "and its own windows still add up";
 }
 
+TEST(CombinedOdds, AWindowStandsAloneUntilAnotherCounts) {
+  EXPECT_TRUE(stands_alone(std::nullopt, window_at(kWindow_s, 0.5)));
+  const CombinedOdds first = after(1, 0.5);
+  EXPECT_FALSE(stands_alone(first, window_at(2.0 * kWindow_s, 0.5)));
+  const double later = first.end_s + longest_memory_windows() * kWindow_s;
+  EXPECT_TRUE(stands_alone(first, window_at(later, 0.5)));
+}
+
 TEST(CombinedOdds, EvidenceIsOfItsOwnFigures) {
   Verdict verdict;
   verdict.causes = {{VerdictCode::valve_stiction, 0.6, 0.5, {}, {}, 1.25},

@@ -1,27 +1,16 @@
 #include "tests/storage/results/views_fixture.hpp"
 
-#include <numeric>
-#include <optional>
-
-#include "core/diagnosis/combined_odds.hpp"
+#include "core/diagnosis/log_odds.hpp"
 
 namespace loopscope::storage {
 namespace {
 
 constexpr double kPrior = 0.2;
 
-/// A cause with the evidence by which one window alone comes to this probability.
-core::diagnosis::CauseReport healthy_with(double probability) {
-  core::diagnosis::CauseReport cause{kHealthy, probability, kPrior, {}, {}};
-  double least = -30.0, most = 30.0;
-  while (most - least > 1e-9) {
-    cause.evidence = std::midpoint(least, most);
-    const auto combined =
-        core::diagnosis::combine(std::nullopt, {0.0, 1.0, true, {cause.evidence}});
-    const double found = *core::diagnosis::probabilities_of(combined, {kPrior})[0];
-    (found < probability ? least : most) = cause.evidence;
-  }
-  return cause;
+core::diagnosis::CauseReport cause_with(core::diagnosis::VerdictCode code, double probability) {
+  const double evidence =
+      core::diagnosis::log_odds_of(probability) - core::diagnosis::log_odds_of(kPrior);
+  return {code, probability, kPrior, {}, {}, evidence};
 }
 
 }  // namespace
@@ -50,7 +39,9 @@ void ViewsTest::tell(const std::vector<Story>& stories) {
     diagnosis.evidence.data_quality.usable = story.usable;
     diagnosis.verdict.priors = {kPrior};
     if (story.fault_probability)
-      diagnosis.verdict.causes = {healthy_with(1.0 - *story.fault_probability)};
+      diagnosis.verdict.causes = {
+          cause_with(kHealthy, 1.0 - *story.fault_probability),
+          cause_with(core::diagnosis::VerdictCode::process_change, *story.fault_probability)};
     results.finish(std::vector{loop}, {});
   }
 }
