@@ -135,20 +135,21 @@ CombinedOdds combine(const std::optional<CombinedOdds>& before, const JudgedWind
 PerCause probabilities_of(const CombinedOdds& combined, const PerCause& priors) {
   std::vector<OwnOdds> all;
   std::vector<double> shifts;
-  for (std::size_t cause = 0; cause < combined.evidence.size(); ++cause) {
-    const std::optional<double> mean = combined.evidence[cause];
-    if (!mean) continue;
+  for (std::size_t cause = 0; cause < shares_of_causes().size(); ++cause) {
     const double share = at(shares_of_causes(), cause).value_or(kEven);
-    shifts.push_back(log_odds_of(at(priors, cause).value_or(share)) - log_odds_of(share));
     const double windows = at(combined.windows, cause).value_or(0.0);
-    const double own = log_odds_of(share) + *mean * worth(windows, cause);
-    all.push_back(
-        {static_cast<VerdictCode>(cause), own + shifts.back(), &by_cause().at(cause).beside});
+    // One that was not weighed is as probable as anywhere, and as much of a rival.
+    const double evidence = at(combined.evidence, cause).value_or(0.0) * worth(windows, cause);
+    shifts.push_back(log_odds_of(at(priors, cause).value_or(share)) - log_odds_of(share));
+    all.push_back({static_cast<VerdictCode>(cause), log_odds_of(share) + evidence + shifts.back(),
+                   &by_cause().at(cause).beside});
   }
   PerCause result(combined.evidence.size());
-  for (std::size_t k = 0; k < all.size(); ++k)
-    set_cause(result, all[k].code,
-              probability_of(shifts[k] + beside_others(all[k].log_odds - shifts[k], k, all)));
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!at(combined.evidence, k)) continue;
+    const double by_fit = beside_others(all[k].log_odds - shifts[k], k, all);
+    result[k] = probability_of(shifts[k] + by_fit);
+  }
   return result;
 }
 

@@ -202,7 +202,7 @@ constexpr std::array kStepFigures = {
            band_of_travel},
     Figure{"band.odds", "log odds that a valve with this band makes the cycle", Scale::plain,
            odds_of_cycle},
-    Figure{"band.jump", "the valve's slip jump by its stickband", Scale::share, jump_of_band},
+    Figure{"band.jump", "the valve's slip jump over its stickband", Scale::share, jump_of_band},
     Figure{"band.as_if_stuck", "the loop keeps up a cycle about the band of play", Scale::yes_no,
            as_if_stuck},
     Figure{"loads.after_moves", "load steps come with the loop's answers to its setpoint",

@@ -12,15 +12,16 @@ namespace loopscope::daemon {
 namespace {
 
 using core::diagnosis::CauseReport;
+using core::diagnosis::VerdictCode;
 
 /// Less probable ones take room and tell nothing.
 constexpr double kLeast = 0.05;
 constexpr std::size_t kMost = 6;
 
 /// Any nonlinearity of valve and process is no cause beside those that it sums up.
-bool is_shown(const CauseReport& cause) {
-  return cause.probability >= kLeast &&
-         cause.code != core::diagnosis::VerdictCode::nonlinear_unexplained;
+bool is_shown(const CauseReport& cause, VerdictCode verdict) {
+  if (cause.code == VerdictCode::nonlinear_unexplained && cause.code != verdict) return false;
+  return cause.probability >= kLeast;
 }
 
 std::string parts(const char* title, const std::vector<std::string>& texts) {
@@ -44,11 +45,11 @@ std::string bar(const CauseReport& cause) {
 
 }  // namespace
 
-std::string cause_bars(std::span<const CauseReport> causes) {
+std::string cause_bars(const core::diagnosis::Verdict& verdict) {
   std::string text;
   std::size_t shown = 0;
-  for (const CauseReport& cause : causes) {
-    if (!is_shown(cause) || shown++ >= kMost) continue;
+  for (const CauseReport& cause : verdict.causes) {
+    if (!is_shown(cause, verdict.code) || shown++ >= kMost) continue;
     text += bar(cause);
   }
   if (text.empty()) return text;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "core/diagnosis/verdict.hpp"
@@ -8,7 +7,7 @@
 namespace loopscope::daemon {
 
 /// The causes that are probable at all as bars, with what weighed for and against each, as HTML;
-/// empty where none was weighed.
-[[nodiscard]] std::string cause_bars(std::span<const core::diagnosis::CauseReport> causes);
+/// empty where none was weighed. Any nonlinearity is shown where it is the verdict.
+[[nodiscard]] std::string cause_bars(const core::diagnosis::Verdict& verdict);
 
 }  // namespace loopscope::daemon

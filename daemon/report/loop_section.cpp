@@ -78,7 +78,7 @@ std::string source_words(const FlaggedRow& row) {
 
 /// Of the window as the historian gives it now.
 std::string causes_of(const LoopStory& story) {
-  return story.evidence ? cause_bars(story.evidence->diagnosis.verdict.causes) : std::string();
+  return story.evidence ? cause_bars(story.evidence->diagnosis.verdict) : std::string();
 }
 
 std::string findings(const LoopStory& story) {

@@ -140,7 +140,9 @@ TEST(CombinedOdds, OthersCountOnce) {
     return log_odds_of(probabilities_of(*combined, {}).at(1).value());
   };
   EXPECT_LT(sticking(2.0, 1), sticking(-2.0, 1));
+  const double after_one = sticking(-2.0, 1) - sticking(2.0, 1);
   EXPECT_LT(sticking(2.0, 8), sticking(-2.0, 8));
+  EXPECT_LT(sticking(-2.0, 8) - sticking(2.0, 8), 1.5 * after_one);
   EXPECT_GT(sticking(2.0, 8), sticking(2.0, 1)) << "and its own windows still add up";
 }
 
@@ -150,6 +152,28 @@ TEST(CombinedOdds, AWindowStandsAloneUntilAnotherCounts) {
   EXPECT_FALSE(stands_alone(first, window_at(2.0 * kWindow_s, 0.5)));
   const double later = first.end_s + longest_memory_windows() * kWindow_s;
   EXPECT_TRUE(stands_alone(first, window_at(later, 0.5)));
+}
+
+/// What was not weighed is as much of a rival as what says nothing.
+TEST(CombinedOdds, MissingCausesAreAsProbableAsAnywhere) {
+  PerCause evidence = only(static_cast<std::size_t>(VerdictCode::external_disturbance), 1.0);
+  const JudgedWindow few{0.0, kWindow_s, true, evidence};
+  set_cause(evidence, VerdictCode::valve_stiction, 0.0);
+  const JudgedWindow more{0.0, kWindow_s, true, evidence};
+  const auto place = static_cast<std::size_t>(VerdictCode::external_disturbance);
+  const PerCause without = probabilities_of(combine(std::nullopt, few), {});
+  EXPECT_FALSE(without.at(1));
+  EXPECT_NEAR(*without.at(place), *probabilities_of(combine(std::nullopt, more), {}).at(place),
+              1e-12);
+}
+
+/// A prior is the plant's, and moves a cause that stands beside others by as much as one alone.
+TEST(CombinedOdds, APriorCountsOnceBesideOthers) {
+  const CombinedOdds combined = combine(std::nullopt, {0.0, kWindow_s, true, only(1, 1.0)});
+  const double shift = 0.7;
+  const double moved = 1.0 / (1.0 + std::exp(-log_odds_of(share(1)) - shift));
+  EXPECT_NEAR(log_odds_of(*probabilities_of(combined, only(1, moved)).at(1)),
+              log_odds_of(*probabilities_of(combined, {}).at(1)) + shift, 1e-9);
 }
 
 TEST(CombinedOdds, EvidenceIsOfItsOwnFigures) {
