@@ -8,8 +8,8 @@
 
 #include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/disturbance_words.hpp"
-#include "core/diagnosis/log_odds.hpp"
 #include "core/diagnosis/nonlinearity.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/structure.hpp"
 #include "core/diagnosis/verdict_p.hpp"
@@ -24,7 +24,7 @@ using Causes = std::vector<WeighedCause>;
 /// one may be named sooner.
 constexpr double kLikelier = 0.5;
 
-double probability_of(const Causes& causes, VerdictCode code) {
+double probability_in(const Causes& causes, VerdictCode code) {
   const auto found = std::ranges::find(causes, code, &WeighedCause::code);
   return found == causes.end() ? 0.0 : found->probability();
 }
@@ -49,7 +49,7 @@ Circumstances circumstances_of(const Evidence& evidence, double alpha) {
 }
 
 double confidence_in(VerdictCode code, const Causes& causes) {
-  if (code != VerdictCode::unexplained) return probability_of(causes, code);
+  if (code != VerdictCode::unexplained) return probability_in(causes, code);
   double largest = 0.0;
   for (const WeighedCause& cause : causes) largest = std::max(largest, cause.probability());
   return 1.0 - largest;
@@ -187,11 +187,11 @@ Verdict said_of(const Evidence& evidence, const hos::Settings& settings,
 VerdictCode code_for(const Causes& causes, const Circumstances& circumstances, double line) {
   const auto named = std::ranges::find_if(
       causes, [&](const WeighedCause& cause) { return may_be_named(cause, circumstances); });
-  const double health = probability_of(causes, VerdictCode::healthy);
+  const double health = probability_in(causes, VerdictCode::healthy);
   const double least = std::max(line, health);
   if (named != causes.end() && named->probability() >= least) return named->code;
   if (circumstances.nonlinear_shown &&
-      probability_of(causes, VerdictCode::nonlinear_unexplained) >= std::max(least, kLikelier))
+      probability_in(causes, VerdictCode::nonlinear_unexplained) >= std::max(least, kLikelier))
     return VerdictCode::nonlinear_unexplained;
   const bool unclear = health < line && circumstances.structured;
   return unclear ? VerdictCode::unexplained : VerdictCode::healthy;

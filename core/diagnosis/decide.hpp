@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "core/diagnosis/cause_odds.hpp"
-#include "core/diagnosis/combined_odds.hpp"
 #include "core/diagnosis/decision_settings.hpp"
 #include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/odds/cause_odds.hpp"
+#include "core/diagnosis/odds/combined_odds.hpp"
 #include "core/diagnosis/verdict.hpp"
 #include "core/hos/settings.hpp"
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/cause_odds.hpp"
 #include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/nonlinearity.hpp"
+#include "core/diagnosis/odds/cause_odds.hpp"
 #include "core/diagnosis/verdict.hpp"
 
 namespace loopscope::core::diagnosis {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/diagnosis/combined_odds.hpp"
+#include "core/diagnosis/odds/combined_odds.hpp"
 #include "daemon/recording/analyse_recording.hpp"
 
 namespace loopscope::daemon {

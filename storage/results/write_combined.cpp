@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/diagnosis/combined_odds.hpp"
+#include "core/diagnosis/odds/combined_odds.hpp"
 #include "storage/array_literal.hpp"
 #include "storage/statement.hpp"
 #include "storage/timestamp.hpp"
@@ -28,7 +28,8 @@ const Statement kWindowsToCombine{"windows_to_combine", R"(
            extract(epoch FROM slot.window_end)::float8 AS end_s,
            slot.model IS NOT NULL AS with_model, slot.is_before,
            slot.combined_windows::float8[]::text AS windows,
-           given.cause_probabilities::float8[]::text AS alone,
+           CASE WHEN slot.is_before THEN slot.combined_probabilities
+                ELSE given.cause_probabilities END::float8[]::text AS probabilities,
            CASE WHEN slot.is_before THEN slot.combined_evidence
                 ELSE given.cause_evidence END::float8[]::text AS evidence
     FROM unnest($1::bigint[], $3::timestamptz[], $4::timestamptz[])
@@ -87,10 +88,10 @@ PerCause as_stored(PerCause values) {
   return values;
 }
 
-/// What the windows up to a slot say; nullopt: its own says nothing.
+/// What the windows up to a slot say.
 struct Combined {
-  std::optional<diagnosis::CombinedOdds> odds = std::nullopt;
-  bool alone = false;  ///< nothing before it counts
+  diagnosis::CombinedOdds odds;
+  PerCause probabilities;
 };
 
 /// Rows of analysis to write, an array for each column.
@@ -98,16 +99,14 @@ struct CombinedRows {
   ArrayLiteral loop_id, slot_end, probabilities, evidence, windows;
   std::int64_t first_us = std::numeric_limits<std::int64_t>::max();
 
-  void add(const pqxx::row& row, const Combined& combined, const PerCause& priors) {
+  void add(const pqxx::row& row, const Combined& combined) {
     const auto slot_end_us = row["slot_end_us"].as<std::int64_t>();
     first_us = std::min(first_us, slot_end_us);
     loop_id.add_integer(row["loop_id"].as<std::int64_t>());
     slot_end.add_time(slot_end_us);
-    const auto known = combined.odds.value_or(diagnosis::CombinedOdds{});
-    probabilities.add_real_list(combined.alone ? read_values(row["alone"])
-                                               : diagnosis::probabilities_of(known, priors));
-    evidence.add_real_list(known.evidence);
-    windows.add_real_list(known.windows);
+    probabilities.add_real_list(combined.probabilities);
+    evidence.add_real_list(combined.odds.evidence);
+    windows.add_real_list(combined.odds.windows);
   }
 };
 
@@ -115,27 +114,31 @@ struct CombinedRows {
 class LoopWindows {
  public:
   void begin_with(const pqxx::row& row) {
-    combined_ = diagnosis::CombinedOdds{row["end_s"].as<double>(), read_values(row["evidence"]),
-                                        read_values(row["windows"])};
+    combined_ = Combined{
+        {row["end_s"].as<double>(), read_values(row["evidence"]), read_values(row["windows"])},
+        read_values(row["probabilities"])};
   }
 
-  /// nullopt where the window says nothing: it could not be judged, or holds nothing new.
-  Combined next(const pqxx::row& row) {
+  /// Empty where the window could not be judged; as before where it holds nothing new.
+  Combined next(const pqxx::row& row, const PerCause& priors) {
     const diagnosis::JudgedWindow window{row["start_s"].as<double>(), row["end_s"].as<double>(),
                                          row["with_model"].as<bool>(),
                                          read_values(row["evidence"])};
     if (window.evidence.empty() || !(window.end_s > window.start_s)) return {};
-    const bool is_new = !combined_ || window.end_s > combined_->end_s;
-    if (!is_new) return {combined_};
-    const bool alone = diagnosis::stands_alone(combined_, window);
-    combined_ = diagnosis::combine(combined_, window);
-    combined_->evidence = as_stored(std::move(combined_->evidence));
-    combined_->windows = as_stored(std::move(combined_->windows));
-    return {combined_, alone};
+    if (combined_ && window.end_s <= combined_->odds.end_s) return *combined_;
+    const auto before = combined_ ? std::optional(combined_->odds) : std::nullopt;
+    diagnosis::CombinedOdds odds = diagnosis::combine(before, window);
+    odds.evidence = as_stored(std::move(odds.evidence));
+    odds.windows = as_stored(std::move(odds.windows));
+    PerCause probabilities = diagnosis::stands_alone(before, window)
+                                 ? read_values(row["probabilities"])
+                                 : diagnosis::probabilities_of(odds, priors);
+    combined_ = Combined{std::move(odds), std::move(probabilities)};
+    return *combined_;
   }
 
  private:
-  std::optional<diagnosis::CombinedOdds> combined_;
+  std::optional<Combined> combined_;
 };
 
 pqxx::result windows_of(Transaction& transaction, int algorithm_revision,
@@ -165,7 +168,7 @@ void write_combined(Transaction& transaction, int algorithm_revision,
     if (row["is_before"].as<bool>())
       loop.begin_with(row);
     else
-      rows.add(row, loop.next(row), priors);
+      rows.add(row, loop.next(row, priors));
   }
   if (loops.empty()) return;
   transaction.run(kSetCombined,

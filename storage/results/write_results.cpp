@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "core/diagnosis/combined_odds.hpp"
+#include "core/diagnosis/odds/combined_odds.hpp"
 #include "core/signal/grid.hpp"
 #include "storage/array_literal.hpp"
 #include "storage/results/analysis_columns.hpp"

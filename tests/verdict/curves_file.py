@@ -33,21 +33,22 @@ def points_text(points):
     return "{" + ", ".join(f"{{{number(v)}, {weight(w)}}}" for v, w in points) + "}"
 
 
-def beside_text(rival):
-    """Scale of its own odds, offset, the curves over the rivals' odds and any nonlinearity's."""
-    if rival is None:
+def beside_text(fit):
+    """Scale of its own odds, offset, the curves over the rivals' odds and any nonlinearity's; None for one
+    that stands alone."""
+    if fit is None:
         return "1, 0, {}, {}"
-    return (f"{rival.scale:.4g}, {rival.offset:.4g}, {points_text(rival.rival)},\n"
-            f"       {points_text(rival.nonlinear)}")
+    return (f"{fit.scale:.4g}, {fit.offset:.4g}, {points_text(fit.rival)},\n"
+            f"       {points_text(fit.nonlinear)}")
 
 
 def table_text(name, fits):
-    """`fits`: curves and rival by cause."""
+    """`fits`: by cause, its curves and what it is beside the others."""
     text = f"std::vector<CauseCurves> {name}() {{\n  return {{\n"
-    for cause, (fit, rival) in fits.items():
+    for cause, (fit, beside) in fits.items():
         rest, curves = fit.curves()
         text += f'      {{"{cause}", {number(fit.share)}, {rest:.4g},\n'
-        text += f"       {{{beside_text(rival)}}},\n       {{\n"
+        text += f"       {{{beside_text(beside)}}},\n       {{\n"
         text += "".join(curve_text(*curve) for curve in curves if not is_flat(*curve[1:]))
         text += "       }},\n"
     return text + "  };\n}\n"

@@ -5,13 +5,21 @@ import csv
 import numpy
 
 
+# Beside the figures.
+LEADING = ["seed", "family", "causes", "doubtful"]
+
+
 class Records:
     """Columns of figures (NaN = not computed) and the truth of each record."""
 
     def __init__(self, lines):
         rows = csv.reader(lines, delimiter="\t")
         heading = next(rows)
+        if heading[:4] != LEADING:
+            raise ValueError(f"its heading does not begin with {', '.join(LEADING)}")
         body = [row for row in rows if len(row) == len(heading)]
+        if not body:
+            raise ValueError("no records stand in it")
         self.names = [name.rstrip("*") for name in heading[4:]]
         self.of_model = [name.rstrip("*") for name in heading[4:] if name.endswith("*")]
         self.seeds = [row[0] for row in body]

@@ -3,11 +3,11 @@
 #include <map>
 #include <random>
 
-#include "core/diagnosis/combined_odds.hpp"
-#include "core/diagnosis/log_odds.hpp"
+#include "core/diagnosis/odds/combined_odds.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 #include "tests/storage/results/results_fixture.hpp"
 
-/// What analysis keeps of several windows against core/diagnosis/combined_odds.
+/// What analysis keeps of several windows against core/diagnosis/odds/combined_odds.
 namespace loopscope::storage {
 namespace {
 
@@ -191,6 +191,24 @@ TEST_F(CombinedWindowsTest, AnUndisturbedRunStoresTheSameDigits) {
   for (int hour = 1; hour <= 8; ++hour)
     finish({hour, hour == 8 ? 0.77 : 0.3 + 0.0617 * hour}, "u" + std::to_string(hour));
   EXPECT_EQ(digits(), revised);
+}
+
+/// A slot of the same samples says what the one before it said.
+TEST_F(CombinedWindowsTest, NothingNewChangesNothing) {
+  add_loops({"a"});
+  finish({1, 0.4}, "d1");
+  database->execute(kEndLeases);
+  ResultsDatabase results = connect();
+  CompletedLoop loop = completed(claim_all(results).at(0), slot(2), "d2");
+  loop.record = record_of({2, 0.9}, "d2");
+  const AnalysisRecord first = record_of({1, 0.4}, "d1");
+  loop.record->window_start_us = first.window_start_us;
+  loop.record->window_end_us = first.window_end_us;
+  results.finish(std::vector{loop}, {});
+  const TextRows rows = stored();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1][1], rows[0][1]);
+  EXPECT_EQ(rows[1][2], rows[0][2]);
 }
 
 TEST_F(CombinedWindowsTest, AnotherRevisionBeginsAnew) {

@@ -1,6 +1,6 @@
 #include "tests/storage/results/views_fixture.hpp"
 
-#include "core/diagnosis/log_odds.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 
 namespace loopscope::storage {
 namespace {

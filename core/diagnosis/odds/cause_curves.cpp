@@ -1,12 +1,12 @@
-#include "core/diagnosis/cause_curves.hpp"
+#include "core/diagnosis/odds/cause_curves.hpp"
 
 #include <cmath>
 
 namespace loopscope::core::diagnosis {
 namespace {
 
-#include "core/diagnosis/curves_with_model.inc"
-#include "core/diagnosis/curves_without_model.inc"
+#include "core/diagnosis/odds/curves_with_model.inc"
+#include "core/diagnosis/odds/curves_without_model.inc"
 
 }  // namespace
 

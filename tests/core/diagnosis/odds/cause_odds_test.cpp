@@ -1,11 +1,11 @@
-#include "core/diagnosis/cause_odds.hpp"
+#include "core/diagnosis/odds/cause_odds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>
 
-#include "core/diagnosis/cause_curves.hpp"
+#include "core/diagnosis/odds/cause_curves.hpp"
 #include "tests/core/diagnosis/explanations.hpp"
 
 namespace loopscope::core::diagnosis {

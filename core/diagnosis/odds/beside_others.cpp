@@ -1,16 +1,17 @@
-#include "core/diagnosis/beside_others.hpp"
+#include "core/diagnosis/odds/beside_others.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
-#include "core/diagnosis/log_odds.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
 
 /// The other causes of one, were they independent.
-OthersPart rivals_of(std::size_t place, std::span<const OwnOdds> all) {
+std::optional<OthersPart> rivals_of(std::size_t place, std::span<const OwnOdds> all) {
   /// -ln of the probability that none is there; beyond it no double is below 1.
   constexpr double kSurest = 30.0;
   const OwnOdds* first = nullptr;
@@ -21,9 +22,9 @@ OthersPart rivals_of(std::size_t place, std::span<const OwnOdds> all) {
     none += std::max(odds, 0.0) + std::log1p(std::exp(-std::abs(odds)));
     if (!first || odds > first->log_odds) first = &all[k];
   }
-  if (!first) return {};
+  if (!first) return std::nullopt;
   const double any = std::log(std::expm1(std::min(none, kSurest)));
-  return {height_at(all[place].beside->rival, any), probability_of(any), first->code};
+  return OthersPart{height_at(all[place].beside->rival, any), probability_of(any), first->code};
 }
 
 }  // namespace
@@ -32,8 +33,7 @@ std::vector<OthersPart> parts_of_others(std::size_t place, std::span<const OwnOd
   const BesideOthers& beside = *all[place].beside;
   if (beside.rival.empty()) return {};
   std::vector<OthersPart> parts;
-  if (const OthersPart rivals = rivals_of(place, all); rivals.probability > 0.0)
-    parts.push_back(rivals);
+  if (const auto rivals = rivals_of(place, all)) parts.push_back(*rivals);
   const auto any = std::ranges::find(all, VerdictCode::nonlinear_unexplained, &OwnOdds::code);
   if (any != all.end())
     parts.push_back(

@@ -1,4 +1,4 @@
-#include "core/diagnosis/log_odds.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/diagnosis/combined_odds.hpp"
+#include "core/diagnosis/odds/combined_odds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,22 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnosis/beside_others.hpp"
-#include "core/diagnosis/cause_curves.hpp"
-#include "core/diagnosis/log_odds.hpp"
+#include "core/diagnosis/odds/beside_others.hpp"
+#include "core/diagnosis/odds/cause_curves.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
 
-/// How the windows of a loop count together for one cause, and what it is beside the others then.
-struct SeveralWindows {
-  std::string_view cause;
-  double correlation = 1.0;
-  BesideOthers beside;
-};
-
-#include "core/diagnosis/several_windows.inc"
+#include "core/diagnosis/odds/several_windows.inc"
 
 /// A repair shows in the combined odds after a day or two of windows of some hours, and n of
 /// several windows is enough: their correlation leaves little to be won by more.
@@ -33,21 +26,10 @@ constexpr double kLongestMemory = 6.0 * kMemoryWindows;
 /// Of a cause that the fit does not know.
 constexpr double kEven = 0.5;
 
-/// By place in the catalogue; a cause that the table lacks stands alone.
-const std::vector<SeveralWindows>& by_cause() {
-  static const std::vector<SeveralWindows> all = [] {
-    std::vector<SeveralWindows> placed(all_verdict_codes().size());
-    for (SeveralWindows& row : several_windows())
-      placed[static_cast<std::size_t>(verdict_code(row.cause).value())] = std::move(row);
-    return placed;
-  }();
-  return all;
-}
-
 /// How many windows without correlation n correlated ones are worth.
-double worth(double windows, std::size_t cause) {
+double worth(double windows, double correlation) {
   if (windows <= 1.0) return 1.0;
-  return windows / (1.0 + (windows - 1.0) * by_cause().at(cause).correlation);
+  return windows / (1.0 + (windows - 1.0) * correlation);
 }
 
 std::optional<double> at(const PerCause& values, std::size_t cause) {
@@ -90,6 +72,16 @@ std::optional<Weighed> weighed_before(const std::optional<CombinedOdds>& before,
 }
 
 }  // namespace
+
+const std::map<VerdictCode, SeveralWindows>& fitted_windows() {
+  static const std::map<VerdictCode, SeveralWindows> by_cause = [] {
+    std::map<VerdictCode, SeveralWindows> result;
+    for (SeveralWindows& row : several_windows())
+      result.emplace(verdict_code(row.cause).value(), std::move(row));
+    return result;
+  }();
+  return by_cause;
+}
 
 const PerCause& shares_of_causes() {
   static const PerCause shares = [] {
@@ -135,20 +127,19 @@ CombinedOdds combine(const std::optional<CombinedOdds>& before, const JudgedWind
 PerCause probabilities_of(const CombinedOdds& combined, const PerCause& priors) {
   std::vector<OwnOdds> all;
   std::vector<double> shifts;
-  for (std::size_t cause = 0; cause < shares_of_causes().size(); ++cause) {
-    const double share = at(shares_of_causes(), cause).value_or(kEven);
-    const double windows = at(combined.windows, cause).value_or(0.0);
+  for (const auto& [code, fitted] : fitted_windows()) {
+    const double share = at(shares_of_causes(), code).value_or(kEven);
     // One that was not weighed is as probable as anywhere, and as much of a rival.
-    const double evidence = at(combined.evidence, cause).value_or(0.0) * worth(windows, cause);
-    shifts.push_back(log_odds_of(at(priors, cause).value_or(share)) - log_odds_of(share));
-    all.push_back({static_cast<VerdictCode>(cause), log_odds_of(share) + evidence + shifts.back(),
-                   &by_cause().at(cause).beside});
+    const double evidence = at(combined.evidence, code).value_or(0.0) *
+                            worth(at(combined.windows, code).value_or(0.0), fitted.correlation);
+    shifts.push_back(log_odds_of(at(priors, code).value_or(share)) - log_odds_of(share));
+    all.push_back({code, log_odds_of(share) + evidence + shifts.back(), &fitted.beside});
   }
   PerCause result(combined.evidence.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (!at(combined.evidence, k)) continue;
+    if (!at(combined.evidence, all[k].code)) continue;
     const double by_fit = beside_others(all[k].log_odds - shifts[k], k, all);
-    result[k] = probability_of(shifts[k] + by_fit);
+    set_cause(result, all[k].code, probability_of(shifts[k] + by_fit));
   }
   return result;
 }

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/diagnosis/beside_others.hpp"
-#include "core/diagnosis/curve.hpp"
+#include "core/diagnosis/odds/beside_others.hpp"
+#include "core/diagnosis/odds/curve.hpp"
 
 namespace loopscope::core::diagnosis {
 

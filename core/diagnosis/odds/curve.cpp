@@ -1,4 +1,4 @@
-#include "core/diagnosis/curve.hpp"
+#include "core/diagnosis/odds/curve.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "core/diagnosis/cause_curves.hpp"
+#include "core/diagnosis/odds/cause_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,11 +27,6 @@ void expect_sound(const CauseCurves& cause) {
   EXPECT_TRUE(verdict_code(cause.cause)) << cause.cause;
   EXPECT_GT(cause.share, 0.0) << cause.cause;
   EXPECT_LT(cause.share, 1.0) << cause.cause;
-  EXPECT_GT(cause.beside.scale, 0.0) << cause.cause;
-  EXPECT_EQ(cause.beside.rival.empty(), cause.beside.nonlinear.empty()) << cause.cause;
-  EXPECT_TRUE(std::ranges::is_sorted(cause.beside.rival, {}, &CurvePoint::value)) << cause.cause;
-  EXPECT_TRUE(std::ranges::is_sorted(cause.beside.nonlinear, {}, &CurvePoint::value))
-      << cause.cause;
   std::set<std::string_view> figures;
   for (const FigureCurve& curve : cause.curves) {
     EXPECT_TRUE(figure_place(curve.figure)) << curve.figure;

@@ -29,7 +29,7 @@ def any_rival(log_odds, cause):
     return numpy.log(numpy.expm1(numpy.minimum(none, SUREST)))
 
 
-class RivalFit:
+class BesideFit:
     def __init__(self, cause, log_odds, truth, ridge):
         own = log_odds[cause]
         ramps = [self._ramps(any_rival(log_odds, cause)), self._ramps(log_odds[ANY_NONLINEARITY])]
@@ -80,7 +80,7 @@ def fit_all(log_odds, truths, ridge=RIDGE):
         if cause in NO_RIVALS:
             continue
         known = ~numpy.isnan(truths[cause])
-        result[cause] = RivalFit(cause, rows(log_odds, known), truths[cause][known], ridge)
+        result[cause] = BesideFit(cause, rows(log_odds, known), truths[cause][known], ridge)
     return result
 
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/diagnosis/curve.hpp"
+#include "core/diagnosis/odds/curve.hpp"
 #include "core/diagnosis/verdict.hpp"
 
 namespace loopscope::core::diagnosis {

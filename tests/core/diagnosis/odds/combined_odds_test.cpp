@@ -1,10 +1,10 @@
-#include "core/diagnosis/combined_odds.hpp"
+#include "core/diagnosis/odds/combined_odds.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>
 
-#include "core/diagnosis/log_odds.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -183,6 +183,16 @@ TEST(CombinedOdds, EvidenceIsOfItsOwnFigures) {
   const PerCause evidence = evidence_of(verdict);
   EXPECT_NEAR(*evidence.at(1), 1.25, 1e-9);
   EXPECT_NEAR(*evidence.at(0), log_odds_of(0.0) - log_odds_of(share(0)), 1e-9);
+}
+
+TEST(CombinedOdds, TheTableHoldsEveryCauseThatHasCurves) {
+  const PerCause& shares = shares_of_causes();
+  EXPECT_EQ(fitted_windows().size(), shares.size());
+  for (const auto& [code, fitted] : fitted_windows()) {
+    EXPECT_TRUE(shares.at(static_cast<std::size_t>(code))) << fitted.cause;
+    EXPECT_GE(fitted.correlation, 0.0) << fitted.cause;
+    EXPECT_LE(fitted.correlation, 1.0) << fitted.cause;
+  }
 }
 
 TEST(CombinedOdds, WindowsComeByAscendingEnds) {

@@ -1,10 +1,24 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <string_view>
 
+#include "core/diagnosis/odds/beside_others.hpp"
 #include "core/diagnosis/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
+
+/// How the windows of a loop count together for one cause, and what it is beside the others then.
+struct SeveralWindows {
+  std::string_view cause;    ///< code of the verdict
+  double correlation = 1.0;  ///< of the windows of one loop, 0 to 1
+  BesideOthers beside;
+};
+
+/// The fitted table (several_windows.inc, written by tests/verdict/windows), of every cause that
+/// has curves.
+[[nodiscard]] const std::map<VerdictCode, SeveralWindows>& fitted_windows();
 
 /// The share of each cause in the fit, 0 to 1: what is expected before anything is measured.
 [[nodiscard]] const PerCause& shares_of_causes();

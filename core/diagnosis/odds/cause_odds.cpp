@@ -1,4 +1,4 @@
-#include "core/diagnosis/cause_odds.hpp"
+#include "core/diagnosis/odds/cause_odds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "core/diagnosis/cause_curves.hpp"
 #include "core/diagnosis/figure.hpp"
-#include "core/diagnosis/log_odds.hpp"
+#include "core/diagnosis/odds/cause_curves.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -1,10 +1,11 @@
-#include "core/diagnosis/beside_others.hpp"
+#include "core/diagnosis/odds/beside_others.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/diagnosis/cause_curves.hpp"
-#include "core/diagnosis/log_odds.hpp"
+#include "core/diagnosis/odds/cause_curves.hpp"
+#include "core/diagnosis/odds/combined_odds.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -55,24 +56,38 @@ TEST(BesideOthers, WithoutAnyOtherNothingIsAdded) {
 
 TEST(BesideOthers, CertaintyStaysANumber) {
   EXPECT_TRUE(std::isfinite(beside_others(900.0, 0, loop(900.0, 900.0, 900.0))));
-  EXPECT_TRUE(std::isfinite(beside_others(-900.0, 0, loop(-900.0, -900.0, -900.0))));
+  // log odds of -inf: the first point of the curve.
+  const std::vector<OwnOdds> none = {{VerdictCode::valve_stiction, -900.0, &kBeside},
+                                     {VerdictCode::healthy, -900.0, &kBeside}};
+  EXPECT_DOUBLE_EQ(beside_others(-900.0, 0, none), 0.9 * -900.0 - 0.1 + 1.0);
 }
 
-/// Of the fitted tables: a rival never helps; a nonlinearity helps those that are one and no
-/// others.
+bool is_nonlinear(VerdictCode code) {
+  return code >= VerdictCode::valve_stiction && code <= VerdictCode::process_nonlinearity;
+}
+
+void expect_sound(VerdictCode code, const BesideOthers& beside) {
+  const double sign = is_nonlinear(code) ? 1.0 : -1.0;
+  EXPECT_GT(beside.scale, 0.0) << name(code);
+  EXPECT_EQ(beside.rival.empty(), beside.nonlinear.empty()) << name(code);
+  for (std::size_t k = 1; k < beside.rival.size(); ++k) {
+    EXPECT_LT(beside.rival[k - 1].value, beside.rival[k].value) << name(code);
+    EXPECT_GE(beside.rival[k - 1].weight, beside.rival[k].weight) << name(code);
+  }
+  for (std::size_t k = 1; k < beside.nonlinear.size(); ++k) {
+    EXPECT_LT(beside.nonlinear[k - 1].value, beside.nonlinear[k].value) << name(code);
+    EXPECT_LE(sign * beside.nonlinear[k - 1].weight, sign * beside.nonlinear[k].weight)
+        << name(code);
+  }
+}
+
+/// A rival never helps; a nonlinearity helps those that are one and no others.
 TEST(BesideOthers, TheFittedCurvesGoTheirWay) {
   for (const bool with_model : {true, false}) {
     for (const CauseCurves& cause : fitted_curves(with_model)) {
       const VerdictCode code = verdict_code(cause.cause).value();
-      const double sign =
-          code >= VerdictCode::valve_stiction && code <= VerdictCode::process_nonlinearity ? 1.0
-                                                                                           : -1.0;
-      for (std::size_t k = 1; k < cause.beside.rival.size(); ++k)
-        EXPECT_LE(cause.beside.rival[k].weight, cause.beside.rival[k - 1].weight) << cause.cause;
-      for (std::size_t k = 1; k < cause.beside.nonlinear.size(); ++k)
-        EXPECT_GE(sign * cause.beside.nonlinear[k].weight,
-                  sign * cause.beside.nonlinear[k - 1].weight)
-            << cause.cause;
+      expect_sound(code, cause.beside);
+      expect_sound(code, fitted_windows().at(code).beside);
     }
   }
 }
