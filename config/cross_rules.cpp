@@ -79,6 +79,15 @@ void check_report(const ReportSettings& report, ProblemList& problems) {
       R"(write it from the root on, "/var/lib/loopscope/reports"; "" = none)");
 }
 
+void check_list(const FlagSettings& flags, ProblemList& problems) {
+  if (flags.list_leave_share < flags.list_false_share)
+    problems.add_unless_refused({"/flags/list_leave_share", "/flags/list_false_share"},
+                                number_text(flags.list_leave_share) +
+                                    " is less than list_false_share, " +
+                                    number_text(flags.list_false_share),
+                                "loops would enter the list and leave it at once");
+}
+
 void check_window(const core::signal::PrepareSettings& prepare, ProblemList& problems) {
   if (prepare.min_usable_samples > prepare.window_samples)
     problems.add_unless_refused({"/analysis/min_usable_samples", "/analysis/window_samples"},
@@ -148,6 +157,7 @@ void check_cross_rules(const Settings& settings, ProblemList& problems) {
   check_http_address(settings.daemon.http_address, problems);
   check_http_names(settings.daemon.http_names, problems);
   check_report(settings.report, problems);
+  check_list(settings.flags, problems);
   check_window(settings.analysis.prepare, problems);
   check_segments(settings.analysis, problems);
   check_overlap(settings.analysis.hos, problems);

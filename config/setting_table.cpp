@@ -140,6 +140,10 @@ constexpr std::array kOtherSettings = {
             "share of loops without a fault that is expected on the list: the mean of 1 less the "
             "probability of a fault"},
     Setting{
+        "/flags/list_leave_share", in_flags<&FlagSettings::list_leave_share>, range(0, 0.5),
+        "the same of the loops that stay: a loop leaves the list when it would be exceeded, not "
+        "below `list_false_share`"},
+    Setting{
         "/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
         range(0.0001, 1),
         "share of the flags that may be false by the p-values that they rest on; 1 = odds alone "

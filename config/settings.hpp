@@ -108,6 +108,8 @@ struct DaemonSettings {
 struct FlagSettings {
   /// Expected share of loops without a fault on the list, 0 to 0.5: of flagged_loop.
   double list_false_share = 0.02;
+  /// A loop stays until this share is exceeded, list_false_share to 0.5.
+  double list_leave_share = 0.2;
   /// Share of tested flags that may be false, 0.0001 to 1; 1 = the list goes by odds alone.
   double false_discovery_rate = 0.005;
   /// positive: tests of different loops are independent or rise together; arbitrary: in any way

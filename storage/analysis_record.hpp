@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/diagnosis/diagnose.hpp"
+#include "core/signal/loop_window.hpp"
 
 namespace loopscope::storage {
 
@@ -13,11 +14,12 @@ namespace loopscope::storage {
 struct AnalysisRecord {
   std::int64_t slot_end_us = 0;  ///< microseconds UTC; the key together with loop and revision
   int algorithm_revision = core::kAlgorithmRevision;
-  std::int64_t window_start_us = 0;  ///< first sample of the window
-  std::int64_t window_end_us = 0;    ///< last sample of the window
-  std::size_t samples = 0;           ///< grid slots in the window
-  double sample_interval_s = 0.0;    ///< 0 = unknown (no rows)
-  std::string input_digest;          ///< 16 hexadecimal digits over all samples read, and settings
+  std::int64_t window_start_us = 0;                            ///< first sample of the window
+  std::int64_t window_end_us = 0;                              ///< last sample of the window
+  std::size_t samples = 0;                                     ///< grid slots in the window
+  double sample_interval_s = 0.0;                              ///< 0 = unknown (no rows)
+  std::optional<core::signal::PvPast> pv_past = std::nullopt;  ///< as known before the window
+  std::string input_digest;  ///< 16 hexadecimal digits over all samples read, and settings
   std::string program_version;
   std::string settings_json;       ///< the analysis settings in force, as a JSON object
   double fetch_ms = 0.0;           ///< share of the batch's reading time

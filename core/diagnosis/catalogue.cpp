@@ -49,7 +49,8 @@ constexpr std::array kCatalogue{
                    "The process has changed within the window.",
                    "Check what was changed at that time."},
     CatalogueEntry{VerdictCode::sensor_fault, "sensor_fault", 1.0, "sensor", Fault::sensor, true,
-                   "The measurement is coarse or held", "The measurement is not trustworthy.",
+                   "The measurement is frozen, held or coarse",
+                   "The measurement is not trustworthy.",
                    "Check transmitter, impulse lines and the archive's settings for this tag."},
     CatalogueEntry{VerdictCode::tight_tuning, "tight_tuning", 0.7, "oscillation", Fault::tuning,
                    false, "The controller is tuned too tightly", "The controller is too tight.",
@@ -67,10 +68,12 @@ constexpr std::array kCatalogue{
                    false, "Structured, but no known effect explains it",
                    "The loop performs poorly for a reason that was not found.",
                    "Look at the trends of setpoint, process variable and controller output."},
+    CatalogueEntry{VerdictCode::not_controlling, "not_controlling", 0.0, "", Fault::none, false,
+                   "No controller acts: manual, tracking, out of service, constant output",
+                   "No controller acts on the loop.", "Ask operations why it is not in automatic."},
     CatalogueEntry{VerdictCode::insufficient_data, "insufficient_data", 0.0, "", Fault::none, false,
                    "The data cannot be judged", "The data cannot be judged.",
-                   "Mend what the reason names: the recording of the tags, or the controller's "
-                   "mode."},
+                   "Correct what the reason names, or wait until enough is recorded."},
 };
 
 constexpr bool in_order() {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/disturbance_words.hpp"
+#include "core/diagnosis/loop_state.hpp"
 #include "core/diagnosis/nonlinearity.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/reasons.hpp"
@@ -44,7 +46,7 @@ bool may_be_named(const WeighedCause& cause, const Circumstances& circumstances)
 
 Circumstances circumstances_of(const Evidence& evidence, double alpha) {
   return {is_structured(evidence),
-          evidence.op_range_known && evidence.valve_gain.pv_span_percent.has_value(),
+          evidence.op_range_set && evidence.valve_gain.pv_span_percent.has_value(),
           shows_nonlinearity(evidence, alpha)};
 }
 
@@ -60,9 +62,18 @@ Verdict verdict_with(VerdictCode code, double confidence) {
   return {code, confidence, std::string(entry.summary), {}, std::string(entry.action)};
 }
 
+/// No cause: certain, and outside of what is weighed.
 Verdict insufficient(const Evidence& evidence) {
   Verdict verdict = verdict_with(VerdictCode::insufficient_data, 1.0);
   verdict.reasons = {evidence.data_quality.reason + "."};
+  return verdict;
+}
+
+Verdict not_controlling(const Evidence& evidence, const hos::Settings& settings) {
+  Verdict verdict = verdict_with(VerdictCode::not_controlling, 1.0);
+  verdict.summary = not_controlling_summary(evidence);
+  verdict.action = not_controlling_action(evidence);
+  if (evidence.hos) verdict.reasons = findings(evidence, judge_nonlinearity(evidence, settings));
   return verdict;
 }
 
@@ -126,6 +137,53 @@ Causes known_causes(const Evidence& evidence, const DecisionSettings& decision) 
   return causes;
 }
 
+/// A state that is seen raises its cause, and leaves health what is left.
+void put_state(VerdictCode code, const PerCause& priors, Causes& causes) {
+  const auto cause_of = [&](VerdictCode wanted) {
+    const auto found = std::ranges::find(causes, wanted, &WeighedCause::code);
+    if (found != causes.end()) return found;
+    const double prior = priors[static_cast<std::size_t>(wanted)].value();
+    return causes.insert(causes.end(), {wanted, log_odds_of(prior), prior, {}});
+  };
+  const auto seen = cause_of(code);
+  seen->log_odds += state_evidence();
+  const double most_of_health = -seen->log_odds;
+  const auto health = cause_of(VerdictCode::healthy);
+  health->log_odds = std::min(health->log_odds, most_of_health);
+  std::ranges::stable_sort(causes, std::greater{}, &WeighedCause::log_odds);
+}
+
+/// A fault that is seen goes before causes that are weighed: a dead transmitter or an output at its
+/// end is mended first, whatever else the record shows.
+Verdict by_state(VerdictCode code, const Evidence& evidence, const hos::Settings& settings,
+                 const DecisionSettings& decision) {
+  Causes causes = evidence.hos ? known_causes(evidence, decision) : Causes{};
+  put_state(code, priors_of(decision), causes);
+  Verdict verdict = verdict_with(code, probability_in(causes, code));
+  for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
+  if (evidence.hos) verdict.reasons = findings(evidence, judge_nonlinearity(evidence, settings));
+  verdict.action = action_with(code, evidence, causes, decision.line);
+  verdict.stands_alone = true;
+  return verdict;
+}
+
+Verdict of_state(LoopState state, const Evidence& evidence, const hos::Settings& settings,
+                 const DecisionSettings& decision) {
+  Verdict verdict = state == LoopState::not_controlling
+                        ? not_controlling(evidence, settings)
+                        : by_state(state == LoopState::stands_still ? VerdictCode::sensor_fault
+                                                                    : VerdictCode::valve_saturation,
+                                   evidence, settings, decision);
+  if (state == LoopState::stands_still) {
+    verdict.summary = frozen_summary(evidence);
+    verdict.action = frozen_action() + tuning_waits();
+  }
+  std::vector<std::string> seen = state_text(state, evidence);
+  verdict.reasons.insert(verdict.reasons.begin(), std::move_iterator(seen.begin()),
+                         std::move_iterator(seen.end()));
+  return verdict;
+}
+
 /// The log odds of this window give way to those of all.
 void put_combined(const CombinedOdds& combined, const PerCause& priors, Causes& causes) {
   const PerCause probabilities = probabilities_of(combined, priors);
@@ -173,6 +231,8 @@ void note_window(const Evidence& evidence, Verdict& verdict) {
 
 Verdict said_of(const Evidence& evidence, const hos::Settings& settings,
                 const DecisionSettings& decision, const CombinedOdds* combined) {
+  if (const LoopState state = state_of(evidence); state != LoopState::none)
+    return of_state(state, evidence, settings, decision);
   if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
   const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);
   Verdict verdict = has_flag(evidence, "sp_not_followed")

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/hos/analyse.hpp"
@@ -15,7 +16,9 @@
 #include "core/model/explanation.hpp"
 #include "core/model/limit_cycle_cause.hpp"
 #include "core/model/slow_travel.hpp"
+#include "core/signal/control_state.hpp"
 #include "core/signal/data_quality.hpp"
+#include "core/signal/stand_still.hpp"
 
 namespace loopscope::core {
 
@@ -37,9 +40,15 @@ struct Evidence {
   loop::Performance performance;
   loop::Shape shape;
   loop::ValveGain valve_gain;
-  bool integrating = false;     ///< level loop: the vessel integrates (from the catalogue)
-  bool op_range_known = false;  ///< op is in percent
+  bool integrating = false;    ///< level loop: the vessel integrates (from the catalogue)
+  bool op_in_percent = false;  ///< by a range that was set or inferred
+  bool op_range_set = false;   ///< by a person: sizes in percent, and its ends, can be relied on
+  std::string op_range_doubt;  ///< why a range that was set cannot be right; empty = it can
   double interval_s = 1.0;
+  std::size_t samples = 0;                  ///< of the window
+  std::optional<signal::StandStill> still;  ///< pv stands still although it should not
+  signal::PvPast pv_past;                   ///< what this window and those before tell the next
+  signal::ControlState control;             ///< whether a controller acts
   /// The loop's cycle, if it has one, and whether a valve that sticks would make it; nullopt where
   /// pv or op cannot be judged. Its figures are filled below five cycles, too.
   std::optional<model::CycleCause> cycle;

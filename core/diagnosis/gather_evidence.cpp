@@ -170,13 +170,19 @@ Evidence gather_evidence(const FirstLook& first, const AnalysisSettings& setting
   Evidence evidence;
   evidence.data_quality = loop.quality;
   evidence.integrating = facts.integrating;
-  evidence.op_range_known = loop.op_range_known;
+  evidence.op_in_percent = loop.op_in_percent();
+  evidence.op_range_set = loop.op_range.source == signal::RangeSource::set;
+  evidence.op_range_doubt = loop.op_range.doubt;
   evidence.interval_s = loop.sample_interval_s;
+  evidence.samples = loop.pv.size();
+  evidence.still = loop.still;
+  evidence.pv_past = loop.past;
+  evidence.control = loop.control;
   evidence.oscillation = first.oscillation;
   evidence.slow_span_samples = first.slow_span_samples;
-  evidence.performance =
-      loop::measure_performance(loop.error, loop.op_percent, loop.mode, loop.sample_interval_s,
-                                loop.op_range_known, settings.performance);
+  evidence.performance = loop::measure_performance(loop.error, loop.op_percent, loop.mode,
+                                                   loop.sample_interval_s, settings.performance);
+  evidence.performance.at_limit_fraction = evidence.data_quality.saturated_fraction;
   if (evidence.data_quality.usable) {
     measure_statistics(loop, settings, facts.seed, evidence);
     measure_shapes(first, facts, evidence);

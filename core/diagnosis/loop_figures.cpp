@@ -136,8 +136,7 @@ Value flag(const Evidence& evidence, const char* name) {
 /// Gain of valve and process, % of pv's range by % of op's; at most, since lags lower it.
 Value size_of_valve(const Evidence& evidence) {
   const loop::ValveGain& gain = evidence.valve_gain;
-  if (!evidence.op_range_known || !gain.pv_span_percent || !gain.op_span_percent)
-    return std::nullopt;
+  if (!evidence.op_range_set || !gain.pv_span_percent || !gain.op_span_percent) return std::nullopt;
   if (!(*gain.op_span_percent > 0.0)) return std::nullopt;
   return *gain.pv_span_percent / *gain.op_span_percent;
 }
@@ -187,7 +186,7 @@ constexpr std::array kLoopFigures = {
            data<&signal::DataQuality::compression_factor>},
     Figure{"data.held", "pv is renewed less often than it is recorded", Scale::yes_no,
            [](const Evidence& e) { return flag(e, "pv_held"); }},
-    Figure{"data.frozen", "pv stands still for 300 samples while op moves", Scale::yes_no,
+    Figure{"data.frozen", "pv stands still although it should not", Scale::yes_no,
            [](const Evidence& e) { return flag(e, "pv_frozen"); }},
     Figure{"data.spikes", "pv has single samples far outside", Scale::yes_no,
            [](const Evidence& e) { return flag(e, "pv_spikes"); }},

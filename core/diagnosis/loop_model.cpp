@@ -1,6 +1,8 @@
 #include "core/diagnosis/loop_model.hpp"
 
+#include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/decide.hpp"
+#include "core/diagnosis/loop_state.hpp"
 #include "core/model/explain.hpp"
 
 namespace loopscope::core {
@@ -9,7 +11,7 @@ model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts,
                               const model::CycleCause* cycle) {
   const signal::PreparedLoop& loop = first.loop;
   return {loop.pv,    loop.op_percent,        loop.sp,
-          loop.error, loop.sample_interval_s, loop.op_range_known,
+          loop.error, loop.sample_interval_s, loop.op_in_percent(),
           facts.seed, facts.without,          cycle};
 }
 
@@ -17,14 +19,15 @@ bool can_be_modelled(const FirstLook& first, const Evidence& evidence) {
   const signal::DataQuality& prepared = first.loop.quality;
   const bool sees_enough =
       prepared.refusals.empty() || prepared.archive == signal::Archive::coarser;
-  return evidence.data_quality.usable && sees_enough;
+  return evidence.data_quality.usable && sees_enough &&
+         diagnosis::state_of(evidence) != diagnosis::LoopState::not_controlling && !evidence.still;
 }
 
 bool ModelCause::given_by(diagnosis::VerdictCode code, double confidence,
                           std::optional<double> p) const {
   using diagnosis::VerdictCode;
-  return code != VerdictCode::healthy && code != VerdictCode::insufficient_data &&
-         p.value_or(0.0) <= largest_p && confidence >= least_confidence;
+  return diagnosis::catalogue_entry(code).weight > 0.0 && p.value_or(0.0) <= largest_p &&
+         confidence >= least_confidence;
 }
 
 bool gives_cause_for_a_model(const Evidence& evidence, const AnalysisSettings& settings,

@@ -85,11 +85,12 @@ void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
                       number(evidence.data_quality.compression_factor.value_or(1.0)) +
                       " samples on average.");
   }
-  if (has_flag(evidence, "pv_frozen"))
-    reasons.emplace_back("pv stands still for hundreds of samples while op moves.");
   constexpr double kShownAsPercent = 0.005;
   if (const auto share = evidence.data_quality.saturated_fraction; share >= kShownAsPercent)
     reasons.push_back("op is at a limit of its range in " + percent(*share) + " of the samples.");
+  if (!evidence.op_range_doubt.empty())
+    reasons.push_back(
+        "The range of op in the catalogue cannot be right: " + evidence.op_range_doubt + ".");
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ enum class VerdictCode {
   sluggish_tuning,
   nonlinear_unexplained,
   unexplained,
+  not_controlling,
   insufficient_data,
 };
 
@@ -57,11 +58,14 @@ struct Verdict {
   std::string action;                ///< what to do next
   /// Probability of evidence as strong as what the verdict rests on, were the loop without that
   /// fault; 1 where its test was not computed. nullopt when it rests on a fact (op at its limit, a
-  /// sensor's data, a recorded valve position, not in command), for `healthy` and
-  /// `insufficient_data`.
+  /// sensor's data, a recorded valve position, not in command), for `healthy`, `not_controlling`
+  /// and `insufficient_data`.
   std::optional<double> p = std::nullopt;
   std::vector<CauseReport> causes = {};  ///< all that were weighed, the most probable first
   PerCause priors = {};  ///< by which it was judged, whether a cause was weighed or not
+  /// A fact of this window (pv stands still, op at its limit): other windows take nothing from it,
+  /// and it says nothing of what they show.
+  bool stands_alone = false;
 };
 
 /// Of the causes that were weighed, up to the last of them in the catalogue.

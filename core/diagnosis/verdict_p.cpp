@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/loop_figures.hpp"
 #include "core/diagnosis/nonlinearity.hpp"
@@ -66,8 +67,9 @@ bool is_fact(VerdictCode code, const Evidence& evidence) {
   switch (code) {
     case VerdictCode::valve_stiction:
     case VerdictCode::valve_deadband:
-      return evidence.shape.mv_op_width.value_or(0.0) + evidence.shape.mv_slip_jump.value_or(0.0) >=
-             kFaultyWidthPercent;
+      return evidence.op_range_set &&
+             evidence.shape.mv_op_width.value_or(0.0) + evidence.shape.mv_slip_jump.value_or(0.0) >=
+                 kFaultyWidthPercent;
     case VerdictCode::valve_saturation:
       return evidence.data_quality.saturated_fraction.value_or(0.0) > kAtLimit;
     case VerdictCode::sensor_fault:
@@ -107,7 +109,7 @@ double measured_p(const model::Step& step) {
 }
 
 std::optional<double> p_of_verdict(VerdictCode code, const Evidence& evidence) {
-  if (code == VerdictCode::healthy || code == VerdictCode::insufficient_data) return std::nullopt;
+  if (catalogue_entry(code).weight == 0.0) return std::nullopt;
   if (is_fact(code, evidence)) return std::nullopt;
   const double by_statistics = statistics_p(code, evidence);
   return std::min(step_p(code, evidence).value_or(1.0), by_statistics);

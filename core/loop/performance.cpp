@@ -14,8 +14,6 @@ namespace loopscope::core::loop {
 namespace {
 
 constexpr double kSecondsPerHour = 3600.0;
-/// Within half a percent a valve is at its limit: positioners do not hold it closer.
-constexpr double kLimitPercent = 0.5;
 
 std::optional<double> auto_fraction_of(std::span<const signal::ControlMode> mode) {
   using signal::ControlMode;
@@ -28,21 +26,11 @@ std::optional<double> auto_fraction_of(std::span<const signal::ControlMode> mode
   return static_cast<double>(automatic) / static_cast<double>(known);
 }
 
-std::optional<double> at_limit_fraction_of(std::span<const double> op_percent) {
-  const auto recorded = std::count_if(op_percent.begin(), op_percent.end(),
-                                      [](double v) { return std::isfinite(v); });
-  if (recorded == 0) return std::nullopt;
-  const auto at_limit = std::count_if(op_percent.begin(), op_percent.end(), [](double v) {
-    return std::isfinite(v) && (v <= kLimitPercent || v >= 100.0 - kLimitPercent);
-  });
-  return static_cast<double>(at_limit) / static_cast<double>(recorded);
-}
-
 }  // namespace
 
 Performance measure_performance(std::span<const double> error, std::span<const double> op_percent,
                                 std::span<const signal::ControlMode> mode, double sample_interval_s,
-                                bool limits_known, const PerformanceSettings& settings) {
+                                const PerformanceSettings& settings) {
   Performance result;
   if (const auto spread = signal::measure_spread(error)) result.error_std = if_finite(spread->std);
   result.error_log_variance_se = log_variance_error(error);
@@ -61,7 +49,6 @@ Performance measure_performance(std::span<const double> error, std::span<const d
     result.reversals_per_h = if_finite(work.reversals / hours);
   }
   result.auto_fraction = auto_fraction_of(mode);
-  if (limits_known) result.at_limit_fraction = at_limit_fraction_of(op_percent);
   return result;
 }
 

@@ -27,7 +27,7 @@ struct Performance {
   std::optional<double> reversals_per_h;
   std::optional<double>
       auto_fraction;  ///< automatic or cascade, of the samples whose mode is known
-  std::optional<double> at_limit_fraction;  ///< share of samples with op within 0.5 % of a limit
+  std::optional<double> at_limit_fraction;  ///< share of samples with op at a limit
 };
 
 struct PerformanceSettings {
@@ -37,12 +37,12 @@ struct PerformanceSettings {
 };
 
 /// `error` (pv units) and `op_percent` (empty when not recorded or without a range: op units then)
-/// may hold NaN; `mode` is empty when not recorded. Figures that cannot be computed are nullopt.
-/// `limits_known` says that op_percent really runs from 0 to 100.
+/// may hold NaN; `mode` is empty when not recorded. Figures that cannot be computed are nullopt;
+/// at_limit_fraction is for who knows the range (core/signal/judge_quality).
 [[nodiscard]] Performance measure_performance(std::span<const double> error,
                                               std::span<const double> op_percent,
                                               std::span<const signal::ControlMode> mode,
-                                              double sample_interval_s, bool limits_known,
+                                              double sample_interval_s,
                                               const PerformanceSettings& settings = {});
 
 }  // namespace loopscope::core::loop

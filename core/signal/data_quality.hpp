@@ -11,8 +11,9 @@ namespace loopscope::core::signal {
 
 /// Whether a window can be judged, and what is odd about it.
 struct DataQuality {
-  bool usable = false;
-  std::string reason;                 ///< why not, in plain words; empty when usable
+  bool usable = false;                ///< for the statistics
+  bool enough = false;                ///< long enough, and enough of it recorded
+  std::string reason;                 ///< why not usable, in plain words; empty when it is
   std::vector<std::string> flags;     ///< e.g. "short", "sp_missing", "op_range_unknown"
   std::vector<std::string> refusals;  ///< why tests are refused, in plain words
   std::string stretch;  ///< samples that the higher-order statistics see where the record is not

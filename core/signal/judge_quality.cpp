@@ -1,17 +1,14 @@
 #include "core/signal/judge_quality.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "core/signal/gaps.hpp"
-#include "core/signal/op_scale.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {
-
-/// pv that stands still for so many samples while op moves is a dead transmitter or archive.
-constexpr std::size_t kFrozenSamples = 300;
 
 /// A pv that is renewed less often than every third sample is not the signal that the grid claims;
 /// compressed archives mislead the statistics from 2.5 to 3 on (Thornhill, Choudhury and Shah
@@ -24,9 +21,6 @@ constexpr double kFarFromSetpoint = 5.0;
 
 /// A setpoint that moves in more than half of the samples comes from another controller.
 constexpr double kMovingSetpoint = 0.5;
-
-/// With the loop open for most of the window there is no control to judge.
-constexpr double kMostlyManual = 0.5;
 
 /// Of so many samples one at least has to be stored for the tests: beyond that too much of what
 /// they see is the model's (README, "The gate").
@@ -67,24 +61,37 @@ double manual_fraction(const std::vector<ControlMode>& mode) {
   return share(manual, known);
 }
 
+/// Holes are gaps of an archive that stores every sample, and none of one that does not.
+double missing_fraction(const PreparedLoop& loop) {
+  const bool by_rule = loop.archive == Archive::dead_band ||
+                       loop.archive == Archive::swinging_door || loop.archive == Archive::on_change;
+  return !by_rule ? 1.0 - share(loop.pv_recorded, loop.pv.size())
+                  : share(loop.pv_gaps, loop.pv.size());
+}
+
+/// Why there is too little of pv: never recorded, or discarded for standing still; empty = enough.
+std::string too_little(const PreparedLoop& loop, const PrepareSettings& settings) {
+  const double out = share(loop.pv_gaps, loop.pv.size());
+  if (out <= settings.max_missing_fraction) return {};
+  const double missing = missing_fraction(loop);
+  if (missing > settings.max_missing_fraction)
+    return percent_text(missing) + " of the pv samples are missing, at most " +
+           percent_text(settings.max_missing_fraction) + " may be";
+  return percent_text(out - std::min(out, missing)) +
+         " of the pv samples stand still or lie on a line and say nothing, at most " +
+         percent_text(settings.max_missing_fraction) + " may";
+}
+
 /// Why the window cannot be judged; empty when it can.
 std::string unusable_reason(const PreparedLoop& loop, const PrepareSettings& settings) {
   const std::optional<Spread> pv = measure_spread(loop.pv);
   if (!pv) return "pv has no usable sample";
   if (pv->constant()) return "pv is constant";
-  const double manual = manual_fraction(loop.mode);
-  if (manual > kMostlyManual) {
-    return "the controller was in manual for " + percent_text(manual) + " of the window";
-  }
+  if (std::string reason = too_little(loop, settings); !reason.empty()) return reason;
   const std::size_t usable = count_recorded(loop.error);
   if (usable < settings.min_usable_samples) {
     return std::to_string(usable) + " usable samples, at least " +
            std::to_string(settings.min_usable_samples) + " are needed";
-  }
-  const double missing = share(loop.pv_gaps, loop.pv.size());
-  if (missing > settings.max_missing_fraction) {
-    return percent_text(missing) + " of the pv samples are missing, at most " +
-           percent_text(settings.max_missing_fraction) + " may be";
   }
   return {};
 }
@@ -132,19 +139,12 @@ std::optional<double> compression_factor(const Samples& pv, double quantisation)
   return 1.0 / moves;
 }
 
-/// Holes are gaps of an archive that stores every sample, and none of one that does not.
-double missing_fraction(const PreparedLoop& loop) {
-  const bool by_rule = loop.archive == Archive::dead_band ||
-                       loop.archive == Archive::swinging_door || loop.archive == Archive::on_change;
-  return !by_rule ? 1.0 - share(loop.pv_recorded, loop.pv.size())
-                  : share(loop.pv_gaps, loop.pv.size());
-}
-
-/// Stands still where other samples do not, and is masked.
+/// Stands still where other samples do not, and is masked; or although it should not.
 double frozen_fraction(const PreparedLoop& loop) {
   const std::size_t others = loop.pv_stored + loop.spikes;
   const bool masked = loop.archive == Archive::complete && loop.pv_recorded > others;
-  return masked ? share(loop.pv_recorded - others, loop.pv.size()) : 0.0;
+  const double discarded = masked ? share(loop.pv_recorded - others, loop.pv.size()) : 0.0;
+  return std::max(discarded, loop.still ? share(loop.still->run.samples, loop.pv.size()) : 0.0);
 }
 
 /// What the tests cannot be asked on these data, in plain words.
@@ -192,10 +192,13 @@ void raise_flags(const PreparedLoop& loop, DataQuality& quality) {
   flags.add(quality.drawn_fraction.value_or(0.0) > 0.0, "samples_drawn");
   flags.add(quality.frozen_fraction.value_or(0.0) > 0.0, "pv_frozen_masked");
   flags.add(!quality.refusals.empty(), "tests_refused");
-  flags.add(loop.op_moves && loop.pv_frozen >= kFrozenSamples, "pv_frozen");
+  flags.add(loop.still.has_value(), "pv_frozen");
   flags.add(!has_op, "op_missing");
   flags.add(has_op && !loop.op_moves, "op_constant");
-  flags.add(has_op && !loop.op_range_known, "op_range_unknown");
+  const RangeSource source = loop.op_range.source;
+  flags.add(has_op && source == RangeSource::unknown, "op_range_unknown");
+  flags.add(has_op && source == RangeSource::inferred, "op_range_inferred");
+  flags.add(has_op && !loop.op_range.doubt.empty(), "op_range_doubted");
   flags.add(manual_fraction(loop.mode) > 0.0, "manual_mode");
   flags.add(loop.repeated_times > 0, "repeated_times");
 }
@@ -215,10 +218,12 @@ DataQuality judge_quality(const PreparedLoop& loop, const PrepareSettings& setti
       compressed(loop) ? std::optional(share(covered(loop), loop.pv_stored))
                        : compression_factor(loop.pv, quality.quantisation_factor.value_or(0.0));
   quality.refusals = refusals(loop, quality);
-  if (loop.op_range_known) quality.saturated_fraction = fraction_at_limit(loop.op_percent);
+  quality.saturated_fraction = loop.control.at_limit_fraction;
   raise_flags(loop, quality);
   quality.reason = unusable_reason(loop, settings);
   quality.usable = quality.reason.empty();
+  quality.enough = loop.pv_recorded > 0 && loop.pv.size() >= settings.min_usable_samples &&
+                   *quality.missing_fraction <= settings.max_missing_fraction;
   return quality;
 }
 

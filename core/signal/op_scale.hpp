@@ -3,19 +3,24 @@
 #include <optional>
 #include <span>
 
-#include "core/signal/loop_window.hpp"
+#include "core/signal/op_range.hpp"
 
 namespace loopscope::core::signal {
-
-/// The range that turns op into percent: the given one; else 0 to 100 when every recorded value
-/// fits into it; else nullopt (op stays in its own units).
-[[nodiscard]] std::optional<OpRange> resolve_op_range(std::span<const double> op,
-                                                      const std::optional<OpRange>& given);
 
 /// op or mv in percent of `range`; unchanged without one.
 [[nodiscard]] Samples to_percent(Samples samples, const std::optional<OpRange>& range);
 
-/// Share of the recorded samples within 0.5 % of 0 or 100 %; nullopt when nothing is recorded.
+/// Whether `percent` is within half a percent of an end: controllers stop a little before their
+/// limits and converters add noise, and the valve is as good as at its stop.
+[[nodiscard]] bool at_end(double percent);
+
+/// Share of the recorded samples at an end; nullopt when nothing is recorded.
 [[nodiscard]] std::optional<double> fraction_at_limit(std::span<const double> percent);
+
+/// The same where the ends were inferred: only what is held there under a lasting error counts,
+/// values in a row that are all the largest, or smallest, one while the error keeps its sign.
+/// `error` as long as `percent`.
+[[nodiscard]] std::optional<double> fraction_held_at_limit(std::span<const double> percent,
+                                                           std::span<const double> error);
 
 }  // namespace loopscope::core::signal

@@ -54,7 +54,8 @@ Samples control_error(const Samples& sp, const Samples& pv, const Samples& value
   return error;
 }
 
-/// With the controller in manual the error is not that of a control loop.
+/// With the controller in manual the error is not that of a control loop. Where it is so most of
+/// the time nothing else is left: then the statistics are those of the process alone.
 void mask_manual(const std::vector<ControlMode>& mode, Samples& error) {
   for (std::size_t k = 0; k < mode.size(); ++k) {
     if (mode[k] == ControlMode::manual) error[k] = kMissing;
@@ -76,12 +77,11 @@ void scale_output(const LoopWindow& window, const PrepareSettings& settings, Pre
   PrepareSettings rule = settings;
   if (archive_known(loop.archive)) rule.max_filled_gap = kLongestBandedHole;
   const Samples op = bridged(cut(window.op, settings), rule);
-  const std::optional<OpRange> range = resolve_op_range(op, window.op_range);
   const std::optional<Spread> spread = measure_spread(op);
-  loop.op_range_known = range.has_value();
+  loop.op_range = find_op_range(op, window.op_range);
   loop.op_moves = spread && !spread->constant();
-  loop.op_percent = to_percent(op, range);
-  loop.mv_percent = to_percent(bridged(cut(window.mv, settings), rule), range);
+  loop.op_percent = to_percent(op, loop.op_range.range);
+  loop.mv_percent = to_percent(bridged(cut(window.mv, settings), rule), loop.op_range.range);
 }
 
 /// Outliers are looked for in what the stored samples say of all; returns how many were taken out.
@@ -109,7 +109,6 @@ void take_pv(const LoopWindow& window, const PrepareSettings& settings, Prepared
              Reconstruction& whole) {
   const Samples pv = cut(window.pv, settings);
   loop.pv_recorded = count_recorded(pv);
-  loop.pv_frozen = longest_flat_run(pv);
   StoredSamples stored = find_stored(pv, cut(window.pv_rows, settings));
   loop.spikes = discard_stored_spikes(window, settings, stored);
   whole = reconstruct(stored);
@@ -121,6 +120,24 @@ void take_pv(const LoopWindow& window, const PrepareSettings& settings, Prepared
                                           : bridged(recorded_pv(pv, stored, whole.value), settings);
 }
 
+/// Whether a controller acts, and whether pv stands still while one does: by pv as it was recorded,
+/// whatever was discarded of it.
+void judge_states(const LoopWindow& window, const PrepareSettings& settings, PreparedLoop& loop) {
+  const Samples pv = cut(window.pv, settings);
+  const Samples sp = cut(window.sp, settings);
+  const RecordedLoop recorded{pv,
+                              sp,
+                              loop.op_percent,
+                              loop.op_in_percent(),
+                              loop.mode,
+                              window.pv_past,
+                              loop.sample_interval_s};
+  loop.still = find_stand_still(recorded);
+  loop.past = past_with(recorded, loop.still);
+  const Samples error = control_error(loop.sp, pv, pv);
+  loop.control = find_control_state({loop.op_percent, error, loop.mode, loop.op_range.source});
+}
+
 /// The error where pv is guessed too, and the bounds of the guesses.
 PreparedLoop::Drawable drawable_error(const LoopWindow& window, const PrepareSettings& settings,
                                       const PreparedLoop& loop, const Reconstruction& whole) {
@@ -130,7 +147,7 @@ PreparedLoop::Drawable drawable_error(const LoopWindow& window, const PrepareSet
   PreparedLoop::Drawable drawable{control_error(sp, whole.value, whole.value),
                                   control_error(sp, whole.value, whole.high),
                                   control_error(sp, whole.value, whole.low)};
-  mask_manual(loop.mode, drawable.error);
+  if (loop.control.controlling()) mask_manual(loop.mode, drawable.error);
   return drawable;
 }
 
@@ -147,9 +164,10 @@ PreparedLoop prepare(const LoopWindow& window, const PrepareSettings& settings) 
   loop.sp = cut(window.sp, settings);
   hold_gaps(loop.sp, settings.max_filled_gap);
   loop.error = control_error(loop.sp, loop.pv, loop.pv);
-  mask_manual(loop.mode, loop.error);
-  loop.drawable = drawable_error(window, settings, loop, whole);
   scale_output(window, settings, loop);
+  judge_states(window, settings, loop);
+  if (loop.control.controlling()) mask_manual(loop.mode, loop.error);
+  loop.drawable = drawable_error(window, settings, loop, whole);
   loop.quality = judge_quality(loop, settings);
   return loop;
 }

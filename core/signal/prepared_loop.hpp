@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/signal/archive.hpp"
+#include "core/signal/control_state.hpp"
 #include "core/signal/data_quality.hpp"
 #include "core/signal/loop_window.hpp"
+#include "core/signal/op_range.hpp"
+#include "core/signal/stand_still.hpp"
 
 namespace loopscope::core::signal {
 
@@ -21,10 +25,12 @@ struct PrepareSettings {
 /// A window made ready for the numerics: the error signal, op in percent, and what was found odd.
 struct PreparedLoop {
   double sample_interval_s = 1.0;
-  Samples error;       ///< sp - pv (mean(pv) - pv without sp), pv units; NaN = missing or manual
+  /// sp - pv (mean(pv) - pv without sp), pv units; NaN = missing, or manual unless most samples
+  /// are.
+  Samples error;
   Samples sp;          ///< gaps of up to max_filled_gap held, else NaN; empty = not recorded
   Samples pv;          ///< spikes and gaps of up to max_filled_gap bridged, else NaN
-  Samples op_percent;  ///< % of range; op units when `op_range_known` is false; empty = no op
+  Samples op_percent;  ///< % of range; op units without one; empty = no op
   Samples mv_percent;  ///< likewise
   /// What the higher-order statistics start from: the error with a guess in every sample that may
   /// be drawn, and the bounds of these; empty bounds = nothing is to be drawn, and error is
@@ -36,13 +42,16 @@ struct PreparedLoop {
   Archive archive = Archive::complete;
   double band = 0.0;          ///< of the archive, pv units, half width; 0 = none
   std::size_t pv_stored = 0;  ///< pv samples that the archive stored; see Archive
-  std::size_t pv_frozen = 0;  ///< longest run of equal pv samples as recorded
   std::size_t pv_gaps = 0;    ///< pv samples missing in gaps too long to draw
   std::vector<ControlMode> mode;
+  std::optional<StandStill> still;  ///< pv stands still although it should not
+  PvPast past;                      ///< of pv, this window included
+  ControlState control;
   std::size_t pv_recorded = 0;     ///< pv samples before any gap was bridged
   std::size_t repeated_times = 0;  ///< rows dropped because a later row had the same time
   std::size_t spikes = 0;          ///< pv samples taken for outliers
-  bool op_range_known = false;
+  KnownRange op_range;
+  [[nodiscard]] bool op_in_percent() const { return op_range.range.has_value(); }
   bool op_moves = false;  ///< op was recorded and is not constant
   DataQuality quality;
 };

@@ -60,7 +60,23 @@ std::string roles_text(const std::vector<CatalogueEntry>& loops) {
   return fmt::format("{}", fmt::join(counts, ", "));
 }
 
+std::vector<std::string> texts_of(const std::vector<Proposal>& proposals, bool filled) {
+  std::vector<std::string> texts;
+  for (const Proposal& proposal : proposals) {
+    if ((proposal.apply != nullptr) != filled) continue;
+    texts.push_back(filled
+                        ? fmt::format("{} {} ({})", proposal.loop, proposal.fields, proposal.reason)
+                        : fmt::format("{} ({})", proposal.loop, proposal.reason));
+  }
+  return texts;
+}
+
 }  // namespace
+
+std::string proposals_text(const std::vector<Proposal>& proposals) {
+  return line("proposed by history and name", texts_of(proposals, true)) +
+         line("questions that history leaves open", texts_of(proposals, false));
+}
 
 std::string discovery_text(const DiscoveryReport& report) {
   const Discovery& found = report.discovery;
@@ -77,7 +93,7 @@ std::string discovery_text(const DiscoveryReport& report) {
          line("roles with several tags", ambiguous_roles(found)) +
          line("by a word of two roles (MV), look at op and mv", found.by_shared_word) +
          line("names taken by other loops of the catalogue, left out", report.taken) +
-         line("tags fit no pattern", found.unmatched);
+         line("tags fit no pattern", found.unmatched) + proposals_text(report.proposals);
 }
 
 }  // namespace loopscope::daemon

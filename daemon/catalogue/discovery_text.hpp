@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "daemon/catalogue/discover_loops.hpp"
+#include "daemon/catalogue/propose_entry.hpp"
 
 namespace loopscope::daemon {
 
@@ -12,12 +13,16 @@ namespace loopscope::daemon {
 struct DiscoveryReport {
   std::string source;
   std::size_t tags = 0;
-  Discovery discovery;             ///< `loops` are those that are new
-  std::size_t known = 0;           ///< loops whose pv the catalogue has already
-  std::vector<std::string> taken;  ///< names that another loop of the catalogue has
+  Discovery discovery;                   ///< `loops` are those that are new
+  std::size_t known = 0;                 ///< loops whose pv the catalogue has already
+  std::vector<std::string> taken;        ///< names that another loop of the catalogue has
+  std::vector<Proposal> proposals = {};  ///< of the new loops; what can be filled in is
 };
 
 /// The report for a terminal: counts, and the first few of everything that is missing or unclear.
 [[nodiscard]] std::string discovery_text(const DiscoveryReport& report);
+
+/// Proposals for a terminal, the first few of each kind: those that are filled in, and questions.
+[[nodiscard]] std::string proposals_text(const std::vector<Proposal>& proposals);
 
 }  // namespace loopscope::daemon

@@ -69,20 +69,22 @@ void write_interval(CatalogueEntry& entry, std::string_view text) {
   if (!trimmed(text).empty()) entry.interval_s = limited_number_in(text, kInterval);
 }
 
-template <double core::signal::OpRange::*end>
-std::string read_op_end(const CatalogueEntry& entry) {
-  return entry.op_range ? fmt::format("{}", *entry.op_range.*end) : std::string();
+using EntryRange = std::optional<core::signal::OpRange>;
+
+template <EntryRange CatalogueEntry::*range, double core::signal::OpRange::*end>
+std::string read_end(const CatalogueEntry& entry) {
+  return entry.*range ? fmt::format("{}", *(entry.*range).*end) : std::string();
 }
 
 /// The ends come one after the other; check_entry() sees to it that both came.
-template <double core::signal::OpRange::*end>
-void write_op_end(CatalogueEntry& entry, std::string_view text) {
+template <EntryRange CatalogueEntry::*range, double core::signal::OpRange::*end>
+void write_end(CatalogueEntry& entry, std::string_view text) {
   if (trimmed(text).empty()) {
-    entry.op_range.reset();
+    (entry.*range).reset();
     return;
   }
-  if (!entry.op_range) entry.op_range = core::signal::OpRange{kMissing, kMissing};
-  *entry.op_range.*end = number_in(text);
+  if (!(entry.*range)) entry.*range = core::signal::OpRange{kMissing, kMissing};
+  *(entry.*range).*end = number_in(text);
 }
 
 std::string read_enabled(const CatalogueEntry& entry) {
@@ -121,16 +123,34 @@ constexpr std::array kFields{
     EntryField{"period_s", "seconds between two analyses, 1 to 2592000",
                read_number<&CatalogueEntry::period_s>,
                write_limited<&CatalogueEntry::period_s, kPeriod>},
-    EntryField{"op_low", "controller output at 0 %", read_op_end<&OpRange::low>,
-               write_op_end<&OpRange::low>},
-    EntryField{"op_high", "controller output at 100 %", read_op_end<&OpRange::high>,
-               write_op_end<&OpRange::high>},
+    EntryField{"op_low", "controller output at 0 %",
+               read_end<&CatalogueEntry::op_range, &OpRange::low>,
+               write_end<&CatalogueEntry::op_range, &OpRange::low>},
+    EntryField{"op_high", "controller output at 100 %",
+               read_end<&CatalogueEntry::op_range, &OpRange::high>,
+               write_end<&CatalogueEntry::op_range, &OpRange::high>},
     EntryField{"loop_type", "flow, pressure, temperature, ...; level = integrating",
                read_text<&CatalogueEntry::loop_type>, write_text<&CatalogueEntry::loop_type>},
     EntryField{"importance", "weight in the ranking, 0.001 to 1000",
                read_number<&CatalogueEntry::importance>,
                write_limited<&CatalogueEntry::importance, kImportance>},
     EntryField{"enabled", "true or false", read_enabled, write_enabled},
+    EntryField{"area", "area of the plant", read_text<&CatalogueEntry::area>,
+               write_text<&CatalogueEntry::area>},
+    EntryField{"unit", "process unit within the area", read_text<&CatalogueEntry::unit>,
+               write_text<&CatalogueEntry::unit>},
+    EntryField{"description", "what the loop controls", read_text<&CatalogueEntry::description>,
+               write_text<&CatalogueEntry::description>},
+    EntryField{"pv_unit", "unit of sp and pv, such as m3/h", read_text<&CatalogueEntry::pv_unit>,
+               write_text<&CatalogueEntry::pv_unit>},
+    EntryField{"owner", "who looks after the loop", read_text<&CatalogueEntry::owner>,
+               write_text<&CatalogueEntry::owner>},
+    EntryField{"pv_low", "pv at 0 % of its transmitter",
+               read_end<&CatalogueEntry::pv_range, &OpRange::low>,
+               write_end<&CatalogueEntry::pv_range, &OpRange::low>},
+    EntryField{"pv_high", "pv at 100 % of its transmitter",
+               read_end<&CatalogueEntry::pv_range, &OpRange::high>,
+               write_end<&CatalogueEntry::pv_range, &OpRange::high>},
 };
 
 }  // namespace
@@ -166,6 +186,9 @@ void check_entry(const CatalogueEntry& entry) {
   }
   if (entry.op_range && !(entry.op_range->low < entry.op_range->high)) {
     throw std::invalid_argument("op_low and op_high need both ends, low below high");
+  }
+  if (entry.pv_range && !(entry.pv_range->low < entry.pv_range->high)) {
+    throw std::invalid_argument("pv_low and pv_high need both ends, low below high");
   }
 }
 

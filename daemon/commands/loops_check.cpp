@@ -1,9 +1,14 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <iostream>
+#include <map>
 
 #include "config/read_settings.hpp"
+#include "daemon/catalogue/catalogue_csv.hpp"
 #include "daemon/catalogue/check_tags.hpp"
+#include "daemon/catalogue/discovery_text.hpp"
+#include "daemon/catalogue/read_values.hpp"
 #include "daemon/commands/loops_actions.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/output/printable.hpp"
@@ -18,6 +23,7 @@ namespace {
 struct CheckOptions {
   std::shared_ptr<const std::string> config;
   std::string out;
+  std::string propose;
 };
 
 /// As many are listed on a terminal; --out has them all.
@@ -46,6 +52,44 @@ void print(const TagCheck& check) {
   }
 }
 
+/// Of all enabled loops, by source; `changed` has the entries that something can be filled into.
+std::vector<Proposal> proposals_for(const config::Settings& settings,
+                                    std::span<const storage::CatalogueEntry> entries,
+                                    std::vector<storage::CatalogueEntry>& changed) {
+  std::map<std::string, std::vector<storage::CatalogueEntry>> by_source;
+  for (const storage::CatalogueEntry& entry : entries)
+    if (entry.enabled) by_source[entry.source].push_back(entry);
+  std::vector<Proposal> all;
+  for (auto& [source, loops] : by_source) {
+    const config::HistorianSettings& historian = find_historian(settings, source);
+    storage::HistorianReader reader(historian_connection(historian), historian_layout(historian));
+    const std::vector<LoopValues> values = read_values(reader, loops);
+    for (std::size_t k = 0; k < loops.size(); ++k) {
+      const std::vector<Proposal> proposals = propose(loops[k], values[k]);
+      all.insert(all.end(), proposals.begin(), proposals.end());
+      if (std::ranges::none_of(proposals, [](const Proposal& one) { return one.apply != nullptr; }))
+        continue;
+      fill_in(proposals, loops[k]);
+      changed.push_back(std::move(loops[k]));
+    }
+  }
+  return all;
+}
+
+void tell_proposals(const CheckOptions& options, const config::Settings& settings,
+                    std::span<const storage::CatalogueEntry> entries) {
+  std::vector<storage::CatalogueEntry> changed;
+  const std::vector<Proposal> proposals = proposals_for(settings, entries, changed);
+  std::cout << proposals_text(proposals);
+  if (!options.propose.empty()) write_csv(options.propose, catalogue_csv(changed));
+  if (changed.empty() || options.propose == "-") return;
+  std::cout << (options.propose.empty()
+                    ? fmt::format("--propose FILE.csv writes the {} loops with what is proposed\n",
+                                  changed.size())
+                    : fmt::format("look through {0}, then: loopscope loops --config {1} load {0}\n",
+                                  printable(options.propose), printable(*options.config)));
+}
+
 void check(const CheckOptions& options) {
   const config::Settings settings = config::read_settings(*options.config);
   const auto entries = storage::Catalogue(owner_connection(settings)).list();
@@ -54,6 +98,7 @@ void check(const CheckOptions& options) {
         return ask(settings, source, tags);
       });
   if (options.out != "-") print(found);
+  if (options.out != "-") tell_proposals(options, settings, entries);
   if (!options.out.empty()) write_csv(options.out, dead_ends_csv(found));
   if (!found.dead_ends.empty()) {
     throw Failure(ExitCode::unusable_data,
@@ -70,11 +115,16 @@ void check(const CheckOptions& options) {
 
 void add_check(CLI::App& loops, const std::shared_ptr<const std::string>& config) {
   CLI::App& command = *loops.add_subcommand(
-      "check", "Lists every tag of the catalogue that its historian does not have");
+      "check",
+      "Lists every tag of the catalogue that its historian does not have, and proposes ranges and "
+      "types by history and name");
   command.fallthrough();
   const auto options = std::make_shared<CheckOptions>();
   options->config = config;
   command.add_option("--out", options->out, "CSV to write, - for standard output");
+  command.add_option("--propose", options->propose,
+                     "CSV for `loops load` to write: loops with the ranges and types that history "
+                     "and names propose");
   command.callback([options] { check(*options); });
 }
 

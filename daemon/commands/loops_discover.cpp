@@ -7,11 +7,13 @@
 #include "config/read_settings.hpp"
 #include "daemon/catalogue/catalogue_csv.hpp"
 #include "daemon/catalogue/discovery_text.hpp"
+#include "daemon/catalogue/read_values.hpp"
 #include "daemon/commands/loops_actions.hpp"
 #include "daemon/failure.hpp"
 #include "daemon/output/printable.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/storage_settings.hpp"
+#include "storage/historian/historian_reader.hpp"
 #include "storage/historian/list_tags.hpp"
 #include "storage/results/catalogue.hpp"
 
@@ -57,6 +59,19 @@ void keep_new(const std::vector<CatalogueEntry>& stored, double period_s, Discov
   report.discovery.loops = std::move(fresh);
 }
 
+/// What history and names tell of the new loops.
+void look_at_history(const config::HistorianSettings& source, DiscoveryReport& report) {
+  std::vector<CatalogueEntry>& loops = report.discovery.loops;
+  if (loops.empty()) return;
+  storage::HistorianReader reader(historian_connection(source), historian_layout(source));
+  const std::vector<LoopValues> values = read_values(reader, loops);
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const std::vector<Proposal> proposals = propose(loops[k], values[k]);
+    fill_in(proposals, loops[k]);
+    report.proposals.insert(report.proposals.end(), proposals.begin(), proposals.end());
+  }
+}
+
 void require_something(const DiscoveryReport& report) {
   if (!report.discovery.loops.empty() || report.known > 0) return;
   throw Failure(
@@ -96,6 +111,7 @@ void discover(const DiscoverOptions& options) {
   report.tags = tags.size();
   report.discovery = discover_loops(tags, rules);
   keep_new(catalogue.list(), settings.schedule.default_period_s, report);
+  look_at_history(source, report);
   put_out(options, report, catalogue);
 }
 

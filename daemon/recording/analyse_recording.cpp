@@ -1,6 +1,7 @@
 #include "daemon/recording/analyse_recording.hpp"
 
 #include "core/signal/grid.hpp"
+#include "core/signal/prepare.hpp"
 #include "core/signal/window_digest.hpp"
 #include "daemon/recording/time_text.hpp"
 
@@ -25,6 +26,20 @@ InputFacts facts_of(const Recording& recording, const LoopWindow& window) {
   return facts;
 }
 
+/// What the recording tells of pv from before the window.
+std::optional<core::signal::PvPast> past_of(const Recording& recording,
+                                            const core::AnalysisSettings& settings,
+                                            const LoopWindow& window) {
+  if (window.size() == 0) return std::nullopt;
+  constexpr std::size_t kMostPastWindows = 16;
+  core::signal::PrepareSettings prepare = settings.prepare;
+  prepare.window_samples *= kMostPastWindows;
+  const LoopWindow before =
+      last_window(recording, prepare.window_samples, window.op_range, window.start_us - 1);
+  if (before.size() == 0) return std::nullopt;
+  return core::signal::prepare(before, prepare).past;
+}
+
 }  // namespace
 
 RecordingAnalysis analyse_recording(const Recording& recording,
@@ -33,6 +48,7 @@ RecordingAnalysis analyse_recording(const Recording& recording,
                                     core::LoopFacts facts, std::optional<std::int64_t> end_us) {
   RecordingAnalysis analysis;
   analysis.window = last_window(recording, settings.prepare.window_samples, op_range, end_us);
+  analysis.window.pv_past = past_of(recording, settings, analysis.window);
   analysis.input = facts_of(recording, analysis.window);
   const core::FirstLook first = core::first_look(analysis.window, settings);
   std::optional<LoopWindow> longer;

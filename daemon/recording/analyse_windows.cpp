@@ -43,9 +43,9 @@ diagnosis::JudgedWindow judged(const RecordingAnalysis& analysis) {
 /// Windows that could not be judged say nothing.
 void add(const RecordingAnalysis& analysis, std::optional<diagnosis::CombinedOdds>& combined,
          std::size_t& count) {
-  const diagnosis::Verdict& verdict = analysis.diagnosis.verdict;
-  if (verdict.causes.empty()) return;
-  combined = diagnosis::combine(combined, judged(analysis));
+  const diagnosis::JudgedWindow window = judged(analysis);
+  if (window.evidence.empty()) return;
+  combined = diagnosis::combine(combined, window);
   ++count;
 }
 

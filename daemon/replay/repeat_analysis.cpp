@@ -17,7 +17,8 @@ LoopInput read_input(const config::Settings& settings, const storage::StoredAnal
                      const core::AnalysisSettings& analysis) {
   const config::HistorianSettings& source = find_historian(settings, stored.loop.source);
   storage::HistorianReader historian(historian_connection(source), historian_layout(source));
-  const std::array slots{past_slot(stored.loop, stored.slot_end_us)};
+  std::array slots{past_slot(stored.loop, stored.slot_end_us)};
+  slots[0].pv_past = stored.pv_past;
   RowMemory memory;
   CoreGate cores(1);
   ProgressBoard board;

@@ -16,7 +16,17 @@ std::string by_an_oscillation(const HiddenRow& row) {
       fmt::format("plant-wide oscillation {}", *row.plant_oscillation_number);
   if (!row.source_name) return "A victim of " + number + ", whose source is not known.";
   const std::string source = "<bdi>" + html(*row.source_name) + "</bdi>";
-  return fmt::format("A victim of {}: mend its source {} first, then look again.", number, source);
+  return fmt::format("A victim of {}: repair its source {} first, then look again.", number,
+                     source);
+}
+
+/// The list itself asks for more.
+std::string by_the_list(const HiddenRow& row) {
+  return as_heading(row.reason) + ".";
+}
+
+bool is_by_the_list(const HiddenRow& row) {
+  return row.hidden_by == "probability" || row.hidden_by == "chance";
 }
 
 std::string by_somebody(const HiddenRow& row) {
@@ -32,7 +42,10 @@ std::string hidden_words(const std::vector<HiddenRow>& hidden) {
   std::string text;
   for (const HiddenRow& row : hidden)
     text += "<dt>Not on the list</dt><dd>" +
-            (row.plant_oscillation_number ? by_an_oscillation(row) : by_somebody(row)) + "</dd>\n";
+            (row.plant_oscillation_number ? by_an_oscillation(row)
+             : is_by_the_list(row)        ? by_the_list(row)
+                                          : by_somebody(row)) +
+            "</dd>\n";
   return text;
 }
 

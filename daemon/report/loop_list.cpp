@@ -20,7 +20,7 @@ constexpr const char* kDash = "\u2013";
 
 std::string status_of(const LoopRow& row) {
   if (row.status) return *row.status;
-  if (row.hidden_by) return "hidden: " + *row.hidden_by;
+  if (row.hidden_by) return "not on the list: " + *row.hidden_by;
   return row.code ? "not flagged" : "never analysed";
 }
 

@@ -96,7 +96,7 @@ class Panels {
 };
 
 std::string_view op_label(const LoopEvidence& evidence) {
-  const bool percent = evidence.prepared.op_range_known;
+  const bool percent = evidence.prepared.op_in_percent();
   const bool position = !evidence.prepared.mv_percent.empty();
   if (position) return percent ? "op, mv (%)" : "op, mv (op units)";
   return percent ? "op (%)" : "op (op units)";
@@ -166,7 +166,7 @@ std::vector<Figure> valve_figures(const LoopEvidence& evidence) {
   const auto points = pairs(op, answer);
   if (std::ranges::none_of(points, [](const Point& point) { return std::isfinite(point.y); }))
     return {};
-  const std::string_view unit = loop.op_range_known ? "%" : "op units";
+  const std::string_view unit = loop.op_in_percent() ? "%" : "op units";
   const std::string answer_label =
       measured ? fmt::format("valve position mv ({})", unit) : "pv (pv units)";
   Figure figure{measured ? "Valve position over controller output"

@@ -1,5 +1,7 @@
 #include "daemon/service/analyse_window.hpp"
 
+#include <fmt/format.h>
+
 #include "core/hos/triple_sums.hpp"
 #include "core/signal/grid.hpp"
 #include "core/signal/window_digest.hpp"
@@ -30,6 +32,11 @@ core::Diagnosis timed_diagnosis(const LoopInput& input, const core::AnalysisSett
   return core::diagnose(input.first ? *input.first : *again, settings, facts, longer, plan);
 }
 
+std::optional<double> pv_span_of(const storage::CatalogueEntry& loop) {
+  if (!loop.pv_range) return std::nullopt;
+  return loop.pv_range->high - loop.pv_range->low;
+}
+
 void describe_window(const LoopWindowAtSlot& at_slot, storage::AnalysisRecord& record) {
   const LoopWindow& window = at_slot.window;
   const core::signal::Grid grid{window.start_us, window.sample_interval_s, window.size()};
@@ -44,8 +51,9 @@ void describe_window(const LoopWindowAtSlot& at_slot, storage::AnalysisRecord& r
 
 std::string digest_of(const storage::CatalogueEntry& loop, const LoopInput& input,
                       const std::string& settings_json) {
-  std::string digest =
-      core::signal::window_digest(input.at_slot.window, settings_json + loop.loop_type);
+  std::string facts = settings_json + loop.loop_type;
+  if (loop.pv_range) facts += fmt::format("{} {}", loop.pv_range->low, loop.pv_range->high);
+  std::string digest = core::signal::window_digest(input.at_slot.window, facts);
   return input.long_window ? core::signal::window_digest(*input.long_window, digest) : digest;
 }
 
@@ -60,9 +68,11 @@ storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, cons
   record.program_version =
       std::string(LOOPSCOPE_VERSION " ") + std::string(core::hos::processor_path());
   record.settings_json = settings_json;
+  record.pv_past = input.at_slot.window.pv_past;
   record.diagnosis = timed_diagnosis(input, settings,
                                      {.integrating = core::is_integrating_type(loop.loop_type),
-                                      .seed = core::signal::window_seed(input.at_slot.window)},
+                                      .seed = core::signal::window_seed(input.at_slot.window),
+                                      .pv_span = pv_span_of(loop)},
                                      wish, record);
   if (const auto& slow = record.diagnosis.evidence.hos_slow) {
     record.hos_slow_json = slow_look_json(*slow, record.diagnosis.evidence.tested_on).dump();

@@ -74,13 +74,20 @@ std::vector<DataProblem> tag_problems(const storage::CatalogueEntry& loop,
   return problems;
 }
 
-std::vector<DataProblem> flag_problems(const core::signal::DataQuality& quality) {
+std::vector<DataProblem> flag_problems(const core::Diagnosis& diagnosis) {
   std::vector<DataProblem> problems;
-  for (const std::string& flag : quality.flags) {
+  for (const std::string& flag : diagnosis.evidence.data_quality.flags) {
     problems.push_back({flag, "", std::nullopt, std::nullopt});
   }
-  if (!quality.usable) problems.push_back({"insufficient_data", "", std::nullopt, std::nullopt});
+  if (!shows_a_loop(diagnosis.verdict.code)) {
+    problems.push_back({std::string(name(diagnosis.verdict.code)), "", std::nullopt, std::nullopt});
+  }
   return problems;
+}
+
+bool shows_a_loop(core::diagnosis::VerdictCode code) {
+  using core::diagnosis::VerdictCode;
+  return code != VerdictCode::insufficient_data && code != VerdictCode::not_controlling;
 }
 
 }  // namespace loopscope::daemon

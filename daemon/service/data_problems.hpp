@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/signal/data_quality.hpp"
+#include "core/diagnosis/diagnose.hpp"
 #include "daemon/service/window_reader.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/data_problem.hpp"
@@ -27,8 +27,10 @@ namespace loopscope::daemon {
                                                              const LoopWindowAtSlot& at_slot,
                                                              std::size_t max_samples);
 
-/// The flags of an analysis as problems, and `insufficient_data` where it could not judge.
-[[nodiscard]] std::vector<storage::DataProblem> flag_problems(
-    const core::signal::DataQuality& quality);
+/// The flags of an analysis as problems, and its verdict where that is about no loop in control.
+[[nodiscard]] std::vector<storage::DataProblem> flag_problems(const core::Diagnosis& diagnosis);
+
+/// Not `insufficient_data`, and not `not_controlling`.
+[[nodiscard]] bool shows_a_loop(core::diagnosis::VerdictCode code);
 
 }  // namespace loopscope::daemon

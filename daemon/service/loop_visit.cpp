@@ -35,8 +35,7 @@ std::optional<AnalysisRecord> changed_record(const LoopVisit& visit, const LoopI
 void add_problems(const LoopVisit& visit, std::size_t max_samples, CompletedLoop& completed) {
   completed.problems = tag_problems(visit.claim->loop, visit.newest.at_slot, max_samples);
   if (!completed.record) return;
-  for (storage::DataProblem& problem :
-       flag_problems(completed.record->diagnosis.evidence.data_quality)) {
+  for (storage::DataProblem& problem : flag_problems(completed.record->diagnosis)) {
     completed.problems.push_back(std::move(problem));
   }
 }
@@ -76,7 +75,7 @@ CompletedLoop complete_visit(const LoopVisit& visit, const StoredAnalyses& store
       visit.by_rows ? next_due_by_rows(slot_end_us, claim.database_now_us, period_s, settle_s)
                     : next_due(slot_end_us, period_s, settle_s),
       changed_record(visit, visit.newest, known, orders)};
-  completed.judged = completed.record ? completed.record->diagnosis.evidence.data_quality.usable
+  completed.judged = completed.record ? shows_a_loop(completed.record->diagnosis.verdict.code)
                                       : known != nullptr && known->usable;
   if (claim.last_slot_end_us && *claim.last_slot_end_us < slot_end_us) {
     completed.previous_slot_end_us = claim.last_slot_end_us;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/signal/microseconds.hpp"
+#include "daemon/service/data_problems.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -34,7 +35,7 @@ core::ModelCause may_be_flagged(const config::FlagSettings& flags) {
 
 /// Nothing was said of the loop for want of data: what was said before may still hold.
 bool was_silent(const storage::LastVerdict& last) {
-  return last.code == core::diagnosis::VerdictCode::insufficient_data;
+  return !shows_a_loop(last.code);
 }
 
 }  // namespace

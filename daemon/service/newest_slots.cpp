@@ -75,6 +75,7 @@ std::vector<LoopSlot> newest_slots(HistorianReader& historian,
   for (const ClaimedLoop* claim : claims) {
     LoopSlot& slot = slots.emplace_back();
     slot.loop = &claim->loop;
+    slot.pv_past = claim->pv_past;
     for (const TagRole& role : kTagRoles) {
       if ((claim->loop.*role.tag).empty()) continue;
       slot.tags.push_back({role.name, newest[next], now_us, future[next], 0, 0, 0, 0});

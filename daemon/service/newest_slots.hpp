@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct LoopSlot {
   const storage::CatalogueEntry* loop = nullptr;
   std::int64_t end_us = 0;
   TagReadings tags;  ///< one for each tag of the loop; counts of rows are not known yet
+  std::optional<core::signal::PvPast> pv_past = std::nullopt;  ///< before the slot's window
 };
 
 /// How the newest slot of a loop is found.

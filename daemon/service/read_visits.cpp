@@ -48,7 +48,7 @@ EarlierSlots earlier_slots_to_check(std::span<const LoopVisit> visits, const Sto
     const LoopWindowAtSlot& newest = visits[k].newest.at_slot;
     const storage::ClaimedLoop& claim = *visits[k].claim;
     for (const std::int64_t end : slots_to_check(claim, newest.slot_end_us, stored, horizon)) {
-      earlier.slots.push_back({&claim.loop, end, newest.tags});
+      earlier.slots.push_back({&claim.loop, end, newest.tags, claim.pv_past});
       earlier.visit.push_back(k);
     }
   }

@@ -33,6 +33,7 @@ struct Plan {
   double interval_s = 0.0;  ///< 0 = unknown
   std::size_t max_samples = 0;
   TagReadings tags = {};
+  std::optional<core::signal::PvPast> pv_past = std::nullopt;
 };
 
 std::vector<Plan> make_plans(std::span<const LoopSlot> slots, std::size_t max_samples) {
@@ -40,7 +41,7 @@ std::vector<Plan> make_plans(std::span<const LoopSlot> slots, std::size_t max_sa
   for (const LoopSlot& slot : slots) {
     const TagReading* pv = find_reading(slot.tags, "pv");
     plans.push_back({slot.loop, slot.end_us, pv != nullptr && pv->newest_row_us.has_value(),
-                     slot.loop->interval_s.value_or(0.0), max_samples, slot.tags});
+                     slot.loop->interval_s.value_or(0.0), max_samples, slot.tags, slot.pv_past});
   }
   return plans;
 }
@@ -107,7 +108,9 @@ bool readable(const Plan& plan) {
 core::signal::LoopWindow make_window(const Plan& plan, const LoopRows& rows) {
   const core::signal::Grid grid =
       core::signal::window_grid(rows.pv, plan.interval_s, plan.slot_end_us, plan.max_samples);
-  return core::signal::assemble(rows, grid, plan.loop->op_range);
+  core::signal::LoopWindow window = core::signal::assemble(rows, grid, plan.loop->op_range);
+  window.pv_past = plan.pv_past;
+  return window;
 }
 
 /// The windows of all plans in one batch of requests; an empty one for a plan without rows.

@@ -14,7 +14,8 @@ const Statement& find_analysis() {
       "find_analysis", "SELECT " LOOPSCOPE_LOOP_COLUMNS R"(,
            (extract(epoch FROM stored.slot_end) * 1000000)::bigint AS slot_end_us,
            stored.algorithm_revision, stored.input_revision, stored.input_digest,
-           stored.program_version, stored.settings, stored.model IS NOT NULL AS modelled,
+           stored.program_version, stored.settings, stored.past_pv_flat_s AS pv_flat_s,
+           stored.past_pv_step AS pv_step, stored.model IS NOT NULL AS modelled,
            ()" + measured_object("stored") +
                            R"() || jsonb_build_object('verdict', said.words, 'peaks', peak.list,
                               'steps', step.list) AS figures
@@ -54,6 +55,7 @@ StoredAnalysis read(const pqxx::row& row) {
   analysis.input_digest = read_text(row["input_digest"]);
   analysis.program_version = read_text(row["program_version"]);
   analysis.settings_json = read_text(row["settings"]);
+  analysis.pv_past = read_pv_past(row);
   analysis.modelled = row["modelled"].as<bool>();
   analysis.figures_json = read_text(row["figures"]);
   return analysis;

@@ -18,9 +18,10 @@ struct StoredAnalysis {
   int algorithm_revision = 0;
   int input_revision = 0;  ///< 1 = no late rows so far
   std::string input_digest;
-  std::string program_version;  ///< with the processor path
-  std::string settings_json;    ///< the analysis settings, their keys in any order
-  bool modelled = false;        ///< with a loop model
+  std::string program_version;                  ///< with the processor path
+  std::string settings_json;                    ///< the analysis settings, their keys in any order
+  std::optional<core::signal::PvPast> pv_past;  ///< what was known of pv before the window
+  bool modelled = false;                        ///< with a loop model
   /// What was measured and said: JSON object of the measured columns of `analysis`, and `verdict`,
   /// `peaks` and `steps` (arrays in the order of rank and step) without their keys.
   std::string figures_json;

@@ -24,7 +24,7 @@ struct FlagNotice {
   std::string status;  ///< "watch" or "confirmed"
   std::string summary;
   /// Whether listeners were told: a loop that left the list less than `flag_quiet_hours` ago and
-  /// comes back with the same verdict is noted only.
+  /// comes back is noted only.
   bool announced = true;
 };
 
@@ -38,10 +38,11 @@ struct FlagAnnouncement {
   std::optional<DatabaseError> untold = std::nullopt;  ///< why they were not told
 };
 
-/// Compares flagged_loop with the notices that stand (table flag_notice), notes what came and what
-/// went, in one transaction, and tells listeners in one of its own: anybody who may connect can
-/// fill the server's queue of messages, and what was noted must not be lost by that. Several
-/// callers at once wait for each other, and each change is told once. `check` is asked first.
+/// Compares flagged_loop with the stays that are noted (table flag_notice, one open row per loop,
+/// whatever becomes of its verdict), notes what came and what went, in one transaction, and tells
+/// listeners in one of its own: anybody who may connect can fill the server's queue of messages,
+/// and what was noted must not be lost by that. Several callers at once wait for each other, and
+/// each change is told once. `check` is asked first.
 [[nodiscard]] FlagAnnouncement announce_flags(Session& session, const ClockCheck& check);
 
 }  // namespace loopscope::storage

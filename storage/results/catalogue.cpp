@@ -19,7 +19,8 @@ void check_entries(std::span<const CatalogueEntry> entries) {
   for (const CatalogueEntry& entry : entries) {
     for (const std::string* text :
          {&entry.name, &entry.source, &entry.sp_tag, &entry.pv_tag, &entry.op_tag, &entry.mv_tag,
-          &entry.mode_tag, &entry.loop_type}) {
+          &entry.mode_tag, &entry.loop_type, &entry.area, &entry.unit, &entry.description,
+          &entry.pv_unit, &entry.owner}) {
       if (!is_storable(*text)) {
         throw DatabaseError("not UTF-8, loop " + make_storable(entry.name),
                             "save the list of loops as UTF-8", Remedy::give_up);
@@ -47,9 +48,10 @@ std::string texts(std::span<const CatalogueEntry> entries, std::string Catalogue
 
 std::vector<std::string> entry_parameters(std::span<const CatalogueEntry> entries) {
   using Entry = CatalogueEntry;
-  const auto op_limit = [](double core::signal::OpRange::*end) {
-    return [end](ArrayLiteral& array, const Entry& entry) {
-      entry.op_range ? array.add_number(*entry.op_range.*end) : array.add_null();
+  using core::signal::OpRange;
+  const auto limit = [](std::optional<OpRange> Entry::*range, double OpRange::*end) {
+    return [range, end](ArrayLiteral& array, const Entry& entry) {
+      entry.*range ? array.add_number(*(entry.*range).*end) : array.add_null();
     };
   };
   return {
@@ -64,13 +66,20 @@ std::vector<std::string> entry_parameters(std::span<const CatalogueEntry> entrie
              [](ArrayLiteral& array, const Entry& entry) { array.add_number(entry.interval_s); }),
       column(entries,
              [](ArrayLiteral& array, const Entry& entry) { array.add_number(entry.period_s); }),
-      column(entries, op_limit(&core::signal::OpRange::low)),
-      column(entries, op_limit(&core::signal::OpRange::high)),
+      column(entries, limit(&Entry::op_range, &OpRange::low)),
+      column(entries, limit(&Entry::op_range, &OpRange::high)),
       texts(entries, &Entry::loop_type),
       column(entries,
              [](ArrayLiteral& array, const Entry& entry) { array.add_number(entry.importance); }),
       column(entries,
              [](ArrayLiteral& array, const Entry& entry) { array.add_boolean(entry.enabled); }),
+      texts(entries, &Entry::area),
+      texts(entries, &Entry::unit),
+      texts(entries, &Entry::description),
+      texts(entries, &Entry::pv_unit),
+      texts(entries, &Entry::owner),
+      column(entries, limit(&Entry::pv_range, &OpRange::low)),
+      column(entries, limit(&Entry::pv_range, &OpRange::high)),
   };
 }
 

@@ -91,7 +91,8 @@ ClaimedLoop read_claim(const pqxx::row& row) {
           row["attempts"].as<int>(),
           row["now_us"].as<std::int64_t>(),
           read_integer(row["last_slot_end_us"]),
-          read_last_verdict(row)};
+          read_last_verdict(row),
+          read_pv_past(row)};
 }
 
 std::vector<ClaimedLoop> claim_due(Session& session, const ClockCheck& check, const DueClaim& claim,

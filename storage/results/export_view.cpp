@@ -26,6 +26,8 @@ constexpr ExportedView kViews[] = {
     {"monitor_health", "last_slot_end", true, "loop: whether the monitor does its work there"},
     {"plant_oscillation_member", "slot_end", true, "loop in a shared oscillation"},
     {"revised_verdict", "revised_at", true, "verdict that late rows have changed"},
+    {"service_factor", "slot_end", true,
+     "loop: whether a controller acts, and how much of the time"},
     {"stage_breakdown", "hour", false, "hour and host: where the time went"},
     {"verdict_cause", "slot_end", true, "verdict and cause: how probable it is"},
     {"verdict_kind", "", false, "verdict and what it means"},

@@ -28,18 +28,22 @@ void release_others(Transaction& transaction, std::span<const CompletedLoop> com
 /// Gives the completed loops back and returns those whose lease still held and whose slot has come.
 std::vector<const CompletedLoop*> complete(Transaction& transaction,
                                            std::span<const CompletedLoop> completed) {
-  ArrayLiteral loop_id, fence, slot_end, next_due, has_record;
+  ArrayLiteral loop_id, fence, slot_end, next_due, has_record, pv_flat_s, pv_step;
   for (const CompletedLoop& loop : completed) {
     loop_id.add_integer(loop.loop_id);
     fence.add_integer(loop.fence);
     slot_end.add_time(loop.slot_end_us);
     next_due.add_time(loop.next_due_us);
     has_record.add_boolean(loop.record.has_value());
+    const auto past =
+        loop.record ? loop.record->diagnosis.evidence.pv_past : core::signal::PvPast{};
+    pv_flat_s.add_number(past.longest_flat_s);
+    past.step > 0.0 ? pv_step.add_number(past.step) : pv_step.add_null();
   }
   std::unordered_set<std::int64_t> held;
   for (const pqxx::row& row : transaction.run(
-           statements::kComplete,
-           {loop_id.text(), fence.text(), slot_end.text(), next_due.text(), has_record.text()})) {
+           statements::kComplete, {loop_id.text(), fence.text(), slot_end.text(), next_due.text(),
+                                   has_record.text(), pv_flat_s.text(), pv_step.text()})) {
     held.insert(row["loop_id"].as<std::int64_t>());
   }
   if (held.size() < completed.size()) release_others(transaction, completed, held);

@@ -5,9 +5,10 @@
 namespace loopscope::storage {
 namespace {
 
-std::optional<core::signal::OpRange> read_op_range(const pqxx::row& row) {
-  const std::optional<double> low = read_number(row["op_low"]);
-  const std::optional<double> high = read_number(row["op_high"]);
+std::optional<core::signal::OpRange> read_range(const pqxx::row& row, const char* low_column,
+                                                const char* high_column) {
+  const std::optional<double> low = read_number(row[low_column]);
+  const std::optional<double> high = read_number(row[high_column]);
   if (!low || !high) return std::nullopt;
   return core::signal::OpRange{*low, *high};
 }
@@ -28,6 +29,12 @@ std::optional<double> read_number(const pqxx::field& field) {
   return field.as<double>();
 }
 
+std::optional<core::signal::PvPast> read_pv_past(const pqxx::row& row) {
+  const std::optional<double> flat_s = read_number(row["pv_flat_s"]);
+  if (!flat_s) return std::nullopt;
+  return core::signal::PvPast{*flat_s, read_number(row["pv_step"]).value_or(0.0)};
+}
+
 CatalogueEntry read_loop(const pqxx::row& row) {
   CatalogueEntry loop;
   loop.loop_id = row["loop_id"].as<std::int64_t>();
@@ -40,8 +47,14 @@ CatalogueEntry read_loop(const pqxx::row& row) {
   loop.mode_tag = read_text(row["mode_tag"]);
   loop.interval_s = read_number(row["interval_s"]);
   loop.period_s = row["period_s"].as<double>();
-  loop.op_range = read_op_range(row);
+  loop.op_range = read_range(row, "op_low", "op_high");
+  loop.pv_range = read_range(row, "pv_low", "pv_high");
   loop.loop_type = read_text(row["loop_type"]);
+  loop.area = read_text(row["area"]);
+  loop.unit = read_text(row["unit"]);
+  loop.description = read_text(row["description"]);
+  loop.pv_unit = read_text(row["pv_unit"]);
+  loop.owner = read_text(row["owner"]);
   loop.importance = row["importance"].as<double>();
   loop.enabled = row["enabled"].as<bool>();
   loop.registered_us = row["registered_us"].as<std::int64_t>();

@@ -18,6 +18,9 @@ namespace loopscope::storage {
 /// A number; nullopt for NULL.
 [[nodiscard]] std::optional<double> read_number(const pqxx::field& field);
 
+/// Of the columns pv_flat_s and pv_step; nullopt where the first is NULL.
+[[nodiscard]] std::optional<core::signal::PvPast> read_pv_past(const pqxx::row& row);
+
 /// The catalogue entry in a row of the statements that list the loop's columns.
 [[nodiscard]] CatalogueEntry read_loop(const pqxx::row& row);
 

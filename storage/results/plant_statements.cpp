@@ -58,25 +58,26 @@ const Statement kAnnounceFlags{"announce_flags", R"(
       FROM (
         SELECT standing.flag_notice_id,
                CASE WHEN NOT loop.enabled THEN 'disabled'
-                    WHEN latest.code IS DISTINCT FROM standing.code THEN 'verdict'
                     WHEN bool_or(hidden.annotation_id IS NOT NULL) THEN 'annotation'
                     WHEN bool_or(hidden.hidden_by = 'victim') THEN 'plant'
+                    WHEN latest.code = 'not_controlling' THEN 'state'
+                    WHEN latest.code = 'healthy' THEN 'verdict'
                     ELSE 'threshold' END AS word
         FROM loopscope.flag_notice AS standing
         JOIN loopscope.loop USING (loop_id)
         LEFT JOIN loopscope.latest_verdict AS latest USING (loop_id)
         LEFT JOIN loopscope.hidden_loop AS hidden USING (loop_id)
         WHERE standing.ended_at IS NULL
-          AND (standing.loop_id, standing.code) NOT IN (SELECT loop_id, code FROM list)
+          AND standing.loop_id NOT IN (SELECT loop_id FROM list)
         GROUP BY standing.flag_notice_id, loop.enabled, latest.code) AS why
       WHERE notice.flag_notice_id = why.flag_notice_id
       RETURNING notice.loop_id, notice.code
     ), firm AS (
       UPDATE loopscope.flag_notice AS notice SET status = 'confirmed', confirmed_at = now()
       FROM list
-      WHERE notice.loop_id = list.loop_id AND notice.code = list.code AND notice.ended_at IS NULL
+      WHERE notice.loop_id = list.loop_id AND notice.ended_at IS NULL
         AND notice.status = 'watch' AND list.status = 'confirmed'
-      RETURNING notice.loop_id, notice.code
+      RETURNING notice.loop_id, list.code
     ), came AS (
       INSERT INTO loopscope.flag_notice (loop_id, code, announced, slot_end, since, status,
                                          confidence, rank, score, summary, confirmed_at)
@@ -84,7 +85,7 @@ const Statement kAnnounceFlags{"announce_flags", R"(
              NOT EXISTS (
                SELECT FROM loopscope.flag_notice AS former
                JOIN loopscope.parameter AS quiet ON quiet.name = 'flag_quiet_hours'
-               WHERE former.loop_id = list.loop_id AND former.code = list.code
+               WHERE former.loop_id = list.loop_id
                  AND former.ended_at > now() - quiet.value * interval '1 h'
                  AND former.ended_at <= now()),
              slot_end, since, status, confidence, rank, score, summary,
@@ -92,14 +93,13 @@ const Statement kAnnounceFlags{"announce_flags", R"(
       FROM list
       WHERE NOT EXISTS (
         SELECT FROM loopscope.flag_notice AS standing
-        WHERE standing.loop_id = list.loop_id AND standing.code = list.code
-          AND standing.ended_at IS NULL)
+        WHERE standing.loop_id = list.loop_id AND standing.ended_at IS NULL)
       RETURNING loop_id, code, announced
     ), told AS (
       SELECT 'flagged' AS change, loop_id, code, announced FROM came
       UNION ALL SELECT 'confirmed', loop_id, code, true FROM firm
     )
-    SELECT told.change, told.announced, list.loop_id, list.loop_name, list.code, list.confidence,
+    SELECT DISTINCT told.change, told.announced, list.loop_id, list.loop_name, list.code, list.confidence,
            list.rank, list.score, list.status, list.summary,
            CASE WHEN told.announced THEN message.text END AS message
     FROM told

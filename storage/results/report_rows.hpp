@@ -121,7 +121,7 @@ struct PlantOscillationRow {
 
 /// What keeps a loop's newest fault from the list (view hidden_loop).
 struct HiddenRow {
-  std::string hidden_by;  ///< acknowledged, suppressed, false_positive, victim
+  std::string hidden_by;  ///< acknowledged, suppressed, false_positive, victim, probability, chance
   std::string reason;     ///< "" = none was given
   std::string author;     ///< "" = the program
   std::int64_t entered_us = 0;

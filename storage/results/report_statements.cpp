@@ -59,7 +59,8 @@ const Statement kReportCounts{"report_counts",
             JOIN loopscope.maintenance_job AS job USING (maintenance_event_id, loop_id)
             WHERE repair.done_at > $1::timestamptz AND repair.word = 'fixed') AS fixed,
            (SELECT count(DISTINCT loop_id) FROM hidden WHERE hidden_by = 'victim') AS victims,
-           (SELECT count(DISTINCT loop_id) FROM hidden WHERE hidden_by <> 'victim') AS annotated,
+           (SELECT count(DISTINCT loop_id) FROM hidden
+            WHERE hidden_by NOT IN ('victim', 'probability', 'chance')) AS annotated,
            )" + us("now()") + R"( AS now_us
     FROM catalogue)",
                               Rows::one};
@@ -143,22 +144,24 @@ const Statement kReportLoops{"report_loops",
                              R"(
     WITH flagged AS MATERIALIZED (SELECT loop_id, rank, status FROM loopscope.flagged_loop),
     hidden AS MATERIALIZED (
-      SELECT loop_id, min(CASE WHEN hidden_by = 'victim' THEN 'victim' ELSE 'annotated' END) AS by
+      SELECT loop_id, min(CASE WHEN hidden_by IN ('probability', 'chance') THEN reason
+                               WHEN hidden_by = 'victim' THEN 'victim of a shared oscillation'
+                               ELSE 'annotated' END) AS by
       FROM loopscope.hidden_loop GROUP BY loop_id)
     SELECT loop.loop_id, loop.name, loop.source, loop.loop_type, loop.enabled, loop.importance,
            latest.code, latest.confidence, )" +
                                  us("latest.slot_end") + R"( AS slot_end_us, latest.summary,
            flagged.status, flagged.rank,
-           CASE WHEN flagged.rank IS NOT NULL OR NOT kind.is_fault THEN NULL
-                WHEN NOT loop.enabled THEN 'disabled'
+           CASE WHEN flagged.rank IS NOT NULL THEN NULL
                 WHEN hidden.by IS NOT NULL THEN hidden.by
-                WHEN coalesce(latest.combined_confidence, latest.confidence) < least.value
-                THEN 'confidence'
-                WHEN kind.is_fault THEN 'control' END AS hidden_by,
+                WHEN NOT kind.is_fault THEN NULL
+                WHEN NOT loop.enabled THEN 'disabled'
+                ELSE 'not sure enough for the list (probability '
+                     || round(coalesce(latest.combined_confidence, latest.confidence)::numeric, 2)
+                     || ')' END AS hidden_by,
            health.state
     FROM loopscope.loop
     JOIN loopscope.monitor_health AS health USING (loop_id)
-    JOIN loopscope.parameter AS least ON least.name = 'min_confidence'
     LEFT JOIN loopscope.latest_verdict AS latest USING (loop_id)
     LEFT JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
     LEFT JOIN flagged USING (loop_id)

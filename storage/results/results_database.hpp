@@ -37,6 +37,8 @@ struct ClaimedLoop {
   std::int64_t database_now_us = 0;  ///< the database's clock at the claim
   std::optional<std::int64_t> last_slot_end_us;            ///< newest slot that was completed
   std::optional<LastVerdict> last_verdict = std::nullopt;  ///< the newest one; nullopt = none yet
+  /// What its windows so far tell of pv; nullopt = none yet, or by a program that did not say.
+  std::optional<core::signal::PvPast> pv_past = std::nullopt;
 };
 
 /// Which claim of which loop.
@@ -55,7 +57,7 @@ struct CompletedLoop {
   std::optional<AnalysisRecord> record;  ///< nullopt = the stored analysis still holds
   /// The slot that was the newest one before this; nullopt = none, or this one was.
   std::optional<std::int64_t> previous_slot_end_us = std::nullopt;
-  bool judged = true;                        ///< false: the verdict is `insufficient_data`
+  bool judged = true;  ///< false: the verdict is `insufficient_data` or `not_controlling`
   std::vector<DataProblem> problems = {};    ///< of the newest slot
   std::vector<AnalysisRecord> revised = {};  ///< of earlier slots whose input had changed since
 };
@@ -85,7 +87,7 @@ struct WriteCount {
   std::size_t unchanged = 0;        ///< completed without a new row
   std::size_t failed = 0;           ///< set aside
   std::size_t fenced_off = 0;       ///< the lease had been lost: nothing was written for these
-  std::size_t not_judged = 0;       ///< of those completed: the newest slot is `insufficient_data`
+  std::size_t not_judged = 0;       ///< of those completed: the newest slot is no loop in control
   std::size_t revised_earlier = 0;  ///< rows of earlier slots whose input had changed
 };
 

@@ -21,13 +21,15 @@ namespace {
   "    last_error = CASE WHEN s.owner IS NULL THEN s.last_error"                                \
   "                      ELSE 'the lease of ' || s.owner || ' ended without a result' END"      \
   "  WHERE s.ctid = ANY (ARRAY(SELECT chosen.place FROM chosen))"                               \
-  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end, s.result_slot_end) "            \
+  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end, s.result_slot_end,"             \
+  "    s.pv_flat_s, s.pv_step) "                                                                \
   "SELECT " LOOPSCOPE_LOOP_COLUMNS                                                              \
   ","                                                                                           \
   "  claimed.fence, claimed.attempts, (extract(epoch FROM now()) * 1000000)::bigint AS now_us," \
   "  (extract(epoch FROM least(chosen.visible_at, now())) * 1000000)::bigint AS due_us,"        \
   "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us,"        \
-  "  said.code AS last_code, said.confidence AS last_confidence, said.p AS last_p "             \
+  "  said.code AS last_code, said.confidence AS last_confidence, said.p AS last_p,"             \
+  "  claimed.pv_flat_s, claimed.pv_step "                                                       \
   "FROM claimed JOIN chosen USING (loop_id) JOIN loopscope.loop USING (loop_id) "               \
   "LEFT JOIN LATERAL ("                                                                         \
   "  SELECT verdict.code, verdict.confidence, verdict.p FROM loopscope.verdict"                 \
@@ -238,9 +240,12 @@ const Statement kComplete{"complete", R"(
                            ELSE greatest(s.last_slot_end, done.slot_end) END,
       result_slot_end = CASE WHEN s.result_slot_end > now() THEN done.slot_end
                              WHEN done.has_record THEN greatest(s.result_slot_end, done.slot_end)
-                             ELSE s.result_slot_end END
-    FROM unnest($1::bigint[], $2::bigint[], $3::timestamptz[], $4::timestamptz[], $5::boolean[])
-      AS done (loop_id, fence, slot_end, next_due, has_record)
+                             ELSE s.result_slot_end END,
+      pv_flat_s = CASE WHEN done.has_record THEN done.pv_flat_s ELSE s.pv_flat_s END,
+      pv_step = CASE WHEN done.has_record THEN done.pv_step ELSE s.pv_step END
+    FROM unnest($1::bigint[], $2::bigint[], $3::timestamptz[], $4::timestamptz[], $5::boolean[],
+                $6::float8[], $7::float8[])
+      AS done (loop_id, fence, slot_end, next_due, has_record, pv_flat_s, pv_step)
     WHERE s.loop_id = done.loop_id AND s.fence = done.fence AND done.slot_end <= now()
     RETURNING s.loop_id)"};
 

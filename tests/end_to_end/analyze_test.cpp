@@ -82,7 +82,7 @@ TEST_F(Analyze, DataThatCannotBeJudgedAreAVerdict) {
   expect_verdict("only_header.csv", "t_s,sp,pv,op\n", "insufficient_data");
   std::string constant = "t_s,sp,pv,op\n";
   for (int k = 0; k < 1000; ++k) constant += std::to_string(k) + ",5,5,50\n";
-  expect_verdict("constant.csv", constant, "insufficient_data");
+  expect_verdict("constant.csv", constant, "not_controlling");
 }
 
 TEST_F(Analyze, OddValuesAreMissingNotErrors) {
@@ -118,7 +118,7 @@ TEST_F(Analyze, SimulateRefusesNumbersThatItCannotUse) {
 }
 
 TEST_F(Analyze, AConstantOutputStillHasItsStatistics) {
-  const Json json = expect_verdict("op.csv", rows(1000, "42"), "healthy");
+  const Json json = expect_verdict("op.csv", rows(1000, "42"), "not_controlling");
   EXPECT_THAT(json["data_quality"]["flags"].dump(), HasSubstr("op_constant"));
   EXPECT_TRUE(json["hos"]["ngi"].is_number());
 }

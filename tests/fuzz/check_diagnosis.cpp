@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/diagnosis/loop_state.hpp"
 #include "daemon/output/analysis_text.hpp"
 #include "tests/fuzz/require.hpp"
 
@@ -36,7 +37,10 @@ void check_verdict(const core::Diagnosis& diagnosis) {
   require(!verdict.summary.empty(), "a verdict has a summary");
   const core::signal::DataQuality& quality = diagnosis.evidence.data_quality;
   const bool refused = verdict.code == core::diagnosis::VerdictCode::insufficient_data;
-  require(quality.usable || refused, "what cannot be judged is not judged");
+  const bool state =
+      core::diagnosis::state_of(diagnosis.evidence) != core::diagnosis::LoopState::none;
+  require(quality.usable || refused || state, "what cannot be judged is not judged");
+  require(!state || !refused, "a state that is seen is said");
   require(quality.usable == quality.reason.empty(), "a refusal has its reason");
 }
 

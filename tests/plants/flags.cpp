@@ -1,5 +1,6 @@
 #include "tests/plants/flags.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 
@@ -11,7 +12,7 @@ namespace {
 
 bool is_shown(const DiagnosedLoop& loop, const FlagRule& rule) {
   return loop.verdict != "healthy" && loop.verdict != "insufficient_data" &&
-         loop.confidence >= rule.min_confidence;
+         loop.verdict != "not_controlling" && loop.confidence >= rule.min_confidence;
 }
 
 /// Of the loops that may be shown; NaN for the others.
@@ -25,19 +26,23 @@ std::vector<double> fault_probabilities(const std::vector<DiagnosedLoop>& loops,
   return result;
 }
 
+/// Each loop's own p, of the tests that it may have been picked from; 1 where it is not shown.
+std::vector<double> questions(const std::vector<DiagnosedLoop>& loops, const FlagRule& rule) {
+  std::vector<double> family;
+  for (const DiagnosedLoop& loop : loops) {
+    const auto tests = static_cast<double>(loop.tests);
+    const bool asked = is_shown(loop, rule) && loop.p;
+    family.push_back(loop.tests == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                     : (asked ? std::min(1.0, *loop.p * tests) : 1.0));
+  }
+  return family;
+}
+
 }  // namespace
 
 std::vector<bool> flagged(const std::vector<DiagnosedLoop>& loops, const FlagRule& rule) {
-  // Each loop's own test first, so that it stands at the loop's place; the others have p = 1.
-  std::vector<double> family;
-  for (const DiagnosedLoop& loop : loops)
-    family.push_back(is_shown(loop, rule) && loop.p ? *loop.p : 1.0);
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    if (loops[k].tests == 0) family[k] = std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t i = 1; i < loops[k].tests; ++i) family.push_back(1.0);
-  }
   const core::plant::FalseDiscovery control =
-      core::plant::control_false_discovery(family, rule.false_discovery_rate);
+      core::plant::control_false_discovery(questions(loops, rule), rule.false_discovery_rate);
   const std::vector<bool> listed =
       core::plant::list_by_odds(fault_probabilities(loops, rule), rule.list_false_share);
   std::vector<bool> result;

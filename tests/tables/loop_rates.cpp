@@ -193,7 +193,7 @@ LOOPSCOPE_TABLE(loop_speed, "microseconds of a window of 4096") {
     const SimulatedLoop* const loop = named.second;
     const double oscillation = best_us([&] { (void)find_oscillation(loop->pv, 1.0); });
     const double performance =
-        best_us([&] { (void)measure_performance(loop->pv, loop->op, {}, 1.0, true); });
+        best_us([&] { (void)measure_performance(loop->pv, loop->op, {}, 1.0); });
     const double shape = best_us([&] {
       (void)measure_shape({{}, loop->pv, loop->op, loop->mv, 47.0, false});
     });

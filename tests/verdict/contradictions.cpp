@@ -96,18 +96,18 @@ constexpr std::array kAll = {
     Contradiction{"a valve that is too large, and a range unknown",
                   [](const Evidence& e, const Verdict& v) {
                     return v.code == Code::valve_oversized &&
-                           !(e.op_range_known && e.valve_gain.pv_span_percent);
+                           !(e.op_range_set && e.valve_gain.pv_span_percent);
                   },
                   [](Evidence& e, Verdict& v) {
-                    e.op_range_known = false;
+                    e.op_range_set = false;
                     v.code = Code::valve_oversized;
                   }},
     Contradiction{"a limit of op's range, and the range unknown",
                   [](const Evidence& e, const Verdict& v) {
-                    return says(v, "at a limit of its range in") && !e.op_range_known;
+                    return says(v, "at a limit of its range in") && !e.op_in_percent;
                   },
                   [](Evidence& e, Verdict& v) {
-                    e.op_range_known = false;
+                    e.op_in_percent = false;
                     v.reasons.emplace_back("op is at a limit of its range in 12 % of the samples.");
                   }},
     Contradiction{"op at its limit, and op never rests",
@@ -137,10 +137,11 @@ constexpr std::array kAll = {
     Contradiction{"a valve or a tuning, and op not recorded or still",
                   [](const Evidence& e, const Verdict& v) {
                     return (is_valve(v.code) || blames(v.code, core::plant::Fault::tuning)) &&
-                           !core::diagnosis::op_speaks(e);
+                           !core::diagnosis::op_speaks(e) && !e.control.held_at_limit;
                   },
                   [](Evidence& e, Verdict& v) {
                     e.data_quality.flags = {"op_missing"};
+                    e.control = {};
                     v.code = Code::valve_stiction;
                   }},
     Contradiction{"healthy, and not controlling",

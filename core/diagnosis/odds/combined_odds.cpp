@@ -95,6 +95,7 @@ const PerCause& shares_of_causes() {
 
 PerCause evidence_of(const Verdict& verdict) {
   PerCause evidence;
+  if (verdict.stands_alone) return evidence;
   for (const CauseReport& cause : verdict.causes) {
     const double prior = log_odds_of(at(shares_of_causes(), cause.code).value_or(cause.prior));
     set_cause(evidence, cause.code, log_odds_of(probability_of(prior + cause.evidence)) - prior);

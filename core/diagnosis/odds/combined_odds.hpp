@@ -25,6 +25,7 @@ struct SeveralWindows {
 
 /// What one window says of each cause by the cause's own figures: log odds beyond the prior, so far
 /// that no probability is nearer than a millionth to 0 and 1. Whatever the priors and the others.
+/// Empty where the verdict stands alone.
 [[nodiscard]] PerCause evidence_of(const Verdict& verdict);
 
 /// One window of a loop as it was judged, and as it is stored.

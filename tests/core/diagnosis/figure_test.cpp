@@ -55,7 +55,7 @@ TEST(Figure, ATransmittersRangeIsNeededForTheSizeOfAValve) {
   EXPECT_EQ(size(), std::nullopt);
   evidence.valve_gain.pv_span_percent = 60.0;
   EXPECT_EQ(size(), std::nullopt);
-  evidence.op_range_known = true;
+  evidence.op_range_set = true;
   EXPECT_EQ(size(), 3.0);
 }
 

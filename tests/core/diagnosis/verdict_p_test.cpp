@@ -74,10 +74,14 @@ TEST(VerdictP, FactsAndHealthHaveNone) {
   Evidence evidence = tested_evidence();
   EXPECT_EQ(p_of_verdict(Code::healthy, evidence), std::nullopt);
   EXPECT_EQ(p_of_verdict(Code::insufficient_data, evidence), std::nullopt);
+  EXPECT_EQ(p_of_verdict(Code::not_controlling, evidence), std::nullopt);
+  evidence.op_range_set = true;
   evidence.shape.mv_op_width = 0.4;
   EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), kOscillationP) << "it follows";
   evidence.shape.mv_op_width = 3.0;
   EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), std::nullopt);
+  evidence.op_range_set = false;
+  EXPECT_EQ(p_of_verdict(Code::valve_stiction, evidence), kOscillationP) << "% of what?";
   EXPECT_EQ(p_of_verdict(Code::sensor_fault, evidence), kCouplingP) << "inferred";
   evidence.data_quality.flags = {"pv_held"};
   EXPECT_EQ(p_of_verdict(Code::sensor_fault, evidence), std::nullopt) << "the data themselves";

@@ -87,7 +87,7 @@ void expect_finite(std::initializer_list<std::optional<double>> figures) {
 void expect_sane(const Series& series, const Series& other, double period) {
   const Oscillation o = find_oscillation(series, 1.0);
   expect_finite({o.period_s, o.regularity, o.amplitude, o.persistence});
-  const Performance p = measure_performance(series, other, {}, 1.0, true);
+  const Performance p = measure_performance(series, other, {}, 1.0);
   expect_finite({p.harris_low, p.harris_high, p.error_std, p.valve_travel_per_h, p.reversals_per_h,
                  p.at_limit_fraction});
   const Shape s = measure_shape({series, series, other, series, period, false});

@@ -16,6 +16,7 @@ using testing::Not;
 /// A well-behaved loop: every series recorded and moving.
 LoopWindow healthy_window(std::size_t size = 1000) {
   LoopWindow window;
+  window.op_range = OpRange{};
   for (std::size_t k = 0; k < size; ++k) {
     const auto t = static_cast<double>(k);
     window.sp.push_back(50.0);
@@ -126,6 +127,7 @@ TEST(Prepare, AMissingOutputIsAFlagNotAnError) {
 
 TEST(Prepare, OutputOutsideZeroToHundredHasNoKnownRange) {
   LoopWindow window = healthy_window();
+  window.op_range.reset();
   for (double& v : window.op) v += 350.0;
   const PreparedLoop unknown = prepare(window, {});
   EXPECT_THAT(unknown.quality.flags, Contains("op_range_unknown"));
@@ -143,10 +145,34 @@ TEST(Prepare, TimeAtALimitIsMeasured) {
   EXPECT_NEAR(*prepare(window, {}).quality.saturated_fraction, 0.25, 1e-12);
 }
 
+TEST(Prepare, TimeAtAnInferredLimitCountsWhereItIsHeldUnderALastingError) {
+  LoopWindow window = healthy_window();
+  window.op_range.reset();
+  for (std::size_t k = 0; k < 250; ++k) window.op[k] = k % 2 == 0 ? 100.0 : 99.6;
+  EXPECT_EQ(*prepare(window, {}).quality.saturated_fraction, 0.0) << "not held";
+  for (std::size_t k = 0; k < 250; ++k) window.op[k] = 100.0;
+  EXPECT_EQ(*prepare(window, {}).quality.saturated_fraction, 0.0) << "the error comes and goes";
+  for (std::size_t k = 0; k < 250; ++k) window.sp[k] = 60.0;
+  EXPECT_NEAR(*prepare(window, {}).quality.saturated_fraction, 0.25, 1e-12);
+  EXPECT_THAT(prepare(window, {}).quality.flags, Contains("op_range_inferred"));
+}
+
 TEST(Prepare, AFrozenProcessVariableIsFlagged) {
   LoopWindow window = healthy_window();
   for (std::size_t k = 100; k < 420; ++k) window.pv[k] = 50.5;
-  EXPECT_THAT(prepare(window, {}).quality.flags, Contains("pv_frozen"));
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_THAT(loop.quality.flags, Contains("pv_frozen"));
+  EXPECT_NEAR(*loop.quality.frozen_fraction, 0.32, 1e-12);
+  EXPECT_TRUE(loop.quality.enough);
+}
+
+TEST(Prepare, WhatWasDiscardedIsNotCalledMissing) {
+  LoopWindow window = healthy_window(2000);
+  for (std::size_t k = 300; k < window.size(); ++k) window.pv[k] = 50.5;
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_EQ(*loop.quality.missing_fraction, 0.0);
+  EXPECT_TRUE(loop.quality.enough);
+  EXPECT_THAT(loop.quality.reason, Not(HasSubstr("missing")));
 }
 
 TEST(Prepare, AProcessVariableRenewedSeldomIsFlaggedWithItsFactor) {
@@ -194,12 +220,15 @@ TEST(Prepare, ASetpointThatAlwaysMovesIsFlagged) {
   EXPECT_THAT(prepare(window, {}).quality.flags, Contains("sp_moving"));
 }
 
-TEST(Prepare, AControllerMostlyInManualIsNotJudged) {
+TEST(Prepare, OfAControllerMostlyInManualTheWholeErrorIsSeen) {
   LoopWindow window = healthy_window();
   window.mode.assign(window.size(), ControlMode::automatic);
   EXPECT_TRUE(prepare(window, {}).quality.usable);
   for (std::size_t k = 0; k < 600; ++k) window.mode[k] = ControlMode::manual;
-  EXPECT_THAT(prepare(window, {}).quality.reason, HasSubstr("in manual for 60 %"));
+  const PreparedLoop loop = prepare(window, {});
+  EXPECT_TRUE(loop.quality.usable);
+  EXPECT_FALSE(loop.control.controlling());
+  EXPECT_FALSE(std::isnan(loop.error[300]));
   window.mode.assign(window.size(), ControlMode::unknown);
   EXPECT_TRUE(prepare(window, {}).quality.usable);
 }

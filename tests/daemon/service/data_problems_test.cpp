@@ -89,9 +89,10 @@ TEST(DataProblems, QualityCodesThatNobodyKnowsAreCounted) {
 }
 
 TEST(DataProblems, FlagsAsTheyAreWhateverTheirName) {
-  core::signal::DataQuality quality;
-  quality.flags = {"op_constant", "a_flag_of_tomorrow"};
-  const auto problems = flag_problems(quality);
+  core::Diagnosis diagnosis;
+  diagnosis.evidence.data_quality.flags = {"op_constant", "a_flag_of_tomorrow"};
+  diagnosis.verdict.code = core::diagnosis::VerdictCode::insufficient_data;
+  const auto problems = flag_problems(diagnosis);
   ASSERT_EQ(problems.size(), 3u);
   EXPECT_EQ(problems[1].code, "a_flag_of_tomorrow");
   EXPECT_EQ(problems[1].role, "");

@@ -98,20 +98,22 @@ TEST_F(AnnounceFlagsTest, TellsWhenAFlagIsConfirmed) {
   EXPECT_EQ(history(), (TextRows{{"a", "valve_stiction", "confirmed", "t", "NULL", "t"}}));
 }
 
-TEST_F(AnnounceFlagsTest, AnotherVerdictIsAnotherFlag) {
+TEST_F(AnnounceFlagsTest, AnotherVerdictIsTheSameStay) {
   tell({{.loop = "a", .slot_hours = 1}});
   static_cast<void>(announce());
   tell({{.loop = "a", .code = VerdictCode::tight_tuning, .slot_hours = 2}});
   const FlagAnnouncement second = announce();
-  EXPECT_THAT(second.flagged, SizeIs(1));
-  EXPECT_EQ(second.ended, 1U);
-  EXPECT_EQ(history(), (TextRows{{"a", "valve_stiction", "watch", "f", "verdict", "t"},
-                                 {"a", "tight_tuning", "watch", "t", "NULL", "t"}}));
+  EXPECT_THAT(second.flagged, IsEmpty());
+  EXPECT_EQ(second.ended, 0U);
+  EXPECT_EQ(history(), (TextRows{{"a", "valve_stiction", "watch", "t", "NULL", "t"}}));
+  EXPECT_EQ(value("SELECT code FROM loopscope.flagged_loop"), "tight_tuning");
 }
 
 TEST_F(AnnounceFlagsTest, SaysWhatEndedAFlag) {
-  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}, {.loop = "d"}});
+  tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}, {.loop = "d"}, {.loop = "e"}, {.loop = "f"}});
   static_cast<void>(announce());
+  tell({{.loop = "e", .code = VerdictCode::not_controlling, .slot_hours = 2},
+        {.loop = "f", .code = VerdictCode::healthy, .slot_hours = 2}});
   database->execute(
       "INSERT INTO loopscope.annotation (loop_id, kind) SELECT loop_id, 'acknowledged'"
       " FROM loopscope.loop WHERE name = 'a'");
@@ -133,9 +135,14 @@ TEST_F(AnnounceFlagsTest, SaysWhatEndedAFlag) {
                 "a leads",
                 {},
                 {{id("a"), "source", 1, 0, {}}, {id("d"), "victim", 1, 0, {}}}}}});
-  EXPECT_EQ(announce().ended, 4U);
+  EXPECT_EQ(announce().ended, 6U);
   EXPECT_EQ(database->rows("SELECT loop_name, ended_by FROM loopscope.flag_history ORDER BY 1"),
-            (TextRows{{"a", "annotation"}, {"b", "disabled"}, {"c", "threshold"}, {"d", "plant"}}));
+            (TextRows{{"a", "annotation"},
+                      {"b", "disabled"},
+                      {"c", "threshold"},
+                      {"d", "plant"},
+                      {"e", "state"},
+                      {"f", "verdict"}}));
 }
 
 TEST_F(AnnounceFlagsTest, WhoComesBackAtOnceIsNotAnnouncedAgain) {

@@ -29,7 +29,10 @@ class DataProblemTest : public ResultsTest {
     loop.record->diagnosis.evidence.data_quality = {};
     loop.record->diagnosis.evidence.data_quality.usable = usable;
     loop.record->diagnosis.evidence.data_quality.flags = flags;
-    if (!usable) loop.record->diagnosis.evidence.data_quality.reason = "pv has no usable sample";
+    if (!usable) {
+      loop.record->diagnosis.evidence.data_quality.reason = "pv has no usable sample";
+      loop.record->diagnosis.verdict.code = core::diagnosis::VerdictCode::insufficient_data;
+    }
     loop.problems = of_tags;
     for (const std::string& flag : flags) {
       loop.problems.push_back({flag, "", std::nullopt, std::nullopt});

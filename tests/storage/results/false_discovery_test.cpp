@@ -22,20 +22,25 @@ using FalseDiscoveryViewTest = PlantTest;
 
 constexpr double kMinConfidence = 0.3;
 
-/// The tests that a loop brings in, as the view counts them: its own with its p if it may be
-/// shown, every other with 1.
-std::vector<double> tests_of(const PlantLoop& loop) {
-  if (!loop.enabled) return {};
-  const bool usable = loop.code != "insufficient_data";
-  std::vector<double> p;
-  for (const double test : {loop.nonlinear_p, loop.oscillation_p, loop.harris_p}) {
-    if (usable && !std::isnan(test)) p.push_back(1.0);
-  }
-  if (std::isnan(loop.p)) return p;
-  if (p.empty()) p.push_back(1.0);
-  const bool fault = usable && loop.code != "healthy";
-  if (fault && loop.confidence >= kMinConfidence) p.front() = loop.p;
-  return p;
+bool is_fault(const PlantLoop& loop) {
+  return loop.code != "healthy" && loop.code != "insufficient_data";
+}
+
+/// The tests of a loop that its verdict may rest on.
+std::size_t tests_of(const PlantLoop& loop) {
+  std::size_t tests = 0;
+  for (const double test : {loop.nonlinear_p, loop.oscillation_p, loop.harris_p})
+    if (loop.code != "insufficient_data" && !std::isnan(test)) ++tests;
+  return std::max<std::size_t>(tests, std::isnan(loop.p) ? 0 : 1);
+}
+
+/// The one p of a loop that may be shown, for as many tests; NaN where its verdict rests on none.
+double loop_p(const PlantLoop& loop) {
+  return std::min(1.0, loop.p * static_cast<double>(tests_of(loop)));
+}
+
+bool is_shown(const PlantLoop& loop) {
+  return loop.enabled && is_fault(loop) && loop.confidence >= kMinConfidence;
 }
 
 /// What the view has to flag.
@@ -43,16 +48,13 @@ std::vector<bool> reference(const std::vector<PlantLoop>& plant, double rate,
                             Dependence dependence) {
   std::vector<double> family;
   for (const PlantLoop& loop : plant) {
-    const std::vector<double> p = tests_of(loop);
-    family.insert(family.end(), p.begin(), p.end());
+    if (!loop.enabled || tests_of(loop) == 0) continue;
+    family.push_back(is_shown(loop) && !std::isnan(loop.p) ? loop_p(loop) : 1.0);
   }
   const double threshold = control_false_discovery(family, rate, dependence).threshold;
   std::vector<bool> flagged;
-  for (const PlantLoop& loop : plant) {
-    const bool fault = loop.code != "healthy" && loop.code != "insufficient_data";
-    flagged.push_back(loop.enabled && fault && loop.confidence >= kMinConfidence &&
-                      (std::isnan(loop.p) || loop.p <= threshold));
-  }
+  for (const PlantLoop& loop : plant)
+    flagged.push_back(is_shown(loop) && (std::isnan(loop.p) || loop_p(loop) <= threshold));
   return flagged;
 }
 

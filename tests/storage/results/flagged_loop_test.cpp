@@ -3,6 +3,7 @@
 #include <random>
 
 #include "core/plant/list_by_odds.hpp"
+#include "storage/results/plant_rounds.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 namespace loopscope::storage {
@@ -94,6 +95,85 @@ TEST_F(FlaggedLoopTest, SeveralWindowsDecideWhetherAFaultIsProbable) {
   tell({{.loop = "a", .slot_hours = 2, .fault_probability = 0.9}});
   EXPECT_THAT(flagged(), ElementsAre("a")) << "one doubtful window does not take it off";
   EXPECT_EQ(value("SELECT fault_probability > 0.98 FROM loopscope.flagged_loop"), "t");
+}
+
+/// What is told of loop "a" and of one that keeps the list company.
+class StandingListTest : public ViewsTest {
+ protected:
+  void tell_probability(int hours, double fault_probability) {
+    tell({{.loop = "a", .slot_hours = hours, .fault_probability = fault_probability}});
+    // The window alone: what several say together is not asked here.
+    database->execute("UPDATE loopscope.analysis SET combined_probabilities = NULL");
+  }
+  void note() { static_cast<void>(PlantRounds(settings_for(*database)).announce_flags()); }
+};
+
+TEST_F(StandingListTest, EntersAtOneRateAndLeavesAtALooserOne) {
+  tell_probability(1, 0.9);
+  EXPECT_THAT(flagged(), IsEmpty()) << "10 % of doubt are more than 2";
+  tell_probability(2, 0.99);
+  EXPECT_THAT(flagged(), ElementsAre("a"));
+  note();
+  for (const double probability : {0.85, 0.97, 0.81}) {
+    tell_probability(3, probability);
+    note();
+    EXPECT_THAT(flagged(), ElementsAre("a")) << probability;
+  }
+  EXPECT_EQ(value("SELECT since = (SELECT min(slot_end) FROM loopscope.flag_history)"
+                  " FROM loopscope.flagged_loop"),
+            "f")
+      << "the run of the verdict is older than the stay";
+  tell_probability(4, 0.75);
+  EXPECT_THAT(flagged(), IsEmpty()) << "25 % are more than 20";
+  note();
+  tell_probability(5, 0.9);
+  EXPECT_THAT(flagged(), IsEmpty()) << "it has to enter again";
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.flag_history"), "1");
+}
+
+TEST_F(StandingListTest, AWindowThatCannotBeJudgedTakesNothingOff) {
+  tell_probability(1, 0.99);
+  note();
+  tell({{.loop = "a", .code = VerdictCode::insufficient_data, .slot_hours = 2, .usable = false}});
+  EXPECT_EQ(database->rows("SELECT loop_name, code, slot_end FROM loopscope.flagged_loop"),
+            (TextRows{{"a", "valve_stiction", "2026-01-01 01:00:00+00"}}));
+  tell({{.loop = "a", .code = VerdictCode::not_controlling, .slot_hours = 3}});
+  EXPECT_THAT(flagged(), IsEmpty()) << "nobody controls it";
+}
+
+TEST_F(StandingListTest, OfTheNewestWindowThatNamesAFault) {
+  tell_probability(1, 0.99);
+  note();
+  tell({{.loop = "a", .code = VerdictCode::healthy, .slot_hours = 2, .fault_probability = 0.85}});
+  database->execute("UPDATE loopscope.analysis SET combined_probabilities = NULL");
+  EXPECT_EQ(database->rows("SELECT code, round(fault_probability::numeric, 2)"
+                           " FROM loopscope.flagged_loop"),
+            (TextRows{{"valve_stiction", "0.85"}}));
+}
+
+TEST_F(StandingListTest, ADeadMeasurementIsFirst) {
+  tell({{.loop = "sticks", .harris = 0.01},
+        {.loop = "dead", .code = VerdictCode::sensor_fault, .confidence = 0.9}});
+  EXPECT_THAT(flagged(), ElementsAre("sticks", "dead"));
+  database->execute(
+      "UPDATE loopscope.loop SET importance = 0.01 WHERE name = 'dead';"
+      "UPDATE loopscope.analysis SET flags = '{pv_frozen}' WHERE loop_id ="
+      " (SELECT loop_id FROM loopscope.loop WHERE name = 'dead')");
+  EXPECT_THAT(flagged(), ElementsAre("dead", "sticks"));
+}
+
+TEST_F(StandingListTest, WhatIsProbableAndNotListedCanBeFound) {
+  tell({{.loop = "unsure", .fault_probability = 0.4},
+        {.loop = "fine", .code = VerdictCode::healthy, .fault_probability = 0.1},
+        {.loop = "likely", .code = VerdictCode::healthy, .fault_probability = 0.45},
+        {.loop = "common", .p = 0.9, .oscillation_p = 0.9, .fault_probability = 0.999}});
+  EXPECT_EQ(database->rows("SELECT loop_name, hidden_by, cause, round(probability::numeric, 2)"
+                           " FROM loopscope.hidden_loop ORDER BY 1"),
+            (TextRows{{"common", "chance", "process_change", "1.00"},
+                      {"likely", "probability", "process_change", "0.45"},
+                      {"unsure", "probability", "process_change", "0.40"}}));
+  EXPECT_EQ(value("SELECT reason FROM loopscope.hidden_loop WHERE loop_name = 'unsure'"),
+            "not sure enough for the list (probability 0.40)");
 }
 
 TEST_F(FlaggedLoopTest, TheListIsThatOfCore) {

@@ -101,22 +101,24 @@ class UpgradeTest : public testing::Test {
   TextRows before;
 };
 
-/// list_false_share, of schema 22.
-constexpr std::size_t kNewParameters = 1;
+/// list_false_share, of schema 22, and list_leave_share, of schema 24.
+std::size_t new_parameters(int former) {
+  return former < 22 ? 2 : 1;
+}
 
 /// From each version that a program was given out with.
 class UpgradeFromTest : public UpgradeTest, public testing::WithParamInterface<int> {
  protected:
   UpgradeFromTest() : UpgradeTest(GetParam()) {}
 };
-INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18, 19, 20, 21));
+INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18, 19, 20, 21, 22));
 
 TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   const ConnectionSettings as_owner = settings_for(*database, owner);
   EXPECT_EQ(static_cast<int>(migrate(as_owner).size()), required_schema_version() - former);
   const TextRows after = contents();
   EXPECT_THAT(after, testing::IsSupersetOf(before));
-  EXPECT_EQ(after.size(), before.size() + kNewParameters);
+  EXPECT_EQ(after.size(), before.size() + new_parameters(former));
   EXPECT_THAT(migrate(as_owner), IsEmpty());
   ResultsDatabase results(settings_for(*database, worker));
   EXPECT_EQ(results.claim_due("host/2/0", 60, 10).size(), 2U);
@@ -173,6 +175,35 @@ TEST_F(UpgradeTest, WindowsOfSchema21StayAndAreListedByTheirOwnProbability) {
   EXPECT_EQ(other.value("SELECT count(*) FROM pg_attribute WHERE attname = 'combined_windows' AND"
                         " col_description(attrelid, attnum) IS NULL"),
             "0");
+}
+
+/// A filled schema 22 with a loop on its list: the stay goes on, and leaves at the looser rate.
+TEST_F(UpgradeTest, StaysOfSchema22GoOn) {
+  tests::TestDatabase other;
+  other.make_roles();
+  make_former_schema(other, "loopscope_owner", 22);
+  other.execute(kRows);
+  other.execute(R"(
+    UPDATE loopscope.verdict SET cause_probabilities = '{0.01,0.9}';
+    UPDATE loopscope.annotation SET withdrawn_at = now() WHERE withdrawn_at IS NULL;
+    UPDATE loopscope.schedule SET result_slot_end = '2026-01-01 01:00:00+00';
+    INSERT INTO loopscope.flag_notice (loop_id, code, announced, slot_end, since, status, confidence, rank, score, summary)
+      SELECT loop_id, code, true, slot_end, slot_end, 'watch', 0.9, 1, 0.5, 'sticks' FROM loopscope.verdict
+      WHERE loop_id = (SELECT loop_id FROM loopscope.loop WHERE name = 'a'))");
+  const std::string notices = "SELECT row(notice.*)::text FROM loopscope.flag_notice AS notice";
+  const TextRows before_it = other.rows(notices);
+  migrate(settings_for(other, other.make_login("loopscope_owner")));
+  EXPECT_EQ(other.rows(notices), before_it);
+  EXPECT_EQ(other.rows("SELECT loop_name, area, owner FROM loopscope.flagged_loop ORDER BY 1"),
+            (TextRows{{"a", "NULL", "NULL"}, {"b", "NULL", "NULL"}}));
+  other.execute("UPDATE loopscope.verdict SET cause_probabilities = '{0.15,0.8}'");
+  EXPECT_EQ(other.rows("SELECT loop_name FROM loopscope.flagged_loop"), (TextRows{{"a"}}));
+  EXPECT_EQ(other.rows("SELECT loop_name, hidden_by FROM loopscope.hidden_loop"),
+            (TextRows{{"b", "probability"}}));
+  EXPECT_EQ(other.value("SELECT count(*) FROM loopscope.service_factor"), "0")
+      << "nobody looked at modes before";
+  EXPECT_EQ(other.rows("SELECT count(*), count(control_fraction) FROM loopscope.analysis"),
+            (TextRows{{"2", "0"}}));
 }
 
 /// Before, each of these values stopped every claim.

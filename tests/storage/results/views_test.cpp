@@ -63,7 +63,9 @@ TEST_F(ViewsTest, DataQualityIsOfTheNewestAnalysis) {
 }
 
 TEST_F(ViewsTest, HealthOfTheMonitorItself) {
-  tell({{.loop = "ok"}, {.loop = "dead", .usable = false}, {.loop = "off"}});
+  tell({{.loop = "ok"},
+        {.loop = "dead", .code = VerdictCode::insufficient_data, .usable = false},
+        {.loop = "off"}});
   add_loops({"failing", "new", "late", "held"});
   Catalogue(settings_for(*database)).set_enabled(std::vector<std::string>{"off"}, false);
   database->execute(

@@ -1,0 +1,132 @@
+#include "core/signal/control_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/signal/flat_run.hpp"
+#include "core/signal/lasting_error.hpp"
+#include "core/signal/op_scale.hpp"
+#include "core/signal/spread.hpp"
+
+namespace loopscope::core::signal {
+namespace {
+
+/// With the loop open for most of the window there is no control to judge.
+constexpr double kMostOfWindow = 0.5;
+/// An output that only touches its end is there for fewer samples.
+constexpr std::size_t kFewestHeld = 10;
+
+enum class Acting : std::uint8_t { yes, no_by_mode, no_by_output, unknown };
+
+bool lasting_at_end(const ControlRecord& record, const FlatRun& run) {
+  return record.range != RangeSource::unknown && at_end(run.value) &&
+         keeps_its_sign(record.error.subspan(run.first, run.samples));
+}
+
+/// Of an output that is constant throughout, or stands still where it usually does not.
+bool is_unattended(const ControlRecord& record, const FlatRun& run, std::span<const FlatRun> runs) {
+  if (lasting_at_end(record, run)) return false;
+  const std::optional<Spread> whole = measure_spread(record.op_percent);
+  if (whole && whole->constant()) return true;
+  if (!is_unusually_long(run, runs)) return false;
+  const auto error = measure_spread(record.error.subspan(run.first, run.samples));
+  return error && !error->constant();
+}
+
+std::vector<Acting> by_output(const ControlRecord& record) {
+  const bool recorded = measure_spread(record.op_percent).has_value();
+  std::vector<Acting> acting(record.error.size(), recorded ? Acting::yes : Acting::unknown);
+  const std::vector<FlatRun> runs = flat_runs(record.op_percent);
+  for (const FlatRun& run : runs) {
+    if (!is_unattended(record, run, runs)) continue;
+    std::fill_n(acting.begin() + static_cast<std::ptrdiff_t>(run.first), run.samples,
+                Acting::no_by_output);
+  }
+  return acting;
+}
+
+/// What a mode says goes before what op lets guess, unless op is constant all the time.
+void put_modes(std::span<const ControlMode> mode, bool op_constant, std::vector<Acting>& acting) {
+  for (std::size_t k = 0; k < mode.size(); ++k) {
+    if (mode[k] == ControlMode::unknown) continue;
+    if (mode[k] == ControlMode::manual)
+      acting[k] = Acting::no_by_mode;
+    else if (!op_constant)
+      acting[k] = Acting::yes;
+  }
+}
+
+bool stands(Acting acting) {
+  return acting == Acting::no_by_mode || acting == Acting::no_by_output;
+}
+
+std::optional<std::size_t> lost_at(const std::vector<Acting>& acting) {
+  std::optional<std::size_t> first;
+  for (std::size_t k = acting.size(); k-- > 0 && acting[k] != Acting::yes;) {
+    if (stands(acting[k])) first = k;
+  }
+  return first;
+}
+
+std::optional<double> at_limit(const ControlRecord& record) {
+  switch (record.range) {
+    case RangeSource::set:
+      return fraction_at_limit(record.op_percent);
+    case RangeSource::inferred:
+      return fraction_held_at_limit(record.op_percent, record.error);
+    case RangeSource::unknown:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// Of the last stretch of op at one end, with the error that it leaves.
+std::optional<double> wound_up_percent(const ControlRecord& record) {
+  if (record.range == RangeSource::unknown) return std::nullopt;
+  constexpr double kMiddle = 50.0;
+  std::size_t first = record.op_percent.size();
+  double last = kMissing;
+  for (std::size_t k = record.op_percent.size(); k-- > 0;) {
+    const double value = record.op_percent[k];
+    if (!std::isfinite(value)) continue;
+    if (!at_end(value) ||
+        (value < kMiddle) != (std::isfinite(last) ? last < kMiddle : value < kMiddle))
+      break;
+    last = value;
+    first = k;
+  }
+  if (record.op_percent.size() - first < kFewestHeld) return std::nullopt;
+  if (!keeps_its_sign(record.error.subspan(first))) return std::nullopt;
+  return last < kMiddle ? 0.0 : 100.0;
+}
+
+}  // namespace
+
+bool ControlState::controlling() const {
+  return acting_fraction.value_or(1.0) > kMostOfWindow;
+}
+
+ControlState find_control_state(const ControlRecord& record) {
+  const std::optional<Spread> op = measure_spread(record.op_percent);
+  std::vector<Acting> acting = by_output(record);
+  put_modes(record.mode, op && op->constant(), acting);
+  const auto count = [&](Acting which) {
+    return static_cast<double>(std::ranges::count(acting, which));
+  };
+  const double by_mode = count(Acting::no_by_mode);
+  const double by_op = count(Acting::no_by_output);
+  const double told = by_mode + by_op + count(Acting::yes);
+  ControlState state;
+  if (told > 0.0) state.acting_fraction = count(Acting::yes) / told;
+  if (by_mode + by_op > 0.0)
+    state.reason = by_mode >= by_op ? NotActing::mode : NotActing::constant_output;
+  state.lost_at = lost_at(acting);
+  state.at_limit_fraction = at_limit(record);
+  state.held_at_limit =
+      state.at_limit_fraction.value_or(0.0) > kMostOfWindow && keeps_its_sign(record.error);
+  state.wound_up_percent = wound_up_percent(record);
+  return state;
+}
+
+}  // namespace loopscope::core::signal

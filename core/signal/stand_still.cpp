@@ -1,0 +1,156 @@
+#include "core/signal/stand_still.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/signal/lasting_error.hpp"
+#include "core/signal/median.hpp"
+#include "core/signal/op_scale.hpp"
+#include "core/signal/spread.hpp"
+
+namespace loopscope::core::signal {
+namespace {
+
+/// Half of the run, as in data of which most say so.
+constexpr double kMostOfRun = 0.5;
+/// The smallest steps of an archive that stores by a dead band are exceptions (start, quality).
+constexpr double kSmallSteps = 0.05;
+
+/// The step by which pv moves where it moves: that of its grid, or of its dead band. nullopt where
+/// it does not move.
+std::optional<double> usual_step(std::span<const double> pv) {
+  std::vector<double> steps;
+  double before = kMissing;
+  for (const double value : pv) {
+    if (!std::isfinite(value)) continue;
+    const double step = std::abs(value - before);
+    if (step > 0.0) steps.push_back(step);
+    before = value;
+  }
+  if (steps.empty()) return std::nullopt;
+  const auto place = static_cast<std::ptrdiff_t>(kSmallSteps * static_cast<double>(steps.size()));
+  std::ranges::nth_element(steps, steps.begin() + place);
+  return steps[static_cast<std::size_t>(place)];
+}
+
+/// Of a value that never moved: the last of its decimals, as people and converters write them.
+double decimals_of(double value) {
+  constexpr int kMostDecimals = 6;
+  double step = 1.0;
+  for (int k = 0; k < kMostDecimals; ++k, step /= 10.0) {
+    const double steps = value / step;
+    if (std::abs(steps - std::round(steps)) <= 1e-9 * std::max(1.0, std::abs(steps))) break;
+  }
+  return step;
+}
+
+std::optional<double> smaller(std::optional<double> a, std::optional<double> b) {
+  if (!a || !b) return a ? a : b;
+  return std::min(*a, *b);
+}
+
+double step_of(const RecordedLoop& loop, const FlatRun& run) {
+  const auto past =
+      loop.past && loop.past->step > 0.0 ? std::optional(loop.past->step) : std::nullopt;
+  return smaller(usual_step(loop.pv), past).value_or(decimals_of(run.value));
+}
+
+template <typename Value>
+std::span<const Value> part(std::span<const Value> series, const FlatRun& run) {
+  return series.empty() ? series : series.subspan(run.first, run.samples);
+}
+
+double share_of(std::span<const ControlMode> mode, auto among) {
+  if (mode.empty()) return 0.0;
+  return static_cast<double>(std::ranges::count_if(mode, among)) / static_cast<double>(mode.size());
+}
+
+/// An operator moves the output now and then, a controller all the time.
+bool is_at_work(std::span<const double> op) {
+  constexpr double kShareOfMoves = 0.05;
+  std::size_t moves = 0;
+  for (std::size_t k = 1; k < op.size(); ++k)
+    if (std::abs(op[k] - op[k - 1]) > 0.0) ++moves;
+  return static_cast<double>(moves) > kShareOfMoves * static_cast<double>(op.size());
+}
+
+/// By the mode where it is recorded, else by op.
+bool in_automatic(const RecordedLoop& loop, const FlatRun& run) {
+  const auto mode = part(loop.mode, run);
+  const auto unknown = [](ControlMode m) { return m == ControlMode::unknown; };
+  if (mode.empty() || share_of(mode, unknown) > kMostOfRun) return is_at_work(part(loop.op, run));
+  return share_of(mode, [](ControlMode m) {
+           return m == ControlMode::automatic || m == ControlMode::cascade;
+         }) > kMostOfRun;
+}
+
+/// A controller that has wound up is in automatic, recorded or not.
+bool wound_up(const RecordedLoop& loop, const FlatRun& run) {
+  return loop.op_in_percent && fraction_at_limit(part(loop.op, run)).value_or(0.0) > kMostOfRun;
+}
+
+bool in_manual(const RecordedLoop& loop, const FlatRun& run) {
+  return share_of(part(loop.mode, run), [](ControlMode m) { return m == ControlMode::manual; }) >
+         kMostOfRun;
+}
+
+std::vector<double> error_in(const RecordedLoop& loop, const FlatRun& run) {
+  std::vector<double> error;
+  for (const double sp : part(loop.sp, run)) {
+    if (std::isfinite(sp)) error.push_back(sp - run.value);
+  }
+  return error;
+}
+
+StandStill described(const RecordedLoop& loop, const FlatRun& run) {
+  StandStill still{.run = run};
+  const auto is_recorded = [](double value) { return std::isfinite(value); };
+  const auto before = loop.pv.first(run.first);
+  const auto behind = loop.pv.subspan(run.end());
+  still.to_the_end = std::ranges::none_of(behind, is_recorded);
+  still.whole = still.to_the_end && std::ranges::none_of(before, is_recorded);
+  const auto op = part(loop.op, run);
+  still.op_moves = moves_beyond_noise(op, smallest_neighbour_step(loop.op).value_or(0.0));
+  if (const auto spread = measure_spread(op)) {
+    still.op_low = spread->low;
+    still.op_high = spread->high;
+  }
+  const std::vector<double> error = error_in(loop, run);
+  if (!error.empty()) still.error = median(error);
+  // What a coarse grid hides is less than a step, and no controller winds up for it.
+  still.error_lasts = wound_up(loop, run)
+                          ? keeps_its_sign(error)
+                          : in_automatic(loop, run) && keeps_its_sign(error, step_of(loop, run));
+  return still;
+}
+
+}  // namespace
+
+std::optional<StandStill> find_stand_still(const RecordedLoop& loop) {
+  const std::vector<FlatRun> runs = flat_runs(loop.pv);
+  const FlatRun run = longest_run(runs);
+  const double before = loop.past ? loop.past->longest_flat_s / loop.sample_interval_s : 0.0;
+  if (!is_unusually_long(run, runs, before) || in_manual(loop, run)) return std::nullopt;
+  const StandStill still = described(loop, run);
+  if (!still.op_moves && !still.error_lasts) return std::nullopt;
+  return still;
+}
+
+PvPast past_with(const RecordedLoop& loop, const std::optional<StandStill>& still) {
+  PvPast past = loop.past.value_or(PvPast{});
+  const auto last = std::ranges::find_if(loop.pv.rbegin(), loop.pv.rend(),
+                                         [](double value) { return std::isfinite(value); });
+  const auto end = static_cast<std::size_t>(loop.pv.rend() - last);
+  for (const FlatRun& run : flat_runs(loop.pv)) {
+    const bool unfinished = run.end() == end;
+    if (unfinished || (still && run.first == still->run.first)) continue;
+    past.longest_flat_s =
+        std::max(past.longest_flat_s, static_cast<double>(run.samples) * loop.sample_interval_s);
+  }
+  const auto known = past.step > 0.0 ? std::optional(past.step) : std::nullopt;
+  past.step = smaller(usual_step(loop.pv), known).value_or(0.0);
+  return past;
+}
+
+}  // namespace loopscope::core::signal

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "core/signal/flat_run.hpp"
+#include "core/signal/loop_window.hpp"
+
+namespace loopscope::core::signal {
+
+/// pv that stands still although it should move: a dead transmitter, or a dead line to the
+/// archive.
+struct StandStill {
+  FlatRun run;              ///< of pv as recorded
+  bool to_the_end = false;  ///< of the window
+  bool whole = false;       ///< from the first recorded sample to the last
+  /// In automatic the error stays beyond one step of pv on one side; where op is at an end of its
+  /// range meanwhile, on one side.
+  bool error_lasts = false;
+  bool op_moves = false;  ///< beyond its noise
+  double op_low = 0.0;    ///< smallest and largest op meanwhile, % (or op units); 0 = not recorded
+  double op_high = 0.0;
+  double error = 0.0;  ///< median of sp - pv meanwhile; 0 = no setpoint
+};
+
+/// What is asked; series are empty (not recorded) or as long as `pv`.
+struct RecordedLoop {
+  std::span<const double> pv;  ///< as recorded: nothing bridged, nothing discarded
+  std::span<const double> sp;
+  std::span<const double> op;  ///< % of its range, or op units
+  bool op_in_percent = false;
+  std::span<const ControlMode> mode;
+  std::optional<PvPast> past;  ///< of pv before the window
+  double sample_interval_s = 1.0;
+};
+
+/// The longest run of equal values of pv, where it is 300 samples long and ten times as long as
+/// what is usual for this loop (what was before the window, or the other runs within it), while op
+/// moves by more than its noise, or the controller is in automatic and the error stays beyond one
+/// step of pv. nullopt = pv does not stand still, or may do so (manual, no error, a calm loop).
+///
+/// A run of healthy pv is as long as its grid, its dead band and its calm make it; those of one
+/// loop are alike. So the first that is ten times longer is something else.
+[[nodiscard]] std::optional<StandStill> find_stand_still(const RecordedLoop& loop);
+
+/// What a window tells those after it: the longest run of pv and its usual smallest step, with what
+/// was known before. `still` is left out, and so is a run that the window's end cuts: it may become
+/// one.
+[[nodiscard]] PvPast past_with(const RecordedLoop& loop, const std::optional<StandStill>& still);
+
+}  // namespace loopscope::core::signal

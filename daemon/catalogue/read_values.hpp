@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "daemon/catalogue/propose_entry.hpp"
+#include "storage/historian/historian_reader.hpp"
+
+namespace loopscope::daemon {
+
+/// Values of pv and op of loops of ONE historian, in their order: of each tag up to 512 rows that
+/// end at its newest one, and a day, a week and a month before. Of ten thousand loops that is a few
+/// seconds, whatever the history holds. Throws storage::DatabaseError.
+[[nodiscard]] std::vector<LoopValues> read_values(storage::HistorianReader& historian,
+                                                  std::span<const storage::CatalogueEntry> loops);
+
+}  // namespace loopscope::daemon
