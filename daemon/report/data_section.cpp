@@ -14,7 +14,7 @@ namespace {
 std::string problem_row(const storage::DataProblemRow& problem) {
   return fmt::format(
       "<tr><td data-label=\"Problem\">{}</td><td data-label=\"Tag\">{} <bdi>{}</bdi></td>"
-      "<td class=\"when\" data-label=\"Since\">{}</td><td data-label=\"What mends it\">{}</td>"
+      "<td class=\"when\" data-label=\"Since\">{}</td><td data-label=\"What to do\">{}</td>"
       "</tr>\n",
       html(problem.words), html(problem.role), html(problem.tag), utc(problem.since_us),
       html(problem.remedy));
@@ -24,7 +24,7 @@ std::string problems_table(const std::vector<storage::DataProblemRow>& problems)
   if (problems.empty()) return "<p>No problem of the data stands.</p>\n";
   std::string text =
       "<table class=\"problems\"><thead><tr><th>Problem</th><th>Tag</th><th>Since</th><th>What "
-      "mends it</th></tr></thead><tbody>\n";
+      "to do</th></tr></thead><tbody>\n";
   for (const storage::DataProblemRow& problem : problems) text += problem_row(problem);
   return text + "</tbody></table>\n";
 }

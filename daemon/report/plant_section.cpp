@@ -32,11 +32,17 @@ std::string why_unjudged(const storage::PlantCounts& counts) {
   return text + fmt::format("{} never analysed", counts.never_analysed);
 }
 
+std::string service_note(const storage::PlantCounts& counts) {
+  return counts.service_factor ? "service factor " + core::model::in_percent(*counts.service_factor)
+                               : "no mode or output recorded";
+}
+
 std::string tiles(const PlantFacts& facts) {
   const storage::PlantCounts& counts = facts.counts;
   std::string text = "<div class=\"tiles\">\n";
   text += tile(counts.loops, "loops", fmt::format("{} enabled", counts.enabled));
   text += tile(counts.judged, "judged", "newest window could be judged");
+  text += tile(counts.not_controlling, "not in control", service_note(counts));
   text += tile(counts.flagged, "flagged", "somebody should act", "act");
   text += tile(counts.new_flags, "new", "since " + utc(facts.since_us), "act");
   text += tile(counts.fixed, "fixed", "repairs since then", "good");
@@ -45,24 +51,63 @@ std::string tiles(const PlantFacts& facts) {
 }
 
 std::string hidden_note(const storage::PlantCounts& counts) {
-  if (counts.victims + counts.annotated == 0) return {};
+  if (counts.victims + counts.annotated + counts.unlisted == 0) return {};
   return fmt::format(
       "<p class=\"note\">Not in the list: {} of a shared oscillation, {} that people have "
-      "acknowledged, suppressed or marked as false.</p>\n",
+      "acknowledged, suppressed or marked as false, {} not sure enough (view hidden_loop).</p>\n",
       counted(counts.victims, "victim", "victims"),
-      counted(counts.annotated, "finding", "findings"));
+      counted(counts.annotated, "finding", "findings"),
+      counted(counts.unlisted, "fault", "faults"));
 }
 
-std::string unjudged(const storage::PlantCounts& counts) {
+std::string name_of(std::int64_t loop_id, const std::string& loop_name, LoopLinks links) {
+  const std::string name = "<bdi>" + html(loop_name) + "</bdi>";
+  // Only a live page has one for every loop.
+  if (links == LoopLinks::sections) return name;
+  return fmt::format("<a href=\"{}\">{}</a>", loop_link(links, loop_id, loop_name), name);
+}
+
+std::string names_of(const storage::UnjudgedReason& reason, LoopLinks links) {
+  std::string text;
+  for (const std::string& name : reason.names)
+    text += (text.empty() ? "" : ", ") + name_of(0, name, links);
+  const auto shown = static_cast<std::int64_t>(reason.names.size());
+  return reason.loops > shown ? text + fmt::format(" and {} more", reason.loops - shown) : text;
+}
+
+std::string unjudged(const storage::PlantCounts& counts, LoopLinks links) {
   if (counts.reasons.empty()) return {};
   std::string text =
       "<h2>Loops that cannot be judged</h2>\n<table class=\"unjudged\"><thead><tr>"
-      "<th class=\"number\">Loops</th><th>Reason</th><th>What mends it</th></tr></thead><tbody>\n";
+      "<th class=\"number\">Loops</th><th>Reason</th><th>Which</th><th>What to do</th></tr>"
+      "</thead><tbody>\n";
   for (const storage::UnjudgedReason& reason : counts.reasons)
     text += fmt::format(
         "<tr><td class=\"number\" data-label=\"Loops\">{}</td><td data-label=\"Reason\">{}</td>"
-        "<td data-label=\"What mends it\">{}</td></tr>\n",
-        reason.loops, html(reason.words), html(reason.remedy));
+        "<td data-label=\"Which\">{}</td><td data-label=\"What to do\">{}</td></tr>\n",
+        reason.loops, html(reason.words), names_of(reason, links), html(reason.remedy));
+  return text + "</tbody></table>\n";
+}
+
+std::string lost_words(const storage::NotControllingRow& row) {
+  return row.lost_by == "mode" ? "manual, tracking or out of service" : "constant output";
+}
+
+/// What plants look at first: whether the controllers are in service at all.
+std::string without_controller(const storage::PlantCounts& counts, LoopLinks links) {
+  if (counts.without_controller.empty()) return {};
+  std::string text =
+      "<h2>Loops without a controller</h2>\n<table class=\"unjudged\"><thead><tr><th>Loop</th>"
+      "<th>Area</th><th>State</th><th>Since</th><th class=\"number\">In service, last 7 days</th>"
+      "</tr></thead><tbody>\n";
+  for (const storage::NotControllingRow& row : counts.without_controller)
+    text += fmt::format(
+        "<tr><td data-label=\"Loop\">{}</td><td data-label=\"Area\">{}</td>"
+        "<td data-label=\"State\">{}</td><td class=\"when\" data-label=\"Since\">{}</td>"
+        "<td class=\"number\" data-label=\"In service, last 7 days\">{}</td></tr>\n",
+        name_of(row.loop_id, row.loop_name, links), html(row.area.value_or("")), lost_words(row),
+        row.since_us ? utc(*row.since_us) : "",
+        row.week_fraction ? core::model::in_percent(*row.week_fraction) : "");
   return text + "</tbody></table>\n";
 }
 
@@ -123,7 +168,8 @@ std::string plant_section(const PlantFacts& facts, LoopLinks links) {
                      oscillations(facts, links) + ranked_list(facts.flagged, facts.since_us, links);
   if (!facts.repairs.empty())
     text += "<h2>Repairs, before and after</h2>\n" + repairs_table(facts.repairs);
-  return text + unjudged(facts.counts) + "</section>\n";
+  return text + without_controller(facts.counts, links) + unjudged(facts.counts, links) +
+         "</section>\n";
 }
 
 }  // namespace loopscope::daemon

@@ -58,10 +58,9 @@ PlantCounts ReportDatabase::counts(std::int64_t since_us) {
   const pqxx::result rows =
       impl_->snapshot->run(statements::kReportCounts, {timestamp_text(since_us)});
   PlantCounts counts = read_counts(rows[0]);
-  for (const pqxx::row& row : impl_->snapshot->run(statements::kUnjudgedReasons)) {
-    counts.reasons.push_back(
-        {row["words"].c_str(), row["remedy"].c_str(), row["loops"].as<std::int64_t>()});
-  }
+  counts.reasons = read_all(impl_->snapshot->run(statements::kUnjudgedReasons), read_reason);
+  counts.without_controller =
+      read_all(impl_->snapshot->run(statements::kNotControlling), read_not_controlling);
   return counts;
 }
 

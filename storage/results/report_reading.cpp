@@ -67,8 +67,22 @@ PlantCounts read_counts(const pqxx::row& row) {
   counts.never_analysed = integer(row["never_analysed"]);
   counts.victims = integer(row["victims"]);
   counts.annotated = integer(row["annotated"]);
+  counts.not_controlling = integer(row["not_controlling"]);
+  counts.unlisted = integer(row["unlisted"]);
+  counts.service_factor = read_number(row["service_factor"]);
   counts.now_us = integer(row["now_us"]);
   return counts;
+}
+
+UnjudgedReason read_reason(const pqxx::row& row) {
+  return {row["words"].c_str(), row["remedy"].c_str(), integer(row["loops"]),
+          read_text_list(row["names"])};
+}
+
+NotControllingRow read_not_controlling(const pqxx::row& row) {
+  return {integer(row["loop_id"]),      row["loop_name"].c_str(),
+          maybe_text(row["area"]),      read_text(row["lost_by"]),
+          read_integer(row["since_us"]), read_number(row["week_fraction"])};
 }
 
 FlaggedRow read_flagged(const pqxx::row& row) {

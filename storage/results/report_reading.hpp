@@ -10,6 +10,8 @@ namespace loopscope::storage {
 
 /// Rows of the statements of report_statements.hpp as values.
 [[nodiscard]] PlantCounts read_counts(const pqxx::row& row);
+[[nodiscard]] UnjudgedReason read_reason(const pqxx::row& row);
+[[nodiscard]] NotControllingRow read_not_controlling(const pqxx::row& row);
 [[nodiscard]] FlaggedRow read_flagged(const pqxx::row& row);
 [[nodiscard]] HistoryPoint read_history_point(const pqxx::row& row);
 [[nodiscard]] HiddenRow read_hidden(const pqxx::row& row);

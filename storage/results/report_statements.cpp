@@ -45,12 +45,17 @@ const Statement kReportCounts{"report_counts",
                               R"(
     WITH flagged AS MATERIALIZED (SELECT since FROM loopscope.flagged_loop),
     hidden AS MATERIALIZED (SELECT loop_id, hidden_by FROM loopscope.hidden_loop),
-    newest AS MATERIALIZED (SELECT usable FROM loopscope.latest_verdict WHERE enabled),
+    newest AS MATERIALIZED (SELECT code FROM loopscope.latest_verdict WHERE enabled),
     catalogue AS (SELECT count(*) AS loops, count(*) FILTER (WHERE enabled) AS enabled
                   FROM loopscope.loop)
     SELECT loops, enabled,
-           (SELECT count(*) FROM newest WHERE usable) AS judged,
-           (SELECT count(*) FROM newest WHERE NOT usable) AS unjudgeable,
+           (SELECT count(*) FROM newest
+            WHERE code NOT IN ('insufficient_data', 'not_controlling')) AS judged,
+           (SELECT count(*) FROM newest WHERE code = 'insufficient_data') AS unjudgeable,
+           (SELECT count(*) FROM newest WHERE code = 'not_controlling') AS not_controlling,
+           (SELECT avg(week_fraction) FROM loopscope.service_factor)::float8 AS service_factor,
+           (SELECT count(DISTINCT loop_id) FROM hidden
+            WHERE hidden_by IN ('probability', 'chance')) AS unlisted,
            enabled - (SELECT count(*) FROM newest) AS never_analysed,
            (SELECT count(*) FROM flagged) AS flagged,
            (SELECT count(*) FROM flagged WHERE since > $1::timestamptz) AS new_flags,
@@ -68,17 +73,24 @@ const Statement kReportCounts{"report_counts",
 // Of each loop the problem of a tag where there is one, else what the analysis says, its figures
 // left out so that loops with the same trouble are counted together.
 const Statement kUnjudgedReasons{"unjudged_reasons", R"(
-    SELECT words, remedy, count(*) AS loops
+    SELECT words, remedy, count(*) AS loops,
+           (array_agg(loop_name ORDER BY loop_name))[:20] AS names
     FROM (
-      SELECT DISTINCT ON (loop_id) regexp_replace(words, '[0-9]+([.][0-9]+)?( %)?', '...', 'g') AS words,
-             remedy
+      SELECT DISTINCT ON (loop_id) loop_name,
+             regexp_replace(words, '[0-9]+([.][0-9]+)?( %)?', '...', 'g') AS words, remedy
       FROM loopscope.data_problem
-      WHERE NOT judged
+      WHERE NOT judged AND loop_id IN (
+        SELECT loop_id FROM loopscope.latest_verdict WHERE code = 'insufficient_data')
       ORDER BY loop_id, array_position(
         ARRAY['no_rows', 'dead_tag', 'bad_quality', 'unknown_quality', 'insufficient_data'], problem),
         role = 'pv' DESC, words) AS one
     GROUP BY words, remedy
     ORDER BY loops DESC, words)"};
+
+const Statement kNotControlling{"not_controlling", R"(
+    SELECT loop_id, loop_name, area, coalesce(lost_by, '') AS lost_by, )" + us("lost_since") +
+                                                        R"( AS since_us, week_fraction
+    FROM loopscope.service_factor WHERE NOT controlling ORDER BY area NULLS LAST, loop_name)"};
 
 const Statement kReportFlagged{
     "report_flagged", "SELECT " + flagged_columns() + "FROM loopscope.flagged_loop ORDER BY rank"};

@@ -7,6 +7,7 @@ namespace loopscope::storage::statements {
 
 extern const Statement kReportNow;
 extern const Statement kReportCounts;  ///< since
+extern const Statement kNotControlling;  ///< no parameter
 extern const Statement kUnjudgedReasons;
 extern const Statement kReportFlagged;
 extern const Statement kReportLatest;   ///< loop name: the verdict of a loop that is not flagged

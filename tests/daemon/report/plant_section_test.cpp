@@ -15,7 +15,11 @@ using testing::Not;
 
 TEST(PlantSection, TellsCountsFactorsAndWhatToDo) {
   const std::string text = plant_section(plant_facts("FIC101"), LoopLinks::sections);
-  EXPECT_THAT(text, HasSubstr("<b>12</b><span>loops</span>"));
+  EXPECT_THAT(text, HasSubstr("<b>13</b><span>loops</span>"));
+  EXPECT_THAT(text, HasSubstr("service factor 93 %"));
+  EXPECT_THAT(text, HasSubstr("6 faults not sure enough"));
+  EXPECT_THAT(text, HasSubstr("<bdi>TIC9</bdi> and 1 more"));
+  EXPECT_THAT(text, HasSubstr("manual, tracking or out of service"));
   EXPECT_THAT(text, HasSubstr("<b>2</b><span>flagged</span>"));
   EXPECT_THAT(text, HasSubstr("4 victims"));
   EXPECT_THAT(text, HasSubstr("href=\"#loop-1\""));

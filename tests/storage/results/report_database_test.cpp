@@ -84,7 +84,8 @@ TEST_F(ReportDatabaseTest, CountsAddUp) {
         {.loop = "fine", .code = VerdictCode::healthy},
         {.loop = "dead", .code = VerdictCode::insufficient_data, .usable = false},
         {.loop = "dead too", .code = VerdictCode::insufficient_data, .usable = false},
-        {.loop = "off"}});
+        {.loop = "off"},
+        {.loop = "manual", .code = VerdictCode::not_controlling}});
   database->execute(
       "UPDATE loopscope.analysis SET unusable_reason = 'the controller was in manual for ' ||"
       " round(random() * 100) || ' % of the window', flags = '{}' WHERE NOT usable");
@@ -93,12 +94,16 @@ TEST_F(ReportDatabaseTest, CountsAddUp) {
   annotate("known");
   oscillate("old", "victim");
   const PlantCounts counts = report().counts(slot(5));
-  EXPECT_EQ(counts.loops, 9);
-  EXPECT_EQ(counts.enabled, 8);
+  EXPECT_EQ(counts.loops, 10);
+  EXPECT_EQ(counts.enabled, 9);
+  EXPECT_EQ(counts.not_controlling, 1);
+  ASSERT_THAT(counts.without_controller, SizeIs(1));
+  EXPECT_EQ(counts.without_controller[0].loop_name, "manual");
   EXPECT_EQ(counts.judged, 5);
   EXPECT_EQ(counts.unjudgeable, 2);
   EXPECT_EQ(counts.never_analysed, 1);
-  EXPECT_EQ(counts.judged + counts.unjudgeable + counts.never_analysed, counts.enabled);
+  EXPECT_EQ(counts.judged + counts.not_controlling + counts.unjudgeable + counts.never_analysed,
+            counts.enabled);
   EXPECT_EQ(counts.flagged, 2);
   EXPECT_EQ(counts.new_flags, 1);
   EXPECT_EQ(counts.victims, 1);
@@ -108,6 +113,7 @@ TEST_F(ReportDatabaseTest, CountsAddUp) {
   EXPECT_EQ(counts.reasons[0].words,
             "The loop cannot be judged: the controller was in manual for ... of the window");
   EXPECT_EQ(counts.reasons[0].loops, 2);
+  EXPECT_THAT(counts.reasons[0].names, ElementsAre("dead", "dead too"));
   EXPECT_GT(counts.now_us, slot(0));
 }
 
