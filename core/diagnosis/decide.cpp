@@ -137,6 +137,25 @@ Causes known_causes(const Evidence& evidence, const DecisionSettings& decision) 
   return causes;
 }
 
+/// Even for the most favourable delay less than a third of what the best controller leaves.
+constexpr double kSlowHarris = 0.3;
+
+/// Nothing is broken where a loop corrects more slowly than it could, but "nothing to do" says too
+/// much.
+void note_slowness(const Evidence& evidence, const Causes& causes, Verdict& verdict) {
+  const std::optional<double> low = evidence.performance.harris_low;
+  const std::optional<double> high = evidence.performance.harris_high;
+  if (verdict.code != VerdictCode::healthy || evidence.integrating || !low || !high ||
+      *high >= kSlowHarris)
+    return;
+  verdict.summary = "No fault is probable, but the loop corrects slowly: Harris index " +
+                    number(*low) + " to " + number(*high) + ".";
+  verdict.action =
+      "Nothing has to be repaired. Where the error matters, raise the controller gain or speed up "
+      "the integral action in small steps (sluggish tuning is " +
+      percent(probability_in(causes, VerdictCode::sluggish_tuning)) + " probable).";
+}
+
 /// A state that is seen raises its cause, and leaves health what is left.
 void put_state(VerdictCode code, const PerCause& priors, Causes& causes) {
   const auto cause_of = [&](VerdictCode wanted) {
@@ -216,6 +235,7 @@ Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearit
                            windows_text(*combined, confidence_in(code, alone)));
   verdict.action = action_with(code, evidence, causes, decision.line);
   verdict.p = p_of_verdict(code, evidence);
+  note_slowness(evidence, causes, verdict);
   if (code == VerdictCode::external_disturbance) tell_disturbance(evidence, verdict);
   return verdict;
 }

@@ -162,6 +162,19 @@ void look_slowly(const FirstLook& first, const AnalysisSettings& settings, std::
   }
 }
 
+/// What stands still in the whole window is judged by the longer one, which shows how long it
+/// usually does.
+void look_back(const FirstLook& first, const AnalysisSettings& settings,
+               const signal::LoopWindow* long_window, Evidence& evidence) {
+  if (!long_window || !first.loop.still || !first.loop.still->whole) return;
+  signal::PrepareSettings prepare = settings.prepare;
+  prepare.window_samples = long_window->size();
+  const signal::PreparedLoop longer = signal::prepare(*long_window, prepare);
+  evidence.still = longer.still;
+  evidence.pv_past = longer.past;
+  if (!evidence.still) std::erase(evidence.data_quality.flags, "pv_frozen");
+}
+
 }  // namespace
 
 Evidence gather_evidence(const FirstLook& first, const AnalysisSettings& settings,
@@ -178,6 +191,7 @@ Evidence gather_evidence(const FirstLook& first, const AnalysisSettings& setting
   evidence.still = loop.still;
   evidence.pv_past = loop.past;
   evidence.control = loop.control;
+  look_back(first, settings, long_window, evidence);
   evidence.oscillation = first.oscillation;
   evidence.slow_span_samples = first.slow_span_samples;
   evidence.performance = loop::measure_performance(loop.error, loop.op_percent, loop.mode,

@@ -105,6 +105,20 @@ TEST(Decide, AControllerThatIsNotInCommandIsAStateAndNoCause) {
   EXPECT_EQ(verdict.p, std::nullopt);
 }
 
+TEST(Decide, ASlowLoopWithoutAFaultIsToldSo) {
+  Evidence evidence = quiet_evidence();
+  evidence.performance.harris_low = 0.05;
+  evidence.performance.harris_high = 0.2;
+  DecisionSettings sure;
+  sure.priors.healthy = 0.99;
+  const Verdict verdict = decide(evidence, {}, sure);
+  ASSERT_EQ(verdict.code, Code::healthy);
+  EXPECT_THAT(verdict.summary, HasSubstr("corrects slowly: Harris index 0.05 to 0.2"));
+  EXPECT_THAT(verdict.action, HasSubstr("controller gain"));
+  evidence.performance.harris_high = 0.5;
+  EXPECT_THAT(decide(evidence, {}, sure).action, HasSubstr("Nothing to do"));
+}
+
 TEST(Decide, ConfidenceIsTheProbabilityOfTheCode) {
   for (const Evidence& evidence :
        {quiet_evidence(), evidence_with(explanation_of()),

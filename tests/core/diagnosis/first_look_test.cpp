@@ -48,7 +48,7 @@ TEST(FirstLook, AsksForNothingWhenTheWindowCannotBeJudged) {
   signal::LoopWindow window = slow_loop(204.0, 4096);
   window.mode.assign(window.size(), signal::ControlMode::manual);
   EXPECT_EQ(first_look(window, {}).slow_span_samples, 0U);
-  EXPECT_FALSE(diagnose(window, {}).evidence.hos_slow);
+  EXPECT_EQ(diagnose(window, {}).verdict.code, diagnosis::VerdictCode::not_controlling);
 }
 
 TEST(DiagnoseSlowly, TheLongWindowServesTheSlowLookAlone) {
@@ -84,6 +84,33 @@ TEST(DiagnoseSlowly, AnotherIntervalIsRefused) {
   signal::LoopWindow longer = slow_loop(204.0, 9000);
   longer.sample_interval_s = 1.0;
   EXPECT_THROW((void)diagnose(slow_loop(204.0, 4096), {}, {}, &longer), std::invalid_argument);
+}
+
+/// A calm loop behind a wide dead band holds one value for a window, as it did before.
+TEST(FirstLook, WhatStandsStillInAllOfAWindowIsJudgedByALongerOne) {
+  constexpr std::size_t kLong = 16384;
+  signal::LoopWindow longer;
+  for (std::size_t k = 0; k < kLong; ++k) {
+    const auto t = static_cast<double>(k);
+    longer.sp.push_back(50.0);
+    longer.pv.push_back(k < 4000 || (k / 3000) % 2 == 0 ? 50.2 : 49.8);
+    longer.op.push_back(40.0 + std::sin(t * t) + 5.0 * std::sin(1e-3 * t));
+  }
+  signal::LoopWindow window = longer;
+  for (signal::Samples* series : {&window.sp, &window.pv, &window.op})
+    series->erase(series->begin(), series->end() - 1024);
+  AnalysisSettings settings;
+  settings.prepare.window_samples = 1024;
+  const FirstLook first = first_look(window, settings);
+  ASSERT_TRUE(first.loop.still && first.loop.still->whole);
+  EXPECT_EQ(first.slow_span_samples, 4096U);
+  const Diagnosis alone = diagnose(first, settings);
+  EXPECT_EQ(alone.verdict.code, diagnosis::VerdictCode::sensor_fault);
+  const Diagnosis back = diagnose(first, settings, {}, &longer);
+  EXPECT_FALSE(back.evidence.still);
+  EXPECT_EQ(back.verdict.code, diagnosis::VerdictCode::insufficient_data);
+  window.pv_past = signal::PvPast{10.0, 0.1};
+  EXPECT_EQ(first_look(window, settings).slow_span_samples, 0U) << "its past is known";
 }
 
 }  // namespace
