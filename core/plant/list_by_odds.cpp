@@ -9,7 +9,11 @@
 
 namespace loopscope::core::plant {
 
-std::vector<bool> list_by_odds(std::span<const double> fault_probability, double share) {
+namespace {
+
+/// The most probable ones first, as long as the mean of what is left to doubt is at most `share`,
+/// down to a probability of `least`.
+std::vector<bool> within(std::span<const double> fault_probability, double share, double least) {
   const auto is_share = [](double value) { return value >= 0.0 && value <= 1.0; };
   if (!is_share(share)) throw std::invalid_argument("the share is not within 0 to 1");
   std::vector<double> sorted;
@@ -18,18 +22,29 @@ std::vector<bool> list_by_odds(std::span<const double> fault_probability, double
   if (!std::ranges::all_of(sorted, is_share))
     throw std::invalid_argument("a probability is not within 0 to 1");
   std::ranges::sort(sorted, std::greater{});
-  constexpr double kMoreLikelyThanNot = 0.5;
-  double least = 2.0;  // none is as probable
+  double lowest = 2.0;  // none is as probable
   double doubt = 0.0;
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     doubt += 1.0 - sorted[k];
     const bool last_of_equals = k + 1 == sorted.size() || sorted[k + 1] < sorted[k];
-    const bool within = doubt <= share * static_cast<double>(k + 1);
-    if (last_of_equals && within && sorted[k] >= kMoreLikelyThanNot) least = sorted[k];
+    const bool is_within = doubt <= share * static_cast<double>(k + 1);
+    if (last_of_equals && is_within && sorted[k] >= least) lowest = sorted[k];
   }
   std::vector<bool> listed;
-  for (const double value : fault_probability) listed.push_back(value >= least);
+  for (const double value : fault_probability) listed.push_back(value >= lowest);
   return listed;
+}
+
+}  // namespace
+
+std::vector<bool> list_by_odds(std::span<const double> fault_probability, double share) {
+  constexpr double kMoreLikelyThanNot = 0.5;
+  return within(fault_probability, share, kMoreLikelyThanNot);
+}
+
+std::vector<bool> stay_by_odds(std::span<const double> fault_probability, double share,
+                               double least) {
+  return within(fault_probability, share, least);
 }
 
 }  // namespace loopscope::core::plant

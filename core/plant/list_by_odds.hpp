@@ -15,4 +15,9 @@ namespace loopscope::core::plant {
 [[nodiscard]] std::vector<bool> list_by_odds(std::span<const double> fault_probability,
                                              double share);
 
+/// Which of the loops that are on the list stay: with the same mean over all that are as probable
+/// or more, at a looser share, and down to a probability of `least`. NaN = not weighed: false.
+[[nodiscard]] std::vector<bool> stay_by_odds(std::span<const double> fault_probability,
+                                             double share, double least);
+
 }  // namespace loopscope::core::plant

@@ -12,7 +12,7 @@ COMMENT ON COLUMN loopscope.flag_notice.code IS 'Verdict that it was flagged wit
 -- question, whether its fault is chance, with one p, that of its verdict times the tests that it may have been picked from
 -- (core/plant/README.md). What hides a verdict hides it before both questions, and leaves the family as large as it was.
 CREATE FUNCTION loopscope.list_questions(rate float8 DEFAULT NULL, dependence float8 DEFAULT NULL, least_confidence float8 DEFAULT NULL)
-RETURNS TABLE (loop_id bigint, is_fault boolean, hidden boolean, fault_probability float8, probability_of_code float8, loop_p float8, threshold float8,
+RETURNS TABLE (loop_id bigint, is_fault boolean, hidden boolean, fault_probability float8, probability_of_code float8, loop_p float8, threshold float8, bound float8,
                within_share boolean, rare boolean, enters boolean, flag_notice_id bigint, stays boolean) LANGUAGE sql STABLE
 BEGIN ATOMIC
   WITH setting AS (
@@ -50,7 +50,7 @@ BEGIN ATOMIC
     FROM (SELECT count(*) AS m FROM shown WHERE tests > 0) AS family CROSS JOIN setting
   ), ranked AS (SELECT loop_p, row_number() OVER (ORDER BY loop_p) AS i FROM shown WHERE shown AND loop_p IS NOT NULL
   ), control AS (
-    SELECT max(ranked.loop_p) AS threshold FROM ranked CROSS JOIN scale CROSS JOIN setting
+    SELECT max(ranked.loop_p) AS threshold, max(ranked.i) AS passing FROM ranked CROSS JOIN scale CROSS JOIN setting
     WHERE ranked.loop_p <= setting.false_discovery_rate * ranked.i / nullif(scale.scaled_m, 0)
   ), listed AS (  -- those of one probability come together or not at all; what is more likely no fault than one does not enter
     SELECT loop_id, doubt <= setting.list_false_share AND fault_probability >= 0.5 AS within_share
@@ -61,17 +61,18 @@ BEGIN ATOMIC
     FROM (SELECT loop_id, fault_probability, avg(1 - fault_probability) OVER (ORDER BY fault_probability DESC) AS doubt
           FROM shown WHERE (shown OR may_stay) AND fault_probability IS NOT NULL) AS ordered CROSS JOIN setting
   ), answered AS (
-    SELECT shown.*, control.threshold, coalesce(listed.within_share, true) AS within_share,
+    SELECT shown.*, control.threshold,
+           setting.false_discovery_rate * (coalesce(control.passing, 0) + 1) / nullif(scale.scaled_m, 0) AS bound, coalesce(listed.within_share, true) AS within_share,
            shown.p IS NULL OR shown.loop_p <= control.threshold OR setting.false_discovery_rate >= 1 AS rare,
            -- A window that could not be judged says nothing: whoever is on the list stays.
            may_stay AND CASE WHEN shown.fault_probability IS NULL THEN shown.shown OR shown.code = 'insufficient_data' ELSE kept.within_leave_share END AS stays
-    FROM shown LEFT JOIN listed USING (loop_id) LEFT JOIN kept USING (loop_id) CROSS JOIN control CROSS JOIN setting
+    FROM shown LEFT JOIN listed USING (loop_id) LEFT JOIN kept USING (loop_id) CROSS JOIN control CROSS JOIN scale CROSS JOIN setting
   )
-  SELECT loop_id, is_fault, hidden, fault_probability, probability_of_code, loop_p, threshold, within_share, coalesce(rare, false),
+  SELECT loop_id, is_fault, hidden, fault_probability, probability_of_code, loop_p, threshold, bound, within_share, coalesce(rare, false),
          shown AND within_share AND coalesce(rare, false), flag_notice_id, coalesce(stays, false)
   FROM answered;
 END;
-COMMENT ON FUNCTION loopscope.list_questions(double precision, double precision, double precision) IS 'What the list asks of each analysed, enabled loop, and whether it enters or stays; thresholds as in flagged_at()';
+COMMENT ON FUNCTION loopscope.list_questions(double precision, double precision, double precision) IS 'What the list asks of each analysed, enabled loop, and whether it enters or stays; thresholds as in flagged_at(); threshold = the largest loop_p that passes the control, bound = what one more would have to be below';
 
 -- Other thresholds than those that are set have no stays: what would be flagged is what would enter.
 CREATE FUNCTION loopscope.list_at(rate float8 DEFAULT NULL, dependence float8 DEFAULT NULL, least_confidence float8 DEFAULT NULL)
@@ -163,7 +164,7 @@ CREATE OR REPLACE VIEW loopscope.hidden_loop AS
            CASE WHEN NOT question.rare AND question.is_fault AND question.within_share AND coalesce(question.fault_probability, 1) >= 0.5 THEN 'chance' ELSE 'probability' END AS hidden_by,
            CASE WHEN NOT question.rare AND question.is_fault AND question.within_share AND coalesce(question.fault_probability, 1) >= 0.5
                 THEN 'as strong evidence is found by chance too often among so many loops (p ' || trim(to_char(question.loop_p, '9.9EEEE'))
-                     || coalesce(', limit ' || trim(to_char(question.threshold, '9.9EEEE')), ', no loop passes today') || ')'
+                     || coalesce(', at most ' || trim(to_char(question.bound, '9.9EEEE')) || ' would do', '') || ')'
                 ELSE 'not sure enough for the list (probability ' || round(likeliest.probability::numeric, 2) || ')' END AS reason
     FROM loopscope.list_questions() AS question JOIN likeliest USING (loop_id)
     JOIN loopscope.parameter AS least ON least.name = 'min_confidence'

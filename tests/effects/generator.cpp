@@ -107,4 +107,43 @@ Record generate_stretch(std::string_view kind, std::uint64_t seed, std::uint64_t
   return record_of(kind, seed, finished);
 }
 
+namespace {
+
+/// For `samples` samples; the run-in stands still.
+Scenario lasting(Scenario scenario, std::size_t samples, std::uint64_t part) {
+  const std::vector<double> once = scenario.sp;
+  scenario.sp.assign(kRunIn, once.front());
+  for (std::size_t k = 0; k < samples; ++k)
+    scenario.sp.push_back(once[kRunIn + k % (once.size() - kRunIn)]);
+  scenario.noise_seed = seed_for("onset", scenario.noise_seed + part);
+  return scenario;
+}
+
+void append(std::vector<double>& values, const std::vector<double>& more) {
+  values.insert(values.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+Record generate_onset(std::string_view kind, std::uint64_t seed, std::size_t before,
+                      std::size_t behind) {
+  Finished finished = finish(kind, seed, Size::realistic);
+  const Series calm = simulate(lasting(finished.draft.base, before, 0));
+  const Series faulty = simulate(lasting(finished.draft.scenario, behind, 1));
+  const double pv0 = finished.draft.scenario.pv0;
+  const Units units = draw_units(kind, seed);
+  Record record;
+  record.interval_s = units.interval_s;
+  record.sp = in_units(calm.sp, pv0, units);
+  append(record.sp, in_units(faulty.sp, pv0, units));
+  record.pv = in_units(calm.pv, pv0, units);
+  append(record.pv, in_units(faulty.pv, pv0, units));
+  record.op = calm.op;
+  append(record.op, faulty.op);
+  record.truth.kind = recipe_of(kind).info;
+  record.truth.effects = effects_of(finished.draft, units);
+  record.truth.loop = loop_of(finished.draft.base, units);
+  return record;
+}
+
 }  // namespace loopscope::tests::effects

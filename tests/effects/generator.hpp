@@ -96,4 +96,10 @@ struct Record {
 [[nodiscard]] Record generate_stretch(std::string_view kind, std::uint64_t seed,
                                       std::uint64_t stretch);
 
+/// The loop of generate() over a longer time: `before` samples without its effects, then `behind`
+/// with them, as from one sample to the next. The set point repeats its course, load and noise are
+/// drawn anew. `truth` is that of generate(), without what is explainable.
+[[nodiscard]] Record generate_onset(std::string_view kind, std::uint64_t seed, std::size_t before,
+                                    std::size_t behind);
+
 }  // namespace loopscope::tests::effects

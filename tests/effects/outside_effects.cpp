@@ -25,10 +25,14 @@ TimeFunction wandering_phase(double period, double jitter, Random& random) {
     value += step * random.normal();
   }
   return [phase](double time) {
-    const double place = time + static_cast<double>(kRunIn);
-    const auto k = static_cast<std::size_t>(std::max(0.0, place));
-    const double part = place - static_cast<double>(k);
-    return (*phase)[k] + part * ((*phase)[k + 1] - (*phase)[k]);
+    // Behind its end the course goes on as it began.
+    const auto cycle = static_cast<double>(phase->size() - 1);
+    const double place = std::max(0.0, time + static_cast<double>(kRunIn));
+    const double turns = std::floor(place / cycle);
+    const auto k = static_cast<std::size_t>(place - turns * cycle);
+    const double part = place - turns * cycle - static_cast<double>(k);
+    return turns * (phase->back() - phase->front()) + (*phase)[k] +
+           part * ((*phase)[k + 1] - (*phase)[k]);
   };
 }
 
@@ -61,7 +65,8 @@ TimeFunction relaxation(double period, double amplitude, Random& random) {
     }
   }
   return [values](double time) {
-    return (*values)[static_cast<std::size_t>(std::max(0.0, time + static_cast<double>(kRunIn)))];
+    const auto place = static_cast<std::size_t>(std::max(0.0, time + static_cast<double>(kRunIn)));
+    return (*values)[place % values->size()];
   };
 }
 

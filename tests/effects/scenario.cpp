@@ -12,8 +12,6 @@ namespace {
 using generators::Lag;
 using generators::lag_share;
 
-constexpr std::size_t kTotal = kRunIn + kSamples;
-
 double at(const TimeFunction& function, double time, double otherwise) {
   return function ? function(time) : otherwise;
 }
@@ -21,7 +19,6 @@ double at(const TimeFunction& function, double time, double otherwise) {
 /// The flow `delay` samples ago, of a flow that is told once a substep.
 class ChangingDelay {
  public:
-  ChangingDelay() { past_.reserve(kTotal * kSubsteps); }
   double step(double flow, double delay) {
     past_.push_back(flow);
     const auto back = static_cast<std::size_t>(std::lround(delay * kSubsteps));
@@ -70,7 +67,7 @@ class Run {
         sensor_volatility_(scenario.noise_family, seed_for("sensor size", scenario.noise_seed)) {}
 
   Series run() {
-    for (std::size_t k = 0; k < kTotal; ++k) {
+    for (std::size_t k = 0; k < s_.sp.size(); ++k) {
       const double time = static_cast<double>(k) - static_cast<double>(kRunIn);
       sense(k, time);
       const double gain = at(s_.controller_gain, time, 1.0) * s_.controller.kc;

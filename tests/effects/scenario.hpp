@@ -47,14 +47,14 @@ struct Scenario {
   double noise_sd = 0.0;  ///< of the white measurement noise
   std::uint64_t noise_seed = 0;
   NoiseFamily noise_family = NoiseFamily::gaussian;  ///< of load and measurement
-  std::vector<double> sp;                            ///< kRunIn + kSamples values
-  std::function<std::unique_ptr<Valve>()> valve;     ///< empty = follows at once
-  Curve trim;                    ///< stem position to flow; empty = position - op0
-  TimeFunction process_gain;     ///< factor; this and the next: empty = nothing
-  TimeFunction delay;            ///< samples, instead of the process's
-  TimeFunction controller_gain;  ///< factor
-  TimeFunction input_load;       ///< joins the flow
-  TimeFunction output_load;      ///< joins the pv
+  std::vector<double> sp;  ///< kRunIn values and one for each sample of the record
+  std::function<std::unique_ptr<Valve>()> valve;  ///< empty = follows at once
+  Curve trim;                                     ///< stem position to flow; empty = position - op0
+  TimeFunction process_gain;                      ///< factor; this and the next: empty = nothing
+  TimeFunction delay;                             ///< samples, instead of the process's
+  TimeFunction controller_gain;                   ///< factor
+  TimeFunction input_load;                        ///< joins the flow
+  TimeFunction output_load;                       ///< joins the pv
   TimeFunction sensor_bias;
   int hold = 1;          ///< the sensor renews its value every so many samples
   double quantum = 0.0;  ///< it rounds to multiples of this; 0 = it does not

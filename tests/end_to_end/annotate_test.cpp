@@ -69,7 +69,7 @@ TEST_F(Annotate, ErrorsSayTheWayOut) {
                "did you mean \"FIC101\"?");
   expect_error({"--loop", "zzz", "withdraw"}, "no loop named", "loopscope loops");
   expect_error({"acknowledge"}, "--loop is missing", "name the loop");
-  expect_error({"--loop", "FIC103", "acknowledge"}, "its newest verdict is healthy",
+  expect_error({"--loop", "TIC400", "acknowledge"}, "its newest verdict is healthy",
                "name the verdict that is meant");
   expect_error({"--loop", "FIC101", "acknowledge", "--code", "valve_sticktion"},
                "is no verdict of a fault", "did you mean valve_stiction?");

@@ -33,22 +33,24 @@ std::optional<double> fault_probability_of(const core::diagnosis::Verdict& verdi
 
 }  // namespace
 
+DiagnosedLoop diagnosed(const core::Diagnosis& diagnosis) {
+  DiagnosedLoop result{std::string(name(diagnosis.verdict.code)),
+                       diagnosis.verdict.confidence,
+                       diagnosis.verdict.p,
+                       tests_of(diagnosis),
+                       {},
+                       fault_probability_of(diagnosis.verdict)};
+  if (diagnosis.evidence.model)
+    for (const auto& step : diagnosis.evidence.model->steps)
+      result.steps.emplace_back(name(step.effect));
+  return result;
+}
+
 DiagnosedLoop diagnose_loop(const PlantLoop& loop, const core::model::Without& without) {
   const effects::Record record = record_of(loop);
   const core::LoopFacts facts{
       .integrating = record.truth.loop.integrating, .seed = loop.seed, .without = without};
-  const core::Diagnosis diagnosis =
-      core::diagnose(effects::window_of(record, record.interval_s), {}, facts);
-  DiagnosedLoop diagnosed{std::string(name(diagnosis.verdict.code)),
-                          diagnosis.verdict.confidence,
-                          diagnosis.verdict.p,
-                          tests_of(diagnosis),
-                          {},
-                          fault_probability_of(diagnosis.verdict)};
-  if (diagnosis.evidence.model)
-    for (const auto& step : diagnosis.evidence.model->steps)
-      diagnosed.steps.emplace_back(name(step.effect));
-  return diagnosed;
+  return diagnosed(core::diagnose(effects::window_of(record, record.interval_s), {}, facts));
 }
 
 std::vector<DiagnosedLoop> diagnose_plant(const std::vector<PlantLoop>& plant, unsigned threads,

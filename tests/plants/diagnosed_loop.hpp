@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/diagnosis/diagnose.hpp"
 #include "core/model/mechanism.hpp"
 #include "tests/plants/plant.hpp"
 
@@ -21,6 +22,8 @@ struct DiagnosedLoop {
   /// 1 less the probability of healthy; nullopt = nothing was weighed.
   std::optional<double> fault_probability = std::nullopt;
 };
+
+[[nodiscard]] DiagnosedLoop diagnosed(const core::Diagnosis& diagnosis);
 
 [[nodiscard]] DiagnosedLoop diagnose_loop(const PlantLoop& loop,
                                           const core::model::Without& without = {});

@@ -54,6 +54,23 @@ std::vector<bool> flagged(const std::vector<DiagnosedLoop>& loops, const FlagRul
   return result;
 }
 
+std::vector<bool> flagged_after(const std::vector<DiagnosedLoop>& loops,
+                                const std::vector<bool>& on_list, const FlagRule& rule) {
+  std::vector<bool> result = flagged(loops, rule);
+  std::vector<double> probability = fault_probabilities(loops, rule);
+  for (std::size_t k = 0; k < on_list.size(); ++k)
+    if (on_list[k] && loops[k].fault_probability) probability[k] = *loops[k].fault_probability;
+  const std::vector<bool> stays =
+      core::plant::stay_by_odds(probability, rule.list_leave_share, rule.min_confidence);
+  for (std::size_t k = 0; k < on_list.size(); ++k) {
+    const bool silent = loops[k].verdict == "insufficient_data" ||
+                        (!loops[k].fault_probability && is_shown(loops[k], rule));
+    result[k] =
+        result[k] || (on_list[k] && loops[k].verdict != "not_controlling" && (stays[k] || silent));
+  }
+  return result;
+}
+
 Flags flags_of(const std::vector<PlantLoop>& plant, const std::vector<DiagnosedLoop>& loops,
                const FlagRule& rule) {
   const std::vector<bool> on_the_list = flagged(loops, rule);

@@ -12,11 +12,17 @@ struct FlagRule {
   double false_discovery_rate = 0.005;
   double min_confidence = 0.3;
   double list_false_share = 0.02;
+  double list_leave_share = 0.2;
 };
 
 /// Which loops the view flagged_loop would show, in their order: core/plant/README.md.
 [[nodiscard]] std::vector<bool> flagged(const std::vector<DiagnosedLoop>& loops,
                                         const FlagRule& rule = {});
+
+/// The same of a list that holds the loops `on_list` already (empty = none).
+[[nodiscard]] std::vector<bool> flagged_after(const std::vector<DiagnosedLoop>& loops,
+                                              const std::vector<bool>& on_list,
+                                              const FlagRule& rule = {});
 
 /// The same by name.
 [[nodiscard]] Flags flags_of(const std::vector<PlantLoop>& plant,

@@ -20,6 +20,7 @@ SELECT loop_id, name, slot_end, age_days,
             WHEN name = 'NEW1' AND age_days < 1 THEN 'valve_stiction'
             WHEN name = 'OFF1' THEN 'valve_stiction'
             WHEN name = 'DEAD1' THEN 'insufficient_data'
+            WHEN name = 'FIC103' AND age_days = 0 THEN 'not_controlling'
             ELSE 'healthy' END AS code,
        CASE WHEN name = 'FIC101' AND age_days < 7 THEN 4 ELSE 2 END::float8 AS error_std,
        nextval('loopscope.analysis_id') AS analysis_id
@@ -29,13 +30,14 @@ FROM loop, generate_series(0, 119) AS k,
 INSERT INTO analysis (loop_id, slot_end, algorithm_revision, analysis_id, fence, program_version, settings, input_digest,
                       fetch_ms, analyse_ms, window_start, window_end, samples, interval_s, usable, unusable_reason, flags,
                       ngi, nli, nonlinear_p, oscillating, oscillation_period_s, oscillation_p, harris_low, harris_high,
-                      error_std, valve_travel_per_h, reversals_per_h)
+                      error_std, valve_travel_per_h, reversals_per_h, control_fraction, control_lost_by, control_lost_at)
 SELECT loop_id, slot_end, 1, analysis_id, 1, '1', '{}', '', 1, 1, slot_end - interval '4095 s', slot_end, 4096, 1,
-       code <> 'insufficient_data', CASE WHEN code = 'insufficient_data' THEN 'pv is constant' END,
-       CASE WHEN name = 'FIC103' THEN '{pv_quantised}' WHEN code = 'insufficient_data' THEN '{pv_constant}' ELSE '{}' END::text[],
-       0.01, 0.1, 1e-9, code NOT IN ('healthy', 'insufficient_data'),
-       CASE WHEN code NOT IN ('healthy', 'insufficient_data') THEN 40 + loop_id / 100.0 END, 1e-9,
-       0.2, 0.3, error_std, 120, 60
+       code NOT IN ('insufficient_data', 'not_controlling'), CASE WHEN code = 'insufficient_data' THEN 'pv is constant' END,
+       CASE WHEN name IN ('FIC103', 'PIC200') THEN '{pv_quantised}' WHEN code = 'insufficient_data' THEN '{pv_constant}' ELSE '{}' END::text[],
+       0.01, 0.1, 1e-9, code NOT IN ('healthy', 'not_controlling', 'insufficient_data'),
+       CASE WHEN code NOT IN ('healthy', 'not_controlling', 'insufficient_data') THEN 40 + loop_id / 100.0 END, 1e-9,
+       0.2, 0.3, error_std, 120, 60, CASE code WHEN 'not_controlling' THEN 0.1 ELSE 1 END,
+       CASE code WHEN 'not_controlling' THEN 'mode' END, CASE code WHEN 'not_controlling' THEN slot_end - interval '1 h' END
 FROM told;
 INSERT INTO verdict (loop_id, slot_end, algorithm_revision, input_revision, analysis_id, code, confidence, summary, reasons, action)
 SELECT loop_id, slot_end, 1, 1, analysis_id, code, 0.9, 'What is the matter with ' || name, '{first,"second, with a comma"}', 'Go and look.'

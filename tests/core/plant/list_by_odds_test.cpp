@@ -33,6 +33,13 @@ TEST(ListByOdds, EqualsComeTogetherAndWhatWasNotWeighedDoesNotCome) {
   EXPECT_THAT(list_by_odds({}, 0.1), testing::IsEmpty());
 }
 
+TEST(ListByOdds, StaysAtALooserShareDownToALeastProbability) {
+  const std::vector<double> probability = {0.99, 0.8, 0.4, std::nan("")};
+  EXPECT_THAT(stay_by_odds(probability, 0.3, 0.3), ElementsAre(true, true, true, false));
+  EXPECT_THAT(stay_by_odds(probability, 0.3, 0.5), ElementsAre(true, true, false, false));
+  EXPECT_THAT(stay_by_odds(probability, 0.2, 0.3), ElementsAre(true, true, false, false));
+}
+
 TEST(ListByOdds, RefusesWhatIsNoProbability) {
   EXPECT_THROW((void)list_by_odds(std::vector{1.1}, 0.1), std::invalid_argument);
   EXPECT_THROW((void)list_by_odds(std::vector{0.5}, -0.1), std::invalid_argument);

@@ -151,6 +151,33 @@ TEST_F(StandingListTest, OfTheNewestWindowThatNamesAFault) {
             (TextRows{{"valve_stiction", "0.85"}}));
 }
 
+TEST_F(StandingListTest, StaysAreThoseOfCore) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> uniform;
+  std::vector<Story> stories;
+  std::vector<double> probability;
+  for (int k = 0; k < 40; ++k)
+    stories.push_back({.loop = "L" + std::to_string(k), .fault_probability = 0.9999});
+  tell(stories);
+  note();
+  for (Story& story : stories) {
+    const double value = std::pow(uniform(random), 0.3);
+    story.slot_hours = 2;
+    story.fault_probability = value;
+    probability.push_back(1.0 - static_cast<double>(static_cast<float>(1.0 - value)));
+  }
+  tell(stories);
+  database->execute("UPDATE loopscope.analysis SET combined_probabilities = NULL");
+  for (const double share : {0.05, 0.15, 0.3, 0.5}) {
+    connect().set_parameter("list_leave_share", share);
+    const std::vector<bool> stays = core::plant::stay_by_odds(probability, share, 0.3);
+    std::vector<std::string> expected;
+    for (std::size_t k = 0; k < stays.size(); ++k)
+      if (stays[k]) expected.push_back(stories[k].loop);
+    EXPECT_THAT(flagged(), testing::UnorderedElementsAreArray(expected)) << share;
+  }
+}
+
 TEST_F(StandingListTest, ADeadMeasurementIsFirst) {
   tell({{.loop = "sticks", .harris = 0.01},
         {.loop = "dead", .code = VerdictCode::sensor_fault, .confidence = 0.9}});

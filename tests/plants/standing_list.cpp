@@ -1,0 +1,101 @@
+#include "tests/plants/standing_list.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace loopscope::tests::plants {
+namespace {
+
+constexpr double kSure = 0.8;
+
+/// Of one loop over the slots.
+struct Stays {
+  std::size_t before = 0;  ///< entries before the fault begins; all of a healthy loop
+  std::size_t entries = 0;
+  std::optional<std::size_t> first_slot;
+};
+
+/// The first slot whose window holds a sample of the fault.
+std::size_t onset_slot(const Watch& watch) {
+  return watch.onset_windows * kSlotsInWindow + 1;
+}
+
+std::vector<Stays> stays_of(const std::vector<PlantLoop>& plant,
+                            const std::vector<WatchedLoop>& watched, const Watch& watch,
+                            const FlagRule& rule) {
+  std::vector<Stays> stays(plant.size());
+  std::vector<bool> on_list(plant.size(), false);
+  const std::size_t slots = watched.empty() ? 0 : watched.front().slots.size();
+  for (std::size_t slot = 0; slot < slots; ++slot) {
+    std::vector<DiagnosedLoop> now;
+    for (const WatchedLoop& loop : watched) now.push_back(loop.slots[slot]);
+    const std::vector<bool> listed = flagged_after(now, on_list, rule);
+    for (std::size_t k = 0; k < plant.size(); ++k) {
+      if (!listed[k] || on_list[k]) continue;
+      const bool stands = plant[k].is_faulty() && slot >= onset_slot(watch);
+      ++(stands ? stays[k].entries : stays[k].before);
+      if (stands && !stays[k].first_slot) stays[k].first_slot = slot;
+    }
+    on_list = listed;
+  }
+  return stays;
+}
+
+std::optional<double> quantile(std::vector<double> values, double share) {
+  if (values.empty()) return std::nullopt;
+  std::ranges::sort(values);
+  const auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  return values[place];
+}
+
+}  // namespace
+
+StandingList run_list(const std::vector<PlantLoop>& plant, const std::vector<WatchedLoop>& watched,
+                      const Watch& watch, const FlagRule& rule) {
+  const std::vector<Stays> stays = stays_of(plant, watched, watch, rule);
+  StandingList list;
+  std::size_t entries = 0, wrong = 0;
+  double calm_windows = 0.0;
+  std::vector<double> delays;
+  for (std::size_t k = 0; k < plant.size(); ++k) {
+    const bool faulty = plant[k].is_faulty();
+    wrong += stays[k].before;
+    calm_windows += static_cast<double>(faulty ? watch.onset_windows : watch.windows) + 1.0;
+    if (!faulty) continue;
+    const bool sure = watched[k].single_probability.value_or(0.0) >= kSure;
+    ++list.faults;
+    if (sure) ++list.sure_faults;
+    if (!stays[k].first_slot) continue;
+    ++list.listed;
+    entries += stays[k].entries;
+    if (!sure) continue;
+    ++list.sure_listed;
+    delays.push_back(static_cast<double>(*stays[k].first_slot + 1 - onset_slot(watch)) /
+                     kSlotsInWindow);
+  }
+  if (list.listed > 0)
+    list.entries_per_fault = static_cast<double>(entries) / static_cast<double>(list.listed);
+  if (calm_windows > 0.0) list.false_entries = 1000.0 * static_cast<double>(wrong) / calm_windows;
+  list.delay_windows = quantile(delays, 0.5);
+  list.delay_windows_p90 = quantile(delays, 0.9);
+  return list;
+}
+
+std::string json_of(const StandingList& list) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  };
+  const nlohmann::ordered_json object = {
+      {"standing_faults", list.faults},
+      {"listed_faults", list.listed},
+      {"entries_per_fault", list.entries_per_fault},
+      {"false_entries", list.false_entries},
+      {"sure_faults", list.sure_faults},
+      {"sure_listed", list.sure_listed},
+      {"delay_windows", number(list.delay_windows)},
+      {"delay_windows_p90", number(list.delay_windows_p90)},
+  };
+  return object.dump(2) + "\n";
+}
+
+}  // namespace loopscope::tests::plants

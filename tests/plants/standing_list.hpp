@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/plants/flags.hpp"
+#include "tests/plants/watched_loop.hpp"
+
+namespace loopscope::tests::plants {
+
+/// How a list stands over time.
+struct StandingList {
+  std::size_t faults = 0;
+  std::size_t listed = 0;          ///< faults that came onto the list at all
+  double entries_per_fault = 0.0;  ///< of those
+  double false_entries = 0.0;      ///< entries of loops without a fault, per 1000 of their windows
+  /// From the onset to the list, windows, of faults whose single window has a probability of at
+  /// least 0.8; nullopt = none was listed.
+  std::optional<double> delay_windows, delay_windows_p90;
+  std::size_t sure_faults = 0, sure_listed = 0;  ///< of such faults
+};
+
+/// The list of every slot in turn, its stays kept (flagged_after).
+[[nodiscard]] StandingList run_list(const std::vector<PlantLoop>& plant,
+                                    const std::vector<WatchedLoop>& watched, const Watch& watch,
+                                    const FlagRule& rule = {});
+
+[[nodiscard]] std::string json_of(const StandingList& list);
+
+}  // namespace loopscope::tests::plants

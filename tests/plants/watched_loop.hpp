@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "tests/plants/diagnosed_loop.hpp"
+
+namespace loopscope::tests::plants {
+
+/// How long a plant is watched: `windows` that share no sample, in slots of a tenth of a window.
+struct Watch {
+  std::size_t windows = 30;
+  std::size_t onset_windows = 3;  ///< faults begin so long after the first slot
+};
+
+inline constexpr std::size_t kSlotsInWindow = 10;
+
+/// One loop over all slots, judged as the daemon does: every slot by its window and those before.
+struct WatchedLoop {
+  std::vector<DiagnosedLoop> slots;  ///< by all windows
+  /// Probability of a fault by the single window that holds nothing from before the onset, the
+  /// first of them; nullopt = none was weighed, or the loop is healthy.
+  std::optional<double> single_probability;
+};
+
+/// Of one sample a second, whatever the record's own interval: only samples count here.
+[[nodiscard]] WatchedLoop watch_loop(const PlantLoop& loop, const Watch& watch);
+
+}  // namespace loopscope::tests::plants
