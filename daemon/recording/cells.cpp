@@ -5,24 +5,21 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <utility>
+
+#include "daemon/recording/mode_words.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 using core::signal::ControlMode;
 
-constexpr std::array kModeWords{
-    std::pair{std::string_view{"auto"}, ControlMode::automatic},
-    std::pair{std::string_view{"automatic"}, ControlMode::automatic},
-    std::pair{std::string_view{"a"}, ControlMode::automatic},
-    std::pair{std::string_view{"1"}, ControlMode::automatic},
-    std::pair{std::string_view{"man"}, ControlMode::manual},
-    std::pair{std::string_view{"manual"}, ControlMode::manual},
+constexpr std::array kShortModes{
     std::pair{std::string_view{"m"}, ControlMode::manual},
     std::pair{std::string_view{"0"}, ControlMode::manual},
-    std::pair{std::string_view{"cas"}, ControlMode::cascade},
-    std::pair{std::string_view{"cascade"}, ControlMode::cascade},
+    std::pair{std::string_view{"a"}, ControlMode::automatic},
+    std::pair{std::string_view{"1"}, ControlMode::automatic},
     std::pair{std::string_view{"c"}, ControlMode::cascade},
     std::pair{std::string_view{"2"}, ControlMode::cascade},
 };
@@ -60,10 +57,13 @@ std::optional<double> parse_number(std::string_view cell) {
 }
 
 ControlMode parse_mode(std::string_view cell) {
-  for (const auto& [word, mode] : kModeWords) {
-    if (same_word(trimmed(cell), word)) return mode;
-  }
-  return ControlMode::unknown;
+  const auto mode_in = [&](const auto& words) -> std::optional<ControlMode> {
+    for (const auto& [word, mode] : words) {
+      if (same_word(trimmed(cell), word)) return mode;
+    }
+    return std::nullopt;
+  };
+  return mode_in(kModeWords).value_or(mode_in(kShortModes).value_or(ControlMode::unknown));
 }
 
 bool is_good_quality(std::string_view cell) {

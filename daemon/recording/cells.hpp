@@ -16,7 +16,7 @@ namespace loopscope::daemon {
 /// A number cell: empty, NaN and infinity give NaN; nullopt when the text is no number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view cell);
 
-/// A mode cell: AUTO, MAN, CAS and their usual spellings, or 0 manual, 1 automatic, 2 cascade;
+/// A mode cell: a word of mode_words.hpp, or 0 manual, 1 automatic, 2 cascade;
 /// anything else is unknown.
 [[nodiscard]] core::signal::ControlMode parse_mode(std::string_view cell);
 

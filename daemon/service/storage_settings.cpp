@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "daemon/failure.hpp"
+#include "daemon/recording/mode_words.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -93,14 +94,8 @@ std::vector<std::pair<std::string, double>> states_of(const config::HistorianSet
     const std::size_t equals = state.rfind('=');
     states.emplace_back(state.substr(0, equals), std::stod(state.substr(equals + 1)));
   }
-  for (const auto& [word, mode] : {std::pair{"MAN", 0.0},
-                                   {"MANUAL", 0.0},
-                                   {"AUTO", 1.0},
-                                   {"AUTOMATIC", 1.0},
-                                   {"CAS", 2.0},
-                                   {"CASCADE", 2.0}}) {
-    states.emplace_back(word, mode);
-  }
+  for (const auto& [word, mode] : kModeWords)
+    states.emplace_back(word, static_cast<double>(mode));
   return states;
 }
 

@@ -1,6 +1,7 @@
 #include "tests/plants/standing_list.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace loopscope::tests::plants {
@@ -10,7 +11,7 @@ constexpr double kSure = 0.8;
 
 /// Of one loop over the slots.
 struct Stays {
-  std::size_t before = 0;  ///< entries before the fault begins; all of a healthy loop
+  std::vector<std::size_t> before;  ///< slots of entries before the fault; of a healthy loop all
   std::size_t entries = 0;
   std::optional<std::size_t> first_slot;
 };
@@ -33,12 +34,20 @@ std::vector<Stays> stays_of(const std::vector<PlantLoop>& plant,
     for (std::size_t k = 0; k < plant.size(); ++k) {
       if (!listed[k] || on_list[k]) continue;
       const bool stands = plant[k].is_faulty() && slot >= onset_slot(watch);
-      ++(stands ? stays[k].entries : stays[k].before);
+      if (!stands) stays[k].before.push_back(slot);
+      if (stands) ++stays[k].entries;
       if (stands && !stays[k].first_slot) stays[k].first_slot = slot;
     }
     on_list = listed;
   }
   return stays;
+}
+
+/// "L017 (healthy_moving): valve_stiction at slot 31, fault 0.991, p 1.2e-06 of 5 tests".
+std::string told(const PlantLoop& loop, const DiagnosedLoop& judged, std::size_t slot) {
+  return fmt::format("{} ({}): {} at slot {}, fault {:.3f}, p {:.2g} of {} tests", loop.name,
+                     loop.record, judged.verdict, slot, judged.fault_probability.value_or(-1.0),
+                     judged.p.value_or(-1.0), judged.tests);
 }
 
 std::optional<double> quantile(std::vector<double> values, double share) {
@@ -59,12 +68,17 @@ StandingList run_list(const std::vector<PlantLoop>& plant, const std::vector<Wat
   std::vector<double> delays;
   for (std::size_t k = 0; k < plant.size(); ++k) {
     const bool faulty = plant[k].is_faulty();
-    wrong += stays[k].before;
+    wrong += stays[k].before.size();
+    for (const std::size_t slot : stays[k].before)
+      list.wrong.push_back(told(plant[k], watched[k].slots[slot], slot));
     calm_windows += static_cast<double>(faulty ? watch.onset_windows : watch.windows) + 1.0;
     if (!faulty) continue;
     const bool sure = watched[k].single_probability.value_or(0.0) >= kSure;
     ++list.faults;
     if (sure) ++list.sure_faults;
+    if (!stays[k].first_slot)
+      list.missed.push_back(
+          told(plant[k], watched[k].slots.back(), watched[k].slots.size() - 1));
     if (!stays[k].first_slot) continue;
     ++list.listed;
     entries += stays[k].entries;
@@ -94,6 +108,8 @@ std::string json_of(const StandingList& list) {
       {"sure_listed", list.sure_listed},
       {"delay_windows", number(list.delay_windows)},
       {"delay_windows_p90", number(list.delay_windows_p90)},
+      {"wrong", list.wrong},
+      {"missed", list.missed},
   };
   return object.dump(2) + "\n";
 }

@@ -20,6 +20,8 @@ struct StandingList {
   /// least 0.8; nullopt = none was listed.
   std::optional<double> delay_windows, delay_windows_p90;
   std::size_t sure_faults = 0, sure_listed = 0;  ///< of such faults
+  std::vector<std::string> wrong;                ///< each false entry in words
+  std::vector<std::string> missed;               ///< faults that were never listed
 };
 
 /// The list of every slot in turn, its stays kept (flagged_after).

@@ -1,0 +1,71 @@
+#include "tests/plants/standing_list.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace loopscope::tests::plants {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+constexpr Watch kWatch{.windows = 6, .onset_windows = 3};
+
+DiagnosedLoop with(double fault_probability) {
+  DiagnosedLoop loop{"valve_stiction", fault_probability, std::nullopt, 5, {}};
+  loop.fault_probability = fault_probability;
+  return loop;
+}
+
+PlantLoop loop_named(const std::string& name, const std::string& fault) {
+  PlantLoop loop;
+  loop.name = name;
+  loop.record = "kind";
+  loop.fault = fault;
+  return loop;
+}
+
+/// Of all slots `usual`, but at some.
+WatchedLoop watched(double usual, const std::map<std::size_t, double>& but = {}) {
+  WatchedLoop loop;
+  for (std::size_t slot = 0; slot <= kWatch.windows * kSlotsInWindow; ++slot)
+    loop.slots.push_back(with(but.contains(slot) ? but.at(slot) : usual));
+  return loop;
+}
+
+TEST(FlaggedAfter, WhoeverIsOnTheListLeavesAtALooserShare) {
+  const std::vector<DiagnosedLoop> now = {with(0.85), with(0.85), with(0.7)};
+  EXPECT_THAT(flagged_after(now, {false, false, false}), ElementsAre(false, false, false));
+  EXPECT_THAT(flagged_after(now, {true, false, true}), ElementsAre(true, false, true));
+  EXPECT_THAT(flagged_after({with(0.75)}, {true}), ElementsAre(false));
+  DiagnosedLoop silent{"insufficient_data", 1.0, {}, 0, {}};
+  EXPECT_THAT(flagged_after({silent}, {true}), ElementsAre(true));
+  silent.verdict = "not_controlling";
+  EXPECT_THAT(flagged_after({silent}, {true}), ElementsAre(false));
+}
+
+TEST(StandingList, CountsEntriesFalseOnesAndDelays) {
+  const std::vector<PlantLoop> plant = {loop_named("sticks", "valve_stiction"),
+                                        loop_named("fine", ""),
+                                        loop_named("quiet", "valve_stiction")};
+  // The fault begins with slot 31, is listed at 40, leaves at 50 and comes again at 51.
+  WatchedLoop sticks = watched(0.1);
+  for (std::size_t slot = 40; slot < sticks.slots.size(); ++slot)
+    sticks.slots[slot] = with(slot == 50 ? 0.2 : 0.999);
+  sticks.single_probability = 0.95;
+  const std::vector<WatchedLoop> loops = {sticks, watched(0.1, {{20, 0.999}}), watched(0.3)};
+  const StandingList list = run_list(plant, loops, kWatch);
+  EXPECT_EQ(list.faults, 2U);
+  EXPECT_EQ(list.listed, 1U);
+  EXPECT_EQ(list.sure_faults, 1U);
+  EXPECT_DOUBLE_EQ(list.entries_per_fault, 2.0);
+  EXPECT_DOUBLE_EQ(*list.delay_windows, 1.0);
+  EXPECT_NEAR(list.false_entries, 1000.0 / (4.0 + 7.0 + 4.0), 1e-9);
+  EXPECT_THAT(list.wrong, ElementsAre(HasSubstr("fine (kind): valve_stiction at slot 20")));
+  EXPECT_THAT(list.missed, SizeIs(1));
+}
+
+}  // namespace
+}  // namespace loopscope::tests::plants
