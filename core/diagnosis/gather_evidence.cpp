@@ -172,7 +172,9 @@ void look_back(const FirstLook& first, const AnalysisSettings& settings,
   const signal::PreparedLoop longer = signal::prepare(*long_window, prepare);
   evidence.still = longer.still;
   evidence.pv_past = longer.past;
-  if (!evidence.still) std::erase(evidence.data_quality.flags, "pv_frozen");
+  if (evidence.still) return;
+  std::erase(evidence.data_quality.flags, "pv_frozen");
+  std::erase(evidence.data_quality.flags, "pv_dead");
 }
 
 }  // namespace

@@ -23,12 +23,16 @@ std::string output_text(double value, const Evidence& evidence) {
 }
 
 std::string still_text(const signal::StandStill& still, const Evidence& evidence) {
-  std::string text = "pv stands still at " + number(still.run.value) + " for " +
+  std::string text = std::string(still.to_the_end ? "pv stands still at " : "pv stood still at ") +
+                     number(still.run.value) + " for " +
                      samples_text(still.run.samples, evidence.interval_s);
   if (still.whole)
     text += ", all that was read,";
   else if (still.to_the_end)
     text += ", up to the window's end,";
+  else if (still.run.end() < evidence.samples)
+    text += ", until " + samples_text(evidence.samples - still.run.end(), evidence.interval_s) +
+            " before the window's end,";
   if (still.op_moves)
     text += " while op goes from " + output_text(still.op_low, evidence) + " to " +
             output_text(still.op_high, evidence);
@@ -59,13 +63,18 @@ std::string lost_text(const Evidence& evidence) {
   return text + ".";
 }
 
+bool has_wound_up(const Evidence& evidence) {
+  return evidence.still->to_the_end && evidence.control.wound_up_percent.has_value();
+}
+
 }  // namespace
 
 LoopState state_of(const Evidence& evidence) {
   if (!evidence.data_quality.enough) return LoopState::none;
   if (evidence.still) return LoopState::stands_still;
-  if (evidence.control.held_at_limit && evidence.control.reason != NotActing::mode)
-    return LoopState::held_at_limit;
+  const bool by_hand =
+      !evidence.control.controlling() && evidence.control.reason == NotActing::mode;
+  if (evidence.control.held_at_limit && !by_hand) return LoopState::held_at_limit;
   return evidence.control.controlling() ? LoopState::none : LoopState::not_controlling;
 }
 
@@ -73,17 +82,16 @@ std::vector<std::string> state_text(LoopState state, const Evidence& evidence) {
   std::vector<std::string> text;
   if (state == LoopState::stands_still) text.push_back(still_text(*evidence.still, evidence));
   if (state == LoopState::not_controlling) text.push_back(lost_text(evidence));
-  const bool wound_up =
-      state == LoopState::stands_still && evidence.control.wound_up_percent.has_value();
+  const bool wound_up = state == LoopState::stands_still && has_wound_up(evidence);
   if (state == LoopState::held_at_limit || wound_up) text.push_back(limit_text(evidence));
   return text;
 }
 
 std::string frozen_summary(const Evidence& evidence) {
-  const std::optional<double> end = evidence.control.wound_up_percent;
-  return end ? "The measurement stands still, and the controller has wound up to " + number(*end) +
-                   " %."
-             : "The measurement stands still.";
+  if (!evidence.still->to_the_end) return "The measurement stood still for a while.";
+  if (!has_wound_up(evidence)) return "The measurement stands still.";
+  return "The measurement stands still, and the controller has wound up to " +
+         number(*evidence.control.wound_up_percent) + " %.";
 }
 
 std::string frozen_action() {
@@ -93,12 +101,15 @@ std::string frozen_action() {
 }
 
 std::string not_controlling_summary(const Evidence& evidence) {
+  if (!evidence.control.lost_at) return "For most of the window no controller acted on the loop.";
   return evidence.control.reason == NotActing::mode
              ? "No controller acts on the loop: manual, tracking or out of service."
              : "No controller acts on the loop: its output is constant.";
 }
 
 std::string not_controlling_action(const Evidence& evidence) {
+  if (!evidence.control.lost_at)
+    return "Wait for a window with the controller in service: it acts again.";
   const std::string meant = " If it is meant to be so for long, disable the loop in the catalogue.";
   return evidence.control.reason == NotActing::mode
              ? "Ask operations why it is not in automatic." + meant

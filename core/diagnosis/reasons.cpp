@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/diagnosis/figure.hpp"
+#include "core/diagnosis/loop_state.hpp"
 #include "core/diagnosis/model_words.hpp"
 #include "core/diagnosis/structure.hpp"
 #include "core/diagnosis/words.hpp"
@@ -70,7 +71,9 @@ void add_model(const model::Explanation& model, std::vector<std::string>& reason
 }
 
 void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
-  if (!op_speaks(evidence)) {
+  // A state has said it.
+  const bool held = state_of(evidence) == LoopState::held_at_limit || evidence.still.has_value();
+  if (!op_speaks(evidence) && !held) {
     reasons.emplace_back(
         "op does not move or is not recorded: nothing is known of controller and "
         "valve.");
@@ -86,7 +89,8 @@ void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
                       " samples on average.");
   }
   constexpr double kShownAsPercent = 0.005;
-  if (const auto share = evidence.data_quality.saturated_fraction; share >= kShownAsPercent)
+  if (const auto share = evidence.data_quality.saturated_fraction;
+      share >= kShownAsPercent && !held)
     reasons.push_back("op is at a limit of its range in " + percent(*share) + " of the samples.");
   if (!evidence.op_range_doubt.empty())
     reasons.push_back(

@@ -24,12 +24,20 @@ bool lasting_at_end(const ControlRecord& record, const FlatRun& run) {
          keeps_its_sign(record.error.subspan(run.first, run.samples));
 }
 
-/// Of an output that is constant throughout, or stands still where it usually does not.
+/// An operator moves the output a few times a shift, a controller all the time.
+bool is_moved_by_hand(const ControlRecord& record) {
+  constexpr double kFewMoves = 0.005;
+  return share_of_moves(record.op_percent) < kFewMoves;
+}
+
+/// Of an output that is constant throughout, stands still where it usually does not, or is moved by
+/// hand.
 bool is_unattended(const ControlRecord& record, const FlatRun& run, std::span<const FlatRun> runs) {
   if (lasting_at_end(record, run)) return false;
   const std::optional<Spread> whole = measure_spread(record.op_percent);
   if (whole && whole->constant()) return true;
-  if (!is_unusually_long(run, runs)) return false;
+  const bool by_hand = is_long(run) && is_moved_by_hand(record);
+  if (!by_hand && !is_unusually_long(run, runs)) return false;
   const auto error = measure_spread(record.error.subspan(run.first, run.samples));
   return error && !error->constant();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "core/signal/archive.hpp"
@@ -15,6 +16,8 @@ namespace {
 constexpr std::size_t kFewestSamples = 300;
 /// The longest of n runs of one loop is hardly ever ten times the longest of those before.
 constexpr double kTimesUsual = 10.0;
+/// What fails may do so more than once in a window; what does so four times is the loop's way.
+constexpr std::size_t kFurtherFailures = 2;
 /// Of a run of 300 samples ten each: enough to average noise, enough blocks to see a slow course.
 constexpr std::size_t kBlocks = 30;
 /// Means of white noise spread over 4.1 of their standard deviations in thirty blocks, and over 8
@@ -55,38 +58,41 @@ std::vector<FlatRun> flat_runs(std::span<const double> samples) {
   std::vector<FlatRun> runs;
   FlatRun run;
   const auto close = [&] {
-    if (run.samples > 1) runs.push_back(run);
+    if (run.recorded > 1) runs.push_back(run);
   };
   for (std::size_t k = 0; k < samples.size(); ++k) {
     if (!std::isfinite(samples[k])) continue;
-    const bool goes_on =
-        run.samples > 0 && samples[k] == run.value && k - (run.end() - 1) <= kLongestBandedHole + 1;
-    if (!goes_on) {
+    if (run.recorded == 0 || samples[k] != run.value) {
       close();
       run = {k, 0, samples[k]};
+    } else {
+      run.longest_gap = std::max(run.longest_gap, k - run.end());
     }
     run.samples = k + 1 - run.first;
+    ++run.recorded;
   }
   close();
   return runs;
 }
 
-FlatRun longest_run(std::span<const FlatRun> runs) {
-  const auto longest = std::ranges::max_element(runs, {}, &FlatRun::samples);
-  return longest == runs.end() ? FlatRun{} : *longest;
+bool is_long(const FlatRun& run) {
+  return run.samples >= kFewestSamples &&
+         (run.recorded >= kFewestSamples || run.longest_gap <= kLongestBandedHole);
 }
 
 bool is_unusually_long(const FlatRun& run, std::span<const FlatRun> runs, double usual_before) {
-  std::size_t longest = 1;
-  std::size_t second = 1;
+  if (!is_long(run)) return false;
+  std::vector<std::size_t> others;
+  std::size_t failures = 0;
   for (const FlatRun& other : runs) {
     if (other.first == run.first) continue;
-    second = std::max(second, std::min(longest, other.samples));
-    longest = std::max(longest, other.samples);
+    others.push_back(other.recorded);
+    if (is_long(other)) ++failures;
   }
-  const auto usual = static_cast<double>(longest < kFewestSamples ? longest : second);
-  return run.samples >= kFewestSamples &&
-         static_cast<double>(run.samples) >= kTimesUsual * std::max(usual, usual_before);
+  std::ranges::sort(others, std::greater{});
+  const std::size_t spared = std::min(failures, kFurtherFailures);
+  const double usual = spared < others.size() ? static_cast<double>(others[spared]) : 1.0;
+  return static_cast<double>(run.samples) >= kTimesUsual * std::max(usual, usual_before);
 }
 
 bool moves_beyond_noise(std::span<const double> samples, double step) {

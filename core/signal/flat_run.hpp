@@ -6,24 +6,27 @@
 
 namespace loopscope::core::signal {
 
-/// Samples that all have one value. Missing ones among them do not end it as long as no more than
-/// kLongestBandedHole (archive.hpp) lie in a row; it begins and ends with a recorded one.
+/// Samples that all have one value, whatever is missing among them; it begins and ends with a
+/// recorded one.
 struct FlatRun {
   std::size_t first = 0;
-  std::size_t samples = 0;
+  std::size_t samples = 0;  ///< from the first to the last
   double value = 0.0;
+  std::size_t recorded = 0;     ///< of the samples
+  std::size_t longest_gap = 0;  ///< missing samples in a row
   [[nodiscard]] std::size_t end() const { return first + samples; }
 };
 
 /// All runs of two samples or more, in their order.
 [[nodiscard]] std::vector<FlatRun> flat_runs(std::span<const double> samples);
 
-/// The longest, the first of several; samples = 0 where there is none.
-[[nodiscard]] FlatRun longest_run(std::span<const FlatRun> runs);
+/// Whether the run has 300 samples, of which that many are recorded or no more than
+/// kLongestBandedHole (archive.hpp) are missing in a row.
+[[nodiscard]] bool is_long(const FlatRun& run);
 
-/// Whether `run`, one of `runs`, is 300 samples long and ten times as long as what is usual: the
-/// longest of the others, or the second of them where that has 300, too (a transmitter that fails
-/// may do so twice); and `usual_before`, samples, known from elsewhere.
+/// Whether `run`, one of `runs`, is long and ten times as long as what is usual: the longest of the
+/// others, but for two that are long themselves (what fails may do so more than once), and
+/// `usual_before`, samples, known from elsewhere.
 [[nodiscard]] bool is_unusually_long(const FlatRun& run, std::span<const FlatRun> runs,
                                      double usual_before = 0.0);
 

@@ -39,17 +39,6 @@ std::string percent_text(double share_of_one) {
   return std::to_string(std::lround(100.0 * share_of_one)) + " %";
 }
 
-double share_of_moves(const Samples& samples) {
-  std::size_t pairs = 0;
-  std::size_t moves = 0;
-  for (std::size_t k = 1; k < samples.size(); ++k) {
-    if (std::isnan(samples[k]) || std::isnan(samples[k - 1])) continue;
-    ++pairs;
-    if (samples[k] != samples[k - 1]) ++moves;
-  }
-  return share(moves, pairs);
-}
-
 /// Share of the samples with a known mode that the controller was in manual.
 double manual_fraction(const std::vector<ControlMode>& mode) {
   std::size_t known = 0;
@@ -193,6 +182,7 @@ void raise_flags(const PreparedLoop& loop, DataQuality& quality) {
   flags.add(quality.frozen_fraction.value_or(0.0) > 0.0, "pv_frozen_masked");
   flags.add(!quality.refusals.empty(), "tests_refused");
   flags.add(loop.still.has_value(), "pv_frozen");
+  flags.add(loop.still && loop.still->to_the_end, "pv_dead");
   flags.add(!has_op, "op_missing");
   flags.add(has_op && !loop.op_moves, "op_constant");
   const RangeSource source = loop.op_range.source;

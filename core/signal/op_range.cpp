@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace loopscope::core::signal {
 namespace {
@@ -15,6 +16,8 @@ constexpr double kBeyond = 0.07;
 constexpr double kMostOfRange = 0.75;
 /// A range that is so many times wider than the one that the values never leave is a wrong one.
 constexpr double kMuchWider = 4.0;
+/// A bad value or two is no range: so many are left out at either end.
+constexpr double kSpared = 0.002;
 /// Values so often in a row are held, not passed.
 constexpr std::size_t kHeld = 3;
 
@@ -50,14 +53,18 @@ bool is_whole(double value) {
   return std::abs(value) < 1e15 && value == std::round(value);
 }
 
-/// Why the range that was set cannot be right; empty = it can.
+/// Why the range that was set cannot be right; empty = it can. A valve that rests at an end of the
+/// range stays within a small part of it, too, and so does a percentage between 5 and 18.
 std::string doubt_of(const OpValues& values, const OpRange& set) {
   if (!(values.low < values.high)) return {};
   if (!within(values, set, kBeyond))
     return "op goes from " + number_text(values.low) + " to " + number_text(values.high) +
            ", beyond " + range_text(set);
   const std::optional<OpRange> inferred = infer_op_range(values);
-  const bool narrow = inferred && kMuchWider * width(*inferred) <= width(set);
+  const bool at_end = values.low == set.low || values.high == set.high;
+  const bool may_be_percent = inferred && inferred->low == kCurrent_mA.low && !values.at_20mA;
+  const bool narrow =
+      inferred && !at_end && !may_be_percent && kMuchWider * width(*inferred) <= width(set);
   return narrow ? "op never leaves " + range_text(*inferred) + " of " + range_text(set)
                 : std::string();
 }
@@ -65,23 +72,25 @@ std::string doubt_of(const OpValues& values, const OpRange& set) {
 }  // namespace
 
 std::optional<OpValues> summarise_op(std::span<const double> op) {
-  OpValues values{HUGE_VAL, -HUGE_VAL, true, false};
-  std::size_t recorded = 0;
+  OpValues values{0.0, 0.0, true, false};
+  std::vector<double> recorded;
   std::size_t held = 0;
   bool held_at_end = false;
   bool others_whole = true;
   for (const double value : op) {
     if (!std::isfinite(value)) continue;
-    ++recorded;
-    values.low = std::min(values.low, value);
-    values.high = std::max(values.high, value);
+    recorded.push_back(value);
     values.whole = values.whole && is_whole(value);
     const bool at_end = value == kCurrent_mA.low || value == kCurrent_mA.high;
     others_whole = others_whole && (at_end || is_whole(value));
     held = at_end ? held + 1 : 0;
     held_at_end = held_at_end || held >= kHeld;
   }
-  if (recorded == 0) return std::nullopt;
+  if (recorded.empty()) return std::nullopt;
+  const auto spared = static_cast<std::size_t>(kSpared * static_cast<double>(recorded.size()));
+  std::ranges::sort(recorded);
+  values.low = recorded[spared];
+  values.high = recorded[recorded.size() - 1 - spared];
   const bool constant = values.low == values.high;
   values.at_20mA = held_at_end && (constant || !others_whole);
   return values;

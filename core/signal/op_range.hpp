@@ -26,7 +26,7 @@ struct KnownRange {
 
 /// Values of op over a time, for inferring its range.
 struct OpValues {
-  double low = 0.0;  ///< smallest and largest one
+  double low = 0.0;  ///< smallest and largest one, but for one in five hundred at either end
   double high = 0.0;
   bool whole = false;  ///< all of them are whole numbers
   bool at_20mA =

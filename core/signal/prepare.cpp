@@ -133,7 +133,7 @@ void judge_states(const LoopWindow& window, const PrepareSettings& settings, Pre
                               window.pv_past,
                               loop.sample_interval_s};
   loop.still = find_stand_still(recorded);
-  loop.past = past_with(recorded, loop.still);
+  loop.past = past_with(recorded);
   const Samples error = control_error(loop.sp, pv, pv);
   loop.control = find_control_state({loop.op_percent, error, loop.mode, loop.op_range.source});
 }

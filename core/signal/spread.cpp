@@ -126,6 +126,17 @@ std::optional<double> smallest_neighbour_step(std::span<const double> samples) {
   return smallest < HUGE_VAL ? std::optional(smallest) : std::nullopt;
 }
 
+double share_of_moves(std::span<const double> samples) {
+  std::size_t pairs = 0;
+  std::size_t moves = 0;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    if (std::isnan(samples[k]) || std::isnan(samples[k - 1])) continue;
+    ++pairs;
+    if (samples[k] != samples[k - 1]) ++moves;
+  }
+  return pairs == 0 ? 0.0 : static_cast<double>(moves) / static_cast<double>(pairs);
+}
+
 std::size_t longest_flat_run(std::span<const double> samples) {
   std::size_t longest = 0;
   std::size_t run = 0;

@@ -28,6 +28,9 @@ struct Spread {
 /// smallest step, and at hand without sorting. nullopt when no two neighbours differ.
 [[nodiscard]] std::optional<double> smallest_neighbour_step(std::span<const double> samples);
 
+/// Share of neighbouring recorded samples that differ, 0 to 1; 0 where there are none.
+[[nodiscard]] double share_of_moves(std::span<const double> samples);
+
 /// Longest run of identical recorded values, in samples.
 [[nodiscard]] std::size_t longest_flat_run(std::span<const double> samples);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <vector>
 
 #include "core/signal/lasting_error.hpp"
@@ -14,6 +15,9 @@ namespace {
 
 /// Half of the run, as in data of which most say so.
 constexpr double kMostOfRun = 0.5;
+/// What a window tells the next fades by half in a hundred and forty of them: a transmitter that
+/// was replaced, or a calm month, is forgotten.
+constexpr double kKept = 0.995;
 /// The smallest steps of an archive that stores by a dead band are exceptions (start, quality).
 constexpr double kSmallSteps = 0.05;
 
@@ -69,10 +73,7 @@ double share_of(std::span<const ControlMode> mode, auto among) {
 /// An operator moves the output now and then, a controller all the time.
 bool is_at_work(std::span<const double> op) {
   constexpr double kShareOfMoves = 0.05;
-  std::size_t moves = 0;
-  for (std::size_t k = 1; k < op.size(); ++k)
-    if (std::abs(op[k] - op[k - 1]) > 0.0) ++moves;
-  return static_cast<double>(moves) > kShareOfMoves * static_cast<double>(op.size());
+  return share_of_moves(op) > kShareOfMoves;
 }
 
 /// By the mode where it is recorded, else by op.
@@ -125,26 +126,39 @@ StandStill described(const RecordedLoop& loop, const FlatRun& run) {
   return still;
 }
 
+/// A wandering op alone shows that a loop lives where it moves by more than a positioner's
+/// tolerance.
+bool is_noticed(const RecordedLoop& loop, const StandStill& still) {
+  constexpr double kLeastMove_percent = 0.5;
+  if (still.error_lasts) return true;
+  return still.op_moves &&
+         (!loop.op_in_percent || still.op_high - still.op_low >= kLeastMove_percent);
+}
+
 }  // namespace
 
 std::optional<StandStill> find_stand_still(const RecordedLoop& loop) {
-  const std::vector<FlatRun> runs = flat_runs(loop.pv);
-  const FlatRun run = longest_run(runs);
+  std::vector<FlatRun> runs = flat_runs(loop.pv);
+  std::erase_if(runs, [&](const FlatRun& run) { return in_manual(loop, run); });
   const double before = loop.past ? loop.past->longest_flat_s / loop.sample_interval_s : 0.0;
-  if (!is_unusually_long(run, runs, before) || in_manual(loop, run)) return std::nullopt;
-  const StandStill still = described(loop, run);
-  if (!still.op_moves && !still.error_lasts) return std::nullopt;
-  return still;
+  for (const FlatRun& run : std::views::reverse(runs)) {
+    if (!is_unusually_long(run, runs, before)) continue;
+    if (const StandStill still = described(loop, run); is_noticed(loop, still)) return still;
+  }
+  return std::nullopt;
 }
 
-PvPast past_with(const RecordedLoop& loop, const std::optional<StandStill>& still) {
+PvPast past_with(const RecordedLoop& loop) {
   PvPast past = loop.past.value_or(PvPast{});
-  const auto last = std::ranges::find_if(loop.pv.rbegin(), loop.pv.rend(),
-                                         [](double value) { return std::isfinite(value); });
+  past.longest_flat_s *= kKept;
+  const auto is_recorded = [](double value) { return std::isfinite(value); };
+  const auto first = std::ranges::find_if(loop.pv, is_recorded) - loop.pv.begin();
+  const auto last = std::ranges::find_if(loop.pv.rbegin(), loop.pv.rend(), is_recorded);
   const auto end = static_cast<std::size_t>(loop.pv.rend() - last);
-  for (const FlatRun& run : flat_runs(loop.pv)) {
-    const bool unfinished = run.end() == end;
-    if (unfinished || (still && run.first == still->run.first)) continue;
+  const std::vector<FlatRun> runs = flat_runs(loop.pv);
+  for (const FlatRun& run : runs) {
+    const bool cut = run.first == static_cast<std::size_t>(first) || run.end() == end;
+    if (cut || in_manual(loop, run) || is_unusually_long(run, runs)) continue;
     past.longest_flat_s =
         std::max(past.longest_flat_s, static_cast<double>(run.samples) * loop.sample_interval_s);
   }

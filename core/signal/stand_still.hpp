@@ -35,18 +35,18 @@ struct RecordedLoop {
   double sample_interval_s = 1.0;
 };
 
-/// The longest run of equal values of pv, where it is 300 samples long and ten times as long as
-/// what is usual for this loop (what was before the window, or the other runs within it), while op
-/// moves by more than its noise, or the controller is in automatic and the error stays beyond one
-/// step of pv. nullopt = pv does not stand still, or may do so (manual, no error, a calm loop).
+/// The latest run of equal values of pv that is 300 samples long and ten times as long as what is
+/// usual for this loop (before the window, or within it; not in manual), while op moves by more
+/// than its noise and half a percent, or the controller is in automatic and the error stays beyond
+/// one step of pv. nullopt = pv does not stand still, or may do so (manual, no error, a calm loop).
 ///
 /// A run of healthy pv is as long as its grid, its dead band and its calm make it; those of one
 /// loop are alike. So the first that is ten times longer is something else.
 [[nodiscard]] std::optional<StandStill> find_stand_still(const RecordedLoop& loop);
 
 /// What a window tells those after it: the longest run of pv and its usual smallest step, with what
-/// was known before. `still` is left out, and so is a run that the window's end cuts: it may become
-/// one.
-[[nodiscard]] PvPast past_with(const RecordedLoop& loop, const std::optional<StandStill>& still);
+/// was known before and fades. Nothing is learnt of runs in manual, of those that are unusually
+/// long within the window, and of those that one of its ends cuts: they may be part of one.
+[[nodiscard]] PvPast past_with(const RecordedLoop& loop);
 
 }  // namespace loopscope::core::signal

@@ -16,9 +16,15 @@ using core::signal::OpRange;
 using core::signal::RangeSource;
 using storage::CatalogueEntry;
 
-/// An output that stays within 4 to 20 may be a current or a percentage.
-bool may_be_current(const core::signal::OpValues& values, const OpRange& range) {
-  return range.high == 100.0 && values.low >= 4.0 && values.high <= 20.0;
+/// What speaks against filling it in; empty = nothing. An output that stays within 4 to 20 may be a
+/// current or a percentage, one near 0 a share or the percentage of a valve that is shut, and
+/// counts have many full scales.
+std::string ambiguity(const core::signal::OpValues& values, const OpRange& range) {
+  constexpr double kShut = 0.2;
+  if (range.high == 100.0 && values.low >= 4.0 && values.high <= 20.0)
+    return "0 to 100 (%) or 4 to 20 (mA)?";
+  if (range.high == 1.0 && values.high < kShut) return "0 to 1, or the percentage of a shut valve?";
+  return range.high > 100.0 ? core::signal::range_text(range) + " (counts)?" : "";
 }
 
 std::string fields_of(const OpRange& range) {
@@ -38,8 +44,8 @@ void propose_op(const CatalogueEntry& entry, const core::signal::Samples& op,
     return;
   }
   const OpRange range = *found.range;
-  if (may_be_current(*values, range)) {
-    proposals.push_back({entry.name, "", seen + ": 0 to 100 (%) or 4 to 20 (mA)?"});
+  if (const std::string doubt = ambiguity(*values, range); !doubt.empty() && !entry.op_range) {
+    proposals.push_back({entry.name, "", seen + ": " + doubt});
     return;
   }
   const std::string reason = found.doubt.empty()

@@ -80,14 +80,16 @@ void tell_proposals(const CheckOptions& options, const config::Settings& setting
                     std::span<const storage::CatalogueEntry> entries) {
   std::vector<storage::CatalogueEntry> changed;
   const std::vector<Proposal> proposals = proposals_for(settings, entries, changed);
-  std::cout << proposals_text(proposals);
+  // A CSV may go to standard output: nothing else must get into it.
+  std::ostream& told = options.out == "-" || options.propose == "-" ? std::cerr : std::cout;
+  told << proposals_text(proposals);
   if (!options.propose.empty()) write_csv(options.propose, catalogue_csv(changed));
   if (changed.empty() || options.propose == "-") return;
-  std::cout << (options.propose.empty()
-                    ? fmt::format("--propose FILE.csv writes the {} loops with what is proposed\n",
-                                  changed.size())
-                    : fmt::format("look through {0}, then: loopscope loops --config {1} load {0}\n",
-                                  printable(options.propose), printable(*options.config)));
+  told << (options.propose.empty()
+               ? fmt::format("--propose FILE.csv writes the {} loops with what is proposed\n",
+                             changed.size())
+               : fmt::format("look through {0}, then: loopscope loops --config {1} load {0}\n",
+                             printable(options.propose), printable(*options.config)));
 }
 
 void check(const CheckOptions& options) {
@@ -98,7 +100,7 @@ void check(const CheckOptions& options) {
         return ask(settings, source, tags);
       });
   if (options.out != "-") print(found);
-  if (options.out != "-") tell_proposals(options, settings, entries);
+  tell_proposals(options, settings, entries);
   if (!options.out.empty()) write_csv(options.out, dead_ends_csv(found));
   if (!found.dead_ends.empty()) {
     throw Failure(ExitCode::unusable_data,

@@ -143,8 +143,9 @@ CREATE VIEW loopscope.service_factor AS
   CROSS JOIN LATERAL (
     SELECT avg(past.control_fraction) AS fraction FROM loopscope.analysis AS past
     WHERE past.loop_id = latest.loop_id AND past.slot_end > latest.slot_end - interval '7 days' AND past.slot_end <= latest.slot_end) AS week
-  CROSS JOIN LATERAL (  -- the first window behind the last one at whose end a controller acted
-    SELECT min(past.control_lost_at) AS since FROM loopscope.analysis AS past
+  CROSS JOIN LATERAL (  -- the newest window that shows its beginning, or the first behind the last one at whose end a controller acted
+    SELECT coalesce(max(past.control_lost_at) FILTER (WHERE past.control_lost_at > past.window_start), min(past.control_lost_at)) AS since
+    FROM loopscope.analysis AS past
     WHERE latest.control_lost_at IS NOT NULL AND past.loop_id = latest.loop_id AND past.slot_end <= latest.slot_end
       AND past.slot_end > latest.slot_end - interval '90 days' AND past.control_lost_at IS NOT NULL
       AND past.slot_end > coalesce((
@@ -159,6 +160,7 @@ COMMENT ON COLUMN loopscope.service_factor.lost_by IS 'Where none acts at the wi
 COMMENT ON COLUMN loopscope.service_factor.lost_since IS 'Since when, as far as the last 90 days of windows show; null = one acts';
 
 INSERT INTO loopscope.data_problem_kind (code, role, shown, words, remedy) VALUES
+  ('pv_dead', 'pv', false, 'pv stands still up to the end of the window', ''),
   ('not_controlling', 'mode', true, 'No controller acts', 'Nothing, if it is meant to be so; else put the controller in automatic'),
   ('op_range_inferred', 'op', false, 'The range of op was inferred from its values', 'Set op_low and op_high in the catalogue (loopscope loops check proposes them)'),
   ('op_range_doubted', 'op', true, 'The range of op in the catalogue cannot be right', 'Correct op_low and op_high in the catalogue (loopscope loops check proposes them)');
@@ -256,6 +258,16 @@ CREATE OR REPLACE VIEW loopscope.monitor_health AS
               ELSE 'ok' END AS state,
          health.*
   FROM health;
+
+-- Another tag is another signal.
+CREATE FUNCTION loopscope.forget_pv() RETURNS trigger LANGUAGE plpgsql SET search_path = pg_catalog AS $$
+BEGIN
+  UPDATE loopscope.schedule SET pv_flat_s = NULL, pv_step = NULL WHERE loop_id = NEW.loop_id;
+  RETURN NULL;
+END $$;
+COMMENT ON FUNCTION loopscope.forget_pv() IS 'Forgets what is known of pv where a loop gets another pv tag';
+CREATE TRIGGER forget_pv AFTER UPDATE OF pv_tag, source ON loopscope.loop FOR EACH ROW
+  WHEN (OLD.pv_tag <> NEW.pv_tag OR OLD.source <> NEW.source) EXECUTE FUNCTION loopscope.forget_pv();
 
 ALTER FUNCTION loopscope.grant_rights() RENAME TO grant_rights_of_0017;
 CREATE FUNCTION loopscope.grant_rights() RETURNS void LANGUAGE plpgsql SET search_path = pg_catalog AS $$

@@ -8,11 +8,25 @@ ALTER TABLE loopscope.flag_notice DROP CONSTRAINT flag_notice_ended_by_check,
 COMMENT ON COLUMN loopscope.flag_notice.ended_by IS 'What ended it: verdict (healthy again), annotation, plant (found to be a victim), disabled, state (no controller acts), or threshold (no longer probable enough)';
 COMMENT ON COLUMN loopscope.flag_notice.code IS 'Verdict that it was flagged with; while the loop stays its verdict may become another one';
 
+-- Of a stay whose newest window names no fault the last one that did, by the newest revision of each slot.
+CREATE FUNCTION loopscope.last_fault(of_loop bigint, from_slot timestamptz, to_slot timestamptz)
+RETURNS TABLE (slot_end timestamptz, algorithm_revision integer, input_revision integer, code text) LANGUAGE sql STABLE
+BEGIN ATOMIC
+  SELECT given.slot_end, given.algorithm_revision, given.input_revision, given.code FROM loopscope.verdict AS given
+  WHERE given.loop_id = of_loop AND given.slot_end BETWEEN from_slot AND to_slot AND given.code NOT IN ('healthy', 'not_controlling', 'insufficient_data')
+    AND NOT EXISTS (
+      SELECT FROM loopscope.verdict AS newer
+      WHERE newer.loop_id = of_loop AND newer.slot_end = given.slot_end
+        AND (newer.algorithm_revision, newer.input_revision) > (given.algorithm_revision, given.input_revision))
+  ORDER BY given.slot_end DESC LIMIT 1;
+END;
+COMMENT ON FUNCTION loopscope.last_fault(bigint, timestamptz, timestamptz) IS 'The last slot of a span whose verdict, by its newest revision, names a fault';
+
 -- One row per analysed, enabled loop: what the list asks of it. The family of the control is the loops: each asks the plant one
 -- question, whether its fault is chance, with one p, that of its verdict times the tests that it may have been picked from
 -- (core/plant/README.md). What hides a verdict hides it before both questions, and leaves the family as large as it was.
 CREATE FUNCTION loopscope.list_questions(rate float8 DEFAULT NULL, dependence float8 DEFAULT NULL, least_confidence float8 DEFAULT NULL)
-RETURNS TABLE (loop_id bigint, is_fault boolean, hidden boolean, fault_probability float8, probability_of_code float8, loop_p float8, threshold float8, bound float8,
+RETURNS TABLE (loop_id bigint, is_fault boolean, shown_code text, hidden boolean, fault_probability float8, probability_of_code float8, loop_p float8, threshold float8, bound float8,
                within_share boolean, rare boolean, enters boolean, flag_notice_id bigint, stays boolean) LANGUAGE sql STABLE
 BEGIN ATOMIC
   WITH setting AS (
@@ -26,7 +40,7 @@ BEGIN ATOMIC
     SELECT loop_id, array_agg(code) AS codes, bool_or(code IS NULL AND last_slot IS NULL) AS whatever_the_code, max(last_slot) AS last_slot
     FROM loopscope.hiding GROUP BY loop_id
   ), stay AS (  -- a program of before may have noted a second one
-    SELECT DISTINCT ON (loop_id) loop_id, flag_notice_id FROM loopscope.flag_notice WHERE ended_at IS NULL ORDER BY loop_id, flagged_at, flag_notice_id
+    SELECT DISTINCT ON (loop_id) loop_id, flag_notice_id, code, slot_end FROM loopscope.flag_notice WHERE ended_at IS NULL ORDER BY loop_id, flagged_at, flag_notice_id
   ), asked AS MATERIALIZED (
     SELECT latest.loop_id, latest.code, kind.is_fault, latest.fault_probability, latest.p,
            coalesce(latest.combined_confidence, latest.confidence) AS probability_of_code,
@@ -34,15 +48,20 @@ BEGIN ATOMIC
            -- A model that may claim something makes two: of the next effect, and of what is left.
            greatest(CASE WHEN latest.usable THEN num_nonnulls(latest.nonlinear_p, latest.oscillation_p, latest.harris_p) + CASE WHEN latest.model_excited THEN 2 ELSE 0 END
                          ELSE 0 END, num_nonnulls(latest.p)) AS tests,
-           coalesce(held.whatever_the_code OR latest.code = ANY (held.codes) OR latest.slot_end <= held.last_slot, false) AS hidden,
+           seen.code AS shown_code,
+           coalesce(held.whatever_the_code OR seen.code = ANY (held.codes) OR latest.slot_end <= held.last_slot, false) AS hidden,
            stay.flag_notice_id
     FROM loopscope.latest_verdict AS latest JOIN loopscope.verdict_kind AS kind USING (code)
     LEFT JOIN held USING (loop_id) LEFT JOIN stay USING (loop_id)
+    LEFT JOIN LATERAL loopscope.last_fault(stay.loop_id, stay.slot_end, latest.slot_end) AS last
+      ON NOT kind.is_fault AND stay.flag_notice_id IS NOT NULL
+    -- What the list says of it.
+    CROSS JOIN LATERAL (SELECT CASE WHEN kind.is_fault THEN latest.code ELSE coalesce(last.code, stay.code, latest.code) END AS code) AS seen
     WHERE latest.enabled
   ), shown AS MATERIALIZED (
     SELECT asked.*, asked.is_fault AND asked.probability_of_code >= setting.min_confidence AND NOT asked.hidden AS shown,
            asked.flag_notice_id IS NOT NULL AND NOT asked.hidden AND asked.code <> 'not_controlling' AS may_stay,
-           least(asked.p * asked.tests, 1) AS loop_p
+           CASE WHEN asked.p IS NOT NULL THEN least(asked.p * asked.tests, 1) END AS loop_p
     FROM asked CROSS JOIN setting
   ), scale AS MATERIALIZED (  -- once, not for every loop
     SELECT m * CASE WHEN false_discovery_dependence > 0
@@ -68,11 +87,11 @@ BEGIN ATOMIC
            may_stay AND CASE WHEN shown.fault_probability IS NULL THEN shown.shown OR shown.code = 'insufficient_data' ELSE kept.within_leave_share END AS stays
     FROM shown LEFT JOIN listed USING (loop_id) LEFT JOIN kept USING (loop_id) CROSS JOIN control CROSS JOIN scale CROSS JOIN setting
   )
-  SELECT loop_id, is_fault, hidden, fault_probability, probability_of_code, loop_p, threshold, bound, within_share, coalesce(rare, false),
+  SELECT loop_id, is_fault, shown_code, hidden, fault_probability, probability_of_code, loop_p, threshold, bound, within_share, coalesce(rare, false),
          shown AND within_share AND coalesce(rare, false), flag_notice_id, coalesce(stays, false)
   FROM answered;
 END;
-COMMENT ON FUNCTION loopscope.list_questions(double precision, double precision, double precision) IS 'What the list asks of each analysed, enabled loop, and whether it enters or stays; thresholds as in flagged_at(); threshold = the largest loop_p that passes the control, bound = what one more would have to be below';
+COMMENT ON FUNCTION loopscope.list_questions(double precision, double precision, double precision) IS 'What the list asks of each analysed, enabled loop, and whether it enters or stays; shown_code = the verdict, or, of a stay whose newest window names no fault, the last that did; thresholds as in flagged_at(); threshold = the largest loop_p that passes the control, bound = what one more would have to be below';
 
 -- Other thresholds than those that are set have no stays: what would be flagged is what would enter.
 CREATE FUNCTION loopscope.list_at(rate float8 DEFAULT NULL, dependence float8 DEFAULT NULL, least_confidence float8 DEFAULT NULL)
@@ -96,19 +115,24 @@ BEGIN ATOMIC
     FROM question
     JOIN loopscope.latest_verdict AS latest USING (loop_id)
     LEFT JOIN loopscope.flag_notice AS notice USING (flag_notice_id)
-    -- The newest window, or, where that names no fault, the last of the stay that did.
+    -- The newest window, or, where that names no fault, the last of the stay that did; if no row of it is left, what was noted.
+    LEFT JOIN LATERAL loopscope.last_fault(question.loop_id, CASE WHEN question.is_fault THEN latest.slot_end ELSE notice.slot_end END, latest.slot_end) AS place ON true
+    LEFT JOIN LATERAL (
+      SELECT * FROM loopscope.verdict AS v
+      WHERE v.loop_id = question.loop_id AND v.slot_end = place.slot_end AND v.algorithm_revision = place.algorithm_revision AND v.input_revision = place.input_revision
+      LIMIT 1) AS given ON true
+    LEFT JOIN LATERAL (
+      SELECT * FROM loopscope.analysis AS a
+      WHERE a.loop_id = question.loop_id AND a.slot_end = place.slot_end AND a.algorithm_revision = place.algorithm_revision LIMIT 1) AS analysis ON true
     CROSS JOIN LATERAL (
-      SELECT verdict.code, verdict.confidence, verdict.p, verdict.slot_end, verdict.algorithm_revision, verdict.input_revision, verdict.analysis_id,
-             verdict.summary, verdict.reasons, verdict.action, analysis.nonlinear_p, analysis.ngi, analysis.nli, analysis.oscillation_period_s,
-             analysis.harris_low, analysis.harris_high, verdict.code = 'sensor_fault' AND 'pv_frozen' = ANY (analysis.flags) AS dead,
+      SELECT question.shown_code AS code, coalesce(given.confidence, notice.confidence) AS confidence, given.p, coalesce(given.slot_end, notice.slot_end) AS slot_end,
+             coalesce(given.algorithm_revision, latest.algorithm_revision) AS algorithm_revision, coalesce(given.input_revision, latest.input_revision) AS input_revision,
+             coalesce(given.analysis_id, latest.analysis_id) AS analysis_id, coalesce(given.summary, notice.summary) AS summary,
+             coalesce(given.reasons, '{}') AS reasons, coalesce(given.action, '') AS action, analysis.nonlinear_p, analysis.ngi, analysis.nli, analysis.oscillation_period_s,
+             analysis.harris_low, analysis.harris_high, coalesce(question.is_fault AND question.shown_code = 'sensor_fault' AND 'pv_dead' = ANY (analysis.flags), false) AS dead,
              analysis.combined_probabilities[array_position(
                '{healthy,valve_stiction,valve_deadband,valve_saturation,valve_characteristic,valve_oversized,process_nonlinearity,external_disturbance,process_change,sensor_fault,tight_tuning,sluggish_tuning,nonlinear_unexplained}'::text[],
-               verdict.code)]::double precision AS combined_confidence
-      FROM loopscope.verdict JOIN loopscope.analysis USING (loop_id, slot_end, algorithm_revision)
-      WHERE verdict.loop_id = question.loop_id AND verdict.slot_end <= latest.slot_end
-        AND verdict.slot_end >= CASE WHEN question.is_fault THEN latest.slot_end ELSE notice.slot_end END
-        AND verdict.code NOT IN ('healthy', 'not_controlling', 'insufficient_data')
-      ORDER BY verdict.slot_end DESC, verdict.algorithm_revision DESC, verdict.input_revision DESC LIMIT 1) AS said
+               question.shown_code)]::double precision AS combined_confidence) AS said
     JOIN loopscope.verdict_kind AS kind ON kind.code = said.code
   ), caused AS (
     SELECT source_loop_id, min(number) AS number, max(holds_until) AS holds_until
@@ -120,10 +144,10 @@ BEGIN ATOMIC
          severity, importance, kind_weight, confidence, p, threshold, nonlinear_p,
          slot_end, algorithm_revision, input_revision, analysis_id, summary, reasons, action,
          ngi, nli, oscillation_period_s, harris_low, harris_high,
-         CASE WHEN run.confirmed THEN 'confirmed' ELSE 'watch' END AS status, least(run.since, stay_since), caused.number,
+         CASE WHEN run.confirmed THEN 'confirmed' ELSE 'watch' END AS status, coalesce(least(run.since, stay_since), candidate.slot_end), caused.number,
          combined_confidence, fault_probability, area, unit, description, owner
   FROM candidate
-  CROSS JOIN LATERAL loopscope.verdict_run(candidate.loop_id, candidate.slot_end, candidate.code) AS run
+  LEFT JOIN LATERAL loopscope.verdict_run(candidate.loop_id, candidate.slot_end, candidate.code) AS run ON true
   LEFT JOIN caused ON caused.source_loop_id = candidate.loop_id AND candidate.newest_slot <= caused.holds_until
   ORDER BY rank;
 END;
@@ -140,7 +164,8 @@ COMMENT ON COLUMN loopscope.flagged_loop.area IS 'Area of the plant; null = not 
 COMMENT ON COLUMN loopscope.flagged_loop.description IS 'What the loop controls, in words; null = not said'; COMMENT ON COLUMN loopscope.flagged_loop.owner IS 'Who looks after the loop; null = not said';
 
 CREATE OR REPLACE VIEW loopscope.hidden_loop AS
-  WITH likeliest AS (  -- of the causes behind healthy, whatever the verdict
+  WITH question AS MATERIALIZED (SELECT * FROM loopscope.list_questions()),
+  likeliest AS (  -- of the causes behind healthy, whatever the verdict
     SELECT latest.loop_id, cause.name, cause.probability
     FROM loopscope.latest_verdict AS latest
     CROSS JOIN LATERAL (
@@ -157,8 +182,9 @@ CREATE OR REPLACE VIEW loopscope.hidden_loop AS
            hiding.plant_oscillation_number, hiding.source_loop_name
     FROM loopscope.hiding
     JOIN loopscope.latest_verdict AS latest USING (loop_id)
-    JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
-    WHERE kind.is_fault AND (hiding.code IS NULL OR hiding.code = latest.code) AND (hiding.last_slot IS NULL OR latest.slot_end <= hiding.last_slot)
+    JOIN question USING (loop_id)
+    JOIN loopscope.verdict_kind AS kind ON kind.code = question.shown_code
+    WHERE kind.is_fault AND (hiding.code IS NULL OR hiding.code = question.shown_code) AND (hiding.last_slot IS NULL OR latest.slot_end <= hiding.last_slot)
   ), unlisted AS (
     SELECT question.loop_id,
            CASE WHEN NOT question.rare AND question.is_fault AND question.within_share AND coalesce(question.fault_probability, 1) >= 0.5 THEN 'chance' ELSE 'probability' END AS hidden_by,
@@ -166,7 +192,7 @@ CREATE OR REPLACE VIEW loopscope.hidden_loop AS
                 THEN 'as strong evidence is found by chance too often among so many loops (p ' || trim(to_char(question.loop_p, '9.9EEEE'))
                      || coalesce(', at most ' || trim(to_char(question.bound, '9.9EEEE')) || ' would do', '') || ')'
                 ELSE 'not sure enough for the list (probability ' || round(likeliest.probability::numeric, 2) || ')' END AS reason
-    FROM loopscope.list_questions() AS question JOIN likeliest USING (loop_id)
+    FROM question JOIN likeliest USING (loop_id)
     JOIN loopscope.parameter AS least ON least.name = 'min_confidence'
     WHERE NOT question.enters AND NOT question.stays AND likeliest.probability >= least.value AND likeliest.name NOT IN ('healthy', 'not_controlling', 'insufficient_data')
       AND question.loop_id NOT IN (SELECT loop_id FROM held)
@@ -198,7 +224,7 @@ BEGIN
   PERFORM loopscope.grant_rights_of_0023();
   FOREACH grantee IN ARRAY '{loopscope_worker,loopscope_reader,loopscope_engineer}'::text[] LOOP
     CONTINUE WHEN to_regrole(grantee) IS NULL;
-    EXECUTE 'GRANT EXECUTE ON FUNCTION loopscope.list_questions TO ' || grantee;
+    EXECUTE 'GRANT EXECUTE ON FUNCTION loopscope.list_questions, loopscope.last_fault TO ' || grantee;
   END LOOP;
 END $$;
 COMMENT ON FUNCTION loopscope.grant_rights_of_0023() IS 'The part of grant_rights() that stood before the list asked its questions in a function of their own';

@@ -295,6 +295,7 @@ const Statement kCheckRights{"check_rights", R"(
       ('EXECUTE', 'function loopscope.oldest_program()', true),
       ('EXECUTE', 'function loopscope.flagged_at(float8, float8, float8)', true),
       ('EXECUTE', 'function loopscope.list_questions(float8, float8, float8)', true),
+      ('EXECUTE', 'function loopscope.last_fault(bigint, timestamptz, timestamptz)', true),
       ('EXECUTE', 'function loopscope.verdict_run(bigint, timestamptz, text)', true),
       ('USAGE', 'sequence loopscope.analysis_id', true)
     ) AS checked (privilege, object, needed))"};

@@ -17,8 +17,8 @@ struct Stays {
 };
 
 /// The first slot whose window holds a sample of the fault.
-std::size_t onset_slot(const Watch& watch) {
-  return watch.onset_windows * kSlotsInWindow + 1;
+std::size_t onset_slot(const WatchedLoop& loop, const Watch& watch) {
+  return loop.from_the_start ? 0 : watch.onset_windows * kSlotsInWindow + 1;
 }
 
 std::vector<Stays> stays_of(const std::vector<PlantLoop>& plant,
@@ -33,7 +33,7 @@ std::vector<Stays> stays_of(const std::vector<PlantLoop>& plant,
     const std::vector<bool> listed = flagged_after(now, on_list, rule);
     for (std::size_t k = 0; k < plant.size(); ++k) {
       if (!listed[k] || on_list[k]) continue;
-      const bool stands = plant[k].is_faulty() && slot >= onset_slot(watch);
+      const bool stands = plant[k].is_faulty() && slot >= onset_slot(watched[k], watch);
       if (!stands) stays[k].before.push_back(slot);
       if (stands) ++stays[k].entries;
       if (stands && !stays[k].first_slot) stays[k].first_slot = slot;
@@ -71,20 +71,20 @@ StandingList run_list(const std::vector<PlantLoop>& plant, const std::vector<Wat
     wrong += stays[k].before.size();
     for (const std::size_t slot : stays[k].before)
       list.wrong.push_back(told(plant[k], watched[k].slots[slot], slot));
-    calm_windows += static_cast<double>(faulty ? watch.onset_windows : watch.windows) + 1.0;
+    if (!watched[k].from_the_start)
+      calm_windows += static_cast<double>(faulty ? watch.onset_windows : watch.windows) + 1.0;
     if (!faulty) continue;
     const bool sure = watched[k].single_probability.value_or(0.0) >= kSure;
     ++list.faults;
     if (sure) ++list.sure_faults;
     if (!stays[k].first_slot)
-      list.missed.push_back(
-          told(plant[k], watched[k].slots.back(), watched[k].slots.size() - 1));
+      list.missed.push_back(told(plant[k], watched[k].slots.back(), watched[k].slots.size() - 1));
     if (!stays[k].first_slot) continue;
     ++list.listed;
     entries += stays[k].entries;
     if (!sure) continue;
     ++list.sure_listed;
-    delays.push_back(static_cast<double>(*stays[k].first_slot + 1 - onset_slot(watch)) /
+    delays.push_back(static_cast<double>(*stays[k].first_slot + 1 - onset_slot(watched[k], watch)) /
                      kSlotsInWindow);
   }
   if (list.listed > 0)

@@ -65,6 +65,8 @@ WatchedLoop watch_loop(const PlantLoop& loop, const Watch& watch) {
       loop.record, loop.seed, calm, kSamples * (watch.windows - watch.onset_windows));
   const core::signal::LoopWindow whole = effects::window_of(record, kInterval_s);
   WatchedLoop watched;
+  watched.from_the_start = loop.is_faulty() && record.truth.effects.empty();
+  const std::size_t onset = watched.from_the_start ? 0 : calm;
   Past past;
   for (std::size_t slot = 0; slot <= watch.windows * kSlotsInWindow; ++slot) {
     const std::size_t first = slot * kSamples / kSlotsInWindow;
@@ -72,7 +74,7 @@ WatchedLoop watch_loop(const PlantLoop& loop, const Watch& watch) {
     window.pv_past = past.pv;
     const core::Diagnosis found = core::diagnose(
         window, {}, {.integrating = record.truth.loop.integrating, .seed = loop.seed + slot});
-    if (loop.is_faulty() && first >= calm && !watched.single_probability)
+    if (loop.is_faulty() && first >= onset && !watched.single_probability)
       watched.single_probability = diagnosed(found).fault_probability;
     watched.slots.push_back(judged(found, kInterval_s * static_cast<double>(first), past));
   }

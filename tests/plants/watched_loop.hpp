@@ -22,6 +22,7 @@ struct WatchedLoop {
   /// Probability of a fault by the single window that holds nothing from before the onset, the
   /// first of them; nullopt = none was weighed, or the loop is healthy.
   std::optional<double> single_probability;
+  bool from_the_start = false;  ///< a tuning: there is no time before the fault
 };
 
 /// Of one sample a second, whatever the record's own interval: only samples count here.

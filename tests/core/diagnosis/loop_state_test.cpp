@@ -50,6 +50,18 @@ TEST(LoopState, AMeasurementThatStandsStillGoesBeforeEverything) {
   EXPECT_THAT(evidence_of(verdict), IsEmpty()) << "no other window weakens it";
 }
 
+TEST(LoopState, WhatIsOverIsToldAsOver) {
+  Evidence evidence = recorded_evidence();
+  evidence.still = still_of(1000);
+  evidence.still->run.first = 500;
+  evidence.still->to_the_end = false;
+  evidence.control.wound_up_percent = 100.0;
+  const Verdict verdict = decide(evidence, {});
+  EXPECT_EQ(verdict.code, Code::sensor_fault);
+  EXPECT_THAT(verdict.summary, HasSubstr("stood still for a while"));
+  EXPECT_THAT(verdict.reasons.at(0), HasSubstr("until 2596 samples"));
+}
+
 TEST(LoopState, BesideStatisticsTooAndHealthIsWhatIsLeft) {
   Evidence evidence = recorded_evidence();
   evidence.still = still_of(2000);
@@ -72,6 +84,8 @@ TEST(LoopState, AnOutputAtItsEndIsSaturation) {
   evidence.control.acting_fraction = 0.0;
   evidence.control.reason = signal::NotActing::mode;
   EXPECT_EQ(decide(evidence, {}).code, Code::not_controlling) << "an operator holds it there";
+  evidence.control.acting_fraction = 0.9;
+  EXPECT_EQ(decide(evidence, {}).code, Code::valve_saturation) << "and did so for a while only";
 }
 
 TEST(LoopState, WithoutAControllerNothingIsAFaultAndNothingIsHealthy) {

@@ -62,6 +62,12 @@ TEST(ControlState, AndOneThatStandsWhereItUsuallyDoesNot) {
   EXPECT_TRUE(loop.state().controlling()) << "280 samples are no stretch";
 }
 
+TEST(ControlState, AndOneThatAnOperatorMovesNowAndThen) {
+  OpenLoop loop;
+  for (std::size_t k = 0; k < 1000; ++k) loop.op[k] = 40.0 + 2.0 * static_cast<double>(k / 330);
+  EXPECT_FALSE(loop.state().controlling());
+}
+
 TEST(ControlState, AnOutputAtItsEndUnderALastingErrorIsAController) {
   for (const double end : {0.0, 100.0}) {
     OpenLoop loop;

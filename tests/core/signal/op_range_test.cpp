@@ -1,5 +1,6 @@
 #include "core/signal/op_range.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,6 +61,14 @@ TEST(OpRange, WhatWasSetHoldsUnlessTheValuesContradictIt) {
   EXPECT_EQ(share.doubt, "op never leaves 0 to 1 of 0 to 100");
   EXPECT_THAT(find_op_range(between(0.0, 4000.5), set).doubt, HasSubstr("beyond 0 to 100"));
   EXPECT_EQ(find_op_range(Samples(600, 0.0), set).source, RangeSource::set) << "a closed valve";
+  Samples shut = between(-0.3, 0.4);
+  for (double& value : shut) value = std::max(value, 0.0);
+  EXPECT_EQ(find_op_range(shut, set).source, RangeSource::set)
+      << "one that is shut most of the time";
+  EXPECT_EQ(find_op_range(between(5.0, 18.0), set).source, RangeSource::set) << "5 to 18 %";
+  Samples bad = between(40.0, 60.0);
+  bad[7] = 150.0;
+  EXPECT_EQ(find_op_range(bad, set).source, RangeSource::set) << "one bad value";
 }
 
 }  // namespace

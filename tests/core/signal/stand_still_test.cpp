@@ -99,14 +99,34 @@ TEST(StandStill, AControllerThatHasWoundUpIsInAutomatic) {
 
 TEST(StandStill, ThePastKeepsNeitherWhatStandsNorWhatMayBecomeIt) {
   LiveLoop loop;
-  loop.stand(300, 40, 50.5);
-  loop.stand(800, 200, 49.0);
-  const PvPast past = past_with(loop.recorded(), std::nullopt);
-  EXPECT_DOUBLE_EQ(past.longest_flat_s, 80.0);
+  loop.stand(0, 30, 50.7);
+  loop.stand(200, 20, 50.5);
+  loop.stand(400, 310, 49.5);
+  loop.stand(975, 25, 49.0);
+  const PvPast past = past_with(loop.recorded());
+  EXPECT_DOUBLE_EQ(past.longest_flat_s, 40.0) << "20 samples of 2 s";
   EXPECT_GT(past.step, 0.0);
   loop.past = PvPast{500.0, 1e-6};
-  EXPECT_DOUBLE_EQ(past_with(loop.recorded(), std::nullopt).longest_flat_s, 500.0);
-  EXPECT_DOUBLE_EQ(past_with(loop.recorded(), std::nullopt).step, 1e-6);
+  EXPECT_DOUBLE_EQ(past_with(loop.recorded()).longest_flat_s, 0.995 * 500.0) << "fades";
+  EXPECT_DOUBLE_EQ(past_with(loop.recorded()).step, 1e-6);
+  loop.past.reset();
+  loop.mode.assign(1000, ControlMode::manual);
+  EXPECT_EQ(past_with(loop.recorded()).longest_flat_s, 0.0) << "a shutdown teaches nothing";
+}
+
+TEST(StandStill, AGapAndASecondFailureHideNothing) {
+  LiveLoop loop;
+  loop.stand(500, 500, 49.0);
+  for (std::size_t k = 700; k < 760; ++k) loop.pv[k] = kMissing;
+  ASSERT_TRUE(loop.found());
+  EXPECT_EQ(loop.found()->run.samples, 500U);
+  loop.stand(100, 320, 51.0);
+  ASSERT_TRUE(loop.found());
+  EXPECT_EQ(loop.found()->run.first, 500U) << "the latest";
+  loop.mode.assign(1000, ControlMode::automatic);
+  std::fill(loop.mode.begin() + 500, loop.mode.end(), ControlMode::manual);
+  ASSERT_TRUE(loop.found());
+  EXPECT_EQ(loop.found()->run.first, 100U) << "the other one is in manual";
 }
 
 }  // namespace

@@ -151,6 +151,32 @@ TEST_F(StandingListTest, OfTheNewestWindowThatNamesAFault) {
             (TextRows{{"valve_stiction", "0.85"}}));
 }
 
+TEST_F(StandingListTest, AnAnnotationOfWhatTheListSaysEndsTheStay) {
+  tell_probability(1, 0.99);
+  note();
+  tell({{.loop = "a", .code = VerdictCode::healthy, .slot_hours = 2, .fault_probability = 0.85}});
+  database->execute("UPDATE loopscope.analysis SET combined_probabilities = NULL");
+  EXPECT_THAT(flagged(), ElementsAre("a"));
+  database->execute(
+      "INSERT INTO loopscope.annotation (loop_id, kind, code)"
+      " SELECT loop_id, 'false_positive', 'valve_stiction' FROM loopscope.loop");
+  EXPECT_THAT(flagged(), IsEmpty());
+  EXPECT_EQ(value("SELECT hidden_by FROM loopscope.hidden_loop"), "false_positive");
+  EXPECT_EQ(PlantRounds(settings_for(*database)).announce_flags().ended, 1U);
+  EXPECT_EQ(value("SELECT ended_by FROM loopscope.flag_history"), "annotation");
+}
+
+TEST_F(StandingListTest, AStayOutlivesTheRowsThatItBeganWith) {
+  tell_probability(1, 0.99);
+  note();
+  tell({{.loop = "a", .code = VerdictCode::insufficient_data, .slot_hours = 2, .usable = false}});
+  database->execute(
+      "DELETE FROM loopscope.verdict WHERE code = 'valve_stiction';"
+      "DELETE FROM loopscope.analysis WHERE usable");
+  EXPECT_EQ(database->rows("SELECT loop_name, code, summary FROM loopscope.flagged_loop"),
+            (TextRows{{"a", "valve_stiction", "The valve sticks."}}));
+}
+
 TEST_F(StandingListTest, StaysAreThoseOfCore) {
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> uniform;
@@ -184,7 +210,7 @@ TEST_F(StandingListTest, ADeadMeasurementIsFirst) {
   EXPECT_THAT(flagged(), ElementsAre("sticks", "dead"));
   database->execute(
       "UPDATE loopscope.loop SET importance = 0.01 WHERE name = 'dead';"
-      "UPDATE loopscope.analysis SET flags = '{pv_frozen}' WHERE loop_id ="
+      "UPDATE loopscope.analysis SET flags = '{pv_frozen,pv_dead}' WHERE loop_id ="
       " (SELECT loop_id FROM loopscope.loop WHERE name = 'dead')");
   EXPECT_THAT(flagged(), ElementsAre("dead", "sticks"));
 }
