@@ -88,7 +88,8 @@ CREATE OR REPLACE VIEW loopscope.latest_verdict AS
            verdict.code)]::double precision AS combined_confidence,
          1 - coalesce(analysis.combined_probabilities[1], verdict.cause_probabilities[1])::double precision AS fault_probability,
          loop.area, loop.unit, loop.description, loop.pv_unit, loop.owner,
-         analysis.control_fraction, analysis.control_lost_by, analysis.control_lost_at
+         analysis.control_fraction, analysis.control_lost_by, analysis.control_lost_at,
+         (SELECT max(windows) FROM unnest(analysis.combined_windows) AS windows)::double precision AS windows_together
   FROM loopscope.loop
   JOIN loopscope.schedule USING (loop_id)
   CROSS JOIN LATERAL (
@@ -101,6 +102,8 @@ CREATE OR REPLACE VIEW loopscope.latest_verdict AS
     WHERE measured.loop_id = verdict.loop_id AND measured.slot_end = verdict.slot_end
       AND measured.algorithm_revision = verdict.algorithm_revision
     LIMIT 1) AS analysis;
+
+COMMENT ON COLUMN loopscope.latest_verdict.windows_together IS 'As many windows that share no sample stand behind combined_probabilities; null = they were not combined';
 
 -- A slot in which no controller acted says as little of a fault as one that could not be judged.
 CREATE OR REPLACE FUNCTION loopscope.verdict_run(of_loop bigint, newest_slot timestamptz, of_code text)

@@ -2,6 +2,7 @@
 -- the list follows from what is stored. What is probable and not on the list can be found.
 
 INSERT INTO loopscope.parameter (name, value, unit, description) VALUES
+  ('list_enough_windows', 2, 'windows, > 0', 'From so many windows on that share no sample the odds of all of them decide whether a loop enters the list; before, evidence as strong has to be rare as well'),
   ('list_leave_share', 0.2, 'share, 0 to 1', 'A loop that is on the list stays until the mean of 1 - fault_probability over those that are as probable or more exceeds this, or its fault_probability falls below min_confidence');
 ALTER TABLE loopscope.flag_notice DROP CONSTRAINT flag_notice_ended_by_check,
   ADD CONSTRAINT flag_notice_ended_by_check CHECK (ended_by IN ('verdict', 'annotation', 'plant', 'disabled', 'threshold', 'state'));
@@ -33,6 +34,7 @@ BEGIN ATOMIC
     SELECT coalesce(rate, max(value) FILTER (WHERE name = 'false_discovery_rate')) AS false_discovery_rate,
            max(value) FILTER (WHERE name = 'list_false_share') AS list_false_share,
            max(value) FILTER (WHERE name = 'list_leave_share') AS list_leave_share,
+           max(value) FILTER (WHERE name = 'list_enough_windows') AS list_enough_windows,
            coalesce(dependence, max(value) FILTER (WHERE name = 'false_discovery_dependence')) AS false_discovery_dependence,
            coalesce(least_confidence, max(value) FILTER (WHERE name = 'min_confidence')) AS min_confidence
     FROM loopscope.parameter
@@ -42,7 +44,7 @@ BEGIN ATOMIC
   ), stay AS (  -- a program of before may have noted a second one
     SELECT DISTINCT ON (loop_id) loop_id, flag_notice_id, code, slot_end FROM loopscope.flag_notice WHERE ended_at IS NULL ORDER BY loop_id, flagged_at, flag_notice_id
   ), asked AS MATERIALIZED (
-    SELECT latest.loop_id, latest.code, kind.is_fault, latest.fault_probability, latest.p,
+    SELECT latest.loop_id, latest.code, kind.is_fault, latest.fault_probability, latest.p, latest.windows_together,
            coalesce(latest.combined_confidence, latest.confidence) AS probability_of_code,
            -- A verdict that rests on a test belongs to the family even if its analysis shows none.
            -- A model that may claim something makes two: of the next effect, and of what is left.
@@ -82,7 +84,8 @@ BEGIN ATOMIC
   ), answered AS (
     SELECT shown.*, control.threshold,
            setting.false_discovery_rate * (coalesce(control.passing, 0) + 1) / nullif(scale.scaled_m, 0) AS bound, coalesce(listed.within_share, true) AS within_share,
-           shown.p IS NULL OR shown.loop_p <= control.threshold OR setting.false_discovery_rate >= 1 AS rare,
+           shown.p IS NULL OR shown.loop_p <= control.threshold OR setting.false_discovery_rate >= 1
+             OR coalesce(shown.windows_together >= setting.list_enough_windows AND shown.fault_probability IS NOT NULL, false) AS rare,
            -- A window that could not be judged says nothing: whoever is on the list stays.
            may_stay AND CASE WHEN shown.fault_probability IS NULL THEN shown.shown OR shown.code = 'insufficient_data' ELSE kept.within_leave_share END AS stays
     FROM shown LEFT JOIN listed USING (loop_id) LEFT JOIN kept USING (loop_id) CROSS JOIN control CROSS JOIN scale CROSS JOIN setting

@@ -21,6 +21,7 @@ struct DiagnosedLoop {
   std::vector<std::string> steps;
   /// 1 less the probability of healthy; nullopt = nothing was weighed.
   std::optional<double> fault_probability = std::nullopt;
+  double windows = 0.0;  ///< that share no sample and are behind it; 0 = of one window alone
 };
 
 [[nodiscard]] DiagnosedLoop diagnosed(const core::Diagnosis& diagnosis);

@@ -48,7 +48,8 @@ std::vector<bool> flagged(const std::vector<DiagnosedLoop>& loops, const FlagRul
   std::vector<bool> result;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const bool probable = !loops[k].fault_probability || listed[k];
-    const bool rare = !loops[k].p || control.flagged[k] || rule.false_discovery_rate >= 1.0;
+    const bool rare = !loops[k].p || control.flagged[k] || rule.false_discovery_rate >= 1.0 ||
+                      loops[k].windows >= rule.enough_windows;
     result.push_back(is_shown(loops[k], rule) && probable && rare);
   }
   return result;

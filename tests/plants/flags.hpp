@@ -13,6 +13,7 @@ struct FlagRule {
   double min_confidence = 0.3;
   double list_false_share = 0.02;
   double list_leave_share = 0.2;
+  double enough_windows = 2.0;
 };
 
 /// Which loops the view flagged_loop would show, in their order: core/plant/README.md.

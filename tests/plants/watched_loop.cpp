@@ -45,6 +45,7 @@ DiagnosedLoop judged(const core::Diagnosis& found, double start_s, Past& past) {
                                        found.evidence.model.has_value(), evidence};
   const bool alone = diagnosis::stands_alone(past.odds, window);
   past.odds = diagnosis::combine(past.odds, window);
+  result.windows = diagnosis::most_windows(*past.odds);
   if (alone) return result;
   const diagnosis::PerCause all = diagnosis::probabilities_of(*past.odds, found.verdict.priors);
   const auto of = [&](diagnosis::VerdictCode code) -> std::optional<double> {

@@ -151,6 +151,17 @@ TEST_F(StandingListTest, OfTheNewestWindowThatNamesAFault) {
             (TextRows{{"valve_stiction", "0.85"}}));
 }
 
+TEST_F(StandingListTest, AfterTwoWindowsOddsAloneDecide) {
+  tell({{.loop = "a", .p = 0.9, .oscillation_p = 0.9, .fault_probability = 0.999}});
+  EXPECT_THAT(flagged(), IsEmpty());
+  EXPECT_EQ(value("SELECT hidden_by FROM loopscope.hidden_loop"), "chance");
+  for (const auto& [windows, listed] : {std::pair{"1.9", 0U}, {"2.1", 1U}}) {
+    database->execute(std::string("UPDATE loopscope.analysis SET combined_windows = '{0.5,") +
+                      windows + "}'");
+    EXPECT_EQ(flagged().size(), listed) << windows;
+  }
+}
+
 TEST_F(StandingListTest, AnAnnotationOfWhatTheListSaysEndsTheStay) {
   tell_probability(1, 0.99);
   note();

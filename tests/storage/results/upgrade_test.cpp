@@ -101,9 +101,9 @@ class UpgradeTest : public testing::Test {
   TextRows before;
 };
 
-/// list_false_share, of schema 22, and list_leave_share, of schema 24.
+/// list_false_share, of schema 22; list_leave_share and list_enough_windows, of schema 24.
 std::size_t new_parameters(int former) {
-  return former < 22 ? 2 : 1;
+  return former < 22 ? 3 : 2;
 }
 
 /// From each version that a program was given out with.
