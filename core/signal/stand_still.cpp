@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <vector>
 
 #include "core/signal/lasting_error.hpp"
@@ -141,9 +140,9 @@ std::optional<StandStill> find_stand_still(const RecordedLoop& loop) {
   std::vector<FlatRun> runs = flat_runs(loop.pv);
   std::erase_if(runs, [&](const FlatRun& run) { return in_manual(loop, run); });
   const double before = loop.past ? loop.past->longest_flat_s / loop.sample_interval_s : 0.0;
-  for (const FlatRun& run : std::views::reverse(runs)) {
-    if (!is_unusually_long(run, runs, before)) continue;
-    if (const StandStill still = described(loop, run); is_noticed(loop, still)) return still;
+  for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+    if (!is_unusually_long(*run, runs, before)) continue;
+    if (const StandStill still = described(loop, *run); is_noticed(loop, still)) return still;
   }
   return std::nullopt;
 }

@@ -4,10 +4,8 @@ ALTER TABLE loopscope.loop ADD COLUMN area text CHECK (area <> ''), ADD COLUMN u
   ADD COLUMN pv_unit text CHECK (pv_unit <> ''), ADD COLUMN owner text CHECK (owner <> ''),
   ADD COLUMN pv_low double precision, ADD COLUMN pv_high double precision,
   ADD CONSTRAINT loop_pv_range CHECK ((pv_low IS NULL) = (pv_high IS NULL) AND (pv_low IS NULL OR pv_low < pv_high));
-COMMENT ON COLUMN loopscope.loop.pv_low IS 'pv at 0 % of its transmitter; null = range unknown';
-COMMENT ON COLUMN loopscope.loop.pv_high IS 'pv at 100 % of its transmitter; null = range unknown';
-COMMENT ON COLUMN loopscope.loop.area IS 'Area of the plant; null = not said';
-COMMENT ON COLUMN loopscope.loop.unit IS 'Process unit within the area; null = not said';
+COMMENT ON COLUMN loopscope.loop.pv_low IS 'pv at 0 % of its transmitter; null = range unknown'; COMMENT ON COLUMN loopscope.loop.pv_high IS 'pv at 100 % of its transmitter; null = range unknown';
+COMMENT ON COLUMN loopscope.loop.area IS 'Area of the plant; null = not said'; COMMENT ON COLUMN loopscope.loop.unit IS 'Process unit within the area; null = not said';
 COMMENT ON COLUMN loopscope.loop.description IS 'What the loop controls, in words; null = not said';
 COMMENT ON COLUMN loopscope.loop.pv_unit IS 'Unit of sp and pv, such as m3/h; null = not said';
 COMMENT ON COLUMN loopscope.loop.owner IS 'Who looks after the loop; null = not said';

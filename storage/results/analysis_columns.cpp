@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "core/signal/grid.hpp"
 #include "storage/array_literal.hpp"
+#include "storage/results/control_columns.hpp"
 #include "storage/results/hos_columns.hpp"
 
 namespace loopscope::storage {
@@ -43,33 +43,6 @@ using core::loop::Performance;
 using core::loop::Shape;
 using core::signal::ControlState;
 using core::signal::DataQuality;
-using core::signal::NotActing;
-
-constexpr const char* kNotControlled = "no controller acted for most of the window";
-
-/// A window without a controller shows no loop.
-bool is_controlled(const CompletedLoop& loop) {
-  return record(loop).diagnosis.verdict.code != core::diagnosis::VerdictCode::not_controlling;
-}
-
-void add_lost_by(ArrayLiteral& array, const CompletedLoop& loop) {
-  switch (evidence(loop).control.reason) {
-    case NotActing::none:
-      return array.add_null();
-    case NotActing::mode:
-      return array.add_text("mode");
-    case NotActing::constant_output:
-      return array.add_text("constant_output");
-  }
-}
-
-void add_lost_at(ArrayLiteral& array, const CompletedLoop& loop) {
-  const std::optional<std::size_t>& sample = evidence(loop).control.lost_at;
-  if (!sample) return array.add_null();
-  const core::signal::Grid grid{record(loop).window_start_us, record(loop).sample_interval_s,
-                                record(loop).samples};
-  array.add_time(grid.time_us(*sample));
-}
 
 template <auto member>
 constexpr auto quality = add_figure<&Evidence::data_quality, member>;
@@ -146,10 +119,7 @@ const std::array kColumns{
            add_figure<&Evidence::control, &ControlState::acting_fraction>},
     Column{"control_lost_by", "text", add_lost_by},
     Column{"control_lost_at", "timestamptz", add_lost_at},
-    Column{"op_range_doubt", "text",
-           [](ArrayLiteral& a, const CompletedLoop& l) {
-             add_optional_text(a, evidence(l).op_range_doubt);
-           }},
+    Column{"op_range_doubt", "text", add_doubt},
     Column{"past_pv_flat_s", "float8",
            [](ArrayLiteral& a, const CompletedLoop& l) {
              const auto& past = record(l).pv_past;

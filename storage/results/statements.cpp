@@ -10,8 +10,9 @@ const Statement kStoredDigests{"stored_digests", R"(
            analysis.modelled
     FROM unnest($1::bigint[], $2::timestamptz[]) AS wanted (loop_id, slot_end)
     CROSS JOIN LATERAL (
-      SELECT stored.input_digest, stored.usable, stored.settings = $4::jsonb AS same_settings,
-             stored.model IS NOT NULL AS modelled
+      SELECT stored.input_digest, stored.settings = $4::jsonb AS same_settings,
+             stored.model IS NOT NULL AS modelled,
+             stored.usable OR 'pv_frozen' = ANY (stored.flags) AS usable
       FROM loopscope.analysis AS stored
       WHERE stored.loop_id = wanted.loop_id AND stored.slot_end = wanted.slot_end
         AND stored.algorithm_revision = $3::integer
@@ -113,28 +114,25 @@ const Statement kFindLoop{"find_loop",
 const Statement kSaveLoops{"save_loops", R"(
     INSERT INTO loopscope.loop AS kept (name, source, sp_tag, pv_tag, op_tag, mv_tag, mode_tag,
                                         interval_s, period_s, op_low, op_high, loop_type,
-                                        importance, enabled, area, unit, description, pv_unit,
-                                        owner, pv_low, pv_high)
+        importance, enabled, area, unit, description, pv_unit, owner, pv_low, pv_high)
     SELECT name, source, nullif(sp_tag, ''), pv_tag, nullif(op_tag, ''), nullif(mv_tag, ''),
            nullif(mode_tag, ''), interval_s, period_s, op_low, op_high, nullif(loop_type, ''),
            importance, enabled, nullif(area, ''), nullif(unit, ''), nullif(description, ''),
            nullif(pv_unit, ''), nullif(owner, ''), pv_low, pv_high
     FROM unnest($1::text[], $2::text[], $3::text[], $4::text[], $5::text[], $6::text[], $7::text[],
                 $8::float8[], $9::float8[], $10::float8[], $11::float8[], $12::text[],
-                $13::float8[], $14::boolean[], $15::text[], $16::text[], $17::text[], $18::text[],
-                $19::text[], $20::float8[], $21::float8[])
+        $13::float8[], $14::boolean[], $15::text[], $16::text[], $17::text[], $18::text[], $19::text[],
+        $20::float8[], $21::float8[])
       AS entry (name, source, sp_tag, pv_tag, op_tag, mv_tag, mode_tag, interval_s, period_s,
-                op_low, op_high, loop_type, importance, enabled, area, unit, description, pv_unit,
-                owner, pv_low, pv_high)
+        op_low, op_high, loop_type, importance, enabled, area, unit, description, pv_unit, owner,
+        pv_low, pv_high)
     ON CONFLICT (name) DO UPDATE SET
       source = EXCLUDED.source, sp_tag = EXCLUDED.sp_tag, pv_tag = EXCLUDED.pv_tag,
       op_tag = EXCLUDED.op_tag, mv_tag = EXCLUDED.mv_tag, mode_tag = EXCLUDED.mode_tag,
       interval_s = EXCLUDED.interval_s, period_s = EXCLUDED.period_s, op_low = EXCLUDED.op_low,
       op_high = EXCLUDED.op_high, loop_type = EXCLUDED.loop_type,
-      importance = EXCLUDED.importance, enabled = EXCLUDED.enabled, area = EXCLUDED.area,
-      unit = EXCLUDED.unit, description = EXCLUDED.description, pv_unit = EXCLUDED.pv_unit,
-      owner = EXCLUDED.owner, pv_low = EXCLUDED.pv_low, pv_high = EXCLUDED.pv_high,
-      changed_at = now()
+      importance = EXCLUDED.importance, enabled = EXCLUDED.enabled, area = EXCLUDED.area, unit = EXCLUDED.unit, description = EXCLUDED.description, pv_unit = EXCLUDED.pv_unit,
+      owner = EXCLUDED.owner, pv_low = EXCLUDED.pv_low, pv_high = EXCLUDED.pv_high, changed_at = now()
     RETURNING kept.loop_id, kept.xmax = 0 AS is_new)"};
 
 const Statement kSetEnabled{"set_enabled", R"(
@@ -271,7 +269,7 @@ const Statement kCheckRights{"check_rights", R"(
                 WHEN object = 'loopscope.schedule' AND privilege = 'UPDATE'
                 THEN (SELECT bool_and(has_column_privilege(object, name, privilege))
                       FROM unnest(ARRAY['visible_at', 'owner', 'fence', 'attempts', 'lost_leases',
-                                        'last_error', 'last_slot_end', 'result_slot_end', 'pv_flat_s', 'pv_step']) AS name)
+                        'last_error', 'last_slot_end', 'result_slot_end', 'pv_flat_s', 'pv_step']) AS name)
                 WHEN privilege = 'UPDATE'
                 THEN has_any_column_privilege(object, privilege)
                 ELSE has_table_privilege(object, privilege) END AS granted
@@ -295,7 +293,6 @@ const Statement kCheckRights{"check_rights", R"(
       ('EXECUTE', 'function loopscope.oldest_program()', true),
       ('EXECUTE', 'function loopscope.flagged_at(float8, float8, float8)', true),
       ('EXECUTE', 'function loopscope.list_questions(float8, float8, float8)', true),
-      ('EXECUTE', 'function loopscope.last_fault(bigint, timestamptz, timestamptz)', true),
       ('EXECUTE', 'function loopscope.verdict_run(bigint, timestamptz, text)', true),
       ('USAGE', 'sequence loopscope.analysis_id', true)
     ) AS checked (privilege, object, needed))"};

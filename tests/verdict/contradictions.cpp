@@ -140,8 +140,7 @@ constexpr std::array kAll = {
                            !core::diagnosis::op_speaks(e) && !e.control.held_at_limit;
                   },
                   [](Evidence& e, Verdict& v) {
-                    e.data_quality.flags = {"op_missing"};
-                    e.control = {};
+                    e.data_quality.flags = {"op_missing"}, e.control = {};
                     v.code = Code::valve_stiction;
                   }},
     Contradiction{"healthy, and not controlling",
