@@ -93,4 +93,9 @@ const CatalogueEntry& catalogue_entry(VerdictCode code) {
   return kCatalogue.at(static_cast<std::size_t>(code));
 }
 
+Verdict verdict_with(VerdictCode code, double confidence) {
+  const CatalogueEntry& entry = catalogue_entry(code);
+  return {code, confidence, std::string(entry.summary), {}, std::string(entry.action)};
+}
+
 }  // namespace loopscope::core::diagnosis

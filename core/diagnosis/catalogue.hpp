@@ -29,4 +29,7 @@ struct CatalogueEntry {
 
 [[nodiscard]] const CatalogueEntry& catalogue_entry(VerdictCode code);
 
+/// A verdict in the catalogue's words, without reasons. `confidence` from 0 to 1.
+[[nodiscard]] Verdict verdict_with(VerdictCode code, double confidence);
+
 }  // namespace loopscope::core::diagnosis

@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <utility>
 #include <vector>
 
+#include "core/diagnosis/action.hpp"
 #include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/disturbance_words.hpp"
 #include "core/diagnosis/loop_state.hpp"
 #include "core/diagnosis/nonlinearity.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/reasons.hpp"
+#include "core/diagnosis/state_verdict.hpp"
 #include "core/diagnosis/structure.hpp"
 #include "core/diagnosis/verdict_p.hpp"
 #include "core/diagnosis/words.hpp"
@@ -20,23 +21,9 @@
 namespace loopscope::core::diagnosis {
 namespace {
 
-using Causes = std::vector<WeighedCause>;
-
 /// Nonlinear or not is a question with two answers, and the likelier one is said; of a dozen causes
 /// one may be named sooner.
 constexpr double kLikelier = 0.5;
-
-double probability_in(const Causes& causes, VerdictCode code) {
-  const auto found = std::ranges::find(causes, code, &WeighedCause::code);
-  return found == causes.end() ? 0.0 : found->probability();
-}
-
-/// Of valve and controller nothing is said where op says nothing.
-bool needs_op(VerdictCode code) {
-  const plant::Fault blames = catalogue_entry(code).blames;
-  return blames == plant::Fault::friction || blames == plant::Fault::valve ||
-         blames == plant::Fault::tuning;
-}
 
 bool may_be_named(const WeighedCause& cause, const Circumstances& circumstances) {
   if (cause.code == VerdictCode::healthy || cause.code == VerdictCode::nonlinear_unexplained)
@@ -57,51 +44,11 @@ double confidence_in(VerdictCode code, const Causes& causes) {
   return 1.0 - largest;
 }
 
-Verdict verdict_with(VerdictCode code, double confidence) {
-  const CatalogueEntry& entry = catalogue_entry(code);
-  return {code, confidence, std::string(entry.summary), {}, std::string(entry.action)};
-}
-
 /// No cause: certain, and outside of what is weighed.
 Verdict insufficient(const Evidence& evidence) {
   Verdict verdict = verdict_with(VerdictCode::insufficient_data, 1.0);
   verdict.reasons = {evidence.data_quality.reason + "."};
   return verdict;
-}
-
-Verdict not_controlling(const Evidence& evidence, const hos::Settings& settings) {
-  Verdict verdict = verdict_with(VerdictCode::not_controlling, 1.0);
-  verdict.summary = not_controlling_summary(evidence);
-  verdict.action = not_controlling_action(evidence);
-  if (evidence.hos) verdict.reasons = findings(evidence, judge_nonlinearity(evidence, settings));
-  return verdict;
-}
-
-bool is_tuning(VerdictCode code) {
-  return catalogue_entry(code).blames == plant::Fault::tuning;
-}
-
-/// What would show where the nonlinearity is.
-std::string record_more(const Evidence& evidence) {
-  if (!op_speaks(evidence)) return "Record the controller output (op), then analyse again.";
-  if (evidence.shape.mv_op_width)
-    return "Do a stroke test; compare pv with the valve position at several levels.";
-  return std::string(catalogue_entry(VerdictCode::nonlinear_unexplained).action);
-}
-
-/// Tuning waits while a valve or a sensor is to be mended, and more so where that is the verdict.
-std::string action_with(VerdictCode code, const Evidence& evidence, const Causes& causes,
-                        double line) {
-  if (code == VerdictCode::nonlinear_unexplained) return record_more(evidence);
-  std::string own(catalogue_entry(code).action);
-  // The words for saturation say so already.
-  if (code == VerdictCode::valve_saturation) return own;
-  if (catalogue_entry(code).withholds_tuning) return own + tuning_waits();
-  if (!is_tuning(code)) return own;
-  const auto first = std::ranges::find_if(causes, [&](const WeighedCause& cause) {
-    return catalogue_entry(cause.code).withholds_tuning && cause.probability() >= line;
-  });
-  return first == causes.end() ? own : action_with(first->code, evidence, causes, line);
 }
 
 /// A wave has another action than a load that moves.
@@ -129,14 +76,6 @@ Verdict not_in_command(const Evidence& evidence, const NonlinearityFinding& nonl
   return verdict;
 }
 
-/// Of valve and controller nothing is known where op says nothing.
-Causes known_causes(const Evidence& evidence, const DecisionSettings& decision) {
-  Causes causes = weigh_causes(evidence, decision);
-  if (!op_speaks(evidence))
-    std::erase_if(causes, [](const WeighedCause& cause) { return needs_op(cause.code); });
-  return causes;
-}
-
 /// Even for the most favourable delay less than a third of what the best controller leaves.
 constexpr double kSlowHarris = 0.3;
 
@@ -154,53 +93,6 @@ void note_slowness(const Evidence& evidence, const Causes& causes, Verdict& verd
       "Nothing has to be repaired. Where the error matters, raise the controller gain or speed up "
       "the integral action in small steps (sluggish tuning is " +
       percent(probability_in(causes, VerdictCode::sluggish_tuning)) + " probable).";
-}
-
-/// A state that is seen raises its cause, and leaves health what is left.
-void put_state(VerdictCode code, const PerCause& priors, Causes& causes) {
-  const auto cause_of = [&](VerdictCode wanted) {
-    const auto found = std::ranges::find(causes, wanted, &WeighedCause::code);
-    if (found != causes.end()) return found;
-    const double prior = priors[static_cast<std::size_t>(wanted)].value();
-    return causes.insert(causes.end(), {wanted, log_odds_of(prior), prior, {}});
-  };
-  const auto seen = cause_of(code);
-  seen->log_odds += state_evidence();
-  const double most_of_health = -seen->log_odds;
-  const auto health = cause_of(VerdictCode::healthy);
-  health->log_odds = std::min(health->log_odds, most_of_health);
-  std::ranges::stable_sort(causes, std::greater{}, &WeighedCause::log_odds);
-}
-
-/// A fault that is seen goes before causes that are weighed: a dead transmitter or an output at its
-/// end is mended first, whatever else the record shows.
-Verdict by_state(VerdictCode code, const Evidence& evidence, const hos::Settings& settings,
-                 const DecisionSettings& decision) {
-  Causes causes = evidence.hos ? known_causes(evidence, decision) : Causes{};
-  put_state(code, priors_of(decision), causes);
-  Verdict verdict = verdict_with(code, probability_in(causes, code));
-  for (const WeighedCause& cause : causes) verdict.causes.push_back(report_of(cause));
-  if (evidence.hos) verdict.reasons = findings(evidence, judge_nonlinearity(evidence, settings));
-  verdict.action = action_with(code, evidence, causes, decision.line);
-  verdict.stands_alone = true;
-  return verdict;
-}
-
-Verdict of_state(LoopState state, const Evidence& evidence, const hos::Settings& settings,
-                 const DecisionSettings& decision) {
-  Verdict verdict = state == LoopState::not_controlling
-                        ? not_controlling(evidence, settings)
-                        : by_state(state == LoopState::stands_still ? VerdictCode::sensor_fault
-                                                                    : VerdictCode::valve_saturation,
-                                   evidence, settings, decision);
-  if (state == LoopState::stands_still) {
-    verdict.summary = frozen_summary(evidence);
-    verdict.action = frozen_action() + tuning_waits();
-  }
-  std::vector<std::string> seen = state_text(state, evidence);
-  verdict.reasons.insert(verdict.reasons.begin(), std::move_iterator(seen.begin()),
-                         std::move_iterator(seen.end()));
-  return verdict;
 }
 
 /// The log odds of this window give way to those of all.
@@ -233,7 +125,7 @@ Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearit
   if (combined)
     verdict.reasons.insert(verdict.reasons.begin(),
                            windows_text(*combined, confidence_in(code, alone)));
-  verdict.action = action_with(code, evidence, causes, decision.line);
+  verdict.action = action_for(code, evidence, causes, decision.line);
   verdict.p = p_of_verdict(code, evidence);
   note_slowness(evidence, causes, verdict);
   if (code == VerdictCode::external_disturbance) tell_disturbance(evidence, verdict);
@@ -252,7 +144,7 @@ void note_window(const Evidence& evidence, Verdict& verdict) {
 Verdict said_of(const Evidence& evidence, const hos::Settings& settings,
                 const DecisionSettings& decision, const CombinedOdds* combined) {
   if (const LoopState state = state_of(evidence); state != LoopState::none)
-    return of_state(state, evidence, settings, decision);
+    return verdict_of_state(state, evidence, settings, decision);
   if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
   const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);
   Verdict verdict = has_flag(evidence, "sp_not_followed")

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "core/diagnosis/decision_settings.hpp"
 #include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/odds/cause_odds.hpp"
@@ -20,12 +18,13 @@ struct Circumstances {
 };
 
 /// The code that the probabilities come to; see decide(). The most probable cause comes first.
-[[nodiscard]] VerdictCode code_for(const std::vector<WeighedCause>& causes,
-                                   const Circumstances& circumstances, double line);
+[[nodiscard]] VerdictCode code_for(const Causes& causes, const Circumstances& circumstances,
+                                   double line);
 
 /// From evidence to verdict. Each cause has log odds, a sum of weights over figures
 /// (cause_odds.hpp); the verdict is the most probable cause above the line:
 ///
+///     a state that the data show (loop_state.hpp)     -> its verdict
 ///     no data to judge                                -> insufficient_data
 ///     setpoint not followed at all                    -> unexplained (not in command)
 ///     the most probable cause is above the line and at least as probable as healthy

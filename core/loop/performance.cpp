@@ -1,6 +1,5 @@
 #include "core/loop/performance.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/loop/error_memory.hpp"
@@ -8,6 +7,7 @@
 #include "core/loop/if_finite.hpp"
 #include "core/loop/valve_work.hpp"
 #include "core/loop/variance_error.hpp"
+#include "core/signal/mode_counts.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::loop {
@@ -16,14 +16,9 @@ namespace {
 constexpr double kSecondsPerHour = 3600.0;
 
 std::optional<double> auto_fraction_of(std::span<const signal::ControlMode> mode) {
-  using signal::ControlMode;
-  const auto known = mode.size() - static_cast<std::size_t>(
-                                       std::count(mode.begin(), mode.end(), ControlMode::unknown));
-  if (known == 0) return std::nullopt;
-  const auto automatic = std::count_if(mode.begin(), mode.end(), [](ControlMode m) {
-    return m == ControlMode::automatic || m == ControlMode::cascade;
-  });
-  return static_cast<double>(automatic) / static_cast<double>(known);
+  const signal::ModeCounts modes = signal::count_modes(mode);
+  if (modes.known() == 0) return std::nullopt;
+  return static_cast<double>(modes.automatic) / static_cast<double>(modes.known());
 }
 
 }  // namespace

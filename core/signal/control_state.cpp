@@ -24,30 +24,28 @@ bool lasting_at_end(const ControlRecord& record, const FlatRun& run) {
          keeps_its_sign(record.error.subspan(run.first, run.samples));
 }
 
-/// An operator moves the output a few times a shift, a controller all the time.
+/// An operator moves the output a few times a shift. Far below what stand_still.cpp takes for a
+/// controller at work: between the two an output alone says neither.
 bool is_moved_by_hand(const ControlRecord& record) {
   constexpr double kFewMoves = 0.005;
   return share_of_moves(record.op_percent) < kFewMoves;
 }
 
-/// Of an output that is constant throughout, stands still where it usually does not, or is moved by
-/// hand.
+/// Of an output that stands still where it usually does not, or is moved by hand.
 bool is_unattended(const ControlRecord& record, const FlatRun& run, std::span<const FlatRun> runs) {
-  if (lasting_at_end(record, run)) return false;
-  const std::optional<Spread> whole = measure_spread(record.op_percent);
-  if (whole && whole->constant()) return true;
-  const bool by_hand = is_long(run) && is_moved_by_hand(record);
-  if (!by_hand && !is_unusually_long(run, runs)) return false;
+  if (!is_long(run) || lasting_at_end(record, run)) return false;
+  if (!is_moved_by_hand(record) && !is_unusually_long(run, runs)) return false;
   const auto error = measure_spread(record.error.subspan(run.first, run.samples));
   return error && !error->constant();
 }
 
-std::vector<Acting> by_output(const ControlRecord& record) {
-  const bool recorded = measure_spread(record.op_percent).has_value();
-  std::vector<Acting> acting(record.error.size(), recorded ? Acting::yes : Acting::unknown);
+/// `op`: spread of the output, nullopt = not recorded.
+std::vector<Acting> by_output(const ControlRecord& record, const std::optional<Spread>& op) {
+  std::vector<Acting> acting(record.error.size(), op ? Acting::yes : Acting::unknown);
   const std::vector<FlatRun> runs = flat_runs(record.op_percent);
   for (const FlatRun& run : runs) {
-    if (!is_unattended(record, run, runs)) continue;
+    const bool constant = op && op->constant() && !lasting_at_end(record, run);
+    if (!constant && !is_unattended(record, run, runs)) continue;
     std::fill_n(acting.begin() + static_cast<std::ptrdiff_t>(run.first), run.samples,
                 Acting::no_by_output);
   }
@@ -117,7 +115,7 @@ bool ControlState::controlling() const {
 
 ControlState find_control_state(const ControlRecord& record) {
   const std::optional<Spread> op = measure_spread(record.op_percent);
-  std::vector<Acting> acting = by_output(record);
+  std::vector<Acting> acting = by_output(record, op);
   put_modes(record.mode, op && op->constant(), acting);
   const auto count = [&](Acting which) {
     return static_cast<double>(std::ranges::count(acting, which));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/signal/gaps.hpp"
+#include "core/signal/mode_counts.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
@@ -37,17 +38,6 @@ double share(std::size_t part, std::size_t whole) {
 
 std::string percent_text(double share_of_one) {
   return std::to_string(std::lround(100.0 * share_of_one)) + " %";
-}
-
-/// Share of the samples with a known mode that the controller was in manual.
-double manual_fraction(const std::vector<ControlMode>& mode) {
-  std::size_t known = 0;
-  std::size_t manual = 0;
-  for (const ControlMode sample : mode) {
-    if (sample != ControlMode::unknown) ++known;
-    if (sample == ControlMode::manual) ++manual;
-  }
-  return share(manual, known);
 }
 
 /// Holes are gaps of an archive that stores every sample, and none of one that does not.
@@ -189,7 +179,7 @@ void raise_flags(const PreparedLoop& loop, DataQuality& quality) {
   flags.add(has_op && source == RangeSource::unknown, "op_range_unknown");
   flags.add(has_op && source == RangeSource::inferred, "op_range_inferred");
   flags.add(has_op && !loop.op_range.doubt.empty(), "op_range_doubted");
-  flags.add(manual_fraction(loop.mode) > 0.0, "manual_mode");
+  flags.add(count_modes(loop.mode).manual > 0, "manual_mode");
   flags.add(loop.repeated_times > 0, "repeated_times");
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/signal/lasting_error.hpp"
 #include "core/signal/median.hpp"
+#include "core/signal/mode_counts.hpp"
 #include "core/signal/op_scale.hpp"
 #include "core/signal/spread.hpp"
 
@@ -64,9 +65,8 @@ std::span<const Value> part(std::span<const Value> series, const FlatRun& run) {
   return series.empty() ? series : series.subspan(run.first, run.samples);
 }
 
-double share_of(std::span<const ControlMode> mode, auto among) {
-  if (mode.empty()) return 0.0;
-  return static_cast<double>(std::ranges::count_if(mode, among)) / static_cast<double>(mode.size());
+bool is_most_of(const FlatRun& run, std::size_t samples) {
+  return static_cast<double>(samples) > kMostOfRun * static_cast<double>(run.samples);
 }
 
 /// An operator moves the output now and then, a controller all the time.
@@ -77,12 +77,9 @@ bool is_at_work(std::span<const double> op) {
 
 /// By the mode where it is recorded, else by op.
 bool in_automatic(const RecordedLoop& loop, const FlatRun& run) {
-  const auto mode = part(loop.mode, run);
-  const auto unknown = [](ControlMode m) { return m == ControlMode::unknown; };
-  if (mode.empty() || share_of(mode, unknown) > kMostOfRun) return is_at_work(part(loop.op, run));
-  return share_of(mode, [](ControlMode m) {
-           return m == ControlMode::automatic || m == ControlMode::cascade;
-         }) > kMostOfRun;
+  const ModeCounts modes = count_modes(part(loop.mode, run));
+  if (modes.known() == 0 || is_most_of(run, modes.unknown)) return is_at_work(part(loop.op, run));
+  return is_most_of(run, modes.automatic);
 }
 
 /// A controller that has wound up is in automatic, recorded or not.
@@ -91,8 +88,7 @@ bool wound_up(const RecordedLoop& loop, const FlatRun& run) {
 }
 
 bool in_manual(const RecordedLoop& loop, const FlatRun& run) {
-  return share_of(part(loop.mode, run), [](ControlMode m) { return m == ControlMode::manual; }) >
-         kMostOfRun;
+  return is_most_of(run, count_modes(part(loop.mode, run)).manual);
 }
 
 std::vector<double> error_in(const RecordedLoop& loop, const FlatRun& run) {

@@ -26,12 +26,12 @@ struct StandStill {
 
 /// What is asked; series are empty (not recorded) or as long as `pv`.
 struct RecordedLoop {
-  std::span<const double> pv;  ///< as recorded: nothing bridged, nothing discarded
-  std::span<const double> sp;
-  std::span<const double> op;  ///< % of its range, or op units
+  std::span<const double> pv = {};  ///< as recorded: nothing bridged, nothing discarded
+  std::span<const double> sp = {};
+  std::span<const double> op = {};  ///< % of its range, or op units
   bool op_in_percent = false;
-  std::span<const ControlMode> mode;
-  std::optional<PvPast> past;  ///< of pv before the window
+  std::span<const ControlMode> mode = {};
+  std::optional<PvPast> past = std::nullopt;  ///< of pv before the window
   double sample_interval_s = 1.0;
 };
 

@@ -1,7 +1,7 @@
 #include "daemon/recording/analyse_recording.hpp"
 
 #include "core/signal/grid.hpp"
-#include "core/signal/prepare.hpp"
+#include "core/signal/stand_still.hpp"
 #include "core/signal/window_digest.hpp"
 #include "daemon/recording/time_text.hpp"
 
@@ -32,12 +32,12 @@ std::optional<core::signal::PvPast> past_of(const Recording& recording,
                                             const LoopWindow& window) {
   if (window.size() == 0) return std::nullopt;
   constexpr std::size_t kMostPastWindows = 16;
-  core::signal::PrepareSettings prepare = settings.prepare;
-  prepare.window_samples *= kMostPastWindows;
   const LoopWindow before =
-      last_window(recording, prepare.window_samples, window.op_range, window.start_us - 1);
+      last_window(recording, kMostPastWindows * settings.prepare.window_samples, window.op_range,
+                  window.start_us - 1);
   if (before.size() == 0) return std::nullopt;
-  return core::signal::prepare(before, prepare).past;
+  return core::signal::past_with(
+      {.pv = before.pv, .mode = before.mode, .sample_interval_s = before.sample_interval_s});
 }
 
 }  // namespace

@@ -57,11 +57,10 @@ std::string ranked_list(const std::vector<FlaggedRow>& flagged, std::int64_t sin
   if (flagged.empty()) return "<h2>Work list</h2>\n<p>No loop is flagged: nothing to act on.</p>\n";
   std::string text =
       "<h2>Work list</h2>\n"
-      "<p class=\"note\">Dead measurements first, then by score = severity (1 less the middle of the Harris index) \u00d7 "
-      "importance "
-      "of the loop \u00d7 weight of the kind of fault \u00d7 confidence. Status: <i>watch</i> "
-      "until "
-      "a second window that shares no sample with the first says the same.</p>\n"
+      "<p class=\"note\">Dead measurements first, then by score = severity (1 less the middle of "
+      "the Harris index) \u00d7 importance of the loop \u00d7 weight of the kind of fault \u00d7 "
+      "confidence. Status: <i>watch</i> until a second window that shares no sample with the first "
+      "says the same.</p>\n"
       "<table class=\"ranking sortable filterable\"><thead><tr><th class=\"number\">Rank</th>"
       "<th>Loop</th><th>Verdict</th><th class=\"number\">Confidence</th><th>Status</th>"
       "<th>Since (UTC)</th><th class=\"number\">Severity</th><th class=\"number\">Impor\u00adtance"

@@ -94,8 +94,7 @@ std::vector<std::pair<std::string, double>> states_of(const config::HistorianSet
     const std::size_t equals = state.rfind('=');
     states.emplace_back(state.substr(0, equals), std::stod(state.substr(equals + 1)));
   }
-  for (const auto& [word, mode] : kModeWords)
-    states.emplace_back(word, static_cast<double>(mode));
+  for (const auto& [word, mode] : kModeWords) states.emplace_back(word, static_cast<double>(mode));
   return states;
 }
 

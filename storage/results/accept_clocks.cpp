@@ -2,9 +2,9 @@
 
 #include "storage/array_literal.hpp"
 #include "storage/results/results_clock.hpp"
+#include "storage/results/schema_statements.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
-#include "storage/results/statements.hpp"
 
 namespace loopscope::storage {
 namespace {

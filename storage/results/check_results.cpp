@@ -2,9 +2,9 @@
 
 #include "storage/check_connection.hpp"
 #include "storage/results/schema_owner.hpp"
+#include "storage/results/schema_statements.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
-#include "storage/results/statements.hpp"
 
 namespace loopscope::storage {
 namespace {

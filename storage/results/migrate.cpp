@@ -6,9 +6,9 @@
 #include "storage/results/embedded_migrations.hpp"
 #include "storage/results/results_clock.hpp"
 #include "storage/results/schema_owner.hpp"
+#include "storage/results/schema_statements.hpp"
 #include "storage/results/schema_version.hpp"
 #include "storage/results/session.hpp"
-#include "storage/results/statements.hpp"
 
 namespace loopscope::storage {
 namespace {

@@ -99,8 +99,9 @@ const Statement kAnnounceFlags{"announce_flags", R"(
       SELECT 'flagged' AS change, loop_id, code, announced FROM came
       UNION ALL SELECT 'confirmed', loop_id, code, true FROM firm
     )
-    SELECT DISTINCT told.change, told.announced, list.loop_id, list.loop_name, list.code, list.confidence,
-           list.rank, list.score, list.status, list.summary,
+    -- A program of before may have noted two stays of one loop.
+    SELECT DISTINCT told.change, told.announced, list.loop_id, list.loop_name, list.code,
+           list.confidence, list.rank, list.score, list.status, list.summary,
            CASE WHEN told.announced THEN message.text END AS message
     FROM told
     JOIN list USING (loop_id, code)

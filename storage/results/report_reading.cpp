@@ -80,8 +80,8 @@ UnjudgedReason read_reason(const pqxx::row& row) {
 }
 
 NotControllingRow read_not_controlling(const pqxx::row& row) {
-  return {integer(row["loop_id"]),      row["loop_name"].c_str(),
-          maybe_text(row["area"]),      read_text(row["lost_by"]),
+  return {integer(row["loop_id"]),       row["loop_name"].c_str(),
+          maybe_text(row["area"]),       read_text(row["lost_by"]),
           read_integer(row["since_us"]), read_number(row["week_fraction"])};
 }
 

@@ -52,30 +52,30 @@ struct NotControllingRow {
   std::int64_t loop_id = 0;
   std::string loop_name;
   std::optional<std::string> area;
-  std::string lost_by;                     ///< mode or constant_output
-  std::optional<std::int64_t> since_us;    ///< nullopt = not known
-  std::optional<double> week_fraction;     ///< share of the last seven days with a controller
+  std::string lost_by;                   ///< mode or constant_output
+  std::optional<std::int64_t> since_us;  ///< nullopt = not known
+  std::optional<double> week_fraction;   ///< share of the last seven days with a controller
 };
 
 /// How the plant stands, for the first screen of a report. Enabled loops fall into `judged`,
 /// `not_controlling`, `unjudgeable` and `never_analysed`, whose sum is `enabled`.
 struct PlantCounts {
-  std::int64_t loops = 0;               ///< in the catalogue
-  std::int64_t enabled = 0;             ///< of these
-  std::int64_t judged = 0;              ///< enabled, with a verdict on the loop
-  std::int64_t not_controlling = 0;     ///< enabled, no controller acts on them
+  std::int64_t loops = 0;                ///< in the catalogue
+  std::int64_t enabled = 0;              ///< of these
+  std::int64_t judged = 0;               ///< enabled, with a verdict on the loop
+  std::int64_t not_controlling = 0;      ///< enabled, no controller acts on them
   std::optional<double> service_factor;  ///< mean share of the week with a controller, 0 to 1
-  std::int64_t flagged = 0;             ///< rows of flagged_loop
-  std::int64_t new_flags = 0;           ///< of those: their run began after `since_us`
-  std::int64_t fixed = 0;               ///< jobs with work after `since_us` whose word is "fixed"
-  std::int64_t unjudgeable = 0;         ///< enabled, the newest window was not usable
-  std::int64_t never_analysed = 0;      ///< enabled, without any verdict
-  std::int64_t victims = 0;             ///< enabled, hidden as victims of a shared oscillation
-  std::int64_t annotated = 0;           ///< enabled, with a fault that an annotation hides
-  std::int64_t unlisted = 0;            ///< enabled, a fault is probable, not enough for the list
-  std::vector<UnjudgedReason> reasons;  ///< of the unjudgeable, most loops first
+  std::int64_t flagged = 0;              ///< rows of flagged_loop
+  std::int64_t new_flags = 0;            ///< of those: their run began after `since_us`
+  std::int64_t fixed = 0;                ///< jobs with work after `since_us` whose word is "fixed"
+  std::int64_t unjudgeable = 0;          ///< enabled, the newest window was not usable
+  std::int64_t never_analysed = 0;       ///< enabled, without any verdict
+  std::int64_t victims = 0;              ///< enabled, hidden as victims of a shared oscillation
+  std::int64_t annotated = 0;            ///< enabled, with a fault that an annotation hides
+  std::int64_t unlisted = 0;             ///< enabled, a fault is probable, not enough for the list
+  std::vector<UnjudgedReason> reasons;   ///< of the unjudgeable, most loops first
   std::vector<NotControllingRow> without_controller;  ///< by area and name
-  std::int64_t now_us = 0;              ///< the database's clock at the beginning of the view
+  std::int64_t now_us = 0;  ///< the database's clock at the beginning of the view
 };
 
 /// One slot of a loop's history: the newest revision of it, oldest slot first.

@@ -88,8 +88,9 @@ const Statement kUnjudgedReasons{"unjudged_reasons", R"(
     ORDER BY loops DESC, words)"};
 
 const Statement kNotControlling{"not_controlling", R"(
-    SELECT loop_id, loop_name, area, coalesce(lost_by, '') AS lost_by, )" + us("lost_since") +
-                                                        R"( AS since_us, week_fraction
+    SELECT loop_id, loop_name, area, coalesce(lost_by, '') AS lost_by, )" +
+                                                       us("lost_since") +
+                                                       R"( AS since_us, week_fraction
     FROM loopscope.service_factor WHERE NOT controlling ORDER BY area NULLS LAST, loop_name)"};
 
 const Statement kReportFlagged{

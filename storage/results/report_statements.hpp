@@ -6,7 +6,7 @@
 namespace loopscope::storage::statements {
 
 extern const Statement kReportNow;
-extern const Statement kReportCounts;  ///< since
+extern const Statement kReportCounts;    ///< since
 extern const Statement kNotControlling;  ///< no parameter
 extern const Statement kUnjudgedReasons;
 extern const Statement kReportFlagged;

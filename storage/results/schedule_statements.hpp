@@ -22,10 +22,11 @@ extern const Statement kReleaseOwned;  ///< owner
 extern const Statement kShortestPeriod;
 extern const Statement kFindStray;  ///< settle_s, shortest period_s
 extern const Statement kRecall;     ///< loop_ids, fences, visible_ats, slot_ends
-extern const Statement kComplete;   ///< loop_ids, fences, slot_ends, next_dues, has_records
-extern const Statement kSetAside;   ///< loop_ids, fences, errors, retry_after_s, at_fault
-extern const Statement kNextDue;    ///< after due_us and loop_id, within_s
-extern const Statement kMakeDue;    ///< loop_ids
+/// loop_ids, fences, slot_ends, next_dues, has_records, what is known of pv (seconds, pv units)
+extern const Statement kComplete;
+extern const Statement kSetAside;  ///< loop_ids, fences, errors, retry_after_s, at_fault
+extern const Statement kNextDue;   ///< after due_us and loop_id, within_s
+extern const Statement kMakeDue;   ///< loop_ids
 extern const Statement kCountEnabled;
 
 }  // namespace loopscope::storage::statements

@@ -1,6 +1,6 @@
 #include "storage/results/schema_owner.hpp"
 
-#include "storage/results/statements.hpp"
+#include "storage/results/schema_statements.hpp"
 
 namespace loopscope::storage {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "storage/results/migrate.hpp"
-#include "storage/results/statements.hpp"
+#include "storage/results/schema_statements.hpp"
 
 namespace loopscope::storage {
 

@@ -2,9 +2,9 @@
 
 #include "storage/statement.hpp"
 
-/// The closed list of statements on the results database, those on the schedule apart
-/// (schedule_statements.hpp). (The one that writes analysis rows is made from the table of columns:
-/// analysis_columns.hpp. Migrations are files.)
+/// The closed list of statements on the results database, those on the schedule and
+/// the schema apart (schedule_statements.hpp, schema_statements.hpp). (The one that writes analysis
+/// rows is made from the table of columns: analysis_columns.hpp. Migrations are files.)
 namespace loopscope::storage::statements {
 
 // results
@@ -26,24 +26,5 @@ extern const Statement kSetEnabled;  ///< names, enabled
 extern const Statement kRefuseMaintenance;  ///< names, times, kinds, descriptions
 extern const Statement kAddMaintenance;     ///< the same
 extern const Statement kListMaintenance;    ///< whether of these names only, names
-
-// schema
-extern const Statement kHasSchema;
-extern const Statement kSchemaVersion;
-extern const Statement kOldestProgram;
-extern const Statement kFindSchemaOwner;
-extern const Statement kBecomeOwner;
-extern const Statement kMakeSchema;
-extern const Statement kLockSchema;
-extern const Statement kAppliedMigrations;
-extern const Statement kRecordMigration;  ///< version, name, sha256
-extern const Statement kMakePartitions;   ///< months
-extern const Statement kGrantRights;
-extern const Statement kExpiredPartitions;  ///< retention_months
-extern const Statement kDropPartition;      ///< name
-extern const Statement kDeleteOldRows;      ///< retention_months
-extern const Statement kDeleteLostWorkers;
-extern const Statement kDeleteOldCosts;
-extern const Statement kCheckRights;
 
 }  // namespace loopscope::storage::statements

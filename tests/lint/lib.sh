@@ -3,7 +3,7 @@
 # deploy/lib/build.sh.
 #
 #   lint_files_since REVISION   finds the files: all of them without a REVISION
-#   lint_clang_format, lint_clang_tidy, lint_shellcheck   not 0 when something is found
+#   lint_clang_format, lint_clang_tidy, lint_shellcheck, lint_top_level   not 0 when something is found
 
 
 # Where its commands are g++'s: a pragma that clang does not know, and its words about wide vectors
@@ -48,6 +48,24 @@ _lint_each() {
 lint_clang_format() {
   local _lint_at_once=50
   _lint_files '\.(cpp|hpp|inc)$' | _lint_each clang-format --dry-run -Werror
+}
+
+# What stands at the top is read first: nothing comes there by accident. Folders are those that
+# tests/architecture allows.
+lint_top_level() {
+  local files found=0 file
+  mapfile -t files < <(git ls-files | grep -v /)
+  step "${#files[@]} files"
+  for file in "${files[@]}"; do
+    case $file in
+      .* | CMakeLists.txt | CMakePresets.json | README.md | CHANGELOG.md | CONTRIBUTING.md | LICENSE) ;;
+      *)
+        printf 'error: no file of this name stands at the top level, %s\nHINT: move it into a folder, or git rm it\n' "$file" >&2
+        found=1
+        ;;
+    esac
+  done
+  return "$found"
 }
 
 # By name, by their first line, or by what they say to shellcheck.

@@ -9,9 +9,11 @@
 #include <string>
 #include <utility>
 
+#include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/figure.hpp"
 #include "core/diagnosis/odds/cause_curves.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
+#include "core/diagnosis/structure.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -104,10 +106,22 @@ WeighedCause beside_all(WeighedCause result, std::size_t place, std::span<const 
   return result;
 }
 
+/// Of valve and controller nothing is said where op says nothing.
+bool needs_op(VerdictCode code) {
+  const plant::Fault blames = catalogue_entry(code).blames;
+  return blames == plant::Fault::friction || blames == plant::Fault::valve ||
+         blames == plant::Fault::tuning;
+}
+
 }  // namespace
 
 double WeighedCause::probability() const {
   return probability_of(log_odds);
+}
+
+double probability_in(const Causes& causes, VerdictCode code) {
+  const auto found = std::ranges::find(causes, code, &WeighedCause::code);
+  return found == causes.end() ? 0.0 : found->probability();
 }
 
 PerCause priors_of(const DecisionSettings& settings) {
@@ -119,7 +133,7 @@ PerCause priors_of(const DecisionSettings& settings) {
   return priors;
 }
 
-std::vector<WeighedCause> weigh_causes(const Evidence& evidence, const DecisionSettings& settings) {
+Causes weigh_causes(const Evidence& evidence, const DecisionSettings& settings) {
   const std::vector<std::optional<double>> values = measure_figures(evidence);
   const std::vector<PlacedCause>& table = placed_table(evidence.model.has_value());
   std::vector<WeighedCause> alone;
@@ -130,7 +144,7 @@ std::vector<WeighedCause> weigh_causes(const Evidence& evidence, const DecisionS
     shift(here, settings.priors);
     all.push_back({cause.code, here.log_odds, &cause.curves->beside});
   }
-  std::vector<WeighedCause> causes;
+  Causes causes;
   for (std::size_t k = 0; k < table.size(); ++k) {
     WeighedCause cause = beside_all(std::move(alone[k]), k, all);
     shift(cause, settings.priors);
@@ -139,6 +153,13 @@ std::vector<WeighedCause> weigh_causes(const Evidence& evidence, const DecisionS
     causes.push_back(std::move(cause));
   }
   std::ranges::stable_sort(causes, std::greater{}, &WeighedCause::log_odds);
+  return causes;
+}
+
+Causes known_causes(const Evidence& evidence, const DecisionSettings& decision) {
+  Causes causes = weigh_causes(evidence, decision);
+  if (!op_speaks(evidence))
+    std::erase_if(causes, [](const WeighedCause& cause) { return needs_op(cause.code); });
   return causes;
 }
 

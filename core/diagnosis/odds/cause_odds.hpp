@@ -30,12 +30,19 @@ struct WeighedCause {
   [[nodiscard]] double probability() const;
 };
 
+using Causes = std::vector<WeighedCause>;
+
+/// 0 where the cause was not weighed.
+[[nodiscard]] double probability_in(const Causes& causes, VerdictCode code);
+
 /// Of each cause: what the settings say, else its share in the fit.
 [[nodiscard]] PerCause priors_of(const DecisionSettings& settings);
 
 /// Every cause of the fitted tables, the most probable first. By the curves for loops with a model
 /// where one was fitted.
-[[nodiscard]] std::vector<WeighedCause> weigh_causes(const Evidence& evidence,
-                                                     const DecisionSettings& settings = {});
+[[nodiscard]] Causes weigh_causes(const Evidence& evidence, const DecisionSettings& settings = {});
+
+/// The same without valve and controller where op says nothing: nothing is known of them then.
+[[nodiscard]] Causes known_causes(const Evidence& evidence, const DecisionSettings& decision);
 
 }  // namespace loopscope::core::diagnosis
