@@ -6,12 +6,14 @@
 namespace loopscope::core::loop {
 
 /// Where op rests at an end of what it covers in the record: at a limit of the controller or of the
-/// valve, or only where its cycle turns.
+/// valve, or only where its cycle turns. A rest is three times as long as op usually stays at a
+/// value (one sample where it is fine): an op that is coarse, or held for some samples, stays at
+/// every value.
 struct OpRest {
-  /// Of the samples, within a thousandth of the span of an end that op comes back to, in runs: a
-  /// single rest is no limit.
+  /// Of the samples, in rests within a thousandth of the span of an end that op comes back to: a
+  /// single one is no limit.
   double share = 0.0;
-  double visits = 0.0;  ///< runs of at least three samples there, at the busier end
+  double visits = 0.0;  ///< rests at the busier end
 };
 
 /// NaN = missing; nullopt where op does not move or fewer than 32 samples are recorded.
