@@ -143,6 +143,10 @@ constexpr std::array kOtherSettings = {
         "/flags/list_leave_share", in_flags<&FlagSettings::list_leave_share>, range(0, 0.5),
         "the same of the loops that stay: a loop leaves the list when it would be exceeded, not "
         "below `list_false_share`"},
+    Setting{"/flags/list_least_probability", in_flags<&FlagSettings::list_least_probability>,
+            range(0.5, 1),
+            "probability of a fault that a loop enters the list with, at least: sure faults lend a "
+            "doubtful one no place"},
     Setting{
         "/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
         range(0.0001, 1),

@@ -110,6 +110,8 @@ struct FlagSettings {
   double list_false_share = 0.02;
   /// A loop stays until this share is exceeded, list_false_share to 0.5.
   double list_leave_share = 0.2;
+  /// Of a fault, that a loop enters the list with, at least; 0.5 to 1.
+  double list_least_probability = 0.8;
   /// Share of tested flags that may be false, 0.0001 to 1; 1 = the list goes by odds alone.
   double false_discovery_rate = 0.005;
   /// positive: tests of different loops are independent or rise together; arbitrary: in any way

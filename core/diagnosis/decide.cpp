@@ -106,9 +106,8 @@ void put_combined(const CombinedOdds& combined, const PerCause& priors, Causes& 
   std::ranges::stable_sort(causes, std::greater{}, &WeighedCause::log_odds);
 }
 
-std::string windows_text(const CombinedOdds& combined, double alone) {
-  return "Several windows together, worth " + number(most_windows(combined)) +
-         " that share no sample; the newest alone gives this finding " + percent(alone) + ".";
+std::string windows_text(double alone) {
+  return "Several windows together; the newest alone gives this finding " + percent(alone) + ".";
 }
 
 Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearity, double alpha,
@@ -123,8 +122,7 @@ Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearit
   verdict.reasons = own == verdict.causes.end() ? findings(evidence, nonlinearity)
                                                 : reasons_for(*own, evidence, nonlinearity);
   if (combined)
-    verdict.reasons.insert(verdict.reasons.begin(),
-                           windows_text(*combined, confidence_in(code, alone)));
+    verdict.reasons.insert(verdict.reasons.begin(), windows_text(confidence_in(code, alone)));
   verdict.action = action_for(code, evidence, causes, decision.line);
   verdict.p = p_of_verdict(code, evidence);
   note_slowness(evidence, causes, verdict);

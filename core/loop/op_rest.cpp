@@ -15,6 +15,8 @@ constexpr double kNear = 1e-3;  ///< of the span
 /// an op in whole percent turns for twice as long as it passes.
 constexpr double kLongerThanUsual = 3.0;
 constexpr double kFewestVisits = 2.0;
+/// Fewer stays away from the ends are no habit: an on-off output that was held once.
+constexpr double kFewestStays = 10.0;
 
 /// Consecutive samples within `near` of the first of them.
 struct Stay {
@@ -48,7 +50,7 @@ EndRests rests_at(const std::vector<Stay>& stays, double shortest, AtEnd at_end)
   return rests;
 }
 
-/// Mean length of the stays where `at_end` does not hold.
+/// Mean length of the stays where `at_end` does not hold; 1 where there are few.
 template <typename AtEnd>
 double usual_stay(const std::vector<Stay>& stays, AtEnd at_end) {
   double samples = 0.0, count = 0.0;
@@ -57,7 +59,7 @@ double usual_stay(const std::vector<Stay>& stays, AtEnd at_end) {
     samples += stay.samples;
     count += 1.0;
   }
-  return count > 0.0 ? samples / count : 1.0;
+  return count < kFewestStays ? 1.0 : samples / count;
 }
 
 }  // namespace
@@ -72,9 +74,9 @@ std::optional<OpRest> measure_op_rest(std::span<const double> op) {
   const auto at_bottom = [&](double value) { return value <= ends.min + near; };
   const auto at_top = [&](double value) { return value >= ends.max - near; };
   const std::vector<Stay> stays = stays_of(recorded, near);
-  const double shortest = kLongerThanUsual * usual_stay(stays, [&](double value) {
-                            return at_bottom(value) || at_top(value);
-                          });
+  const double usual =
+      usual_stay(stays, [&](double value) { return at_bottom(value) || at_top(value); });
+  const double shortest = std::round(kLongerThanUsual * usual);
   const EndRests below = rests_at(stays, shortest, at_bottom);
   const EndRests above = rests_at(stays, shortest, at_top);
   double resting = 0.0;

@@ -9,13 +9,11 @@
 
 namespace loopscope::core::plant {
 
-namespace {
-
-/// The most probable ones first, as long as the mean of what is left to doubt is at most `share`,
-/// down to a probability of `least`.
-std::vector<bool> within(std::span<const double> fault_probability, double share, double least) {
+std::vector<bool> list_by_odds(std::span<const double> fault_probability, double share,
+                               double least) {
   const auto is_share = [](double value) { return value >= 0.0 && value <= 1.0; };
-  if (!is_share(share)) throw std::invalid_argument("the share is not within 0 to 1");
+  if (!is_share(share) || !is_share(least))
+    throw std::invalid_argument("the share or the least probability is not within 0 to 1");
   std::vector<double> sorted;
   std::ranges::copy_if(fault_probability, std::back_inserter(sorted),
                        [](double value) { return !std::isnan(value); });
@@ -33,18 +31,6 @@ std::vector<bool> within(std::span<const double> fault_probability, double share
   std::vector<bool> listed;
   for (const double value : fault_probability) listed.push_back(value >= lowest);
   return listed;
-}
-
-}  // namespace
-
-std::vector<bool> list_by_odds(std::span<const double> fault_probability, double share) {
-  constexpr double kMoreLikelyThanNot = 0.5;
-  return within(fault_probability, share, kMoreLikelyThanNot);
-}
-
-std::vector<bool> stay_by_odds(std::span<const double> fault_probability, double share,
-                               double least) {
-  return within(fault_probability, share, least);
 }
 
 }  // namespace loopscope::core::plant

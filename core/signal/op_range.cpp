@@ -39,7 +39,7 @@ bool within(const OpValues& values, const OpRange& range, double beyond) {
 
 bool is_current(const OpValues& values) {
   if (!within(values, kCurrent_mA, kBeyond * 0.5)) return false;
-  return values.at_20mA || values.high - values.low >= kMostOfRange * width(kCurrent_mA);
+  return values.at_20_ma || values.high - values.low >= kMostOfRange * width(kCurrent_mA);
 }
 
 std::string number_text(double value) {
@@ -62,7 +62,7 @@ std::string doubt_of(const OpValues& values, const OpRange& set) {
            ", beyond " + range_text(set);
   const std::optional<OpRange> inferred = infer_op_range(values);
   const bool at_end = values.low == set.low || values.high == set.high;
-  const bool may_be_percent = inferred && inferred->low == kCurrent_mA.low && !values.at_20mA;
+  const bool may_be_percent = inferred && inferred->low == kCurrent_mA.low && !values.at_20_ma;
   const bool narrow =
       inferred && !at_end && !may_be_percent && kMuchWider * width(*inferred) <= width(set);
   return narrow ? "op never leaves " + range_text(*inferred) + " of " + range_text(set)
@@ -92,7 +92,7 @@ std::optional<OpValues> summarise_op(std::span<const double> op) {
   values.low = recorded[spared];
   values.high = recorded[recorded.size() - 1 - spared];
   const bool constant = values.low == values.high;
-  values.at_20mA = held_at_end && (constant || !others_whole);
+  values.at_20_ma = held_at_end && (constant || !others_whole);
   return values;
 }
 

@@ -29,7 +29,7 @@ struct OpValues {
   double low = 0.0;  ///< smallest and largest one, but for one in five hundred at either end
   double high = 0.0;
   bool whole = false;  ///< all of them are whole numbers
-  bool at_20mA =
+  bool at_20_ma =
       false;  ///< held at exactly 4 or 20, all the others, if any, being no whole numbers
 };
 [[nodiscard]] std::optional<OpValues> summarise_op(std::span<const double> op);

@@ -190,14 +190,12 @@ CREATE OR REPLACE VIEW loopscope.hidden_loop AS
     WHERE kind.is_fault AND (hiding.code IS NULL OR hiding.code = question.shown_code) AND (hiding.last_slot IS NULL OR latest.slot_end <= hiding.last_slot)
   ), unlisted AS (
     SELECT question.loop_id,
-           CASE WHEN is_common THEN 'chance' ELSE 'probability' END AS hidden_by,
-           CASE WHEN NOT is_common THEN 'not sure enough for the list (probability ' || round(likeliest.probability::numeric, 2) || ')'
-                WHEN question.loop_p >= 1 THEN 'no test of this window shows it: its probability alone decides once more windows have been read'
-                ELSE 'as strong evidence is found by chance too often among so many loops (p ' || trim(to_char(question.loop_p, '9.9EEEE'))
-                     || coalesce(', at most ' || trim(to_char(question.bound, '9.9EEEE')) || ' would do', '')
-                     || '): its probability alone decides once more windows have been read' END AS reason
+           CASE WHEN NOT question.rare AND question.is_fault AND question.within_share AND coalesce(question.fault_probability, 1) >= 0.5 THEN 'chance' ELSE 'probability' END AS hidden_by,
+           CASE WHEN NOT question.rare AND question.is_fault AND question.within_share AND coalesce(question.fault_probability, 1) >= 0.5
+                THEN 'as strong evidence is found by chance too often among so many loops (p ' || trim(to_char(question.loop_p, '9.9EEEE'))
+                     || coalesce(', at most ' || trim(to_char(question.bound, '9.9EEEE')) || ' would do', '') || ')'
+                ELSE 'not sure enough for the list (probability ' || round(likeliest.probability::numeric, 2) || ')' END AS reason
     FROM question JOIN likeliest USING (loop_id)
-    CROSS JOIN LATERAL (SELECT NOT question.rare AND question.is_fault AND question.within_share AND coalesce(question.fault_probability, 1) >= 0.5 AS is_common) AS by_chance
     JOIN loopscope.parameter AS least ON least.name = 'min_confidence'
     WHERE NOT question.enters AND NOT question.stays AND likeliest.probability >= least.value AND likeliest.name NOT IN ('healthy', 'not_controlling', 'insufficient_data')
       AND question.loop_id NOT IN (SELECT loop_id FROM held)

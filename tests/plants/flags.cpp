@@ -43,8 +43,8 @@ std::vector<double> questions(const std::vector<DiagnosedLoop>& loops, const Fla
 std::vector<bool> flagged(const std::vector<DiagnosedLoop>& loops, const FlagRule& rule) {
   const core::plant::FalseDiscovery control =
       core::plant::control_false_discovery(questions(loops, rule), rule.false_discovery_rate);
-  const std::vector<bool> listed =
-      core::plant::list_by_odds(fault_probabilities(loops, rule), rule.list_false_share);
+  const std::vector<bool> listed = core::plant::list_by_odds(
+      fault_probabilities(loops, rule), rule.list_false_share, rule.list_least_probability);
   std::vector<bool> result;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const bool probable = !loops[k].fault_probability || listed[k];
@@ -62,7 +62,7 @@ std::vector<bool> flagged_after(const std::vector<DiagnosedLoop>& loops,
   for (std::size_t k = 0; k < on_list.size(); ++k)
     if (on_list[k] && loops[k].fault_probability) probability[k] = *loops[k].fault_probability;
   const std::vector<bool> stays =
-      core::plant::stay_by_odds(probability, rule.list_leave_share, rule.min_confidence);
+      core::plant::list_by_odds(probability, rule.list_leave_share, rule.min_confidence);
   for (std::size_t k = 0; k < on_list.size(); ++k) {
     const bool silent = loops[k].verdict == "insufficient_data" ||
                         (!loops[k].fault_probability && is_shown(loops[k], rule));

@@ -7,12 +7,13 @@
 
 namespace loopscope::tests::plants {
 
-/// Settings as a plant gets them that sets none (config/README.md, /flags).
+/// Settings as a plant gets them that sets none (config/README.md, /flags; storage/README.md).
 struct FlagRule {
   double false_discovery_rate = 0.005;
   double min_confidence = 0.3;
   double list_false_share = 0.02;
   double list_leave_share = 0.2;
+  double list_least_probability = 0.8;
   double enough_windows = 2.0;
 };
 

@@ -33,6 +33,7 @@ core::signal::LoopWindow window_at(const core::signal::LoopWindow& whole, std::s
 struct Past {
   std::optional<diagnosis::CombinedOdds> odds;
   std::optional<core::signal::PvPast> pv;
+  std::optional<double> first_s;  ///< start of the first window that was judged
 };
 
 /// What the results schema would hold of the slot: the newest window's verdict, by all windows.
@@ -45,7 +46,8 @@ DiagnosedLoop judged(const core::Diagnosis& found, double start_s, Past& past) {
                                        found.evidence.model.has_value(), evidence};
   const bool alone = diagnosis::stands_alone(past.odds, window);
   past.odds = diagnosis::combine(past.odds, window);
-  result.windows = diagnosis::most_windows(*past.odds);
+  if (!past.first_s) past.first_s = start_s;
+  result.windows = 1.0 + (start_s - *past.first_s) / (window.end_s - window.start_s);
   if (alone) return result;
   const diagnosis::PerCause all = diagnosis::probabilities_of(*past.odds, found.verdict.priors);
   const auto of = [&](diagnosis::VerdictCode code) -> std::optional<double> {

@@ -18,19 +18,14 @@ namespace {
 
 #include "core/diagnosis/odds/several_windows.inc"
 
-/// A repair shows in the combined odds after a day or two of windows of some hours, and n of
-/// several windows is enough: their correlation leaves little to be won by more.
-constexpr double kMemoryWindows = 4.0;
+/// A fault that begins, and a repair, show as soon as one window holds them. Longer memories make
+/// the odds no better: windows of one loop err together, and their mean is all that they add
+/// (MEASURED.md, "Several windows of a loop").
+constexpr double kMemoryWindows = 1.25;
 /// exp(-6) of a window's weight is a four-hundredth.
 constexpr double kLongestMemory = 6.0 * kMemoryWindows;
 /// Of a cause that the fit does not know.
 constexpr double kEven = 0.5;
-
-/// How many windows without correlation n correlated ones are worth.
-double worth(double windows, double correlation) {
-  if (windows <= 1.0) return 1.0;
-  return windows / (1.0 + (windows - 1.0) * correlation);
-}
 
 std::optional<double> at(const PerCause& values, std::size_t cause) {
   return cause < values.size() ? values[cause] : std::nullopt;
@@ -131,8 +126,7 @@ PerCause probabilities_of(const CombinedOdds& combined, const PerCause& priors) 
   for (const auto& [code, fitted] : fitted_windows()) {
     const double share = at(shares_of_causes(), code).value_or(kEven);
     // One that was not weighed is as probable as anywhere, and as much of a rival.
-    const double evidence = at(combined.evidence, code).value_or(0.0) *
-                            worth(at(combined.windows, code).value_or(0.0), fitted.correlation);
+    const double evidence = at(combined.evidence, code).value_or(0.0);
     shifts.push_back(log_odds_of(at(priors, code).value_or(share)) - log_odds_of(share));
     all.push_back({code, log_odds_of(share) + evidence + shifts.back(), &fitted.beside});
   }

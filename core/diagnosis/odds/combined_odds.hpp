@@ -9,10 +9,9 @@
 
 namespace loopscope::core::diagnosis {
 
-/// How the windows of a loop count together for one cause, and what it is beside the others then.
+/// What a cause is beside the others, after several windows.
 struct SeveralWindows {
-  std::string_view cause;    ///< code of the verdict
-  double correlation = 1.0;  ///< of the windows of one loop, 0 to 1
+  std::string_view cause;  ///< code of the verdict
   BesideOthers beside;
 };
 
@@ -48,15 +47,14 @@ struct CombinedOdds {
 ///     weight w    = share of its samples that are new * (1, or kWithoutModel)
 ///     n           = sum of w exp(-age / kMemoryWindows), age in lengths of the window
 ///     mean m      = weighted mean of the windows' log odds beyond the prior
-///     log odds    = prior + m n / (1 + (n - 1) correlation)        (n < 1: prior + m)
+///     log odds    = prior + m
 ///     then beside the others (beside_others.hpp), once, after all windows
 ///
-/// Windows of one loop are wrong together, because their loop is of one kind: the correlation of
-/// each cause is fitted (tests/verdict/windows), so that n windows count as many independent ones
-/// as they are worth (Kish's design effect). What others take away from a cause is no evidence that
-/// grows from window to window, and is counted last. Mean and n of the window before are all that
-/// has to be kept, so that the result follows from stored rows, whatever the priors become. Of a
-/// cause that the window does not weigh (op stands still) what was known fades with its age.
+/// Windows of one loop are wrong together, because their loop is of one kind: more of them make
+/// nobody surer of a cause than one does, and their mean is what they are worth. Mean and n of the
+/// window before are all that has to be kept, so that the result follows from stored rows, whatever
+/// the priors become. Of a cause that the window does not weigh (op stands still) what was known
+/// fades with its age.
 /// `before` ends before the window ends (std::invalid_argument).
 [[nodiscard]] CombinedOdds combine(const std::optional<CombinedOdds>& before,
                                    const JudgedWindow& window);

@@ -22,6 +22,7 @@ struct Look {
   double stiction = 0.5;
   bool with_model = true;
   bool judged = true;
+  int revision = core::kAlgorithmRevision;  ///< of the program
 };
 
 class CombinedWindowsTest : public ResultsTest {
@@ -44,6 +45,7 @@ class CombinedWindowsTest : public ResultsTest {
 
   static AnalysisRecord record_of(const Look& look, const std::string& digest) {
     AnalysisRecord record = record_at(slot(look.hour), digest);
+    record.algorithm_revision = look.revision;
     if (look.judged) record.diagnosis.verdict.causes = causes(look.stiction);
     record.diagnosis.verdict.priors = {0.2, 0.15};
     if (look.with_model) explain(record);
@@ -86,11 +88,14 @@ class CombinedWindowsTest : public ResultsTest {
     return text.substr(0, text.size() - 2);
   }
 
-  [[nodiscard]] TextRows stored() const {
+  [[nodiscard]] TextRows stored(std::optional<int> revision = std::nullopt) const {
     return database->rows(
-        "SELECT extract(epoch FROM slot_end - '2026-01-01 00:00:00+00')::integer / 3600,"
-        " trunc(combined_probabilities[2]::numeric, 4), trunc(combined_windows[2]::numeric, 4)"
-        " FROM loopscope.analysis ORDER BY slot_end");
+        std::string(
+            "SELECT extract(epoch FROM slot_end - '2026-01-01 00:00:00+00')::integer / 3600,"
+            " trunc(combined_probabilities[2]::numeric, 4), trunc(combined_windows[2]::numeric, 4) "
+            "FROM loopscope.analysis") +
+        (revision ? " WHERE algorithm_revision = " + std::to_string(*revision) : std::string()) +
+        " ORDER BY slot_end");
   }
 
   /// Equal to a digit in the third place: four bytes each.
@@ -220,6 +225,21 @@ TEST_F(CombinedWindowsTest, AnotherRevisionBeginsAnew) {
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_NEAR(std::stod(rows[1][1]), 0.3, 3e-4);
   EXPECT_NEAR(std::stod(rows[1][2]), 1.0, 3e-4);
+}
+
+/// Workers of the version before go on until they are replaced, and take loops in turn.
+TEST_F(CombinedWindowsTest, TwoVersionsSideBySideCombineTheirOwnWindows) {
+  add_loops({"a"});
+  std::map<int, std::map<int, Look>> looks;  // by revision
+  for (const int hour : {1, 2, 3, 4, 5, 6, 7}) {
+    const int revision = core::kAlgorithmRevision - hour % 2;
+    const Look look{.hour = hour, .stiction = 0.25 + 0.1 * hour, .revision = revision};
+    looks[revision][hour] = look;
+    finish(look, "d" + std::to_string(hour));
+    EXPECT_EQ(value("SELECT algorithm_revision FROM loopscope.latest_verdict"),
+              std::to_string(revision));
+  }
+  for (const auto& [revision, own] : looks) expect_same(stored(revision), expected(own));
 }
 
 }  // namespace

@@ -85,6 +85,14 @@ class UpgradeTest : public testing::Test {
     INSERT INTO loopscope.plant_round VALUES ('2026-01-01 01:00:00+00', 1, 2, 0, 0, now());
     UPDATE loopscope.parameter SET value = 0.4 WHERE name = 'min_confidence')";
 
+  /// Loop a is on the list, loop b would be.
+  static constexpr const char* kStay = R"(
+    UPDATE loopscope.annotation SET withdrawn_at = now() WHERE withdrawn_at IS NULL;
+    UPDATE loopscope.schedule SET result_slot_end = '2026-01-01 01:00:00+00';
+    INSERT INTO loopscope.flag_notice (loop_id, code, announced, slot_end, since, status, confidence, rank, score, summary)
+      SELECT loop_id, code, true, slot_end, slot_end, 'watch', 0.9, 1, 0.5, 'sticks' FROM loopscope.verdict
+      WHERE loop_id = (SELECT loop_id FROM loopscope.loop WHERE name = 'a'))";
+
   /// In the columns that there were.
   [[nodiscard]] TextRows contents() const {
     TextRows rows;
@@ -101,9 +109,11 @@ class UpgradeTest : public testing::Test {
   TextRows before;
 };
 
-/// list_false_share, of schema 22; list_leave_share and list_enough_windows, of schema 24.
+/// list_false_share, of schema 22; list_leave_share and list_enough_windows, of 24;
+/// list_least_probability, of 25.
 std::size_t new_parameters(int former) {
-  return former < 22 ? 3 : 2;
+  if (former < 22) return 4;
+  return former < 24 ? 3 : 1;
 }
 
 /// From each version that a program was given out with.
@@ -111,7 +121,8 @@ class UpgradeFromTest : public UpgradeTest, public testing::WithParamInterface<i
  protected:
   UpgradeFromTest() : UpgradeTest(GetParam()) {}
 };
-INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest, testing::Values(15, 17, 18, 19, 20, 21, 22));
+INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest,
+                         testing::Values(15, 17, 18, 19, 20, 21, 22, 24));
 
 TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   const ConnectionSettings as_owner = settings_for(*database, owner);
@@ -183,13 +194,8 @@ TEST_F(UpgradeTest, StaysOfSchema22GoOn) {
   other.make_roles();
   make_former_schema(other, "loopscope_owner", 22);
   other.execute(kRows);
-  other.execute(R"(
-    UPDATE loopscope.verdict SET cause_probabilities = '{0.01,0.9}';
-    UPDATE loopscope.annotation SET withdrawn_at = now() WHERE withdrawn_at IS NULL;
-    UPDATE loopscope.schedule SET result_slot_end = '2026-01-01 01:00:00+00';
-    INSERT INTO loopscope.flag_notice (loop_id, code, announced, slot_end, since, status, confidence, rank, score, summary)
-      SELECT loop_id, code, true, slot_end, slot_end, 'watch', 0.9, 1, 0.5, 'sticks' FROM loopscope.verdict
-      WHERE loop_id = (SELECT loop_id FROM loopscope.loop WHERE name = 'a'))");
+  other.execute("UPDATE loopscope.verdict SET cause_probabilities = '{0.01,0.9}'");
+  other.execute(kStay);
   const std::string notices = "SELECT row(notice.*)::text FROM loopscope.flag_notice AS notice";
   const TextRows before_it = other.rows(notices);
   migrate(settings_for(other, other.make_login("loopscope_owner")));
@@ -204,6 +210,26 @@ TEST_F(UpgradeTest, StaysOfSchema22GoOn) {
       << "nobody looked at modes before";
   EXPECT_EQ(other.rows("SELECT count(*), count(control_fraction) FROM loopscope.analysis"),
             (TextRows{{"2", "0"}}));
+}
+
+/// A filled schema 24 with a loop on its list: the stay goes on with a probability that no loop
+/// enters with any more.
+TEST_F(UpgradeTest, StaysOfSchema24GoOn) {
+  tests::TestDatabase other;
+  other.make_roles();
+  make_former_schema(other, "loopscope_owner", 24);
+  other.execute(kRows);
+  other.execute(kStay);
+  other.execute(
+      "UPDATE loopscope.verdict SET cause_probabilities = '{0.25,0.75}';"
+      "UPDATE loopscope.parameter SET value = 0.3"
+      " WHERE name IN ('list_false_share', 'list_leave_share')");
+  const std::string list = "SELECT loop_name FROM loopscope.flagged_loop ORDER BY 1";
+  EXPECT_EQ(other.rows(list), (TextRows{{"a"}, {"b"}}));
+  migrate(settings_for(other, other.make_login("loopscope_owner")));
+  EXPECT_EQ(other.rows(list), (TextRows{{"a"}}));
+  EXPECT_EQ(other.rows("SELECT loop_name, hidden_by, reason FROM loopscope.hidden_loop"),
+            (TextRows{{"b", "probability", "not sure enough for the list (probability 0.75)"}}));
 }
 
 /// Before, each of these values stopped every claim.

@@ -53,11 +53,9 @@ TEST(CombinedOdds, OneWindowIsItself) {
   }
 }
 
-TEST(CombinedOdds, AgreeingWindowsSayMoreThanOneAndLessThanIndependentOnes) {
-  const double independent = 3.0 * (log_odds_of(0.7) - log_odds_of(share())) + log_odds_of(share());
-  EXPECT_GT(probability(after(3, 0.7)), 0.7);
-  EXPECT_LT(log_odds_of(probability(after(3, 0.7))), independent);
-  EXPECT_LT(probability(after(3, 0.05)), 0.05) << "against a cause as well";
+/// Windows of one loop err together.
+TEST(CombinedOdds, AgreeingWindowsAreAsSureAsOneOfThem) {
+  for (const double own : {0.05, 0.7}) EXPECT_NEAR(probability(after(3, own)), own, 1e-12);
 }
 
 TEST(CombinedOdds, WindowsThatSayNothingKeepThePrior) {
@@ -141,9 +139,7 @@ TEST(CombinedOdds, OthersCountOnce) {
   };
   EXPECT_LT(sticking(2.0, 1), sticking(-2.0, 1));
   const double after_one = sticking(-2.0, 1) - sticking(2.0, 1);
-  EXPECT_LT(sticking(2.0, 8), sticking(-2.0, 8));
-  EXPECT_LT(sticking(-2.0, 8) - sticking(2.0, 8), 1.5 * after_one);
-  EXPECT_GT(sticking(2.0, 8), sticking(2.0, 1)) << "and its own windows still add up";
+  EXPECT_NEAR(sticking(-2.0, 8) - sticking(2.0, 8), after_one, 1e-9);
 }
 
 TEST(CombinedOdds, AWindowStandsAloneUntilAnotherCounts) {
@@ -190,8 +186,6 @@ TEST(CombinedOdds, TheTableHoldsEveryCauseThatHasCurves) {
   EXPECT_EQ(fitted_windows().size(), shares.size());
   for (const auto& [code, fitted] : fitted_windows()) {
     EXPECT_TRUE(shares.at(static_cast<std::size_t>(code))) << fitted.cause;
-    EXPECT_GE(fitted.correlation, 0.0) << fitted.cause;
-    EXPECT_LE(fitted.correlation, 1.0) << fitted.cause;
   }
 }
 
