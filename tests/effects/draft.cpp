@@ -15,9 +15,8 @@ namespace {
 constexpr int kMostAttempts = 2000;
 
 double share_at_limit(const std::vector<double>& op) {
-  const auto count =
-      std::count_if(op.begin(), op.end(), [](double v) { return v < 0.01 || v > 99.99; });
-  return static_cast<double>(count) / static_cast<double>(op.size());
+  return static_cast<double>(std::ranges::count_if(op, is_at_limit)) /
+         static_cast<double>(op.size());
 }
 
 /// Whether pv stays on the span of its transmitter.

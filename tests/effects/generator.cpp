@@ -112,33 +112,39 @@ Record generate_stretch(std::string_view kind, std::uint64_t seed, std::uint64_t
 
 namespace {
 
-/// For `samples` samples; the run-in stands still.
+/// For `samples` samples; the run-in stands still. No load integrates for so long: it returns
+/// within a record, in which that cannot be told from an integrated one.
 Scenario lasting(Scenario scenario, std::size_t samples, std::uint64_t part) {
   const std::vector<double> once = scenario.sp;
   scenario.sp.assign(kRunIn, once.front());
   for (std::size_t k = 0; k < samples; ++k)
     scenario.sp.push_back(once[kRunIn + k % (once.size() - kRunIn)]);
   scenario.noise_seed = seed_for("onset", scenario.noise_seed + part);
+  scenario.load.return_within(kEnd);
   return scenario;
 }
 
-/// Share of the samples with op at an end.
-double at_limit(const Series& series) {
-  const auto count =
-      std::ranges::count_if(series.op, [](double op) { return op <= 0.0 || op >= 100.0; });
-  return static_cast<double>(count) / static_cast<double>(series.op.size());
+/// Largest share of samples with op at an end, of any stretch as long as a record.
+double most_at_limit(const Series& series) {
+  std::size_t inside = 0, most = 0;
+  for (std::size_t k = 0; k < series.op.size(); ++k) {
+    inside += is_at_limit(series.op[k]) ? 1U : 0U;
+    if (k >= kSamples && is_at_limit(series.op[k - kSamples])) --inside;
+    most = std::max(most, inside);
+  }
+  return static_cast<double>(most) / kEnd;
 }
 
-/// A load that integrates drives op to its limit in the end: the first of some draws that leaves it
-/// its room as long, else the one that does so most.
+/// As of a record, a draw that drives op to its limits is thrown away: the first of some that
+/// leaves it its room, else the one that does so most.
 Series simulate_lasting(const Scenario& scenario, std::size_t samples, std::uint64_t part,
-                        double most_at_limit) {
+                        double allowed) {
   constexpr std::uint64_t kDraws = 12;
   Series best;
   double least = 2.0;
-  for (std::uint64_t draw = 0; draw < kDraws && least > most_at_limit; ++draw) {
+  for (std::uint64_t draw = 0; draw < kDraws && least > allowed; ++draw) {
     Series series = simulate(lasting(scenario, samples, 2 * draw + part));
-    const double share = at_limit(series);
+    const double share = most_at_limit(series);
     if (share >= least) continue;
     least = share;
     best = std::move(series);
@@ -155,11 +161,10 @@ void append(std::vector<double>& values, const std::vector<double>& more) {
 Record generate_onset(std::string_view kind, std::uint64_t seed, std::size_t before,
                       std::size_t behind) {
   Finished finished = finish(kind, seed, Size::realistic);
-  constexpr double kRoom = 0.005;
-  const double once = at_limit(finished.series);
-  const Series calm = simulate_lasting(finished.draft.base, before, 0, kRoom);
+  const double once = most_at_limit(finished.series);
+  const Series calm = simulate_lasting(finished.draft.base, before, 0, kMostAtLimit);
   const Series faulty =
-      simulate_lasting(finished.draft.scenario, behind, 1, std::max(kRoom, 2.0 * once));
+      simulate_lasting(finished.draft.scenario, behind, 1, std::max(kMostAtLimit, 2.0 * once));
   const double pv0 = finished.draft.scenario.pv0;
   const Units units = draw_units(kind, seed);
   Record record;

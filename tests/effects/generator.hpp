@@ -9,6 +9,13 @@
 
 namespace loopscope::tests::effects {
 
+/// %: at an end of the controller's range.
+[[nodiscard]] inline bool is_at_limit(double op) {
+  return op < 0.01 || op > 99.99;
+}
+/// Largest share of a record's samples with op at a limit; more where the kind says so.
+inline constexpr double kMostAtLimit = 0.005;
+
 /// A figure that the effect was made with, in the words and units of the results.
 struct TrueParameter {
   std::string

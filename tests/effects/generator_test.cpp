@@ -109,6 +109,28 @@ TEST(Generator, AHeldSensorRenewsItsValueAsOftenAsItSays) {
   EXPECT_NEAR(changes, static_cast<double>(kSamples) / samples, 1.5);
 }
 
+TEST(Generator, AnEffectBeginsFromOneSampleToTheNext) {
+  const Record record = generate_onset("sensor_hold", 2, kSamples, kSamples);
+  const double samples = record.truth.effects.front().parameters.front().value;
+  ASSERT_EQ(record.pv.size(), 2 * kSamples);
+  std::size_t before = 0, behind = 0;
+  for (std::size_t k = 1; k < record.pv.size(); ++k)
+    (k < kSamples ? before : behind) += record.pv[k] != record.pv[k - 1] ? 1U : 0U;
+  EXPECT_EQ(before, kSamples - 1);
+  EXPECT_NEAR(static_cast<double>(behind), static_cast<double>(kSamples) / samples, 1.5);
+}
+
+TEST(Generator, NoHealthyLoopRunsOutOfOpInTheLongRun) {
+  // Of 180 loops over 30 records' time three do, with loads that integrate eleven of them.
+  std::size_t full = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Record record = generate_onset("healthy_still", seed, kSamples, 11 * kSamples);
+    const auto at_limit = static_cast<double>(std::ranges::count_if(record.op, is_at_limit));
+    full += at_limit > kMostAtLimit * static_cast<double>(record.op.size()) ? 1U : 0U;
+  }
+  EXPECT_LE(full, 1U);
+}
+
 TEST(Generator, TankKeepsTheGainOfTheLoopAtItsOperatingPoint) {
   std::uint64_t seed = 0;
   Finished finished = finish("process_nonlinearity", seed);

@@ -13,7 +13,7 @@ struct Recipe {
   KindInfo info;
   std::vector<LoopOptions> options;
   std::vector<Dress> dresses;
-  double most_at_limit = 0.005;    ///< share of samples with op at 0 or 100 %
+  double most_at_limit = kMostAtLimit;
   std::vector<Dress> spread = {};  ///< those of `dresses` that have to be explainable alone
 };
 

@@ -1,5 +1,6 @@
 #include "tests/effects/load_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace loopscope::tests::effects {
@@ -34,6 +35,10 @@ Eigen::Matrix3d power(const Eigen::Matrix3d& matrix, int exponent) {
 void LoadModel::step(Eigen::Vector3d& state, double noise) const {
   state = (transition * state).eval();
   state(0) += scale * std::sqrt(kStep) * noise;
+}
+
+void LoadModel::return_within(double samples) {
+  transition(0, 0) = std::min(transition(0, 0), std::exp(-kStep / samples));
 }
 
 LoadModel output_load_model(double memory) {

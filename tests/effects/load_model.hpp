@@ -22,6 +22,8 @@ struct LoadModel {
   [[nodiscard]] double value(const Eigen::Vector3d& state) const { return output * state; }
   /// `noise`: w of this substep, of variance 1.
   void step(Eigen::Vector3d& state, double noise) const;
+  /// The wandering itself, before lags, forgets within `samples` (1/e) at the latest.
+  void return_within(double samples);
 };
 
 /// `memory` per sample, 1 = integrated noise; one unit of `scale` is one of w's deviation a sample.

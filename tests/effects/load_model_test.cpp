@@ -35,6 +35,14 @@ TEST(Predictor, LeavesAnAutoregressionItsInnovations) {
   EXPECT_NEAR(predictor(load, 0.0, 1).variance, added, 1e-9);
 }
 
+TEST(LoadModel, ALoadThatReturnsForgetsInTime) {
+  LoadModel integrated = output_load_model(1.0), short_lived = output_load_model(0.9);
+  integrated.return_within(500.0);
+  short_lived.return_within(500.0);
+  EXPECT_NEAR(std::pow(integrated.transition(0, 0), 500 * kSubsteps), std::exp(-1.0), 1e-9);
+  EXPECT_EQ(short_lived.transition, output_load_model(0.9).transition);
+}
+
 /// A load at the input is what the process makes of it: checked against the process itself.
 void expect_same_path(const Process& process) {
   Scenario open_loop;

@@ -1,6 +1,7 @@
 #include "tests/plants/standing_list.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +12,8 @@ constexpr double kSure = 0.8;
 
 /// Of one loop over the slots.
 struct Stays {
-  std::vector<std::size_t> before;  ///< slots of entries before the fault; of a healthy loop all
+  std::vector<std::size_t> before;     ///< slots of entries before the fault; of a healthy loop all
+  std::vector<std::size_t> saturated;  ///< likewise, but op was at its limit and is said to be
   std::size_t entries = 0;
   std::optional<std::size_t> first_slot;
 };
@@ -34,7 +36,8 @@ std::vector<Stays> stays_of(const std::vector<PlantLoop>& plant,
     for (std::size_t k = 0; k < plant.size(); ++k) {
       if (!listed[k] || on_list[k]) continue;
       const bool stands = plant[k].is_faulty() && slot >= onset_slot(watched[k], watch);
-      if (!stands) stays[k].before.push_back(slot);
+      const bool right = watched[k].saturated[slot] && now[k].verdict == "valve_saturation";
+      if (!stands) (right ? stays[k].saturated : stays[k].before).push_back(slot);
       if (stands) ++stays[k].entries;
       if (stands && !stays[k].first_slot) stays[k].first_slot = slot;
     }
@@ -53,8 +56,8 @@ std::string told(const PlantLoop& loop, const DiagnosedLoop& judged, std::size_t
 std::optional<double> quantile(std::vector<double> values, double share) {
   if (values.empty()) return std::nullopt;
   std::ranges::sort(values);
-  const auto place = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5);
-  return values[place];
+  const long place = std::lround(share * static_cast<double>(values.size() - 1));
+  return values[static_cast<std::size_t>(place)];
 }
 
 }  // namespace
@@ -71,6 +74,8 @@ StandingList run_list(const std::vector<PlantLoop>& plant, const std::vector<Wat
     wrong += stays[k].before.size();
     for (const std::size_t slot : stays[k].before)
       list.wrong.push_back(told(plant[k], watched[k].slots[slot], slot));
+    for (const std::size_t slot : stays[k].saturated)
+      list.saturated.push_back(told(plant[k], watched[k].slots[slot], slot));
     if (!watched[k].from_the_start)
       calm_windows += static_cast<double>(faulty ? watch.onset_windows : watch.windows) + 1.0;
     if (!faulty) continue;
@@ -109,6 +114,7 @@ std::string json_of(const StandingList& list) {
       {"delay_windows", number(list.delay_windows)},
       {"delay_windows_p90", number(list.delay_windows_p90)},
       {"wrong", list.wrong},
+      {"saturated", list.saturated},
       {"missed", list.missed},
   };
   return object.dump(2) + "\n";

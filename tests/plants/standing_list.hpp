@@ -21,7 +21,9 @@ struct StandingList {
   std::optional<double> delay_windows, delay_windows_p90;
   std::size_t sure_faults = 0, sure_listed = 0;  ///< of such faults
   std::vector<std::string> wrong;                ///< each false entry in words
-  std::vector<std::string> missed;               ///< faults that were never listed
+  /// Entries of loops without a fault whose load had driven op to its limit, and that say so.
+  std::vector<std::string> saturated;
+  std::vector<std::string> missed;  ///< faults that were never listed
 };
 
 /// The list of every slot in turn, its stays kept (flagged_after).

@@ -32,6 +32,7 @@ WatchedLoop watched(double usual, const std::map<std::size_t, double>& but = {})
   WatchedLoop loop;
   for (std::size_t slot = 0; slot <= kWatch.windows * kSlotsInWindow; ++slot)
     loop.slots.push_back(with(but.contains(slot) ? but.at(slot) : usual));
+  loop.saturated.resize(loop.slots.size());
   return loop;
 }
 
@@ -65,6 +66,16 @@ TEST(StandingList, CountsEntriesFalseOnesAndDelays) {
   EXPECT_NEAR(list.false_entries, 1000.0 / (4.0 + 7.0 + 4.0), 1e-9);
   EXPECT_THAT(list.wrong, ElementsAre(HasSubstr("fine (kind): valve_stiction at slot 20")));
   EXPECT_THAT(list.missed, SizeIs(1));
+}
+
+TEST(StandingList, ALoadThatTookAllOfOpIsNoFalseEntryWhereItIsSaid) {
+  std::vector<WatchedLoop> loops = {watched(0.1, {{20, 0.999}}), watched(0.1, {{20, 0.999}})};
+  for (WatchedLoop& loop : loops) loop.saturated[20] = true;
+  loops.front().slots[20].verdict = "valve_saturation";
+  const std::vector<PlantLoop> plant = {loop_named("full", ""), loop_named("accused", "")};
+  const StandingList list = run_list(plant, loops, kWatch);
+  EXPECT_THAT(list.saturated, ElementsAre(HasSubstr("full (kind): valve_saturation at slot 20")));
+  EXPECT_THAT(list.wrong, ElementsAre(HasSubstr("accused (kind): valve_stiction at slot 20")));
 }
 
 }  // namespace
