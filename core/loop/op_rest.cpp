@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace loopscope::core::loop {
@@ -11,55 +12,59 @@ namespace {
 
 constexpr std::size_t kFewestForRests = 32;
 constexpr double kNear = 1e-3;  ///< of the span
-/// Of what op usually stays at a value: two equal samples come by rounding at every turn of op, and
-/// an op in whole percent turns for twice as long as it passes.
-constexpr double kLongerThanUsual = 3.0;
-constexpr double kFewestVisits = 2.0;
-/// Fewer stays away from the ends are no habit: an on-off output that was held once.
-constexpr double kFewestStays = 10.0;
+/// Two equal samples come by rounding at every turn of op.
+constexpr std::size_t kShortestRun = 3;
+constexpr std::size_t kFewestVisits = 2;
 
-/// Consecutive samples within `near` of the first of them.
-struct Stay {
-  double value = 0.0;
-  double samples = 0.0;
+struct Runs {
+  std::size_t samples = 0;
+  std::size_t count = 0;
 };
 
-std::vector<Stay> stays_of(const std::vector<double>& values, double near) {
-  std::vector<Stay> stays;
+template <typename AtEnd>
+Runs runs_where(const std::vector<double>& values, AtEnd at_end) {
+  Runs runs;
+  std::size_t length = 0;
+  const auto close = [&] {
+    if (length >= kShortestRun) {
+      runs.samples += length;
+      ++runs.count;
+    }
+    length = 0;
+  };
   for (const double value : values) {
-    if (stays.empty() || std::abs(value - stays.back().value) > near) stays.push_back({value, 0.0});
-    stays.back().samples += 1.0;
+    if (at_end(value))
+      ++length;
+    else
+      close();
   }
-  return stays;
+  close();
+  return runs;
 }
 
-struct EndRests {
-  double samples = 0.0;
-  double visits = 0.0;
-};
-
-/// Of the stays where `at_end` holds those that are longer than usual.
-template <typename AtEnd>
-EndRests rests_at(const std::vector<Stay>& stays, double shortest, AtEnd at_end) {
-  EndRests rests;
-  for (const Stay& stay : stays) {
-    if (!at_end(stay.value) || stay.samples < shortest) continue;
-    rests.samples += stay.samples;
-    rests.visits += 1.0;
-  }
-  return rests;
+/// Whether op is at the end for longer than at the value next to it (each within `near`): a limit
+/// holds all that would lie beyond, an op that only turns there is there for less. The other end is
+/// no such value: an on-off output is always at a limit. `depth`: of each sample, from the end on.
+bool piles_up(const std::vector<double>& depth, double near) {
+  const double other_end = std::ranges::max(depth) - near;
+  double next = std::numeric_limits<double>::infinity();
+  for (const double value : depth)
+    if (value > near && value < other_end) next = std::min(next, value);
+  const auto count = [&](double from, double to) {
+    return std::ranges::count_if(depth, [&](double v) { return v >= from && v <= to; });
+  };
+  return count(0.0, near) > count(next, next + near);
 }
 
-/// Mean length of the stays where `at_end` does not hold; 1 where there are few.
-template <typename AtEnd>
-double usual_stay(const std::vector<Stay>& stays, AtEnd at_end) {
-  double samples = 0.0, count = 0.0;
-  for (const Stay& stay : stays) {
-    if (at_end(stay.value)) continue;
-    samples += stay.samples;
-    count += 1.0;
-  }
-  return count < kFewestStays ? 1.0 : samples / count;
+Runs rests_at(const std::vector<double>& depth, double near) {
+  if (!piles_up(depth, near)) return {};
+  return runs_where(depth, [&](double value) { return value <= near; });
+}
+
+std::vector<double> depth_of(const std::vector<double>& values, double end) {
+  std::vector<double> depth;
+  for (const double value : values) depth.push_back(std::abs(value - end));
+  return depth;
 }
 
 }  // namespace
@@ -71,19 +76,12 @@ std::optional<OpRest> measure_op_rest(std::span<const double> op) {
   const auto ends = std::ranges::minmax(recorded);
   const double near = kNear * (ends.max - ends.min);
   if (!(near > 0.0)) return std::nullopt;
-  const auto at_bottom = [&](double value) { return value <= ends.min + near; };
-  const auto at_top = [&](double value) { return value >= ends.max - near; };
-  const std::vector<Stay> stays = stays_of(recorded, near);
-  const double usual =
-      usual_stay(stays, [&](double value) { return at_bottom(value) || at_top(value); });
-  const double shortest = std::round(kLongerThanUsual * usual);
-  const EndRests below = rests_at(stays, shortest, at_bottom);
-  const EndRests above = rests_at(stays, shortest, at_top);
-  double resting = 0.0;
-  for (const EndRests& rests : {below, above})
-    if (rests.visits >= kFewestVisits) resting += rests.samples;
-  return OpRest{resting / static_cast<double>(recorded.size()),
-                std::max(below.visits, above.visits)};
+  const Runs below = rests_at(depth_of(recorded, ends.min), near);
+  const Runs above = rests_at(depth_of(recorded, ends.max), near);
+  std::size_t resting = 0;
+  for (const Runs& runs : {below, above}) resting += runs.count >= kFewestVisits ? runs.samples : 0;
+  return OpRest{static_cast<double>(resting) / static_cast<double>(recorded.size()),
+                static_cast<double>(std::max(below.count, above.count))};
 }
 
 }  // namespace loopscope::core::loop

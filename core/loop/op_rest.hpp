@@ -6,12 +6,11 @@
 namespace loopscope::core::loop {
 
 /// Where op rests at an end of what it covers in the record: at a limit of the controller or of the
-/// valve, or only where its cycle turns. A rest is three times as long as op usually stays at a
-/// value (one sample where it is fine): an op that is coarse, or held for some samples, stays at
-/// every value.
+/// valve, or only where its cycle turns. An end is none where op is longer at the value next to it:
+/// an op that is coarse, or held for some samples, stays at every value.
 struct OpRest {
-  /// Of the samples, in rests within a thousandth of the span of an end that op comes back to: a
-  /// single one is no limit.
+  /// Of the samples, in runs of at least three within a thousandth of the span of an end that op
+  /// comes back to: a single one is no limit.
   double share = 0.0;
   double visits = 0.0;  ///< rests at the busier end
 };

@@ -72,10 +72,10 @@ std::size_t resting_of_60(double memory, double step, std::size_t hold) {
 }
 
 TEST(OpRest, ACoarseOrHeldOutputHasNoLimit) {
-  // With three samples as the shortest rest 22, 32 and 60.
-  EXPECT_LE(resting_of_60(0.98, 1.5, 1), 2U);
-  EXPECT_LE(resting_of_60(0.95, 1.5, 4), 2U);
-  EXPECT_LE(resting_of_60(0.98, 3.0, 1), 2U);
+  // By the length of the rests alone 44, 32 and 60.
+  EXPECT_LE(resting_of_60(0.98, 2.0, 1), 1U);
+  EXPECT_LE(resting_of_60(0.95, 1.5, 4), 1U);
+  EXPECT_LE(resting_of_60(0.98, 3.0, 1), 1U);
 }
 
 TEST(OpRest, AnOnOffOutputIsAtItsLimitsAlsoWhereItWasHeldOnce) {
@@ -84,12 +84,6 @@ TEST(OpRest, AnOnOffOutputIsAtItsLimitsAlsoWhereItWasHeldOnce) {
   EXPECT_EQ(measure_op_rest(op)->share, 1.0);
   std::fill(op.begin() + 1000, op.begin() + 1200, 50.0);
   EXPECT_NEAR(measure_op_rest(op)->share, 0.95, 1e-12);
-}
-
-TEST(OpRest, AnOutputOfThreePositionsStaysAtEachOfThem) {
-  std::vector<double> op(4000);
-  for (std::size_t k = 0; k < op.size(); ++k) op[k] = 50.0 * static_cast<double>((k / 50) % 3);
-  EXPECT_EQ(measure_op_rest(op)->share, 0.0);
 }
 
 TEST(OpRest, WhatStandsStillOrIsShortIsNone) {
