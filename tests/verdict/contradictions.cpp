@@ -189,8 +189,7 @@ constexpr std::array kAll = {
                   }},
     Contradiction{"a confidence that is not the probability of the code",
                   [](const Evidence&, const Verdict& v) {
-                    if (v.code == Code::insufficient_data || v.code == Code::not_controlling)
-                      return v.confidence != 1.0;
+                    if (!is_fault(v.code) && v.code != Code::healthy) return v.confidence != 1.0;
                     if (v.code == Code::unexplained)
                       return std::abs(v.confidence - (1.0 - largest(v))) > 1e-12;
                     return v.confidence != probability(v, v.code);
