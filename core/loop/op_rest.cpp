@@ -43,7 +43,7 @@ Runs runs_where(const std::vector<double>& values, AtEnd at_end) {
 }
 
 /// Whether op is at the end for longer than at the value next to it (each within `near`): a limit
-/// holds all that would lie beyond, an op that only turns there is there for less. The other end is
+/// holds all that would lie beyond, an op that wanders is there for less. The other end is
 /// no such value: an on-off output is always at a limit. `depth`: of each sample, from the end on.
 bool piles_up(const std::vector<double>& depth, double near) {
   const double other_end = std::ranges::max(depth) - near;
