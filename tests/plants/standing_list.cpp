@@ -23,6 +23,12 @@ std::size_t onset_slot(const WatchedLoop& loop, const Watch& watch) {
   return loop.from_the_start ? 0 : watch.onset_windows * kSlotsInWindow + 1;
 }
 
+/// From the first sample of the fault to the end of the slot's window, windows.
+double delay_of(const WatchedLoop& loop, std::size_t slot, const Watch& watch) {
+  const std::size_t begin = loop.from_the_start ? 0 : (1 + watch.onset_windows) * kSlotsInWindow;
+  return static_cast<double>(slot + kSlotsInWindow - begin) / kSlotsInWindow;
+}
+
 std::vector<Stays> stays_of(const std::vector<PlantLoop>& plant,
                             const std::vector<WatchedLoop>& watched, const Watch& watch,
                             const FlagRule& rule) {
@@ -89,8 +95,7 @@ StandingList run_list(const std::vector<PlantLoop>& plant, const std::vector<Wat
     entries += stays[k].entries;
     if (!sure) continue;
     ++list.sure_listed;
-    delays.push_back(static_cast<double>(*stays[k].first_slot + 1 - onset_slot(watched[k], watch)) /
-                     kSlotsInWindow);
+    delays.push_back(delay_of(watched[k], *stays[k].first_slot, watch));
   }
   if (list.listed > 0)
     list.entries_per_fault = static_cast<double>(entries) / static_cast<double>(list.listed);

@@ -68,6 +68,14 @@ TEST(StandingList, CountsEntriesFalseOnesAndDelays) {
   EXPECT_THAT(list.missed, SizeIs(1));
 }
 
+TEST(StandingList, AFaultFromTheStartHasWaitedForAWholeWindow) {
+  WatchedLoop tight = watched(0.999);
+  tight.single_probability = 0.95;
+  tight.from_the_start = true;
+  const StandingList list = run_list({loop_named("tight", "tight_tuning")}, {tight}, kWatch);
+  EXPECT_DOUBLE_EQ(list.delay_windows.value_or(0.0), 1.0);
+}
+
 TEST(StandingList, ALoadThatTookAllOfOpIsNoFalseEntryWhereItIsSaid) {
   std::vector<WatchedLoop> loops = {watched(0.1, {{20, 0.999}}), watched(0.1, {{20, 0.999}})};
   for (WatchedLoop& loop : loops) loop.saturated[20] = true;
