@@ -6,8 +6,8 @@
 namespace loopscope::core::loop {
 
 /// Where op rests at an end of what it covers in the record: at a limit of the controller or of the
-/// valve, or only where its cycle turns. An end is none where op is longer at the value next to it:
-/// an op that is coarse, or held for some samples, stays at every value.
+/// valve, or only where its cycle turns. An end counts only if op is there for longer than at the
+/// nearest value further in: an op that is coarse, or held for some samples, stays at every value.
 struct OpRest {
   /// Of the samples, in runs of at least three within a thousandth of the span of an end that op
   /// comes back to: a single one is no limit.
