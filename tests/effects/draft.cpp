@@ -14,11 +14,6 @@ namespace {
 
 constexpr int kMostAttempts = 2000;
 
-double share_at_limit(const std::vector<double>& op) {
-  return static_cast<double>(std::ranges::count_if(op, is_at_limit)) /
-         static_cast<double>(op.size());
-}
-
 /// Whether pv stays on the span of its transmitter.
 bool is_on_span(const Scenario& scenario, const std::vector<double>& pv) {
   return std::all_of(pv.begin(), pv.end(), [&](double rise) {

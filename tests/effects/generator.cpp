@@ -81,6 +81,11 @@ Record record_of(std::string_view kind, std::uint64_t seed, const Finished& fini
 
 }  // namespace
 
+double share_at_limit(std::span<const double> op) {
+  return static_cast<double>(std::ranges::count_if(op, is_at_limit)) /
+         static_cast<double>(op.size());
+}
+
 const std::vector<KindInfo>& all_kinds() {
   static const std::vector<KindInfo> kinds = [] {
     std::vector<KindInfo> all;
@@ -113,7 +118,7 @@ Record generate_stretch(std::string_view kind, std::uint64_t seed, std::uint64_t
 namespace {
 
 /// For `samples` samples; the run-in stands still. No load integrates for so long: it returns
-/// within a record, in which that cannot be told from an integrated one.
+/// within a record, which a single record hardly shows.
 Scenario lasting(Scenario scenario, std::size_t samples, std::uint64_t part) {
   const std::vector<double> once = scenario.sp;
   scenario.sp.assign(kRunIn, once.front());
@@ -135,8 +140,8 @@ double most_at_limit(const Series& series) {
   return static_cast<double>(most) / kEnd;
 }
 
-/// As of a record, a draw that drives op to its limits is thrown away: the first of some that
-/// leaves it its room, else the one that does so most.
+/// As of a record, a draw that drives op to its limits is thrown away: the first of at most
+/// kDraws that leaves it its room, else the one that does so most.
 Series simulate_lasting(const Scenario& scenario, std::size_t samples, std::uint64_t part,
                         double allowed) {
   constexpr std::uint64_t kDraws = 12;
@@ -161,7 +166,8 @@ void append(std::vector<double>& values, const std::vector<double>& more) {
 Record generate_onset(std::string_view kind, std::uint64_t seed, std::size_t before,
                       std::size_t behind) {
   Finished finished = finish(kind, seed, Size::realistic);
-  const double once = most_at_limit(finished.series);
+  // An effect that drives op to its limits in a single record may do so for twice as long here.
+  const double once = finished.draft.effects.empty() ? 0.0 : share_at_limit(finished.series.op);
   const Series calm = simulate_lasting(finished.draft.base, before, 0, kMostAtLimit);
   const Series faulty =
       simulate_lasting(finished.draft.scenario, behind, 1, std::max(kMostAtLimit, 2.0 * once));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,8 @@ namespace loopscope::tests::effects {
 [[nodiscard]] inline bool is_at_limit(double op) {
   return op < 0.01 || op > 99.99;
 }
+/// Of the samples.
+[[nodiscard]] double share_at_limit(std::span<const double> op);
 /// Largest share of a record's samples with op at a limit; more where the kind says so.
 inline constexpr double kMostAtLimit = 0.005;
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include "tests/effects/draft.hpp"
@@ -120,15 +121,29 @@ TEST(Generator, AnEffectBeginsFromOneSampleToTheNext) {
   EXPECT_NEAR(static_cast<double>(behind), static_cast<double>(kSamples) / samples, 1.5);
 }
 
-TEST(Generator, NoHealthyLoopRunsOutOfOpInTheLongRun) {
-  // Of 180 loops over 30 records' time three do, with loads that integrate eleven of them.
+/// Largest share of op at its limits, of any stretch as long as a record, in a loop without effects
+/// over the time of 30 records. Of 398 such loops (healthy_still and healthy_moving, seeds 1 to
+/// 199) 13 are above kMostAtLimit, with loads that integrate all the time 30.
+double worst_share_at_limit(std::uint64_t seed) {
+  const Record record = generate_onset("healthy_still", seed, kSamples, 29 * kSamples);
+  double worst = 0.0;
+  for (std::size_t first = 0; first + kSamples <= record.op.size(); first += kSamples / 64)
+    worst = std::max(worst, share_at_limit(std::span(record.op).subspan(first, kSamples)));
+  return worst;
+}
+
+TEST(Generator, HardlyAHealthyLoopRunsOutOfOpInTheLongRun) {
   std::size_t full = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const Record record = generate_onset("healthy_still", seed, kSamples, 11 * kSamples);
-    const auto at_limit = static_cast<double>(std::ranges::count_if(record.op, is_at_limit));
-    full += at_limit > kMostAtLimit * static_cast<double>(record.op.size()) ? 1U : 0U;
-  }
-  EXPECT_LE(full, 1U);
+  for (std::uint64_t seed = 200; seed < 220; ++seed)
+    full += worst_share_at_limit(seed) > kMostAtLimit ? 1U : 0U;
+  // Three and more of 20 at a rate of 13 in 398: 2.6 % of all sets of seeds.
+  EXPECT_LE(full, 2U);
+}
+
+TEST(Generator, LoadsThatWouldIntegrateReturnInTheLongRun) {
+  // Integrating, the best of 12 draws has op at its limit for 74 to 100 % of the worst stretch.
+  for (const std::uint64_t seed : {25U, 63U, 97U, 173U})
+    EXPECT_LE(worst_share_at_limit(seed), kMostAtLimit) << seed;
 }
 
 TEST(Generator, TankKeepsTheGainOfTheLoopAtItsOperatingPoint) {

@@ -18,8 +18,6 @@ using effects::Scenario;
 using effects::Series;
 
 constexpr int kMostAttempts = 3000;
-/// Share of samples with op at 0 or 100 %.
-constexpr double kMostAtLimit = 0.005;
 /// A fault of tuning has to cost at least so much, by the error's mean square without it.
 constexpr double kLeastCost = 1.6;
 /// A fault is smaller when its burden is at most this share of what it was, larger when the reverse
@@ -121,7 +119,8 @@ Cost cost_of(const Trial& trial, const std::optional<double>& size, std::uint64_
   Cost cost;
   for (std::uint64_t i = 0; i < kStretches; ++i) {
     const Stretch stretch = run(trial, trial.scenario(size), 1.0, seed + i);
-    cost.in_range &= effects::stays_in_range(trial.draft.base, stretch.series, kMostAtLimit);
+    cost.in_range &=
+        effects::stays_in_range(trial.draft.base, stretch.series, effects::kMostAtLimit);
     cost.variance += mean_square_error(stretch.series) / kStretches;
     if (trial.kind.is_spread && size)
       cost.explainable += explainable_of(trial, stretch) / kStretches;
