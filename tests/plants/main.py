@@ -61,6 +61,7 @@ PARTS = (Part("plant", "plant_faults"),
          # An hour on two cores: only where it is asked for.
          Part("list", "plant_list", ("standing_faults", "listed_faults", "sure_faults",
                                      "sure_listed", "entries_per_fault", "false_entries",
+                                     "false_entries_with_saturated",
                                      "delay_windows", "delay_windows_p90", "wrong", "saturated",
                                      "missed")))
 

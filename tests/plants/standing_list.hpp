@@ -16,12 +16,14 @@ struct StandingList {
   std::size_t listed = 0;          ///< faults that came onto the list at all
   double entries_per_fault = 0.0;  ///< of those
   double false_entries = 0.0;      ///< entries of loops without a fault, per 1000 of their windows
+  double false_entries_with_saturated = 0.0;  ///< those of `saturated` as well
   /// From the onset to the list, windows, of faults whose single window has a probability of at
   /// least 0.8; nullopt = none was listed.
   std::optional<double> delay_windows, delay_windows_p90;
   std::size_t sure_faults = 0, sure_listed = 0;  ///< of such faults
   std::vector<std::string> wrong;                ///< each false entry in words
-  /// Entries of loops without a fault whose load had driven op to its limit, and that say so.
+  /// Entries of loops without a fault whose load had driven op to its limit for a tenth of a window
+  /// and more, and that say so as long as they last.
   std::vector<std::string> saturated;
   std::vector<std::string> missed;  ///< faults that were never listed
 };

@@ -9,6 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr Watch kWatch{.windows = 6, .onset_windows = 3};
@@ -32,7 +33,7 @@ WatchedLoop watched(double usual, const std::map<std::size_t, double>& but = {})
   WatchedLoop loop;
   for (std::size_t slot = 0; slot <= kWatch.windows * kSlotsInWindow; ++slot)
     loop.slots.push_back(with(but.contains(slot) ? but.at(slot) : usual));
-  loop.saturated.resize(loop.slots.size());
+  loop.at_limit.resize(loop.slots.size());
   return loop;
 }
 
@@ -76,14 +77,54 @@ TEST(StandingList, AFaultFromTheStartHasWaitedForAWholeWindow) {
   EXPECT_DOUBLE_EQ(list.delay_windows.value_or(0.0), 1.0);
 }
 
+/// On the list from slot `first` to `last` as saturated, with op at its limit for `share` of the
+/// first of these windows.
+WatchedLoop saturated(std::size_t first, std::size_t last, double share) {
+  WatchedLoop loop = watched(0.1);
+  for (std::size_t slot = first; slot <= last; ++slot) {
+    loop.slots[slot] = with(0.999);
+    loop.slots[slot].verdict = "valve_saturation";
+  }
+  loop.at_limit[first] = share;
+  return loop;
+}
+
+StandingList list_of(const WatchedLoop& loop, const std::string& fault = "") {
+  return run_list({loop_named("full", fault)}, {loop}, kWatch);
+}
+
 TEST(StandingList, ALoadThatTookAllOfOpIsNoFalseEntryWhereItIsSaid) {
-  std::vector<WatchedLoop> loops = {watched(0.1, {{20, 0.999}}), watched(0.1, {{20, 0.999}})};
-  for (WatchedLoop& loop : loops) loop.saturated[20] = true;
-  loops.front().slots[20].verdict = "valve_saturation";
-  const std::vector<PlantLoop> plant = {loop_named("full", ""), loop_named("accused", "")};
-  const StandingList list = run_list(plant, loops, kWatch);
+  const StandingList list = list_of(saturated(20, 29, 0.1));
   EXPECT_THAT(list.saturated, ElementsAre(HasSubstr("full (kind): valve_saturation at slot 20")));
-  EXPECT_THAT(list.wrong, ElementsAre(HasSubstr("accused (kind): valve_stiction at slot 20")));
+  EXPECT_THAT(list.saturated, ElementsAre(HasSubstr("op at its limit for 10.0 %")));
+  EXPECT_THAT(list.wrong, IsEmpty());
+  EXPECT_DOUBLE_EQ(list.false_entries, 0.0);
+  EXPECT_NEAR(list.false_entries_with_saturated, 1000.0 / 7.0, 1e-9);
+}
+
+TEST(StandingList, ALimitThatOpHardlyTouchesExcusesNothing) {
+  EXPECT_THAT(list_of(saturated(20, 29, 0.09)).wrong, ElementsAre(HasSubstr("at slot 20")));
+}
+
+TEST(StandingList, AnotherVerdictOnASaturatedLoopIsFalseFromThenOn) {
+  WatchedLoop loop = saturated(20, 29, 0.5);
+  loop.slots[24].verdict = "valve_stiction";
+  const StandingList list = list_of(loop);
+  EXPECT_THAT(list.wrong, ElementsAre(HasSubstr("valve_stiction at slot 24")));
+  EXPECT_THAT(list.saturated, IsEmpty());
+}
+
+TEST(StandingList, AStayThatOutlastsTheSaturationByAWindowIsFalseFromThenOn) {
+  const StandingList list = list_of(saturated(20, 35, 0.5));
+  EXPECT_THAT(list.wrong, ElementsAre(HasSubstr("valve_saturation at slot 30")));
+  EXPECT_DOUBLE_EQ(list.false_entries, list.false_entries_with_saturated);
+}
+
+TEST(StandingList, AFaultyLoopIsExcusedLikewiseBeforeItsFault) {
+  const StandingList list = list_of(saturated(20, 29, 0.5), "valve_stiction");
+  EXPECT_THAT(list.saturated, SizeIs(1));
+  EXPECT_THAT(list.wrong, IsEmpty());
+  EXPECT_EQ(list.listed, 0U);
 }
 
 }  // namespace

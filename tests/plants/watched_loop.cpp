@@ -1,6 +1,5 @@
 #include "tests/plants/watched_loop.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -28,11 +27,6 @@ core::signal::LoopWindow window_at(const core::signal::LoopWindow& whole, std::s
   window.pv = cut(whole.pv);
   window.op = cut(whole.op);
   return window;
-}
-
-bool is_saturated(const Samples& op) {
-  return static_cast<double>(std::ranges::count_if(op, effects::is_at_limit)) >
-         effects::kMostAtLimit * static_cast<double>(op.size());
 }
 
 /// The windows so far, and what of pv they tell the next.
@@ -85,7 +79,7 @@ WatchedLoop watch_loop(const PlantLoop& loop, const Watch& watch) {
         window, {}, {.integrating = record.truth.loop.integrating, .seed = loop.seed + slot});
     if (loop.is_faulty() && first >= onset && !watched.single_probability)
       watched.single_probability = diagnosed(found).fault_probability;
-    watched.saturated.push_back(is_saturated(window.op));
+    watched.at_limit.push_back(effects::share_at_limit(window.op));
     watched.slots.push_back(judged(found, kInterval_s * static_cast<double>(first), past));
   }
   return watched;

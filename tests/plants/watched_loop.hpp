@@ -22,9 +22,9 @@ struct WatchedLoop {
   /// Probability of a fault by the single window that holds nothing from before the onset, the
   /// first of them; nullopt = none was weighed, or the loop is healthy.
   std::optional<double> single_probability;
-  /// Of each slot: op is at 0 or 100 % for longer than effects::generate() lets a loop without a
-  /// limited valve be. Loads wander for so many windows that now and then one takes all of op.
-  std::vector<bool> saturated;
+  /// Of each slot: the share of its samples with op at 0 or 100 %. Loads wander for so many windows
+  /// that now and then one takes all of op.
+  std::vector<double> at_limit;
   bool from_the_start = false;  ///< a tuning: there is no time before the fault
 };
 
