@@ -1,6 +1,7 @@
 #include "tests/effects/generator.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "tests/effects/draft.hpp"
@@ -86,6 +87,16 @@ double share_at_limit(std::span<const double> op) {
          static_cast<double>(op.size());
 }
 
+double worst_share_at_limit(std::span<const double> op) {
+  std::size_t inside = 0, most = 0;
+  for (std::size_t k = 0; k < op.size(); ++k) {
+    inside += is_at_limit(op[k]) ? 1U : 0U;
+    if (k >= kSamples && is_at_limit(op[k - kSamples])) --inside;
+    most = std::max(most, inside);
+  }
+  return static_cast<double>(most) / kEnd;
+}
+
 const std::vector<KindInfo>& all_kinds() {
   static const std::vector<KindInfo> kinds = [] {
     std::vector<KindInfo> all;
@@ -119,68 +130,52 @@ namespace {
 
 /// For `samples` samples; the run-in stands still. No load integrates for so long: it returns
 /// within a record, which a single record hardly shows.
-Scenario lasting(Scenario scenario, std::size_t samples, std::uint64_t part) {
+Scenario lasting(Scenario scenario, std::size_t samples, std::uint64_t draw) {
   const std::vector<double> once = scenario.sp;
   scenario.sp.assign(kRunIn, once.front());
   for (std::size_t k = 0; k < samples; ++k)
     scenario.sp.push_back(once[kRunIn + k % (once.size() - kRunIn)]);
-  scenario.noise_seed = seed_for("onset", scenario.noise_seed + part);
+  scenario.noise_seed = seed_for("onset", scenario.noise_seed + draw);
   scenario.load.return_within(kEnd);
   return scenario;
 }
 
-/// Largest share of samples with op at an end, of any stretch as long as a record.
-double most_at_limit(const Series& series) {
-  std::size_t inside = 0, most = 0;
-  for (std::size_t k = 0; k < series.op.size(); ++k) {
-    inside += is_at_limit(series.op[k]) ? 1U : 0U;
-    if (k >= kSamples && is_at_limit(series.op[k - kSamples])) --inside;
-    most = std::max(most, inside);
-  }
-  return static_cast<double>(most) / kEnd;
-}
-
 /// As of a record, a draw that drives op to its limits is thrown away: the first of at most
 /// kDraws that leaves it its room, else the one that does so most.
-Series simulate_lasting(const Scenario& scenario, std::size_t samples, std::uint64_t part,
-                        double allowed) {
+Series simulate_lasting(const Finished& finished, std::size_t before, std::size_t behind) {
   constexpr std::uint64_t kDraws = 12;
+  const Draft& draft = finished.draft;
+  // An effect that drives op to its limits in a single record may do so for twice as long here.
+  const double once = draft.effects.empty() ? 0.0 : share_at_limit(finished.series.op);
+  const double allowed = std::max(kMostAtLimit, 2.0 * once);
   Series best;
-  double least = 2.0;
-  for (std::uint64_t draw = 0; draw < kDraws && least > allowed; ++draw) {
-    Series series = simulate(lasting(scenario, samples, 2 * draw + part));
-    const double share = most_at_limit(series);
-    if (share >= least) continue;
-    least = share;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint64_t draw = 0; draw < kDraws && least > 1.0; ++draw) {
+    Series series = simulate_onset(lasting(draft.base, before + behind, draw),
+                                   lasting(draft.scenario, before + behind, draw), before);
+    const double of_allowed =
+        std::max(worst_share_at_limit(std::span(series.op).first(before)) / kMostAtLimit,
+                 worst_share_at_limit(series.op) / allowed);
+    if (of_allowed >= least) continue;
+    least = of_allowed;
     best = std::move(series);
   }
   return best;
-}
-
-void append(std::vector<double>& values, const std::vector<double>& more) {
-  values.insert(values.end(), more.begin(), more.end());
 }
 
 }  // namespace
 
 Record generate_onset(std::string_view kind, std::uint64_t seed, std::size_t before,
                       std::size_t behind) {
-  Finished finished = finish(kind, seed, Size::realistic);
-  // An effect that drives op to its limits in a single record may do so for twice as long here.
-  const double once = finished.draft.effects.empty() ? 0.0 : share_at_limit(finished.series.op);
-  const Series calm = simulate_lasting(finished.draft.base, before, 0, kMostAtLimit);
-  const Series faulty =
-      simulate_lasting(finished.draft.scenario, behind, 1, std::max(kMostAtLimit, 2.0 * once));
+  const Finished finished = finish(kind, seed, Size::realistic);
+  const Series series = simulate_lasting(finished, before, behind);
   const double pv0 = finished.draft.scenario.pv0;
   const Units units = draw_units(kind, seed);
   Record record;
   record.interval_s = units.interval_s;
-  record.sp = in_units(calm.sp, pv0, units);
-  append(record.sp, in_units(faulty.sp, pv0, units));
-  record.pv = in_units(calm.pv, pv0, units);
-  append(record.pv, in_units(faulty.pv, pv0, units));
-  record.op = calm.op;
-  append(record.op, faulty.op);
+  record.sp = in_units(series.sp, pv0, units);
+  record.pv = in_units(series.pv, pv0, units);
+  record.op = series.op;
   record.truth.kind = recipe_of(kind).info;
   record.truth.effects = effects_of(finished.draft, units);
   record.truth.loop = loop_of(finished.draft.base, units);

@@ -16,6 +16,9 @@ namespace loopscope::tests::effects {
 }
 /// Of the samples.
 [[nodiscard]] double share_at_limit(std::span<const double> op);
+/// The largest of any stretch as long as a record (what is shorter counts as if the rest were
+/// free).
+[[nodiscard]] double worst_share_at_limit(std::span<const double> op);
 /// Largest share of a record's samples with op at a limit; more where the kind says so.
 inline constexpr double kMostAtLimit = 0.005;
 
@@ -107,8 +110,8 @@ struct Record {
                                       std::uint64_t stretch);
 
 /// The loop of generate() over a longer time: `before` samples without its effects, then `behind`
-/// with them, as from one sample to the next. The set point repeats its course, load and noise are
-/// drawn anew. `truth` is that of generate(), without what is explainable.
+/// with them, as from one sample to the next (simulate_onset). The set point repeats its course,
+/// load and noise are drawn anew. `truth` is that of generate(), without what is explainable.
 [[nodiscard]] Record generate_onset(std::string_view kind, std::uint64_t seed, std::size_t before,
                                     std::size_t behind);
 

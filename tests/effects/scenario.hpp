@@ -72,4 +72,11 @@ struct Series {
 /// Runs the loop with kSubsteps steps a sample; op is held over a sample.
 [[nodiscard]] Series simulate(const Scenario& scenario);
 
+/// The same of a loop that is `calm` for the run-in and `before` samples and `faulty` from then on,
+/// whose set point it has all the time. Process, controller, load and noise go on from one sample
+/// to the next; the valve of `faulty` has followed op since the start, its times count from the
+/// onset.
+[[nodiscard]] Series simulate_onset(const Scenario& calm, const Scenario& faulty,
+                                    std::size_t before);
+
 }  // namespace loopscope::tests::effects
