@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
+#include <utility>
 
 namespace loopscope::tests::plants {
 namespace {
@@ -114,10 +115,30 @@ TEST(StandingList, AnotherVerdictOnASaturatedLoopIsFalseFromThenOn) {
   EXPECT_THAT(list.saturated, IsEmpty());
 }
 
+TEST(StandingList, ToEnterOpHasToBeAtItsLimitNow) {
+  WatchedLoop loop = saturated(20, 29, 0.5);
+  std::swap(loop.at_limit[20], loop.at_limit[19]);
+  EXPECT_THAT(list_of(loop).wrong, ElementsAre(HasSubstr("at slot 20")));
+}
+
 TEST(StandingList, AStayThatOutlastsTheSaturationByAWindowIsFalseFromThenOn) {
   const StandingList list = list_of(saturated(20, 35, 0.5));
   EXPECT_THAT(list.wrong, ElementsAre(HasSubstr("valve_saturation at slot 30")));
   EXPECT_DOUBLE_EQ(list.false_entries, list.false_entries_with_saturated);
+}
+
+TEST(StandingList, EveryStayIsCountedForItself) {
+  // Excused, off the list, accused, off the list, excused to begin with.
+  WatchedLoop loop = saturated(0, 9, 0.5);
+  const WatchedLoop later = saturated(40, 52, 0.5);
+  for (std::size_t slot = 40; slot <= 52; ++slot) loop.slots[slot] = later.slots[slot];
+  loop.at_limit[40] = 0.5;
+  loop.slots[20] = with(0.999);
+  const StandingList list = list_of(loop);
+  EXPECT_THAT(list.saturated, ElementsAre(HasSubstr("at slot 0")));
+  EXPECT_THAT(list.wrong, ElementsAre(HasSubstr("at slot 20"), HasSubstr("at slot 50")));
+  EXPECT_NEAR(list.false_entries, 2000.0 / 7.0, 1e-9);
+  EXPECT_NEAR(list.false_entries_with_saturated, 3000.0 / 7.0, 1e-9);
 }
 
 TEST(StandingList, AFaultyLoopIsExcusedLikewiseBeforeItsFault) {
@@ -125,6 +146,61 @@ TEST(StandingList, AFaultyLoopIsExcusedLikewiseBeforeItsFault) {
   EXPECT_THAT(list.saturated, SizeIs(1));
   EXPECT_THAT(list.wrong, IsEmpty());
   EXPECT_EQ(list.listed, 0U);
+}
+
+WatchedLoop sure_fault(const std::map<std::size_t, double>& but) {
+  WatchedLoop loop = watched(0.1, but);
+  loop.single_probability = 0.95;
+  return loop;
+}
+
+TEST(StandingList, TheFaultBeginsWithTheFirstWindowThatHoldsASampleOfIt) {
+  EXPECT_THAT(list_of(sure_fault({{30, 0.999}}), "valve_stiction").wrong, SizeIs(1));
+  const StandingList list = list_of(sure_fault({{31, 0.999}}), "valve_stiction");
+  EXPECT_THAT(list.wrong, IsEmpty());
+  EXPECT_DOUBLE_EQ(list.delay_windows.value_or(0.0), 0.1);
+  EXPECT_EQ(list.listed_as_another, 0U);
+  EXPECT_EQ(list_of(sure_fault({{31, 0.999}}), "tight_tuning").listed_as_another, 1U);
+}
+
+TEST(StandingList, WhoeverWasOnTheListBeforeItsFaultHasNoDelay) {
+  std::map<std::size_t, double> slots;
+  for (std::size_t slot = 25; slot <= 35; ++slot) slots[slot] = 0.999;
+  slots[55] = 0.999;
+  const StandingList list = list_of(sure_fault(slots), "valve_stiction");
+  EXPECT_THAT(list.wrong, SizeIs(1));
+  EXPECT_EQ(list.listed, 1U);
+  EXPECT_DOUBLE_EQ(list.entries_per_fault, 2.0);
+  EXPECT_EQ(list.delay_windows, std::nullopt);
+  EXPECT_THAT(list.right, ElementsAre(HasSubstr("on the list before its fault, entries 2")));
+}
+
+TEST(StandingList, AStayGoesOnAtALooserShare) {
+  WatchedLoop loop = sure_fault({{40, 0.999}});
+  for (std::size_t slot = 41; slot < loop.slots.size(); ++slot) loop.slots[slot] = with(0.85);
+  EXPECT_DOUBLE_EQ(list_of(loop, "valve_stiction").entries_per_fault, 1.0);
+}
+
+TEST(StandingList, DelaysAreOfSureFaultsAndInfiniteForThoseThatNeverCame) {
+  std::vector<PlantLoop> plant;
+  std::vector<WatchedLoop> loops;
+  for (const std::size_t slot : {60U, 33U, 45U, 37U}) {  // 3, 0.3, 1.5 and 0.7 windows
+    plant.push_back(loop_named("sure", "valve_stiction"));
+    loops.push_back(sure_fault({{slot, 0.999}}));
+  }
+  plant.push_back(loop_named("unsure", "valve_stiction"));
+  loops.push_back(sure_fault({{32, 0.999}}));
+  loops.back().single_probability = 0.79;
+  plant.push_back(loop_named("never", "valve_stiction"));
+  loops.push_back(sure_fault({}));
+  const StandingList list = run_list(plant, loops, kWatch);
+  EXPECT_EQ(list.sure_faults, 5U);
+  EXPECT_EQ(list.sure_listed, 4U);
+  EXPECT_DOUBLE_EQ(list.delay_windows.value_or(0.0), 1.5);
+  EXPECT_EQ(list.delay_windows_p90, std::nullopt);
+  plant.pop_back();
+  loops.pop_back();
+  EXPECT_DOUBLE_EQ(run_list(plant, loops, kWatch).delay_windows_p90.value_or(0.0), 3.0);
 }
 
 }  // namespace
