@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "core/signal/gaps.hpp"
@@ -40,12 +41,22 @@ std::string percent_text(double share_of_one) {
   return std::to_string(std::lround(100.0 * share_of_one)) + " %";
 }
 
+/// Gaps of pv that were recorded: it stands still there for longer than the archive's rule
+/// explains.
+std::size_t recorded_gaps(const PreparedLoop& loop) {
+  if (!loop.still) return 0;
+  const FlatRun& run = loop.still->run;
+  const auto still = std::span(loop.pv).subspan(run.first, run.samples);
+  const auto gaps = std::ranges::count_if(still, [](double value) { return std::isnan(value); });
+  return std::min(run.recorded, static_cast<std::size_t>(gaps));
+}
+
 /// Holes are gaps of an archive that stores every sample, and none of one that does not.
 double missing_fraction(const PreparedLoop& loop) {
   const bool by_rule = loop.archive == Archive::dead_band ||
                        loop.archive == Archive::swinging_door || loop.archive == Archive::on_change;
   return !by_rule ? 1.0 - share(loop.pv_recorded, loop.pv.size())
-                  : share(loop.pv_gaps, loop.pv.size());
+                  : share(loop.pv_gaps - recorded_gaps(loop), loop.pv.size());
 }
 
 /// Why there is too little of pv: never recorded, or discarded for standing still; empty = enough.

@@ -1,10 +1,14 @@
 #include "core/signal/prepare.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
 #include <stdexcept>
+
+#include "tests/core/signal/archives.hpp"
 
 namespace loopscope::core::signal {
 namespace {
@@ -173,6 +177,28 @@ TEST(Prepare, WhatWasDiscardedIsNotCalledMissing) {
   EXPECT_EQ(*loop.quality.missing_fraction, 0.0);
   EXPECT_TRUE(loop.quality.enough);
   EXPECT_THAT(loop.quality.reason, Not(HasSubstr("missing")));
+}
+
+TEST(Prepare, WhatStandsStillIsNotCalledMissingWhateverTheArchive) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  LoopWindow window = healthy_window(4096);
+  double value = 0.0;
+  for (double& pv : window.pv) pv = 50.0 + (value = 0.8 * value + 0.6 * normal(random));
+  Samples on_grid = window.pv;
+  for (double& pv : on_grid) pv = std::round(pv);
+  const Samples banded = held_between(window.pv, keep_one_in(2.0, window.pv, keep_dead_band));
+  const Samples lined = lines_between(window.pv, keep_one_in(2.0, window.pv, keep_swinging_door));
+  for (const Samples& alive : {window.pv, on_grid, banded, lined}) {
+    for (const std::size_t from : {3500U, 2500U, 2000U, 1000U, 400U}) {
+      window.pv = alive;
+      std::fill(window.pv.begin() + static_cast<std::ptrdiff_t>(from), window.pv.end(), 52.0);
+      const PreparedLoop loop = prepare(window, {});
+      EXPECT_EQ(*loop.quality.missing_fraction, 0.0) << from;
+      EXPECT_TRUE(loop.quality.enough) << from;
+      EXPECT_THAT(loop.quality.flags, Contains("pv_dead")) << from;
+    }
+  }
 }
 
 TEST(Prepare, AProcessVariableRenewedSeldomIsFlaggedWithItsFactor) {
