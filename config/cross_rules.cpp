@@ -86,6 +86,12 @@ void check_list(const FlagSettings& flags, ProblemList& problems) {
                                     " is less than list_false_share, " +
                                     number_text(flags.list_false_share),
                                 "loops would enter the list and leave it at once");
+  if (flags.list_leave_probability > flags.list_least_probability)
+    problems.add_unless_refused({"/flags/list_leave_probability", "/flags/list_least_probability"},
+                                number_text(flags.list_leave_probability) +
+                                    " is more than list_least_probability, " +
+                                    number_text(flags.list_least_probability),
+                                "loops would enter the list and leave it at once");
 }
 
 void check_window(const core::signal::PrepareSettings& prepare, ProblemList& problems) {

@@ -147,6 +147,10 @@ constexpr std::array kOtherSettings = {
             range(0.5, 1),
             "probability of a fault that a loop enters the list with, at least: sure faults lend a "
             "doubtful one no place"},
+    Setting{"/flags/list_leave_probability", in_flags<&FlagSettings::list_leave_probability>,
+            range(0, 1),
+            "probability of a fault below which a loop leaves the list: sure faults keep none that "
+            "is mended; not above `list_least_probability`"},
     Setting{
         "/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
         range(0.0001, 1),

@@ -112,6 +112,8 @@ struct FlagSettings {
   double list_leave_share = 0.2;
   /// Of a fault, that a loop enters the list with, at least; 0.5 to 1.
   double list_least_probability = 0.8;
+  /// Of a fault, below which a loop leaves the list; 0 to list_least_probability.
+  double list_leave_probability = 0.5;
   /// Share of tested flags that may be false, 0.0001 to 1; 1 = the list goes by odds alone.
   double false_discovery_rate = 0.005;
   /// positive: tests of different loops are independent or rise together; arbitrary: in any way

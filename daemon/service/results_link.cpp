@@ -15,6 +15,7 @@ storage::ResultsDatabase& ResultsLink::database() {
   fresh.set_parameter("list_false_share", flags.list_false_share);
   fresh.set_parameter("list_leave_share", flags.list_leave_share);
   fresh.set_parameter("list_least_probability", flags.list_least_probability);
+  fresh.set_parameter("list_leave_probability", flags.list_leave_probability);
   fresh.set_parameter("false_discovery_rate", flags.false_discovery_rate);
   fresh.set_parameter("false_discovery_dependence",
                       flags.false_discovery_dependence == "arbitrary" ? 1.0 : 0.0);

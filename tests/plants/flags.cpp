@@ -62,7 +62,8 @@ std::vector<bool> flagged_after(const std::vector<DiagnosedLoop>& loops,
   for (std::size_t k = 0; k < on_list.size(); ++k)
     if (on_list[k] && loops[k].fault_probability) probability[k] = *loops[k].fault_probability;
   const std::vector<bool> stays =
-      core::plant::list_by_odds(probability, rule.list_leave_share, rule.min_confidence);
+      core::plant::list_by_odds(probability, rule.list_leave_share,
+                                std::max(rule.min_confidence, rule.list_leave_probability));
   for (std::size_t k = 0; k < on_list.size(); ++k) {
     const bool silent = loops[k].verdict == "insufficient_data" ||
                         (!loops[k].fault_probability && is_shown(loops[k], rule));

@@ -14,6 +14,7 @@ struct FlagRule {
   double list_false_share = 0.02;
   double list_leave_share = 0.2;
   double list_least_probability = 0.8;
+  double list_leave_probability = 0.5;
   double enough_windows = 2.0;
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <random>
@@ -47,6 +48,20 @@ TEST_F(StandingListTest, EntersAtOneRateAndLeavesAtALooserOne) {
   tell_probability(5, 0.9);
   EXPECT_THAT(flagged(), IsEmpty()) << "it has to enter again";
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.flag_history"), "1");
+}
+
+TEST_F(StandingListTest, SureFaultsKeepNoLoopThatIsMoreLikelySound) {
+  for (int k = 0; k < 20; ++k)
+    tell({{.loop = "sure" + std::to_string(k), .fault_probability = 0.999}});
+  tell_probability(1, 0.99);
+  note();
+  const auto stays = [&](int hour, double probability) {
+    tell_probability(hour, probability);
+    note();
+    return value("SELECT count(*) FROM loopscope.flagged_loop WHERE loop_name = 'a'") == "1";
+  };
+  EXPECT_TRUE(stays(2, 0.51));
+  EXPECT_FALSE(stays(3, 0.49)) << "the mean of 1 - fault_probability is 0.025";
 }
 
 TEST_F(StandingListTest, AWindowThatCannotBeJudgedTakesNothingOff) {
@@ -145,9 +160,12 @@ TEST_F(StandingListTest, StaysAreThoseOfCore) {
   }
   tell(stories);
   database->execute("UPDATE loopscope.analysis SET combined_probabilities = NULL");
-  for (const double share : {0.05, 0.15, 0.3, 0.5}) {
+  for (const auto& [share, leave] :
+       std::vector<std::pair<double, double>>{{0.05, 0.5}, {0.15, 0.5}, {0.3, 0.7}, {0.5, 0.1}}) {
     connect().set_parameter("list_leave_share", share);
-    const std::vector<bool> stays = core::plant::list_by_odds(probability, share, 0.3);
+    connect().set_parameter("list_leave_probability", leave);
+    const std::vector<bool> stays =
+        core::plant::list_by_odds(probability, share, std::max(leave, 0.3));
     std::vector<std::string> expected;
     for (std::size_t k = 0; k < stays.size(); ++k)
       if (stays[k]) expected.push_back(stories[k].loop);
@@ -183,6 +201,24 @@ TEST_F(StandingListTest, WhatIsProbableAndNotListedCanBeFound) {
   EXPECT_EQ(value("SELECT reason FROM loopscope.hidden_loop WHERE loop_name = 'no test'"),
             "no test of this window shows it: its probability alone decides once more windows have "
             "been read");
+}
+
+TEST_F(StandingListTest, AProbableCauseIsFoundWhateverTheNewestWindowIsCalled) {
+  tell({{.loop = "a", .code = VerdictCode::sluggish_tuning, .fault_probability = 0.41}});
+  database->execute(
+      "UPDATE loopscope.analysis SET combined_probabilities = NULL;"
+      "UPDATE loopscope.verdict SET cause_probabilities[12] = 0.08");
+  EXPECT_EQ(database->rows("SELECT code, cause, round(probability::numeric, 2)"
+                           " FROM loopscope.hidden_loop"),
+            (TextRows{{"sluggish_tuning", "process_change", "0.41"}}));
+}
+
+TEST_F(StandingListTest, ALoopThatWouldFillTheListIsToldSo) {
+  tell({{.loop = "a", .fault_probability = 0.93}});
+  EXPECT_EQ(
+      value("SELECT reason FROM loopscope.hidden_loop"),
+      "not sure enough for the list (probability 0.93): with the surer ones, more than 2 % of "
+      "the list would be no fault");
 }
 
 }  // namespace
