@@ -21,7 +21,9 @@ const WeighedCause& cause_in(const std::vector<WeighedCause>& causes, VerdictCod
 
 TEST(CauseOdds, AreTheSumOfTheirPartsTheWeightiestFirst) {
   const Evidence evidence = evidence_with(explanation_of());
-  for (const WeighedCause& cause : weigh_causes(evidence)) {
+  DecisionSettings as_in_the_fit;
+  as_in_the_fit.priors.healthy = 0.0;
+  for (const WeighedCause& cause : weigh_causes(evidence, as_in_the_fit)) {
     const auto curves =
         std::ranges::find(fitted_curves(true), name(cause.code), &CauseCurves::cause);
     double sum = curves->beside.scale * curves->log_odds + curves->beside.offset;
