@@ -107,7 +107,7 @@ struct DaemonSettings {
 /// Which loops are shown as flagged.
 struct FlagSettings {
   /// Expected share of loops without a fault on the list, 0 to 0.5: of flagged_loop.
-  double list_false_share = 0.02;
+  double list_false_share = 0.03;
   /// A loop stays until this share is exceeded, list_false_share to 0.5.
   double list_leave_share = 0.2;
   /// Of a fault, that a loop enters the list with, at least; 0.5 to 1.

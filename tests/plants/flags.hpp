@@ -11,7 +11,7 @@ namespace loopscope::tests::plants {
 struct FlagRule {
   double false_discovery_rate = 0.005;
   double min_confidence = 0.3;
-  double list_false_share = 0.02;
+  double list_false_share = 0.03;
   double list_leave_share = 0.2;
   double list_least_probability = 0.8;
   double list_leave_probability = 0.5;
