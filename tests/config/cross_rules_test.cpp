@@ -52,6 +52,15 @@ TEST(CrossRules, PeriodIsNotShorterThanALook) {
               ElementsAre("/schedule/default_period_s: 5 s is less than poll_s, 10 s"));
 }
 
+TEST(CrossRules, NoLoopEntersTheListAndLeavesItAtOnce) {
+  EXPECT_THAT(lines_with(R"("flags": {"list_false_share": 0.1, "list_leave_share": 0.05})"),
+              ElementsAre("/flags/list_leave_share: 0.05 is less than list_false_share, 0.1"));
+  EXPECT_THAT(lines_with(R"("flags": {"list_leave_probability": 0.81})"),
+              ElementsAre("/flags/list_leave_probability: 0.81 is more than "
+                          "list_least_probability, 0.8"));
+  EXPECT_THAT(lines_with(R"("flags": {"list_leave_probability": 0.8})"), IsEmpty());
+}
+
 TEST(CrossRules, UsableSamplesFitIntoTheWindow) {
   EXPECT_THAT(lines_with(R"("analysis": {"window_samples": 1000, "min_usable_samples": 1001})"),
               ElementsAre("/analysis/min_usable_samples: 1001 samples are more than "

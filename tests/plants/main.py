@@ -1,32 +1,17 @@
 """Plants, sources and repairs: what the program makes of simulated ones. See README.md."""
 
-import argparse
 import json
 import subprocess
 import sys
 from pathlib import Path
 
+from command import Fault, Parser, tell_fault
 from judged_plant import judge_plant
 from server import Server
 
 
-class Fault(Exception):
-    """What keeps a part from being run, and what to do."""
-
-    def __init__(self, what, hint):
-        super().__init__(what)
-        self.hint = hint
-
-
-class Parser(argparse.ArgumentParser):
-    """Of the words after tests/plants/run, which has the help."""
-
-    def error(self, message):
-        self.exit(2, f"error: {message}\nHINT: see tests/plants/run --help\n")
-
-
 def read_arguments():
-    parser = Parser(add_help=False)
+    parser = Parser("tests/plants/run")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--plants", type=int, default=40)
     parser.add_argument("--repairs", type=int, default=80)
@@ -119,14 +104,6 @@ def run(arguments):
     return result
 
 
-def told(fault, arguments):
-    """The fault in words; as JSON also what can be mistaken for a result by nobody."""
-    hint = fault.hint if isinstance(fault, Fault) else "see tests/plants/README.md"
-    print(f"error: {fault}\nHINT: {hint}", file=sys.stderr)
-    if arguments.json:
-        print(json.dumps({"seed": arguments.seed, "holds": False, "error": str(fault)}, indent=2))
-
-
 def text_of(value):
     if isinstance(value, list):
         return "\n" + "".join(f"    {line}\n" for line in value)
@@ -140,7 +117,7 @@ def main():
     try:
         result = run(arguments)
     except (Fault, subprocess.CalledProcessError, RuntimeError, OSError, ValueError) as fault:
-        told(fault, arguments)
+        tell_fault(fault, arguments, "tests/plants/README.md", holds=False)
         return 1
     if arguments.json:
         print(json.dumps(result, indent=2))

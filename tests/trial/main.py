@@ -1,6 +1,5 @@
 """The long run: an independent plant through historian, daemon and list, scored. See README.md."""
 
-import argparse
 import contextlib
 import dataclasses
 import json
@@ -12,9 +11,10 @@ import time
 from pathlib import Path
 
 _HERE = Path(__file__).resolve().parent
-# The throw-away server is that of the other simulated plants.
+# Server and command are those of the other simulated plants.
 sys.path.append(str(_HERE.parent / "plants"))
 try:
+    from command import Fault, Parser, tell_fault
     from history import History
     from passes import Passes
     from places import PLACES
@@ -29,23 +29,8 @@ except ImportError as missing:
 _FEWEST_SLOTS = 20  # two windows of the loops of 1 s
 
 
-class Fault(Exception):
-    """What keeps the trial from being run, and what to do."""
-
-    def __init__(self, what, hint):
-        super().__init__(what)
-        self.hint = hint
-
-
-class Parser(argparse.ArgumentParser):
-    """Of the words after tests/trial/run, which has the help."""
-
-    def error(self, message):
-        self.exit(2, f"error: {message}\nHINT: see tests/trial/run --help\n")
-
-
 def read_arguments():
-    parser = Parser(add_help=False)
+    parser = Parser("tests/trial/run")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--slots", type=int, default=200)
     parser.add_argument("--repaired", type=int, default=0)
@@ -105,14 +90,6 @@ def run(arguments):
         return score(trial, loops, lists, passes.verdicts(history))
 
 
-def told(fault, arguments):
-    """The fault in words; as JSON what can be mistaken for a result by nobody."""
-    hint = fault.hint if isinstance(fault, Fault) else "see tests/trial/README.md"
-    print(f"error: {fault}\nHINT: {hint}", file=sys.stderr)
-    if arguments.json:
-        print(json.dumps({"seed": arguments.seed, "error": str(fault)}, indent=2))
-
-
 def words_of(value):
     if isinstance(value, dict):
         return "  ".join(f"{name} {words_of(part)}" for name, part in value.items())
@@ -145,7 +122,7 @@ def main():
     try:
         result = run(arguments)
     except (Fault, subprocess.CalledProcessError, RuntimeError, OSError, ValueError) as fault:
-        told(fault, arguments)
+        tell_fault(fault, arguments, "tests/trial/README.md")
         return 1
     print_result(result, arguments)
     return 0
