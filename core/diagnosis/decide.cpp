@@ -28,13 +28,23 @@ constexpr double kLikelier = 0.5;
 bool may_be_named(const WeighedCause& cause, const Circumstances& circumstances) {
   if (cause.code == VerdictCode::healthy || cause.code == VerdictCode::nonlinear_unexplained)
     return false;
+  if (cause.code == VerdictCode::valve_saturation) return circumstances.limit_seen;
   return cause.code != VerdictCode::valve_oversized || circumstances.sizes_known;
+}
+
+/// op at a limit of its range, at rest at an end of its travel, or held there by the model.
+bool sees_limit(const Evidence& evidence) {
+  if (evidence.data_quality.saturated_fraction.value_or(0.0) > 0.0) return true;
+  if (evidence.op_rest && evidence.op_rest->share > 0.0) return true;
+  return evidence.model && std::ranges::any_of(evidence.model->steps, [](const model::Step& step) {
+           return step.effect == model::EffectKind::valve_saturation;
+         });
 }
 
 Circumstances circumstances_of(const Evidence& evidence, double alpha) {
   return {is_structured(evidence),
           evidence.op_range_set && evidence.valve_gain.pv_span_percent.has_value(),
-          shows_nonlinearity(evidence, alpha)};
+          sees_limit(evidence), shows_nonlinearity(evidence, alpha)};
 }
 
 double confidence_in(VerdictCode code, const Causes& causes) {

@@ -13,6 +13,7 @@ namespace loopscope::core::diagnosis {
 struct Circumstances {
   bool structured = false;   ///< something in the loop is clearly no noise (structure.hpp)
   bool sizes_known = false;  ///< the ranges of op and pv
+  bool limit_seen = true;    ///< op at a limit, or at rest at an end of its travel
   /// A test of coupling, a residual test or a step of the model shows a nonlinearity.
   bool nonlinear_shown = true;
 };
@@ -40,7 +41,7 @@ struct Circumstances {
 ///
 /// Confidence is the probability of what is said; of `unexplained` 1 less the largest probability
 /// of all others. `valve_oversized` is named only where the ranges of op and pv are known, since it
-/// compares the two. Never throws.
+/// compares the two, `valve_saturation` only where op is seen at a limit. Never throws.
 ///
 /// `combined`: of this window and those before it; the verdict is then that of all of them, with
 /// the figures of this one. nullptr = this window alone.

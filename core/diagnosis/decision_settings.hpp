@@ -6,10 +6,7 @@ namespace loopscope::core::diagnosis {
 /// were fitted on (cause_curves.hpp names those shares). `nonlinear_unexplained`, any of several,
 /// keeps its own.
 struct Priors {
-  /// A choice (DECISIONS.md): audits of plants call a third of all loops acceptable, those in
-  /// manual among them, and a plant in good order has more; of the simulated loops a fifth are
-  /// healthy.
-  double healthy = 0.5;
+  double healthy = 0.0;
   double valve_stiction = 0.0;
   double valve_deadband = 0.0;
   double valve_saturation = 0.0;

@@ -49,16 +49,22 @@ Value slowness(const Evidence& evidence) {
   return loop->slowness;
 }
 
+/// Lags and dead time of the process; nullopt where the model claims nothing.
+Value residence_s(const Evidence& evidence) {
+  if (!closed_loop(evidence) || evidence.integrating) return std::nullopt;
+  const model::ProcessFit& process = evidence.model->baseline.process;
+  const double sum_s = process.time_constant_s + process.second_time_constant_s + process.delay_s;
+  return sum_s > 0.0 ? Value(sum_s) : std::nullopt;
+}
+
 /// Time that the closed loop takes to make up for a load by the process's own.
 Value slower_than_process(const Evidence& evidence) {
-  const model::ClosedLoop* loop = closed_loop(evidence);
-  if (!loop || evidence.integrating) return std::nullopt;
-  const model::ProcessFit& process = evidence.model->baseline.process;
-  const double residence_s =
-      process.time_constant_s + process.second_time_constant_s + process.delay_s;
-  const double action_per_s = std::abs(process.gain * loop->integral_per_s);
-  if (!(action_per_s > 0.0) || !(residence_s > 0.0)) return std::nullopt;
-  return 1.0 / (action_per_s * residence_s);
+  const Value process_s = residence_s(evidence);
+  if (!process_s) return std::nullopt;
+  const double action_per_s =
+      std::abs(evidence.model->baseline.process.gain * closed_loop(evidence)->integral_per_s);
+  if (!(action_per_s > 0.0)) return std::nullopt;
+  return 1.0 / (action_per_s * *process_s);
 }
 
 Value memory_by_delay(const Evidence& evidence) {
@@ -67,11 +73,22 @@ Value memory_by_delay(const Evidence& evidence) {
   return *performance.error_memory_s / performance.longest_delay_s;
 }
 
+/// Samples say little of a loop: only where nothing tells how fast the process is.
+Value memory_unmodelled(const Evidence& evidence) {
+  return residence_s(evidence) ? std::nullopt : memory_by_delay(evidence);
+}
+
 Value middle_harris(const Evidence& evidence) {
   const loop::Performance& performance = evidence.performance;
   if (evidence.integrating || !performance.harris_low || !performance.harris_high)
     return std::nullopt;
   return std::sqrt(*performance.harris_low * *performance.harris_high);
+}
+
+Value memory_by_process(const Evidence& evidence) {
+  const Value process_s = residence_s(evidence);
+  if (!process_s || !evidence.performance.error_memory_s) return std::nullopt;
+  return *evidence.performance.error_memory_s / *process_s;
 }
 
 Value reversals(const Evidence& evidence) {
@@ -155,6 +172,8 @@ constexpr std::array kLoopFigures = {
     Figure{"model.slower_than_process",
            "time to make up for a load, over the process's own time to settle", Scale::plain,
            slower_than_process},
+    Figure{"model.memory_by_process", "how long the error remembers, over the process's own times",
+           Scale::plain, memory_by_process},
     Figure{"oscillation.p", "an oscillation is present", Scale::decades, clear_oscillation},
     Figure{"oscillation.share", "share of the error's variance that oscillates", Scale::share,
            oscillation_share},
@@ -166,6 +185,9 @@ constexpr std::array kLoopFigures = {
            middle_harris},
     Figure{"error.memory", "how long the error remembers, over the longest plausible delay",
            Scale::plain, memory_by_delay},
+    Figure{"error.memory_unmodelled",
+           "how long the error remembers, over the longest plausible delay (process unknown)",
+           Scale::plain, memory_unmodelled},
     Figure{"op.reversals", "reversals of op a sample", Scale::plain, reversals},
     Figure{"hos.nonlinear_p", "the error couples frequencies", Scale::decades, nonlinear_decades},
     Figure{"hos.ngi_p", "the error couples quadratically on average", Scale::decades,

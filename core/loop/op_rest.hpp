@@ -6,8 +6,9 @@
 namespace loopscope::core::loop {
 
 /// Where op rests at an end of what it covers in the record: at a limit of the controller or of the
-/// valve, or only where its cycle turns. An end counts only if op is there for longer than at the
-/// nearest value further in: an op that is coarse, or held for some samples, stays at every value.
+/// valve, or only where its cycle turns. An end counts only if op is there for much longer
+/// than at the nearest value further in: an op that is coarse, or held for some samples, stays at
+/// every value.
 struct OpRest {
   /// Of the samples, in runs of at least three within a thousandth of the span of an end that op
   /// comes back to: a single one is no limit.
@@ -15,7 +16,8 @@ struct OpRest {
   double visits = 0.0;  ///< rests at the busier end
 };
 
-/// NaN = missing; nullopt where op does not move or fewer than 32 samples are recorded.
+/// NaN = missing; nullopt where fewer than 32 samples are recorded or op has fewer than five
+/// values: nothing can be told then.
 [[nodiscard]] std::optional<OpRest> measure_op_rest(std::span<const double> op);
 
 }  // namespace loopscope::core::loop

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "daemon/catalogue/tag_roles.hpp"
 #include "daemon/recording/csv_table.hpp"
@@ -54,6 +55,17 @@ TagCheck check_tags(std::span<const CatalogueEntry> entries, const HasRows& has_
     }
   }
   return check;
+}
+
+void drop_dead_ends(const TagCheck& check, std::span<CatalogueEntry> entries) {
+  std::set<std::tuple<std::string, std::string, std::string>> dead;
+  for (const DeadEnd& end : check.dead_ends) dead.emplace(end.source, end.loop, end.tag);
+  for (CatalogueEntry& entry : entries) {
+    for (const TagRole& role : kTagRoles) {
+      std::string& tag = entry.*role.tag;
+      if (role.name != "pv" && dead.contains({entry.source, entry.name, tag})) tag.clear();
+    }
+  }
 }
 
 std::string dead_ends_csv(const TagCheck& check) {

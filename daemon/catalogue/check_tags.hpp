@@ -37,6 +37,10 @@ struct TagCheck {
 [[nodiscard]] TagCheck check_tags(std::span<const storage::CatalogueEntry> entries,
                                   const HasRows& has_rows);
 
+/// Takes dead ends out of the entries, but for pv, without which there is no loop: a table with a
+/// column for the mode offers one to every loop, whether it is written or not.
+void drop_dead_ends(const TagCheck& check, std::span<storage::CatalogueEntry> entries);
+
 /// The dead ends as CSV: loop, source, role, tag, problem.
 [[nodiscard]] std::string dead_ends_csv(const TagCheck& check);
 

@@ -13,10 +13,11 @@ namespace loopscope::daemon {
 struct DiscoveryReport {
   std::string source;
   std::size_t tags = 0;
-  Discovery discovery;                   ///< `loops` are those that are new
-  std::size_t known = 0;                 ///< loops whose pv the catalogue has already
-  std::vector<std::string> taken;        ///< names that another loop of the catalogue has
-  std::vector<Proposal> proposals = {};  ///< of the new loops; what can be filled in is
+  Discovery discovery;                       ///< `loops` are those that are new
+  std::size_t known = 0;                     ///< loops whose pv the catalogue has already
+  std::vector<std::string> taken;            ///< names that another loop of the catalogue has
+  std::vector<std::string> empty_tags = {};  ///< of the new loops, left out: nothing is recorded
+  std::vector<Proposal> proposals = {};      ///< of the new loops; what can be filled in is
 };
 
 /// The report for a terminal: counts, and the first few of everything that is missing or unclear.

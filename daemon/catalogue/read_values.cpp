@@ -67,4 +67,12 @@ std::vector<LoopValues> read_values(storage::HistorianReader& historian,
   return result;
 }
 
+std::vector<bool> have_rows(storage::HistorianReader& historian,
+                            std::span<const std::string> tags) {
+  std::vector<bool> answer;
+  for (const auto& newest : historian.newest(tags, historian.now_us()))
+    answer.push_back(newest.has_value());
+  return answer;
+}
+
 }  // namespace loopscope::daemon

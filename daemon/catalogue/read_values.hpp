@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "daemon/catalogue/propose_entry.hpp"
@@ -14,5 +15,9 @@ namespace loopscope::daemon {
 /// storage::DatabaseError.
 [[nodiscard]] std::vector<LoopValues> read_values(storage::HistorianReader& historian,
                                                   std::span<const storage::CatalogueEntry> loops);
+
+/// Whether each tag has a row. Throws storage::DatabaseError.
+[[nodiscard]] std::vector<bool> have_rows(storage::HistorianReader& historian,
+                                          std::span<const std::string> tags);
 
 }  // namespace loopscope::daemon

@@ -33,11 +33,7 @@ std::vector<bool> ask(const config::Settings& settings, const std::string& sourc
                       std::span<const std::string> tags) {
   const config::HistorianSettings& historian = find_historian(settings, source);
   storage::HistorianReader reader(historian_connection(historian), historian_layout(historian));
-  std::vector<bool> answer;
-  for (const auto& newest : reader.newest(tags, reader.now_us())) {
-    answer.push_back(newest.has_value());
-  }
-  return answer;
+  return have_rows(reader, tags);
 }
 
 void print(const TagCheck& check) {

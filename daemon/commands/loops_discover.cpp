@@ -6,6 +6,7 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/catalogue/catalogue_csv.hpp"
+#include "daemon/catalogue/check_tags.hpp"
 #include "daemon/catalogue/discovery_text.hpp"
 #include "daemon/catalogue/read_values.hpp"
 #include "daemon/commands/loops_actions.hpp"
@@ -64,6 +65,13 @@ void look_at_history(const config::HistorianSettings& source, DiscoveryReport& r
   std::vector<CatalogueEntry>& loops = report.discovery.loops;
   if (loops.empty()) return;
   storage::HistorianReader reader(historian_connection(source), historian_layout(source));
+  const TagCheck found =
+      check_tags(loops, [&](const std::string&, std::span<const std::string> tags) {
+        return have_rows(reader, tags);
+      });
+  drop_dead_ends(found, loops);
+  for (const DeadEnd& end : found.dead_ends)
+    if (end.role != "pv") report.empty_tags.push_back(end.tag);
   const std::vector<LoopValues> values = read_values(reader, loops);
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const std::vector<Proposal> proposals = propose(loops[k], values[k]);

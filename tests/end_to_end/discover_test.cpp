@@ -104,6 +104,24 @@ TEST_F(Discover, CheckListsWhatDoesNotResolve) {
             "FIC101,plant,sp,FIC101.SV,the historian has no row of this tag\n");
 }
 
+/// A table with a row a loop and time offers its mode column to every loop.
+TEST_F(Discover, ATagWithoutAValueIsLeftOut) {
+  plant.sql(
+      "create table looprows (loop text, time timestamptz, sp float8, pv float8, op float8, "
+      "mode int, primary key (loop, time)); insert into looprows select 'FIC101', now() - k * "
+      "interval '1 s', 50, 50 + k % 7, 40 + k % 5, null from generate_series(1, 50) as k");
+  std::string settings = Plant::settings();
+  const std::string connection = R"("@CONNECTION@")";
+  settings.insert(settings.find(connection) + connection.size(),
+                  R"(, "preset": "loop_row", "table": "public.looprows")");
+  plant.write_settings(settings);
+  const ProgramResult found = loops({"discover", "--add"});
+  EXPECT_THAT(found.out, HasSubstr("1 tags without a value, left out: FIC101.mode"));
+  const ProgramResult check = loops({"check"});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("all 3 tags of 1 loops have rows"));
+}
+
 TEST_F(Discover, TenThousandLoopsInSeconds) {
   plant.sql(
       "insert into history select 'FIC' || n || '.' || role, now() - k * interval '1 minute', "

@@ -8,6 +8,7 @@
 #include "tests/generators/values.hpp"
 #include "tests/verdict/known_generators.hpp"
 #include "tests/verdict/mixed_loop.hpp"
+#include "tests/verdict/site_loop.hpp"
 
 namespace loopscope::tests::verdict {
 namespace {
@@ -79,7 +80,8 @@ void store(SimulatedLoop& loop, Random& random) {
     round_to(loop.pv, pv * share);
     if (share > 0.1) loop.truth.doubtful.insert(Code::sensor_fault);
   }
-  if (random.chance(0.4)) round_to(loop.op, op * random.log_uniform(1e-3, 0.2));
+  // Many controllers tell op in whole percent, some of them of a loop that needs no more than one.
+  if (random.chance(0.4)) round_to(loop.op, op * random.log_uniform(1e-3, 1.5));
 }
 
 void lose(Samples& values, Random& random) {
@@ -167,9 +169,10 @@ LabelledRecord as_recorded(const SimulatedLoop& simulated, std::uint64_t seed) {
 LabelledRecord draw_record(std::uint64_t seed) {
   Random random(effects::seed_for("generator", seed));
   const double which = random.uniform(0.0, 1.0);
-  const SimulatedLoop loop = which < 0.42   ? effects_loop(seed)
-                             : which < 0.62 ? family_loop(random.next() % 4'000'000)
-                                            : mixed_loop(random.next());
+  const SimulatedLoop loop = which < 0.34   ? effects_loop(seed)
+                             : which < 0.50 ? family_loop(random.next() % 4'000'000)
+                             : which < 0.80 ? mixed_loop(random.next())
+                                            : site_loop(random.next());
   return as_recorded(loop, seed);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/structure.hpp"
+#include "tests/verdict/naming.hpp"
 
 namespace loopscope::tests::verdict {
 namespace {
@@ -44,26 +45,8 @@ double largest(const Verdict& verdict) {
   return most;
 }
 
-bool has_step(const Evidence& evidence, EffectKind effect) {
-  return evidence.model && std::ranges::any_of(evidence.model->steps, [&](const auto& step) {
-           return step.effect == effect;
-         });
-}
-
 bool in_command(const Evidence& evidence) {
   return !core::diagnosis::has_flag(evidence, "sp_not_followed");
-}
-
-bool is_fault(Code code) {
-  return core::diagnosis::catalogue_entry(code).weight > 0.0;
-}
-
-bool blames(Code code, core::plant::Fault fault) {
-  return core::diagnosis::catalogue_entry(code).blames == fault;
-}
-
-bool is_valve(Code code) {
-  return blames(code, core::plant::Fault::friction) || blames(code, core::plant::Fault::valve);
 }
 
 constexpr std::array kAll = {
@@ -112,10 +95,7 @@ constexpr std::array kAll = {
                   }},
     Contradiction{"op at its limit, and op never rests",
                   [](const Evidence& e, const Verdict& v) {
-                    return v.code == Code::valve_saturation &&
-                           e.data_quality.saturated_fraction.value_or(0.0) == 0.0 &&
-                           (!e.op_rest || e.op_rest->share == 0.0) &&
-                           !has_step(e, EffectKind::valve_saturation);
+                    return v.code == Code::valve_saturation && is_at_no_limit(e);
                   },
                   [](Evidence& e, Verdict& v) {
                     e.data_quality.saturated_fraction = 0.0;
@@ -155,13 +135,8 @@ constexpr std::array kAll = {
                   [](const Evidence& e, const Verdict& v) {
                     if (v.code != Code::healthy) return false;
                     return std::ranges::any_of(v.causes, [&](const CauseReport& cause) {
-                      if (cause.code == Code::nonlinear_unexplained) return false;
-                      const bool named =
-                          !is_valve(cause.code) && !blames(cause.code, core::plant::Fault::tuning);
-                      return is_fault(cause.code) && cause.probability >= kLine &&
-                             cause.probability > v.confidence &&
-                             (named || (cause.code != Code::valve_oversized &&
-                                        core::diagnosis::op_speaks(e)));
+                      return may_be_named(cause.code, e) && cause.probability >= kLine &&
+                             cause.probability > v.confidence;
                     });
                   },
                   [](Evidence&, Verdict& v) {

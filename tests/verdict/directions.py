@@ -154,10 +154,10 @@ DIRECTIONS = {
     "sluggish_tuning": {
         "model.memory": 1,
         "model.slowness": 1,
-        "model.slower_than_process": 1,
+        "model.memory_by_process": 1,
         "model.sensitivity": -1,
         "error.harris": -1,
-        "error.memory": 1,
+        "error.memory_unmodelled": 1,
         "step.hysteresis": -1,
         "travel.gain": -1,
         "asked.valve_stiction": -1,

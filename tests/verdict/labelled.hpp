@@ -11,6 +11,9 @@
 
 namespace loopscope::tests::verdict {
 
+/// Of pv's standard deviation: what a sensor's grid may be without being a fault.
+inline constexpr double kCoarse = 1.0 / 3.0;
+
 /// What is wrong with a simulated loop.
 struct Truth {
   std::set<core::diagnosis::VerdictCode> causes;  ///< there, from faint to gross

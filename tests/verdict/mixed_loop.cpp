@@ -151,9 +151,15 @@ void add_trim(Making& m, Draw& draw) {
 }
 
 void add_coarse_sensor(Making& m, Draw& draw) {
-  const double share = draw.log_between(0.1, 2.0);
-  m.settings.recording.pv_grid = m.swing_pv * share;
-  (share > 0.3 ? m.truth.causes : m.truth.doubtful).insert(Code::sensor_fault);
+  m.settings.recording.pv_grid = m.swing_pv * draw.log_between(0.1, 2.0);
+}
+
+void judge_grid(double grid, SimulatedLoop& loop) {
+  const double share = grid / standard_deviation(loop.pv);
+  if (share > kCoarse)
+    loop.truth.causes.insert(Code::sensor_fault);
+  else if (share > 0.1)
+    loop.truth.doubtful.insert(Code::sensor_fault);
 }
 
 void add_hold(Making& m, Draw& draw) {
@@ -239,6 +245,7 @@ SimulatedLoop mixed_loop(std::uint64_t seed) {
   loop.truth = m.truth;
   loop.truth.family = "mixed";
   loop.limits = {m.settings.op_low, m.settings.op_high};
+  judge_grid(m.settings.recording.pv_grid, loop);
   size_valve(m, loop, draw);
   return loop;
 }

@@ -49,7 +49,9 @@ class Records:
     def without_model(self):
         """The same records as a loop without a model shows them."""
         nothing = numpy.full(len(self), numpy.nan)
-        return {n: nothing if n in self.of_model else v for n, v in self.figures.items()}
+        figures = {n: nothing if n in self.of_model else v for n, v in self.figures.items()}
+        # Where no model tells how fast the process is.
+        return figures | {"error.memory_unmodelled": self.figures["error.memory"]}
 
     def truth(self, cause):
         """1, 0, or NaN where the generator leaves it open."""

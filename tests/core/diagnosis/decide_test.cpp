@@ -28,8 +28,7 @@ std::vector<WeighedCause> causes_of(std::initializer_list<Given> given) {
 }
 
 constexpr Circumstances kCalm{};
-constexpr Circumstances kStructured{
-    .structured = true, .sizes_known = false, .nonlinear_shown = true};
+constexpr Circumstances kStructured{.structured = true};
 
 TEST(Decide, TheMostProbableCauseAboveTheLineIsNamed) {
   const auto causes =
@@ -68,9 +67,13 @@ TEST(Decide, NoValveIsTooLargeWhereTheRangesAreUnknown) {
   const auto causes =
       causes_of({{Code::valve_oversized, 0.9}, {Code::valve_stiction, 0.4}, {Code::healthy, 0.1}});
   EXPECT_EQ(code_for(causes, kCalm, 0.3), Code::valve_stiction);
-  EXPECT_EQ(
-      code_for(causes, {.structured = false, .sizes_known = true, .nonlinear_shown = true}, 0.3),
-      Code::valve_oversized);
+  EXPECT_EQ(code_for(causes, {.sizes_known = true}, 0.3), Code::valve_oversized);
+}
+
+TEST(Decide, NoValveIsAtItsLimitWhereOpIsSeenAtNone) {
+  const auto causes = causes_of({{Code::valve_saturation, 0.6}, {Code::healthy, 0.3}});
+  EXPECT_EQ(code_for(causes, kCalm, 0.3), Code::valve_saturation);
+  EXPECT_EQ(code_for(causes, {.limit_seen = false}, 0.3), Code::healthy);
 }
 
 TEST(Decide, OfValveAndControllerNothingIsSaidWhereOpSaysNothing) {

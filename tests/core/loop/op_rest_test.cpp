@@ -66,24 +66,28 @@ std::size_t resting_of_60(double memory, double step, std::size_t hold) {
       level = memory * level + std::sqrt(1.0 - memory * memory) * normal(random);
       op[k] = k % hold == 0 ? std::round(level / step) * step : op[k - 1];
     }
-    resting += measure_op_rest(op)->share > 0.02 ? 1U : 0U;
+    const auto rest = measure_op_rest(op);
+    resting += rest && rest->share > 0.02 ? 1U : 0U;
   }
   return resting;
 }
 
 TEST(OpRest, ACoarseOrHeldOutputHasNoLimit) {
-  // By the length of the rests alone 44, 32 and 60.
+  // By the length of the rests alone 44, 32 and 60 of the first three.
   EXPECT_LE(resting_of_60(0.98, 2.0, 1), 1U);
   EXPECT_LE(resting_of_60(0.95, 1.5, 4), 1U);
   EXPECT_LE(resting_of_60(0.98, 3.0, 1), 1U);
+  EXPECT_LE(resting_of_60(0.998, 1.0, 1), 1U);
+  EXPECT_LE(resting_of_60(0.999, 0.5, 4), 1U);
 }
 
-TEST(OpRest, AnOnOffOutputIsAtItsLimitsAlsoWhereItWasHeldOnce) {
+TEST(OpRest, AFewValuesTellNothing) {
   std::vector<double> op(4000);
+  for (std::size_t k = 0; k < op.size(); ++k)
+    op[k] = 50.0 + std::round(1.4 * std::sin(0.01 * static_cast<double>(k)));
+  EXPECT_FALSE(measure_op_rest(op));
   for (std::size_t k = 0; k < op.size(); ++k) op[k] = (k / 50) % 2 == 0 ? 0.0 : 100.0;
-  EXPECT_EQ(measure_op_rest(op)->share, 1.0);
-  std::fill(op.begin() + 1000, op.begin() + 1200, 50.0);
-  EXPECT_NEAR(measure_op_rest(op)->share, 0.95, 1e-12);
+  EXPECT_FALSE(measure_op_rest(op)) << "whoever knows the range can say more";
 }
 
 TEST(OpRest, WhatStandsStillOrIsShortIsNone) {

@@ -217,11 +217,14 @@ FieldLoop run_field_loop(const FieldSettings& s, std::size_t samples, Draw& draw
   FieldLoop loop;
   const double actuator = pole(s.actuator_lag_steps), filter = pole(s.filter_steps);
   generators::PiController controller(kMiddle, {s.op_low, s.op_high});
-  double air = kMiddle, seen = 0.0, load = 0.0, pv = 0.0, sp_base = 0.0, sp_walk = 0.0;
+  const double load_pole = pole(s.load_lag_steps);
+  double air = kMiddle, seen = 0.0, load = 0.0, late_load = 0.0, pv = 0.0, sp_base = 0.0,
+         sp_walk = 0.0;
   const std::size_t steps = kRunIn + samples * s.recording.every;
   for (std::size_t k = 0; k < steps; ++k) {
     load = s.load_memory * load + s.load_step_std * draw.normal();
-    double at_input = load, at_output = 0.0;
+    late_load = load_pole * late_load + (1.0 - load_pole) * load;
+    double at_input = late_load, at_output = 0.0;
     for (Wave& wave : waves) (wave.at_input() ? at_input : at_output) += wave.next(draw);
     if (!s.neighbour.empty()) at_output += s.neighbour[k % s.neighbour.size()];
     air = actuator * air + (1.0 - actuator) * to_grid(controller.op(), s.op_step);

@@ -90,6 +90,7 @@ struct FieldSettings {
   NoiseKind noise = NoiseKind::normal;
   double load_step_std = 0.0;  ///< AR load at the input, % of flow per step
   double load_memory = 0.999;
+  double load_lag_steps = 0.0;     ///< of what the load passes before it reaches the process
   double setpoint_step_std = 0.0;  ///< size of moves, pv units
   double setpoint_every = 0.0;     ///< mean steps between them; 0 = none
   OutsideWave master;              ///< set point moved by a master (cascade); amplitude 0 = none

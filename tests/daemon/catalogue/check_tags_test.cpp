@@ -36,5 +36,25 @@ TEST(CheckTags, AsksEachSourceOnceAndNamesEveryDeadEnd) {
             "b,plant,sp,A.OP,the historian has no row of this tag\n");
 }
 
+TEST(CheckTags, DeadEndsAreDroppedButForPv) {
+  std::vector<storage::CatalogueEntry> entries(2);
+  entries[0].name = "a";
+  entries[0].pv_tag = "A.PV";
+  entries[0].mode_tag = "A.MODE";
+  entries[1].name = "b";
+  entries[1].pv_tag = "B.PV";
+  entries[1].mode_tag = "B.MODE";
+  const TagCheck check =
+      check_tags(entries, [](const std::string&, std::span<const std::string> tags) {
+        std::vector<bool> answer;
+        for (const std::string& tag : tags) answer.push_back(tag == "B.MODE");
+        return answer;
+      });
+  drop_dead_ends(check, entries);
+  EXPECT_EQ(entries[0].pv_tag, "A.PV");
+  EXPECT_EQ(entries[0].mode_tag, "");
+  EXPECT_EQ(entries[1].mode_tag, "B.MODE");
+}
+
 }  // namespace
 }  // namespace loopscope::daemon

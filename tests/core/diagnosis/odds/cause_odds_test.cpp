@@ -21,9 +21,7 @@ const WeighedCause& cause_in(const std::vector<WeighedCause>& causes, VerdictCod
 
 TEST(CauseOdds, AreTheSumOfTheirPartsTheWeightiestFirst) {
   const Evidence evidence = evidence_with(explanation_of());
-  DecisionSettings as_in_the_fit;
-  as_in_the_fit.priors.healthy = 0.0;
-  for (const WeighedCause& cause : weigh_causes(evidence, as_in_the_fit)) {
+  for (const WeighedCause& cause : weigh_causes(evidence, {})) {
     const auto curves =
         std::ranges::find(fitted_curves(true), name(cause.code), &CauseCurves::cause);
     double sum = curves->beside.scale * curves->log_odds + curves->beside.offset;
