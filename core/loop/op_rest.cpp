@@ -15,7 +15,8 @@ constexpr double kNear = 1e-3;  ///< of the span
 /// Two equal samples come by rounding at every turn of op.
 constexpr std::size_t kShortestRun = 3;
 constexpr std::size_t kFewestVisits = 2;
-/// The last of the few values of a coarse sine holds up to three times as much as the next.
+/// The last of the few values of a coarse sine holds up to 2.3 times as much as the next, that of
+/// an op that wanders sometimes more.
 constexpr double kTimesNext = 3.0;
 /// An op that wanders between two to four values cannot be told from one with limits: of 510 sound
 /// loops recorded in whole percent 30 pass the rule without this, one with it

@@ -129,14 +129,10 @@ SimulatedLoop effects_loop(std::uint64_t seed) {
   const effects::Size size =
       random.chance(kFaint) ? effects::Size::faint : effects::Size::realistic;
   effects::Record record = effects::generate(kind.name, seed, size, draw_noise(random));
-  SimulatedLoop loop;
-  loop.sp = std::move(record.sp);
-  loop.pv = std::move(record.pv);
-  loop.op = std::move(record.op);
-  loop.mv = std::move(record.mv);
-  loop.interval_s = record.interval_s;
-  loop.integrating = record.truth.loop.integrating;
-  loop.truth = truth_of(kind);
+  const bool integrating = record.truth.loop.integrating;
+  const double interval_s = record.interval_s;
+  SimulatedLoop loop = loop_of(std::move(record), integrating, truth_of(kind));
+  loop.interval_s = interval_s;
   return loop;
 }
 
@@ -146,14 +142,7 @@ SimulatedLoop family_loop(std::uint64_t seed) {
   // A family's own seeds end at 100 000, and its tests use those from 80 000 on.
   constexpr std::uint64_t kOwnSeeds = 79'000;
   model::FieldLoop record = record_of(family, seed / all.size() % kOwnSeeds);
-  SimulatedLoop loop;
-  loop.sp = std::move(record.sp);
-  loop.pv = std::move(record.pv);
-  loop.op = std::move(record.op);
-  loop.mv = std::move(record.mv);
-  loop.integrating = is_level(family);
-  loop.truth = truth_of(family);
-  return loop;
+  return loop_of(std::move(record), is_level(family), truth_of(family));
 }
 
 }  // namespace loopscope::tests::verdict

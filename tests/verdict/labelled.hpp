@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/diagnosis/loop_facts.hpp"
@@ -33,6 +34,19 @@ struct SimulatedLoop {
   core::signal::OpRange limits;   ///< of op, %: those of its range, or within it
   Truth truth;
 };
+
+/// The loop that a generator recorded; what else it tells of it is left as it is.
+template <typename Record>
+[[nodiscard]] SimulatedLoop loop_of(Record record, bool integrating, Truth truth) {
+  SimulatedLoop loop;
+  loop.sp = std::move(record.sp);
+  loop.pv = std::move(record.pv);
+  loop.op = std::move(record.op);
+  loop.mv = std::move(record.mv);
+  loop.integrating = integrating;
+  loop.truth = std::move(truth);
+  return loop;
+}
 
 /// What the diagnosis is given of it.
 struct LabelledRecord {

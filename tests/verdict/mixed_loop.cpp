@@ -235,14 +235,8 @@ Making make(Draw& draw) {
 SimulatedLoop mixed_loop(std::uint64_t seed) {
   Draw draw(seed);
   const Making m = make(draw);
-  FieldLoop record = run_field_loop(m.settings, m.samples, draw);
-  SimulatedLoop loop;
-  loop.sp = std::move(record.sp);
-  loop.pv = std::move(record.pv);
-  loop.op = std::move(record.op);
-  loop.mv = std::move(record.mv);
-  loop.integrating = m.settings.integrating;
-  loop.truth = m.truth;
+  SimulatedLoop loop =
+      loop_of(run_field_loop(m.settings, m.samples, draw), m.settings.integrating, m.truth);
   loop.truth.family = "mixed";
   loop.limits = {m.settings.op_low, m.settings.op_high};
   judge_grid(m.settings.recording.pv_grid, loop);

@@ -232,14 +232,8 @@ SiteDraft draft_site_loop(Draw& draw) {
 SimulatedLoop site_loop(std::uint64_t seed) {
   Draw draw(seed);
   const SiteDraft m = draft_site_loop(draw);
-  FieldLoop record = run_field_loop(m.settings, m.samples, draw);
-  SimulatedLoop loop;
-  loop.sp = std::move(record.sp);
-  loop.pv = std::move(record.pv);
-  loop.op = std::move(record.op);
-  loop.mv = std::move(record.mv);
-  loop.integrating = m.settings.integrating;
-  loop.truth = m.truth;
+  SimulatedLoop loop =
+      loop_of(run_field_loop(m.settings, m.samples, draw), m.settings.integrating, m.truth);
   loop.truth.family = "site";
   loop.limits = {m.settings.op_low, m.settings.op_high};
   if (draw.chance(0.5)) loop.pv_span = 100.0;

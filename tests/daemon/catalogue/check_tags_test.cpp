@@ -36,14 +36,16 @@ TEST(CheckTags, AsksEachSourceOnceAndNamesEveryDeadEnd) {
             "b,plant,sp,A.OP,the historian has no row of this tag\n");
 }
 
+storage::CatalogueEntry with_mode(const std::string& name) {
+  storage::CatalogueEntry entry;
+  entry.name = name;
+  entry.pv_tag = name + ".PV";
+  entry.mode_tag = name + ".MODE";
+  return entry;
+}
+
 TEST(CheckTags, DeadEndsAreDroppedButForPv) {
-  std::vector<storage::CatalogueEntry> entries(2);
-  entries[0].name = "a";
-  entries[0].pv_tag = "A.PV";
-  entries[0].mode_tag = "A.MODE";
-  entries[1].name = "b";
-  entries[1].pv_tag = "B.PV";
-  entries[1].mode_tag = "B.MODE";
+  std::vector<storage::CatalogueEntry> entries{with_mode("A"), with_mode("B")};
   const TagCheck check =
       check_tags(entries, [](const std::string&, std::span<const std::string> tags) {
         std::vector<bool> answer;
