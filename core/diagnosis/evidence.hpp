@@ -56,8 +56,6 @@ struct Evidence {
   /// The same on means over a slow cycle's hundred-and-twenty-eighths; nullopt where the cycle is
   /// faster or there is none.
   std::optional<model::SlowTravel> cycle_travel;
-  /// Grid of pv over the error of its one-step prediction (core/loop/grid_by_noise).
-  std::optional<double> grid_by_noise;
   std::optional<loop::Rests> rests;     ///< of pv while op travels, in that cycle
   std::optional<loop::OpRest> op_rest;  ///< at the ends of what op covers
   /// The same statistics on data resampled to fit a slow oscillation; nullopt when none is needed

@@ -10,7 +10,6 @@
 #include "core/diagnosis/archive_null.hpp"
 #include "core/diagnosis/steady_error.hpp"
 #include "core/hos/period.hpp"
-#include "core/loop/grid_by_noise.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core {
@@ -135,7 +134,6 @@ void measure_shapes(const FirstLook& first, const LoopFacts& facts, Evidence& ev
                                         first.period_samples(), evidence.integrating});
   evidence.valve_gain = loop::measure_valve_gain(loop.pv, loop.op_percent, facts.pv_span);
   evidence.op_rest = loop::measure_op_rest(loop.op_percent);
-  evidence.grid_by_noise = loop::grid_by_noise(loop.pv);
   measure_cycle(loop, facts, evidence);
   if (loop.op_moves) evidence.travel = model::judge_slow_travel(loop.pv, loop.op_percent);
 }

@@ -204,8 +204,6 @@ constexpr std::array kLoopFigures = {
            noise_decades<&hos::NoiseShape::variance_p>},
     Figure{"data.grid", "grid of pv over its standard deviation", Scale::plain,
            data<&signal::DataQuality::quantisation_factor>},
-    Figure{"data.grid_by_noise", "grid of pv over the error of its one-step prediction",
-           Scale::plain, [](const Evidence& e) { return e.grid_by_noise; }},
     Figure{"data.samples_per_value", "samples for each new value of pv", Scale::plain,
            data<&signal::DataQuality::compression_factor>},
     Figure{"data.held", "pv is renewed less often than it is recorded", Scale::yes_no,

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/loop/grid_by_noise.hpp"
 #include "tests/effects/random.hpp"
 #include "tests/generators/values.hpp"
 #include "tests/verdict/known_generators.hpp"
@@ -126,14 +125,6 @@ void freeze(LabelledRecord& record, Random& random) {
   record.truth.causes.insert(Code::sensor_fault);
 }
 
-/// A step of the noise is what rounding may take without being more than one more noise (Widrow,
-/// Kollar, Liu 1996). Whether a coarser grid is a fault is for the plant to say, where its
-/// generator does not.
-void doubt_grid(LabelledRecord& record) {
-  if (core::loop::grid_by_noise(record.window.pv).value_or(0.0) > 1.0)
-    record.truth.doubtful.insert(Code::sensor_fault);
-}
-
 /// What the catalogue says and what the plant records.
 void describe(const SimulatedLoop& loop, LabelledRecord& record, Random& random) {
   core::signal::LoopWindow& window = record.window;
@@ -171,7 +162,6 @@ LabelledRecord as_recorded(const SimulatedLoop& simulated, std::uint64_t seed) {
     record.truth.doubtful.insert(Code::valve_oversized);
   if (random.chance(0.05)) lose(record.window.pv, random);
   if (random.chance(0.02)) freeze(record, random);
-  doubt_grid(record);
   for (const Code cause : record.truth.causes) record.truth.doubtful.erase(cause);
   return record;
 }

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "core/loop/grid_by_noise.hpp"
-
 namespace loopscope::tests::verdict {
 namespace {
 
@@ -55,19 +53,6 @@ TEST(AsRecorded, RecordsAreAsPlantsKeepThemAndEveryCauseComesUp) {
   EXPECT_GT(healthy, kRecords / 10);
   EXPECT_GT(centred, kRecords / 20);
   EXPECT_GT(without_range, kRecords / 5);
-}
-
-TEST(AsRecorded, AGridThatTheNoiseDoesNotCarryPvAcrossIsNeverThatOfASoundSensor) {
-  int coarse = 0;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    const LabelledRecord record = draw_record(seed);
-    if (core::loop::grid_by_noise(record.window.pv).value_or(0.0) <= 1.0) continue;
-    ++coarse;
-    EXPECT_TRUE(record.truth.causes.contains(VerdictCode::sensor_fault) ||
-                record.truth.doubtful.contains(VerdictCode::sensor_fault))
-        << "seed " << seed;
-  }
-  EXPECT_GT(coarse, 5);
 }
 
 }  // namespace

@@ -122,8 +122,6 @@ DIRECTIONS = {
     },
     "sensor_fault": {
         "data.grid": 1,
-        # What the noise carries pv across is a transmitter's usual resolution.
-        "data.grid_by_noise": 1,
         "data.samples_per_value": 1,
         "data.held": 1,
         "data.frozen": 1,
