@@ -6,6 +6,7 @@
 #include "tests/core/model/healthy_loops.hpp"
 #include "tests/core/model/plant_bases.hpp"
 #include "tests/core/model/visible_stiction.hpp"
+#include "tests/verdict/field_draft.hpp"
 
 namespace loopscope::tests::verdict {
 namespace {
@@ -18,15 +19,7 @@ using model::OutsideWave;
 using model::standard_deviation;
 
 constexpr double kLeastSamples = 512.0, kMostSamples = 4096.0;
-
-/// The loop in the making.
-struct Making {
-  FieldSettings settings;
-  std::size_t samples = 4096;
-  double swing_pv = 0.0;  ///< standard deviations of the clear loop
-  double swing_op = 0.0;
-  Truth truth;
-};
+constexpr std::size_t kMixedSwingSamples = 1000;
 
 FieldSettings any_base(Draw& draw) {
   const double which = draw.between(0.0, 1.0);
@@ -46,7 +39,7 @@ std::size_t any_length(Draw& draw) {
 }
 
 /// A record of three to nine cycles, where the loop is slow enough for one.
-void few_cycles(Making& m, double period_samples, Draw& draw) {
+void few_cycles(FieldDraft& m, double period_samples, Draw& draw) {
   const double length = period_samples * draw.between(3.0, 9.0);
   if (length > kLeastSamples) m.samples = static_cast<std::size_t>(std::min(length, kMostSamples));
 }
@@ -68,7 +61,7 @@ void wander(FieldSettings& s, double scale, double least, double most, Draw& dra
 }
 
 /// Packing is not even, and a load that wanders as far as the cycle goes makes cycles uneven.
-void make_uneven(Making& m, double swing_op, Draw& draw) {
+void make_uneven(FieldDraft& m, double swing_op, Draw& draw) {
   FieldSettings& s = m.settings;
   if (draw.chance(0.5)) s.valve.asymmetry = draw.between(-0.4, 0.4);
   if (draw.chance(0.4)) wander(s, swing_op, 0.1, 1.0, draw);
@@ -76,7 +69,7 @@ void make_uneven(Making& m, double swing_op, Draw& draw) {
 
 /// A loop that cycles about the band of its valve. Where it is fast, fewer samples are left of it:
 /// a few cycles need a slow one.
-void hunts(Making& m, bool sticks, Draw& draw) {
+void hunts(FieldDraft& m, bool sticks, Draw& draw) {
   const bool few = draw.chance(0.3);
   const auto base = !sticks ? outrunning : few ? model::slow : any_base;
   const model::JumpShares jumps =
@@ -91,14 +84,8 @@ void hunts(Making& m, bool sticks, Draw& draw) {
   make_uneven(m, standard_deviation(clear.op), draw);
 }
 
-void measure_swing(Making& m, Draw& draw) {
-  const FieldLoop clear = run_field_loop(m.settings, 1000, draw);
-  m.swing_pv = standard_deviation(clear.pv);
-  m.swing_op = standard_deviation(clear.op);
-}
-
 /// Something to travel for: a load that wanders, and often a setpoint that moves.
-void stir(Making& m, Draw& draw) {
+void stir(FieldDraft& m, Draw& draw) {
   FieldSettings& s = m.settings;
   wander(s, 1.0, 0.3, 6.0, draw);
   if (draw.chance(0.3)) {
@@ -108,7 +95,7 @@ void stir(Making& m, Draw& draw) {
   }
 }
 
-OutsideWave any_wave(const Making& m, Draw& draw) {
+OutsideWave any_wave(const FieldDraft& m, Draw& draw) {
   const auto shape = static_cast<OutsideWave::Shape>(draw.whole(0, 3));
   const bool plain = draw.chance(0.5);
   OutsideWave wave = model::outside(plain ? OutsideWave::Shape::sine : shape,
@@ -119,12 +106,12 @@ OutsideWave any_wave(const Making& m, Draw& draw) {
   return wave;
 }
 
-void add_wave(Making& m, Draw& draw) {
+void add_wave(FieldDraft& m, Draw& draw) {
   m.settings.waves.push_back(any_wave(m, draw));
   m.truth.causes.insert(Code::external_disturbance);
 }
 
-void add_friction(Making& m, double jump_share, Draw& draw) {
+void add_friction(FieldDraft& m, double jump_share, Draw& draw) {
   model::FieldValve& valve = m.settings.valve;
   valve.friction = jump_share > 0.0 ? model::either(draw) : model::Friction::he;
   valve.stickband_percent = m.swing_op * draw.log_between(0.3, 4.0);
@@ -132,7 +119,7 @@ void add_friction(Making& m, double jump_share, Draw& draw) {
   m.truth.causes.insert(jump_share > 0.0 ? Code::valve_stiction : Code::valve_deadband);
 }
 
-void add_limit(Making& m, Draw& draw) {
+void add_limit(FieldDraft& m, Draw& draw) {
   const double reach = m.swing_op * draw.between(0.5, 2.0);
   const bool above = draw.chance(0.5);
   if (above || draw.chance(0.3)) m.settings.op_high = std::min(100.0, 50.0 + reach);
@@ -140,7 +127,7 @@ void add_limit(Making& m, Draw& draw) {
   m.truth.causes.insert(Code::valve_saturation);
 }
 
-void add_trim(Making& m, Draw& draw) {
+void add_trim(FieldDraft& m, Draw& draw) {
   m.settings.trim = (draw.chance(0.5) ? 1.0 : -1.0) * draw.log_between(0.3, 3.0);
   // By how much the gain changes over op's travel.
   const double bend = std::abs(m.settings.trim) * 4.0 * m.swing_op / 50.0;
@@ -150,7 +137,7 @@ void add_trim(Making& m, Draw& draw) {
     m.truth.doubtful.insert(Code::valve_characteristic);
 }
 
-void add_coarse_sensor(Making& m, Draw& draw) {
+void add_coarse_sensor(FieldDraft& m, Draw& draw) {
   m.settings.recording.pv_grid = m.swing_pv * draw.log_between(0.1, 2.0);
 }
 
@@ -162,13 +149,13 @@ void judge_grid(double grid, SimulatedLoop& loop) {
     loop.truth.doubtful.insert(Code::sensor_fault);
 }
 
-void add_hold(Making& m, Draw& draw) {
+void add_hold(FieldDraft& m, Draw& draw) {
   m.settings.recording.sensor_hold = m.settings.recording.every * draw.whole(2, 12);
   m.truth.causes.insert(Code::sensor_fault);
 }
 
 /// What is no fault: how the controller works and how the transmitter filters.
-void add_habits(Making& m, Draw& draw) {
+void add_habits(FieldDraft& m, Draw& draw) {
   FieldSettings& s = m.settings;
   if (draw.chance(0.4)) s.recording.means = true;
   if (draw.chance(0.2)) s.controller_every = draw.whole(2, 4) * (s.integrating ? 2 : 1);
@@ -181,7 +168,7 @@ void add_habits(Making& m, Draw& draw) {
   }
 }
 
-void tune(Making& m, Draw& draw) {
+void tune(FieldDraft& m, Draw& draw) {
   if (draw.chance(0.4)) {
     m.settings = model::tightened(m.settings, draw.between(0.72, 0.98), draw);
     m.truth.causes.insert(Code::tight_tuning);
@@ -192,7 +179,7 @@ void tune(Making& m, Draw& draw) {
 }
 
 /// A transmitter's range by which the process has this static gain, % by %.
-void size_valve(const Making& m, SimulatedLoop& loop, Draw& draw) {
+void size_valve(const FieldDraft& m, SimulatedLoop& loop, Draw& draw) {
   if (m.settings.integrating || draw.chance(0.6)) return;
   const bool large = draw.chance(0.25);
   const double gain = large ? draw.log_between(5.0, 40.0) : draw.log_between(0.4, 2.5);
@@ -200,19 +187,19 @@ void size_valve(const Making& m, SimulatedLoop& loop, Draw& draw) {
   if (large) loop.truth.causes.insert(Code::valve_oversized);
 }
 
-Making make(Draw& draw) {
-  Making m;
+FieldDraft make(Draw& draw) {
+  FieldDraft m;
   m.samples = any_length(draw);
   const double story = draw.between(0.0, 1.0);
   const bool cycles = story < 0.26;
   if (cycles) {
     hunts(m, story < 0.17, draw);
-    measure_swing(m, draw);
+    measure_swing(m, kMixedSwingSamples, draw);
   } else {
     m.settings = any_base(draw);
     stir(m, draw);
     if (story > 0.86) tune(m, draw);
-    measure_swing(m, draw);
+    measure_swing(m, kMixedSwingSamples, draw);
     if (story < 0.46) add_friction(m, story < 0.31 ? draw.between(0.1, 1.0) : 0.0, draw);
   }
   const bool quiet = m.truth.causes.empty();
@@ -234,11 +221,8 @@ Making make(Draw& draw) {
 
 SimulatedLoop mixed_loop(std::uint64_t seed) {
   Draw draw(seed);
-  const Making m = make(draw);
-  SimulatedLoop loop =
-      loop_of(run_field_loop(m.settings, m.samples, draw), m.settings.integrating, m.truth);
-  loop.truth.family = "mixed";
-  loop.limits = {m.settings.op_low, m.settings.op_high};
+  const FieldDraft m = make(draw);
+  SimulatedLoop loop = run_draft(m, "mixed", draw);
   judge_grid(m.settings.recording.pv_grid, loop);
   size_valve(m, loop, draw);
   return loop;

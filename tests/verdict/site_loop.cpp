@@ -8,16 +8,17 @@
 #include "tests/core/model/plant_bases.hpp"
 #include "tests/core/model/visible_stiction.hpp"
 #include "tests/generators/simc.hpp"
+#include "tests/verdict/field_draft.hpp"
 
 namespace loopscope::tests::verdict {
 namespace {
 
 using Code = core::diagnosis::VerdictCode;
 using model::Draw;
-using model::FieldLoop;
 using model::FieldSettings;
 using model::standard_deviation;
 
+constexpr std::size_t kSiteSwingSamples = 2000;
 constexpr double kTwelveBitGrid = 100.0 / 4096.0;  ///< of the span, %
 
 struct Interval {
@@ -40,12 +41,8 @@ constexpr std::array kSelfRegulating = {
     Kind{0.12, {8, 150}, {10, 60}, {200, 3000}, 0.2, {0.02, 0.4}},  // concentration
 };
 
-struct SiteDraft {
-  FieldSettings settings;
+struct SiteDraft : FieldDraft {
   double residence_steps = 0.0;  ///< lags and dead time; of a vessel the closed loop's time
-  std::size_t samples = 4096;
-  double swing_pv = 0.0, swing_op = 0.0;
-  Truth truth;
 };
 
 double dead_time(const FieldSettings& s) {
@@ -133,12 +130,6 @@ void round_signals(FieldSettings& s, Draw& draw) {
     s.op_step = draw.chance(0.5) ? 0.1 : 0.025;
 }
 
-void measure_site_swing(SiteDraft& m, Draw& draw) {
-  const FieldLoop clear = run_field_loop(m.settings, 2000, draw);
-  m.swing_pv = standard_deviation(clear.pv);
-  m.swing_op = standard_deviation(clear.op);
-}
-
 /// A valve's cycle is seen where the load does not hide it.
 void stick(SiteDraft& m, bool sticks, Draw& draw) {
   FieldSettings& s = m.settings;
@@ -222,7 +213,7 @@ SiteDraft draft_site_loop(Draw& draw) {
   round_signals(m.settings, draw);
   if (draw.chance(0.2)) m.settings.recording.every = draw.whole(2, 8);
   if (draw.chance(0.2)) m.settings.recording.means = m.settings.recording.every > 1;
-  measure_site_swing(m, draw);
+  measure_swing(m, kSiteSwingSamples, draw);
   if (draw.chance(kFaulty)) break_something(m, draw);
   return m;
 }
@@ -232,10 +223,7 @@ SiteDraft draft_site_loop(Draw& draw) {
 SimulatedLoop site_loop(std::uint64_t seed) {
   Draw draw(seed);
   const SiteDraft m = draft_site_loop(draw);
-  SimulatedLoop loop =
-      loop_of(run_field_loop(m.settings, m.samples, draw), m.settings.integrating, m.truth);
-  loop.truth.family = "site";
-  loop.limits = {m.settings.op_low, m.settings.op_high};
+  SimulatedLoop loop = run_draft(m, "site", draw);
   if (draw.chance(0.5)) loop.pv_span = 100.0;
   doubt(m, loop, loop.truth);
   return loop;
