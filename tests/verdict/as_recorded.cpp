@@ -75,11 +75,7 @@ void store(SimulatedLoop& loop, Random& random) {
   if (random.chance(0.15))
     compress(loop.pv, pv * random.log_uniform(0.03, 0.4), random.chance(0.5));
   if (random.chance(0.1)) compress(loop.op, op * random.log_uniform(0.03, 0.3), random.chance(0.5));
-  if (random.chance(0.5)) {
-    const double share = random.log_uniform(1e-3, 0.3);
-    round_to(loop.pv, pv * share);
-    if (share > 0.1) loop.truth.doubtful.insert(Code::sensor_fault);
-  }
+  if (random.chance(0.5)) round_to(loop.pv, pv * random.log_uniform(1e-3, 0.3));
   // Many controllers tell op in whole percent, some of them of a loop that needs no more than one.
   if (random.chance(0.4)) round_to(loop.op, op * random.log_uniform(1e-3, 1.5));
 }

@@ -12,7 +12,8 @@
 
 namespace loopscope::tests::verdict {
 
-/// Of pv's standard deviation: what a sensor's grid may be without being a fault.
+/// Of pv's standard deviation: what a sensor's grid may be without being a fault, where its
+/// generator does not say that it is one. A converter of twelve bits on a quiet loop is no defect.
 inline constexpr double kCoarse = 1.0 / 3.0;
 
 /// What is wrong with a simulated loop.

@@ -142,11 +142,7 @@ void add_coarse_sensor(FieldDraft& m, Draw& draw) {
 }
 
 void judge_grid(double grid, SimulatedLoop& loop) {
-  const double share = grid / standard_deviation(loop.pv);
-  if (share > kCoarse)
-    loop.truth.causes.insert(Code::sensor_fault);
-  else if (share > 0.1)
-    loop.truth.doubtful.insert(Code::sensor_fault);
+  if (grid > kCoarse * standard_deviation(loop.pv)) loop.truth.causes.insert(Code::sensor_fault);
 }
 
 void add_hold(FieldDraft& m, Draw& draw) {

@@ -195,11 +195,10 @@ void break_something(SiteDraft& m, Draw& draw) {
     limit(m, draw);
 }
 
-/// A grid that the noise no longer carries across (Widrow, Kollar, Liu 1996), a load that once asks
-/// for more than the valve has: whether that is a fault the plant has to say.
+/// A coarse grid, a load that once asks for more than the valve has: whether that is a fault the
+/// plant has to say.
 void doubt(const SiteDraft& m, const SimulatedLoop& loop, Truth& truth) {
-  const double grid = m.settings.recording.pv_grid;
-  if (grid > std::min(m.settings.noise_std, kCoarse * standard_deviation(loop.pv)))
+  if (m.settings.recording.pv_grid > kCoarse * standard_deviation(loop.pv))
     truth.doubtful.insert(Code::sensor_fault);
   const auto ends = std::ranges::minmax(loop.op);
   if (ends.min <= 0.0 || ends.max >= 100.0) truth.doubtful.insert(Code::valve_saturation);
