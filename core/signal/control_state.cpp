@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "core/signal/flat_run.hpp"
 #include "core/signal/lasting_error.hpp"
+#include "core/signal/median.hpp"
 #include "core/signal/op_scale.hpp"
+#include "core/signal/read_back.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
@@ -17,7 +20,8 @@ constexpr double kMostOfWindow = 0.5;
 /// An output that only touches its end is there for fewer samples.
 constexpr std::size_t kFewestHeld = 10;
 
-enum class Acting : std::uint8_t { yes, no_by_mode, no_by_output, unknown };
+/// `no_against_mode`: op says so plainly enough to doubt a mode that says automatic.
+enum class Acting : std::uint8_t { yes, no_by_mode, no_by_output, no_against_mode, unknown };
 
 bool lasting_at_end(const ControlRecord& record, const FlatRun& run) {
   return record.range != RangeSource::unknown && at_end(run.value) &&
@@ -31,46 +35,88 @@ bool is_moved_by_hand(const ControlRecord& record) {
   return share_of_moves(record.op_percent) < kFewMoves;
 }
 
+/// An output of few values may rest within one of its steps for long, with a controller at work (50
+/// of 3000 calm loops do, tests/core/signal/state_rates_test.cpp).
+bool has_many_values(std::span<const double> op) {
+  constexpr double kFewestSteps = 10.0;
+  const auto spread = measure_spread(op);
+  const auto step = smallest_neighbour_step(op);
+  return spread && step && spread->high - spread->low >= kFewestSteps * *step;
+}
+
+/// Integral action moves the output under an error that changes its sign, or away from its end.
+/// Where no range is known a lasting error may be that of an output at its end.
+bool should_move(const ControlRecord& record, const FlatRun& run) {
+  return has_many_values(record.op_percent) &&
+         (record.range != RangeSource::unknown ||
+          !keeps_its_sign(record.error.subspan(run.first, run.samples)));
+}
+
+/// An error that stands asks nothing of its controller, whatever it was before.
+bool stands(std::span<const double> error) {
+  constexpr double kNearlyAll = 0.9;
+  std::vector<double> recorded;
+  std::ranges::copy_if(error, std::back_inserter(recorded),
+                       [](double value) { return std::isfinite(value); });
+  if (recorded.empty()) return true;
+  const auto same = static_cast<double>(std::ranges::count(recorded, median(recorded)));
+  return same >= kNearlyAll * static_cast<double>(recorded.size());
+}
+
 /// Of an output that stands still where it usually does not, or is moved by hand.
-bool is_unattended(const ControlRecord& record, const FlatRun& run, std::span<const FlatRun> runs) {
-  if (!is_long(run) || lasting_at_end(record, run)) return false;
-  if (!is_moved_by_hand(record) && !is_unusually_long(run, runs)) return false;
-  const auto error = measure_spread(record.error.subspan(run.first, run.samples));
-  return error && !error->constant();
+Acting acting_in(const ControlRecord& record, const FlatRun& run, std::span<const FlatRun> runs) {
+  if (!is_long(run) || lasting_at_end(record, run)) return Acting::yes;
+  if (stands(record.error.subspan(run.first, run.samples))) return Acting::yes;
+  if (is_unusually_long(run, runs) && should_move(record, run)) return Acting::no_against_mode;
+  return is_moved_by_hand(record) ? Acting::no_by_output : Acting::yes;
+}
+
+/// Half a percent about its middle, as much as positioners do not follow, and nobody's answer.
+bool is_read_back(const ControlRecord& record, const Spread& op) {
+  constexpr double kWidest_percent = 1.0;
+  return record.range != RangeSource::unknown && op.high - op.low <= kWidest_percent &&
+         is_read_back_noise(record.op_percent, record.error);
+}
+
+/// Whether the output is constant but for how it is read back, and not at its end.
+bool stands_all_the_time(const ControlRecord& record, const std::optional<Spread>& op) {
+  if (!op || (!op->constant() && !is_read_back(record, *op))) return false;
+  const bool ended = record.range != RangeSource::unknown && (at_end(op->low) || at_end(op->high));
+  return !ended || !keeps_its_sign(record.error);
 }
 
 /// `op`: spread of the output, nullopt = not recorded.
 std::vector<Acting> by_output(const ControlRecord& record, const std::optional<Spread>& op) {
+  if (stands_all_the_time(record, op))
+    return std::vector(record.error.size(), Acting::no_against_mode);
   std::vector<Acting> acting(record.error.size(), op ? Acting::yes : Acting::unknown);
   const std::vector<FlatRun> runs = flat_runs(record.op_percent);
   for (const FlatRun& run : runs) {
-    const bool constant = op && op->constant() && !lasting_at_end(record, run);
-    if (!constant && !is_unattended(record, run, runs)) continue;
     std::fill_n(acting.begin() + static_cast<std::ptrdiff_t>(run.first), run.samples,
-                Acting::no_by_output);
+                acting_in(record, run, runs));
   }
   return acting;
 }
 
-/// What a mode says goes before what op lets guess, unless op is constant all the time.
-void put_modes(std::span<const ControlMode> mode, bool op_constant, std::vector<Acting>& acting) {
+/// What a mode says goes before what op lets guess, unless op says otherwise plainly.
+void put_modes(std::span<const ControlMode> mode, std::vector<Acting>& acting) {
   for (std::size_t k = 0; k < mode.size(); ++k) {
     if (mode[k] == ControlMode::unknown) continue;
     if (mode[k] == ControlMode::manual)
       acting[k] = Acting::no_by_mode;
-    else if (!op_constant)
+    else if (acting[k] != Acting::no_against_mode)
       acting[k] = Acting::yes;
   }
 }
 
-bool stands(Acting acting) {
-  return acting == Acting::no_by_mode || acting == Acting::no_by_output;
+bool is_lost(Acting acting) {
+  return acting != Acting::yes && acting != Acting::unknown;
 }
 
 std::optional<std::size_t> lost_at(const std::vector<Acting>& acting) {
   std::optional<std::size_t> first;
   for (std::size_t k = acting.size(); k-- > 0 && acting[k] != Acting::yes;) {
-    if (stands(acting[k])) first = k;
+    if (is_lost(acting[k])) first = k;
   }
   return first;
 }
@@ -116,12 +162,12 @@ bool ControlState::controlling() const {
 ControlState find_control_state(const ControlRecord& record) {
   const std::optional<Spread> op = measure_spread(record.op_percent);
   std::vector<Acting> acting = by_output(record, op);
-  put_modes(record.mode, op && op->constant(), acting);
+  put_modes(record.mode, acting);
   const auto count = [&](Acting which) {
     return static_cast<double>(std::ranges::count(acting, which));
   };
   const double by_mode = count(Acting::no_by_mode);
-  const double by_op = count(Acting::no_by_output);
+  const double by_op = count(Acting::no_by_output) + count(Acting::no_against_mode);
   const double told = by_mode + by_op + count(Acting::yes);
   ControlState state;
   if (told > 0.0) state.acting_fraction = count(Acting::yes) / told;

@@ -43,9 +43,10 @@ struct ControlRecord {
   RangeSource range = RangeSource::unknown;  ///< where the ends come from
 };
 
-/// By the mode where it is recorded. Elsewhere by op: one that is constant, or stands for 300
-/// samples and ten times longer than it usually does while the error moves, is nobody's answer to
-/// it; op at an end of its range under a lasting error is.
+/// By the mode where it is recorded, and by op: one that is constant but for how it is read back,
+/// or stands for 300 samples and ten times longer than it usually does while the error moves, is
+/// nobody's answer to it, whatever the mode says; op at an end of its range under a lasting error
+/// is. One that a hand moves now and then is nobody's either, where no mode says automatic.
 [[nodiscard]] ControlState find_control_state(const ControlRecord& record);
 
 }  // namespace loopscope::core::signal

@@ -11,9 +11,6 @@
 namespace loopscope::core::signal {
 namespace {
 
-/// Half a minute of a scanned archive, five minutes of samples of a second: no process that is
-/// controlled is as calm, unless its grid hides it.
-constexpr std::size_t kFewestSamples = 300;
 /// The longest of n runs of one loop is hardly ever ten times the longest of those before.
 constexpr double kTimesUsual = 10.0;
 /// What fails may do so more than once in a window; what does so four times is the loop's way.
@@ -76,22 +73,19 @@ std::vector<FlatRun> flat_runs(std::span<const double> samples) {
 }
 
 bool is_long(const FlatRun& run) {
-  return run.samples >= kFewestSamples &&
-         (run.recorded >= kFewestSamples || run.longest_gap <= kLongestBandedHole);
+  return run.samples >= kFewestFlatSamples &&
+         (run.recorded >= kFewestFlatSamples || run.longest_gap <= kLongestBandedHole);
 }
 
 bool is_unusually_long(const FlatRun& run, std::span<const FlatRun> runs, double usual_before) {
   if (!is_long(run)) return false;
   std::vector<std::size_t> others;
-  std::size_t failures = 0;
   for (const FlatRun& other : runs) {
-    if (other.first == run.first) continue;
-    others.push_back(other.recorded);
-    if (is_long(other)) ++failures;
+    if (other.first != run.first) others.push_back(other.recorded);
   }
   std::ranges::sort(others, std::greater{});
-  const std::size_t spared = std::min(failures, kFurtherFailures);
-  const double usual = spared < others.size() ? static_cast<double>(others[spared]) : 1.0;
+  const double usual =
+      others.size() > kFurtherFailures ? static_cast<double>(others[kFurtherFailures]) : 1.0;
   return static_cast<double>(run.samples) >= kTimesUsual * std::max(usual, usual_before);
 }
 

@@ -17,15 +17,19 @@ struct FlatRun {
   [[nodiscard]] std::size_t end() const { return first + samples; }
 };
 
+/// Half a minute of a scanned archive, five minutes of samples of a second: no process that is
+/// controlled is as calm, unless its grid hides it.
+inline constexpr std::size_t kFewestFlatSamples = 300;
+
 /// All runs of two samples or more, in their order.
 [[nodiscard]] std::vector<FlatRun> flat_runs(std::span<const double> samples);
 
-/// Whether the run has 300 samples, of which that many are recorded or no more than
+/// Whether the run has kFewestFlatSamples, of which that many are recorded or no more than
 /// kLongestBandedHole (archive.hpp) are missing in a row.
 [[nodiscard]] bool is_long(const FlatRun& run);
 
-/// Whether `run`, one of `runs`, is long and ten times as long as what is usual: the longest of the
-/// others, but for two that are long themselves (what fails may do so more than once), and
+/// Whether `run`, one of `runs`, is long and ten times as long as what is usual: the third
+/// longest of the others (what fails may do so more than once, and for less long), and
 /// `usual_before`, samples, known from elsewhere.
 [[nodiscard]] bool is_unusually_long(const FlatRun& run, std::span<const FlatRun> runs,
                                      double usual_before = 0.0);

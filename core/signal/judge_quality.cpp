@@ -7,6 +7,7 @@
 
 #include "core/signal/gaps.hpp"
 #include "core/signal/mode_counts.hpp"
+#include "core/signal/setpoint_moves.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
@@ -20,9 +21,6 @@ constexpr double kStaleFactor = 3.0;
 /// A mean error of so many standard deviations is no control error: the controller is not in
 /// command (override, protection) or has no integral action and no room.
 constexpr double kFarFromSetpoint = 5.0;
-
-/// A setpoint that moves in more than half of the samples comes from another controller.
-constexpr double kMovingSetpoint = 0.5;
 
 /// Of so many samples one at least has to be stored for the tests: beyond that too much of what
 /// they see is the model's (README, "The gate").
@@ -51,12 +49,14 @@ std::size_t recorded_gaps(const PreparedLoop& loop) {
   return std::min(run.recorded, static_cast<std::size_t>(gaps));
 }
 
-/// Holes are gaps of an archive that stores every sample, and none of one that does not.
+/// Holes are gaps of an archive that stores every sample, and none of one that does not; what was
+/// recorded is never missing.
 double missing_fraction(const PreparedLoop& loop) {
   const bool by_rule = loop.archive == Archive::dead_band ||
                        loop.archive == Archive::swinging_door || loop.archive == Archive::on_change;
-  return !by_rule ? 1.0 - share(loop.pv_recorded, loop.pv.size())
-                  : share(loop.pv_gaps - recorded_gaps(loop), loop.pv.size());
+  const double not_recorded = 1.0 - share(loop.pv_recorded, loop.pv.size());
+  const std::size_t holes = loop.pv_gaps - recorded_gaps(loop);
+  return by_rule ? std::min(not_recorded, share(holes, loop.pv.size())) : not_recorded;
 }
 
 /// Why there is too little of pv: never recorded, or discarded for standing still; empty = enough.
@@ -171,7 +171,7 @@ void raise_flags(const PreparedLoop& loop, DataQuality& quality) {
   const bool has_op = count_recorded(loop.op_percent) > 0;
   Flags flags(quality.flags);
   flags.add(count_recorded(loop.sp) == 0, "sp_missing");
-  flags.add(share_of_moves(loop.sp) > kMovingSetpoint, "sp_moving");
+  flags.add(moves_most_of_the_time(loop.sp), "sp_moving");
   flags.add(far_from_setpoint(loop.error), "sp_not_followed");
   flags.add(loop.spikes > 0, "pv_spikes");
   flags.add(pv && pv->constant(), "pv_constant");

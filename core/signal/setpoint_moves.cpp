@@ -3,6 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/signal/spread.hpp"
+
 namespace loopscope::core::signal {
 namespace {
 
@@ -46,6 +48,11 @@ std::vector<SetpointMove> find_setpoint_moves(const PreparedLoop& loop) {
 
 std::vector<SetpointMove> find_setpoint_moves(std::span<const double> sp) {
   return find_moves(sp, [](std::size_t) { return false; });
+}
+
+bool moves_most_of_the_time(std::span<const double> sp) {
+  constexpr double kMostSamples = 0.5;
+  return share_of_moves(sp) > kMostSamples;
 }
 
 }  // namespace loopscope::core::signal

@@ -27,4 +27,8 @@ inline constexpr double kUnknownSize = std::numeric_limits<double>::infinity();
 /// The same of a setpoint whose controller was never in manual; NaN = missing.
 [[nodiscard]] std::vector<SetpointMove> find_setpoint_moves(std::span<const double> sp);
 
+/// Whether the setpoint moves in more than half of the samples: it comes from another controller
+/// (cascade, ratio).
+[[nodiscard]] bool moves_most_of_the_time(std::span<const double> sp);
+
 }  // namespace loopscope::core::signal

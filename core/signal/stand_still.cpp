@@ -8,6 +8,7 @@
 #include "core/signal/median.hpp"
 #include "core/signal/mode_counts.hpp"
 #include "core/signal/op_scale.hpp"
+#include "core/signal/setpoint_moves.hpp"
 #include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
@@ -99,25 +100,40 @@ std::vector<double> error_in(const RecordedLoop& loop, const FlatRun& run) {
   return error;
 }
 
-StandStill described(const RecordedLoop& loop, const FlatRun& run) {
+/// `run` up to a move of the setpoint within its last stretch: the controller answers it at once,
+/// pv behind its dead time. Where sp moves most of the time (cascade, ratio) nothing is left out.
+FlatRun without_late_setpoint(const RecordedLoop& loop, const FlatRun& run) {
+  const auto sp = part(loop.sp, run);
+  if (moves_most_of_the_time(sp)) return run;
+  const std::vector<SetpointMove> moves = find_setpoint_moves(sp);
+  const auto late = std::ranges::find_if(moves, [&](const SetpointMove& move) {
+    return run.samples - move.first < kFewestFlatSamples;
+  });
+  FlatRun judged = run;
+  if (late != moves.end()) judged.samples = late->first;
+  return judged;
+}
+
+/// `judged`: the part of `run` in which op and error are looked at.
+StandStill described(const RecordedLoop& loop, const FlatRun& run, const FlatRun& judged) {
   StandStill still{.run = run};
   const auto is_recorded = [](double value) { return std::isfinite(value); };
   const auto before = loop.pv.first(run.first);
   const auto behind = loop.pv.subspan(run.end());
   still.to_the_end = std::ranges::none_of(behind, is_recorded);
   still.whole = still.to_the_end && std::ranges::none_of(before, is_recorded);
-  const auto op = part(loop.op, run);
+  const auto op = part(loop.op, judged);
   still.op_moves = moves_beyond_noise(op, smallest_neighbour_step(loop.op).value_or(0.0));
   if (const auto spread = measure_spread(op)) {
     still.op_low = spread->low;
     still.op_high = spread->high;
   }
-  const std::vector<double> error = error_in(loop, run);
+  const std::vector<double> error = error_in(loop, judged);
   if (!error.empty()) still.error = median(error);
   // What a coarse grid hides is less than a step, and no controller winds up for it.
-  still.error_lasts = wound_up(loop, run)
+  still.error_lasts = wound_up(loop, judged)
                           ? keeps_its_sign(error)
-                          : in_automatic(loop, run) && keeps_its_sign(error, step_of(loop, run));
+                          : in_automatic(loop, judged) && keeps_its_sign(error, step_of(loop, run));
   return still;
 }
 
@@ -138,7 +154,10 @@ std::optional<StandStill> find_stand_still(const RecordedLoop& loop) {
   const double before = loop.past ? loop.past->longest_flat_s / loop.sample_interval_s : 0.0;
   for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
     if (!is_unusually_long(*run, runs, before)) continue;
-    if (const StandStill still = described(loop, *run); is_noticed(loop, still)) return still;
+    const FlatRun judged = without_late_setpoint(loop, *run);
+    if (judged.samples < kFewestFlatSamples) continue;
+    const StandStill still = described(loop, *run, judged);
+    if (is_noticed(loop, still)) return still;
   }
   return std::nullopt;
 }

@@ -38,7 +38,9 @@ struct RecordedLoop {
 /// The latest run of equal values of pv that is 300 samples long and ten times as long as what is
 /// usual for this loop (before the window, or within it; not in manual), while op moves by more
 /// than its noise and half a percent, or the controller is in automatic and the error stays beyond
-/// one step of pv. nullopt = pv does not stand still, or may do so (manual, no error, a calm loop).
+/// one step of pv; what follows a move of the setpoint in its last 300 samples is not asked, since
+/// pv answers behind its dead time. nullopt = pv does not stand still, or may do so (manual, no
+/// error, a calm loop).
 ///
 /// A run of healthy pv is as long as its grid, its dead band and its calm make it; those of one
 /// loop are alike. So the first that is ten times longer is something else.

@@ -1,5 +1,6 @@
 #include "daemon/catalogue/propose_entry.hpp"
 
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -16,13 +17,28 @@ using core::signal::OpRange;
 using core::signal::RangeSource;
 using storage::CatalogueEntry;
 
-/// What speaks against filling it in; empty = nothing. An output that stays within 4 to 20 may be a
-/// current or a percentage, one near 0 a share or the percentage of a valve that is shut, and
-/// counts have many full scales.
+/// Ranges of the signals that go to valves, beside percent.
+struct SignalRange {
+  double low, high;
+  const char* text;
+};
+constexpr std::array kSignalRanges{SignalRange{4.0, 20.0, "4 to 20 (mA)"},
+                                   SignalRange{3.0, 15.0, "3 to 15 (psi)"},
+                                   SignalRange{1.0, 5.0, "1 to 5 (V)"}};
+
+/// What speaks against filling it in; empty = nothing. An output of a few percent may be any other
+/// signal as well, one near 0 a share or the percentage of a valve that is shut, and counts have
+/// many full scales.
 std::string ambiguity(const core::signal::OpValues& values, const OpRange& range) {
   constexpr double kShut = 0.2;
-  if (range.high == 100.0 && values.low >= 4.0 && values.high <= 20.0)
-    return "0 to 100 (%) or 4 to 20 (mA)?";
+  if (range.high == 100.0) {
+    std::string others;
+    for (const SignalRange& signal : kSignalRanges) {
+      if (values.low >= signal.low && values.high <= signal.high)
+        others += std::string(" or ") + signal.text;
+    }
+    return others.empty() ? "" : "0 to 100 (%)" + others + "?";
+  }
   if (range.high == 1.0 && values.high < kShut) return "0 to 1, or the percentage of a shut valve?";
   return range.high > 100.0 ? core::signal::range_text(range) + " (counts)?" : "";
 }
@@ -69,16 +85,25 @@ double round_above(double value) {
   return 10.0 * power;
 }
 
-/// History cannot know the transmitter's range: it is a question.
+/// Transmitters read a little beyond their range.
+bool fits(const core::signal::Spread& pv, const OpRange& range) {
+  constexpr double kBeyond = 0.05;
+  const double margin = kBeyond * (range.high - range.low);
+  return pv.low >= range.low - margin && pv.high <= range.high + margin;
+}
+
+/// History cannot know the transmitter's range, only that pv is outside of one: it is a question.
 void ask_for_pv(const CatalogueEntry& entry, const core::signal::Samples& pv,
                 std::vector<Proposal>& proposals) {
   const auto spread = core::signal::measure_spread(pv);
-  if (entry.pv_range || !spread || !(spread->high > 0.0)) return;
+  if (!spread || (entry.pv_range && fits(*spread, *entry.pv_range))) return;
+  if (!entry.pv_range && !(spread->high > 0.0)) return;
+  std::string seen =
+      fmt::format("pv is {:.6g} to {:.6g} in {} values", spread->low, spread->high, pv.size());
+  if (entry.pv_range) seen += ", not within " + core::signal::range_text(*entry.pv_range);
   const double low = spread->low < 0.0 ? -round_above(-spread->low) : 0.0;
-  proposals.push_back(
-      {entry.name, "",
-       fmt::format("pv is {:.6g} to {:.6g} in {} values: pv_low={} pv_high={}?", spread->low,
-                   spread->high, pv.size(), low, round_above(spread->high))});
+  const double high = spread->high > 0.0 ? round_above(spread->high) : 0.0;
+  proposals.push_back({entry.name, "", fmt::format("{}: pv_low={} pv_high={}?", seen, low, high)});
 }
 
 void propose_type(const CatalogueEntry& entry, std::vector<Proposal>& proposals) {

@@ -64,8 +64,44 @@ TEST(ControlState, AndOneThatStandsWhereItUsuallyDoesNot) {
 
 TEST(ControlState, AndOneThatAnOperatorMovesNowAndThen) {
   OpenLoop loop;
-  for (std::size_t k = 0; k < 1000; ++k) loop.op[k] = 40.0 + 2.0 * static_cast<double>(k / 330);
+  for (std::size_t k = 0; k < 1000; ++k) {
+    const std::size_t moved = k / 330;
+    loop.op[k] = 40.0 + 2.0 * static_cast<double>(moved);
+  }
   EXPECT_FALSE(loop.state().controlling());
+}
+
+TEST(ControlState, WhateverAModeThatSaysAutomatic) {
+  OpenLoop loop;
+  loop.mode.assign(1000, ControlMode::automatic);
+  loop.hold(400, 43.0);
+  EXPECT_FALSE(loop.state().controlling()) << "an output that usually moves stands";
+  EXPECT_EQ(loop.state().reason, NotActing::constant_output);
+  EXPECT_EQ(loop.state().lost_at, 400U);
+  const Samples moving = loop.error;
+  std::fill(loop.error.begin() + 405, loop.error.end(), 0.0);
+  EXPECT_TRUE(loop.state().controlling()) << "nothing is asked of it";
+  loop.error = moving;
+  loop.range = RangeSource::unknown;
+  for (double& error : loop.error) error += 2.0;
+  EXPECT_TRUE(loop.state().controlling()) << "it may be at its end";
+}
+
+TEST(ControlState, AnOutputWhoseReadingFlickersStands) {
+  OpenLoop loop;
+  loop.mode.assign(1000, ControlMode::automatic);
+  const auto flickers = [&](auto high) {
+    for (int k = 0; k < 1000; ++k) loop.op[static_cast<std::size_t>(k)] = high(k) ? 43.1 : 43.0;
+  };
+  flickers([](int k) { return std::sin(static_cast<double>(k) * k) > 0.0; });
+  EXPECT_FALSE(loop.state().controlling());
+  EXPECT_EQ(loop.state().lost_at, 0U);
+  for (double& op : loop.op) op = 43.0 + 20.0 * (op - 43.0);
+  EXPECT_TRUE(loop.state().controlling()) << "2 % are more than a reading";
+  flickers([](int k) { return std::sin(0.3 * k) > 0.0; });
+  EXPECT_TRUE(loop.state().controlling()) << "it follows the error";
+  flickers([](int k) { return k % 100 == 0; });
+  EXPECT_TRUE(loop.state().controlling()) << "too few moves to tell";
 }
 
 TEST(ControlState, AnOutputAtItsEndUnderALastingErrorIsAController) {

@@ -85,7 +85,28 @@ TEST(StandStill, TenTimesWhatIsUsual) {
   EXPECT_TRUE(loop.found());
   loop.past.reset();
   loop.stand(100, 45, 50.5);
-  EXPECT_FALSE(loop.found()) << "so are 45 within the window";
+  loop.stand(200, 120, 50.7);
+  EXPECT_TRUE(loop.found()) << "what fails may have failed twice before, and for less long";
+  loop.stand(400, 45, 50.9);
+  EXPECT_FALSE(loop.found()) << "three runs of 45 and more within the window are usual";
+}
+
+TEST(StandStill, NotWhereItHasHadNoTimeToAnswerTheSetpoint) {
+  LiveLoop loop;
+  loop.stand(0, 900, 50.0);
+  const auto step_at = [&](std::size_t from) {
+    for (std::size_t k = from; k < 1000; ++k) {
+      loop.sp[k] = 53.0;
+      loop.op[k] = 55.0;
+    }
+  };
+  step_at(890);
+  EXPECT_FALSE(loop.found()) << "calm at its setpoint, and in its dead time";
+  step_at(500);
+  ASSERT_TRUE(loop.found()) << "no answer for 400 samples";
+  EXPECT_EQ(loop.found()->run.samples, 900U);
+  for (std::size_t k = 0; k < 1000; ++k) loop.sp[k] = 51.0 + 0.01 * static_cast<double>(k % 7);
+  EXPECT_TRUE(loop.found()) << "a setpoint from another controller moves all the time";
 }
 
 TEST(StandStill, AControllerThatHasWoundUpIsInAutomatic) {

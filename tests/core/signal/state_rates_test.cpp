@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/signal/prepare.hpp"
+#include "core/signal/spread.hpp"
 #include "core/simulate/random.hpp"
 #include "core/simulate/uniform_source.hpp"
 #include "tests/support/long_run.hpp"
@@ -219,6 +220,30 @@ TEST(StateRates, HealthyLoopsStandStillInOneWindowOfAThousandAtMost) {
     }
   }
   EXPECT_LE(still, windows / 1000 + 2) << "of " << windows;
+}
+
+/// A controller of a calm loop whose output is told in coarse steps acts all the same, whether the
+/// mode says so or not: at most one window in a thousand is said to have none by the moves of its
+/// output alone.
+TEST(StateRates, ACoarseOutputIsAController) {
+  const auto draws = static_cast<int>(loopscope::tests::records(3000));
+  int lost = 0, coarse = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    Random random(3000000 + static_cast<std::uint64_t>(draw));
+    HealthyLoop loop = drawn_loop(random);
+    loop.load *= between(0.03, 1.0, random);
+    LoopWindow window = simulated(loop, loop.noise * random.uniform(0.0, 1.0), false, 4096, random);
+    const double step = spread_of(window.op) * between(0.5, 10.0, random);
+    for (double& op : window.op) op = on_grid(op, step, false);
+    window.mode.assign(4096, ControlMode::automatic);
+    window.op_range = OpRange{0.0, 200.0};
+    const PreparedLoop prepared = prepare(window, PrepareSettings{});
+    coarse += share_of_moves(window.op) < 0.1 ? 1 : 0;
+    lost += prepared.op_moves && !prepared.control.controlling() ? 1 : 0;
+  }
+  std::cout << lost << " of " << draws << " without a controller, " << coarse
+            << " with an output that moves in less than a tenth of the samples\n";
+  EXPECT_LE(lost, draws / 1000 + 1);
 }
 
 }  // namespace

@@ -54,8 +54,11 @@ TEST(ProposeEntry, ARangeThatHistoryMakesClear) {
 TEST(ProposeEntry, WhatIsNotClearIsAsked) {
   const auto either = about_op(wave(8.0, 14.0));
   ASSERT_THAT(either, SizeIs(1));
-  EXPECT_THAT(either[0].reason, HasSubstr("0 to 100 (%) or 4 to 20 (mA)?"));
+  EXPECT_THAT(either[0].reason, HasSubstr("0 to 100 (%) or 4 to 20 (mA) or 3 to 15 (psi)?"));
   EXPECT_FALSE(either[0].apply);
+  EXPECT_THAT(about_op(wave(3.1, 14.8))[0].reason, HasSubstr("0 to 100 (%) or 3 to 15 (psi)?"));
+  EXPECT_THAT(about_op(wave(1.9, 3.1))[0].reason, HasSubstr("0 to 100 (%) or 1 to 5 (V)?"));
+  EXPECT_TRUE(about_op(wave(1.9, 21.0))[0].apply);
   EXPECT_FALSE(about_op(wave(310.5, 480.5))[0].apply);
   EXPECT_THAT(about_op(Samples(300, 0.0)), IsEmpty()) << "a closed valve says nothing";
 }
@@ -73,6 +76,17 @@ TEST(ProposeEntry, TheRangeOfPvIsAQuestion) {
   ASSERT_THAT(proposals, SizeIs(1));
   EXPECT_THAT(proposals[0].reason, HasSubstr("pv_low=0 pv_high=50?"));
   EXPECT_FALSE(proposals[0].apply);
+}
+
+TEST(ProposeEntry, OneThatPvLeavesIsAQuestionToo) {
+  CatalogueEntry entry = loop_named("loop");
+  entry.pv_range = OpRange{0.0, 1.0};
+  const auto proposals = propose(entry, {wave(12.0, 43.0), {}});
+  ASSERT_THAT(proposals, SizeIs(1));
+  EXPECT_THAT(proposals[0].reason, HasSubstr("not within 0 to 1: pv_low=0 pv_high=50?"));
+  EXPECT_FALSE(proposals[0].apply);
+  entry.pv_range = OpRange{0.0, 42.0};
+  EXPECT_THAT(propose(entry, {wave(12.0, 43.0), {}}), IsEmpty());
 }
 
 TEST(ProposeEntry, TheTypeByTheLettersOfTheName) {
