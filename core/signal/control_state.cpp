@@ -63,7 +63,7 @@ bool stands(std::span<const double> error) {
   return same >= kNearlyAll * static_cast<double>(recorded.size());
 }
 
-/// Of an output that stands still where it usually does not, or is moved by hand.
+/// Whether somebody acts while op stands: not where op usually moves, or is moved by hand.
 Acting acting_in(const ControlRecord& record, const FlatRun& run, std::span<const FlatRun> runs) {
   if (!is_long(run) || lasting_at_end(record, run)) return Acting::yes;
   if (stands(record.error.subspan(run.first, run.samples))) return Acting::yes;
