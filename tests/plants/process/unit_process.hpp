@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace loopscope::tests::process {
+
+/// Balances of a plant in physical units, from its nominal state on.
+class UnitProcess {
+ public:
+  UnitProcess() = default;
+  UnitProcess(const UnitProcess&) = delete;
+  UnitProcess& operator=(const UnitProcess&) = delete;
+  virtual ~UnitProcess() = default;
+
+  /// `flows` by stream, `upsets` as distances from the nominal supplies.
+  virtual void step(const std::vector<double>& flows, const std::vector<double>& upsets,
+                    double step_s) = 0;
+  [[nodiscard]] virtual double value(std::size_t which) const = 0;
+  /// Flow of a stream by its nominal one at the same valve: heads and headers.
+  [[nodiscard]] virtual double drive(std::size_t) const { return 1.0; }
+};
+
+template <std::size_t N>
+using State = std::array<double, N>;
+
+/// One step of the classical Runge-Kutta method; `slope` = d state / dt.
+template <std::size_t N, typename Slope>
+State<N> runge_kutta(const State<N>& at, double step, Slope&& slope) {
+  const auto ahead = [&at](const State<N>& rate, double by) {
+    State<N> next = at;
+    for (std::size_t i = 0; i < N; ++i) next[i] += by * rate[i];
+    return next;
+  };
+  const State<N> a = slope(at);
+  const State<N> b = slope(ahead(a, step / 2.0));
+  const State<N> c = slope(ahead(b, step / 2.0));
+  const State<N> d = slope(ahead(c, step));
+  State<N> next = at;
+  for (std::size_t i = 0; i < N; ++i)
+    next[i] += step / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
+  return next;
+}
+
+}  // namespace loopscope::tests::process
