@@ -57,7 +57,7 @@ bool put_play(Draft& draft, Random& random) {
   draft.source = pick(random.chance(0.6) ? direct : loops, random);
   if (!draft.source) return false;
   valve_of(draft.with, *draft.source).friction = Friction::play;
-  valve_of(draft.with, *draft.source).play = random.log_uniform(1.5, 12.0);
+  valve_of(draft.with, *draft.source).play = random.log_uniform(3.0, 15.0);
   return true;
 }
 
@@ -90,14 +90,13 @@ bool put_wave(Draft& draft, Random& random) {
 bool put_tight(Draft& draft, Random& random) {
   draft.source = random.below(draft.with.loops.size());
   LoopPlan& loop = draft.with.loops[*draft.source];
-  if (random.chance(0.4)) loop.integral_time_s *= random.log_uniform(0.25, 1.0);
-  const std::optional<double> limit = gain_at_limit(draft.with, *draft.source);
+  const Knob knob = random.chance(0.5) ? Knob::gain : Knob::integral_time;
+  const std::optional<double> limit = factor_at_limit(draft.with, *draft.source, knob);
   if (!limit) return false;
-  if (random.chance(0.4)) {
-    loop.gain = *limit * random.uniform(0.9, 1.0);
-    return true;
-  }
-  loop.gain = *limit * random.uniform(1.05, 1.5);
+  const bool beyond = random.chance(0.6);
+  loop = tightened(loop, knob,
+                   *limit * (beyond ? random.uniform(1.05, 1.5) : random.uniform(0.88, 1.0)));
+  if (!beyond) return true;
   const double reach = random.log_uniform(4.0, 30.0);
   loop.op_low = std::max(0.0, loop.op0 - reach * random.uniform(0.7, 1.3));
   loop.op_high = std::min(100.0, loop.op0 + reach);

@@ -6,8 +6,8 @@ namespace {
 constexpr double kSecondsAMinute = 60.0;
 constexpr double kSeparator = 20.0;     // kg/m, of level, and kg of liquor
 constexpr double kVapourSpace = 4.0;    // kg/kPa
-constexpr double kSteamChest = 0.02;    // kg/kPa; not published, the chest follows in half a minute
-constexpr double kFeedTank = 60.0;      // kg/m; not published
+constexpr double kChestHold = 0.02;     // kg/kPa; not published, the chest follows in half a minute
+constexpr double kTankHold = 60.0;      // kg/m; not published
 constexpr double kHeatOfVapour = 38.5;  // kW min/kg
 constexpr double kHeatOfSteam = 36.6;
 constexpr double kHeatCapacity = 0.07;  // kW min/(kg K)
@@ -34,21 +34,21 @@ Evaporator::Contents Evaporator::slope(const Contents& at, const Inputs& in) {
   return {.l2 = (in.f1 - s.f4 - in.f2) / kSeparator,
           .x2 = (in.f1 * in.x1 - in.f2 * at.x2) / kSeparator,
           .p2 = (s.f4 - s.f5) / kVapourSpace,
-          .p100 = (in.steam - s.f100) / kSteamChest,
-          .feed_tank = (in.inflow - in.f1) / kFeedTank};
+          .p100 = (in.steam - s.f100) / kChestHold,
+          .feed_tank = (in.inflow - in.f1) / kTankHold};
 }
 
 void Evaporator::step(const std::vector<double>& flows, const std::vector<double>& upsets,
                       double step_s) {
-  const Inputs in{.f1 = flows[f1_feed],
-                  .f2 = flows[f2_product],
-                  .f3 = flows[f3_circulation],
-                  .f200 = flows[f200_coolant],
-                  .steam = flows[steam],
-                  .x1 = 5.0 + upsets[x1],
-                  .t1 = 40.0 + upsets[t1],
-                  .t200 = 25.0 + upsets[t200],
-                  .inflow = 10.0 + upsets[inflow]};
+  const Inputs in{.f1 = flows[kF1Feed],
+                  .f2 = flows[kF2Product],
+                  .f3 = flows[kF3Circulation],
+                  .f200 = flows[kF200Coolant],
+                  .steam = flows[kSteam],
+                  .x1 = 5.0 + upsets[kX1],
+                  .t1 = 40.0 + upsets[kT1],
+                  .t200 = 25.0 + upsets[kT200],
+                  .inflow = 10.0 + upsets[kInflow]};
   const auto slope_of = [&in](const State<5>& at) -> State<5> {
     const Contents rate = slope({at[0], at[1], at[2], at[3], at[4]}, in);
     return {rate.l2, rate.x2, rate.p2, rate.p100, rate.feed_tank};
@@ -61,15 +61,15 @@ void Evaporator::step(const std::vector<double>& flows, const std::vector<double
 
 double Evaporator::value(std::size_t which) const {
   switch (which) {
-    case l2:
+    case kL2:
       return now_.l2;
-    case x2:
+    case kX2:
       return now_.x2;
-    case p2:
+    case kP2:
       return now_.p2;
-    case p100:
+    case kP100:
       return now_.p100;
-    case feed_tank:
+    case kFeedTank:
       return now_.feed_tank;
     default:
       return t2_;

@@ -10,9 +10,9 @@ namespace loopscope::tests::process {
 /// with a steam chest that holds steam.
 class Evaporator : public UnitProcess {
  public:
-  enum Stream : std::size_t { f1_feed, f2_product, f3_circulation, f200_coolant, steam };
-  enum Upset : std::size_t { x1, t1, t200, inflow, steam_header, water_header, feed_head };
-  enum Value : std::size_t { l2, x2, p2, p100, feed_tank, t2 };
+  enum Stream : std::size_t { kF1Feed, kF2Product, kF3Circulation, kF200Coolant, kSteam };
+  enum Upset : std::size_t { kX1, kT1, kT200, kInflow, kSteamHeader, kWaterHeader, kFeedHead };
+  enum Value : std::size_t { kL2, kX2, kP2, kP100, kFeedTank, kT2 };
 
   void step(const std::vector<double>& flows, const std::vector<double>& upsets,
             double step_s) override;
@@ -29,9 +29,9 @@ class Evaporator : public UnitProcess {
   struct Contents {
     double l2 = 1.0, x2 = 25.0, p2 = 50.5, p100 = 194.7, feed_tank = 1.0;
   };
-  [[nodiscard]] static Stage stage(const Contents& contents, const Inputs& inputs);
+  [[nodiscard]] static Stage stage(const Contents& at, const Inputs& in);
   /// Per minute.
-  [[nodiscard]] static Contents slope(const Contents& contents, const Inputs& inputs);
+  [[nodiscard]] static Contents slope(const Contents& at, const Inputs& in);
 
  private:
   Contents now_;

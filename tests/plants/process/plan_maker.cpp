@@ -24,7 +24,7 @@ std::size_t PlanMaker::add_upset(double typical, double shortest_memory_s,
                                  double longest_memory_s) {
   UpsetPlan upset;
   upset.typical = typical;
-  upset.sd = typical * random_.log_uniform(0.3, 1.5);
+  upset.sd = typical * random_.log_uniform(0.15, 1.0);
   upset.memory_s = random_.log_uniform(shortest_memory_s, longest_memory_s);
   // One in six hardly comes back within the record.
   if (random_.chance(1.0 / 6.0)) upset.memory_s = 10.0 * longest_memory_s;
@@ -66,7 +66,7 @@ LoopPlan PlanMaker::basic(const std::string& name, const std::string& type, doub
 
 std::size_t PlanMaker::add_flow_loop(const std::string& name, std::size_t stream) {
   const StreamPlan& pipe = plan_.streams[stream];
-  LoopPlan loop = basic(name, "flow", pipe.nominal, {.high = pipe.full, .noise = 0.3});
+  LoopPlan loop = basic(name, "flow", pipe.nominal, {.high = pipe.full, .noise = 0.2});
   loop.flow_of = stream;
   loop.valve = stream;
   loop.op0 = 100.0 * pipe.nominal / pipe.full;

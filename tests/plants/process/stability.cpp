@@ -46,11 +46,18 @@ bool swings_up(const PlantPlan& quiet, std::size_t loop, Window window) {
 
 }  // namespace
 
-std::optional<double> gain_at_limit(const PlantPlan& plan, std::size_t loop) {
+LoopPlan tightened(LoopPlan loop, Knob knob, double factor) {
+  if (knob == Knob::gain) loop.gain *= factor;
+  if (knob == Knob::integral_time) loop.integral_time_s /= factor;
+  return loop;
+}
+
+std::optional<double> factor_at_limit(const PlantPlan& plan, std::size_t loop, Knob knob) {
   PlantPlan quiet = quiet_copy(plan, loop);
+  const LoopPlan drawn = quiet.loops[loop];
   const Window window = trial_window(plan, plan.loops[loop]);
   const auto swings_at = [&](double factor) {
-    quiet.loops[loop].gain = plan.loops[loop].gain * factor;
+    quiet.loops[loop] = tightened(drawn, knob, factor);
     return swings_up(quiet, loop, window);
   };
   double low = 1.0, high = 2.0;
@@ -64,7 +71,7 @@ std::optional<double> gain_at_limit(const PlantPlan& plan, std::size_t loop) {
     const double middle = std::sqrt(low * high);
     (swings_at(middle) ? high : low) = middle;
   }
-  return plan.loops[loop].gain * std::sqrt(low * high);
+  return std::sqrt(low * high);
 }
 
 }  // namespace loopscope::tests::process

@@ -7,9 +7,15 @@
 
 namespace loopscope::tests::process {
 
-/// The gain of one loop from which a quiet copy of the plant (no noise, no upsets, sound valves)
-/// swings up by itself after a small step, found by trial; nullopt where sixty times the drawn
-/// gain is not enough.
-[[nodiscard]] std::optional<double> gain_at_limit(const PlantPlan& plan, std::size_t loop);
+/// What makes a loop too tight.
+enum class Knob { gain, integral_time };
+
+/// The loop with more gain, or less integral time, by `factor`.
+[[nodiscard]] LoopPlan tightened(LoopPlan loop, Knob knob, double factor);
+
+/// The factor from which a quiet copy of the plant (no noise, no upsets, sound valves) swings up by
+/// itself after a small step, found by trial; nullopt where even 64 is not enough.
+[[nodiscard]] std::optional<double> factor_at_limit(const PlantPlan& plan, std::size_t loop,
+                                                    Knob knob);
 
 }  // namespace loopscope::tests::process

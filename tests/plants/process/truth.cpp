@@ -16,12 +16,15 @@ double ratio(double part, double whole) {
   return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;
 }
 
+double strongest_of(const Spectrum& spectrum, std::size_t samples) {
+  return spectrum.strongest(4.0 / static_cast<double>(samples));
+}
+
 /// Where the change of the source's error is strongest, if that stands out of the error itself.
 std::optional<double> measured_period(const Twins& twins, std::size_t source) {
   const Spectrum change(change_of_error(twins, source));
   const Spectrum error(error_of(twins.with[source]));
-  const auto n = static_cast<double>(twins.with[source].pv.size());
-  const double f = change.strongest(4.0 / n);
+  const double f = strongest_of(change, twins.with[source].pv.size());
   const double line = change.power(0.85 * f, 1.15 * f);
   if (line < 0.25 * error.total() || line < 0.35 * change.total()) return std::nullopt;
   return twins.with[source].interval_s / f;
@@ -49,8 +52,15 @@ std::vector<double> change_of_error(const Twins& twins, std::size_t loop) {
   return difference(error_of(twins.with[loop]), error_of(twins.without[loop]));
 }
 
+bool swings(const Record& record) {
+  const Spectrum error(error_of(record));
+  const double f = strongest_of(error, record.pv.size());
+  return error.power(0.85 * f, 1.15 * f) >= 0.2 * error.total();
+}
+
 std::optional<double> period_of(const Draft& draft, const Twins& twins) {
   if (draft.set_period_s) return draft.set_period_s;
+  if (twins.without.empty()) return std::nullopt;
   return measured_period(twins, *draft.source);
 }
 

@@ -16,7 +16,11 @@ struct Twins {
 [[nodiscard]] std::vector<double> change_of_error(const Twins& twins, std::size_t loop);
 [[nodiscard]] std::vector<double> error_of(const Record& record);
 
-/// Of the source, or the one that the cause sets; nullopt where nothing swings.
+/// Part of the error lies about one frequency.
+[[nodiscard]] bool swings(const Record& record);
+
+/// Of the source, or the one that the cause sets; nullopt where nothing swings, or where the
+/// second run was spared.
 [[nodiscard]] std::optional<double> period_of(const Draft& draft, const Twins& twins);
 
 /// Every loop with its record and its truth, for an oscillation of this period (0 = none).
