@@ -56,6 +56,12 @@ bool put_play(Draft& draft, Random& random) {
                             [](const LoopPlan& loop) { return loop.valve && loop.type != "flow"; });
   draft.source = pick(random.chance(0.6) ? direct : loops, random);
   if (!draft.source) return false;
+  // In both twins: a loop that integrates much.
+  const LoopPlan& loop = draft.with.loops[*draft.source];
+  const std::size_t integrating = loop.master.value_or(*draft.source);
+  const double hurry = random.uniform(0.2, 1.0);
+  draft.with.loops[integrating].integral_time_s *= hurry;
+  draft.without.loops[integrating].integral_time_s *= hurry;
   valve_of(draft.with, *draft.source).friction = Friction::play;
   valve_of(draft.with, *draft.source).play = random.log_uniform(3.0, 15.0);
   return true;

@@ -9,7 +9,8 @@ namespace loopscope::tests::process {
 
 /// The column for methanol and water of Wood and Berry (Chem. Eng. Sci. 28, 1973): their transfer
 /// matrix with dead times, feed included, about their operating point (lb/min, weight %). The
-/// vessels and the condenser's pressure about it are ours: balances of the same flows.
+/// vessels, the condenser's pressure and the preheater of the feed are ours: balances of the same
+/// flows.
 class Column : public UnitProcess {
  public:
   enum Stream : std::size_t { kFeed, kReflux, kSteam, kDistillate, kBottoms, kCoolant };
@@ -47,7 +48,8 @@ class Column : public UnitProcess {
 
   /// Of reflux, steam, feed flow, feed content on the top and on the bottom.
   std::array<DelayedLag, 4> on_top_, on_bottom_;
-  DelayedLag down_;  ///< of liquid from the top and the feed to the base
+  DelayedLag down_;     ///< of liquid from the top and the feed to the base
+  DelayedLag preheat_;  ///< of the feed, by the bottoms
   State<4> vessels_;
   std::array<double, 6> values_;
 };

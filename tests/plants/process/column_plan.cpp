@@ -37,17 +37,30 @@ std::size_t add_column_feed(PlanMaker& maker) {
          1;
 }
 
-/// Both ends on composition, or the bottom alone with reflux in a ratio to the feed. Each is tuned
-/// as if its gain were higher and its path longer: the other one interferes.
-void add_contents(PlanMaker& maker, std::size_t feed) {
+/// How the top is held: the level by distillate and the content by reflux, or crosswise.
+struct TopStreams {
+  std::size_t content, level;
+  std::string content_flow, level_flow;
+  double content_gain;
+};
+
+TopStreams draw_top(Random& random) {
+  if (random.chance(0.6)) return {C::kReflux, C::kDistillate, "FIC-11", "FIC-14", 18.0};
+  return {C::kDistillate, C::kReflux, "FIC-14", "FIC-11", -18.0};
+}
+
+/// Both ends on composition, or the bottom alone with the top's stream in a ratio to the feed. Each
+/// is tuned as if its gain were higher and its path longer: the other one interferes.
+void add_contents(PlanMaker& maker, std::size_t feed, const TopStreams& streams) {
   const Sensor top{.low = 92.0, .high = 100.0, .lag_s = 10.0, .noise = 0.25, .scan_steps = 5};
   const Sensor bottom{.low = 0.0, .high = 4.0, .lag_s = 10.0, .noise = 0.25, .scan_steps = 5};
-  const std::size_t reflux = maker.add_flow_loop("FIC-11", C::kReflux);
+  const std::size_t flow = maker.add_flow_loop(streams.content_flow, streams.content);
   if (maker.random().chance(0.7)) {
     maker.add_master("AIC-11", "composition", C::kTop, C::kTop0, top,
-                     {.gain = 18.0, .time_constant_s = 1002.0, .late_s = 150.0}, reflux);
+                     {.gain = streams.content_gain, .time_constant_s = 1002.0, .late_s = 150.0},
+                     flow);
   } else {
-    maker.set_ratio(reflux, feed);
+    maker.set_ratio(flow, feed);
   }
   const std::size_t steam = maker.add_flow_loop("FIC-12", C::kSteam);
   maker.add_master("AIC-12", "composition", C::kBottom, C::kBottom0, bottom,
@@ -73,10 +86,11 @@ PlantPlan draft_column(std::uint64_t seed) {
   add_column_supplies(maker);
   add_column_streams(maker);
   const std::size_t feed = add_column_feed(maker);
-  add_contents(maker, feed);
+  const TopStreams top = draw_top(maker.random());
+  add_contents(maker, feed, top);
   add_pressure(maker);
-  maker.add_level("LIC-14", C::kDrum, 50.0, 100.0, level_gain(C::kDrumFull), C::kDistillate,
-                  "FIC-14", maker.random().chance(0.4));
+  maker.add_level("LIC-14", C::kDrum, 50.0, 100.0, level_gain(C::kDrumFull), top.level,
+                  top.level_flow, maker.random().chance(0.4));
   maker.add_level("LIC-15", C::kBase, 50.0, 100.0, level_gain(C::kBaseFull), C::kBottoms, "FIC-15",
                   maker.random().chance(0.4));
   const double step_s = maker.plan().step_s;

@@ -23,6 +23,8 @@ class DelayedLag {
     return value_ += fresh_ * (gain_ * input - value_);
   }
 
+  [[nodiscard]] double value() const { return value_; }
+
  private:
   double gain_;
   double fresh_;

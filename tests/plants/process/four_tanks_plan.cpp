@@ -61,9 +61,9 @@ PlantPlan draft_four_tanks(std::uint64_t seed) {
   add_lower_tank(maker, setting, false, false);
   add_lower_tank(maker, setting, true, maker.random().chance(0.4));
   maker.add_level("LIC-5", F::kSump, F::kSumpLevel, 40.0, 1.0 / F::kSumpArea, F::kMakeup, "FIC-5",
-                  maker.random().chance(0.3));
+                  maker.random().chance(0.45));
   maker.add_level("LIC-6", F::kHeadTank, F::kHeadLevel, 40.0, 1.0 / F::kHeadArea, F::kTownWater,
-                  "FIC-6", maker.random().chance(0.3));
+                  "FIC-6", maker.random().chance(0.45));
   const std::size_t bleed = maker.add_flow_loop("FIC-7", F::kBleed);
   if (maker.random().chance(0.6)) maker.set_ratio(bleed, 0);
   maker.plan().process = [setting, shared_suction] {

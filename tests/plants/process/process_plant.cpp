@@ -6,6 +6,7 @@
 #include "tests/plants/process/column.hpp"
 #include "tests/plants/process/evaporator.hpp"
 #include "tests/plants/process/four_tanks.hpp"
+#include "tests/plants/process/reactor_recycle.hpp"
 #include "tests/plants/process/recording.hpp"
 #include "tests/plants/process/truth.hpp"
 
@@ -17,10 +18,17 @@ constexpr double kSourcePeriods = 12.0;
 constexpr double kSourceSamples = 5.0;
 
 PlantPlan draft_plan(PlantKind kind, std::uint64_t seed) {
-  if (kind == PlantKind::evaporator) return draft_evaporator(seed);
-  if (kind == PlantKind::column) return draft_column(seed);
-  if (kind == PlantKind::four_tanks) return draft_four_tanks(seed);
-  throw std::invalid_argument("there is no such plant yet");
+  switch (kind) {
+    case PlantKind::evaporator:
+      return draft_evaporator(seed);
+    case PlantKind::reactor_recycle:
+      return draft_reactor_recycle(seed);
+    case PlantKind::column:
+      return draft_column(seed);
+    case PlantKind::four_tanks:
+      return draft_four_tanks(seed);
+  }
+  throw std::invalid_argument("there is no such plant");
 }
 
 std::optional<Twins> run_twins(const Draft& draft, const std::vector<Window>& windows) {
@@ -61,7 +69,7 @@ std::optional<double> pilot_period(Draft draft) {
     const std::optional<Twins> twins = run_twins(draft, windows);
     if (!twins) return std::nullopt;
     const std::optional<double> period_s = period_of(draft, *twins);
-    if (!period_s && length * step_s > 10.0 * slowest_s(draft)) return std::nullopt;
+    if (!period_s && length * step_s > 3.0 * slowest_s(draft)) return std::nullopt;
     if (!period_s || *period_s * 8.0 > length * step_s) continue;
     return shaken(loops_of(draft, *twins, *period_s), draft.source) ? period_s : std::nullopt;
   }
