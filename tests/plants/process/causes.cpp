@@ -45,6 +45,12 @@ bool put_sticking(Draft& draft, Random& random) {
   return true;
 }
 
+/// Little gain and much integral action: so vessels cycle behind play.
+void integrate_more(LoopPlan& loop, Random& random) {
+  loop.gain *= random.uniform(0.35, 1.0);
+  loop.integral_time_s *= random.uniform(0.25, 1.0);
+}
+
 /// Play makes a cycle of its own where a vessel and an integral action meet.
 bool put_play(Draft& draft, Random& random) {
   const auto of_vessel = [&draft](const LoopPlan& loop) {
@@ -56,14 +62,12 @@ bool put_play(Draft& draft, Random& random) {
                             [](const LoopPlan& loop) { return loop.valve && loop.type != "flow"; });
   draft.source = pick(random.chance(0.6) ? direct : loops, random);
   if (!draft.source) return false;
-  // In both twins: a loop that integrates much.
   const LoopPlan& loop = draft.with.loops[*draft.source];
   const std::size_t integrating = loop.master.value_or(*draft.source);
-  const double hurry = random.uniform(0.2, 1.0);
-  draft.with.loops[integrating].integral_time_s *= hurry;
-  draft.without.loops[integrating].integral_time_s *= hurry;
+  integrate_more(draft.with.loops[integrating], random);
+  draft.without.loops[integrating] = draft.with.loops[integrating];
   valve_of(draft.with, *draft.source).friction = Friction::play;
-  valve_of(draft.with, *draft.source).play = random.log_uniform(3.0, 15.0);
+  valve_of(draft.with, *draft.source).play = random.log_uniform(4.0, 18.0);
   return true;
 }
 
@@ -94,7 +98,10 @@ bool put_wave(Draft& draft, Random& random) {
 
 /// Just below the limit the noise keeps it up; beyond it the output's limits hold it.
 bool put_tight(Draft& draft, Random& random) {
-  draft.source = random.below(draft.with.loops.size());
+  // A flow loop's own swing is over before other loops have felt it.
+  const auto slow = [](const LoopPlan& loop) { return loop.type != "flow"; };
+  draft.source = random.chance(0.8) ? *pick(loops_that(draft.with, slow), random)
+                                    : random.below(draft.with.loops.size());
   LoopPlan& loop = draft.with.loops[*draft.source];
   const Knob knob = random.chance(0.5) ? Knob::gain : Knob::integral_time;
   const std::optional<double> limit = factor_at_limit(draft.with, *draft.source, knob);
@@ -103,7 +110,7 @@ bool put_tight(Draft& draft, Random& random) {
   loop = tightened(loop, knob,
                    *limit * (beyond ? random.uniform(1.05, 1.5) : random.uniform(0.88, 1.0)));
   if (!beyond) return true;
-  const double reach = random.log_uniform(4.0, 30.0);
+  const double reach = random.log_uniform(3.0, 20.0);
   loop.op_low = std::max(0.0, loop.op0 - reach * random.uniform(0.7, 1.3));
   loop.op_high = std::min(100.0, loop.op0 + reach);
   return true;

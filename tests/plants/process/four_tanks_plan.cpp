@@ -12,14 +12,14 @@ void add_tank_supplies(PlanMaker& maker) {
   maker.add_upset(0.3, 20.0, 400.0);   // drawn from the upper tanks, cm^3/s
   maker.add_upset(0.3, 20.0, 400.0);
   maker.add_upset(0.04, 10.0, 300.0);  // bleed head
-  maker.add_upset(0.3, 20.0, 400.0);   // into the sump, cm^3/s
+  maker.add_upset(0.3, 20.0, 400.0);   // into the first sump, cm^3/s
 }
 
 void add_tank_streams(PlanMaker& maker, const F::Setting& setting) {
   maker.add_stream(setting.flow_1, 0.5, F::kPumpPower);
   maker.add_stream(setting.flow_2, 0.5, F::kPumpPower);
-  maker.add_stream(F::kBleedFlow, 0.6, std::nullopt);
   maker.add_stream(F::kBleedFlow, 0.8, F::kTownHead);
+  maker.add_stream(setting.transfer(), 0.6, std::nullopt);
   maker.add_stream(F::kBleedFlow, 0.6, F::kBleedHead);
 }
 
@@ -57,15 +57,17 @@ PlantPlan draft_four_tanks(std::uint64_t seed) {
   const double shared_suction = maker.random().uniform(0.1, 0.35);
   add_tank_supplies(maker);
   add_tank_streams(maker, setting);
-  // First the one whose flow loop is there: the ratio is taken of that.
-  add_lower_tank(maker, setting, false, false);
+  const bool on_pump = maker.random().chance(0.35);
+  add_lower_tank(maker, setting, false, on_pump);
   add_lower_tank(maker, setting, true, maker.random().chance(0.4));
-  maker.add_level("LIC-5", F::kSump, F::kSumpLevel, 40.0, 1.0 / F::kSumpArea, F::kMakeup, "FIC-5",
+  const double gain = 1.0 / F::kSumpArea;
+  maker.add_level("LIC-5", F::kSump1, F::kSumpLevel, 40.0, gain, F::kMakeup, "FIC-5",
+                  !on_pump && maker.random().chance(0.6));
+  maker.add_level("LIC-6", F::kSump2, F::kSumpLevel, 40.0, gain, F::kTransfer, "FIC-6",
                   maker.random().chance(0.45));
-  maker.add_level("LIC-6", F::kHeadTank, F::kHeadLevel, 40.0, 1.0 / F::kHeadArea, F::kTownWater,
-                  "FIC-6", maker.random().chance(0.45));
   const std::size_t bleed = maker.add_flow_loop("FIC-7", F::kBleed);
-  if (maker.random().chance(0.6)) maker.set_ratio(bleed, 0);
+  // The first loop is the flow of a pump.
+  if (!on_pump && maker.random().chance(0.8)) maker.set_ratio(bleed, 0);
   maker.plan().process = [setting, shared_suction] {
     return std::make_unique<FourTanks>(setting, shared_suction);
   };

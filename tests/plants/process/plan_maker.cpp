@@ -108,7 +108,7 @@ std::size_t PlanMaker::add_master(const std::string& name, const std::string& ty
 std::size_t PlanMaker::add_level(const std::string& name, std::size_t value, double nominal,
                                  double high, double gain, std::size_t stream,
                                  const std::string& flow_name, bool direct) {
-  const Sensor sensor{.high = high, .lag_s = 2.0 * plan_.step_s, .noise = 0.25};
+  const Sensor sensor{.high = high, .lag_s = 2.0 * plan_.step_s, .noise = 0.25, .scan_steps = 2};
   const Response response{.gain = gain, .late_s = 10.0 * plan_.step_s};
   if (direct) return add_loop(name, "level", value, nominal, sensor, response, stream);
   const std::size_t slave = add_flow_loop(flow_name, stream);
@@ -128,8 +128,8 @@ void PlanMaker::tune(LoopPlan& loop, const Response& response, double unit_by_pe
   const double speed = pace_ * random_.log_uniform(0.7, 2.5);
   loop.integrating = response.time_constant_s == 0.0;
   if (loop.integrating) {
-    // From tight to averaging: gains of 8 to 1.
-    const double closed_s = std::max(3.0 * late_s, random_.log_uniform(0.12, 1.0) / std::abs(gain));
+    // From tight to averaging: gains of 5.5 to 1.
+    const double closed_s = std::max(3.0 * late_s, random_.log_uniform(0.18, 1.0) / std::abs(gain));
     loop.gain = 1.0 / (gain * closed_s);
     loop.integral_time_s = closed_s * random_.uniform(3.0, 6.0);
     return;

@@ -13,7 +13,8 @@
 namespace loopscope::tests::process {
 namespace {
 
-constexpr std::uint64_t kMostDrafts = 120;
+constexpr std::uint64_t kMostDrafts = 300;
+constexpr double kPilotSteps = 4000.0;
 constexpr double kSourcePeriods = 12.0;
 constexpr double kSourceSamples = 5.0;
 
@@ -56,22 +57,26 @@ double slowest_s(const Draft& draft) {
   return 12.0 * std::max(loop.integral_time_s, above_s);
 }
 
+std::vector<Window> pilot_windows(const PlantPlan& plan, double steps) {
+  const long every = std::max(1L, std::lround(steps / kPilotSteps));
+  const auto samples = static_cast<std::size_t>(steps / static_cast<double>(every));
+  return std::vector<Window>(plan.loops.size(), {.samples = samples, .every = every});
+}
+
 /// A short run first, longer where the cycle is slow: most drafts are thrown away.
 std::optional<double> pilot_period(Draft draft) {
-  constexpr double kAtOnce = 4000.0;
-  draft.with.settle_s = draft.without.settle_s = draft.with.settle_s / 4.0;
+  draft.with.settle_s = draft.without.settle_s = draft.with.settle_s / 8.0;
   const double step_s = draft.with.step_s;
-  for (double length = kAtOnce; length <= 20.0 * kAtOnce; length *= 4.0) {
-    if (draft.set_period_s && *draft.set_period_s * 10.0 > length * step_s) continue;
-    const long every = length > kAtOnce ? static_cast<long>(length / kAtOnce) : 1;
-    const std::vector<Window> windows(
-        draft.with.loops.size(), {.samples = static_cast<std::size_t>(kAtOnce), .every = every});
-    const std::optional<Twins> twins = run_twins(draft, windows);
+  double steps = std::max(kPilotSteps, 10.0 * draft.set_period_s.value_or(0.0) / step_s);
+  while (steps <= 20.0 * kPilotSteps) {
+    const std::optional<Twins> twins = run_twins(draft, pilot_windows(draft.with, steps));
     if (!twins) return std::nullopt;
     const std::optional<double> period_s = period_of(draft, *twins);
-    if (!period_s && length * step_s > 3.0 * slowest_s(draft)) return std::nullopt;
-    if (!period_s || *period_s * 8.0 > length * step_s) continue;
-    return shaken(loops_of(draft, *twins, *period_s), draft.source) ? period_s : std::nullopt;
+    if (!period_s && steps * step_s > 3.0 * slowest_s(draft)) return std::nullopt;
+    const double wanted = period_s ? 9.0 * *period_s / step_s : 4.0 * steps;
+    if (wanted <= steps)
+      return shaken(loops_of(draft, *twins, *period_s), draft.source) ? period_s : std::nullopt;
+    steps = wanted;
   }
   return std::nullopt;
 }

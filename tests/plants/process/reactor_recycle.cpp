@@ -13,7 +13,7 @@ using Contents = R::Contents;
 constexpr double kHour_s = 3600.0;
 constexpr double kHeatCapacity_lbmol = 40.0;  // Btu/(lbmol F)
 constexpr double kReactionHeat = 12000.0;     // Btu/lbmol
-constexpr double kActivation_F = 0.021;       // of the rate, about 140 F: E = 15 000 Btu/lbmol
+constexpr double kActivation_per_f = 0.021;   // of the rate, about 140 F: E = 15 000 Btu/lbmol
 constexpr double kFeedTemperature0 = 80.0, kRecycleTemperature = 130.0, kWater0 = 70.0;
 constexpr double kJacketHold = 2350.0;  // lb of water
 constexpr double kVapourFlow = R::kRefluxFlow + R::kRecycleFlow;
@@ -66,7 +66,7 @@ Contents ReactorRecycle::nominal() const {
 Contents ReactorRecycle::slope(const Contents& at, const std::vector<double>& flows,
                                const std::vector<double>& upsets) const {
   const double rate = kRate_per_h / size_ * (1.0 + upsets[kActivity]) *
-                      std::exp(kActivation_F * (at.temperature - kTemperature0));
+                      std::exp(kActivation_per_f * (at.temperature - kTemperature0));
   const double reacted = rate * at.reactor * at.content;
   const double fresh = flows[kFresh], recycle = flows[kRecycle], effluent = flows[kEffluent];
   const double feed_rise = at.temperature - kFeedTemperature0 - upsets[kFeedTemperature];

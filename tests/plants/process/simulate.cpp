@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "tests/plants/process/running_loop.hpp"
 #include "tests/plants/process/valve.hpp"
@@ -47,6 +48,21 @@ class RunningStream {
   double flow_;
 };
 
+/// Masters before their slaves, as a control system scans a cascade.
+std::vector<std::size_t> scan_order(const std::vector<LoopPlan>& loops) {
+  const auto depth = [&loops](std::size_t loop) {
+    int above = 0;
+    for (std::optional<std::size_t> master = loops[loop].master; master;
+         master = loops[*master].master)
+      ++above;
+    return above;
+  };
+  std::vector<std::size_t> order(loops.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, depth);
+  return order;
+}
+
 class RunningPlant {
  public:
   RunningPlant(const PlantPlan& plan, const std::vector<Window>& windows)
@@ -54,6 +70,7 @@ class RunningPlant {
         process_(plan.process()),
         last_(last_step(plan, windows)),
         upset_values_(plan.upsets.size(), 0.0),
+        order_(scan_order(plan.loops)),
         mover_(plan.streams.size()) {
     std::uint64_t part = 0;
     for (const UpsetPlan& upset : plan.upsets)
@@ -85,7 +102,7 @@ class RunningPlant {
   void advance(long step) {
     if (step % kStepsAnUpset == 0)
       std::ranges::transform(upsets_, upset_values_.begin(), &Upset::step);
-    for (std::size_t i = 0; i < loops_.size(); ++i) {
+    for (const std::size_t i : order_) {
       loops_[i].scan(step, measured(plan_.loops[i]), setpoint(plan_.loops[i]));
       loops_[i].record(step);
     }
@@ -117,6 +134,7 @@ class RunningPlant {
   std::vector<double> upset_values_;
   std::vector<RunningStream> streams_;
   std::vector<double> flows_;
+  std::vector<std::size_t> order_;  ///< of the loops' scans
   std::vector<RunningLoop> loops_;
   std::vector<std::optional<std::size_t>> mover_;  ///< the loop whose output is the valve's
 };

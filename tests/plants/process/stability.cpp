@@ -30,7 +30,8 @@ PlantPlan quiet_copy(const PlantPlan& plan, std::size_t nudged) {
 
 /// Long enough for some swings of this loop.
 Window trial_window(const PlantPlan& plan, const LoopPlan& loop) {
-  const double length_s = std::clamp(12.0 * loop.integral_time_s, 600.0, 14400.0) * plan.step_s;
+  const double length_s =
+      std::clamp(10.0 * loop.integral_time_s, 400.0 * plan.step_s, 8000.0 * plan.step_s);
   return {.samples = static_cast<std::size_t>(length_s / plan.step_s)};
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPeriodsAtLeast = 8.0;
 constexpr double kSamplesAtLeast = 4.0;
-constexpr double kCalmLine = 0.6;  // share of an error's power within 15 % of one frequency
+constexpr double kCalmLine = 0.45;  // share of an error's power within 15 % of one frequency
 
 double ratio(double part, double whole) {
   return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0;

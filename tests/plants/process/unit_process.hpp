@@ -22,23 +22,23 @@ class UnitProcess {
   [[nodiscard]] virtual double drive(std::size_t) const { return 1.0; }
 };
 
-template <std::size_t kCount>
-using State = std::array<double, kCount>;
+template <std::size_t count>
+using State = std::array<double, count>;
 
 /// One step of the classical Runge-Kutta method; `slope` = d state / dt.
-template <std::size_t kCount, typename Slope>
-State<kCount> runge_kutta(const State<kCount>& at, double step, Slope&& slope) {
-  const auto ahead = [&at](const State<kCount>& rate, double by) {
-    State<kCount> next = at;
-    for (std::size_t i = 0; i < kCount; ++i) next[i] += by * rate[i];
+template <std::size_t count, typename Slope>
+State<count> runge_kutta(const State<count>& at, double step, Slope&& slope) {
+  const auto ahead = [&at](const State<count>& rate, double by) {
+    State<count> next = at;
+    for (std::size_t i = 0; i < count; ++i) next[i] += by * rate[i];
     return next;
   };
-  const State<kCount> a = slope(at);
-  const State<kCount> b = slope(ahead(a, step / 2.0));
-  const State<kCount> c = slope(ahead(b, step / 2.0));
-  const State<kCount> d = slope(ahead(c, step));
-  State<kCount> next = at;
-  for (std::size_t i = 0; i < kCount; ++i)
+  const State<count> a = slope(at);
+  const State<count> b = slope(ahead(a, step / 2.0));
+  const State<count> c = slope(ahead(b, step / 2.0));
+  const State<count> d = slope(ahead(c, step));
+  State<count> next = at;
+  for (std::size_t i = 0; i < count; ++i)
     next[i] += step / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]);
   return next;
 }
