@@ -23,6 +23,10 @@ bool moves_valve(const LoopPlan& loop) {
   return loop.valve.has_value();
 }
 
+bool moves_directly(const LoopPlan& loop) {
+  return loop.valve && loop.type != "flow";
+}
+
 ValvePlan& valve_of(PlantPlan& plan, std::size_t loop) {
   return plan.streams[*plan.loops[loop].valve].valve;
 }
@@ -39,8 +43,10 @@ void stick(ValvePlan& valve, Random& random) {
   valve.slide = valve.stick * random.uniform(0.0, 0.6);
 }
 
-bool put_sticking(Draft& draft, Random& random) {
-  draft.source = pick(loops_that(draft.with, moves_valve), random);
+bool put_sticking(Draft& draft, Valves valves, Random& random) {
+  draft.source =
+      pick(loops_that(draft.with, valves == Valves::any ? moves_valve : moves_directly), random);
+  if (!draft.source) return false;
   stick(valve_of(draft.with, *draft.source), random);
   return true;
 }
@@ -57,9 +63,8 @@ bool put_play(Draft& draft, Random& random) {
     if (!loop.valve) return false;
     return loop.master ? draft.with.loops[*loop.master].integrating : loop.integrating;
   };
-  Loops loops = loops_that(draft.with, of_vessel);
-  Loops direct = loops_that(draft.with,
-                            [](const LoopPlan& loop) { return loop.valve && loop.type != "flow"; });
+  const Loops loops = loops_that(draft.with, of_vessel);
+  const Loops direct = loops_that(draft.with, moves_directly);
   draft.source = pick(random.chance(0.6) ? direct : loops, random);
   if (!draft.source) return false;
   const LoopPlan& loop = draft.with.loops[*draft.source];
@@ -116,10 +121,10 @@ bool put_tight(Draft& draft, Random& random) {
   return true;
 }
 
-bool put(Draft& draft, Cause cause, Random& random) {
+bool put(Draft& draft, Cause cause, Valves valves, Random& random) {
   switch (cause) {
     case Cause::sticking_valve:
-      return put_sticking(draft, random);
+      return put_sticking(draft, valves, random);
     case Cause::dead_band:
       return put_play(draft, random);
     case Cause::sawtooth_sensor:
@@ -136,9 +141,9 @@ bool put(Draft& draft, Cause cause, Random& random) {
 
 }  // namespace
 
-std::optional<Draft> put_cause(const PlantPlan& plan, Cause cause, Random& random) {
+std::optional<Draft> put_cause(const PlantPlan& plan, Cause cause, Valves valves, Random& random) {
   Draft draft{plan, plan, std::nullopt, std::nullopt};
-  if (!put(draft, cause, random)) return std::nullopt;
+  if (!put(draft, cause, valves, random)) return std::nullopt;
   return draft;
 }
 

@@ -16,7 +16,14 @@ struct Draft {
   std::optional<double> set_period_s;  ///< where the cause brings its own period
 };
 
+/// Which valves may stick.
+enum class Valves {
+  any,
+  direct,  ///< that a level, pressure or temperature moves without a flow loop between
+};
+
 /// nullopt where this plan has no place for the cause.
-[[nodiscard]] std::optional<Draft> put_cause(const PlantPlan& plan, Cause cause, Random& random);
+[[nodiscard]] std::optional<Draft> put_cause(const PlantPlan& plan, Cause cause, Valves valves,
+                                             Random& random);
 
 }  // namespace loopscope::tests::process

@@ -48,7 +48,7 @@ bool shaken(const std::vector<ProcessLoop>& loops, std::optional<std::size_t> so
          std::ranges::count_if(loops, &ProcessLoop::carries) >= 3;
 }
 
-/// No swing of the source, or of the loop above it, takes longer.
+/// Hardly a swing of the source, or of the loop above it, takes longer.
 double slowest_s(const Draft& draft) {
   if (!draft.source) return 0.0;
   const LoopPlan& loop = draft.with.loops[*draft.source];
@@ -115,8 +115,9 @@ std::optional<ProcessPlant> try_calm(const PlantPlan& plan, Random& random) {
   return plant_of(draft, std::move(twins), 0.0);
 }
 
-std::optional<ProcessPlant> try_shaken(const PlantPlan& plan, Cause cause, Random& random) {
-  const std::optional<Draft> draft = put_cause(plan, cause, random);
+std::optional<ProcessPlant> try_shaken(const PlantPlan& plan, Cause cause, Valves valves,
+                                       Random& random) {
+  const std::optional<Draft> draft = put_cause(plan, cause, valves, random);
   if (!draft) return std::nullopt;
   const std::optional<double> expected_s = pilot_period(*draft);
   if (!expected_s) return std::nullopt;
@@ -136,11 +137,15 @@ std::optional<ProcessPlant> try_shaken(const PlantPlan& plan, Cause cause, Rando
 ProcessPlant draw_process_plant(PlantKind kind, Cause cause, std::uint64_t seed) {
   const std::uint64_t of_kind =
       seed_of_part(seed, 10 * static_cast<std::uint64_t>(kind) + static_cast<std::uint64_t>(cause));
+  // By the plant's number, so that flow loops, which shake a plant more often, do not crowd out the
+  // others.
+  const bool direct_first = Random(of_kind).chance(0.4);
   for (std::uint64_t attempt = 1; attempt <= kMostDrafts; ++attempt) {
     Random random(seed_of_part(of_kind, attempt));
     const PlantPlan plan = draft_plan(kind, random.seed());
+    const Valves valves = direct_first && attempt <= 30 ? Valves::direct : Valves::any;
     std::optional<ProcessPlant> plant =
-        cause == Cause::none ? try_calm(plan, random) : try_shaken(plan, cause, random);
+        cause == Cause::none ? try_calm(plan, random) : try_shaken(plan, cause, valves, random);
     if (!plant) continue;
     plant->cause = cause;
     plant->drafts = attempt;

@@ -33,6 +33,11 @@ double mean_offset(const ProcessLoop& loop) {
   return 100.0 * std::abs(sum / count) / (loop.high - loop.low);
 }
 
+/// What was not recorded is the same too.
+bool same_sample(double one, double other) {
+  return one == other || (std::isnan(one) && std::isnan(other));
+}
+
 class ProcessKinds : public testing::TestWithParam<PlantKind> {};
 
 TEST_P(ProcessKinds, AreCalmWithoutACause) {
@@ -78,7 +83,8 @@ TEST_P(ProcessKinds, AreTheSameForTheSameSeed) {
   const ProcessPlant other = draw_process_plant(GetParam(), Cause::outside_wave, 2);
   ASSERT_EQ(one.loops.size(), other.loops.size());
   EXPECT_EQ(truth_json(one), truth_json(other));
-  for (std::size_t i = 0; i < one.loops.size(); ++i) EXPECT_EQ(one.loops[i].op, other.loops[i].op);
+  for (std::size_t i = 0; i < one.loops.size(); ++i)
+    EXPECT_TRUE(std::ranges::equal(one.loops[i].op, other.loops[i].op, same_sample));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ProcessKinds, testing::ValuesIn(all_kinds()),
@@ -89,7 +95,7 @@ TEST(ProcessPlant, WithoutItsCauseTheWaveIsGone) {
   const PlantPlan plan = draft_evaporator(11);
   std::size_t judged = 0;
   for (int attempt = 0; attempt < 40 && judged < 3; ++attempt) {
-    const std::optional<Draft> draft = put_cause(plan, Cause::sticking_valve, random);
+    const std::optional<Draft> draft = put_cause(plan, Cause::sticking_valve, Valves::any, random);
     ASSERT_TRUE(draft && draft->source);
     const Window window{.samples = 3000, .every = 4};
     const Twins twins{simulate(draft->with, window), simulate(draft->without, window)};
