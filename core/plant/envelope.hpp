@@ -3,11 +3,16 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/plant/member_loop.hpp"
 
 namespace loopscope::core::plant {
+
+/// Samples of a period, and periods of a record, with which an oscillation can be followed.
+inline constexpr double kShortestPeriod = 3.5;
+inline constexpr double kFewestPeriods = 8.0;
 
 /// Periods between two points of an envelope.
 inline constexpr double kEnvelopeStep = 1.0;
@@ -28,9 +33,32 @@ struct Envelope {
   [[nodiscard]] std::complex<double> at(std::int64_t point) const;
 };
 
-/// The error's fundamental at `frequency_hz` in Hann windows of three periods: the zeros of such a
-/// window lie at the mean and at every further harmonic. Empty when a period is shorter than four
-/// samples or the record is shorter than eight periods.
+/// Takes one loop's error apart at any frequency. The error of the loop has to outlive it.
+class Demodulator {
+ public:
+  explicit Demodulator(const MemberLoop& loop);
+
+  /// The error's fundamental at `frequency_hz` in Hann windows of two periods, the shortest that is
+  /// blind to the mean and to every further harmonic. Empty when a period is shorter than
+  /// kShortestPeriod or the record is shorter than kFewestPeriods. Slow oscillations are taken from
+  /// means of 2, 4, 8 ... samples, at least sixteen of which make a period.
+  [[nodiscard]] Envelope envelope(double frequency_hz) const;
+
+ private:
+  /// Means of 2^k samples.
+  struct Level {
+    std::vector<float> means;  ///< NaN = nothing recorded
+    double interval_s = 1.0;
+    double start_s = 0.0;  ///< middle of the first
+  };
+
+  std::span<const double> error_;
+  double interval_s_;
+  double start_s_;
+  std::vector<Level> levels_;  ///< from two samples on
+};
+
+/// Demodulator(loop).envelope(frequency_hz).
 [[nodiscard]] Envelope make_envelope(const MemberLoop& loop, double frequency_hz);
 
 }  // namespace loopscope::core::plant

@@ -1,18 +1,29 @@
 #include "core/plant/event.hpp"
 
 #include <algorithm>
+#include <array>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <iterator>
 
-#include "core/plant/common_gain.hpp"
+#include "core/plant/common_course.hpp"
 #include "core/plant/false_discovery.hpp"
+#include "core/plant/following.hpp"
+#include "core/plant/in_step.hpp"
+#include "core/plant/spectral_line.hpp"
+#include "core/plant/star.hpp"
 
 namespace loopscope::core::plant {
 namespace {
 
 /// Below this share of its variance a loop is touched by the oscillation at most.
-constexpr double kLeastStrength = 0.05;
+constexpr double kLeastStrength = 0.03;
+/// Largest ratio of two frequencies, as a logarithm, that may be one line: that of a noisy record
+/// or of a limit cycle that wanders is good to a few percent.
+constexpr double kSameLine = 0.07;
+constexpr int kHarmonics = 9;
+/// Of a line at its place: what none of several loops shows for sure may be plain in all of them.
+constexpr double kFaintLine = 0.01;
 
 double variance(std::span<const double> series) {
   double count = 0.0, mean = 0.0, squares = 0.0;
@@ -26,19 +37,6 @@ double variance(std::span<const double> series) {
   return count > 0.0 ? squares / count : 0.0;
 }
 
-bool of_period(const MemberLoop& loop, double frequency_hz) {
-  return may_begin_event(loop.oscillation) &&
-         std::abs(std::log(*loop.oscillation.period_s * frequency_hz)) <= 1.5 * kSamePeriod;
-}
-
-double middle_frequency(std::span<const MemberLoop> loops, std::span<const std::size_t> core) {
-  std::vector<double> periods;
-  for (const std::size_t i : core) periods.push_back(*loops[i].oscillation.period_s);
-  std::ranges::nth_element(periods,
-                           periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2));
-  return 1.0 / periods[periods.size() / 2];
-}
-
 /// Upper estimate of the share of null tests (Storey 2002; the 1 makes the control hold for finite
 /// families, Storey, Taylor and Siegmund 2004).
 double null_share(std::span<const double> p) {
@@ -48,146 +46,202 @@ double null_share(std::span<const double> p) {
                            (kMiddle * static_cast<double>(std::max<std::size_t>(1, p.size()))));
 }
 
-/// Those of `asked` that follow the course, by false-discovery control among themselves: of the
-/// loops of one period most belong to the event, and the control is told so.
-std::vector<Follower> followers_of(const CommonCourse& course, std::span<const std::size_t> asked,
-                                   double rate) {
-  std::vector<Follower> all;
-  std::vector<double> p;
-  for (const std::size_t i : asked) {
-    all.push_back(course.follow(i));
-    p.push_back(all.back().p);
-  }
-  const std::vector<bool> follows =
-      control_false_discovery(p, std::min(1.0, rate / null_share(p))).flagged;
-  std::vector<Follower> found;
-  for (std::size_t k = 0; k < all.size(); ++k)
-    if (follows[k] && all[k].strength >= kLeastStrength) found.push_back(all[k]);
-  return found;
+/// A line of one loop, from which an event may be found.
+struct Centre {
+  std::size_t index = 0;
+  SpectralLine line;
+};
+
+/// Whether a line lies at the fundamental or a harmonic of an oscillation.
+bool belongs(double line_hz, double fundamental_hz) {
+  const double order = std::round(line_hz / fundamental_hz);
+  return order >= 1.0 && order <= kHarmonics &&
+         std::abs(std::log(line_hz / (order * fundamental_hz))) <= kSameLine / order;
 }
 
-struct Draft {
-  Event event;
-  CommonCourse course;
-};
+bool has(const Event& event, std::size_t index) {
+  return std::ranges::count(event.members, index, &EventMember::index) > 0;
+}
+
+/// One is a harmonic of the other or lies at the same line, and they share most of the smaller
+/// one's loops: the same course, seen from another loop.
+bool is_part_of_other(const Event& one, const Event& other) {
+  const double low = std::min(one.frequency_hz, other.frequency_hz);
+  const double high = std::max(one.frequency_hz, other.frequency_hz);
+  return belongs(high, low) &&
+         2 * std::ranges::count_if(one.members,
+                                   [&](const EventMember& m) { return has(other, m.index); }) >=
+             std::ssize(one.members.size() < other.members.size() ? one.members : other.members);
+}
+
+void join(Event& event, const Event& other) {
+  if (other.frequency_hz < 0.75 * event.frequency_hz) event.frequency_hz = other.frequency_hz;
+  event.p = std::min(event.p, other.p);
+  for (const EventMember& one : other.members) {
+    const auto known = std::ranges::find(event.members, one.index, &EventMember::index);
+    if (known == event.members.end())
+      event.members.push_back(one);
+    else if (one.strength > known->strength)
+      *known = one;
+  }
+}
 
 class Search {
  public:
   Search(std::span<const MemberLoop> loops, const PlantSettings& settings)
-      : loops_(loops),
-        settings_(settings),
-        neighbours_(compare_neighbours(loops)),
-        taken_(loops.size(), false) {}
+      : settings_(settings), events_of_(loops.size()) {
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      demodulators_.emplace_back(loops[i]);
+      variances_.push_back(variance(loops[i].error));
+      spectra_.emplace_back(loops[i].error, loops[i].sample_interval_s);
+      for (const SpectralLine& line : spectra_.back().lines(kFaintLine))
+        centres_.push_back({i, line});
+    }
+    std::ranges::stable_sort(centres_, {}, [](const Centre& c) { return c.line.p; });
+  }
 
   std::vector<Event> run() {
-    while (begin_event()) {
-    }
-    let_others_join();
-    std::vector<Event> events;
-    for (Draft& draft : drafts_) {
-      std::ranges::sort(draft.event.followers, {}, &Follower::index);
-      events.push_back(std::move(draft.event));
-    }
-    return events;
+    for (const Centre& centre : centres_)
+      if (!explained(centre)) look_about(centre);
+    keep_one_event_each();
+    for (Event& event : events_) std::ranges::sort(event.members, {}, &EventMember::index);
+    return std::move(events_);
   }
 
  private:
-  bool begin_event() {
-    const Star star = find_star(neighbours_, taken_);
-    if (star.rays.empty() || star.p > settings_.event_p) return false;
+  [[nodiscard]] bool explained(const Centre& centre) const {
+    return std::ranges::any_of(events_of_[centre.index], [&](std::size_t event) {
+      return belongs(centre.line.frequency_hz, events_[event].frequency_hz);
+    });
+  }
+
+  void look_about(const Centre& centre) {
+    std::vector<Envelope> envelopes;
+    for (const Demodulator& loop : demodulators_)
+      envelopes.push_back(loop.envelope(centre.line.frequency_hz));
+    const Star star = star_about(centre, envelopes);
+    const double star_p = star.p * static_cast<double>(centres_.size());
+    if (star.rays.empty() || star_p > settings_.event_p) return;
     std::vector<std::size_t> core{star.centre};
     core.insert(core.end(), star.rays.begin(), star.rays.end());
-    const double frequency = middle_frequency(loops_, core);
-    CommonCourse course(loops_, core, frequency);
-    std::vector<std::size_t> asked;
-    for (std::size_t i = 0; i < loops_.size(); ++i)
-      if (!taken_[i] && of_period(loops_[i], frequency)) asked.push_back(i);
-    std::vector<Follower> found = followers_of(course, asked, settings_.member_rate);
-    // Whatever becomes of the star, it has been looked at.
-    for (const std::size_t i : core) taken_[i] = true;
-    if (found.size() < 2) return true;
-    for (const Follower& follower : found) taken_[follower.index] = true;
-    drafts_.push_back({{frequency, star.p, std::move(found)}, std::move(course)});
-    return true;
+    const CommonCourse course(envelopes, core);
+    Event event{course.frequency_hz(), star_p, members_of(course, centre.line.frequency_hz)};
+    if (event.members.size() < 2) return;
+    event.p = std::max(event.p, shared_line_p(centre, event.members));
+    if (event.p <= settings_.event_p) add(std::move(event));
   }
 
-  /// Loops without an event of their own period go to the one that they follow most clearly.
-  void let_others_join() {
-    std::vector<bool> in_event(loops_.size(), false);
-    for (const Draft& draft : drafts_)
-      for (const Follower& follower : draft.event.followers) in_event[follower.index] = true;
-    std::vector<std::size_t> free;
-    for (std::size_t i = 0; i < loops_.size(); ++i)
-      if (!in_event[i]) free.push_back(i);
-    std::vector<std::pair<Follower, std::size_t>> best(loops_.size(), {{}, drafts_.size()});
-    for (std::size_t d = 0; d < drafts_.size(); ++d)
-      for (const Follower& f : followers_of(drafts_[d].course, free, settings_.member_rate))
-        if (best[f.index].second == drafts_.size() || f.p < best[f.index].first.p)
-          best[f.index] = {f, d};
-    for (const auto& [follower, draft] : best)
-      if (draft < drafts_.size()) drafts_[draft].event.followers.push_back(follower);
+  [[nodiscard]] bool has_line(std::size_t index, double frequency_hz) const {
+    return spectra_[index].share(frequency_hz) > 0.0;
   }
 
-  std::span<const MemberLoop> loops_;
+  /// Loops with a line of their own here have to keep step, the others to follow: two families, of
+  /// which the one that says less may still join.
+  [[nodiscard]] Star star_about(const Centre& centre,
+                                const std::vector<Envelope>& envelopes) const {
+    std::vector<Neighbour> lines, others;
+    const Envelope& own = envelopes[centre.index];
+    const Wander wander = measure_wander(own);
+    for (std::size_t i = 0; i < envelopes.size(); ++i) {
+      if (i == centre.index || envelopes[i].points.empty()) continue;
+      if (has_line(i, centre.line.frequency_hz))
+        lines.push_back({i, compare(wander, measure_wander(envelopes[i])).p});
+      else
+        others.push_back({i, follow(envelopes[i], own).p});
+    }
+    Star star = find_star(centre.index, std::move(lines));
+    const Star other = find_star(centre.index, std::move(others));
+    if (other.p < star.p && other.p > settings_.event_p) star.rays.clear();
+    if (other.p <= std::max(star.p, settings_.event_p))
+      star.rays.insert(star.rays.end(), other.rays.begin(), other.rays.end());
+    star.p = std::min(1.0, 2.0 * std::min(star.p, other.p));
+    return star;
+  }
+
+  /// Who follows the course, by false-discovery control among the loops with a line here and among
+  /// the others: most of the first belong, few of the second.
+  [[nodiscard]] std::vector<EventMember> members_of(const CommonCourse& course,
+                                                    double frequency_hz) const {
+    std::vector<EventMember> lines, others;
+    for (std::size_t i = 0; i < demodulators_.size(); ++i) {
+      const bool line = has_line(i, frequency_hz);
+      const Follower found = course.follow(i, line);
+      const double share = variances_[i] > 0.0 ? found.followed / variances_[i] : 0.0;
+      (line ? lines : others).push_back({i, found.p, std::min(1.0, share)});
+    }
+    std::vector<EventMember> found = discover(lines);
+    std::ranges::move(discover(others), std::back_inserter(found));
+    return found;
+  }
+
+  [[nodiscard]] std::vector<EventMember> discover(const std::vector<EventMember>& asked) const {
+    std::vector<double> p;
+    for (const EventMember& one : asked) p.push_back(one.p);
+    const std::vector<bool> follows =
+        control_false_discovery(p, std::min(1.0, settings_.member_rate / null_share(p))).flagged;
+    std::vector<EventMember> found;
+    for (std::size_t k = 0; k < asked.size(); ++k)
+      if (follows[k] && asked[k].strength >= kLeastStrength) found.push_back(asked[k]);
+    return found;
+  }
+
+  void add(Event event) {
+    const auto same = std::ranges::find_if(
+        events_, [&](const Event& other) { return is_part_of_other(event, other); });
+    if (same == events_.end())
+      events_.push_back(std::move(event));
+    else
+      join(*same, event);
+    for (auto& events : events_of_) events.clear();
+    for (std::size_t e = 0; e < events_.size(); ++e)
+      for (const EventMember& one : events_[e].members) events_of_[one.index].push_back(e);
+  }
+
+  /// That loops without a line show so much of one together, by Fisher's rule over those that
+  /// follow the course: a line that each shows faintly is plain in all of them.
+  [[nodiscard]] double shared_line_p(const Centre& centre,
+                                     const std::vector<EventMember>& members) const {
+    std::array<double, kLineShapes> sums{};
+    double count = 0.0;
+    const auto add = [&](std::size_t index) {
+      std::array<double, kLineShapes> best{};
+      for (const double shift : {0.97, 0.985, 1.0, 1.015, 1.03}) {
+        const auto here = spectra_[index].evidence(centre.line.frequency_hz * shift);
+        for (std::size_t k = 0; k < best.size(); ++k) best[k] = std::max(best[k], here[k]);
+      }
+      for (std::size_t k = 0; k < best.size(); ++k) sums[k] += best[k];
+      count += 1.0;
+    };
+    add(centre.index);
+    for (const EventMember& one : members)
+      if (one.index != centre.index) add(one.index);
+    const double most = *std::ranges::max_element(sums);
+    const double groups = static_cast<double>(spectra_.size()) / count;
+    return spectra_[centre.index].bands() * groups * boost::math::gamma_q(count, most);
+  }
+
+  /// A loop that follows several courses is told of with the one that shakes it most.
+  void keep_one_event_each() {
+    std::vector<double> most(spectra_.size(), 0.0);
+    for (const Event& event : events_)
+      for (const EventMember& one : event.members)
+        most[one.index] = std::max(most[one.index], one.strength);
+    for (Event& event : events_)
+      std::erase_if(event.members,
+                    [&](const EventMember& one) { return one.strength < most[one.index]; });
+    std::erase_if(events_, [](const Event& event) { return event.members.size() < 2; });
+  }
+
   const PlantSettings& settings_;
-  std::vector<std::vector<Neighbour>> neighbours_;
-  std::vector<bool> taken_;
-  std::vector<Draft> drafts_;
+  std::vector<Demodulator> demodulators_;
+  std::vector<double> variances_;
+  std::vector<LineSpectrum> spectra_;
+  std::vector<Centre> centres_;  // most significant line first
+  std::vector<Event> events_;
+  std::vector<std::vector<std::size_t>> events_of_;
 };
 
 }  // namespace
-
-CommonCourse::CommonCourse(std::span<const MemberLoop> loops, std::span<const std::size_t> core,
-                           double frequency_hz)
-    : loops_(loops), frequency_hz_(frequency_hz) {
-  const Envelope first = make_envelope(loops[core.front()], frequency_hz);
-  for (const std::size_t index : core) {
-    Envelope envelope = make_envelope(loops[index], frequency_hz);
-    const CommonGain common = common_gain(envelope, first);
-    if (!(common.followed > 0.0)) continue;
-    for (std::complex<double>& z : envelope.points) z /= common.gain;
-    // The first follows itself without a rest; it weighs as much as one that follows well.
-    const double rest = std::max(common.rest / common.followed, 0.01);
-    core_.push_back({index, std::move(envelope), 1.0 / rest});
-  }
-  whole_ = measure_wander(course_of_others(std::nullopt));
-}
-
-Envelope CommonCourse::course_of_others(std::optional<std::size_t> index) const {
-  Envelope course;
-  course.frequency_hz = frequency_hz_;
-  std::int64_t from = std::numeric_limits<std::int64_t>::max();
-  std::int64_t to = std::numeric_limits<std::int64_t>::min();
-  for (const Aligned& one : core_) {
-    if (one.index == index) continue;
-    from = std::min(from, one.envelope.first);
-    to = std::max(to, one.envelope.end());
-  }
-  course.first = from;
-  for (std::int64_t j = from; j < to; ++j) {
-    std::complex<double> sum = 0.0;
-    double weight = 0.0;
-    for (const Aligned& one : core_) {
-      const std::complex<double> z = one.envelope.at(j);
-      if (one.index == index || !std::isfinite(z.real())) continue;
-      sum += one.weight * z;
-      weight += one.weight;
-    }
-    course.points.push_back(sum / weight);
-  }
-  return course;
-}
-
-Follower CommonCourse::follow(std::size_t index) const {
-  const bool in_core = std::ranges::count(core_, index, &Aligned::index) > 0;
-  const Wander course = in_core ? measure_wander(course_of_others(index)) : whole_;
-  Envelope own = make_envelope(loops_[index], frequency_hz_);
-  const CommonGain common = common_gain(own, course.envelope);
-  const double power = variance(loops_[index].error);
-  Follower follower{index, 1.0, power > 0.0 ? std::min(1.0, 2.0 * common.followed / power) : 0.0};
-  follower.p = compare(course, measure_wander(std::move(own))).p;
-  return follower;
-}
 
 std::vector<Event> find_events(std::span<const MemberLoop> loops, const PlantSettings& settings) {
   return Search(loops, settings).run();

@@ -1,57 +1,37 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/plant/in_step.hpp"
-#include "core/plant/line_pairs.hpp"
 #include "core/plant/shared_oscillation.hpp"
 
 namespace loopscope::core::plant {
 
-/// One loop beside the common course of an event.
-struct Follower {
+/// One loop of an event.
+struct EventMember {
   std::size_t index = 0;
-  double p = 1.0;         ///< InStep::p against the course of the others
-  double strength = 0.0;  ///< share of the error's variance that follows that course
+  double p = 1.0;         ///< Following::p against the course of the others
+  double strength = 0.0;  ///< share of the error's variance in the oscillation, 0 to 1
 };
 
-/// Loops that keep step, as found from the records alone.
+/// Loops that follow one course, as found from the records alone.
 struct Event {
   double frequency_hz = 0.0;
-  double p = 1.0;
-  std::vector<Follower> followers;  ///< in the order of their indices
-};
-
-/// The course that several loops have in common, at one frequency.
-class CommonCourse {
- public:
-  /// `core` = loops that keep step, the first being the one that the phases are counted from.
-  CommonCourse(std::span<const MemberLoop> loops, std::span<const std::size_t> core,
-               double frequency_hz);
-
-  [[nodiscard]] double frequency_hz() const { return frequency_hz_; }
-  /// A loop of the core is compared with the course of the rest.
-  [[nodiscard]] Follower follow(std::size_t index) const;
-
- private:
-  /// nullopt = of all.
-  [[nodiscard]] Envelope course_of_others(std::optional<std::size_t> index) const;
-
-  struct Aligned {
-    std::size_t index = 0;
-    Envelope envelope;    ///< divided by its gain against the first
-    double weight = 0.0;  ///< one by the mean square of what does not follow
-  };
-  std::span<const MemberLoop> loops_;
-  double frequency_hz_;
-  std::vector<Aligned> core_;
-  Wander whole_;
+  double p = 1.0;                    ///< as SharedOscillation::p
+  std::vector<EventMember> members;  ///< in the order of their indices
 };
 
 /// Every event of the plant, strongest evidence first.
+///
+/// 1. Lines: every loop's spectral lines, faint ones too (spectral_line.hpp), strongest first.
+/// 2. Who follows it: all loops against the line's loop at its frequency (following.hpp); the star
+///    that independent loops show least often (star.hpp) has to be rarer than event_p.
+/// 3. Members: who follows the common course of the star, by false-discovery control.
+/// 4. The line of all: loops of one process go together at rest as well, but over broad bands.
+///    Their evidence for a line is added by Fisher's rule and has to be rarer than event_p as well.
+/// A line that lies in an event of its loop, or at a harmonic of it, begins no other one; events of
+/// one line that share most loops are one.
 [[nodiscard]] std::vector<Event> find_events(std::span<const MemberLoop> loops,
                                              const PlantSettings& settings);
 

@@ -17,6 +17,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr std::size_t kFewestKnown = 8;
+/// Controllers that are tuned by one rule may cycle at the same frequency by more than chance.
+constexpr double kLeastFrequencyP = 0.02;
 
 bool known(Complex z) {
   return std::isfinite(z.real()) && std::abs(z) > 0.0;
@@ -118,7 +120,7 @@ InStep compare(const Wander& one, const Wander& other) {
   const Products products = multiply(one.envelope, other.envelope);
   result.points = products.at.size();
   if (result.points < kFewestKnown) return result;
-  result.frequency_p = std::min(1.0, slowest_turn(products));
+  result.frequency_p = std::clamp(slowest_turn(products), kLeastFrequencyP, 1.0);
   result.phase_p = together_p(one, other, &Wander::phase);
   result.amplitude_p = together_p(one, other, &Wander::amplitude);
   const double all = fisher_p(std::array{result.frequency_p, result.phase_p, result.amplitude_p});

@@ -28,7 +28,8 @@ struct InStep {
 /// included. Three signs:
 /// - frequency: the difference D of the two frequencies is where the product of one envelope with
 ///   the conjugate of the other has its periodogram's peak, over the time T in common. Within the
-///   resolution 1/T independent periods fall anywhere, so that p = |D| T; farther apart it is 1.
+///   resolution 1/T independent periods fall anywhere, so that p = |D| T, at least 0.02; farther
+///   apart it is 1.
 /// - phase and amplitude: correlation, at a delay of at most one period, of what the own past of
 ///   each does not foresee (Haugh 1976), which is a t statistic when one of the two is white.
 /// Perfect lines show the first only: p is twice the smaller of that alone and of all three by

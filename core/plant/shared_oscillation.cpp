@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/plant/cascade.hpp"
-#include "core/plant/common_gain.hpp"
 #include "core/plant/event.hpp"
+#include "core/plant/following.hpp"
 #include "core/plant/roles.hpp"
 #include "core/plant/source_ranking.hpp"
 #include "core/plant/statement.hpp"
@@ -34,7 +34,7 @@ void check(const PlantSettings& settings) {
 std::vector<SourceCandidate> rank(const Event& event, std::span<const MemberLoop> loops,
                                   std::span<const CascadePair> cascades, double& outside) {
   std::vector<SourceEvidence> evidence;
-  for (const Follower& one : event.followers) {
+  for (const EventMember& one : event.members) {
     evidence.push_back(gather_source_evidence(loops[one.index], event.frequency_hz, one.strength));
     evidence.back().writes_setpoint =
         std::ranges::count(cascades, one.index, &CascadePair::master) > 0;
@@ -43,18 +43,18 @@ std::vector<SourceCandidate> rank(const Event& event, std::span<const MemberLoop
   outside = odds.outside;
   std::vector<SourceCandidate> ranking;
   for (std::size_t k = 0; k < evidence.size(); ++k)
-    ranking.push_back({event.followers[k].index, loops[event.followers[k].index].id,
-                       odds.members[k], reasons_of(evidence[k])});
+    ranking.push_back({event.members[k].index, loops[event.members[k].index].id, odds.members[k],
+                       reasons_of(evidence[k])});
   std::ranges::stable_sort(ranking, std::ranges::greater(), &SourceCandidate::score);
   return ranking;
 }
 
 /// How much later than `first` the fundamental comes, within half a period.
 double lag_s(const MemberLoop& loop, const MemberLoop& first, double frequency_hz) {
-  const CommonGain common =
-      common_gain(make_envelope(loop, frequency_hz), make_envelope(first, frequency_hz));
-  if (!(common.followed > 0.0)) return 0.0;
-  return -std::arg(common.gain) / (2.0 * std::numbers::pi * frequency_hz);
+  const Following found =
+      follow(make_envelope(loop, frequency_hz), make_envelope(first, frequency_hz));
+  if (!(found.followed > 0.0)) return 0.0;
+  return -std::arg(found.gain) / (2.0 * std::numbers::pi * frequency_hz);
 }
 
 SharedOscillation describe(const Event& found, std::span<const MemberLoop> loops,
@@ -65,7 +65,7 @@ SharedOscillation describe(const Event& found, std::span<const MemberLoop> loops
   event.ranking = rank(found, loops, cascades, event.outside);
   const SourceCandidate& first = event.ranking.front();
   if (first.score >= settings.least_source) event.source = first.index;
-  for (const Follower& one : found.followers) {
+  for (const EventMember& one : found.members) {
     SharingLoop member{one.index, loops[one.index].id, Role::victim, one.strength, 0.0, one.p, 0.0};
     member.lag_s = lag_s(loops[one.index], loops[first.index], found.frequency_hz);
     member.score = std::ranges::find(event.ranking, one.index, &SourceCandidate::index)->score;

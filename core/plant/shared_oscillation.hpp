@@ -71,12 +71,11 @@ struct PlantSettings {
 
 /// Which of `loops` share an oscillation, and where it comes from.
 ///
-/// Candidates by period, then by keeping step: the phase and amplitude of each loop's fundamental
-/// wander, and loops that share an oscillation wander together (in_step.hpp). Only loops whose own
-/// record shows an oscillation (may_begin_event of line_pairs.hpp) begin an event; every other one
-/// that is given may join. A loop belongs to the event of its own period, a loop without one to the
-/// event that it follows most clearly. Sample intervals, starts and lengths may differ; what is
-/// compared is the time in common. Strongest evidence first; the same input gives the same output.
+/// The plant is looked at as a whole (event.hpp): lines that the spectra of loops which go together
+/// show together, faint ones too; a loop need not pass as oscillating by itself. Members are those
+/// that follow the common course beyond chance, weak ones too; one that follows several belongs to
+/// the event that shakes it most. Sample intervals, starts and lengths may differ; what is compared
+/// is the time in common. Strongest evidence first; the same input gives the same output.
 /// Throws std::invalid_argument for spans of different lengths, an interval that is not positive,
 /// and settings outside 0 to 1.
 [[nodiscard]] std::vector<SharedOscillation> find_shared_oscillations(

@@ -60,7 +60,7 @@ LOOPSCOPE_TABLE(plant_recall, "members of an event that are found") {
         }
         asked += static_cast<std::size_t>(members);
         for (const Event& event : find_events(plant.finish(), {}))
-          for (const Follower& one : event.followers)
+          for (const EventMember& one : event.members)
             found += plant.groups[one.index] == 0 ? 1U : 0U;
       }
       std::printf("wander %.2f rad a period, %2d loops: %.3f of them joined\n", wander, members,
@@ -92,10 +92,10 @@ LOOPSCOPE_TABLE(plant_ten_thousand_loops, "events and time of a plant of 10 000 
   std::size_t right = 0, members = 0;
   for (const Event& event : events) {
     std::array<std::size_t, kGroups> hits{};
-    for (const Follower& one : event.followers)
+    for (const EventMember& one : event.members)
       if (plant.groups[one.index] >= 0) ++hits[static_cast<std::size_t>(plant.groups[one.index])];
     right += *std::ranges::max_element(hits);
-    members += event.followers.size();
+    members += event.members.size();
   }
   std::printf(
       "%d loops, %d oscillating, %d shared by %d each: %zu events, %zu members, %zu of "

@@ -1,5 +1,6 @@
 #include "core/plant/envelope.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -45,8 +46,8 @@ TEST(Envelope, IsTheSameWhateverTheSampling) {
   const std::vector<double> slow = wave(7.0, 400, 0.01, 0.3);
   const Envelope one = make_envelope(loop_of(fast, 1.0), 0.01);
   const Envelope other = make_envelope(loop_of(slow, 7.0), 0.01);
-  ASSERT_FALSE(other.points.empty());
-  for (std::int64_t j = other.first; j < other.end(); ++j)
+  ASSERT_GE(one.points.size(), other.points.size() - 1);
+  for (std::int64_t j = std::max(one.first, other.first); j < std::min(one.end(), other.end()); ++j)
     EXPECT_NEAR(std::abs(one.at(j) - other.at(j)), 0.0, 5e-3) << j;
 }
 

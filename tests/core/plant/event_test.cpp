@@ -55,7 +55,7 @@ TEST(Event, LoopsOfOneCourseAreOneEventAmongOthers) {
     const std::vector<Event> all = find_events(plant.loops, {});
     events += all.size();
     for (const Event& event : all)
-      for (const Follower& one : event.followers) ++(one.index < 6 ? found : strangers);
+      for (const EventMember& one : event.members) ++(one.index < 6 ? found : strangers);
   }
   EXPECT_GE(found, 170U);     // of 180
   EXPECT_LE(strangers, 18U);  // a tenth of them: the rate of the settings is 5 %
@@ -73,7 +73,7 @@ TEST(Event, ALineNeedsSeveralLoops) {
   EXPECT_TRUE(find_events(two.loops, {}).empty());
   const std::vector<Event> events = find_events(many.loops, {});
   ASSERT_EQ(events.size(), 1U);
-  EXPECT_GE(events.front().followers.size(), 9U);
+  EXPECT_GE(events.front().members.size(), 9U);
 }
 
 TEST(Event, ALoopWithoutAPeriodOfItsOwnJoins) {
@@ -85,7 +85,7 @@ TEST(Event, ALoopWithoutAPeriodOfItsOwnJoins) {
   plant.loops[4].oscillation = {};
   const std::vector<Event> events = find_events(plant.loops, {});
   ASSERT_EQ(events.size(), 1U);
-  EXPECT_EQ(events.front().followers.size(), 5U);
+  EXPECT_EQ(events.front().members.size(), 5U);
   EXPECT_NEAR(1.0 / events.front().frequency_hz, 60.0, 1.0);
 }
 
@@ -101,8 +101,8 @@ TEST(Event, StrengthIsTheShareOfTheVariance) {
   const std::vector<Event> events = find_events(plant.loops, {});
   ASSERT_EQ(events.size(), 1U);
   // A cosine of amplitude 1 has variance 1/2.
-  EXPECT_NEAR(events.front().followers[0].strength, 0.5 / 0.51, 0.05);
-  EXPECT_NEAR(events.front().followers[2].strength, 0.5 / 1.5, 0.06);
+  EXPECT_NEAR(events.front().members[0].strength, 0.5 / 0.51, 0.05);
+  EXPECT_NEAR(events.front().members[2].strength, 0.5 / 1.5, 0.06);
 }
 
 TEST(Event, NothingComesOfNothing) {

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/plant/envelope.hpp"
+
+namespace loopscope::core::plant {
+
+/// One loop beside the common course of several.
+struct Follower {
+  std::size_t index = 0;
+  double p = 1.0;         ///< Following::p against the course of the others
+  double followed = 0.0;  ///< variance that follows the course of all, signal units squared
+};
+
+/// The course that several loops have in common, at one frequency: the mean of their envelopes,
+/// each divided by its gain against the first and weighted by how closely it follows that one.
+class CommonCourse {
+ public:
+  /// `envelopes` = of every loop, at one frequency; they have to outlive this. `core` = loops that
+  /// follow the first of them, in the order of `envelopes`.
+  CommonCourse(std::span<const Envelope> envelopes, std::span<const std::size_t> core);
+
+  /// Mean frequency: that of the envelopes and what the course turns against it, weighted by power.
+  [[nodiscard]] double frequency_hz() const;
+  /// A loop of the core is compared with the course of the rest. `own_line` = the loop's spectrum
+  /// shows a line of its own here, so that it has to keep step (in_step.hpp), not only to follow.
+  [[nodiscard]] Follower follow(std::size_t index, bool own_line) const;
+
+ private:
+  /// nullopt = of all.
+  [[nodiscard]] Envelope course_of_others(std::optional<std::size_t> index) const;
+
+  struct Aligned {
+    std::size_t index = 0;
+    Envelope envelope;    ///< divided by its gain against the first
+    double weight = 0.0;  ///< one by the mean square of what does not follow
+  };
+  std::span<const Envelope> envelopes_;
+  std::vector<Aligned> core_;
+  Envelope whole_;
+};
+
+}  // namespace loopscope::core::plant

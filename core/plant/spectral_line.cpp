@@ -1,0 +1,197 @@
+#include "core/plant/spectral_line.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "core/loop/real_transform.hpp"
+#include "core/plant/envelope.hpp"
+#include "core/signal/gaps.hpp"
+#include "core/signal/spread.hpp"
+
+namespace loopscope::core::plant {
+namespace {
+
+constexpr std::size_t kShortestRecord = 256;
+constexpr double kGridStep = 0.01;
+/// Bins that a Hann window makes one of: independent values are so many times fewer.
+constexpr double kHannBins = 1.6;
+constexpr double kMainLobe = 3.0;  // bins from a line's middle beyond which it has no power
+constexpr double kSeparate = 0.25;
+constexpr std::size_t kMostLines = 4;
+constexpr double kClearLine = 0.01;
+/// By kResonance; the most bands that ever make up a peak are not significant below.
+constexpr double kLeastHeight = 1.1;
+
+/// Twice the speed of the default, which counts in long double; 1e-14 is enough for a p.
+using FisherF = boost::math::fisher_f_distribution<
+    double, boost::math::policies::policy<boost::math::policies::promote_double<false>>>;
+
+/// Half width of the peak's band and where its surroundings begin and end, as shares of its
+/// frequency. Narrow and wide lines need different surroundings.
+struct Shape {
+  double half_width = 0.0;
+  double near = 0.0;
+  double far = 0.0;
+};
+constexpr std::array<Shape, kLineShapes> kShapes = {{{0.0, 0.12, 0.40},
+                                                     {0.02, 0.12, 0.40},
+                                                     {0.04, 0.12, 0.40},
+                                                     {0.06, 0.12, 0.40},
+                                                     {0.04, 0.20, 0.50},
+                                                     {0.07, 0.20, 0.50},
+                                                     {0.10, 0.20, 0.50}}};
+/// Bands that can be told apart: relative frequencies about a mean band apart, for half of the
+/// shapes (the others are their neighbours').
+constexpr double kBandsPerShape = 0.5;
+constexpr double kApart = 0.04;
+
+/// Of the longest stretch from the first to the last recorded sample; gaps are bridged.
+signal::Samples bridged(std::span<const double> error) {
+  signal::Samples samples(error.begin(), error.end());
+  signal::discard_infinite(samples);
+  const auto recorded = [](double value) { return !std::isnan(value); };
+  samples.erase(std::find_if(samples.rbegin(), samples.rend(), recorded).base(), samples.end());
+  samples.erase(samples.begin(), std::find_if(samples.begin(), samples.end(), recorded));
+  signal::bridge_gaps(samples, samples.size());
+  return samples;
+}
+
+/// Takes mean and slope off and applies a Hann window.
+void window(signal::Samples& samples) {
+  const auto count = static_cast<double>(samples.size());
+  const double middle = (count - 1.0) / 2.0;
+  double mean = 0.0, moment = 0.0;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    mean += samples[k] / count;
+    moment += samples[k] * (static_cast<double>(k) - middle);
+  }
+  const double slope = moment * 12.0 / (count * (count * count - 1.0));
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const double off = static_cast<double>(k) - middle;
+    samples[k] = (samples[k] - mean - slope * off) *
+                 (0.5 + 0.5 * std::cos(2.0 * std::numbers::pi * off / (count + 1.0)));
+  }
+}
+
+double total(const std::vector<double>& sums) {
+  return sums.empty() ? 0.0 : sums.back();
+}
+
+}  // namespace
+
+LineSpectrum::LineSpectrum(std::span<const double> error, double sample_interval_s) {
+  signal::Samples samples = bridged(error);
+  const auto spread = signal::measure_spread(samples);
+  if (samples.size() < kShortestRecord || !spread || spread->constant()) return;
+  const std::size_t length = loop::fast_length(samples.size());
+  samples_ = static_cast<double>(samples.size());
+  duration_s_ = samples_ * sample_interval_s;
+  stretch_ = static_cast<double>(length) / samples_;
+  window(samples);
+  const auto spectrum = loop::RealTransform(length).forward(std::move(samples));
+  sums_.resize(spectrum.size() + 1, 0.0);
+  for (std::size_t k = 0; k < spectrum.size(); ++k)
+    sums_[k + 1] = sums_[k] + (k == 0 ? 0.0 : std::norm(spectrum[k]));
+  if (total(sums_) > 0.0)
+    bands_ = std::log(samples_ / kShortestPeriod / kFewestPeriods) / kApart * kBandsPerShape *
+             static_cast<double>(kShapes.size());
+}
+
+LineSpectrum::Power LineSpectrum::power(double low, double high) const {
+  const double last = static_cast<double>(sums_.size()) - 2.0;
+  const double first = std::clamp(std::round(low * stretch_), 1.0, last);
+  const double end = std::clamp(std::round(high * stretch_), first, last);
+  const double bins = end - first + 1.0;
+  const double sum =
+      sums_[static_cast<std::size_t>(end) + 1] - sums_[static_cast<std::size_t>(first)];
+  return {sum / bins, 2.0 * std::max(1.0, bins / stretch_ / kHannBins),
+          0.5 * (first + end) / stretch_, sum / sums_.back()};
+}
+
+LineSpectrum::Peak LineSpectrum::measure(double place, std::size_t shape_number) const {
+  const Shape& shape = kShapes.at(shape_number);
+  const double half = std::max(1.0, shape.half_width * place);
+  const double near = std::max(shape.near * place, half + kMainLobe);
+  const double far = shape.far * place;
+  if (far < near + 2.0) return {place};
+  const Power inside = power(place - half, place + half);
+  const Power below = power(place - far, place - near);
+  const Power above = power(place + near, place + far);
+  // The power law through both sides.
+  const double from = std::log(below.place / place), to = std::log(above.place / place);
+  const double weight = to / (to - from), rest = 1.0 - weight;
+  const double around = std::exp(weight * std::log(below.mean) + rest * std::log(above.mean));
+  Peak peak{place, 1.0, inside.mean / around, 0.0, half};
+  if (!(peak.height > kLeastHeight * kResonance)) return peak;
+  const FisherF law(inside.freedom,
+                    1.0 / (weight * weight / below.freedom + rest * rest / above.freedom));
+  peak.p = boost::math::cdf(boost::math::complement(law, peak.height / kResonance));
+  peak.share = inside.share * (1.0 - 1.0 / peak.height);
+  return peak;
+}
+
+LineSpectrum::Peak LineSpectrum::best_at(double place) const {
+  Peak best{place};
+  for (std::size_t shape = 0; shape < kShapes.size(); ++shape) {
+    const Peak peak = measure(place, shape);
+    if (peak.p < best.p) best = peak;
+  }
+  return best;
+}
+
+double LineSpectrum::centre(const Peak& peak) const {
+  // Squares: the slope of what lies below the line would draw the mean to one side.
+  const auto first = static_cast<std::size_t>(std::round((peak.place - peak.half) * stretch_));
+  const auto last = static_cast<std::size_t>(std::round((peak.place + peak.half) * stretch_));
+  double moment = 0.0, power = 0.0;
+  for (std::size_t k = first; k <= last && k + 1 < sums_.size(); ++k) {
+    const double here = sums_[k + 1] - sums_[k];
+    power += here * here;
+    moment += here * here * static_cast<double>(k);
+  }
+  return power > 0.0 ? moment / power / stretch_ : peak.place;
+}
+
+std::vector<SpectralLine> LineSpectrum::lines(double largest_p) const {
+  if (!(bands_ > 0.0)) return {};
+  std::vector<Peak> peaks;
+  const double last = samples_ / kShortestPeriod;
+  for (double place = kFewestPeriods; place <= last; place += std::max(0.5, kGridStep * place)) {
+    const Peak best = best_at(place);
+    if (best.p <= largest_p) peaks.push_back(best);
+  }
+  std::ranges::stable_sort(peaks, {}, &Peak::p);
+  std::vector<Peak> kept;
+  std::vector<SpectralLine> lines;
+  for (const Peak& peak : peaks) {
+    const bool beside = std::ranges::any_of(kept, [&](const Peak& other) {
+      return std::abs(std::log(peak.place / other.place)) < kSeparate;
+    });
+    if (beside) continue;
+    kept.push_back(peak);
+    lines.push_back({centre(peak) / duration_s_, std::clamp(bands_ * peak.p, 1e-300, 1.0),
+                     peak.height, std::min(1.0, peak.share)});
+    if (lines.size() == kMostLines) break;
+  }
+  return lines;
+}
+
+double LineSpectrum::share(double frequency_hz) const {
+  const double place = frequency_hz * duration_s_;
+  if (!(bands_ > 0.0) || place < kFewestPeriods || place * kShortestPeriod > samples_) return 0.0;
+  const Peak best = best_at(place);
+  return best.p <= kClearLine ? std::min(1.0, best.share) : 0.0;
+}
+
+std::array<double, kLineShapes> LineSpectrum::evidence(double frequency_hz) const {
+  std::array<double, kLineShapes> found{};
+  const double place = frequency_hz * duration_s_;
+  if (!(bands_ > 0.0) || place < kFewestPeriods || place * kShortestPeriod > samples_) return found;
+  for (std::size_t shape = 0; shape < kShapes.size(); ++shape)
+    found[shape] = -std::log(std::max(1e-300, measure(place, shape).p));
+  return found;
+}
+
+}  // namespace loopscope::core::plant
