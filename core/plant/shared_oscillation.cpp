@@ -9,6 +9,7 @@
 #include "core/plant/cascade.hpp"
 #include "core/plant/event.hpp"
 #include "core/plant/following.hpp"
+#include "core/plant/lead.hpp"
 #include "core/plant/roles.hpp"
 #include "core/plant/source_ranking.hpp"
 #include "core/plant/statement.hpp"
@@ -31,22 +32,24 @@ void check(const PlantSettings& settings) {
       throw std::invalid_argument("a plant setting is not within 0 to 1");
 }
 
-std::vector<SourceCandidate> rank(const Event& event, std::span<const MemberLoop> loops,
-                                  std::span<const CascadePair> cascades, double& outside) {
-  std::vector<SourceEvidence> evidence;
-  for (const EventMember& one : event.members) {
-    evidence.push_back(gather_source_evidence(loops[one.index], event.frequency_hz, one.strength));
-    evidence.back().writes_setpoint =
-        std::ranges::count(cascades, one.index, &CascadePair::master) > 0;
-  }
+/// The strongest members first: as many as can be compared pair by pair.
+std::vector<Lead> leads_of(const Event& event, std::span<const MemberLoop> loops) {
+  std::vector<EventMember> members = event.members;
+  std::ranges::stable_sort(members, std::ranges::greater(), &EventMember::strength);
+  std::vector<std::size_t> indices;
+  for (const EventMember& one : members) indices.push_back(one.index);
+  return find_leads(loops, indices, 1.0 / event.frequency_hz);
+}
+
+void rank(SharedOscillation& result, const Event& event, std::span<const MemberLoop> loops,
+          std::span<const CascadePair> cascades) {
+  const auto evidence = gather_source_evidence(loops, event, cascades, result.leads);
   const SourceOdds odds = rank_sources(evidence);
-  outside = odds.outside;
-  std::vector<SourceCandidate> ranking;
+  result.outside = odds.outside;
   for (std::size_t k = 0; k < evidence.size(); ++k)
-    ranking.push_back({event.members[k].index, loops[event.members[k].index].id, odds.members[k],
-                       reasons_of(evidence[k])});
-  std::ranges::stable_sort(ranking, std::ranges::greater(), &SourceCandidate::score);
-  return ranking;
+    result.ranking.push_back({event.members[k].index, loops[event.members[k].index].id,
+                              odds.members[k], reasons_of(evidence[k])});
+  std::ranges::stable_sort(result.ranking, std::ranges::greater(), &SourceCandidate::score);
 }
 
 /// How much later than `first` the fundamental comes, within half a period.
@@ -62,7 +65,8 @@ SharedOscillation describe(const Event& found, std::span<const MemberLoop> loops
   SharedOscillation event;
   event.period_s = 1.0 / found.frequency_hz;
   event.p = found.p;
-  event.ranking = rank(found, loops, cascades, event.outside);
+  event.leads = leads_of(found, loops);
+  rank(event, found, loops, cascades);
   const SourceCandidate& first = event.ranking.front();
   if (first.score >= settings.least_source) event.source = first.index;
   for (const EventMember& one : found.members) {

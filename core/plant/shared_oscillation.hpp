@@ -46,6 +46,13 @@ struct SourceCandidate {
   std::vector<std::string> reasons;  ///< what speaks for and against it, with figures
 };
 
+/// One loop's past foretells another one's future.
+struct Lead {
+  std::size_t from = 0;  ///< in the loops that were given
+  std::size_t to = 0;    ///< likewise
+  double gain = 0.0;     ///< ln(error before / after) of the one-step forecast, > 0
+};
+
 /// One oscillation that several loops share: one event, one work order.
 struct SharedOscillation {
   double period_s = 0.0;
@@ -54,6 +61,7 @@ struct SharedOscillation {
   double p = 1.0;
   std::vector<SharingLoop> members;      ///< the source first, then by strength; at least two
   std::vector<SourceCandidate> ranking;  ///< every member, most likely source first
+  std::vector<Lead> leads;               ///< between the strongest members, strongest first
   double outside = 0.0;  ///< probability that the cause is none of the members, 0 to 1
   /// In the loops that were given; nullopt = no member stands out, or the cause lies outside.
   std::optional<std::size_t> source;

@@ -2,33 +2,47 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "core/plant/cascade.hpp"
+#include "core/plant/event.hpp"
 #include "core/plant/member_loop.hpp"
+#include "core/plant/shared_oscillation.hpp"
 
 namespace loopscope::core::plant {
 
-/// What speaks for and against one loop's being where a shared oscillation begins.
+/// What speaks for and against one member's being where a shared oscillation begins.
 struct SourceEvidence {
-  double strength = 0.0;           ///< share of the error's variance in the oscillation, 0 to 1
-  double valve_explained = 0.0;    ///< as OwnFindings has it
-  double outside_explained = 0.0;  ///< likewise
-  double valve_blamed = 0.0;       ///< confidence of a verdict that blames the valve; else 0
-  double cycle_score = 0.0;        ///< that a sticking valve makes the cycle (core/model), 0 to 1
-  double cubic_evidence = 0.0;     ///< -ln p of f + f + f -> 3f in the error, at the period
-  bool writes_setpoint = false;    ///< its output is another loop's setpoint: it moves no valve
+  double strength = 0.0;         ///< share of the error's variance in the oscillation, 0 to 1
+  double line_height = 1.0;      ///< of the error's line above the loop's own noise; 1 = none
+  double op_share = 0.0;         ///< of the output's variance in its line, 0 to 1
+  double op_third = 0.0;         ///< power of the output's third harmonic, locked, by the first's
+  double net_lead = 0.0;         ///< lead.hpp, -1 to 1
+  double valve_blamed = 0.0;     ///< confidence of a verdict that blames the valve; else 0
+  double outside_blamed = 0.0;   ///< of one that names a disturbance from outside the loop; else 0
+  double cubic_evidence = 0.0;   ///< -ln p of f + f + f -> 3f in the error, at the period
+  bool writes_setpoint = false;  ///< its output is another loop's setpoint: it moves no valve
 };
 
-/// `strength` as in SharingLoop; `writes_setpoint` is left false. Takes a few milliseconds: the
-/// limit cycle is simulated.
-[[nodiscard]] SourceEvidence gather_source_evidence(const MemberLoop& loop, double frequency_hz,
-                                                    double strength);
+/// Of every member of `event`, in their order.
+[[nodiscard]] std::vector<SourceEvidence> gather_source_evidence(
+    std::span<const MemberLoop> loops, const Event& event, std::span<const CascadePair> cascades,
+    std::span<const Lead> leads);
 
-/// The evidence as the ranking weighs it. What speaks of a valve counts in full from a strength of
-/// a quarter on, in proportion below: a valve that sticks in another rhythm is not the source.
-inline constexpr std::size_t kSourceFigures = 6;
-[[nodiscard]] std::array<double, kSourceFigures> figures_of(const SourceEvidence& evidence);
+inline constexpr std::size_t kSourceFigures = 8;
+inline constexpr std::size_t kOutsideFigures = 2;
+
+/// The evidence as the ranking weighs it.
+struct SourceFigures {
+  std::vector<std::array<double, kSourceFigures>> members;
+  std::array<double, kOutsideFigures> outside{};
+};
+/// What speaks of a valve counts in full from a strength of a quarter on, in proportion below (a
+/// valve that sticks in another rhythm is not the source), and not at all for a loop that moves
+/// none.
+[[nodiscard]] SourceFigures figures_of(std::span<const SourceEvidence> evidence);
 
 /// In words, with figures, what speaks for the loop first.
 [[nodiscard]] std::vector<std::string> reasons_of(const SourceEvidence& evidence);

@@ -13,9 +13,9 @@ struct SourceOdds {
   double outside = 1.0;         ///< none of them
 };
 
-/// Conditional logit (McFadden 1974): every member has a score, linear in figures_of(), "none of
-/// them" a constant one, and the odds are the exponentials of the scores. The weights were fitted
-/// on simulated plants; others were scored (README.md).
+/// Conditional logit (McFadden 1974): every member and "none of them" have a score, linear in
+/// figures_of(), and the odds are the exponentials of the scores. The weights were fitted on
+/// simulated plants; others were scored (README.md).
 [[nodiscard]] SourceOdds rank_sources(std::span<const SourceEvidence> evidence);
 
 }  // namespace loopscope::core::plant

@@ -178,11 +178,20 @@ std::vector<SpectralLine> LineSpectrum::lines(double largest_p) const {
   return lines;
 }
 
-double LineSpectrum::share(double frequency_hz) const {
+LineSpectrum::Peak LineSpectrum::clear_line(double frequency_hz) const {
   const double place = frequency_hz * duration_s_;
-  if (!(bands_ > 0.0) || place < kFewestPeriods || place * kShortestPeriod > samples_) return 0.0;
+  Peak none{place, 1.0, 1.0};
+  if (!(bands_ > 0.0) || place < kFewestPeriods || place * kShortestPeriod > samples_) return none;
   const Peak best = best_at(place);
-  return best.p <= kClearLine ? std::min(1.0, best.share) : 0.0;
+  return best.p <= kClearLine ? best : none;
+}
+
+double LineSpectrum::share(double frequency_hz) const {
+  return std::min(1.0, clear_line(frequency_hz).share);
+}
+
+double LineSpectrum::height(double frequency_hz) const {
+  return clear_line(frequency_hz).height;
 }
 
 std::array<double, kLineShapes> LineSpectrum::evidence(double frequency_hz) const {

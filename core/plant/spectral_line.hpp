@@ -43,6 +43,8 @@ class LineSpectrum {
   /// Share of the record's variance in the most significant line about this frequency; 0 = none
   /// that is significant at 0.01.
   [[nodiscard]] double share(double frequency_hz) const;
+  /// SpectralLine::height of that line; 1 = none.
+  [[nodiscard]] double height(double frequency_hz) const;
   /// How many lines could be told apart in the record; 0 = too short or constant.
   [[nodiscard]] double bands() const { return bands_; }
 
@@ -63,6 +65,8 @@ class LineSpectrum {
   [[nodiscard]] Power power(double low, double high) const;
   [[nodiscard]] Peak measure(double place, std::size_t shape_number) const;
   [[nodiscard]] Peak best_at(double place) const;
+  /// The most significant line about a frequency; p = 1 where there is none that is clear.
+  [[nodiscard]] Peak clear_line(double frequency_hz) const;
   /// Centre of the power within a peak.
   [[nodiscard]] double centre(const Peak& peak) const;
 

@@ -8,7 +8,6 @@
 #include "core/hos/decimate.hpp"
 #include "core/hos/harmonic_filters.hpp"
 #include "core/hos/harmonic_test.hpp"
-#include "core/plant/source_evidence.hpp"
 #include "tests/plants/network/thornhill.hpp"
 
 namespace loopscope::tests::network {
@@ -58,27 +57,28 @@ double in_decades(std::optional<double> p) {
 }  // namespace
 
 const std::vector<std::string>& criterion_names() {
-  static const std::vector<std::string> kNames = {"strength of the oscillation",
-                                                  "phase lead",
-                                                  "Thornhill's index N",
-                                                  "harmonic content of the error",
-                                                  "harmonic content of op",
-                                                  "NGI (sum of squared bicoherence)",
-                                                  "calibrated nonlinear_p",
-                                                  "calibrated cubic_p",
-                                                  "cubic coupling at the event's period",
-                                                  "verdict blames the valve, by confidence",
-                                                  "limit-cycle score",
-                                                  "limit-cycle score times strength",
-                                                  "error explained by a valve"};
-  return kNames;
+  static const std::vector<std::string> names = {"strength of the oscillation",
+                                                 "phase lead",
+                                                 "Thornhill's index N",
+                                                 "harmonic content of the error",
+                                                 "harmonic content of op",
+                                                 "NGI (sum of squared bicoherence)",
+                                                 "calibrated nonlinear_p",
+                                                 "calibrated cubic_p",
+                                                 "cubic coupling at the event's period",
+                                                 "verdict blames the valve, by confidence",
+                                                 "third harmonic of op, locked",
+                                                 "error explained by a valve",
+                                                 "net lead (Granger)",
+                                                 "share of op's variance in the line",
+                                                 "height of the line above the noise"};
+  return names;
 }
 
 Criteria measure_criteria(const DiagnosedLoop& loop, double period_s,
-                          const core::plant::SharingLoop& member) {
+                          const core::plant::SharingLoop& member,
+                          const core::plant::SourceEvidence& evidence) {
   const double period = period_s / loop.interval_s;
-  const core::plant::SourceEvidence evidence = core::plant::gather_source_evidence(
-      members_of({loop}).front(), 1.0 / period_s, member.strength);
   return {member.strength,
           -member.lag_s,
           thornhill_index(loop.error, period),
@@ -89,9 +89,11 @@ Criteria measure_criteria(const DiagnosedLoop& loop, double period_s,
           in_decades(loop.own.cubic_p),
           coupling_evidence(loop.error, period),
           evidence.valve_blamed,
-          evidence.cycle_score,
-          evidence.cycle_score * member.strength,
-          evidence.valve_explained};
+          evidence.op_third,
+          loop.own.valve_explained,
+          evidence.net_lead,
+          evidence.op_share,
+          evidence.line_height};
 }
 
 }  // namespace loopscope::tests::network

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/plant/shared_oscillation.hpp"
+#include "core/plant/source_evidence.hpp"
 #include "tests/plants/network/diagnosed.hpp"
 
 namespace loopscope::tests::network {
@@ -14,8 +15,9 @@ using Criteria = std::vector<double>;
 
 [[nodiscard]] const std::vector<std::string>& criterion_names();
 
-/// Of one member of an event. `lag_s` as core/plant has it.
+/// Of one member of an event. `lag_s` and `evidence` as core/plant has them.
 [[nodiscard]] Criteria measure_criteria(const DiagnosedLoop& loop, double period_s,
-                                        const core::plant::SharingLoop& member);
+                                        const core::plant::SharingLoop& member,
+                                        const core::plant::SourceEvidence& evidence);
 
 }  // namespace loopscope::tests::network

@@ -58,28 +58,34 @@ void judge_cascades(const Pairs& pairs, const NetworkPlant& plant, Outcome& outc
   }
 }
 
-std::vector<Outcome::Figures> figures_of_members(
+std::vector<core::plant::SourceEvidence> evidence_of(
     const SharedOscillation& event, const std::vector<core::plant::MemberLoop>& members,
-    const Pairs& pairs, const NetworkPlant& plant) {
-  std::vector<Outcome::Figures> figures;
-  for (const SharingLoop& member : event.members) {
-    core::plant::SourceEvidence evidence = core::plant::gather_source_evidence(
-        members[member.index], 1.0 / event.period_s, member.strength);
-    evidence.writes_setpoint =
-        std::ranges::count(pairs, member.index, &core::plant::CascadePair::master) > 0;
-    figures.push_back({member.index == plant.source, core::plant::figures_of(evidence)});
-  }
-  return figures;
+    const Pairs& pairs) {
+  core::plant::Event found{1.0 / event.period_s, event.p, {}};
+  for (const SharingLoop& member : event.members)
+    found.members.push_back({member.index, member.p, member.strength});
+  return core::plant::gather_source_evidence(members, found, pairs, event.leads);
+}
+
+void note_figures(const SharedOscillation& event,
+                  const std::vector<core::plant::SourceEvidence>& evidence,
+                  const NetworkPlant& plant, Outcome& outcome) {
+  const core::plant::SourceFigures figures = core::plant::figures_of(evidence);
+  for (std::size_t k = 0; k < event.members.size(); ++k)
+    outcome.figures.push_back({event.members[k].index == plant.source, figures.members[k]});
+  outcome.outside_figures = figures.outside;
 }
 
 std::vector<double> first_by_criterion(const SharedOscillation& event,
+                                       const std::vector<core::plant::SourceEvidence>& evidence,
                                        const std::vector<DiagnosedLoop>& loops,
                                        std::size_t source) {
   std::vector<Criteria> values;
   std::size_t own = event.members.size();
-  for (const SharingLoop& member : event.members) {
-    if (member.index == source) own = values.size();
-    values.push_back(measure_criteria(loops[member.index], event.period_s, member));
+  for (std::size_t k = 0; k < event.members.size(); ++k) {
+    const SharingLoop& member = event.members[k];
+    if (member.index == source) own = k;
+    values.push_back(measure_criteria(loops[member.index], event.period_s, member, evidence[k]));
   }
   std::vector<double> first(criterion_names().size(), 0.0);
   if (own == values.size()) return first;
@@ -118,9 +124,11 @@ Outcome run_plant(std::uint64_t seed, Origin origin, Extras extras) {
   outcome.found = true;
   judge_members(*event, plant, outcome);
   judge_source(*event, plant, outcome);
-  if (extras.figures) outcome.figures = figures_of_members(*event, members, pairs, plant);
+  if (!extras.figures && !extras.criteria) return outcome;
+  const auto evidence = evidence_of(*event, members, pairs);
+  if (extras.figures) note_figures(*event, evidence, plant, outcome);
   if (extras.criteria && plant.source)
-    outcome.by_criterion = first_by_criterion(*event, loops, *plant.source);
+    outcome.by_criterion = first_by_criterion(*event, evidence, loops, *plant.source);
   return outcome;
 }
 

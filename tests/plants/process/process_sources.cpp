@@ -1,0 +1,70 @@
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "tests/plants/process/judgement_table.hpp"
+#include "tests/plants/process/names.hpp"
+#include "tests/support/command_words.hpp"
+#include "tests/support/in_threads.hpp"
+
+namespace {
+
+namespace process = loopscope::tests::process;
+using loopscope::tests::CommandWords;
+using loopscope::tests::WrongUsage;
+
+constexpr const char* kUsage =
+    "process_sources --kind KIND [--seed N] [--plants N] [--cause CAUSE] [--threads N]\n"
+    "Draws so many plants of one kind, their causes in turn (or one of them), and says in which\n"
+    "core/plant finds the oscillation and ranks its source first.\n"
+    "KIND: evaporator, reactor_recycle, column, four_tanks\n"
+    "CAUSE: none, sticking_valve, dead_band, sawtooth_sensor, tight_loop, outside_wave\n";
+
+struct Options {
+  std::string kind;
+  std::vector<process::Cause> causes = process::all_causes();
+  std::uint64_t seed = 1;
+  std::uint64_t plants = 60;
+  std::uint64_t threads = 1;
+};
+
+Options read_options(const std::vector<std::string>& words) {
+  Options options;
+  CommandWords left(words);
+  while (!left.done()) {
+    const std::string option = left.next();
+    if (option == "--kind")
+      options.kind = left.value(option);
+    else if (option == "--cause")
+      options.causes = {process::cause_named(left.value(option))};
+    else if (option == "--seed")
+      options.seed = left.count(option, 1);
+    else if (option == "--plants")
+      options.plants = left.count(option, 1);
+    else if (option == "--threads")
+      options.threads = left.count(option, 1);
+    else
+      throw WrongUsage(option + " is no option\n" + kUsage);
+  }
+  if (options.kind.empty()) throw WrongUsage(std::string("--kind is missing\n") + kUsage);
+  return options;
+}
+
+void run(const Options& options) {
+  const process::PlantKind kind = process::kind_named(options.kind);
+  std::vector<process::Judgement> judgements(options.plants);
+  loopscope::tests::in_threads(
+      judgements.size(), static_cast<unsigned>(options.threads), [&](std::size_t k) {
+        const std::size_t causes = options.causes.size();
+        judgements[k] =
+            process::judge_plant(kind, options.causes[k % causes], options.seed + k / causes);
+      });
+  std::cout << process::table_of(judgements);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return loopscope::tests::run_program(argc, argv,
+                                       [](const auto& words) { run(read_options(words)); });
+}
