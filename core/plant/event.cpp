@@ -22,6 +22,9 @@ constexpr double kLeastStrength = 0.03;
 /// or of a limit cycle that wanders is good to a few percent.
 constexpr double kSameLine = 0.07;
 constexpr int kHarmonics = 9;
+/// Lines that are looked about at most, the most significant first: of a plant of ten thousand
+/// loops with two or three faint ones each, those are enough, and the time stays bounded.
+constexpr std::ptrdiff_t kMostCentres = 2000;
 /// Of a line at its place: what none of several loops shows for sure may be plain in all of them.
 constexpr double kFaintLine = 0.01;
 
@@ -98,6 +101,8 @@ class Search {
         centres_.push_back({i, line});
     }
     std::ranges::stable_sort(centres_, {}, [](const Centre& c) { return c.line.p; });
+    if (std::ssize(centres_) > kMostCentres)
+      centres_.erase(centres_.begin() + kMostCentres, centres_.end());
   }
 
   std::vector<Event> run() {
@@ -117,15 +122,18 @@ class Search {
 
   void look_about(const Centre& centre) {
     std::vector<Envelope> envelopes;
-    for (const Demodulator& loop : demodulators_)
-      envelopes.push_back(loop.envelope(centre.line.frequency_hz));
+    for (std::size_t i = 0; i < demodulators_.size(); ++i)
+      envelopes.push_back(spectra_[i].share_about(centre.line.frequency_hz) >= kLeastStrength
+                              ? demodulators_[i].envelope(centre.line.frequency_hz)
+                              : Envelope{});
     const Star star = star_about(centre, envelopes);
     const double star_p = star.p * static_cast<double>(centres_.size());
     if (star.rays.empty() || star_p > settings_.event_p) return;
     std::vector<std::size_t> core{star.centre};
     core.insert(core.end(), star.rays.begin(), star.rays.end());
     const CommonCourse course(envelopes, core);
-    Event event{course.frequency_hz(), star_p, members_of(course, centre.line.frequency_hz)};
+    Event event{course.frequency_hz(), star_p,
+                members_of(course, envelopes, centre.line.frequency_hz)};
     if (event.members.size() < 2) return;
     event.p = std::max(event.p, shared_line_p(centre, event.members));
     if (event.p <= settings_.event_p) add(std::move(event));
@@ -161,9 +169,11 @@ class Search {
   /// Who follows the course, by false-discovery control among the loops with a line here and among
   /// the others: most of the first belong, few of the second.
   [[nodiscard]] std::vector<EventMember> members_of(const CommonCourse& course,
+                                                    const std::vector<Envelope>& envelopes,
                                                     double frequency_hz) const {
     std::vector<EventMember> lines, others;
     for (std::size_t i = 0; i < demodulators_.size(); ++i) {
+      if (envelopes[i].points.empty()) continue;
       const bool line = has_line(i, frequency_hz);
       const Follower found = course.follow(i, line);
       const double share = variances_[i] > 0.0 ? found.followed / variances_[i] : 0.0;

@@ -190,6 +190,11 @@ double LineSpectrum::share(double frequency_hz) const {
   return std::min(1.0, clear_line(frequency_hz).share);
 }
 
+double LineSpectrum::share_about(double frequency_hz) const {
+  const double place = frequency_hz * duration_s_;
+  return bands_ > 0.0 ? power(0.5 * place, 1.5 * place).share : 0.0;
+}
+
 double LineSpectrum::height(double frequency_hz) const {
   return clear_line(frequency_hz).height;
 }

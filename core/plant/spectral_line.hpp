@@ -45,6 +45,9 @@ class LineSpectrum {
   [[nodiscard]] double share(double frequency_hz) const;
   /// SpectralLine::height of that line; 1 = none.
   [[nodiscard]] double height(double frequency_hz) const;
+  /// Share of the record's variance within half of this frequency to either side, where an envelope
+  /// (envelope.hpp) takes its power from.
+  [[nodiscard]] double share_about(double frequency_hz) const;
   /// How many lines could be told apart in the record; 0 = too short or constant.
   [[nodiscard]] double bands() const { return bands_; }
 
