@@ -12,7 +12,7 @@
 #include "core/plant/false_discovery.hpp"
 #include "core/plant/following.hpp"
 #include "core/plant/in_step.hpp"
-#include "core/plant/spectral_line.hpp"
+#include "core/plant/loop_records.hpp"
 #include "core/plant/star.hpp"
 
 namespace loopscope::core::plant {
@@ -29,18 +29,6 @@ constexpr int kHarmonics = 9;
 constexpr std::ptrdiff_t kMostCentres = 2000;
 /// Of a line at its place: what none of several loops shows for sure may be plain in all of them.
 constexpr double kFaintLine = 0.01;
-
-double variance(std::span<const double> series) {
-  double count = 0.0, mean = 0.0, squares = 0.0;
-  for (const double value : series) {
-    if (!std::isfinite(value)) continue;
-    count += 1.0;
-    const double off = value - mean;
-    mean += off / count;
-    squares += off * (value - mean);
-  }
-  return count > 0.0 ? squares / count : 0.0;
-}
 
 /// Upper estimate of the share of null tests (Storey 2002; the 1 makes the control hold for finite
 /// families, Storey, Taylor and Siegmund 2004).
@@ -118,10 +106,8 @@ class Search {
   Search(std::span<const MemberLoop> loops, const PlantSettings& settings)
       : settings_(settings), events_of_(loops.size()) {
     for (std::size_t i = 0; i < loops.size(); ++i) {
-      demodulators_.emplace_back(loops[i]);
-      variances_.push_back(variance(loops[i].error));
-      spectra_.emplace_back(loops[i].error, loops[i].sample_interval_s);
-      for (const SpectralLine& line : spectra_.back().lines(kFaintLine))
+      records_.emplace_back(loops[i]);
+      for (const SpectralLine& line : records_.back().lines(kFaintLine))
         centres_.push_back(make_centre(i, line));
     }
     std::ranges::stable_sort(centres_, {}, [](const Centre& c) { return c.line.p; });
@@ -150,10 +136,10 @@ class Search {
     if (step == step_ && !envelopes_.empty()) return envelopes_;
     step_ = step;
     const double frequency_hz = std::exp(step * kFrequencyStep);
-    envelopes_.assign(demodulators_.size(), {});
-    for (std::size_t i = 0; i < demodulators_.size(); ++i)
-      if (spectra_[i].share_about(frequency_hz) >= kLeastStrength)
-        envelopes_[i] = demodulators_[i].envelope(frequency_hz);
+    envelopes_.assign(records_.size(), {});
+    for (std::size_t i = 0; i < records_.size(); ++i)
+      if (records_[i].share_about(frequency_hz) >= kLeastStrength)
+        envelopes_[i] = records_[i].envelope(frequency_hz);
     return envelopes_;
   }
 
@@ -173,7 +159,7 @@ class Search {
   }
 
   [[nodiscard]] bool has_line(std::size_t index, double frequency_hz) const {
-    return spectra_[index].share(frequency_hz) > 0.0;
+    return records_[index].share(frequency_hz) > 0.0;
   }
 
   /// Loops with a line of their own here have to keep step, the others to follow: two families, of
@@ -205,11 +191,12 @@ class Search {
                                                     const std::vector<Envelope>& envelopes,
                                                     double frequency_hz) const {
     std::vector<EventMember> lines, others;
-    for (std::size_t i = 0; i < demodulators_.size(); ++i) {
+    for (std::size_t i = 0; i < records_.size(); ++i) {
       if (envelopes[i].points.empty()) continue;
       const bool line = has_line(i, frequency_hz);
       const Follower found = course.follow(i, line);
-      const double share = variances_[i] > 0.0 ? found.followed / variances_[i] : 0.0;
+      const double variance = records_[i].variance(frequency_hz);
+      const double share = variance > 0.0 ? found.followed / variance : 0.0;
       (line ? lines : others).push_back({i, found.p, std::min(1.0, share)});
     }
     std::vector<EventMember> found = discover(lines);
@@ -249,7 +236,7 @@ class Search {
     const auto add = [&](std::size_t index) {
       std::array<double, kLineShapes> best{};
       for (const double shift : {0.97, 0.985, 1.0, 1.015, 1.03}) {
-        const auto here = spectra_[index].evidence(centre.line.frequency_hz * shift);
+        const auto here = records_[index].evidence(centre.line.frequency_hz * shift);
         for (std::size_t k = 0; k < best.size(); ++k) best[k] = std::max(best[k], here[k]);
       }
       for (std::size_t k = 0; k < best.size(); ++k) sums[k] += best[k];
@@ -259,13 +246,14 @@ class Search {
     for (const EventMember& one : members)
       if (one.index != centre.index) add(one.index);
     const double most = *std::ranges::max_element(sums);
-    const double groups = static_cast<double>(spectra_.size()) / count;
-    return spectra_[centre.index].bands() * groups * boost::math::gamma_q(count, most);
+    const double groups = static_cast<double>(records_.size()) / count;
+    return records_[centre.index].bands(centre.line.frequency_hz) * groups *
+           boost::math::gamma_q(count, most);
   }
 
   /// A loop that follows several courses is told of with the one that shakes it most.
   void keep_one_event_each() {
-    std::vector<double> most(spectra_.size(), 0.0);
+    std::vector<double> most(records_.size(), 0.0);
     for (const Event& event : events_)
       for (const EventMember& one : event.members)
         most[one.index] = std::max(most[one.index], one.strength);
@@ -276,9 +264,7 @@ class Search {
   }
 
   const PlantSettings& settings_;
-  std::vector<Demodulator> demodulators_;
-  std::vector<double> variances_;
-  std::vector<LineSpectrum> spectra_;
+  std::vector<LoopRecords> records_;
   std::vector<Centre> centres_;  // put_in_order
   double step_ = 0.0;            // of envelopes_
   std::vector<Envelope> envelopes_;

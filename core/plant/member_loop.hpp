@@ -35,6 +35,13 @@ struct OwnFindings {
   double other_explained = 0.0;
 };
 
+/// A longer span of a loop's error that ends with its record, at coarser steps (means).
+struct LongerRecord {
+  double sample_interval_s = 1.0;  ///< > 0
+  std::int64_t start_us = 0;       ///< microseconds UTC since 1970
+  std::span<const double> error;   ///< sp - pv, pv units; NaN = missing; empty = there is none
+};
+
 /// One loop as the plant sees it. The spans are one length, sample k taken at
 /// start_us + k sample_interval_s; NaN = missing. They have to outlive the call.
 struct MemberLoop {
@@ -46,6 +53,7 @@ struct MemberLoop {
   std::span<const double> sp;      ///< empty = not recorded
   std::span<const double> pv;      ///< empty = not recorded
   std::span<const double> op;      ///< empty = not recorded
+  LongerRecord longer;             ///< for the search of slow swings only
   loop::Oscillation oscillation;   ///< of the error
   OwnFindings own;
 };

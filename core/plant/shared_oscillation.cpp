@@ -20,6 +20,8 @@ namespace {
 void check(const MemberLoop& loop) {
   if (!(loop.sample_interval_s > 0.0 && std::isfinite(loop.sample_interval_s)))
     throw std::invalid_argument("a sample interval is not positive");
+  if (!(loop.longer.sample_interval_s > 0.0 && std::isfinite(loop.longer.sample_interval_s)))
+    throw std::invalid_argument("the interval of a longer record is not positive");
   for (const std::span<const double> series : {loop.sp, loop.pv, loop.op})
     if (!series.empty() && series.size() != loop.error.size())
       throw std::invalid_argument("a loop's series differ in length");
@@ -30,6 +32,11 @@ void check(const PlantSettings& settings) {
                              settings.own_fault_confidence})
     if (!(share >= 0.0 && share <= 1.0))
       throw std::invalid_argument("a plant setting is not within 0 to 1");
+}
+
+void check(std::span<const MemberLoop> loops, const PlantSettings& settings) {
+  check(settings);
+  for (const MemberLoop& loop : loops) check(loop);
 }
 
 /// The strongest members first: as many as can be compared pair by pair.
@@ -87,9 +94,14 @@ SharedOscillation describe(const Event& found, std::span<const MemberLoop> loops
 
 std::vector<SharedOscillation> find_shared_oscillations(std::span<const MemberLoop> loops,
                                                         const PlantSettings& settings) {
-  check(settings);
-  for (const MemberLoop& loop : loops) check(loop);
-  const std::vector<Event> events = find_events(loops, settings);
+  check(loops, settings);
+  return explain_events(find_events(loops, settings), loops, settings);
+}
+
+std::vector<SharedOscillation> explain_events(std::span<const Event> events,
+                                              std::span<const MemberLoop> loops,
+                                              const PlantSettings& settings) {
+  check(loops, settings);
   if (events.empty()) return {};
   const std::vector<CascadePair> cascades = find_cascade_pairs(loops);
   std::vector<SharedOscillation> result;

@@ -70,6 +70,8 @@ struct SharedOscillation {
   std::string statement;  ///< for people: period, members, source, why, what to do
 };
 
+struct Event;
+
 /// Limits of the search.
 struct PlantSettings {
   /// Largest p of an event: of so many plants of independent loops, one shows a false one.
@@ -90,5 +92,12 @@ struct PlantSettings {
 /// and settings outside 0 to 1.
 [[nodiscard]] std::vector<SharedOscillation> find_shared_oscillations(
     std::span<const MemberLoop> loops, const PlantSettings& settings = {});
+
+/// The second half of find_shared_oscillations: what find_events (event.hpp) found, explained. Only
+/// members are looked at more closely, so that sp, pv and op of the others need not be there; a
+/// member whose record holds too few periods has to be given with a longer one in its place.
+[[nodiscard]] std::vector<SharedOscillation> explain_events(std::span<const Event> events,
+                                                            std::span<const MemberLoop> loops,
+                                                            const PlantSettings& settings = {});
 
 }  // namespace loopscope::core::plant

@@ -195,6 +195,10 @@ double LineSpectrum::share_about(double frequency_hz) const {
   return bands_ > 0.0 ? power(0.5 * place, 1.5 * place).share : 0.0;
 }
 
+double LineSpectrum::share_below(double frequency_hz) const {
+  return bands_ > 0.0 ? power(0.0, frequency_hz * duration_s_).share : 0.0;
+}
+
 double LineSpectrum::height(double frequency_hz) const {
   return clear_line(frequency_hz).height;
 }

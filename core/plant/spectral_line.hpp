@@ -48,6 +48,8 @@ class LineSpectrum {
   /// Share of the record's variance within half of this frequency to either side, where an envelope
   /// (envelope.hpp) takes its power from.
   [[nodiscard]] double share_about(double frequency_hz) const;
+  /// Share of the record's variance about its trend at this frequency and below.
+  [[nodiscard]] double share_below(double frequency_hz) const;
   /// How many lines could be told apart in the record; 0 = too short or constant.
   [[nodiscard]] double bands() const { return bands_; }
 

@@ -1,11 +1,12 @@
 #include "daemon/plant/plant_round.hpp"
 
 #include <fmt/format.h>
+#include <span>
 #include <vector>
 
-#include "core/diagnosis/plant_member.hpp"
+#include "core/plant/event.hpp"
 #include "core/plant/shared_oscillation.hpp"
-#include "daemon/plant/plant_series.hpp"
+#include "daemon/plant/compared_loops.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -13,36 +14,11 @@ namespace {
 using core::plant::MemberLoop;
 using core::plant::SharedOscillation;
 
-/// Loops that are compared at most, those that oscillate first: their windows lie in memory
-/// together, 130 kB each.
-constexpr std::int64_t kMostLoops = 2000;
+/// Loops that are compared at most, those that oscillate first: with what the search makes of them
+/// 100 kB each, all in memory together.
+constexpr std::int64_t kMostLoops = 10000;
 
-/// Loops whose rows are gone are left out; the spans look into `series`.
-std::vector<MemberLoop> loops_of(const std::vector<storage::PlantCandidate>& candidates,
-                                 const std::vector<PlantSeries>& series) {
-  std::vector<MemberLoop> loops;
-  for (std::size_t k = 0; k < series.size(); ++k) {
-    const PlantSeries& one = series[k];
-    if (one.error.empty()) continue;
-    const storage::PlantCandidate& candidate = candidates[k];
-    MemberLoop loop;
-    loop.id = candidate.loop.loop_id;
-    loop.name = candidate.loop.name;
-    loop.sample_interval_s = one.sample_interval_s;
-    loop.start_us = one.start_us;
-    loop.error = one.error;
-    loop.sp = one.sp;
-    loop.pv = one.pv;
-    loop.op = one.op;
-    loop.oscillation = candidate.evidence.oscillation;
-    loop.own = core::diagnosis::own_findings(candidate.evidence, candidate.verdict);
-    loops.push_back(std::move(loop));
-  }
-  return loops;
-}
-
-storage::PlantEvent event_of(const SharedOscillation& shared,
-                             const std::vector<MemberLoop>& loops) {
+storage::PlantEvent event_of(const SharedOscillation& shared, std::span<const MemberLoop> loops) {
   storage::PlantEvent event;
   event.period_s = shared.period_s;
   if (shared.source) event.source_loop_id = loops[*shared.source].id;
@@ -55,19 +31,21 @@ storage::PlantEvent event_of(const SharedOscillation& shared,
   return event;
 }
 
-std::int64_t oscillating(const std::vector<MemberLoop>& loops) {
-  std::int64_t count = 0;
-  for (const MemberLoop& loop : loops) count += loop.oscillation.present ? 1 : 0;
-  return count;
-}
-
-storage::PlantRoundRecord compare(std::int64_t slot_end_us, const std::vector<MemberLoop>& loops) {
+/// nullopt = the process shall end.
+std::optional<storage::PlantRoundRecord> compare(ComparedLoops& compared, CoreGate& cores) {
+  if (!compared.read_errors() || !compared.read_longer()) return std::nullopt;
+  std::vector<core::plant::Event> events;
+  {
+    const CoreGate::Permit core(cores);
+    events = core::plant::find_events(compared.loops(), {});
+  }
   storage::PlantRoundRecord round;
-  round.slot_end_us = slot_end_us;
-  round.loops = static_cast<std::int64_t>(loops.size());
-  round.oscillating = oscillating(loops);
-  for (const SharedOscillation& shared : core::plant::find_shared_oscillations(loops))
-    round.events.push_back(event_of(shared, loops));
+  round.loops = compared.read();
+  round.oscillating = compared.oscillating();
+  if (!compared.read_members(events)) return std::nullopt;
+  const CoreGate::Permit core(cores);
+  for (const SharedOscillation& shared : core::plant::explain_events(events, compared.loops()))
+    round.events.push_back(event_of(shared, compared.loops()));
   return round;
 }
 
@@ -78,15 +56,11 @@ std::optional<storage::PlantRoundRecord> make_plant_round(storage::PlantRounds& 
                                                           LaneTools& tools) {
   const std::optional<std::int64_t> slot_end_us = rounds.newest_slot_us();
   if (!slot_end_us) return std::nullopt;
-  const auto candidates = rounds.candidates(*slot_end_us, kMostLoops);
-  const auto series = read_plant_series(candidates, settings, tools);
-  if (tools.bell.rung()) return std::nullopt;
-  storage::PlantRoundRecord round;
-  {
-    const CoreGate::Permit core(tools.cores);
-    round = compare(*slot_end_us, loops_of(candidates, series));
-  }
-  rounds.store(round);
+  ComparedLoops compared(rounds.candidates(*slot_end_us, kMostLoops), settings, tools);
+  auto round = compare(compared, tools.cores);
+  if (!round) return std::nullopt;
+  round->slot_end_us = *slot_end_us;
+  rounds.store(*round);
   return round;
 }
 

@@ -1,14 +1,15 @@
 #include "daemon/plant/plant_series.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <map>
 #include <string>
 #include <utility>
 
-#include "core/diagnosis/first_look.hpp"
 #include "core/signal/microseconds.hpp"
+#include "core/signal/prepare.hpp"
 #include "daemon/service/past_slot.hpp"
 #include "daemon/service/row_memory.hpp"
 #include "daemon/service/source_terms.hpp"
@@ -19,13 +20,14 @@ namespace loopscope::daemon {
 namespace {
 
 using Candidates = std::span<const storage::PlantCandidate>;
-using Numbers = std::vector<std::size_t>;  ///< of candidates
+using Numbers = std::vector<std::size_t>;  ///< of what is wanted
 
-/// Which candidates each historian has.
-std::map<std::string, Numbers> by_source(Candidates candidates) {
+/// Which of the wanted ones each historian has.
+std::map<std::string, Numbers> by_source(Candidates candidates,
+                                         std::span<const std::size_t> wanted) {
   std::map<std::string, Numbers> sources;
-  for (std::size_t k = 0; k < candidates.size(); ++k)
-    sources[candidates[k].loop.source].push_back(k);
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    sources[candidates[wanted[k]].loop.source].push_back(k);
   return sources;
 }
 
@@ -35,53 +37,88 @@ bool moves(const core::signal::Samples& sp) {
   return false;
 }
 
-PlantSeries series_of(const core::signal::LoopWindow& window,
-                      const core::AnalysisSettings& settings) {
+/// Means of so many samples, of those that are known; what is left at the beginning goes.
+core::signal::Samples thinned(core::signal::Samples samples, std::size_t of) {
+  if (of <= 1) return samples;
+  core::signal::Samples means;
+  for (std::size_t k = samples.size() % of; k < samples.size(); k += of) {
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = k; i < k + of; ++i)
+      if (std::isfinite(samples[i])) sum += samples[i], count += 1.0;
+    means.push_back(count > 0.0 ? sum / count : core::signal::kMissing);
+  }
+  return means;
+}
+
+/// When the first mean was taken: in the middle of its samples.
+std::int64_t start_of(const core::signal::LoopWindow& window, std::size_t samples, std::size_t of) {
+  // Making it ready may have cut the beginning of a longer window off.
+  const auto cut = static_cast<double>(window.size() - samples + samples % of);
+  const double middle = 0.5 * (static_cast<double>(of) - 1.0);
+  return window.start_us + core::signal::microseconds((cut + middle) * window.sample_interval_s);
+}
+
+PlantSeries series_of(const core::signal::LoopWindow& window, SeriesWanted how,
+                      const core::signal::PrepareSettings& settings) {
   if (window.size() == 0) return {};
-  core::signal::PreparedLoop loop = core::first_look(window, settings).loop;
-  PlantSeries series{loop.sample_interval_s, window.start_us, std::move(loop.error), {}, {}, {}};
-  // The analysis may have cut the beginning of a longer window off.
-  const auto cut = static_cast<double>(window.size() - series.error.size());
-  series.start_us += static_cast<std::int64_t>(cut * window.sample_interval_s *
-                                               core::signal::kMicrosecondsPerSecond);
-  if (moves(loop.sp)) series.sp = std::move(loop.sp);
-  series.pv = std::move(loop.pv);
-  series.op = std::move(loop.op_percent);
+  core::signal::PreparedLoop loop = core::signal::prepare(window, settings);
+  PlantSeries series;
+  series.start_us = start_of(window, loop.error.size(), how.windows);
+  series.sample_interval_s = loop.sample_interval_s * static_cast<double>(how.windows);
+  series.error = thinned(std::move(loop.error), how.windows);
+  if (how.error_only) return series;
+  if (moves(loop.sp)) series.sp = thinned(std::move(loop.sp), how.windows);
+  series.pv = thinned(std::move(loop.pv), how.windows);
+  series.op = thinned(std::move(loop.op_percent), how.windows);
   return series;
 }
 
-void read_batch(storage::HistorianReader& historian, Candidates candidates,
-                std::span<const std::size_t> batch, const core::AnalysisSettings& settings,
-                CoreGate& cores, std::vector<PlantSeries>& series) {
+struct Batch {
+  Candidates candidates;
+  std::span<const std::size_t> wanted;
+  std::span<const std::size_t> numbers;
+  SeriesWanted how;
+};
+
+void read_batch(storage::HistorianReader& historian, const Batch& batch,
+                core::signal::PrepareSettings settings, CoreGate& cores,
+                std::vector<PlantSeries>& series) {
   std::vector<LoopSlot> slots;
-  for (const std::size_t k : batch)
-    slots.push_back(past_slot(candidates[k].loop, candidates[k].slot_end_us));
+  for (const std::size_t k : batch.numbers) {
+    const storage::PlantCandidate& candidate = batch.candidates[batch.wanted[k]];
+    slots.push_back(past_slot(candidate.loop, candidate.slot_end_us));
+  }
+  settings.window_samples *= batch.how.windows;
   RowMemory memory;
-  const auto windows = read_windows(historian, slots, settings.prepare.window_samples, memory);
+  const auto windows = read_windows(historian, slots, settings.window_samples, memory);
   const CoreGate::Permit core(cores);
-  for (std::size_t i = 0; i < batch.size(); ++i)
-    series[batch[i]] = series_of(windows[i].window, settings);
+  for (std::size_t i = 0; i < windows.size(); ++i)
+    series[batch.numbers[i]] = series_of(windows[i].window, batch.how, settings);
 }
 
 }  // namespace
 
-std::vector<PlantSeries> read_plant_series(Candidates candidates, const config::Settings& settings,
-                                           LaneTools& tools) {
-  std::vector<PlantSeries> series(candidates.size());
-  const auto most = static_cast<std::size_t>(settings.schedule.batch_loops);
-  const auto sources = by_source(candidates);
+std::vector<PlantSeries> read_plant_series(Candidates candidates,
+                                           std::span<const std::size_t> wanted, SeriesWanted how,
+                                           const config::Settings& settings, LaneTools& tools) {
+  std::vector<PlantSeries> series(wanted.size());
+  // The longer the windows, the fewer at a time: what a batch holds stays the same.
+  const auto most = std::max<std::size_t>(
+      1, static_cast<std::size_t>(settings.schedule.batch_loops) / how.windows);
+  const auto sources = by_source(candidates, wanted);
   // Before anything is read: one that the settings lack ends the round.
   for (const auto& [source, numbers] : sources) static_cast<void>(find_historian(settings, source));
   for (const auto& [source, numbers] : sources) {
     const config::HistorianSettings& historian = find_historian(settings, source);
     for (std::size_t done = 0; done < numbers.size(); done += most) {
       if (tools.bell.rung()) return {};
-      const auto batch = std::span(numbers).subspan(done, std::min(most, numbers.size() - done));
-      tools.historians.with_reader(
-          historian, source_terms(settings.schedule), [&](storage::HistorianReader& reader) {
-            read_batch(reader, candidates, batch, settings.analysis, tools.cores, series);
-            return true;
-          });
+      const auto part = std::span(numbers).subspan(done, std::min(most, numbers.size() - done));
+      tools.historians.with_reader(historian, source_terms(settings.schedule),
+                                   [&](storage::HistorianReader& reader) {
+                                     read_batch(reader, {candidates, wanted, part, how},
+                                                settings.analysis.prepare, tools.cores, series);
+                                     return true;
+                                   });
     }
   }
   return series;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,7 +13,8 @@
 namespace loopscope::daemon {
 
 /// What the comparison of all loops takes from one window, made ready as for the analysis. Equal
-/// lengths; all empty = the historian no longer has the rows.
+/// lengths but for what was not asked for, which is empty; all empty = the historian no longer has
+/// the rows.
 struct PlantSeries {
   double sample_interval_s = 1.0;
   std::int64_t start_us = 0;
@@ -22,12 +24,17 @@ struct PlantSeries {
   core::signal::Samples op;  ///< %, or op units; empty = not recorded
 };
 
-/// Reads the newest windows of the candidates again, in their order, a batch of one historian at a
-/// time; stops early, with an empty list, when the process shall end. A window holds 130 kB in the
-/// end at most. Throws storage::DatabaseError when a historian is away, Failure when the settings
-/// have no such source.
+/// How much of a loop is wanted.
+struct SeriesWanted {
+  std::size_t windows = 1;  ///< so many windows' time, as means of so many samples
+  bool error_only = true;   ///< 33 kB a loop instead of 130
+};
+
+/// Reads the newest windows of `wanted` (indices of candidates) again, in their order, a batch of
+/// one historian at a time; stops early, with an empty list, when the process shall end. Throws
+/// storage::DatabaseError when a historian is away, Failure when the settings have no such source.
 [[nodiscard]] std::vector<PlantSeries> read_plant_series(
-    std::span<const storage::PlantCandidate> candidates, const config::Settings& settings,
-    LaneTools& tools);
+    std::span<const storage::PlantCandidate> candidates, std::span<const std::size_t> wanted,
+    SeriesWanted how, const config::Settings& settings, LaneTools& tools);
 
 }  // namespace loopscope::daemon

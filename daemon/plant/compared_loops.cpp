@@ -1,0 +1,118 @@
+#include "daemon/plant/compared_loops.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "core/diagnosis/plant_member.hpp"
+#include "core/plant/loop_records.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using core::plant::MemberLoop;
+
+/// A longer span is so many windows: of loops of one second nine hours, 28 of the 20 minute cycles
+/// that level loops have.
+constexpr std::size_t kLongerWindows = 8;
+/// Loops of which it is read at most, those with the most slow power first: so many rows a loop
+/// have to leave the historian time for others.
+constexpr std::size_t kMostLonger = 500;
+/// Of the variance, below which a slow swing hardly touches the loop.
+constexpr double kLeastSlower = 0.1;
+
+MemberLoop loop_of(const storage::PlantCandidate& candidate) {
+  MemberLoop loop;
+  loop.id = candidate.loop.loop_id;
+  loop.name = candidate.loop.name;
+  loop.oscillation = candidate.evidence.oscillation;
+  loop.own = core::diagnosis::own_findings(candidate.evidence, candidate.verdict);
+  return loop;
+}
+
+/// The slowest loops, those with the most power that their windows are too short for.
+std::vector<std::size_t> slow_ones(std::span<const MemberLoop> loops) {
+  std::vector<std::pair<double, std::size_t>> slow;
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    if (const double share = core::plant::slower_share(loops[k]); share >= kLeastSlower)
+      slow.emplace_back(share, k);
+  std::ranges::stable_sort(slow, std::ranges::greater(), &std::pair<double, std::size_t>::first);
+  if (slow.size() > kMostLonger) slow.resize(kMostLonger);
+  std::vector<std::size_t> numbers;
+  for (const auto& [share, number] : slow) numbers.push_back(number);
+  return numbers;
+}
+
+void show_record(MemberLoop& loop, const PlantSeries& series) {
+  loop.sample_interval_s = series.sample_interval_s;
+  loop.start_us = series.start_us;
+  loop.error = series.error;
+  loop.sp = series.sp;
+  loop.pv = series.pv;
+  loop.op = series.op;
+}
+
+}  // namespace
+
+ComparedLoops::ComparedLoops(std::vector<storage::PlantCandidate> candidates,
+                             const config::Settings& settings, LaneTools& tools)
+    : candidates_(std::move(candidates)), settings_(settings), tools_(tools) {
+  for (const storage::PlantCandidate& candidate : candidates_) loops_.push_back(loop_of(candidate));
+}
+
+bool ComparedLoops::read_errors() {
+  std::vector<std::size_t> all(loops_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  series_.push_back(read_plant_series(candidates_, all, {}, settings_, tools_));
+  if (tools_.bell.rung()) return false;
+  for (const std::size_t k : all) show_record(loops_[k], series_.back()[k]);
+  return true;
+}
+
+bool ComparedLoops::read_longer() {
+  std::vector<std::size_t> slow;
+  {
+    const CoreGate::Permit core(tools_.cores);
+    slow = slow_ones(loops_);
+  }
+  series_.push_back(read_plant_series(
+      candidates_, slow, {.windows = kLongerWindows, .error_only = true}, settings_, tools_));
+  if (tools_.bell.rung()) return false;
+  for (std::size_t k = 0; k < slow.size(); ++k) {
+    const PlantSeries& one = series_.back()[k];
+    loops_[slow[k]].longer = {one.sample_interval_s, one.start_us, one.error};
+  }
+  return true;
+}
+
+bool ComparedLoops::read_members(std::span<const core::plant::Event> events) {
+  std::vector<std::size_t> newest, longer;
+  for (const core::plant::Event& event : events)
+    for (const core::plant::EventMember& one : event.members)
+      (event.frequency_hz < core::plant::slowest_hz(loops_[one.index]) ? longer : newest)
+          .push_back(one.index);
+  return read_members(newest, 1) && read_members(longer, kLongerWindows);
+}
+
+bool ComparedLoops::read_members(std::span<const std::size_t> members, std::size_t windows) {
+  series_.push_back(read_plant_series(
+      candidates_, members, {.windows = windows, .error_only = false}, settings_, tools_));
+  if (tools_.bell.rung()) return false;
+  for (std::size_t k = 0; k < members.size(); ++k)
+    if (const PlantSeries& one = series_.back()[k]; !one.error.empty())
+      show_record(loops_[members[k]], one);
+  return true;
+}
+
+std::int64_t ComparedLoops::read() const {
+  return std::ranges::count_if(loops_, [](const MemberLoop& loop) { return !loop.error.empty(); });
+}
+
+std::int64_t ComparedLoops::oscillating() const {
+  return std::ranges::count_if(loops_, [](const MemberLoop& loop) {
+    return !loop.error.empty() && loop.oscillation.present;
+  });
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "config/settings.hpp"
+#include "core/plant/event.hpp"
+#include "core/plant/member_loop.hpp"
+#include "daemon/plant/plant_series.hpp"
+#include "storage/results/plant_candidates.hpp"
+
+namespace loopscope::daemon {
+
+/// The loops of one comparison, read in three steps, so that ten thousand need no more memory than
+/// their errors: everybody's error; a longer span of those that swing too slowly for their window;
+/// sp, pv and op of the members of what was found. Every step returns false when the process shall
+/// end, and throws as read_plant_series.
+class ComparedLoops {
+ public:
+  ComparedLoops(std::vector<storage::PlantCandidate> candidates, const config::Settings& settings,
+                LaneTools& tools);
+
+  [[nodiscard]] bool read_errors();
+  [[nodiscard]] bool read_longer();
+  [[nodiscard]] bool read_members(std::span<const core::plant::Event> events);
+
+  /// In the order of the candidates; the error of one whose rows are gone is empty.
+  [[nodiscard]] std::span<const core::plant::MemberLoop> loops() const { return loops_; }
+  /// Whose rows are there.
+  [[nodiscard]] std::int64_t read() const;
+  [[nodiscard]] std::int64_t oscillating() const;
+
+ private:
+  [[nodiscard]] bool read_members(std::span<const std::size_t> members, std::size_t windows);
+
+  std::vector<storage::PlantCandidate> candidates_;
+  const config::Settings& settings_;
+  LaneTools& tools_;
+  std::vector<core::plant::MemberLoop> loops_;  // views of the series below
+  std::vector<std::vector<PlantSeries>> series_;
+};
+
+}  // namespace loopscope::daemon
