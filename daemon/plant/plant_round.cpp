@@ -5,6 +5,7 @@
 
 #include "core/diagnosis/plant_member.hpp"
 #include "core/plant/shared_oscillation.hpp"
+#include "daemon/plant/event_record.hpp"
 #include "daemon/plant/plant_series.hpp"
 
 namespace loopscope::daemon {
@@ -41,20 +42,6 @@ std::vector<MemberLoop> loops_of(const std::vector<storage::PlantCandidate>& can
   return loops;
 }
 
-storage::PlantEvent event_of(const SharedOscillation& shared,
-                             const std::vector<MemberLoop>& loops) {
-  storage::PlantEvent event;
-  event.period_s = shared.period_s;
-  if (shared.source) event.source_loop_id = loops[*shared.source].id;
-  event.statement = shared.statement;
-  event.p = shared.p;
-  for (const core::plant::SharingLoop& member : shared.members) {
-    event.members.push_back({member.id, std::string(core::plant::name(member.role)),
-                             member.strength, member.lag_s, member.score});
-  }
-  return event;
-}
-
 std::int64_t oscillating(const std::vector<MemberLoop>& loops) {
   std::int64_t count = 0;
   for (const MemberLoop& loop : loops) count += loop.oscillation.present ? 1 : 0;
@@ -67,7 +54,7 @@ storage::PlantRoundRecord compare(std::int64_t slot_end_us, const std::vector<Me
   round.loops = static_cast<std::int64_t>(loops.size());
   round.oscillating = oscillating(loops);
   for (const SharedOscillation& shared : core::plant::find_shared_oscillations(loops))
-    round.events.push_back(event_of(shared, loops));
+    round.events.push_back(event_record(shared, loops));
   return round;
 }
 
