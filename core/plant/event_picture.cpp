@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "core/loop/real_transform.hpp"
@@ -74,7 +75,7 @@ void trace(MemberPicture& picture, const MemberLoop& loop, const Interval& part)
   const auto sample = [&](double time_s) {
     return std::clamp(std::ceil((time_s - start_of(loop)) / interval_s - 1e-6), 0.0, last);
   };
-  const auto first = static_cast<std::size_t>(sample(part.from_s));
+  const auto first = static_cast<std::size_t>(sample(part.from_s + 0.5 * interval_s));
   const auto end = static_cast<std::size_t>(sample(part.to_s + interval_s));
   if (first >= end) return;
   const std::size_t pooled = (end - first + kTraceValues - 1) / kTraceValues;
@@ -123,6 +124,24 @@ std::size_t column_end(std::size_t bin, std::size_t first, double columns_per_e)
   return std::max(bin + kFewestPooled, static_cast<std::size_t>(std::ceil(edge - 1e-9)));
 }
 
+/// Power per unit of ln(period), from the longest period to the shortest.
+void pool(MemberPicture& picture, std::span<const double> power, std::size_t first,
+          double duration_s) {
+  const double columns_per_e =
+      static_cast<double>(kSpectrumValues) /
+      std::log(static_cast<double>(power.size()) / static_cast<double>(first));
+  for (std::size_t bin = first; bin < power.size();) {
+    const std::size_t end = std::min(column_end(bin, first, columns_per_e), power.size());
+    const auto column = power.subspan(bin, end - bin);
+    const double mean =
+        std::accumulate(column.begin(), column.end(), 0.0) / static_cast<double>(column.size());
+    const double middle = 0.5 * static_cast<double>(bin + end - 1);
+    picture.periods_s.push_back(duration_s / middle);
+    picture.power.push_back(mean * middle);
+    bin = end;
+  }
+}
+
 void spectrum(MemberPicture& picture, const MemberLoop& loop) {
   const auto spread = signal::measure_spread(loop.error);
   if (loop.error.size() < kFewestForSpectrum || !spread || spread->constant()) return;
@@ -130,19 +149,7 @@ void spectrum(MemberPicture& picture, const MemberLoop& loop) {
   const std::vector<double> power = periodogram(loop.error, length);
   const double stretch = static_cast<double>(length) / static_cast<double>(loop.error.size());
   const auto first = static_cast<std::size_t>(std::ceil(kCyclesOfLongest * stretch));
-  const double columns_per_e =
-      static_cast<double>(kSpectrumValues) /
-      std::log(static_cast<double>(power.size()) / static_cast<double>(first));
-  const double duration_s = static_cast<double>(length) * loop.sample_interval_s;
-  for (std::size_t bin = first; bin < power.size();) {
-    const std::size_t end = std::min(column_end(bin, first, columns_per_e), power.size());
-    double sum = 0.0;
-    for (std::size_t k = bin; k < end; ++k) sum += power[k];
-    const double middle = 0.5 * static_cast<double>(bin + end - 1);
-    picture.periods_s.push_back(duration_s / middle);
-    picture.power.push_back(sum * middle / static_cast<double>(end - bin));
-    bin = end;
-  }
+  pool(picture, power, first, static_cast<double>(length) * loop.sample_interval_s);
   std::ranges::reverse(picture.periods_s);
   std::ranges::reverse(picture.power);
 }

@@ -121,7 +121,7 @@ HistoryPoint read_history_point(const pqxx::row& row) {
 
 HiddenRow read_hidden(const pqxx::row& row) {
   return {row["hidden_by"].c_str(),           read_text(row["reason"]),
-          read_text(row["author"]),           integer(row["entered_us"]),
+          read_text(row["author"]),           read_integer(row["entered_us"]).value_or(0),
           read_integer(row["until_us"]),      read_integer(row["plant_oscillation_number"]),
           maybe_text(row["source_loop_name"])};
 }

@@ -159,7 +159,7 @@ struct HiddenRow {
   std::string hidden_by;  ///< acknowledged, suppressed, false_positive, victim, probability, chance
   std::string reason;     ///< "" = none was given
   std::string author;     ///< "" = the program
-  std::int64_t entered_us = 0;
+  std::int64_t entered_us = 0;           ///< 0 = never: it follows from the newest window
   std::optional<std::int64_t> until_us;  ///< nullopt = when withdrawn, or the next plant round
   std::optional<std::int64_t> plant_oscillation_number;  ///< that it is a victim of
   std::optional<std::string> source_name;                ///< of that; nullopt = outside or unknown
