@@ -71,7 +71,7 @@ double recorded_mean(std::span<const double> values) {
 /// loop has not.
 void trace(MemberPicture& picture, const MemberLoop& loop, const Interval& part) {
   const double interval_s = loop.sample_interval_s;
-  const double last = static_cast<double>(loop.error.size());
+  const auto last = static_cast<double>(loop.error.size());
   const auto sample = [&](double time_s) {
     return std::clamp(std::ceil((time_s - start_of(loop)) / interval_s - 1e-6), 0.0, last);
   };

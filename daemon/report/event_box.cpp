@@ -100,12 +100,13 @@ std::string odds(const PlantOscillationRow& event) {
   if (!event.outside) return {};
   std::string text;
   bool outside_told = false;
-  for (const Member* member : likeliest(event)) {
+  const std::vector<const Member*> members = likeliest(event);
+  for (const Member* member : members) {
     if (!outside_told && *event.outside > *member->score) {
       text += outside_row(*event.outside);
       outside_told = true;
     }
-    text += candidate(*member, text.empty());
+    text += candidate(*member, member == members.front());
   }
   if (!outside_told) text += outside_row(*event.outside);
   return "<div class=\"odds\"><h4>Where it comes from, probability</h4>\n" + text + "</div>\n";

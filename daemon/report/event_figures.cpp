@@ -81,7 +81,7 @@ std::vector<Row> rows_of(const PlantOscillationRow& event,
 std::string rows_script(std::vector<Row> rows) {
   std::string data, numbers, curves;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double middle = static_cast<double>(rows.size() - 1 - k);
+    const auto middle = static_cast<double>(rows.size() - 1 - k);
     for (Point& point : rows[k].points) point.y += middle;
     data += data_block(fmt::format("row{}", k), rows[k].points);
     numbers += fmt::format("set label '{}' at graph -0.015, first {} right textcolor rgb '{}'\n",

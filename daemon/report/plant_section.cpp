@@ -56,7 +56,7 @@ std::string hidden_note(const storage::PlantCounts& counts) {
 }
 
 std::string name_of(std::int64_t loop_id, const std::string& loop_name, LoopLinks links) {
-  const std::string name = "<bdi>" + html(loop_name) + "</bdi>";
+  std::string name = "<bdi>" + html(loop_name) + "</bdi>";
   // Only a live page has one for every loop.
   if (links == LoopLinks::sections) return name;
   return fmt::format("<a href=\"{}\">{}</a>", loop_link(links, loop_id, loop_name), name);

@@ -40,6 +40,7 @@ TEST(EventBox, TheMostProbableComesFirstTheOutsideToo) {
   const std::string text = box_of(event);
   EXPECT_LT(text.find("outside the recorded"), text.find("class=\"label\"><bdi>L1"));
   EXPECT_LT(text.find("class=\"label\"><bdi>L1"), text.find("class=\"label\"><bdi>L2"));
+  EXPECT_THAT(text, HasSubstr("open><summary><span class=\"label\"><bdi>L1"));
 }
 
 TEST(EventBox, MembersByTheirShareWithRoleLagAndProbability) {
