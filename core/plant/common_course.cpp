@@ -7,6 +7,7 @@
 
 #include "core/plant/following.hpp"
 #include "core/plant/in_step.hpp"
+#include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::plant {
 namespace {
@@ -15,6 +16,18 @@ namespace {
 constexpr double kLeastRest = 0.01;
 
 }  // namespace
+
+void CommonCourse::Sum::add(std::complex<double> value, double by_weight) {
+  if (!std::isfinite(value.real())) return;
+  sum += by_weight * value;
+  weight += by_weight;
+  count += by_weight > 0.0 ? 1 : -1;
+}
+
+std::complex<double> CommonCourse::Sum::mean() const {
+  if (count < 1) return {signal::kMissing, signal::kMissing};
+  return sum / weight;
+}
 
 CommonCourse::CommonCourse(std::span<const Envelope> envelopes, std::span<const std::size_t> core)
     : envelopes_(envelopes) {
@@ -27,31 +40,34 @@ CommonCourse::CommonCourse(std::span<const Envelope> envelopes, std::span<const 
     core_.push_back(
         {index, std::move(aligned), 1.0 / std::max(found.rest / found.followed, kLeastRest)});
   }
-  whole_ = course_of_others(std::nullopt);
+  add_up();
 }
 
-Envelope CommonCourse::course_of_others(std::optional<std::size_t> index) const {
+void CommonCourse::add_up() {
+  if (core_.empty()) return;
+  std::int64_t to = std::numeric_limits<std::int64_t>::min();
+  first_ = std::numeric_limits<std::int64_t>::max();
+  for (const Aligned& one : core_) {
+    first_ = std::min(first_, one.envelope.first);
+    to = std::max(to, one.envelope.end());
+  }
+  sums_.resize(static_cast<std::size_t>(std::max<std::int64_t>(0, to - first_)));
+  for (const Aligned& one : core_)
+    for (std::int64_t j = one.envelope.first; j < one.envelope.end(); ++j)
+      sums_[static_cast<std::size_t>(j - first_)].add(one.envelope.at(j), one.weight);
+  whole_ = course_without(nullptr);
+}
+
+Envelope CommonCourse::course_without(const Aligned* left_out) const {
   Envelope course;
   if (core_.empty()) return course;
   course.frequency_hz = core_.front().envelope.frequency_hz;
-  std::int64_t from = std::numeric_limits<std::int64_t>::max();
-  std::int64_t to = std::numeric_limits<std::int64_t>::min();
-  for (const Aligned& one : core_) {
-    if (one.index == index) continue;
-    from = std::min(from, one.envelope.first);
-    to = std::max(to, one.envelope.end());
-  }
-  course.first = from;
-  for (std::int64_t j = from; j < to; ++j) {
-    std::complex<double> sum = 0.0;
-    double weight = 0.0;
-    for (const Aligned& one : core_) {
-      const std::complex<double> z = one.envelope.at(j);
-      if (one.index == index || !std::isfinite(z.real())) continue;
-      sum += one.weight * z;
-      weight += one.weight;
-    }
-    course.points.push_back(sum / weight);
+  course.first = first_;
+  for (std::size_t k = 0; k < sums_.size(); ++k) {
+    Sum sum = sums_[k];
+    if (left_out != nullptr)
+      sum.add(left_out->envelope.at(first_ + static_cast<std::int64_t>(k)), -left_out->weight);
+    course.points.push_back(sum.mean());
   }
   return course;
 }
@@ -66,8 +82,9 @@ double CommonCourse::frequency_hz() const {
 }
 
 Follower CommonCourse::follow(std::size_t index, bool own_line) const {
-  const bool in_core = std::ranges::count(core_, index, &Aligned::index) > 0;
-  const Envelope others = in_core ? course_of_others(index) : Envelope{};
+  const auto own = std::ranges::find(core_, index, &Aligned::index);
+  const bool in_core = own != core_.end();
+  const Envelope others = in_core ? course_without(&*own) : Envelope{};
   const Envelope& course = in_core ? others : whole_;
   const double p = own_line ? compare(measure_wander(course), measure_wander(envelopes_[index])).p
                             : plant::follow(envelopes_[index], course).p;

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -31,16 +32,29 @@ class CommonCourse {
   [[nodiscard]] Follower follow(std::size_t index, bool own_line) const;
 
  private:
-  /// nullopt = of all.
-  [[nodiscard]] Envelope course_of_others(std::optional<std::size_t> index) const;
-
   struct Aligned {
     std::size_t index = 0;
     Envelope envelope;    ///< divided by its gain against the first
     double weight = 0.0;  ///< one by the mean square of what does not follow
   };
+  /// One point of the weighted mean; a loop is taken off with its weight negative.
+  struct Sum {
+    std::complex<double> sum = 0.0;
+    double weight = 0.0;
+    int count = 0;
+
+    void add(std::complex<double> value, double by_weight);
+    /// NaN without a loop: what rounding leaves of the weights is no zero.
+    [[nodiscard]] std::complex<double> mean() const;
+  };
+  void add_up();
+  /// nullptr = of all.
+  [[nodiscard]] Envelope course_without(const Aligned* left_out) const;
+
   std::span<const Envelope> envelopes_;
   std::vector<Aligned> core_;
+  std::int64_t first_ = 0;  ///< number of the first of sums_
+  std::vector<Sum> sums_;
   Envelope whole_;
 };
 

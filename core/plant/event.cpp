@@ -5,6 +5,8 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <tuple>
 
 #include "core/plant/common_course.hpp"
 #include "core/plant/false_discovery.hpp"
@@ -49,11 +51,33 @@ double null_share(std::span<const double> p) {
                            (kMiddle * static_cast<double>(std::max<std::size_t>(1, p.size()))));
 }
 
+/// Envelopes are taken at these steps of ln f: lines of one step share them, and half a step off is
+/// a turn in two hundred periods, slow beside the two of an envelope's window.
+constexpr double kFrequencyStep = 0.02;
+
 /// A line of one loop, from which an event may be found.
 struct Centre {
   std::size_t index = 0;
   SpectralLine line;
+  double step = 0.0;    ///< the line's frequency in kFrequencySteps, a whole number
+  double step_p = 1.0;  ///< of the most significant line of this step
 };
+
+Centre make_centre(std::size_t index, const SpectralLine& line) {
+  return {index, line, std::round(std::log(line.frequency_hz) / kFrequencyStep), line.p};
+}
+
+/// The most significant first, all lines of one step together.
+void put_in_order(std::vector<Centre>& centres) {
+  std::map<double, double> least;
+  for (const Centre& one : centres) {
+    const auto [known, added] = least.try_emplace(one.step, one.line.p);
+    known->second = std::min(known->second, one.line.p);
+  }
+  for (Centre& one : centres) one.step_p = least.at(one.step);
+  std::ranges::stable_sort(
+      centres, {}, [](const Centre& one) { return std::tuple(one.step_p, one.step, one.line.p); });
+}
 
 /// Whether a line lies at the fundamental or a harmonic of an oscillation.
 bool belongs(double line_hz, double fundamental_hz) {
@@ -98,11 +122,12 @@ class Search {
       variances_.push_back(variance(loops[i].error));
       spectra_.emplace_back(loops[i].error, loops[i].sample_interval_s);
       for (const SpectralLine& line : spectra_.back().lines(kFaintLine))
-        centres_.push_back({i, line});
+        centres_.push_back(make_centre(i, line));
     }
     std::ranges::stable_sort(centres_, {}, [](const Centre& c) { return c.line.p; });
     if (std::ssize(centres_) > kMostCentres)
       centres_.erase(centres_.begin() + kMostCentres, centres_.end());
+    put_in_order(centres_);
   }
 
   std::vector<Event> run() {
@@ -120,12 +145,20 @@ class Search {
     });
   }
 
-  void look_about(const Centre& centre) {
-    std::vector<Envelope> envelopes;
+  /// Of every loop with power at the step's frequency; the others' are empty.
+  const std::vector<Envelope>& envelopes_at(double step) {
+    if (step == step_ && !envelopes_.empty()) return envelopes_;
+    step_ = step;
+    const double frequency_hz = std::exp(step * kFrequencyStep);
+    envelopes_.assign(demodulators_.size(), {});
     for (std::size_t i = 0; i < demodulators_.size(); ++i)
-      envelopes.push_back(spectra_[i].share_about(centre.line.frequency_hz) >= kLeastStrength
-                              ? demodulators_[i].envelope(centre.line.frequency_hz)
-                              : Envelope{});
+      if (spectra_[i].share_about(frequency_hz) >= kLeastStrength)
+        envelopes_[i] = demodulators_[i].envelope(frequency_hz);
+    return envelopes_;
+  }
+
+  void look_about(const Centre& centre) {
+    const std::vector<Envelope>& envelopes = envelopes_at(centre.step);
     const Star star = star_about(centre, envelopes);
     const double star_p = star.p * static_cast<double>(centres_.size());
     if (star.rays.empty() || star_p > settings_.event_p) return;
@@ -246,7 +279,9 @@ class Search {
   std::vector<Demodulator> demodulators_;
   std::vector<double> variances_;
   std::vector<LineSpectrum> spectra_;
-  std::vector<Centre> centres_;  // most significant line first
+  std::vector<Centre> centres_;  // put_in_order
+  double step_ = 0.0;            // of envelopes_
+  std::vector<Envelope> envelopes_;
   std::vector<Event> events_;
   std::vector<std::vector<std::size_t>> events_of_;
 };

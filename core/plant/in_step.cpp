@@ -59,21 +59,30 @@ Products multiply(const Envelope& one, const Envelope& other) {
   return products;
 }
 
-double power_at(const Products& products, double cycles_per_point) {
-  Complex sum = 0.0;
-  for (std::size_t k = 0; k < products.at.size(); ++k)
-    sum += products.turns[k] *
-           std::polar(1.0, -2.0 * std::numbers::pi * cycles_per_point * products.at[k]);
-  return std::norm(sum);
+constexpr int kSteps = 20;  ///< of slowest_turn to either side, a tenth of a resolution each
+
+/// Periodogram at kSteps tenths of a resolution to either side of 0.
+std::array<double, 2 * kSteps + 1> power_about_zero(const Products& products, double duration) {
+  std::array<Complex, 2 * kSteps + 1> sums{};
+  for (std::size_t k = 0; k < products.at.size(); ++k) {
+    const Complex step = std::polar(1.0, -0.2 * std::numbers::pi * products.at[k] / duration);
+    Complex turned = 1.0;
+    sums[kSteps] += products.turns[k];
+    for (std::size_t i = 1; i <= kSteps; ++i) {
+      turned *= step;
+      sums[kSteps + i] += products.turns[k] * turned;
+      sums[kSteps - i] += products.turns[k] * std::conj(turned);
+    }
+  }
+  std::array<double, 2 * kSteps + 1> power{};
+  std::ranges::transform(sums, power.begin(), [](Complex sum) { return std::norm(sum); });
+  return power;
 }
 
 /// |D| T: the peak of the product's periodogram within two resolutions, in resolutions.
 double slowest_turn(const Products& products) {
-  constexpr int kSteps = 20;  // to either side, a tenth of a resolution each
   const double duration = products.at.back() - products.at.front() + 1.0;
-  std::array<double, 2 * kSteps + 1> power{};
-  for (std::size_t i = 0; i < power.size(); ++i)
-    power[i] = power_at(products, 0.1 * (static_cast<int>(i) - kSteps) / duration);
+  const auto power = power_about_zero(products, duration);
   const auto best = static_cast<std::size_t>(std::ranges::max_element(power) - power.begin());
   if (best == 0 || best + 1 == power.size()) return 2.0;
   const double left = power[best - 1], middle = power[best], right = power[best + 1];

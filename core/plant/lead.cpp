@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
 #include "core/signal/gaps.hpp"
 #include "core/signal/loop_window.hpp"
@@ -14,10 +13,13 @@ namespace loopscope::core::plant {
 namespace {
 
 constexpr double kStepsAPeriod = 8.0;
-constexpr Eigen::Index kLags = 8;
+constexpr Eigen::Index kLags = 4;  // half a period: as good as a whole one, and half the rows
 constexpr std::size_t kMostSteps = 4000;
 constexpr std::size_t kLongestBridge = 8;  // steps: a period
+/// A pair's gain is asked of every record of some length, the direct one of all members' pasts
+/// together only where it can be had.
 constexpr double kRowsACoefficient = 6.0;
+constexpr double kRowsACoefficientOfAll = 3.0;
 /// A sum of gains as small as this is noise: such a loop leads nowhere.
 constexpr double kFaintLead = 0.02;
 
@@ -44,8 +46,8 @@ struct TimeGrid {
 };
 
 /// Means of the samples about every step, less the mean of all.
-signal::Samples on_grid(const MemberLoop& loop, const TimeGrid& grid) {
-  const std::span<const double> values = loop.pv.empty() ? loop.error : loop.pv;
+signal::Samples on_grid(const MemberLoop& loop, std::span<const double> values,
+                        const TimeGrid& grid) {
   signal::Samples sums(grid.size(), 0.0), counts(grid.size(), 0.0);
   const double start_s = static_cast<double>(loop.start_us) * 1e-6 - grid.from_s;
   double total = 0.0, count = 0.0;
@@ -64,21 +66,64 @@ signal::Samples on_grid(const MemberLoop& loop, const TimeGrid& grid) {
   return sums;
 }
 
-/// Products of every loop's present and its past, over the rows that all loops recorded: column
-/// 0 is a constant, loop m has its present in column 1 + m (kLags + 1), then its lags.
+/// A loop's signals on the grid, the one that is foretold first.
+using Signals = std::vector<signal::Samples>;
+
+Signals signals_of(const MemberLoop& loop, const TimeGrid& grid) {
+  Signals signals{on_grid(loop, loop.pv.empty() ? loop.error : loop.pv, grid)};
+  if (!loop.op.empty()) signals.push_back(on_grid(loop, loop.op, grid));
+  return signals;
+}
+
+using Columns = std::vector<Eigen::Index>;
+
+/// Products of every signal's present and its past, over the rows that all loops recorded: column
+/// 0 is a constant, signal s has its present in column 1 + s (kLags + 1), then its lags.
 class Regression {
  public:
-  explicit Regression(const std::vector<signal::Samples>& series) {
-    const auto loops = static_cast<Eigen::Index>(series.size());
-    const auto steps = static_cast<Eigen::Index>(series.front().size());
-    Eigen::VectorXd row(1 + loops * (kLags + 1));
+  explicit Regression(const std::vector<Signals>& loops) {
+    std::vector<const signal::Samples*> all;
+    for (const Signals& signals : loops) {
+      firsts_.push_back(column(static_cast<Eigen::Index>(all.size())));
+      counts_.push_back(static_cast<Eigen::Index>(signals.size()));
+      for (const signal::Samples& one : signals) all.push_back(&one);
+    }
+    add_up(all);
+  }
+
+  [[nodiscard]] bool long_enough() const {
+    return rows_ >= kRowsACoefficient * static_cast<double>(4 * kLags + 1);
+  }
+  /// Whether all pasts can stand in one regression.
+  [[nodiscard]] bool long_enough_for_all() const {
+    return rows_ >= kRowsACoefficientOfAll * static_cast<double>(past_of_all().size());
+  }
+  [[nodiscard]] double gain(std::size_t from, std::size_t to) const {
+    Columns past{0};
+    add_past(past, to);
+    return gain(from, to, past);
+  }
+  [[nodiscard]] double direct_gain(std::size_t from, std::size_t to) const {
+    Columns past{0};
+    for (std::size_t loop = 0; loop < firsts_.size(); ++loop)
+      if (loop != from) add_past(past, loop);
+    return gain(from, to, past);
+  }
+
+ private:
+  static Eigen::Index column(Eigen::Index signal) { return 1 + signal * (kLags + 1); }
+
+  void add_up(const std::vector<const signal::Samples*>& all) {
+    const auto signals = static_cast<Eigen::Index>(all.size());
+    const auto steps = static_cast<Eigen::Index>(all.front()->size());
+    Eigen::VectorXd row(column(signals));
     products_.setZero(row.size(), row.size());
     row(0) = 1.0;
     for (Eigen::Index k = kLags; k < steps; ++k) {
-      for (Eigen::Index m = 0; m < loops; ++m)
+      for (Eigen::Index s = 0; s < signals; ++s)
         for (Eigen::Index lag = 0; lag <= kLags; ++lag)
-          row(present(m) + lag) =
-              series[static_cast<std::size_t>(m)][static_cast<std::size_t>(k - lag)];
+          row(column(s) + lag) =
+              (*all[static_cast<std::size_t>(s)])[static_cast<std::size_t>(k - lag)];
       if (!row.allFinite()) continue;
       products_.selfadjointView<Eigen::Lower>().rankUpdate(row);
       rows_ += 1.0;
@@ -86,33 +131,41 @@ class Regression {
     products_ = products_.selfadjointView<Eigen::Lower>();
   }
 
-  [[nodiscard]] bool long_enough() const {
-    return rows_ >= kRowsACoefficient * static_cast<double>(2 * kLags + 1);
+  void add_past(Columns& columns, std::size_t loop) const {
+    for (Eigen::Index s = 0; s < counts_[loop]; ++s)
+      for (Eigen::Index lag = 1; lag <= kLags; ++lag)
+        columns.push_back(firsts_[loop] + s * (kLags + 1) + lag);
   }
-  [[nodiscard]] double gain(Eigen::Index from, Eigen::Index to) const {
-    const double without = left(to, {}), with = left(to, from);
+  [[nodiscard]] Columns past_of_all() const {
+    Columns columns{0};
+    for (std::size_t loop = 0; loop < firsts_.size(); ++loop) add_past(columns, loop);
+    return columns;
+  }
+
+  /// What the past of `from` adds to `past`.
+  [[nodiscard]] double gain(std::size_t from, std::size_t to, Columns past) const {
+    const double without = left(firsts_[to], past);
+    const auto known = static_cast<double>(past.size());
+    add_past(past, from);
+    const double with = left(firsts_[to], past);
     if (!(with > 0.0)) return 0.0;
-    return std::max(0.0, std::log(without / with) - static_cast<double>(kLags) / rows_);
+    return std::max(0.0,
+                    std::log(without / with) - (static_cast<double>(past.size()) - known) / rows_);
   }
 
- private:
-  static Eigen::Index present(Eigen::Index loop) { return 1 + loop * (kLags + 1); }
-
-  /// Sum of squares of a loop that its own past and that of another one do not foretell.
-  [[nodiscard]] double left(Eigen::Index loop, std::optional<Eigen::Index> other) const {
-    std::vector<Eigen::Index> columns{0};
-    for (Eigen::Index lag = 1; lag <= kLags; ++lag) columns.push_back(present(loop) + lag);
-    if (other)
-      for (Eigen::Index lag = 1; lag <= kLags; ++lag) columns.push_back(present(*other) + lag);
+  /// Sum of squares of a signal's present that these columns do not foretell.
+  [[nodiscard]] double left(Eigen::Index present, const Columns& columns) const {
     Eigen::MatrixXd past = products_(columns, columns);
     // Series that hardly move must not divide by zero.
     past.diagonal() *= 1.0 + 1e-9;
-    const Eigen::VectorXd cross = products_(columns, present(loop));
-    const double whole = products_(present(loop), present(loop));
+    const Eigen::VectorXd cross = products_(columns, present);
+    const double whole = products_(present, present);
     return std::max(1e-12 * whole, whole - cross.dot(past.ldlt().solve(cross)));
   }
 
   Eigen::MatrixXd products_;
+  Columns firsts_;  // present of every loop's first signal
+  Columns counts_;  // signals of every loop
   double rows_ = 0.0;
 };
 
@@ -123,27 +176,28 @@ std::vector<Lead> find_leads(std::span<const MemberLoop> loops,
   const auto asked = members.first(std::min(kMostLeading, members.size()));
   const TimeGrid grid(loops, asked, period_s);
   if (asked.size() < 2 || grid.size() <= static_cast<std::size_t>(kLags)) return {};
-  std::vector<signal::Samples> series;
-  for (const std::size_t i : asked) series.push_back(on_grid(loops[i], grid));
-  const Regression regression(series);
+  std::vector<Signals> signals;
+  for (const std::size_t i : asked) signals.push_back(signals_of(loops[i], grid));
+  const Regression regression(signals);
   if (!regression.long_enough()) return {};
+  const bool all = regression.long_enough_for_all();
   std::vector<Lead> leads;
   for (std::size_t a = 0; a < asked.size(); ++a)
     for (std::size_t b = 0; b < asked.size(); ++b) {
       if (a == b) continue;
-      const double gain =
-          regression.gain(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
-      if (gain > 0.0) leads.push_back({asked[a], asked[b], gain});
+      const Lead lead{asked[a], asked[b], regression.gain(a, b),
+                      all ? regression.direct_gain(a, b) : 0.0};
+      if (lead.gain > 0.0 || lead.direct > 0.0) leads.push_back(lead);
     }
   std::ranges::stable_sort(leads, std::ranges::greater(), &Lead::gain);
   return leads;
 }
 
-double net_lead(std::span<const Lead> leads, std::size_t loop) {
+double net_lead(std::span<const Lead> leads, std::size_t loop, double Lead::*part) {
   double out = 0.0, in = 0.0;
   for (const Lead& lead : leads) {
-    if (lead.from == loop) out += lead.gain;
-    if (lead.to == loop) in += lead.gain;
+    if (lead.from == loop) out += lead.*part;
+    if (lead.to == loop) in += lead.*part;
   }
   return (out - in) / (out + in + kFaintLead);
 }

@@ -50,7 +50,9 @@ struct SourceCandidate {
 struct Lead {
   std::size_t from = 0;  ///< in the loops that were given
   std::size_t to = 0;    ///< likewise
-  double gain = 0.0;     ///< ln(error before / after) of the one-step forecast, > 0
+  double gain = 0.0;     ///< ln(error before / after) of the one-step forecast, >= 0
+  /// The same of what no other member tells as well; 0 = nothing, or too short a record to say.
+  double direct = 0.0;
 };
 
 /// One oscillation that several loops share: one event, one work order.

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <cstdint>
 #include <optional>
 
 #include "core/hos/decimate.hpp"
 #include "core/hos/harmonic_test.hpp"
 #include "core/hos/period.hpp"
 #include "core/model/phrases.hpp"
-#include "core/plant/envelope.hpp"
 #include "core/plant/lead.hpp"
 #include "core/plant/spectral_line.hpp"
 
@@ -23,9 +20,6 @@ constexpr double kSamplesACycle = 12.0;
 
 /// A loop of less is shaken by something else for the most part.
 constexpr double kFullStrength = 0.25;
-constexpr double kFewestCycles = 4.0;  // at which a harmonic can be compared
-/// Locked power of a third harmonic below this share of the first is what noise leaves.
-constexpr double kFaintHarmonic = 0.02;
 
 double cubic_evidence(const MemberLoop& loop, double frequency_hz) {
   const double period = 1.0 / (frequency_hz * loop.sample_interval_s);
@@ -35,27 +29,6 @@ double cubic_evidence(const MemberLoop& loop, double frequency_hz) {
   const std::optional<hos::HarmonicStatistics> found =
       hos::harmonic_statistics(hos::decimate(loop.error, factor), kept);
   return found ? found->cubic_evidence : 0.0;
-}
-
-/// Of the output's third harmonic what is locked to the first, by the power of the first: the
-/// squared mean of z3 / (z1 / |z1|)^3 less what turns freely leaves of it.
-double third_harmonic(const MemberLoop& loop, double frequency_hz) {
-  MemberLoop output = loop;
-  output.error = loop.op;
-  const Demodulator demodulator(output);
-  const Envelope first = demodulator.envelope(frequency_hz);
-  const Envelope third = demodulator.envelope(3.0 * frequency_hz);
-  std::complex<double> locked = 0.0;
-  double count = 0.0, power = 0.0, third_power = 0.0;
-  for (std::int64_t j = first.first; j < first.end(); ++j) {
-    const std::complex<double> z1 = first.at(j), z3 = third.at(3 * j);
-    if (!std::isfinite(z1.real()) || !std::isfinite(z3.real()) || !(std::abs(z1) > 0.0)) continue;
-    const std::complex<double> turn = z1 / std::abs(z1);
-    locked += z3 * std::conj(turn * turn * turn);
-    count += 1.0, power += std::norm(z1), third_power += std::norm(z3);
-  }
-  if (count < kFewestCycles) return 0.0;
-  return std::max(0.0, (std::norm(locked) - third_power) / count / power);
 }
 
 SourceEvidence evidence_of(const MemberLoop& loop, const EventMember& member, double frequency_hz) {
@@ -68,15 +41,7 @@ SourceEvidence evidence_of(const MemberLoop& loop, const EventMember& member, do
   evidence.cubic_evidence = cubic_evidence(loop, frequency_hz);
   if (loop.op.empty()) return evidence;
   evidence.op_share = LineSpectrum(loop.op, loop.sample_interval_s).share(frequency_hz);
-  evidence.op_third = third_harmonic(loop, frequency_hz);
   return evidence;
-}
-
-double mean_outside_blamed(std::span<const SourceEvidence> evidence) {
-  double sum = 0.0, weight = 0.0;
-  for (const SourceEvidence& one : evidence)
-    sum += one.strength * one.outside_blamed, weight += one.strength;
-  return weight > 0.0 ? sum / weight : 0.0;
 }
 
 }  // namespace
@@ -89,6 +54,7 @@ std::vector<SourceEvidence> gather_source_evidence(std::span<const MemberLoop> l
   for (const EventMember& member : event.members) {
     evidence.push_back(evidence_of(loops[member.index], member, event.frequency_hz));
     evidence.back().net_lead = net_lead(leads, member.index);
+    evidence.back().direct_lead = net_lead(leads, member.index, &Lead::direct);
     evidence.back().writes_setpoint =
         std::ranges::count(cascades, member.index, &CascadePair::master) > 0;
   }
@@ -106,10 +72,10 @@ SourceFigures figures_of(std::span<const SourceEvidence> evidence) {
     const double valve = one.writes_setpoint ? 0.0 : std::min(1.0, one.strength / kFullStrength);
     figures.members.push_back({std::log(one.line_height / highest), valve * one.valve_blamed,
                                std::log1p(one.cubic_evidence), one.outside_blamed,
-                               one.writes_setpoint ? 1.0 : 0.0, one.net_lead,
-                               std::log1p(one.op_third / kFaintHarmonic), one.op_share});
+                               one.writes_setpoint ? 1.0 : 0.0, one.op_share, one.net_lead,
+                               one.direct_lead});
   }
-  figures.outside = {mean_outside_blamed(evidence), 1.0 - best_lead};
+  figures.no_leader = 1.0 - best_lead;
   return figures;
 }
 
@@ -121,9 +87,6 @@ std::vector<std::string> reasons_of(const SourceEvidence& evidence) {
   if (evidence.valve_blamed > 0.0)
     reasons.push_back("Its own verdict blames the valve, confidence " +
                       model::in_digits(evidence.valve_blamed) + ".");
-  if (evidence.op_third > kFaintHarmonic)
-    reasons.push_back("Its output has a third harmonic, locked to the oscillation, of " +
-                      model::in_percent(evidence.op_third) + " of the first one's power.");
   reasons.push_back("The oscillation is " + model::in_percent(evidence.strength) +
                     " of its error's variance and " + model::in_percent(evidence.op_share) +
                     " of its output's.");

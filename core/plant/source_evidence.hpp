@@ -18,8 +18,8 @@ struct SourceEvidence {
   double strength = 0.0;         ///< share of the error's variance in the oscillation, 0 to 1
   double line_height = 1.0;      ///< of the error's line above the loop's own noise; 1 = none
   double op_share = 0.0;         ///< of the output's variance in its line, 0 to 1
-  double op_third = 0.0;         ///< power of the output's third harmonic, locked, by the first's
   double net_lead = 0.0;         ///< lead.hpp, -1 to 1
+  double direct_lead = 0.0;      ///< net, of what goes by no other member; -1 to 1
   double valve_blamed = 0.0;     ///< confidence of a verdict that blames the valve; else 0
   double outside_blamed = 0.0;   ///< of one that names a disturbance from outside the loop; else 0
   double cubic_evidence = 0.0;   ///< -ln p of f + f + f -> 3f in the error, at the period
@@ -32,12 +32,11 @@ struct SourceEvidence {
     std::span<const Lead> leads);
 
 inline constexpr std::size_t kSourceFigures = 8;
-inline constexpr std::size_t kOutsideFigures = 2;
 
 /// The evidence as the ranking weighs it.
 struct SourceFigures {
   std::vector<std::array<double, kSourceFigures>> members;
-  std::array<double, kOutsideFigures> outside{};
+  double no_leader = 0.0;  ///< 1 - the largest net lead: for a cause outside; 0 to 2
 };
 /// What speaks of a valve counts in full from a strength of a quarter on, in proportion below (a
 /// valve that sticks in another rhythm is not the source), and not at all for a loop that moves

@@ -9,14 +9,13 @@ namespace loopscope::core::plant {
 namespace {
 
 /// In the order of SourceFigures::members.
-constexpr std::array<double, kSourceFigures> kWeights = {0.78, 2.35, 0.67, -2.09,
-                                                         0.36, 1.98, 0.42, 1.72};
-/// In the order of SourceFigures::outside, then the constant.
-constexpr std::array<double, kOutsideFigures> kOutsideWeights = {0.92, -3.06};
-constexpr double kOutsideScore = 3.32;
+constexpr std::array<double, kSourceFigures> kWeights = {0.61, 2.80, 0.85, -2.46,
+                                                         0.71, 1.94, 2.43, 1.22};
+constexpr double kOutsideScore = 4.93;
+constexpr double kNoLeaderWeight = -4.32;
 
-double weigh(std::span<const double> figures, std::span<const double> weights) {
-  return std::inner_product(figures.begin(), figures.end(), weights.begin(), 0.0);
+double weigh(const std::array<double, kSourceFigures>& figures) {
+  return std::inner_product(figures.begin(), figures.end(), kWeights.begin(), 0.0);
 }
 
 }  // namespace
@@ -25,9 +24,9 @@ SourceOdds rank_sources(std::span<const SourceEvidence> evidence) {
   SourceOdds odds;
   if (evidence.empty()) return odds;
   const SourceFigures figures = figures_of(evidence);
-  const double outside = kOutsideScore + weigh(figures.outside, kOutsideWeights);
+  const double outside = kOutsideScore + kNoLeaderWeight * figures.no_leader;
   std::vector<double> scores;
-  for (const auto& one : figures.members) scores.push_back(weigh(one, kWeights));
+  for (const auto& one : figures.members) scores.push_back(weigh(one));
   const double largest = std::max(outside, *std::ranges::max_element(scores));
   odds.outside = std::exp(outside - largest);
   double sum = odds.outside;

@@ -12,6 +12,8 @@ Star find_star(std::size_t centre, std::vector<Neighbour> around) {
   std::size_t size = 0;
   const auto sizes = static_cast<double>(around.size());
   for (std::size_t k = 1; k <= around.size(); ++k) {
+    // Not rarer than expected: no star, and most of many loops are spared the sum.
+    if (around[k - 1].p * sizes >= static_cast<double>(k)) continue;
     const double p = at_least_p(k, around.size(), around[k - 1].p) * sizes;
     if (p < star.p) star.p = p, size = k;
   }

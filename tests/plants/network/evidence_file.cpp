@@ -3,14 +3,13 @@
 namespace loopscope::tests::network {
 
 void write_evidence(std::ostream& out, const std::vector<Outcome>& outcomes) {
-  out << "plant,source,height,blamed,cubic,ext,setpoint,lead,third,op,out_blamed,out_lead\n";
+  out << "plant,source,height,blamed,cubic,ext,setpoint,op,lead,direct,no_leader\n";
   for (const Outcome& outcome : outcomes)
     for (const Outcome::Figures& member : outcome.figures) {
       out << (outcome.origin == Origin::outside ? "outside_" : "valve_") << outcome.seed << ','
           << (member.is_source ? 1 : 0);
       for (const double value : member.values) out << ',' << value;
-      for (const double value : outcome.outside_figures) out << ',' << value;
-      out << '\n';
+      out << ',' << outcome.no_leader << '\n';
     }
 }
 

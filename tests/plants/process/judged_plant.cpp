@@ -6,6 +6,8 @@
 #include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/plant_member.hpp"
 #include "core/plant/shared_oscillation.hpp"
+#include "tests/plants/process/evidence_lines.hpp"
+#include "tests/plants/process/names.hpp"
 
 namespace loopscope::tests::process {
 namespace {
@@ -111,6 +113,8 @@ Judgement judge_plant(PlantKind kind, Cause cause, std::uint64_t seed) {
         return plant.loops[m.index].share < kUntouched;
       }));
   judge_source(*event, plant, result);
+  const std::string plant_name = name_of(kind) + "_" + name_of(cause) + "_" + std::to_string(seed);
+  result.evidence = evidence_lines(plant_name, *event, members, plant.source);
   return result;
 }
 

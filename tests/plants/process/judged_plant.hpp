@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "tests/plants/process/process_plant.hpp"
 
@@ -19,8 +21,9 @@ struct Judgement {
   bool source_first = false;       ///< of the members the true source is the most likely one
   bool named = false;              ///< a source is named
   bool named_right = false;
-  double first_odds = 0.0;   ///< of the most likely answer, "none of them" included
-  bool first_right = false;  ///< that answer is true
+  double first_odds = 0.0;            ///< of the most likely answer, "none of them" included
+  bool first_right = false;           ///< that answer is true
+  std::vector<std::string> evidence;  ///< evidence_lines.hpp
 };
 
 /// Draws, diagnoses and judges one plant.

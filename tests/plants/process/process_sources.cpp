@@ -1,7 +1,10 @@
+#include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "tests/plants/process/evidence_lines.hpp"
 #include "tests/plants/process/judgement_table.hpp"
 #include "tests/plants/process/names.hpp"
 #include "tests/support/command_words.hpp"
@@ -15,8 +18,10 @@ using loopscope::tests::WrongUsage;
 
 constexpr const char* kUsage =
     "process_sources --kind KIND [--seed N] [--plants N] [--cause CAUSE] [--threads N]\n"
+    "                [--evidence FILE]\n"
     "Draws so many plants of one kind, their causes in turn (or one of them), and says in which\n"
     "core/plant finds the oscillation and ranks its source first.\n"
+    "--evidence writes what the ranking weighs, for tests/plants/network/fit_weights.\n"
     "KIND: evaporator, reactor_recycle, column, four_tanks\n"
     "CAUSE: none, sticking_valve, dead_band, sawtooth_sensor, tight_loop, outside_wave\n";
 
@@ -26,6 +31,7 @@ struct Options {
   std::uint64_t seed = 1;
   std::uint64_t plants = 60;
   std::uint64_t threads = 1;
+  std::string evidence;
 };
 
 Options read_options(const std::vector<std::string>& words) {
@@ -43,11 +49,21 @@ Options read_options(const std::vector<std::string>& words) {
       options.plants = left.count(option, 1);
     else if (option == "--threads")
       options.threads = left.count(option, 1);
+    else if (option == "--evidence")
+      options.evidence = left.value(option);
     else
       throw WrongUsage(option + " is no option\n" + kUsage);
   }
   if (options.kind.empty()) throw WrongUsage(std::string("--kind is missing\n") + kUsage);
   return options;
+}
+
+void write_evidence(const std::string& file, const std::vector<process::Judgement>& judgements) {
+  std::ofstream out(file);
+  out << process::kEvidenceHeader << '\n';
+  for (const process::Judgement& one : judgements)
+    for (const std::string& line : one.evidence) out << line << '\n';
+  if (!out.flush()) throw std::runtime_error("cannot write " + file);
 }
 
 void run(const Options& options) {
@@ -60,6 +76,7 @@ void run(const Options& options) {
             process::judge_plant(kind, options.causes[k % causes], options.seed + k / causes);
       });
   std::cout << process::table_of(judgements);
+  if (!options.evidence.empty()) write_evidence(options.evidence, judgements);
 }
 
 }  // namespace
