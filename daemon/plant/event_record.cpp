@@ -22,7 +22,7 @@ std::vector<std::string> reasons_for(const SharedOscillation& event, std::size_t
 std::vector<storage::PlantLead> leads_between(const SharedOscillation& event, Loops loops) {
   std::vector<storage::PlantLead> leads;
   for (const core::plant::Lead& lead : event.leads)
-    leads.push_back({loops[lead.from].id, loops[lead.to].id, lead.gain});
+    leads.push_back({loops[lead.from].id, loops[lead.to].id, lead.gain, lead.direct});
   return leads;
 }
 

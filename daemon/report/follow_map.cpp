@@ -50,12 +50,21 @@ std::vector<Box> boxes_of(const PlantOscillationRow& event) {
   return boxes;
 }
 
+/// What a loop tells of another one that no third one tells as well, where that could be found out:
+/// else a loop that only passes the oscillation on seems to lead as much as its source.
+double PlantLead::*shown_gain(const PlantOscillationRow& event) {
+  const bool known = std::ranges::any_of(
+      event.leads, [](double d) { return d > 0.0; }, &PlantLead::direct);
+  return known ? &PlantLead::direct : &PlantLead::gain;
+}
+
 /// By how much more `from` foretells `to` than the other way round.
 double net_gain(const PlantOscillationRow& event, std::int64_t from, std::int64_t to) {
+  double PlantLead::*const gain = shown_gain(event);
   double net = 0.0;
   for (const PlantLead& lead : event.leads) {
-    if (lead.from_loop_id == from && lead.to_loop_id == to) net += lead.gain;
-    if (lead.from_loop_id == to && lead.to_loop_id == from) net -= lead.gain;
+    if (lead.from_loop_id == from && lead.to_loop_id == to) net += lead.*gain;
+    if (lead.from_loop_id == to && lead.to_loop_id == from) net -= lead.*gain;
   }
   return net;
 }

@@ -7,7 +7,7 @@ ALTER TABLE loopscope.plant_oscillation
 COMMENT ON COLUMN loopscope.plant_oscillation.outside IS 'Probability that none of the loops is the source: it lies outside of what is recorded; null = not said';
 COMMENT ON COLUMN loopscope.plant_oscillation.scores IS 'Probability of each loop of being the source, in the order of loop_ids; of a program before revision 26: how much speaks for it, higher = more; null = not said';
 COMMENT ON COLUMN loopscope.plant_oscillation.reasons IS 'What speaks for and against each loop as the source, a sentence a line, in the order of loop_ids; null = not said';
-COMMENT ON COLUMN loopscope.plant_oscillation.leads IS 'Which loop''s past foretells which one''s future, strongest first: [{from_loop_id, to_loop_id, gain}], gain = ln(error before / after) of the forecast; null = not said';
+COMMENT ON COLUMN loopscope.plant_oscillation.leads IS 'Which loop''s past foretells which one''s future, strongest first: [{from_loop_id, to_loop_id, gain, direct}], gain = ln(error before / after) of the forecast, direct = the same of what no other member tells as well; null = not said';
 COMMENT ON COLUMN loopscope.plant_oscillation.traces IS 'What is drawn of the loops that it shakes most: [{loop_id, start_us, step_s, error, periods_s, power}], means of sp - pv over the last twelve periods from start_us (microseconds since 1970) on, and the spectrum of the whole window as share of the variance per unit of ln(period); null = not kept';
 
 -- Without the traces, of which nobody reads the figures.
@@ -21,7 +21,7 @@ CREATE OR REPLACE VIEW loopscope.current_plant_oscillation AS
   WHERE oscillation.number <= round.events;
 COMMENT ON COLUMN loopscope.current_plant_oscillation.outside IS 'Probability that none of the loops is the source; null = not said';
 COMMENT ON COLUMN loopscope.current_plant_oscillation.reasons IS 'What speaks for and against each loop as the source, a sentence a line, in the order of loop_ids; null = not said';
-COMMENT ON COLUMN loopscope.current_plant_oscillation.leads IS 'Which loop''s past foretells which one''s future, strongest first: [{from_loop_id, to_loop_id, gain}]; null = not said';
+COMMENT ON COLUMN loopscope.current_plant_oscillation.leads IS 'Which loop''s past foretells which one''s future, strongest first: [{from_loop_id, to_loop_id, gain, direct}]; null = not said';
 
 CREATE OR REPLACE VIEW loopscope.plant_oscillation_member AS
   SELECT oscillation.slot_end, oscillation.algorithm_revision, oscillation.number, oscillation.period_s,

@@ -9,7 +9,8 @@ namespace loopscope::storage {
 struct PlantLead {
   std::int64_t from_loop_id = 0;
   std::int64_t to_loop_id = 0;
-  double gain = 0.0;  ///< ln(error before / after) of the one-step forecast, > 0
+  double gain = 0.0;    ///< ln(error before / after) of the one-step forecast, >= 0
+  double direct = 0.0;  ///< the same of what no other member tells as well; 0 = nothing, or unknown
 };
 
 /// What a reader is shown of one loop of a shared oscillation.

@@ -23,7 +23,8 @@ std::string json_array(std::span<const double> values) {
 
 std::string lead_json(const PlantLead& lead) {
   return R"({"from_loop_id":)" + std::to_string(lead.from_loop_id) + R"(,"to_loop_id":)" +
-         std::to_string(lead.to_loop_id) + R"(,"gain":)" + five_digits(lead.gain) + "}";
+         std::to_string(lead.to_loop_id) + R"(,"gain":)" + five_digits(lead.gain) +
+         R"(,"direct":)" + five_digits(lead.direct) + "}";
 }
 
 std::string trace_json(const PlantTrace& trace) {

@@ -88,7 +88,8 @@ void add_leads(std::vector<PlantOscillationRow>& events, const pqxx::result& row
   for (const pqxx::row& row : rows)
     if (PlantOscillationRow* const event = event_of(events, row))
       event->leads.push_back({row["from_loop_id"].as<std::int64_t>(),
-                              row["to_loop_id"].as<std::int64_t>(), row["gain"].as<double>()});
+                              row["to_loop_id"].as<std::int64_t>(), row["gain"].as<double>(),
+                              read_number(row["direct"]).value_or(0.0)});
 }
 
 void add_traces(std::vector<PlantOscillationRow>& events, const pqxx::result& rows) {

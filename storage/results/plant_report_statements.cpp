@@ -15,7 +15,7 @@ const Statement kPlantLeads{"plant_leads", R"(
     SELECT event.number, lead.*
     FROM loopscope.current_plant_oscillation AS event
     CROSS JOIN LATERAL jsonb_to_recordset(event.leads)
-      AS lead (from_loop_id bigint, to_loop_id bigint, gain float8)
+      AS lead (from_loop_id bigint, to_loop_id bigint, gain float8, direct float8)
     WHERE num_nulls(lead.from_loop_id, lead.to_loop_id, lead.gain) = 0
     ORDER BY event.number, lead.gain DESC)"};
 

@@ -26,7 +26,7 @@ SharedOscillation shared() {
                    {0, 10, Role::victim, 0.8, 4.0, 1e-9, 0.1},
                    {1, 11, Role::member, 0.5, 6.0, 1e-9, 0.1}};
   event.ranking = {{2, 12, 0.7, {"for it"}}, {1, 11, 0.1, {"against it"}}};
-  event.leads = {{2, 0, 0.5}};
+  event.leads = {{2, 0, 0.5, 0.25}};
   return event;
 }
 
@@ -49,6 +49,7 @@ TEST(EventRecord, TellsLoopsByTheirIdsAndKeepsWhatIsShown) {
   ASSERT_THAT(event.leads, SizeIs(1));
   EXPECT_EQ(event.leads[0].from_loop_id, 12);
   EXPECT_EQ(event.leads[0].to_loop_id, 10);
+  EXPECT_EQ(event.leads[0].direct, 0.25);
   ASSERT_THAT(event.traces, SizeIs(3));
   EXPECT_EQ(event.traces[0].loop_id, 12);
   EXPECT_EQ(event.traces[1].loop_id, 10);

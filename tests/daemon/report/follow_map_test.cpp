@@ -45,6 +45,18 @@ TEST(FollowMap, OnlyWhatLeadsOnBalanceIsDrawn) {
   EXPECT_EQ(count(follow_map(event), "stroke-width"), 1);
 }
 
+/// L1 moves L2, which moves L3: that L1 foretells L3 best is because it foretells L2.
+TEST(FollowMap, WhatAThirdLoopTellsAsWellIsNoArrow) {
+  storage::PlantOscillationRow event = sample_event(3);
+  event.leads = {{1, 2, 0.5, 0.4}, {2, 3, 0.3, 0.2}, {1, 3, 0.6, 0.0}};
+  const std::string direct = follow_map(event);
+  for (storage::PlantLead& lead : event.leads) lead.direct = 0.0;
+  EXPECT_NE(follow_map(event), direct);
+  event.leads.pop_back();
+  for (storage::PlantLead& lead : event.leads) lead.direct = lead.gain == 0.5 ? 0.4 : 0.2;
+  EXPECT_EQ(follow_map(event), direct);
+}
+
 TEST(FollowMap, TwelveLoopsAtMost) {
   EXPECT_EQ(count(follow_map(sample_event(40)), "<rect "), 12);
 }

@@ -27,7 +27,7 @@ class PlantBoxTest : public ViewsTest {
                      {id("b"), "victim", 0.6, 3.0, 0.1, {}},
                      {id("c"), "member", 0.15, 5.0, 0.05, {"Lags."}}};
     event.outside = 0.05;
-    event.leads = {{id("a"), id("b"), 0.25}, {id("b"), id("a"), 0.1}};
+    event.leads = {{id("a"), id("b"), 0.25, 0.125}, {id("b"), id("a"), 0.1}};
     event.traces = {{id("a"), slot(0), 0.5, {1.0, NAN, -2.5}, {2.0, 40.0}, {1e-9, 3.0}},
                     {id("c"), slot(0), 1.0, {}, {}, {}}};
     return event;
@@ -52,6 +52,8 @@ TEST_F(PlantBoxTest, IsReadAsItWasStored) {
   EXPECT_EQ(read.leads[0].from_loop_id, id("a"));
   EXPECT_EQ(read.leads[0].to_loop_id, id("b"));
   EXPECT_EQ(read.leads[0].gain, 0.25);
+  EXPECT_EQ(read.leads[0].direct, 0.125);
+  EXPECT_EQ(read.leads[1].direct, 0.0);
   ASSERT_THAT(read.traces, SizeIs(2));
   EXPECT_EQ(read.traces[0].start_us, slot(0));
   EXPECT_THAT(read.traces[0].error, ElementsAre(1.0, testing::NanSensitiveDoubleEq(NAN), -2.5));
