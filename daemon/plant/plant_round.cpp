@@ -1,35 +1,20 @@
 #include "daemon/plant/plant_round.hpp"
 
 #include <fmt/format.h>
-#include <span>
-#include <vector>
 
 #include "core/plant/event.hpp"
 #include "core/plant/shared_oscillation.hpp"
 #include "daemon/plant/compared_loops.hpp"
+#include "daemon/plant/event_record.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-using core::plant::MemberLoop;
 using core::plant::SharedOscillation;
 
 /// Loops that are compared at most, those that oscillate first: with what the search makes of them
 /// 100 kB each, all in memory together.
 constexpr std::int64_t kMostLoops = 10000;
-
-storage::PlantEvent event_of(const SharedOscillation& shared, std::span<const MemberLoop> loops) {
-  storage::PlantEvent event;
-  event.period_s = shared.period_s;
-  if (shared.source) event.source_loop_id = loops[*shared.source].id;
-  event.statement = shared.statement;
-  event.p = shared.p;
-  for (const core::plant::SharingLoop& member : shared.members) {
-    event.members.push_back({member.id, std::string(core::plant::name(member.role)),
-                             member.strength, member.lag_s, member.score});
-  }
-  return event;
-}
 
 /// nullopt = the process shall end.
 std::optional<storage::PlantRoundRecord> compare(ComparedLoops& compared, CoreGate& cores) {
@@ -45,7 +30,7 @@ std::optional<storage::PlantRoundRecord> compare(ComparedLoops& compared, CoreGa
   if (!compared.read_members(events)) return std::nullopt;
   const CoreGate::Permit core(cores);
   for (const SharedOscillation& shared : core::plant::explain_events(events, compared.loops()))
-    round.events.push_back(event_of(shared, compared.loops()));
+    round.events.push_back(event_record(shared, compared.loops()));
   return round;
 }
 

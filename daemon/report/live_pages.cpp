@@ -59,7 +59,9 @@ void LivePages::add_to(HttpServer& server) {
   server.handle_deferred("/", [this](const HttpRequest&, const HttpReply& reply) {
     worker_.answer(
         "/",
-        [this](const std::stop_token&) { return read_page([this] { return reader().plant(); }); },
+        [this](const std::stop_token& stop) {
+          return read_page([&] { return reader().plant(stop); });
+        },
         reply);
   });
   server.handle_deferred("/loops", [this](const HttpRequest&, const HttpReply& reply) {

@@ -35,14 +35,34 @@ LivePage no_such_loop(const std::string& name) {
 
 }  // namespace
 
-LivePage LiveReader::plant() {
+void LiveReader::draw_events(PlantFacts& facts, const std::stop_token& stop) {
+  EventAlbum album = event_album(facts.oscillations);
+  if (album.figures.empty()) return;
+  try {
+    if (!album_.shows_the_same(album)) {
+      album.pictures = draw_figures(album.figures, find_gnuplot(), stop);
+      album_ = std::move(album);
+    }
+    facts.album = album_;
+  } catch (const Failure& failure) {
+    // Tried again when the page is asked for again.
+    facts.picture_trouble = failure.what();
+  }
+}
+
+PlantFacts LiveReader::plant_facts() const {
   storage::ReportDatabase database(results_connection(*settings_));
-  const std::int64_t now_us = database.now_us();
-  const std::int64_t since_us = now_us - kNewWithinUs;
-  const PlantFacts facts{settings_->report.plant,       since_us,
-                         database.counts(since_us),     database.flagged(),
-                         database.plant_oscillations(), database.repairs(since_us)};
-  return {page({titled(facts.plant, "Control loops"), "as of " + utc(now_us), kNavigation},
+  const std::int64_t since_us = database.now_us() - kNewWithinUs;
+  return {settings_->report.plant,       since_us,
+          database.counts(since_us),     database.flagged(),
+          database.plant_oscillations(), database.repairs(since_us)};
+}
+
+LivePage LiveReader::plant(const std::stop_token& stop) {
+  PlantFacts facts = plant_facts();
+  draw_events(facts, stop);
+  return {page({titled(facts.plant, "Control loops"), "as of " + utc(facts.since_us + kNewWithinUs),
+                kNavigation},
                plant_section(facts, LoopLinks::pages))};
 }
 

@@ -8,6 +8,7 @@
 
 #include "config/settings.hpp"
 #include "daemon/report/loop_section.hpp"
+#include "daemon/report/plant_section.hpp"
 #include "daemon/report/window_source.hpp"
 #include "storage/results/report_database.hpp"
 
@@ -26,8 +27,9 @@ class LiveReader {
   explicit LiveReader(std::shared_ptr<const config::Settings> settings)
       : settings_(std::move(settings)), windows_(*settings_) {}
 
-  /// The first screen, with what is new since a week.
-  [[nodiscard]] LivePage plant();
+  /// The first screen, with what is new since a week; without a plotting program no trends and
+  /// spectra of shared oscillations.
+  [[nodiscard]] LivePage plant(const std::stop_token& stop);
   /// Every loop of the catalogue.
   [[nodiscard]] LivePage loops();
   /// One loop with its pictures; without a plotting program its words and figures.
@@ -41,12 +43,17 @@ class LiveReader {
     LoopStory story;
   };
 
+  /// What the first screen tells but its pictures; the view of the results is let go with it.
+  [[nodiscard]] PlantFacts plant_facts() const;
+  /// Once for each round: a page is asked for more often than a round is made.
+  void draw_events(PlantFacts& facts, const std::stop_token& stop);
   void look(LoopStory& story, const std::stop_token& stop);
   [[nodiscard]] const Seen* seen(const storage::FlaggedRow& row) const;
 
   std::shared_ptr<const config::Settings> settings_;
   WindowSource windows_;
   std::deque<Seen> seen_;  ///< newest first
+  EventAlbum album_;       ///< that was drawn last
 };
 
 }  // namespace loopscope::daemon

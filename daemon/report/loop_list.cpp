@@ -24,10 +24,23 @@ std::string status_of(const LoopRow& row) {
   return row.code ? "not flagged" : "never analysed";
 }
 
+/// A loop that is healthy by itself and shaken by others is not shown as healthy.
+std::string code_shown(const LoopRow& row) {
+  return row.shown_code ? *row.shown_code : row.code.value_or("");
+}
+
 std::string verdict_cell(const LoopRow& row) {
   if (!row.code) return std::string("<td data-label=\"Verdict\">") + kDash + "</td>";
-  return fmt::format("<td data-label=\"Verdict\"><span class=\"verdict {}\">{}</span></td>",
-                     html(*row.code), html(as_heading(*row.code)));
+  const std::string code = code_shown(row);
+  return fmt::format("<td data-label=\"Verdict\"><span class=\"verdict {}\">{}</span>{}</td>",
+                     html(code), html(as_heading(code)),
+                     code == *row.code ? "" : "<small>by itself " + html(*row.code) + "</small>");
+}
+
+/// With whose oscillation it follows, on the work list or not.
+std::string status_cell(const LoopRow& row) {
+  return fmt::format("<td data-label=\"Status\">{}{}</td>", html(status_of(row)),
+                     row.follows ? "<small>" + html(*row.follows) + "</small>" : "");
 }
 
 /// A loop that was never analysed has no page.
@@ -43,16 +56,16 @@ std::string loop_row(const LoopRow& row) {
              "<tr data-verdict=\"{}\" data-status=\"{}\"><td class=\"loop-name\" "
              "data-label=\"Loop\">{}</td><td data-label=\"Type\">{}"
              "</td><td data-label=\"Source\"><bdi>{}</bdi></td>",
-             html(row.code ? as_heading(*row.code) : ""), html(status_of(row)), name_of(row),
+             html(as_heading(code_shown(row))), html(status_of(row)), name_of(row),
              html(row.loop_type.value_or(kDash)), html(row.source)) +
          verdict_cell(row) +
          fmt::format(
              "<td class=\"number\" data-label=\"Confidence\" data-sort=\"{:.6g}\">{}</td>"
-             "<td data-label=\"Status\">{}</td><td data-label=\"Rank\" class=\"number\" "
+             "{}<td data-label=\"Rank\" class=\"number\" "
              "data-sort=\"{}\">{}</td><td class=\"when\" data-label=\"Window\">{}</td>"
              "<td data-label=\"Monitor\">{}</td></tr>\n",
              row.confidence.value_or(-1.0), row.confidence ? two_decimals(*row.confidence) : kDash,
-             html(status_of(row)), row.rank.value_or(1'000'000'000),
+             status_cell(row), row.rank.value_or(1'000'000'000),
              row.rank ? std::to_string(*row.rank) : kDash,
              row.slot_end_us ? utc(*row.slot_end_us) : kDash, html(in_words(row.health)));
 }

@@ -6,11 +6,12 @@
 #include "core/diagnosis/model_words.hpp"
 #include "core/model/phrases.hpp"
 #include "daemon/report/cause_bars.hpp"
-#include "daemon/report/compact_svg.hpp"
 #include "daemon/report/data_section.hpp"
+#include "daemon/report/follow_words.hpp"
 #include "daemon/report/hidden_words.hpp"
 #include "daemon/report/html_text.hpp"
 #include "daemon/report/page_text.hpp"
+#include "daemon/report/picture_html.hpp"
 #include "daemon/report/repairs_table.hpp"
 #include "daemon/report/verdict_words.hpp"
 
@@ -45,7 +46,9 @@ std::string confidence_words(const FlaggedRow& row) {
   return text;
 }
 
-std::string heading(const FlaggedRow& row) {
+std::string heading(const LoopStory& story) {
+  const FlaggedRow& row = story.row;
+  const std::string code = shown_code(story);
   const std::string rank =
       row.rank > 0 ? fmt::format("<span class=\"rank\">{}</span> ", row.rank) : "";
   const std::string status = row.rank > 0 ? row.status : "not flagged";
@@ -54,9 +57,9 @@ std::string heading(const FlaggedRow& row) {
       "<span class=\"verdict {}\">{}</span> {}"
       "<span class=\"status {}\">{}</span> <span>since {}</span> <span>window until "
       "{}</span></p>\n",
-      rank, html(row.loop_name), facts_line(row), html(row.code), html(as_heading(row.code)),
-      confidence_words(row), html(row.rank > 0 ? row.status : ""), html(status), utc(row.since_us),
-      utc(row.slot_end_us));
+      rank, html(row.loop_name), facts_line(row), html(code), html(as_heading(code)),
+      is_only_shaken(story) ? "" : confidence_words(row), html(row.rank > 0 ? row.status : ""),
+      html(status), utc(row.since_us), utc(row.slot_end_us));
 }
 
 std::string evidence_list(const FlaggedRow& row) {
@@ -83,10 +86,12 @@ std::string causes_of(const LoopStory& story) {
 
 std::string findings(const LoopStory& story) {
   const FlaggedRow& row = story.row;
+  const bool shaken = is_only_shaken(story);
   return fmt::format(
-      "<dl class=\"findings\">\n<dt>Cause</dt><dd>{}</dd>\n{}{}<dt>Action</dt><dd "
+      "<dl class=\"findings\">\n<dt>Cause</dt><dd>{}</dd>\n{}{}{}<dt>Action</dt><dd "
       "class=\"action\">{}</dd>\n{}<dt>Evidence</dt><dd>{}</dd>\n</dl>\n",
-      html(row.summary), source_words(row), hidden_words(story.hidden), html(row.action),
+      shaken ? shaken_cause(story) : html(row.summary), source_words(row), follow_entry(story),
+      hidden_words(story.hidden), shaken ? shaken_action(story) : html(row.action),
       causes_of(story), evidence_list(row));
 }
 
@@ -103,20 +108,13 @@ std::string difference(const LoopStory& story) {
       html(in_words(now)));
 }
 
-std::string picture(const Picture& picture) {
-  return fmt::format(
-      "<figure><figcaption>{}</figcaption><img src=\"{}\" width=\"{}\" height=\"{}\" "
-      "alt=\"{}\"></figure>\n",
-      html(picture.title), svg_uri(picture.svg), picture.width, picture.height, html(picture.alt));
-}
-
 std::string pictures(const LoopStory& story) {
   std::string text;
   if (!story.trouble.empty())
     text = "<p class=\"trouble\">No pictures of the window: " + html(story.trouble) + "</p>\n";
   if (story.pictures.empty()) return text;
   text += "<div class=\"pictures\">\n";
-  for (const Picture& shown : story.pictures) text += picture(shown);
+  for (const Picture& shown : story.pictures) text += picture_html(shown);
   return text + "</div>\n";
 }
 
@@ -178,7 +176,7 @@ std::string explanation_table(const Explanation& explanation) {
 
 std::string loop_section(const LoopStory& story) {
   return fmt::format("<section class=\"loop\" id=\"loop-{}\">\n", story.row.loop_id) +
-         heading(story.row) + "<div class=\"story\">\n<div class=\"words\">\n" + findings(story) +
+         heading(story) + "<div class=\"story\">\n<div class=\"words\">\n" + findings(story) +
          difference(story) + "</div>\n" + pictures(story) + "</div>\n" + explanation_part(story) +
          repairs_part(story) + data_section(story) + "</section>\n";
 }

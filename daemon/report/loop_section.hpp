@@ -15,7 +15,8 @@ namespace loopscope::daemon {
 struct LoopStory {
   storage::FlaggedRow row;
   std::vector<storage::HistoryPoint> history;
-  std::vector<storage::HiddenRow> hidden;  ///< what keeps it from the list
+  std::vector<storage::HiddenRow> hidden;        ///< what keeps it from the list
+  std::optional<storage::FollowedRow> followed;  ///< the shared oscillation that it follows
   std::vector<storage::DataProblemRow> problems;
   std::vector<storage::RepairRow> repairs;
   std::optional<LoopEvidence> evidence;  ///< nullopt = its window could not be read again

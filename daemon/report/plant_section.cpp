@@ -1,21 +1,16 @@
 #include "daemon/report/plant_section.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <iterator>
 
 #include "core/model/phrases.hpp"
+#include "daemon/report/event_box.hpp"
 #include "daemon/report/html_text.hpp"
 #include "daemon/report/page_text.hpp"
 #include "daemon/report/ranked_list.hpp"
 #include "daemon/report/repairs_table.hpp"
-#include "daemon/report/verdict_words.hpp"
 
 namespace loopscope::daemon {
 namespace {
-
-using storage::PlantOscillationRow;
 
 std::string tile(std::int64_t number, const std::string& words, const std::string& note = "",
                  const char* kind = "") {
@@ -61,7 +56,7 @@ std::string hidden_note(const storage::PlantCounts& counts) {
 }
 
 std::string name_of(std::int64_t loop_id, const std::string& loop_name, LoopLinks links) {
-  const std::string name = "<bdi>" + html(loop_name) + "</bdi>";
+  std::string name = "<bdi>" + html(loop_name) + "</bdi>";
   // Only a live page has one for every loop.
   if (links == LoopLinks::sections) return name;
   return fmt::format("<a href=\"{}\">{}</a>", loop_link(links, loop_id, loop_name), name);
@@ -111,53 +106,16 @@ std::string without_controller(const storage::PlantCounts& counts, LoopLinks lin
   return text + "</tbody></table>\n";
 }
 
-/// A victim has no section of its own: it is not in the work list.
-std::string linked_name(const PlantOscillationRow::Member& member, const PlantFacts& facts,
-                        LoopLinks links) {
-  std::string name = "<bdi>" + html(member.loop_name) + "</bdi>";
-  const bool flagged = std::ranges::find(facts.flagged, member.loop_id,
-                                         &storage::FlaggedRow::loop_id) != facts.flagged.end();
-  if (links == LoopLinks::sections && !flagged) return name;
-  return fmt::format("<a href=\"{}\">{}</a>", loop_link(links, member.loop_id, member.loop_name),
-                     name);
-}
-
-/// Lags are within half a period of the source's swing, before or after it.
-std::string lag_words(const PlantOscillationRow::Member& member, const PlantOscillationRow& event) {
-  if (!event.source_name || member.role == "source") return {};
-  return ", " + core::model::in_time(std::abs(member.lag_s)) +
-         (member.lag_s < 0.0 ? " ahead" : " behind");
-}
-
-std::string members(const PlantOscillationRow& event, const PlantFacts& facts, LoopLinks links) {
-  std::string text;
-  for (const PlantOscillationRow::Member& member : event.members) {
-    text += fmt::format("<li>{} <span class=\"role\">{}</span> {} of the error{}</li>\n",
-                        linked_name(member, facts, links), html(in_words(member.role)),
-                        core::model::in_percent(member.strength), lag_words(member, event));
-  }
-  return "<ul class=\"members\">\n" + text + "</ul>\n";
-}
-
-std::string oscillation(const PlantOscillationRow& event, const PlantFacts& facts,
-                        LoopLinks links) {
-  const std::string source = event.source_name
-                                 ? "<b><bdi>" + html(*event.source_name) + "</bdi></b>"
-                                 : std::string("unknown, or outside of the loops");
-  return fmt::format(
-             "<article class=\"event\"><h3>Plant-wide oscillation {}: period {}, {}</h3>\n"
-             "<p>Source: {}. {}</p>\n<p class=\"note\">Found in windows until {}.</p>\n",
-             event.number, core::model::in_time(event.period_s),
-             counted(static_cast<std::int64_t>(event.members.size()), "loop", "loops"), source,
-             html(event.statement), utc(event.slot_end_us)) +
-         members(event, facts, links) + "</article>\n";
+std::string no_pictures(const PlantFacts& facts) {
+  if (facts.picture_trouble.empty()) return {};
+  return "<p class=\"trouble\">No trends and spectra: " + html(facts.picture_trouble) + "</p>\n";
 }
 
 std::string oscillations(const PlantFacts& facts, LoopLinks links) {
   if (facts.oscillations.empty()) return {};
-  std::string text = "<h2>Oscillations that loops share</h2>\n";
-  for (const PlantOscillationRow& event : facts.oscillations)
-    text += oscillation(event, facts, links);
+  std::string text = "<h2>Oscillations that loops share</h2>\n" + no_pictures(facts);
+  for (const storage::PlantOscillationRow& event : facts.oscillations)
+    text += event_box(event, facts.album.of_event(event.number), facts.flagged, links);
   return text;
 }
 

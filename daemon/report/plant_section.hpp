@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "daemon/report/event_pictures.hpp"
 #include "daemon/report/loop_link.hpp"
 #include "storage/results/report_rows.hpp"
 
@@ -17,6 +18,8 @@ struct PlantFacts {
   std::vector<storage::FlaggedRow> flagged;  ///< in the order of rank
   std::vector<storage::PlantOscillationRow> oscillations;
   std::vector<storage::RepairRow> repairs;  ///< since `since_us`
+  EventAlbum album = {};                    ///< trends and spectra of the oscillations
+  std::string picture_trouble = {};         ///< why there are none, a sentence; empty = no trouble
 };
 
 /// The first screen as HTML: counts, why loops cannot be judged, oscillations that loops share, the

@@ -92,6 +92,17 @@ void leave_without_pictures(std::span<LoopStory> stories, const std::string& why
   for (LoopStory& story : stories) story.trouble = why;
 }
 
+void add_event_pictures(PlantFacts& facts, bool wanted, const std::stop_token& stop) {
+  EventAlbum album = event_album(facts.oscillations);
+  if (album.figures.empty()) return;
+  if (!wanted) {
+    facts.picture_trouble = "none were asked for.";
+    return;
+  }
+  album.pictures = draw_figures(album.figures, find_gnuplot(), stop);
+  facts.album = std::move(album);
+}
+
 void add_pictures(const config::Settings& settings, bool wanted, std::vector<LoopStory>& stories,
                   const std::stop_token& stop) {
   const std::size_t pictured = wanted ? std::min(stories.size(), kMostPictured) : 0;
@@ -138,6 +149,7 @@ ReportResult write_report(const config::Settings& settings, const ReportOptions&
   const auto engine = options.pdf ? std::optional(find_pdf_engine()) : std::nullopt;
   Content content = read_content(settings, options.since_us);
   add_pictures(settings, options.pictures, content.stories, stop);
+  add_event_pictures(content.facts, options.pictures, stop);
   if (stop.stop_requested())
     throw Failure(ExitCode::fault, "stopped before the report was made", "make it again");
   const std::string page = page_of(content);

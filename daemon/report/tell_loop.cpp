@@ -56,6 +56,7 @@ LoopStory read_story(storage::ReportDatabase& database, const storage::FlaggedRo
   story.row = row;
   story.history = database.history(row.loop_id, row.slot_end_us - kHistoryReachUs);
   if (row.rank == 0) story.hidden = database.hidden_by(row.loop_id);  // a flagged one is not
+  story.followed = database.followed_by(row.loop_id);
   story.problems = database.data_problems(row.loop_id);
   story.repairs = database.repairs_of(row.loop_id);
   return story;

@@ -19,6 +19,7 @@ constexpr ExportedView kViews[] = {
     {"explanation", "slot_end", true, "effect in the loop model of the newest window"},
     {"flag_history", "flagged_at", true, "stay of a loop on the list"},
     {"flagged_loop", "slot_end", true, "loop that somebody should act on, worst first"},
+    {"following_loop", "", true, "loop that follows a shared oscillation"},
     {"hidden_loop", "entered_at", true, "fault that is hidden, and by what"},
     {"latest_verdict", "slot_end", true, "loop: its newest verdict"},
     {"loop_history", "slot_end", true, "verdict that was ever given"},

@@ -14,15 +14,16 @@ const Statement kWritePlantRound{"write_plant_round", R"(
 const Statement kWritePlantEvent{"write_plant_event", R"(
     INSERT INTO loopscope.plant_oscillation
       (slot_end, algorithm_revision, number, period_s, loop_ids, strengths, lags_s,
-       source_loop_id, statement, roles, scores, p)
+       source_loop_id, statement, roles, scores, p, outside, reasons, leads, traces)
     VALUES ($1::timestamptz, $2::integer, $3::integer, $4::float8, $5::bigint[], $6::float8[],
             $7::float8[], nullif($8, '')::bigint, $9, $10::text[], $11::float8[],
-            nullif($12, '')::float8)
+            nullif($12, '')::float8, nullif($13, '')::float8, $14::text[], $15::jsonb, $16::jsonb)
     ON CONFLICT (slot_end, algorithm_revision, number) DO UPDATE SET
       period_s = EXCLUDED.period_s, loop_ids = EXCLUDED.loop_ids, strengths = EXCLUDED.strengths,
       lags_s = EXCLUDED.lags_s, source_loop_id = EXCLUDED.source_loop_id,
       statement = EXCLUDED.statement, roles = EXCLUDED.roles, scores = EXCLUDED.scores,
-      p = EXCLUDED.p, found_at = now())",
+      p = EXCLUDED.p, outside = EXCLUDED.outside, reasons = EXCLUDED.reasons,
+      leads = EXCLUDED.leads, traces = EXCLUDED.traces, found_at = now())",
                                  Rows::none};
 
 // Rows of task_lease can be locked by workers alone, advisory locks by everybody who may connect.

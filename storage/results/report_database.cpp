@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "storage/array_literal.hpp"
+#include "storage/results/plant_reading.hpp"
+#include "storage/results/plant_report_statements.hpp"
 #include "storage/results/report_reading.hpp"
 #include "storage/results/report_statements.hpp"
 #include "storage/results/schema_version.hpp"
@@ -83,7 +85,17 @@ std::vector<RepairRow> ReportDatabase::repairs_of(std::int64_t loop_id) {
 }
 
 std::vector<PlantOscillationRow> ReportDatabase::plant_oscillations() {
-  return read_plant_oscillations(impl_->snapshot->run(statements::kPlantMembers));
+  auto events = read_plant_oscillations(impl_->snapshot->run(statements::kPlantMembers));
+  if (events.empty()) return events;
+  add_leads(events, impl_->snapshot->run(statements::kPlantLeads));
+  add_traces(events, impl_->snapshot->run(statements::kPlantTraces));
+  return events;
+}
+
+std::optional<FollowedRow> ReportDatabase::followed_by(std::int64_t loop_id) {
+  const pqxx::result rows = impl_->snapshot->run(statements::kFollowed, {std::to_string(loop_id)});
+  if (rows.empty()) return std::nullopt;
+  return read_followed(rows[0]);
 }
 
 std::vector<HiddenRow> ReportDatabase::hidden_by(std::int64_t loop_id) {

@@ -41,6 +41,8 @@ class ReportDatabase {
   [[nodiscard]] std::vector<RepairRow> repairs_of(std::int64_t loop_id);
   /// Of the newest plant round; empty = none is shared, or no round was made yet.
   [[nodiscard]] std::vector<PlantOscillationRow> plant_oscillations();
+  /// The shared oscillation that a loop follows; nullopt = none, or it is its source.
+  [[nodiscard]] std::optional<FollowedRow> followed_by(std::int64_t loop_id);
   /// What keeps the newest fault of a loop from the list; empty = nothing does, or it has none.
   [[nodiscard]] std::vector<HiddenRow> hidden_by(std::int64_t loop_id);
   /// What is wrong with the newest data of a loop.

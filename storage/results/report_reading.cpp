@@ -44,15 +44,6 @@ RepairRow read_repair(const pqxx::row& row) {
           read_integer(row["windows_after"]).value_or(0)};
 }
 
-PlantOscillationRow::Member read_member(const pqxx::row& row) {
-  return {integer(row["loop_id"]),
-          row["loop_name"].c_str(),
-          row["role"].c_str(),
-          read_number(row["strength"]).value_or(0.0),
-          read_number(row["lag_s"]).value_or(0.0),
-          read_number(row["score"])};
-}
-
 }  // namespace
 
 PlantCounts read_counts(const pqxx::row& row) {
@@ -130,7 +121,7 @@ HistoryPoint read_history_point(const pqxx::row& row) {
 
 HiddenRow read_hidden(const pqxx::row& row) {
   return {row["hidden_by"].c_str(),           read_text(row["reason"]),
-          read_text(row["author"]),           integer(row["entered_us"]),
+          read_text(row["author"]),           read_integer(row["entered_us"]).value_or(0),
           read_integer(row["until_us"]),      read_integer(row["plant_oscillation_number"]),
           maybe_text(row["source_loop_name"])};
 }
@@ -157,6 +148,8 @@ LoopRow read_loop_row(const pqxx::row& row) {
   loop.rank = read_integer(row["rank"]);
   loop.hidden_by = maybe_text(row["hidden_by"]);
   loop.health = row["state"].c_str();
+  loop.follows = maybe_text(row["follows"]);
+  loop.shown_code = maybe_text(row["shown_code"]);
   return loop;
 }
 
@@ -170,24 +163,6 @@ std::vector<RepairRow> read_repairs(const pqxx::result& rows) {
     if (!row["figure"].is_null()) repairs.back().figures.push_back(read_figure(row));
   }
   return repairs;
-}
-
-std::vector<PlantOscillationRow> read_plant_oscillations(const pqxx::result& rows) {
-  std::vector<PlantOscillationRow> events;
-  for (const pqxx::row& row : rows) {
-    const std::int64_t number = integer(row["number"]);
-    if (events.empty() || events.back().number != number) {
-      events.push_back({number,
-                        row["period_s"].as<double>(),
-                        maybe_text(row["source_loop_name"]),
-                        row["statement"].c_str(),
-                        {},
-                        integer(row["slot_end_us"]),
-                        read_number(row["p"])});
-    }
-    events.back().members.push_back(read_member(row));
-  }
-  return events;
 }
 
 }  // namespace loopscope::storage

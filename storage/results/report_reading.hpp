@@ -21,7 +21,4 @@ namespace loopscope::storage {
 /// Figure by figure into repairs.
 [[nodiscard]] std::vector<RepairRow> read_repairs(const pqxx::result& rows);
 
-/// Member by member into events.
-[[nodiscard]] std::vector<PlantOscillationRow> read_plant_oscillations(const pqxx::result& rows);
-
 }  // namespace loopscope::storage

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "storage/results/plant_picture.hpp"
+
 namespace loopscope::storage {
 
 /// A row of the view `flagged_loop`: a loop that somebody should act on.
@@ -123,15 +125,33 @@ struct PlantOscillationRow {
     double strength = 0.0;  ///< share of the error's variance at the period, 0 to 1
     double lag_s = 0.0;     ///< how much later than the source it swings, seconds, within half a
                             ///< period either way
-    std::optional<double> score;  ///< how much speaks for it as the source; higher = more
+    std::optional<double> score;  ///< probability of being the source, 0 to 1; of a program before
+                                  ///< revision 26: higher = more
+    std::vector<std::string> reasons = {};  ///< for and against it as the source
   };
   std::int64_t number = 0;
   double period_s = 0.0;
   std::optional<std::string> source_name;  ///< nullopt = outside or unknown
   std::string statement;
-  std::vector<Member> members;  ///< source first, then by score
+  std::vector<Member> members;  ///< source first, then by strength
   std::int64_t slot_end_us = 0;
-  std::optional<double> p;  ///< that so many loops share a period by chance
+  std::optional<double> p;        ///< that so many loops share a period by chance
+  std::optional<double> outside;  ///< probability that no member is the source; nullopt = not said,
+                                  ///< as leads and traces are empty: a program before schema 27
+  std::vector<PlantLead> leads = {};    ///< strongest first
+  std::vector<PlantTrace> traces = {};  ///< of the strongest members, strongest first
+};
+
+/// The shared oscillation that a loop follows, without being its source.
+struct FollowedRow {
+  std::int64_t number = 0;
+  double period_s = 0.0;
+  std::optional<std::string> source_name;  ///< nullopt = outside or unknown
+  std::string role;                        ///< victim, cascade_slave, cascade_master, member
+  double strength = 0.0;                   ///< share of the error's variance, 0 to 1
+  /// What the loop's newest verdict is shown as: its code, but external_disturbance for a healthy
+  /// loop that the oscillation shakes.
+  std::string shown_code;
 };
 
 /// What keeps a loop's newest fault from the list (view hidden_loop).
@@ -139,7 +159,7 @@ struct HiddenRow {
   std::string hidden_by;  ///< acknowledged, suppressed, false_positive, victim, probability, chance
   std::string reason;     ///< "" = none was given
   std::string author;     ///< "" = the program
-  std::int64_t entered_us = 0;
+  std::int64_t entered_us = 0;           ///< 0 = never: it follows from the newest window
   std::optional<std::int64_t> until_us;  ///< nullopt = when withdrawn, or the next plant round
   std::optional<std::int64_t> plant_oscillation_number;  ///< that it is a victim of
   std::optional<std::string> source_name;                ///< of that; nullopt = outside or unknown
@@ -170,7 +190,9 @@ struct LoopRow {
   /// probable enough by all windows, or the false-discovery control) or "disabled"; nullopt =
   /// flagged, or no fault.
   std::optional<std::string> hidden_by;
-  std::string health;  ///< state of monitor_health
+  std::string health;                     ///< state of monitor_health
+  std::optional<std::string> follows;     ///< the shared oscillation, in words; nullopt = none
+  std::optional<std::string> shown_code;  ///< as FollowedRow::shown_code
 };
 
 /// A loop under other thresholds beside the present ones.

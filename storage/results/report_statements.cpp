@@ -129,17 +129,6 @@ const Statement kReportRepairs{"report_repairs",
 
 const Statement kRepairsOfLoop{"repairs_of_loop", repairs_where("repair.loop_id = $1::bigint")};
 
-const Statement kPlantMembers{"plant_members",
-                              R"(
-    SELECT event.number, event.period_s, event.source_loop_name, event.statement, event.p, )" +
-                                  us("event.slot_end") + R"( AS slot_end_us,
-           member.loop_id, member.loop_name, member.role, member.strength, member.lag_s,
-           member.score
-    FROM loopscope.current_plant_oscillation AS event
-    JOIN loopscope.plant_oscillation_member AS member USING (slot_end, algorithm_revision, number)
-    ORDER BY event.number, member.role = 'source' DESC, member.score DESC NULLS LAST,
-             member.loop_name)"};
-
 const Statement kHiddenBy{"hidden_by",
                           R"(
     SELECT hidden_by, reason, author, )" +
@@ -172,7 +161,7 @@ const Statement kReportLoops{"report_loops",
                 ELSE 'not sure enough for the list (probability '
                      || round(coalesce(latest.combined_confidence, latest.confidence)::numeric, 2)
                      || ')' END AS hidden_by,
-           health.state
+           health.state, latest.follows, latest.shown_code
     FROM loopscope.loop
     JOIN loopscope.monitor_health AS health USING (loop_id)
     LEFT JOIN loopscope.latest_verdict AS latest USING (loop_id)

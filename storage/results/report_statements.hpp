@@ -14,7 +14,6 @@ extern const Statement kReportLatest;   ///< loop name: the verdict of a loop th
 extern const Statement kReportHistory;  ///< loop_id, from
 extern const Statement kReportRepairs;  ///< since
 extern const Statement kRepairsOfLoop;  ///< loop_id
-extern const Statement kPlantMembers;   ///< a row per member, event by event
 extern const Statement kHiddenBy;       ///< loop_id
 extern const Statement kLoopProblems;   ///< loop_id
 extern const Statement kReportLoops;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "storage/array_literal.hpp"
+#include "storage/results/plant_picture_json.hpp"
 #include "storage/results/plant_statements.hpp"
 #include "storage/results/session.hpp"
 #include "storage/timestamp.hpp"
@@ -19,15 +20,23 @@ std::vector<const PlantEvent*> by_size(const std::vector<PlantEvent>& events) {
   return sorted;
 }
 
+/// One a line.
+std::string lines_of(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "\n") + sentence;
+  return text;
+}
+
 void write_event(Transaction& transaction, const PlantRoundRecord& round, std::size_t number,
                  const PlantEvent& event) {
-  ArrayLiteral loop_id, strength, lag_s, role, score;
+  ArrayLiteral loop_id, strength, lag_s, role, score, reasons;
   for (const PlantMember& member : event.members) {
     loop_id.add_integer(member.loop_id);
     strength.add_number(member.strength);
     lag_s.add_number(member.lag_s);
     role.add_text(member.role);
     score.add_number(member.score);
+    reasons.add_text(lines_of(member.reasons));
   }
   transaction.run(
       statements::kWritePlantEvent,
@@ -35,7 +44,8 @@ void write_event(Transaction& transaction, const PlantRoundRecord& round, std::s
        std::to_string(number), number_text(event.period_s), loop_id.text(), strength.text(),
        lag_s.text(), event.source_loop_id ? std::to_string(*event.source_loop_id) : "",
        make_storable(event.statement), role.text(), score.text(),
-       event.p ? number_text(*event.p) : ""});
+       event.p ? number_text(*event.p) : "", event.outside ? number_text(*event.outside) : "",
+       reasons.text(), leads_json(event.leads), traces_json(event.traces)});
 }
 
 }  // namespace

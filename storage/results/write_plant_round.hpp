@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/diagnosis/diagnose.hpp"
+#include "storage/results/plant_picture.hpp"
 
 namespace loopscope::storage {
 
@@ -17,7 +18,8 @@ struct PlantMember {
   std::string role;             ///< source, victim, cascade_slave, cascade_master or member
   double strength = 0.0;        ///< share of the error's variance at the period, 0 to 1
   double lag_s = 0.0;           ///< how much later than the source it swings, seconds
-  std::optional<double> score;  ///< how much speaks for it as the source; higher = more
+  std::optional<double> score;  ///< probability of being the source, 0 to 1
+  std::vector<std::string> reasons = {};  ///< what speaks for and against it, sentences
 };
 
 /// An oscillation that loops share.
@@ -27,6 +29,10 @@ struct PlantEvent {
   std::string statement;                       ///< why that loop, in words
   std::optional<double> p;           ///< that loops which have nothing in common agree so well
   std::vector<PlantMember> members;  ///< two at least
+  std::optional<double> outside =
+      {};  ///< probability that no member is the source; nullopt = unknown
+  std::vector<PlantLead> leads = {};    ///< who foretells whom, strongest first
+  std::vector<PlantTrace> traces = {};  ///< what is drawn, strongest member first
 };
 
 /// One comparison across all loops, with or without a finding.

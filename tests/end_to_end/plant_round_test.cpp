@@ -101,6 +101,10 @@ TEST_F(PlantRound, OneEventWithOneSourceAndNobodyElseOnTheWorkList) {
   EXPECT_EQ(plant.sql("select string_agg(loop_name || ' ' || code, ', ') from "
                       "loopscope.flagged_loop"),
             "FIC1 valve_stiction");
+  EXPECT_EQ(plant.sql("select jsonb_array_length(traces), jsonb_array_length(leads) > 3,"
+                      " cardinality(array_remove(reasons, '')), outside > 0"
+                      " from loopscope.plant_oscillation"),
+            "4|t|4|t");
   const std::string notices = plant.sql("select count(*) from loopscope.flag_notice");
   EXPECT_EQ(notices, "1");
 
@@ -108,6 +112,17 @@ TEST_F(PlantRound, OneEventWithOneSourceAndNobodyElseOnTheWorkList) {
   ASSERT_EQ(plant.loopscope("once").exit_code, 0);
   EXPECT_EQ(plant.sql("select count(*) from loopscope.plant_round"), "1");
   EXPECT_EQ(plant.sql("select count(*) from loopscope.flag_notice"), notices);
+}
+
+TEST_F(PlantRound, IsOneBoxInTheReport) {
+  ASSERT_EQ(plant.loopscope("once").exit_code, 0);
+  const std::string folder = plant.folder() / "report";
+  const ProgramResult made = plant.loopscope("report", {"--out", folder});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string page = content_of(plant.folder() / "report" / "report.html");
+  for (const char* part : {"id=\"oscillation-1\"", "Where it comes from", "Trends of sp",
+                           "Spectra of sp", "Who follows whom", "class=\"sharing\""})
+    EXPECT_THAT(page, HasSubstr(part));
 }
 
 TEST_F(PlantRound, IsMadeByTheDaemonOnItsSchedule) {

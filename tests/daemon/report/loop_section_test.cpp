@@ -20,6 +20,7 @@ LoopStory story(const std::string& text) {
   told.row = flagged_row(7, text);
   told.problems = {{"no_rows", "op", text, text, text, told.row.since_us, true}};
   told.repairs = plant_facts(text).repairs;
+  told.followed = {1, 120.0, text, "victim", 0.5, told.row.code};
   told.pictures = {{text, text, "<svg width=\"5\"/>", 520, 320}};
   return told;
 }

@@ -46,6 +46,7 @@ std::string unbalanced(const std::string& html) {
   for (const std::string& tag : tags_of(html)) {
     const std::string name = element(tag);
     if (std::ranges::find(kEmptyElements, name) != kEmptyElements.end()) continue;
+    if (tag.ends_with('/')) continue;  // of a drawing
     if (!name.starts_with('/')) {
       open.push_back(name);
     } else if (open.empty() || "/" + open.back() != name) {

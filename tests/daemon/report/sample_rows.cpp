@@ -49,13 +49,16 @@ PlantFacts plant_facts(const std::string& text) {
                   .without_controller = {{3, text, text, "mode", kSlot, 0.25}},
                   .now_us = kSlot};
   facts.flagged = {flagged_row(1, text), flagged_row(2, text)};
-  facts.oscillations = {{.number = 1,
-                         .period_s = 120.0,
-                         .source_name = text,
-                         .statement = text,
-                         .members = {{1, text, "source", 0.8, 0.0, 3.0}},
-                         .slot_end_us = kSlot,
-                         .p = 0.001}};
+  facts.oscillations = {
+      {.number = 1,
+       .period_s = 120.0,
+       .source_name = text,
+       .statement = text,
+       .members = {{1, text, "source", 0.8, 0.0, 3.0, {text, "Against it: " + text}}},
+       .slot_end_us = kSlot,
+       .p = 0.001,
+       .outside = 0.1,
+       .leads = {{1, 1, 0.5}}}};
   facts.repairs = {{.maintenance_event_id = 1,
                     .loop_id = 1,
                     .loop_name = text,

@@ -177,6 +177,15 @@ TEST_F(HidingTest, IsToldOfEachLoop) {
   EXPECT_GT(hidden[1].entered_us, slot(0));
 }
 
+TEST_F(HidingTest, WhatTheListItselfLeavesOutWasEnteredByNobody) {
+  tell({{.loop = "a", .fault_probability = 0.6}});
+  const std::vector<HiddenRow> hidden = report().hidden_by(id("a"));
+  ASSERT_EQ(hidden.size(), 1U);
+  EXPECT_EQ(hidden[0].hidden_by, "probability");
+  EXPECT_EQ(hidden[0].entered_us, 0);
+  EXPECT_EQ(hidden[0].author, "");
+}
+
 TEST_F(HidingTest, AnOldRoundNamesNoSource) {
   tell({{.loop = "a"}, {.loop = "b"}, {.loop = "c"}});
   round(1, {event()});

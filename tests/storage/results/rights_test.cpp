@@ -115,6 +115,7 @@ TEST_F(RightsTest, ReaderOnlyReads) {
                            "hidden_loop",
                            "flag_history",
                            "current_plant_oscillation",
+                           "following_loop",
                            "annotation_history",
                            "annotation_in_force"}) {
     expect_allowed(reader, std::string("SELECT * FROM loopscope.") + view);
