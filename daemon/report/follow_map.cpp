@@ -19,7 +19,7 @@ using storage::PlantOscillationRow;
 
 constexpr std::size_t kMostBoxes = 12;
 constexpr double kWidth = 520.0;
-constexpr double kBoxWidth = 178.0;
+constexpr double kBoxWidth = 206.0;  // "cascade master, 59.9 min behind"
 constexpr double kBoxHeight = 36.0;
 constexpr double kPitch = 46.0;  // from one row to the next
 constexpr double kMargin = 4.0;
