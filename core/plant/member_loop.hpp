@@ -28,6 +28,10 @@ struct OwnFindings {
   std::optional<double> cubic_p;      ///< f + f + f -> 3f
   Fault fault = Fault::none;
   double confidence = 0.0;  ///< of the verdict, 0 to 1
+  /// Probabilities beside the verdict, 0 to 1, since causes may stand together: that the valve
+  /// sticks, has play or is too large; that something outside the loop disturbs it. 0 = not weighed.
+  double friction_p = 0.0;
+  double outside_p = 0.0;
   /// ln(error before / after), held out, summed over the steps of the explanation that are: a valve
   /// that sticks or has play; an outside oscillation; any other effect. 0 = none, or no model.
   double valve_explained = 0.0;

@@ -20,6 +20,8 @@ constexpr double kSamplesACycle = 12.0;
 
 /// A loop of less is shaken by something else for the most part.
 constexpr double kFullStrength = 0.25;
+/// A probability that people are told of.
+constexpr double kWorthSaying = 0.2;
 
 double cubic_evidence(const MemberLoop& loop, double frequency_hz) {
   const double period = 1.0 / (frequency_hz * loop.sample_interval_s);
@@ -35,13 +37,19 @@ SourceEvidence evidence_of(const MemberLoop& loop, const EventMember& member, do
   SourceEvidence evidence;
   evidence.strength = member.strength;
   evidence.line_height = LineSpectrum(loop.error, loop.sample_interval_s).height(frequency_hz);
-  if (loop.own.fault == Fault::friction || loop.own.fault == Fault::valve)
-    evidence.valve_blamed = loop.own.confidence;
-  if (loop.own.fault == Fault::disturbance) evidence.outside_blamed = loop.own.confidence;
+  evidence.friction_p = loop.own.friction_p;
+  evidence.outside_p = loop.own.outside_p;
   evidence.cubic_evidence = cubic_evidence(loop, frequency_hz);
   if (loop.op.empty()) return evidence;
   evidence.op_share = LineSpectrum(loop.op, loop.sample_interval_s).share(frequency_hz);
   return evidence;
+}
+
+double mean_cubic(std::span<const SourceEvidence> evidence) {
+  double sum = 0.0, weight = 0.0;
+  for (const SourceEvidence& one : evidence)
+    sum += one.strength * std::log1p(one.cubic_evidence), weight += one.strength;
+  return weight > 0.0 ? sum / weight : 0.0;
 }
 
 }  // namespace
@@ -70,12 +78,11 @@ SourceFigures figures_of(std::span<const SourceEvidence> evidence) {
   }
   for (const SourceEvidence& one : evidence) {
     const double valve = one.writes_setpoint ? 0.0 : std::min(1.0, one.strength / kFullStrength);
-    figures.members.push_back({std::log(one.line_height / highest), valve * one.valve_blamed,
-                               std::log1p(one.cubic_evidence), one.outside_blamed,
-                               one.writes_setpoint ? 1.0 : 0.0, one.op_share, one.net_lead,
-                               one.direct_lead});
+    figures.members.push_back({std::log(one.line_height / highest), one.writes_setpoint ? 1.0 : 0.0,
+                               one.op_share, one.net_lead, one.direct_lead, valve * one.friction_p,
+                               one.outside_p});
   }
-  figures.no_leader = 1.0 - best_lead;
+  figures.none = {1.0 - best_lead, mean_cubic(evidence)};
   return figures;
 }
 
@@ -84,9 +91,10 @@ std::vector<std::string> reasons_of(const SourceEvidence& evidence) {
   if (evidence.net_lead > 0.0)
     reasons.push_back("Its past foretells the others more than theirs foretells it (" +
                       model::in_percent(evidence.net_lead) + " of what is foretold, net).");
-  if (evidence.valve_blamed > 0.0)
-    reasons.push_back("Its own verdict blames the valve, confidence " +
-                      model::in_digits(evidence.valve_blamed) + ".");
+  if (evidence.friction_p > kWorthSaying)
+    reasons.push_back(
+        "By its own diagnosis its valve sticks, has play or is too large, probability " +
+        model::in_percent(evidence.friction_p) + ".");
   reasons.push_back("The oscillation is " + model::in_percent(evidence.strength) +
                     " of its error's variance and " + model::in_percent(evidence.op_share) +
                     " of its output's.");
@@ -95,9 +103,11 @@ std::vector<std::string> reasons_of(const SourceEvidence& evidence) {
   if (evidence.net_lead < 0.0)
     reasons.push_back("Against it: the others' past foretells it more than it foretells them (" +
                       model::in_percent(-evidence.net_lead) + ", net).");
-  if (evidence.outside_blamed > 0.0)
-    reasons.push_back("Against it: its own verdict is a disturbance from outside, confidence " +
-                      model::in_digits(evidence.outside_blamed) + ".");
+  if (evidence.outside_p > kWorthSaying)
+    reasons.push_back(
+        "Against it: by its own diagnosis something outside the loop disturbs it, "
+        "probability " +
+        model::in_percent(evidence.outside_p) + ".");
   return reasons;
 }
 

@@ -20,8 +20,8 @@ struct SourceEvidence {
   double op_share = 0.0;         ///< of the output's variance in its line, 0 to 1
   double net_lead = 0.0;         ///< lead.hpp, -1 to 1
   double direct_lead = 0.0;      ///< net, of what goes by no other member; -1 to 1
-  double valve_blamed = 0.0;     ///< confidence of a verdict that blames the valve; else 0
-  double outside_blamed = 0.0;   ///< of one that names a disturbance from outside the loop; else 0
+  double friction_p = 0.0;       ///< OwnFindings
+  double outside_p = 0.0;        ///< OwnFindings
   double cubic_evidence = 0.0;   ///< -ln p of f + f + f -> 3f in the error, at the period
   bool writes_setpoint = false;  ///< its output is another loop's setpoint: it moves no valve
 };
@@ -31,12 +31,15 @@ struct SourceEvidence {
     std::span<const MemberLoop> loops, const Event& event, std::span<const CascadePair> cascades,
     std::span<const Lead> leads);
 
-inline constexpr std::size_t kSourceFigures = 8;
+inline constexpr std::size_t kSourceFigures = 7;
+inline constexpr std::size_t kNoneFigures = 2;
 
 /// The evidence as the ranking weighs it.
 struct SourceFigures {
   std::vector<std::array<double, kSourceFigures>> members;
-  double no_leader = 0.0;  ///< 1 - the largest net lead: for a cause outside; 0 to 2
+  /// Of "none of them": 1 - the largest net lead; mean of ln(1 + cubic evidence) by strength, since
+  /// what makes a cycle inside the plant is nonlinear and shows it to all.
+  std::array<double, kNoneFigures> none{};
 };
 /// What speaks of a valve counts in full from a strength of a quarter on, in proportion below (a
 /// valve that sticks in another rhythm is not the source), and not at all for a loop that moves

@@ -8,14 +8,13 @@
 namespace loopscope::core::plant {
 namespace {
 
-/// In the order of SourceFigures::members.
-constexpr std::array<double, kSourceFigures> kWeights = {0.61, 2.80, 0.85, -2.46,
-                                                         0.71, 1.94, 2.43, 1.22};
-constexpr double kOutsideScore = 4.93;
-constexpr double kNoLeaderWeight = -4.32;
+/// In the order of SourceFigures::members and none.
+constexpr std::array<double, kSourceFigures> kWeights = {0.72, 2.03, 1.16, 2.75, 0.85, 5.13, -3.15};
+constexpr std::array<double, kNoneFigures> kNoneWeights = {-3.51, -1.18};
+constexpr double kNoneScore = 5.56;
 
-double weigh(const std::array<double, kSourceFigures>& figures) {
-  return std::inner_product(figures.begin(), figures.end(), kWeights.begin(), 0.0);
+double weigh(std::span<const double> figures, std::span<const double> weights) {
+  return std::inner_product(figures.begin(), figures.end(), weights.begin(), 0.0);
 }
 
 }  // namespace
@@ -24,9 +23,9 @@ SourceOdds rank_sources(std::span<const SourceEvidence> evidence) {
   SourceOdds odds;
   if (evidence.empty()) return odds;
   const SourceFigures figures = figures_of(evidence);
-  const double outside = kOutsideScore + kNoLeaderWeight * figures.no_leader;
+  const double outside = kNoneScore + weigh(figures.none, kNoneWeights);
   std::vector<double> scores;
-  for (const auto& one : figures.members) scores.push_back(weigh(one));
+  for (const auto& one : figures.members) scores.push_back(weigh(one, kWeights));
   const double largest = std::max(outside, *std::ranges::max_element(scores));
   odds.outside = std::exp(outside - largest);
   double sum = odds.outside;

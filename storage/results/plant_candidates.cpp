@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "storage/results/cause_values.hpp"
 #include "storage/results/loop_columns.hpp"
 #include "storage/results/loop_row.hpp"
 #include "storage/results/session.hpp"
@@ -23,7 +25,7 @@ const Statement kPlantCandidates{"plant_candidates", "SELECT " LOOPSCOPE_LOOP_CO
       analysis.nonlinear_p, analysis.cubic_p, analysis.hos_slow IS NOT NULL AS looked_twice,
       (analysis.hos_slow->>'nonlinear_p')::float8 AS slow_nonlinear_p,
       (analysis.hos_slow->>'cubic_p')::float8 AS slow_cubic_p,
-      said.code, said.confidence, taken.steps
+      said.code, said.confidence, said.cause_probabilities, taken.steps
     FROM loopscope.schedule
     JOIN loopscope.loop USING (loop_id)
     CROSS JOIN LATERAL (
@@ -31,7 +33,7 @@ const Statement kPlantCandidates{"plant_candidates", "SELECT " LOOPSCOPE_LOOP_CO
       WHERE stored.loop_id = schedule.loop_id AND stored.slot_end = schedule.result_slot_end
       ORDER BY stored.algorithm_revision DESC LIMIT 1) AS analysis
     CROSS JOIN LATERAL (
-      SELECT verdict.code, verdict.confidence FROM loopscope.verdict
+      SELECT verdict.code, verdict.confidence, verdict.cause_probabilities FROM loopscope.verdict
       WHERE verdict.loop_id = analysis.loop_id AND verdict.slot_end = analysis.slot_end
         AND verdict.algorithm_revision = analysis.algorithm_revision
         AND verdict.input_revision = analysis.input_revision) AS said
@@ -97,6 +99,18 @@ core::Evidence read_evidence(const pqxx::row& row) {
   return evidence;
 }
 
+std::vector<core::diagnosis::CauseReport> read_causes(const pqxx::field& field) {
+  const core::diagnosis::PerCause probabilities = read_cause_values(field);
+  std::vector<core::diagnosis::CauseReport> causes;
+  for (std::size_t k = 0; k < probabilities.size(); ++k)
+    if (probabilities[k]) {
+      core::diagnosis::CauseReport& cause = causes.emplace_back();
+      cause.code = core::diagnosis::all_verdict_codes()[k];
+      cause.probability = *probabilities[k];
+    }
+  return causes;
+}
+
 PlantCandidate read_candidate(const pqxx::row& row) {
   using core::diagnosis::VerdictCode;
   PlantCandidate candidate;
@@ -106,6 +120,7 @@ PlantCandidate read_candidate(const pqxx::row& row) {
   candidate.verdict.code =
       core::diagnosis::verdict_code(row["code"].c_str()).value_or(VerdictCode::unexplained);
   candidate.verdict.confidence = row["confidence"].as<double>();
+  candidate.verdict.causes = read_causes(row["cause_probabilities"]);
   return candidate;
 }
 

@@ -18,7 +18,7 @@ struct PlantCandidate {
   /// What the plant asks for: the oscillation, nonlinear_p and cubic_p of both looks, effect and
   /// errors of the model's steps. Nothing else is filled.
   core::Evidence evidence;
-  core::diagnosis::Verdict verdict;  ///< code and confidence
+  core::diagnosis::Verdict verdict;  ///< code, confidence, probabilities of the causes
 };
 
 /// Enabled loops whose newest analysis is usable and lies no more than three of their periods

@@ -11,6 +11,7 @@
 
 #include "core/diagnosis/odds/combined_odds.hpp"
 #include "storage/array_literal.hpp"
+#include "storage/results/cause_values.hpp"
 #include "storage/statement.hpp"
 #include "storage/timestamp.hpp"
 
@@ -65,21 +66,6 @@ const Statement kSetCombined{"set_combined", R"(
           (row.evidence::real[], row.windows::real[], row.probabilities::real[]))",
                              Rows::none};
 
-/// "{0.1,NULL,...}"; no values for NULL.
-PerCause read_values(const pqxx::field& field) {
-  PerCause values;
-  if (field.is_null()) return values;
-  pqxx::array_parser elements = field.as_array();
-  for (auto [what, text] = elements.get_next(); what != pqxx::array_parser::done;
-       std::tie(what, text) = elements.get_next()) {
-    if (what == pqxx::array_parser::string_value)
-      pqxx::from_string(text, values.emplace_back(0.0).value());
-    else if (what == pqxx::array_parser::null_value)
-      values.emplace_back(std::nullopt);
-  }
-  return values;
-}
-
 /// The next slot begins with what is stored, four bytes each, whether it is reached in this
 /// transaction or in another.
 PerCause as_stored(PerCause values) {
@@ -114,16 +100,16 @@ struct CombinedRows {
 class LoopWindows {
  public:
   void begin_with(const pqxx::row& row) {
-    combined_ = Combined{
-        {row["end_s"].as<double>(), read_values(row["evidence"]), read_values(row["windows"])},
-        read_values(row["probabilities"])};
+    combined_ = Combined{{row["end_s"].as<double>(), read_cause_values(row["evidence"]),
+                          read_cause_values(row["windows"])},
+                         read_cause_values(row["probabilities"])};
   }
 
   /// Empty where the window could not be judged; as before where it holds nothing new.
   Combined next(const pqxx::row& row, const PerCause& priors) {
     const diagnosis::JudgedWindow window{row["start_s"].as<double>(), row["end_s"].as<double>(),
                                          row["with_model"].as<bool>(),
-                                         read_values(row["evidence"])};
+                                         read_cause_values(row["evidence"])};
     if (window.evidence.empty() || !(window.end_s > window.start_s)) return {};
     if (combined_ && window.end_s <= combined_->odds.end_s) return *combined_;
     const auto before = combined_ ? std::optional(combined_->odds) : std::nullopt;
@@ -131,7 +117,7 @@ class LoopWindows {
     odds.evidence = as_stored(std::move(odds.evidence));
     odds.windows = as_stored(std::move(odds.windows));
     PerCause probabilities = diagnosis::stands_alone(before, window)
-                                 ? read_values(row["probabilities"])
+                                 ? read_cause_values(row["probabilities"])
                                  : diagnosis::probabilities_of(odds, priors);
     combined_ = Combined{std::move(odds), std::move(probabilities)};
     return *combined_;

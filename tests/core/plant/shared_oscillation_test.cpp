@@ -34,7 +34,7 @@ struct PlantOfSix {
       loops.push_back(tests::oscillating_loop(static_cast<std::int64_t>(100 + k), errors[k], 60.0));
     if (!driven) return;
     loops[2].op = output;
-    loops[2].own = {1e-9, 1e-9, Fault::friction, 0.9, 1.2, 0.0, 0.0};
+    loops[2].own = {1e-9, 1e-9, Fault::friction, 0.9, 0.9, 0.0, 1.2, 0.0, 0.0};
   }
 
   static std::vector<double> behind_a_lag(const std::vector<double>& from, double lag,

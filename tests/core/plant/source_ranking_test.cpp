@@ -14,7 +14,7 @@ SourceEvidence victim() {
   evidence.op_share = 0.4;
   evidence.net_lead = -0.4;
   evidence.direct_lead = -0.3;
-  evidence.outside_blamed = 0.6;
+  evidence.outside_p = 0.6;
   evidence.cubic_evidence = 5.0;
   return evidence;
 }
@@ -26,7 +26,7 @@ SourceEvidence sticking() {
   evidence.op_share = 0.8;
   evidence.net_lead = 0.6;
   evidence.direct_lead = 0.4;
-  evidence.valve_blamed = 0.8;
+  evidence.friction_p = 0.8;
   evidence.cubic_evidence = 60.0;
   return evidence;
 }
@@ -45,7 +45,7 @@ TEST(SourceRanking, AStickingValveAmongVictimsIsTheSource) {
 
 TEST(SourceRanking, VictimsAloneNameNobody) {
   std::vector<SourceEvidence> evidence(6, victim());
-  for (SourceEvidence& one : evidence) one.outside_blamed = 0.9;
+  for (SourceEvidence& one : evidence) one.outside_p = 0.9;
   evidence.front().net_lead = 0.3;  // where the wave arrives first
   const SourceOdds odds = rank_sources(evidence);
   EXPECT_GT(odds.outside, 0.5);
@@ -59,13 +59,13 @@ TEST(SourceRanking, EveryFigureSpeaksAsItsNameSays) {
     return rank_sources(std::vector<SourceEvidence>{first, one}).members[1];
   };
   const double as_victim = chance(victim());
-  SourceEvidence leads = victim(), blamed = victim(), output = victim(), outside = victim();
+  SourceEvidence leads = victim(), valve = victim(), output = victim(), outside = victim();
   leads.net_lead = 0.5;
-  blamed.valve_blamed = 0.8;
+  valve.friction_p = 0.8;
   output.op_share = 0.9;
-  outside.outside_blamed = 1.0;
+  outside.outside_p = 1.0;
   EXPECT_GT(chance(leads), as_victim);
-  EXPECT_GT(chance(blamed), as_victim);
+  EXPECT_GT(chance(valve), as_victim);
   EXPECT_GT(chance(output), as_victim);
   EXPECT_LT(chance(outside), as_victim);
 }
@@ -84,7 +84,7 @@ TEST(SourceRanking, OfALoopThatMovesNoValveNoneIsBlamed) {
 
 TEST(SourceRanking, AValveThatSticksInAnotherRhythmCountsLess) {
   SourceEvidence other = victim(), same = victim();
-  other.valve_blamed = same.valve_blamed = 0.9;
+  other.friction_p = same.friction_p = 0.9;
   other.strength = 0.05;
   const std::vector<SourceEvidence> evidence{other, same, victim()};
   const SourceOdds odds = rank_sources(evidence);

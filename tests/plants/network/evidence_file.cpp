@@ -3,13 +3,14 @@
 namespace loopscope::tests::network {
 
 void write_evidence(std::ostream& out, const std::vector<Outcome>& outcomes) {
-  out << "plant,source,height,blamed,cubic,ext,setpoint,op,lead,direct,no_leader\n";
+  out << "plant,source,height,setpoint,op,lead,direct,friction,outside,no_leader,cubic\n";
   for (const Outcome& outcome : outcomes)
     for (const Outcome::Figures& member : outcome.figures) {
       out << (outcome.origin == Origin::outside ? "outside_" : "valve_") << outcome.seed << ','
           << (member.is_source ? 1 : 0);
       for (const double value : member.values) out << ',' << value;
-      out << ',' << outcome.no_leader << '\n';
+      for (const double value : outcome.none) out << ',' << value;
+      out << '\n';
     }
 }
 

@@ -73,7 +73,7 @@ void note_figures(const SharedOscillation& event,
   const core::plant::SourceFigures figures = core::plant::figures_of(evidence);
   for (std::size_t k = 0; k < event.members.size(); ++k)
     outcome.figures.push_back({event.members[k].index == plant.source, figures.members[k]});
-  outcome.no_leader = figures.no_leader;
+  outcome.none = figures.none;
 }
 
 std::vector<double> first_by_criterion(const SharedOscillation& event,

@@ -39,7 +39,7 @@ struct Outcome {
     std::array<double, core::plant::kSourceFigures> values{};
   };
   std::vector<Figures> figures;  ///< empty unless asked for
-  double no_leader = 0.0;
+  std::array<double, core::plant::kNoneFigures> none{};
   /// Per criterion of criteria.hpp: 1 where it alone ranks the true source first, the share of the
   /// first place where several tie. Empty unless asked for.
   std::vector<double> by_criterion;

@@ -23,7 +23,7 @@ std::vector<std::string> evidence_lines(const std::string& plant,
     std::ostringstream line;
     line << plant << ',' << (source == found.members[k].index ? 1 : 0);
     for (const double value : figures.members[k]) line << ',' << value;
-    line << ',' << figures.no_leader;
+    for (const double value : figures.none) line << ',' << value;
     lines.push_back(line.str());
   }
   return lines;

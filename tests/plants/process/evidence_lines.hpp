@@ -11,7 +11,7 @@ namespace loopscope::tests::process {
 
 /// Of the file that tests/plants/network/fit_weights reads.
 inline constexpr const char* kEvidenceHeader =
-    "plant,source,height,blamed,cubic,ext,setpoint,op,lead,direct,no_leader";
+    "plant,source,height,setpoint,op,lead,direct,friction,outside,no_leader,cubic";
 
 /// What the ranking of sources weighs, a line for every member of an event.
 [[nodiscard]] std::vector<std::string> evidence_lines(
