@@ -24,6 +24,9 @@ constexpr double kLeastStrength = 0.03;
 /// or of a limit cycle that wanders is good to a few percent.
 constexpr double kSameLine = 0.07;
 constexpr int kHarmonics = 9;
+/// Largest ratio of two events that are one irregular cycle, seen in different loops at different
+/// places of its broad line; they have to share members as well.
+constexpr double kOneCycle = 1.35;
 /// Lines that are looked about at most, the most significant first: of a plant of ten thousand
 /// loops with two or three faint ones each, those are enough, and the time stays bounded.
 constexpr std::ptrdiff_t kMostCentres = 2000;
@@ -78,12 +81,12 @@ bool has(const Event& event, std::size_t index) {
   return std::ranges::count(event.members, index, &EventMember::index) > 0;
 }
 
-/// One is a harmonic of the other or lies at the same line, and they share most of the smaller
+/// One is a harmonic of the other or lies about the same line, and they share most of the smaller
 /// one's loops: the same course, seen from another loop.
 bool is_part_of_other(const Event& one, const Event& other) {
   const double low = std::min(one.frequency_hz, other.frequency_hz);
   const double high = std::max(one.frequency_hz, other.frequency_hz);
-  return belongs(high, low) &&
+  return (belongs(high, low) || high <= kOneCycle * low) &&
          2 * std::ranges::count_if(one.members,
                                    [&](const EventMember& m) { return has(other, m.index); }) >=
              std::ssize(one.members.size() < other.members.size() ? one.members : other.members);
