@@ -65,8 +65,8 @@ COMMENT ON COLUMN loopscope.following_loop.role IS 'What the loop is to it: vict
 COMMENT ON COLUMN loopscope.following_loop.strength IS 'Share of the loop''s error variance in the oscillation, 0 to 1';
 COMMENT ON COLUMN loopscope.following_loop.follows IS 'All of it in words';
 
--- The verdict of a loop stays what its own window says. What several loops say together stands beside it: a loop that is healthy
--- by itself is not, as people see it, while another one shakes it.
+-- The verdict of a loop stays what its own window says: list, counts and data problems go on by it, under another name. What
+-- people ask is latest_verdict: a loop that is healthy by itself is not, as they see it, while another one shakes it.
 CREATE OR REPLACE VIEW loopscope.latest_verdict AS
   SELECT loop.loop_id, loop.name AS loop_name, loop.source, loop.loop_type, loop.importance, loop.enabled,
          verdict.slot_end, verdict.algorithm_revision, verdict.input_revision, verdict.analysis_id,
@@ -102,6 +102,40 @@ CREATE OR REPLACE VIEW loopscope.latest_verdict AS
       AND measured.algorithm_revision = verdict.algorithm_revision
     LIMIT 1) AS analysis
   LEFT JOIN loopscope.following_loop AS followed ON followed.loop_id = loop.loop_id;
-COMMENT ON COLUMN loopscope.latest_verdict.follows_oscillation IS 'Shared oscillation (current_plant_oscillation) that the loop follows without being its source; null = none';
-COMMENT ON COLUMN loopscope.latest_verdict.follows IS 'The same in words: how much of its error, whose oscillation, which period';
-COMMENT ON COLUMN loopscope.latest_verdict.shown_code IS 'What people are shown: the code, but external_disturbance for a healthy loop of whose error a fifth or more follows a shared oscillation; list and counts go by code';
+ALTER VIEW loopscope.latest_verdict RENAME TO own_verdict;
+COMMENT ON VIEW loopscope.own_verdict IS 'One row per loop: the verdict of its newest window by itself, whatever shakes it. List and counts go by it';
+COMMENT ON COLUMN loopscope.own_verdict.follows_oscillation IS 'Shared oscillation (current_plant_oscillation) that the loop follows without being its source; null = none';
+COMMENT ON COLUMN loopscope.own_verdict.follows IS 'The same in words: how much of its error, whose oscillation, which period';
+COMMENT ON COLUMN loopscope.own_verdict.shown_code IS 'What people are shown (latest_verdict.code): the code, but external_disturbance for a healthy loop of whose error a fifth or more follows a shared oscillation';
+
+-- 0.95: of those who join an oscillation one in twenty may be there by chance (core/plant, member_rate).
+CREATE VIEW loopscope.latest_verdict AS
+  SELECT own.loop_id, own.loop_name, own.source, own.loop_type, own.importance, own.enabled,
+         own.slot_end, own.algorithm_revision, own.input_revision, own.analysis_id,
+         own.shown_code AS code, CASE WHEN shaken.here THEN 0.95 ELSE own.confidence END AS confidence, CASE WHEN NOT shaken.here THEN own.p END AS p,
+         CASE WHEN shaken.here THEN 'Another loop or something outside shakes it: ' || own.follows ELSE own.summary END AS summary,
+         CASE WHEN shaken.here THEN array_prepend(own.follows, own.reasons) ELSE own.reasons END AS reasons,
+         CASE WHEN shaken.here THEN 'Leave this loop alone; look after the source of plant-wide oscillation ' || own.follows_oscillation || ' first' ELSE own.action END AS action,
+         own.decided_at, own.window_start, own.window_end, own.usable, own.flags,
+         own.ngi, own.nli, own.nonlinear_p, own.coupling, own.oscillating, own.oscillation_period_s, own.oscillation_p,
+         own.harris_low, own.harris_high, own.harris_p, own.error_std, own.model_excited,
+         own.cause_probabilities, own.combined_probabilities, own.combined_confidence, own.fault_probability,
+         own.area, own.unit, own.description, own.pv_unit, own.owner,
+         own.control_fraction, own.control_lost_by, own.control_lost_at, own.windows_together,
+         own.follows_oscillation, own.follows, own.code AS own_code
+  FROM loopscope.own_verdict AS own
+  CROSS JOIN LATERAL (SELECT own.shown_code <> own.code AS here) AS shaken;
+COMMENT ON VIEW loopscope.latest_verdict IS 'One row per loop: its newest verdict as people are shown it. A loop that is healthy by itself (own_code) and follows a shared oscillation says so';
+COMMENT ON COLUMN loopscope.latest_verdict.code IS 'The verdict; external_disturbance for a loop that is healthy by itself and of whose error a fifth or more follows a shared oscillation';
+COMMENT ON COLUMN loopscope.latest_verdict.own_code IS 'What the newest window says by itself';
+DO $$
+DECLARE missing record;
+BEGIN
+  FOR missing IN
+    SELECT shown.attname, col_description(source.attrelid, source.attnum) AS words
+    FROM pg_attribute AS shown JOIN pg_attribute AS source ON source.attname = shown.attname AND source.attrelid = 'loopscope.own_verdict'::regclass
+    WHERE shown.attrelid = 'loopscope.latest_verdict'::regclass AND shown.attnum > 0 AND col_description(shown.attrelid, shown.attnum) IS NULL
+  LOOP
+    EXECUTE format('COMMENT ON COLUMN loopscope.latest_verdict.%I IS %L', missing.attname, missing.words);
+  END LOOP;
+END $$;

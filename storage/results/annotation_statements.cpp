@@ -32,7 +32,7 @@ const Statement kWithdrawAnnotations{"withdraw_annotations", R"(
     RETURNING said.annotation_id)"};
 
 const Statement kNewestCode{"newest_code",
-                            "SELECT code FROM loopscope.latest_verdict WHERE loop_name = $1"};
+                            "SELECT code FROM loopscope.own_verdict WHERE loop_name = $1"};
 
 const Statement kFaultCodes{"fault_codes",
                             "SELECT code FROM loopscope.verdict_kind WHERE is_fault ORDER BY code"};

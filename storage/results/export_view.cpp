@@ -25,6 +25,7 @@ constexpr ExportedView kViews[] = {
     {"loop_history", "slot_end", true, "verdict that was ever given"},
     {"maintenance_figure", "", false, "figure before and after a repair, with intervals"},
     {"monitor_health", "last_slot_end", true, "loop: whether the monitor does its work there"},
+    {"own_verdict", "slot_end", true, "loop: its newest verdict by its own window alone"},
     {"plant_oscillation_member", "slot_end", true, "loop in a shared oscillation"},
     {"revised_verdict", "revised_at", true, "verdict that late rows have changed"},
     {"service_factor", "slot_end", true,

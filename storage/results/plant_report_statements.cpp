@@ -36,7 +36,7 @@ const Statement kFollowed{"followed", R"(
     SELECT followed.number, followed.period_s, followed.source_loop_name, followed.role,
            followed.strength, latest.shown_code
     FROM loopscope.following_loop AS followed
-    JOIN loopscope.latest_verdict AS latest USING (loop_id)
+    JOIN loopscope.own_verdict AS latest USING (loop_id)
     WHERE loop_id = $1::bigint AND latest.follows_oscillation IS NOT NULL)"};
 
 }  // namespace loopscope::storage::statements

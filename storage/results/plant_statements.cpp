@@ -66,7 +66,7 @@ const Statement kAnnounceFlags{"announce_flags", R"(
                     ELSE 'threshold' END AS word
         FROM loopscope.flag_notice AS standing
         JOIN loopscope.loop USING (loop_id)
-        LEFT JOIN loopscope.latest_verdict AS latest USING (loop_id)
+        LEFT JOIN loopscope.own_verdict AS latest USING (loop_id)
         LEFT JOIN loopscope.hidden_loop AS hidden USING (loop_id)
         WHERE standing.ended_at IS NULL
           AND standing.loop_id NOT IN (SELECT loop_id FROM list)

@@ -45,7 +45,7 @@ const Statement kReportCounts{"report_counts",
                               R"(
     WITH flagged AS MATERIALIZED (SELECT since FROM loopscope.flagged_loop),
     hidden AS MATERIALIZED (SELECT loop_id, hidden_by FROM loopscope.hidden_loop),
-    newest AS MATERIALIZED (SELECT code FROM loopscope.latest_verdict WHERE enabled),
+    newest AS MATERIALIZED (SELECT code FROM loopscope.own_verdict WHERE enabled),
     catalogue AS (SELECT count(*) AS loops, count(*) FILTER (WHERE enabled) AS enabled
                   FROM loopscope.loop)
     SELECT loops, enabled,
@@ -80,7 +80,7 @@ const Statement kUnjudgedReasons{"unjudged_reasons", R"(
              regexp_replace(words, '[0-9]+([.][0-9]+)?( %)?', '...', 'g') AS words, remedy
       FROM loopscope.data_problem
       WHERE NOT judged AND loop_id IN (
-        SELECT loop_id FROM loopscope.latest_verdict WHERE code = 'insufficient_data')
+        SELECT loop_id FROM loopscope.own_verdict WHERE code = 'insufficient_data')
       ORDER BY loop_id, array_position(
         ARRAY['no_rows', 'dead_tag', 'bad_quality', 'unknown_quality', 'insufficient_data'], problem),
         role = 'pv' DESC, words) AS one
@@ -107,7 +107,7 @@ const Statement kReportLatest{"report_latest", "SELECT " + flagged_columns() + R
              (SELECT min(number) FROM loopscope.current_plant_oscillation
               WHERE source_loop_id = latest.loop_id AND latest.slot_end <= holds_until
                 AND kind.is_fault) AS plant_oscillation_number
-      FROM loopscope.latest_verdict AS latest
+      FROM loopscope.own_verdict AS latest
       JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
       LEFT JOIN LATERAL loopscope.verdict_run(latest.loop_id, latest.slot_end, latest.code) AS run
         ON true
@@ -164,7 +164,7 @@ const Statement kReportLoops{"report_loops",
            health.state, latest.follows, latest.shown_code
     FROM loopscope.loop
     JOIN loopscope.monitor_health AS health USING (loop_id)
-    LEFT JOIN loopscope.latest_verdict AS latest USING (loop_id)
+    LEFT JOIN loopscope.own_verdict AS latest USING (loop_id)
     LEFT JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
     LEFT JOIN flagged USING (loop_id)
     LEFT JOIN hidden USING (loop_id)

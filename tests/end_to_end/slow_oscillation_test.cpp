@@ -82,6 +82,10 @@ TEST_F(SlowOscillation, FlowsOfOneSecondFollowALevelThatSwingsInTwentyMinutes) {
             "FIC1, FIC2, FIC3, FIC4, LIC1")
       << pass.err;
   EXPECT_THAT(pass.err, HasSubstr("period of 19")) << "minutes";
+  EXPECT_EQ(plant.sql("select count(*) from loopscope.latest_verdict where code = 'healthy' and "
+                      "follows is not null"),
+            "0")
+      << "whoever is shaken is not called healthy";
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST_F(PlantBoxTest, AHealthyLoopThatIsShakenIsNotShownAsHealthy) {
   tell({{.loop = "a"}, {.loop = "b", .code = kHealthy}, {.loop = "c", .code = kHealthy}});
   store(event());
   const std::string shown =
-      "SELECT loop_name, code, shown_code, follows_oscillation, follows"
+      "SELECT loop_name, own_code, code, follows_oscillation, follows"
       " FROM loopscope.latest_verdict ORDER BY loop_name";
   const std::string of_a =
       " % of its error follows the plant-wide oscillation 1 of a (period 40 s)";
@@ -107,7 +107,7 @@ TEST_F(PlantBoxTest, NothingIsSaidOfLaterVerdicts) {
   tell({{.loop = "a"}, {.loop = "b", .code = kHealthy}, {.loop = "c"}});
   store(event());
   tell({{.loop = "b", .code = kHealthy, .slot_hours = 24 * 60}});
-  EXPECT_EQ(value("SELECT shown_code FROM loopscope.latest_verdict WHERE loop_name = 'b'"),
+  EXPECT_EQ(value("SELECT code FROM loopscope.latest_verdict WHERE loop_name = 'b'"),
             "healthy");
   EXPECT_EQ(report().followed_by(id("b")), std::nullopt);
 }
@@ -145,7 +145,7 @@ TEST_F(PlantBoxUpgradeTest, EventsOfSchema26StayAndAreFollowed) {
   EXPECT_EQ(other.rows("SELECT num_nonnulls(outside, reasons, leads, traces)"
                        " FROM loopscope.plant_oscillation"),
             (TextRows{{"0"}}));
-  EXPECT_EQ(other.rows("SELECT code, shown_code, follows FROM loopscope.latest_verdict"
+  EXPECT_EQ(other.rows("SELECT own_code, code, follows FROM loopscope.latest_verdict"
                        " WHERE loop_name = 'b'"),
             (TextRows{{"healthy", "external_disturbance",
                        "50 % of its error follows the plant-wide oscillation 1 of a"

@@ -116,6 +116,7 @@ TEST_F(RightsTest, ReaderOnlyReads) {
                            "flag_history",
                            "current_plant_oscillation",
                            "following_loop",
+                           "own_verdict",
                            "annotation_history",
                            "annotation_in_force"}) {
     expect_allowed(reader, std::string("SELECT * FROM loopscope.") + view);
