@@ -1,6 +1,11 @@
 #include "core/plant/event.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 #include "tests/core/plant/oscillators.hpp"
@@ -60,6 +65,55 @@ TEST(Event, LoopsOfOneCourseAreOneEventAmongOthers) {
   EXPECT_GE(found, 170U);     // of 180
   EXPECT_LE(strangers, 18U);  // a tenth of them: the rate of the settings is 5 %
   EXPECT_LE(events, 34U);
+}
+
+/// Every `step`-th sample of the newest `count`, with a fifth of them lost in ten gaps.
+std::vector<double> worn(const std::vector<double>& error, std::size_t step, std::size_t count,
+                         std::mt19937_64& random) {
+  std::vector<double> kept;
+  for (std::size_t k = error.size() - count; k < error.size(); k += step) kept.push_back(error[k]);
+  const std::size_t gap = kept.size() / 50;
+  for (int number = 0; number < 10; ++number) {
+    const auto from =
+        static_cast<std::size_t>(uniform(0.0, static_cast<double>(kept.size() - gap), random));
+    std::fill_n(kept.begin() + static_cast<std::ptrdiff_t>(from), gap,
+                std::numeric_limits<double>::quiet_NaN());
+  }
+  return kept;
+}
+
+TEST(Event, APeriodThatDriftsInWornRecordsOfSeveralSamplingsIsOneEvent) {
+  constexpr int kPlants = 20;
+  constexpr double kPeriod = 60.0;
+  std::mt19937_64 random(24);
+  std::size_t found = 0, strangers = 0, events = 0;
+  for (int plant_number = 0; plant_number < kPlants; ++plant_number) {
+    Course course = draw_course(kWindow + 600, kPeriod, 0.2, random);
+    const double drift = uniform(-0.05, 0.05, random);  // of the frequency, from end to end
+    for (std::size_t k = 0; k < course.phase.size(); ++k) {
+      const double time = static_cast<double>(k) / static_cast<double>(kWindow) - 0.5;
+      course.phase[k] += std::numbers::pi * drift * time * time * kWindow / kPeriod;
+    }
+    OscillatingPlant plant;
+    for (int k = 0; k < 6; ++k) plant.add(course, kPeriod, random);
+    for (int k = 0; k < 6; ++k)
+      plant.add(draw_course(kWindow + 600, 31.0 + 7.0 * k, 0.4, random), 31.0 + 7.0 * k, random);
+    const std::size_t steps[] = {1, 2, 5, 10}, counts[] = {kWindow, kWindow, 3000};
+    for (std::size_t k = 0; k < plant.errors.size(); ++k)
+      plant.errors[k] = worn(plant.errors[k], steps[k % 4], counts[k % 3], random);
+    std::vector<MemberLoop> loops = plant.finish();
+    for (std::size_t k = 0; k < loops.size(); ++k) {
+      loops[k].sample_interval_s = static_cast<double>(steps[k % 4]);
+      loops[k].start_us += 1'000'000LL * static_cast<std::int64_t>(kWindow - counts[k % 3]);
+    }
+    const std::vector<Event> all = find_events(loops, {});
+    events += all.size();
+    for (const Event& event : all)
+      for (const EventMember& one : event.members) ++(one.index < 6 ? found : strangers);
+  }
+  EXPECT_GE(found, 108U);     // of 120
+  EXPECT_LE(strangers, 12U);  // a tenth
+  EXPECT_LE(events, 24U);
 }
 
 TEST(Event, ALineNeedsSeveralLoops) {
