@@ -5,6 +5,7 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -261,8 +262,11 @@ class Search {
       for (const EventMember& one : event.members)
         most[one.index] = std::max(most[one.index], one.strength);
     for (Event& event : events_)
-      std::erase_if(event.members,
-                    [&](const EventMember& one) { return one.strength < most[one.index]; });
+      std::erase_if(event.members, [&](const EventMember& one) {
+        if (one.strength < most[one.index]) return true;
+        most[one.index] = std::numeric_limits<double>::infinity();  // none of two that are equal
+        return false;
+      });
     std::erase_if(events_, [](const Event& event) { return event.members.size() < 2; });
   }
 

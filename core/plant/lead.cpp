@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "core/signal/gaps.hpp"
 #include "core/signal/loop_window.hpp"
@@ -20,6 +21,10 @@ constexpr std::size_t kLongestBridge = 8;  // steps: a period
 /// together only where it can be had.
 constexpr double kRowsACoefficient = 6.0;
 constexpr double kRowsACoefficientOfAll = 3.0;
+/// Of the grid, below which a signal would take the rows of all: it is left out.
+constexpr double kLeastKnown = 0.8;
+/// Of the median of the members' spans, below which a loop is left out for the same reason.
+constexpr double kLeastSpan = 0.5;
 /// A sum of gains as small as this is noise: such a loop leads nowhere.
 constexpr double kFaintLead = 0.02;
 
@@ -69,10 +74,36 @@ signal::Samples on_grid(const MemberLoop& loop, std::span<const double> values,
 /// A loop's signals on the grid, the one that is foretold first.
 using Signals = std::vector<signal::Samples>;
 
+bool is_known(const signal::Samples& samples) {
+  const auto known = std::ranges::count_if(samples, [](double v) { return std::isfinite(v); });
+  return static_cast<double>(known) >= kLeastKnown * static_cast<double>(samples.size());
+}
+
+/// Empty where even pv was hardly recorded.
 Signals signals_of(const MemberLoop& loop, const TimeGrid& grid) {
   Signals signals{on_grid(loop, loop.pv.empty() ? loop.error : loop.pv, grid)};
-  if (!loop.op.empty()) signals.push_back(on_grid(loop, loop.op, grid));
+  if (!is_known(signals.front())) return {};
+  if (loop.op.empty()) return signals;
+  signals.push_back(on_grid(loop, loop.op, grid));
+  if (!is_known(signals.back())) signals.pop_back();
   return signals;
+}
+
+/// Without those whose records are short beside the others'.
+std::vector<std::size_t> of_like_spans(std::span<const MemberLoop> loops,
+                                       std::span<const std::size_t> members) {
+  const auto span_s = [&](std::size_t i) {
+    return static_cast<double>(loops[i].error.size()) * loops[i].sample_interval_s;
+  };
+  std::vector<double> spans;
+  for (const std::size_t i : members) spans.push_back(span_s(i));
+  std::vector<std::size_t> kept;
+  if (spans.empty()) return kept;
+  std::ranges::nth_element(spans, spans.begin() + std::ssize(spans) / 2);
+  const double median_s = spans[spans.size() / 2];
+  for (const std::size_t i : members)
+    if (span_s(i) >= kLeastSpan * median_s) kept.push_back(i);
+  return kept;
 }
 
 using Columns = std::vector<Eigen::Index>;
@@ -173,11 +204,19 @@ class Regression {
 
 std::vector<Lead> find_leads(std::span<const MemberLoop> loops,
                              std::span<const std::size_t> members, double period_s) {
-  const auto asked = members.first(std::min(kMostLeading, members.size()));
+  std::vector<std::size_t> asked =
+      of_like_spans(loops, members.first(std::min(kMostLeading, members.size())));
   const TimeGrid grid(loops, asked, period_s);
   if (asked.size() < 2 || grid.size() <= static_cast<std::size_t>(kLags)) return {};
   std::vector<Signals> signals;
-  for (const std::size_t i : asked) signals.push_back(signals_of(loops[i], grid));
+  std::vector<std::size_t> known;
+  for (const std::size_t i : asked)
+    if (Signals found = signals_of(loops[i], grid); !found.empty()) {
+      signals.push_back(std::move(found));
+      known.push_back(i);
+    }
+  asked = std::move(known);
+  if (asked.size() < 2) return {};
   const Regression regression(signals);
   if (!regression.long_enough()) return {};
   const bool all = regression.long_enough_for_all();

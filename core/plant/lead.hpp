@@ -20,7 +20,8 @@ inline constexpr std::size_t kMostLeading = 8;
 /// Two of one plant foretell each other in part: what matters is which way more goes. `direct` is
 /// the same with all other members' pasts known (Geweke 1984): it leaves out what goes by way of
 /// them. Strongest first; empty where fewer than six rows a coefficient are recorded by all.
-/// `members` = indices into `loops`; those beyond kMostLeading are left out.
+/// `members` = indices into `loops`; those beyond kMostLeading are left out, and so are those of
+/// which little is recorded beside the others.
 [[nodiscard]] std::vector<Lead> find_leads(std::span<const MemberLoop> loops,
                                            std::span<const std::size_t> members, double period_s);
 

@@ -29,7 +29,8 @@ struct OwnFindings {
   Fault fault = Fault::none;
   double confidence = 0.0;  ///< of the verdict, 0 to 1
   /// Probabilities beside the verdict, 0 to 1, since causes may stand together: that the valve
-  /// sticks, has play or is too large; that something outside the loop disturbs it. 0 = not weighed.
+  /// sticks, has play or is too large; that something outside the loop disturbs it. 0 = not
+  /// weighed.
   double friction_p = 0.0;
   double outside_p = 0.0;
   /// ln(error before / after), held out, summed over the steps of the explanation that are: a valve

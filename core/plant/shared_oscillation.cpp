@@ -95,15 +95,16 @@ SharedOscillation describe(const Event& found, std::span<const MemberLoop> loops
 std::vector<SharedOscillation> find_shared_oscillations(std::span<const MemberLoop> loops,
                                                         const PlantSettings& settings) {
   check(loops, settings);
-  return explain_events(find_events(loops, settings), loops, settings);
+  const std::vector<Event> events = find_events(loops, settings);
+  if (events.empty()) return {};
+  return explain_events(events, loops, find_cascade_pairs(loops), settings);
 }
 
 std::vector<SharedOscillation> explain_events(std::span<const Event> events,
                                               std::span<const MemberLoop> loops,
+                                              std::span<const CascadePair> cascades,
                                               const PlantSettings& settings) {
   check(loops, settings);
-  if (events.empty()) return {};
-  const std::vector<CascadePair> cascades = find_cascade_pairs(loops);
   std::vector<SharedOscillation> result;
   for (const Event& event : events) result.push_back(describe(event, loops, cascades, settings));
   return result;

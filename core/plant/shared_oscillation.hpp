@@ -70,6 +70,7 @@ struct SharedOscillation {
   std::string statement;  ///< for people: period, members, source, why, what to do
 };
 
+struct CascadePair;
 struct Event;
 
 /// Limits of the search.
@@ -96,8 +97,10 @@ struct PlantSettings {
 /// The second half of find_shared_oscillations: what find_events (event.hpp) found, explained. Only
 /// members are looked at more closely, so that sp, pv and op of the others need not be there; a
 /// member whose record holds too few periods has to be given with a longer one in its place.
+/// `cascades` = find_cascade_pairs of the records as they were sampled.
 [[nodiscard]] std::vector<SharedOscillation> explain_events(std::span<const Event> events,
                                                             std::span<const MemberLoop> loops,
+                                                            std::span<const CascadePair> cascades,
                                                             const PlantSettings& settings = {});
 
 }  // namespace loopscope::core::plant

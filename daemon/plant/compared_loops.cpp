@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <spdlog/spdlog.h>
 #include <utility>
 
 #include "core/diagnosis/plant_member.hpp"
 #include "core/plant/loop_records.hpp"
+#include "daemon/output/printable.hpp"
+#include "storage/error.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -21,6 +24,9 @@ constexpr std::size_t kLongerWindows = 8;
 constexpr std::size_t kMostLonger = 500;
 /// Of the variance, below which a slow swing hardly touches the loop.
 constexpr double kLeastSlower = 0.1;
+/// Who foretells whom takes thirteen periods (core/plant/lead): below twice the fewest that can be
+/// followed at all the longer record is better.
+constexpr double kFewForForecasts = 2.0;
 
 MemberLoop loop_of(const storage::PlantCandidate& candidate) {
   MemberLoop loop;
@@ -76,8 +82,15 @@ bool ComparedLoops::read_longer() {
     const CoreGate::Permit core(tools_.cores);
     slow = slow_ones(loops_);
   }
-  series_.push_back(read_plant_series(
-      candidates_, slow, {.windows = kLongerWindows, .error_only = true}, settings_, tools_));
+  try {
+    series_.push_back(read_plant_series(
+        candidates_, slow, {.windows = kLongerWindows, .error_only = true}, settings_, tools_));
+  } catch (const storage::DatabaseError& error) {
+    // Old rows may be out of reach where new ones are not: the round goes on without them.
+    spdlog::warn("plant round: slow swings are not compared, {} HINT: {}", printable(error.what()),
+                 printable(error.hint()));
+    return true;
+  }
   if (tools_.bell.rung()) return false;
   for (std::size_t k = 0; k < slow.size(); ++k) {
     const PlantSeries& one = series_.back()[k];
@@ -87,12 +100,18 @@ bool ComparedLoops::read_longer() {
 }
 
 bool ComparedLoops::read_members(std::span<const core::plant::Event> events) {
-  std::vector<std::size_t> newest, longer;
+  std::vector<std::size_t> all, longer;
   for (const core::plant::Event& event : events)
-    for (const core::plant::EventMember& one : event.members)
-      (event.frequency_hz < core::plant::slowest_hz(loops_[one.index]) ? longer : newest)
-          .push_back(one.index);
-  return read_members(newest, 1) && read_members(longer, kLongerWindows);
+    for (const core::plant::EventMember& one : event.members) {
+      all.push_back(one.index);
+      const bool has_longer = !loops_[one.index].longer.error.empty();
+      if (has_longer &&
+          event.frequency_hz < kFewForForecasts * core::plant::slowest_hz(loops_[one.index]))
+        longer.push_back(one.index);
+    }
+  if (!read_members(all, 1)) return false;
+  cascades_ = core::plant::find_cascade_pairs(loops_);
+  return read_members(longer, kLongerWindows);
 }
 
 bool ComparedLoops::read_members(std::span<const std::size_t> members, std::size_t windows) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/settings.hpp"
+#include "core/plant/cascade.hpp"
 #include "core/plant/event.hpp"
 #include "core/plant/member_loop.hpp"
 #include "daemon/plant/plant_series.hpp"
@@ -13,10 +14,10 @@
 
 namespace loopscope::daemon {
 
-/// The loops of one comparison, read in three steps, so that ten thousand need no more memory than
-/// their errors: everybody's error; a longer span of those that swing too slowly for their window;
-/// sp, pv and op of the members of what was found. Every step returns false when the process shall
-/// end, and throws as read_plant_series.
+/// The loops of one comparison, read in three steps, so that ten thousand need little more memory
+/// than their errors: everybody's error; a longer span of those that swing too slowly for their
+/// window; sp, pv and op of the members of what was found. Every step returns false when the
+/// process shall end, and throws as read_plant_series.
 class ComparedLoops {
  public:
   ComparedLoops(std::vector<storage::PlantCandidate> candidates, const config::Settings& settings,
@@ -25,6 +26,8 @@ class ComparedLoops {
   [[nodiscard]] bool read_errors();
   [[nodiscard]] bool read_longer();
   [[nodiscard]] bool read_members(std::span<const core::plant::Event> events);
+  /// Of the members, in their newest windows as they were sampled; once they are read.
+  [[nodiscard]] std::span<const core::plant::CascadePair> cascades() const { return cascades_; }
 
   /// In the order of the candidates; the error of one whose rows are gone is empty.
   [[nodiscard]] std::span<const core::plant::MemberLoop> loops() const { return loops_; }
@@ -39,6 +42,7 @@ class ComparedLoops {
   const config::Settings& settings_;
   LaneTools& tools_;
   std::vector<core::plant::MemberLoop> loops_;  // views of the series below
+  std::vector<core::plant::CascadePair> cascades_;
   std::vector<std::vector<PlantSeries>> series_;
 };
 

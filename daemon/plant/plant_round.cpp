@@ -29,7 +29,8 @@ std::optional<storage::PlantRoundRecord> compare(ComparedLoops& compared, CoreGa
   round.oscillating = compared.oscillating();
   if (!compared.read_members(events)) return std::nullopt;
   const CoreGate::Permit core(cores);
-  for (const SharedOscillation& shared : core::plant::explain_events(events, compared.loops()))
+  for (const SharedOscillation& shared :
+       core::plant::explain_events(events, compared.loops(), compared.cascades()))
     round.events.push_back(event_record(shared, compared.loops()));
   return round;
 }

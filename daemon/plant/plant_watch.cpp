@@ -38,8 +38,8 @@ bool goes_well(FaultLog& faults, Step step) {
   return false;
 }
 
-/// A round reads the historians for minutes, and its lease is not extended.
-constexpr double kLeastHold_s = 300.0;
+/// A round reads and compares ten thousand loops for minutes, and its lease is not extended.
+constexpr double kLeastHold_s = 1200.0;
 
 /// A round of a large plant may take as many looks; beyond them its holder is worth a line.
 constexpr int kRefusalsToSay = 10;

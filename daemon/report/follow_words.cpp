@@ -19,7 +19,8 @@ std::string source_of(const storage::FollowedRow& followed) {
 }  // namespace
 
 bool is_only_shaken(const LoopStory& story) {
-  return story.followed && story.followed->shown_code != story.row.code;
+  // A stay on the list is headed by its last fault, whatever the newest window says.
+  return story.followed && story.row.code == "healthy" && story.followed->shown_code != "healthy";
 }
 
 std::string shown_code(const LoopStory& story) {

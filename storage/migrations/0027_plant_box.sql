@@ -119,7 +119,7 @@ CREATE VIEW loopscope.latest_verdict AS
          own.decided_at, own.window_start, own.window_end, own.usable, own.flags,
          own.ngi, own.nli, own.nonlinear_p, own.coupling, own.oscillating, own.oscillation_period_s, own.oscillation_p,
          own.harris_low, own.harris_high, own.harris_p, own.error_std, own.model_excited,
-         own.cause_probabilities, own.combined_probabilities, own.combined_confidence, own.fault_probability,
+         own.cause_probabilities, own.combined_probabilities, CASE WHEN NOT shaken.here THEN own.combined_confidence END AS combined_confidence, own.fault_probability,
          own.area, own.unit, own.description, own.pv_unit, own.owner,
          own.control_fraction, own.control_lost_by, own.control_lost_at, own.windows_together,
          own.follows_oscillation, own.follows, own.code AS own_code
@@ -127,6 +127,7 @@ CREATE VIEW loopscope.latest_verdict AS
   CROSS JOIN LATERAL (SELECT own.shown_code <> own.code AS here) AS shaken;
 COMMENT ON VIEW loopscope.latest_verdict IS 'One row per loop: its newest verdict as people are shown it. A loop that is healthy by itself (own_code) and follows a shared oscillation says so';
 COMMENT ON COLUMN loopscope.latest_verdict.code IS 'The verdict; external_disturbance for a loop that is healthy by itself and of whose error a fifth or more follows a shared oscillation';
+COMMENT ON COLUMN loopscope.latest_verdict.fault_probability IS 'Probability that the loop itself has a fault, by all its windows together';
 COMMENT ON COLUMN loopscope.latest_verdict.own_code IS 'What the newest window says by itself';
 DO $$
 DECLARE missing record;
@@ -137,5 +138,12 @@ BEGIN
     WHERE shown.attrelid = 'loopscope.latest_verdict'::regclass AND shown.attnum > 0 AND col_description(shown.attrelid, shown.attnum) IS NULL
   LOOP
     EXECUTE format('COMMENT ON COLUMN loopscope.latest_verdict.%I IS %L', missing.attname, missing.words);
+  END LOOP;
+  -- Rights of persons stay with the name that they were given on.
+  FOR missing IN
+    SELECT DISTINCT role.rolname FROM pg_class AS class, aclexplode(class.relacl) AS given JOIN pg_roles AS role ON role.oid = given.grantee
+    WHERE class.oid = 'loopscope.own_verdict'::regclass AND given.privilege_type = 'SELECT' AND given.grantee <> class.relowner
+  LOOP
+    EXECUTE format('GRANT SELECT ON loopscope.latest_verdict TO %I', missing.rolname);
   END LOOP;
 END $$;

@@ -1,6 +1,7 @@
 #include "core/plant/lead.hpp"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -77,6 +78,19 @@ TEST(Lead, TheOrderOfMembersAndTheUnitsDoNotMatter) {
   const std::vector<Lead> others = find_leads(chain.loops, turned, 40.0);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(net_lead(leads, k), net_lead(others, k), 0.02) << k;
+}
+
+TEST(Lead, AMemberThatIsHardlyRecordedTakesNoRowsOfTheOthers) {
+  Chain chain(75);
+  const std::vector<double> nothing(kWindow, std::numeric_limits<double>::quiet_NaN());
+  for (MemberLoop& loop : chain.loops) loop.op = loop.pv;
+  const std::size_t all = find_leads(chain.loops, chain.members, 40.0).size();
+  chain.loops[2].op = nothing;  // a tag of bad quality throughout
+  EXPECT_EQ(find_leads(chain.loops, chain.members, 40.0).size(), all);
+  chain.loops[2].pv = chain.loops[2].error = nothing;
+  for (const Lead& lead : find_leads(chain.loops, chain.members, 40.0))
+    EXPECT_TRUE(lead.from != 2 && lead.to != 2);
+  EXPECT_FALSE(find_leads(chain.loops, chain.members, 40.0).empty());
 }
 
 TEST(Lead, NeedsEnoughRowsInCommon) {
