@@ -50,6 +50,15 @@ TEST(FollowWords, OneThatIsHardlyTouchedStaysHealthyAndSaysSo) {
   EXPECT_THAT(loop_section(story), Not(HasSubstr("Follows")));
 }
 
+TEST(FollowWords, AStayOnTheListKeepsItsFaultWhateverTheNewestWindowSays) {
+  LoopStory story = healthy_story();
+  story.row.code = "valve_stiction";
+  story.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
+  const std::string text = loop_section(story);
+  EXPECT_THAT(text, HasSubstr("Valve stiction"));
+  EXPECT_THAT(text, Not(HasSubstr("By itself the loop is sound")));
+}
+
 TEST(FollowWords, TheListOfAllLoopsSaysWhose) {
   storage::LoopRow row;
   row.name = "TIC2";
