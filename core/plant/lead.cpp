@@ -23,7 +23,9 @@ constexpr double kRowsACoefficient = 6.0;
 constexpr double kRowsACoefficientOfAll = 3.0;
 /// Of the grid, below which a signal would take the rows of all: it is left out.
 constexpr double kLeastKnown = 0.8;
-/// Of the median of the members' spans, below which a loop is left out for the same reason.
+/// Steps that all members have in common, with fewer of which nothing can be said of a pair; then
+/// those are left out whose spans are below half of the median.
+constexpr std::size_t kFewestSteps = 110;
 constexpr double kLeastSpan = 0.5;
 /// A sum of gains as small as this is noise: such a loop leads nowhere.
 constexpr double kFaintLead = 0.02;
@@ -204,9 +206,13 @@ class Regression {
 
 std::vector<Lead> find_leads(std::span<const MemberLoop> loops,
                              std::span<const std::size_t> members, double period_s) {
-  std::vector<std::size_t> asked =
-      of_like_spans(loops, members.first(std::min(kMostLeading, members.size())));
-  const TimeGrid grid(loops, asked, period_s);
+  const auto strongest = members.first(std::min(kMostLeading, members.size()));
+  std::vector<std::size_t> asked(strongest.begin(), strongest.end());
+  TimeGrid grid(loops, asked, period_s);
+  if (grid.size() < kFewestSteps) {
+    asked = of_like_spans(loops, strongest);
+    grid = TimeGrid(loops, asked, period_s);
+  }
   if (asked.size() < 2 || grid.size() <= static_cast<std::size_t>(kLags)) return {};
   std::vector<Signals> signals;
   std::vector<std::size_t> known;

@@ -107,8 +107,7 @@ TEST_F(PlantBoxTest, NothingIsSaidOfLaterVerdicts) {
   tell({{.loop = "a"}, {.loop = "b", .code = kHealthy}, {.loop = "c"}});
   store(event());
   tell({{.loop = "b", .code = kHealthy, .slot_hours = 24 * 60}});
-  EXPECT_EQ(value("SELECT code FROM loopscope.latest_verdict WHERE loop_name = 'b'"),
-            "healthy");
+  EXPECT_EQ(value("SELECT code FROM loopscope.latest_verdict WHERE loop_name = 'b'"), "healthy");
   EXPECT_EQ(report().followed_by(id("b")), std::nullopt);
 }
 
