@@ -1,12 +1,11 @@
 #pragma once
 
-#include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/verdict.hpp"
 #include "core/plant/member_loop.hpp"
 
 namespace loopscope::core::diagnosis {
 
 /// What the loop's own diagnosis tells the plant.
-[[nodiscard]] plant::OwnFindings own_findings(const Evidence& evidence, const Verdict& verdict);
+[[nodiscard]] plant::OwnFindings own_findings(const Verdict& verdict);
 
 }  // namespace loopscope::core::diagnosis

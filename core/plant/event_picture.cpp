@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
-#include <utility>
 
-#include "core/loop/real_transform.hpp"
-#include "core/signal/gaps.hpp"
+#include "core/plant/periodogram.hpp"
 #include "core/signal/microseconds.hpp"
-#include "core/signal/spread.hpp"
 
 namespace loopscope::core::plant {
 namespace {
@@ -88,32 +84,6 @@ void trace(MemberPicture& picture, const MemberLoop& loop, const Interval& part)
     picture.error.push_back(recorded_mean(loop.error.subspan(k, std::min(pooled, end - k))));
 }
 
-/// Without its mean, gaps bridged, in a Hann window: the ends of the record make no line.
-signal::Samples hann_windowed(std::span<const double> error) {
-  signal::Samples samples(error.begin(), error.end());
-  signal::discard_infinite(samples);
-  const double mean = recorded_mean(samples);
-  if (!std::isfinite(samples.front())) samples.front() = mean;
-  if (!std::isfinite(samples.back())) samples.back() = mean;
-  signal::bridge_gaps(samples, samples.size());
-  const auto count = static_cast<double>(samples.size());
-  for (std::size_t k = 0; k < samples.size(); ++k)
-    samples[k] =
-        (samples[k] - mean) *
-        (0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (static_cast<double>(k) + 0.5) / count));
-  return samples;
-}
-
-/// Of all bins of a periodogram but the mean; shares add up to 1.
-std::vector<double> periodogram(std::span<const double> error, std::size_t length) {
-  const auto spectrum = loop::RealTransform(length).forward(hann_windowed(error));
-  std::vector<double> power(spectrum.size(), 0.0);
-  double total = 0.0;
-  for (std::size_t k = 1; k < spectrum.size(); ++k) total += power[k] = std::norm(spectrum[k]);
-  for (double& one : power) one /= total > 0.0 ? total : 1.0;
-  return power;
-}
-
 /// From `bin` on, over a column of the logarithmic axis and kFewestPooled bins at least.
 std::size_t column_end(std::size_t bin, std::size_t first, double columns_per_e) {
   const double column =
@@ -142,14 +112,14 @@ void pool(MemberPicture& picture, std::span<const double> power, std::size_t fir
   }
 }
 
+/// Shares of the error's power.
 void spectrum(MemberPicture& picture, const MemberLoop& loop) {
-  const auto spread = signal::measure_spread(loop.error);
-  if (loop.error.size() < kFewestForSpectrum || !spread || spread->constant()) return;
-  const std::size_t length = loop::fast_length(loop.error.size());
-  const std::vector<double> power = periodogram(loop.error, length);
-  const double stretch = static_cast<double>(length) / static_cast<double>(loop.error.size());
-  const auto first = static_cast<std::size_t>(std::ceil(kCyclesOfLongest * stretch));
-  pool(picture, power, first, static_cast<double>(length) * loop.sample_interval_s);
+  Periodogram found = hann_periodogram(loop.error, kFewestForSpectrum);
+  if (found.power.empty()) return;
+  const double total = std::accumulate(found.power.begin(), found.power.end(), 0.0);
+  for (double& one : found.power) one /= total > 0.0 ? total : 1.0;
+  const auto first = static_cast<std::size_t>(std::ceil(kCyclesOfLongest * found.stretch));
+  pool(picture, found.power, first, found.samples * found.stretch * loop.sample_interval_s);
   std::ranges::reverse(picture.periods_s);
   std::ranges::reverse(picture.power);
 }

@@ -23,9 +23,10 @@ constexpr double kRowsACoefficient = 6.0;
 constexpr double kRowsACoefficientOfAll = 3.0;
 /// Of the grid, below which a signal would take the rows of all: it is left out.
 constexpr double kLeastKnown = 0.8;
-/// Steps that all members have in common, with fewer of which nothing can be said of a pair; then
-/// those are left out whose spans are below half of the median.
-constexpr std::size_t kFewestSteps = 110;
+/// Of a pair: a constant, and pv and op of both.
+constexpr double kCoefficientsOfPair = 1.0 + 4.0 * static_cast<double>(kLags);
+/// Of the median of the members' spans: shorter records are left out where all of them together
+/// have too little in common for a pair.
 constexpr double kLeastSpan = 0.5;
 /// A sum of gains as small as this is noise: such a loop leads nowhere.
 constexpr double kFaintLead = 0.02;
@@ -125,7 +126,7 @@ class Regression {
   }
 
   [[nodiscard]] bool long_enough() const {
-    return rows_ >= kRowsACoefficient * static_cast<double>(4 * kLags + 1);
+    return rows_ >= kRowsACoefficient * kCoefficientsOfPair;
   }
   /// Whether all pasts can stand in one regression.
   [[nodiscard]] bool long_enough_for_all() const {
@@ -209,7 +210,7 @@ std::vector<Lead> find_leads(std::span<const MemberLoop> loops,
   const auto strongest = members.first(std::min(kMostLeading, members.size()));
   std::vector<std::size_t> asked(strongest.begin(), strongest.end());
   TimeGrid grid(loops, asked, period_s);
-  if (grid.size() < kFewestSteps) {
+  if (static_cast<double>(grid.size()) < kRowsACoefficient * kCoefficientsOfPair + kLags) {
     asked = of_like_spans(loops, strongest);
     grid = TimeGrid(loops, asked, period_s);
   }

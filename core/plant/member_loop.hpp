@@ -1,11 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
-
-#include "core/loop/oscillation.hpp"
 
 namespace loopscope::core::plant {
 
@@ -24,8 +21,6 @@ enum class Fault {
 /// What the loop's own diagnosis says, as far as it speaks for or against its being the source of
 /// an oscillation that others share. All of it stands in the results schema as well.
 struct OwnFindings {
-  std::optional<double> nonlinear_p;  ///< of the verdict's test of coupling; nullopt = not computed
-  std::optional<double> cubic_p;      ///< f + f + f -> 3f
   Fault fault = Fault::none;
   double confidence = 0.0;  ///< of the verdict, 0 to 1
   /// Probabilities beside the verdict, 0 to 1, since causes may stand together: that the valve
@@ -33,11 +28,6 @@ struct OwnFindings {
   /// weighed.
   double friction_p = 0.0;
   double outside_p = 0.0;
-  /// ln(error before / after), held out, summed over the steps of the explanation that are: a valve
-  /// that sticks or has play; an outside oscillation; any other effect. 0 = none, or no model.
-  double valve_explained = 0.0;
-  double outside_explained = 0.0;
-  double other_explained = 0.0;
 };
 
 /// A longer span of a loop's error that ends with its record, at coarser steps (means).
@@ -59,7 +49,6 @@ struct MemberLoop {
   std::span<const double> pv;      ///< empty = not recorded
   std::span<const double> op;      ///< empty = not recorded
   LongerRecord longer;             ///< for the search of slow swings only
-  loop::Oscillation oscillation;   ///< of the error
   OwnFindings own;
 };
 

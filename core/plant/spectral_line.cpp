@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
-#include <numbers>
 
-#include "core/loop/real_transform.hpp"
 #include "core/plant/envelope.hpp"
-#include "core/signal/gaps.hpp"
-#include "core/signal/spread.hpp"
+#include "core/plant/periodogram.hpp"
 
 namespace loopscope::core::plant {
 namespace {
@@ -47,34 +44,6 @@ constexpr std::array<Shape, kLineShapes> kShapes = {{{0.0, 0.12, 0.40},
 constexpr double kBandsPerShape = 0.5;
 constexpr double kApart = 0.04;
 
-/// Of the longest stretch from the first to the last recorded sample; gaps are bridged.
-signal::Samples bridged(std::span<const double> error) {
-  signal::Samples samples(error.begin(), error.end());
-  signal::discard_infinite(samples);
-  const auto recorded = [](double value) { return !std::isnan(value); };
-  samples.erase(std::find_if(samples.rbegin(), samples.rend(), recorded).base(), samples.end());
-  samples.erase(samples.begin(), std::find_if(samples.begin(), samples.end(), recorded));
-  signal::bridge_gaps(samples, samples.size());
-  return samples;
-}
-
-/// Takes mean and slope off and applies a Hann window.
-void window(signal::Samples& samples) {
-  const auto count = static_cast<double>(samples.size());
-  const double middle = (count - 1.0) / 2.0;
-  double mean = 0.0, moment = 0.0;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    mean += samples[k] / count;
-    moment += samples[k] * (static_cast<double>(k) - middle);
-  }
-  const double slope = moment * 12.0 / (count * (count * count - 1.0));
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const double off = static_cast<double>(k) - middle;
-    samples[k] = (samples[k] - mean - slope * off) *
-                 (0.5 + 0.5 * std::cos(2.0 * std::numbers::pi * off / (count + 1.0)));
-  }
-}
-
 double total(const std::vector<double>& sums) {
   return sums.empty() ? 0.0 : sums.back();
 }
@@ -82,18 +51,13 @@ double total(const std::vector<double>& sums) {
 }  // namespace
 
 LineSpectrum::LineSpectrum(std::span<const double> error, double sample_interval_s) {
-  signal::Samples samples = bridged(error);
-  const auto spread = signal::measure_spread(samples);
-  if (samples.size() < kShortestRecord || !spread || spread->constant()) return;
-  const std::size_t length = loop::fast_length(samples.size());
-  samples_ = static_cast<double>(samples.size());
+  const Periodogram found = hann_periodogram(error, kShortestRecord);
+  if (found.power.empty()) return;
+  samples_ = found.samples;
   duration_s_ = samples_ * sample_interval_s;
-  stretch_ = static_cast<double>(length) / samples_;
-  window(samples);
-  const auto spectrum = loop::RealTransform(length).forward(std::move(samples));
-  sums_.resize(spectrum.size() + 1, 0.0);
-  for (std::size_t k = 0; k < spectrum.size(); ++k)
-    sums_[k + 1] = sums_[k] + (k == 0 ? 0.0 : std::norm(spectrum[k]));
+  stretch_ = found.stretch;
+  sums_.resize(found.power.size() + 1, 0.0);
+  for (std::size_t k = 0; k < found.power.size(); ++k) sums_[k + 1] = sums_[k] + found.power[k];
   if (total(sums_) > 0.0)
     bands_ = std::log(samples_ / kShortestPeriod / kFewestPeriods) / kApart * kBandsPerShape *
              static_cast<double>(kShapes.size());

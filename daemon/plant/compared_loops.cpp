@@ -32,8 +32,7 @@ MemberLoop loop_of(const storage::PlantCandidate& candidate) {
   MemberLoop loop;
   loop.id = candidate.loop.loop_id;
   loop.name = candidate.loop.name;
-  loop.oscillation = candidate.evidence.oscillation;
-  loop.own = core::diagnosis::own_findings(candidate.evidence, candidate.verdict);
+  loop.own = core::diagnosis::own_findings(candidate.verdict);
   return loop;
 }
 
@@ -50,29 +49,33 @@ std::vector<std::size_t> slow_ones(std::span<const MemberLoop> loops) {
   return numbers;
 }
 
-void show_record(MemberLoop& loop, const PlantSeries& series) {
-  loop.sample_interval_s = series.sample_interval_s;
-  loop.start_us = series.start_us;
-  loop.error = series.error;
-  loop.sp = series.sp;
-  loop.pv = series.pv;
-  loop.op = series.op;
-}
-
 }  // namespace
 
 ComparedLoops::ComparedLoops(std::vector<storage::PlantCandidate> candidates,
                              const config::Settings& settings, LaneTools& tools)
     : candidates_(std::move(candidates)), settings_(settings), tools_(tools) {
   for (const storage::PlantCandidate& candidate : candidates_) loops_.push_back(loop_of(candidate));
+  records_.resize(loops_.size());
+  longer_.resize(loops_.size());
+}
+
+void ComparedLoops::show(std::size_t loop, PlantSeries record) {
+  PlantSeries& kept = records_[loop] = std::move(record);
+  MemberLoop& shown = loops_[loop];
+  shown.sample_interval_s = kept.sample_interval_s;
+  shown.start_us = kept.start_us;
+  shown.error = kept.error;
+  shown.sp = kept.sp;
+  shown.pv = kept.pv;
+  shown.op = kept.op;
 }
 
 bool ComparedLoops::read_errors() {
   std::vector<std::size_t> all(loops_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  series_.push_back(read_plant_series(candidates_, all, {}, settings_, tools_));
+  auto series = read_plant_series(candidates_, all, {}, settings_, tools_);
   if (tools_.bell.rung()) return false;
-  for (const std::size_t k : all) show_record(loops_[k], series_.back()[k]);
+  for (const std::size_t k : all) show(k, std::move(series[k]));
   return true;
 }
 
@@ -82,9 +85,10 @@ bool ComparedLoops::read_longer() {
     const CoreGate::Permit core(tools_.cores);
     slow = slow_ones(loops_);
   }
+  std::vector<PlantSeries> series;
   try {
-    series_.push_back(read_plant_series(
-        candidates_, slow, {.windows = kLongerWindows, .error_only = true}, settings_, tools_));
+    series = read_plant_series(candidates_, slow, {.windows = kLongerWindows, .error_only = true},
+                               settings_, tools_);
   } catch (const storage::DatabaseError& error) {
     // Old rows may be out of reach where new ones are not: the round goes on without them.
     spdlog::warn("plant round: slow swings are not compared, {} HINT: {}", printable(error.what()),
@@ -93,7 +97,7 @@ bool ComparedLoops::read_longer() {
   }
   if (tools_.bell.rung()) return false;
   for (std::size_t k = 0; k < slow.size(); ++k) {
-    const PlantSeries& one = series_.back()[k];
+    const PlantSeries& one = longer_[slow[k]] = std::move(series[k]);
     loops_[slow[k]].longer = {one.sample_interval_s, one.start_us, one.error};
   }
   return true;
@@ -110,17 +114,19 @@ bool ComparedLoops::read_members(std::span<const core::plant::Event> events) {
         longer.push_back(one.index);
     }
   if (!read_members(all, 1)) return false;
-  cascades_ = core::plant::find_cascade_pairs(loops_);
+  {
+    const CoreGate::Permit core(tools_.cores);
+    cascades_ = core::plant::find_cascade_pairs(loops_);
+  }
   return read_members(longer, kLongerWindows);
 }
 
 bool ComparedLoops::read_members(std::span<const std::size_t> members, std::size_t windows) {
-  series_.push_back(read_plant_series(
-      candidates_, members, {.windows = windows, .error_only = false}, settings_, tools_));
+  auto series = read_plant_series(candidates_, members, {.windows = windows, .error_only = false},
+                                  settings_, tools_);
   if (tools_.bell.rung()) return false;
   for (std::size_t k = 0; k < members.size(); ++k)
-    if (const PlantSeries& one = series_.back()[k]; !one.error.empty())
-      show_record(loops_[members[k]], one);
+    if (!series[k].error.empty()) show(members[k], std::move(series[k]));
   return true;
 }
 
@@ -129,9 +135,10 @@ std::int64_t ComparedLoops::read() const {
 }
 
 std::int64_t ComparedLoops::oscillating() const {
-  return std::ranges::count_if(loops_, [](const MemberLoop& loop) {
-    return !loop.error.empty() && loop.oscillation.present;
-  });
+  std::int64_t count = 0;
+  for (std::size_t k = 0; k < loops_.size(); ++k)
+    count += candidates_[k].oscillating && !loops_[k].error.empty() ? 1 : 0;
+  return count;
 }
 
 }  // namespace loopscope::daemon

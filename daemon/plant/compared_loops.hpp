@@ -38,12 +38,14 @@ class ComparedLoops {
  private:
   [[nodiscard]] bool read_members(std::span<const std::size_t> members, std::size_t windows);
 
+  void show(std::size_t loop, PlantSeries record);
+
   std::vector<storage::PlantCandidate> candidates_;
   const config::Settings& settings_;
   LaneTools& tools_;
-  std::vector<core::plant::MemberLoop> loops_;  // views of the series below
+  std::vector<core::plant::MemberLoop> loops_;  // views of records_ and longer_
   std::vector<core::plant::CascadePair> cascades_;
-  std::vector<std::vector<PlantSeries>> series_;
+  std::vector<PlantSeries> records_, longer_;  // of every loop; empty = not read
 };
 
 }  // namespace loopscope::daemon

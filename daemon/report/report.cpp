@@ -1,6 +1,7 @@
 #include "daemon/report/report.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <map>
 #include <optional>
@@ -99,8 +100,13 @@ void add_event_pictures(PlantFacts& facts, bool wanted, const std::stop_token& s
     facts.picture_trouble = "none were asked for.";
     return;
   }
-  album.pictures = draw_figures(album.figures, find_gnuplot(), stop);
-  facts.album = std::move(album);
+  const std::filesystem::path gnuplot = find_gnuplot();
+  try {
+    album.pictures = draw_figures(album.figures, gnuplot, stop);
+    facts.album = std::move(album);
+  } catch (const Failure& failure) {
+    facts.picture_trouble = failure.what();
+  }
 }
 
 void add_pictures(const config::Settings& settings, bool wanted, std::vector<LoopStory>& stories,

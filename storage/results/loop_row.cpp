@@ -15,6 +15,11 @@ std::optional<core::signal::OpRange> read_range(const pqxx::row& row, const char
 
 }  // namespace
 
+std::optional<std::string> maybe_text(const pqxx::field& field) {
+  if (field.is_null()) return std::nullopt;
+  return field.c_str();
+}
+
 std::string read_text(const pqxx::field& field) {
   return field.is_null() ? "" : field.c_str();
 }

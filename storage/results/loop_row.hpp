@@ -12,6 +12,9 @@ namespace loopscope::storage {
 /// A text; "" for NULL, the catalogue's word for "not recorded".
 [[nodiscard]] std::string read_text(const pqxx::field& field);
 
+/// A text; nullopt for NULL.
+[[nodiscard]] std::optional<std::string> maybe_text(const pqxx::field& field);
+
 /// A whole number; nullopt for NULL.
 [[nodiscard]] std::optional<std::int64_t> read_integer(const pqxx::field& field);
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/diagnosis/evidence.hpp"
 #include "core/diagnosis/verdict.hpp"
 #include "storage/catalogue_entry.hpp"
 
@@ -15,9 +14,7 @@ class Session;
 struct PlantCandidate {
   CatalogueEntry loop;
   std::int64_t slot_end_us = 0;
-  /// What the plant asks for: the oscillation, nonlinear_p and cubic_p of both looks, effect and
-  /// errors of the model's steps. Nothing else is filled.
-  core::Evidence evidence;
+  bool oscillating = false;          ///< by itself
   core::diagnosis::Verdict verdict;  ///< code, confidence, probabilities of the causes
 };
 

@@ -4,17 +4,12 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <tuple>
 
 #include "storage/results/loop_row.hpp"
+#include "storage/results/number_list.hpp"
 
 namespace loopscope::storage {
 namespace {
-
-std::optional<std::string> name_in(const pqxx::field& field) {
-  if (field.is_null()) return std::nullopt;
-  return field.c_str();
-}
 
 /// One sentence a line.
 std::vector<std::string> read_lines(const pqxx::field& field) {
@@ -28,19 +23,12 @@ std::vector<std::string> read_lines(const pqxx::field& field) {
   return lines;
 }
 
-/// A float8[]; null = NaN.
-std::vector<double> read_numbers(const pqxx::field& field) {
-  std::vector<double> numbers;
-  if (field.is_null()) return numbers;
-  pqxx::array_parser elements = field.as_array();
-  for (auto [what, text] = elements.get_next(); what != pqxx::array_parser::done;
-       std::tie(what, text) = elements.get_next()) {
-    if (what == pqxx::array_parser::string_value)
-      pqxx::from_string(text, numbers.emplace_back(0.0));
-    else if (what == pqxx::array_parser::null_value)
-      numbers.push_back(NAN);
-  }
-  return numbers;
+/// What is null was not recorded: NaN.
+std::vector<double> read_series(const pqxx::field& field) {
+  std::vector<double> series;
+  for (const std::optional<double>& value : read_number_list(field))
+    series.push_back(value.value_or(NAN));
+  return series;
 }
 
 PlantOscillationRow::Member read_member(const pqxx::row& row) {
@@ -57,7 +45,7 @@ PlantOscillationRow read_event(const pqxx::row& row) {
   PlantOscillationRow event;
   event.number = row["number"].as<std::int64_t>();
   event.period_s = row["period_s"].as<double>();
-  event.source_name = name_in(row["source_loop_name"]);
+  event.source_name = maybe_text(row["source_loop_name"]);
   event.statement = row["statement"].c_str();
   event.slot_end_us = row["slot_end_us"].as<std::int64_t>();
   event.p = read_number(row["p"]);
@@ -97,14 +85,14 @@ void add_traces(std::vector<PlantOscillationRow>& events, const pqxx::result& ro
     if (PlantOscillationRow* const event = event_of(events, row))
       event->traces.push_back({row["loop_id"].as<std::int64_t>(),
                                row["start_us"].as<std::int64_t>(), row["step_s"].as<double>(),
-                               read_numbers(row["error"]), read_numbers(row["periods_s"]),
-                               read_numbers(row["power"])});
+                               read_series(row["error"]), read_series(row["periods_s"]),
+                               read_series(row["power"])});
 }
 
 FollowedRow read_followed(const pqxx::row& row) {
-  return {row["number"].as<std::int64_t>(), row["period_s"].as<double>(),
-          name_in(row["source_loop_name"]), row["role"].c_str(),
-          row["strength"].as<double>(),     row["shown_code"].c_str()};
+  return {row["number"].as<std::int64_t>(),    row["period_s"].as<double>(),
+          maybe_text(row["source_loop_name"]), row["role"].c_str(),
+          row["strength"].as<double>(),        row["shown_code"].c_str()};
 }
 
 }  // namespace loopscope::storage

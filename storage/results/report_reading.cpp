@@ -12,11 +12,6 @@ std::int64_t integer(const pqxx::field& field) {
   return field.as<std::int64_t>();
 }
 
-std::optional<std::string> maybe_text(const pqxx::field& field) {
-  if (field.is_null()) return std::nullopt;
-  return field.c_str();
-}
-
 RepairFigure read_figure(const pqxx::row& row) {
   return {row["figure"].c_str(),          read_text(row["unit"]),
           read_text(row["meaning"]),      read_number(row["before"]),

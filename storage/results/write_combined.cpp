@@ -11,7 +11,7 @@
 
 #include "core/diagnosis/odds/combined_odds.hpp"
 #include "storage/array_literal.hpp"
-#include "storage/results/cause_values.hpp"
+#include "storage/results/number_list.hpp"
 #include "storage/statement.hpp"
 #include "storage/timestamp.hpp"
 
@@ -100,16 +100,16 @@ struct CombinedRows {
 class LoopWindows {
  public:
   void begin_with(const pqxx::row& row) {
-    combined_ = Combined{{row["end_s"].as<double>(), read_cause_values(row["evidence"]),
-                          read_cause_values(row["windows"])},
-                         read_cause_values(row["probabilities"])};
+    combined_ = Combined{{row["end_s"].as<double>(), read_number_list(row["evidence"]),
+                          read_number_list(row["windows"])},
+                         read_number_list(row["probabilities"])};
   }
 
   /// Empty where the window could not be judged; as before where it holds nothing new.
   Combined next(const pqxx::row& row, const PerCause& priors) {
     const diagnosis::JudgedWindow window{row["start_s"].as<double>(), row["end_s"].as<double>(),
                                          row["with_model"].as<bool>(),
-                                         read_cause_values(row["evidence"])};
+                                         read_number_list(row["evidence"])};
     if (window.evidence.empty() || !(window.end_s > window.start_s)) return {};
     if (combined_ && window.end_s <= combined_->odds.end_s) return *combined_;
     const auto before = combined_ ? std::optional(combined_->odds) : std::nullopt;
@@ -117,7 +117,7 @@ class LoopWindows {
     odds.evidence = as_stored(std::move(odds.evidence));
     odds.windows = as_stored(std::move(odds.windows));
     PerCause probabilities = diagnosis::stands_alone(before, window)
-                                 ? read_cause_values(row["probabilities"])
+                                 ? read_number_list(row["probabilities"])
                                  : diagnosis::probabilities_of(odds, priors);
     combined_ = Combined{std::move(odds), std::move(probabilities)};
     return *combined_;

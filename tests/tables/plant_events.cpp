@@ -83,7 +83,6 @@ LOOPSCOPE_TABLE(plant_ten_thousand_loops, "events and time of a plant of 10 000 
   }
   for (int k = kOscillating; k < kLoops; ++k) {
     plant.add(draw_course(kRecord, 20.0, 1.5, random), 20.0, random);
-    plant.periods.back() = 0.0;
   }
   const std::vector<MemberLoop>& loops = plant.finish();
   const std::clock_t start = std::clock();

@@ -130,26 +130,12 @@ TEST(Event, ALineNeedsSeveralLoops) {
   EXPECT_GE(events.front().members.size(), 9U);
 }
 
-TEST(Event, ALoopWithoutAPeriodOfItsOwnJoins) {
-  std::mt19937_64 random(24);
-  const Course course = draw_course(kWindow + 600, 60.0, 0.4, random);
-  OscillatingPlant plant;
-  for (int k = 0; k < 5; ++k) plant.add(course, 60.0, random);
-  plant.finish();
-  plant.loops[4].oscillation = {};
-  const std::vector<Event> events = find_events(plant.loops, {});
-  ASSERT_EQ(events.size(), 1U);
-  EXPECT_EQ(events.front().members.size(), 5U);
-  EXPECT_NEAR(1.0 / events.front().frequency_hz, 60.0, 1.0);
-}
-
 TEST(Event, StrengthIsTheShareOfTheVariance) {
   std::mt19937_64 random(25);
   const Course course = draw_course(kWindow + 600, 60.0, 0.2, random);
   OscillatingPlant plant;
   for (const double noise : {0.1, 0.1, 1.0}) {
     plant.errors.push_back(draw_error(course, 60.0, 0, noise, kWindow, random));
-    plant.periods.push_back(60.0);
   }
   plant.finish();
   const std::vector<Event> events = find_events(plant.loops, {});
@@ -162,7 +148,7 @@ TEST(Event, StrengthIsTheShareOfTheVariance) {
 TEST(Event, NothingComesOfNothing) {
   EXPECT_TRUE(find_events({}, {}).empty());
   const std::vector<double> still(kWindow, 0.0);
-  const std::vector<MemberLoop> loops(5, tests::oscillating_loop(1, still, 60.0));
+  const std::vector<MemberLoop> loops(5, tests::oscillating_loop(1, still));
   EXPECT_TRUE(find_events(loops, {}).empty());
 }
 

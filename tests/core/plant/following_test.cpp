@@ -17,7 +17,7 @@ using tests::draw_error;
 using tests::uniform;
 
 Envelope envelope_of(const std::vector<double>& error, double period) {
-  return make_envelope(tests::oscillating_loop(1, error, period), 1.0 / period);
+  return make_envelope(tests::oscillating_loop(1, error), 1.0 / period);
 }
 
 double log_uniform(double low, double high, std::mt19937_64& random) {

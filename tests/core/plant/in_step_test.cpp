@@ -27,7 +27,7 @@ Draw draw(std::mt19937_64& random) {
 }
 
 Wander wander_of(const std::vector<double>& error, double frequency) {
-  return measure_wander(make_envelope(tests::oscillating_loop(1, error, 1.0), frequency));
+  return measure_wander(make_envelope(tests::oscillating_loop(1, error), frequency));
 }
 
 /// Two oscillators of one wander law: of one course, or each of its own with periods up to 2 %

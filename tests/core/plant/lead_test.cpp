@@ -35,7 +35,7 @@ struct Chain {
       pv.push_back(next);
     }
     for (std::size_t k = 0; k < pv.size(); ++k) {
-      loops.push_back(tests::oscillating_loop(static_cast<std::int64_t>(k), pv[k], 40.0));
+      loops.push_back(tests::oscillating_loop(static_cast<std::int64_t>(k), pv[k]));
       loops.back().pv = pv[k];
       members.push_back(k);
     }
@@ -64,7 +64,7 @@ TEST(Lead, LoopsThatKnowNothingOfEachOtherForetellNothing) {
     const tests::Course course = tests::draw_course(kWindow, 40.0, 0.5, random);
     pv.push_back(tests::draw_error(course, 40.0, 0, 0.3, kWindow, random));
   }
-  for (const auto& series : pv) loops.push_back(tests::oscillating_loop(1, series, 40.0));
+  for (const auto& series : pv) loops.push_back(tests::oscillating_loop(1, series));
   double most = 0.0;
   for (const Lead& lead : find_leads(loops, members, 40.0)) most = std::max(most, lead.gain);
   EXPECT_LT(most, 0.05);

@@ -37,7 +37,7 @@ struct FastLoop {
         means(means_of(span)) {}
 
   [[nodiscard]] MemberLoop loop(std::int64_t id) const {
-    MemberLoop loop = tests::oscillating_loop(id, newest, kPeriod);
+    MemberLoop loop = tests::oscillating_loop(id, newest);
     const std::int64_t before_us = 1'000'000LL * (kSpan - kRecord);
     loop.longer = {kMeans, loop.start_us - before_us + 3'500'000LL, means};
     return loop;

@@ -48,14 +48,12 @@ std::vector<double> draw_error(const Course& course, double period, std::size_t 
   return error;
 }
 
-MemberLoop oscillating_loop(std::int64_t id, const std::vector<double>& error, double period) {
+MemberLoop oscillating_loop(std::int64_t id, const std::vector<double>& error) {
   MemberLoop loop;
   loop.id = id;
   loop.name = "L" + std::to_string(id);
   loop.start_us = 1'700'000'000'000'000;
   loop.error = error;
-  loop.oscillation.present = true;
-  loop.oscillation.period_s = period;
   return loop;
 }
 
@@ -65,16 +63,13 @@ void OscillatingPlant::add(const Course& course, double period, std::mt19937_64&
   const auto lag = static_cast<std::size_t>(uniform(0.0, std::min(kLongestLag, period), random));
   errors.push_back(draw_error(course, period, lag, uniform(0.2, 0.8, random),
                               loopscope::tests::kWindow, random));
-  periods.push_back(period);
   groups.push_back(group);
 }
 
 const std::vector<MemberLoop>& OscillatingPlant::finish() {
   loops.clear();
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    loops.push_back(oscillating_loop(static_cast<std::int64_t>(k), errors[k], periods[k]));
-    if (periods[k] == 0.0) loops.back().oscillation = {};
-  }
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    loops.push_back(oscillating_loop(static_cast<std::int64_t>(k), errors[k]));
   return loops;
 }
 

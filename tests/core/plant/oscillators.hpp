@@ -25,15 +25,12 @@ struct Course {
                                              double noise, std::size_t samples,
                                              std::mt19937_64& random);
 
-/// A loop that shows an oscillation of this period (samples of one second). `error` has to outlive
-/// it.
-[[nodiscard]] MemberLoop oscillating_loop(std::int64_t id, const std::vector<double>& error,
-                                          double period);
+/// A loop that is sampled every second. `error` has to outlive it.
+[[nodiscard]] MemberLoop oscillating_loop(std::int64_t id, const std::vector<double>& error);
 
 /// Windows of loops that oscillate, each in its own noise.
 struct OscillatingPlant {
   std::vector<std::vector<double>> errors;
-  std::vector<double> periods;    ///< 0 = no oscillation of its own
   std::vector<int> groups;        ///< of the shared oscillation; -1 = none
   std::vector<MemberLoop> loops;  ///< once finished
 

@@ -31,10 +31,10 @@ struct PlantOfSix {
     for (std::size_t k = 0; driven && k < 6; ++k)
       if (k != 2) errors[k] = behind_a_lag(errors[2], 5.0 + static_cast<double>(k), random);
     for (std::size_t k = 0; k < 6; ++k)
-      loops.push_back(tests::oscillating_loop(static_cast<std::int64_t>(100 + k), errors[k], 60.0));
+      loops.push_back(tests::oscillating_loop(static_cast<std::int64_t>(100 + k), errors[k]));
     if (!driven) return;
     loops[2].op = output;
-    loops[2].own = {1e-9, 1e-9, Fault::friction, 0.9, 0.9, 0.0, 1.2, 0.0, 0.0};
+    loops[2].own = {Fault::friction, 0.9, 0.9, 0.0};
   }
 
   static std::vector<double> behind_a_lag(const std::vector<double>& from, double lag,

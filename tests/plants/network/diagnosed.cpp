@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/diagnosis/diagnose.hpp"
+#include "core/diagnosis/nonlinearity.hpp"
 #include "core/diagnosis/plant_member.hpp"
 #include "tests/effects/window_of.hpp"
 
@@ -24,8 +25,14 @@ DiagnosedLoop diagnose(const LoopRecord& record, const TrueLoop& truth, std::uin
   loop.sp = record.sp;
   loop.pv = first.loop.pv;
   loop.op = first.loop.op_percent;
-  loop.oscillation = first.oscillation;
-  loop.own = core::diagnosis::own_findings(evidence, verdict);
+  loop.own = core::diagnosis::own_findings(verdict);
+  loop.nonlinear_p = core::diagnosis::nonlinear_p(evidence);
+  if (evidence.hos)
+    loop.cubic_p = evidence.hos_slow ? evidence.hos_slow->result.cubic_p : evidence.hos->cubic_p;
+  if (evidence.model)
+    for (const core::model::Step& step : evidence.model->steps)
+      if (core::model::is_valve_hysteresis(step.effect))
+        loop.valve_explained += core::model::explained_by(step);
   loop.verdict = name(verdict.code);
   if (evidence.hos) loop.ngi = evidence.hos->ngi;
   return loop;
@@ -43,7 +50,6 @@ std::vector<core::plant::MemberLoop> members_of(const std::vector<DiagnosedLoop>
     member.sp = loop.sp;
     member.pv = loop.pv;
     member.op = loop.op;
-    member.oscillation = loop.oscillation;
     member.own = loop.own;
     members.push_back(std::move(member));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,10 @@ struct DiagnosedLoop {
   double interval_s = 1.0;
   std::int64_t start_us = 0;
   std::vector<double> error, sp, pv, op;
-  core::loop::Oscillation oscillation;
   core::plant::OwnFindings own;
+  // Published criteria, to compare with (criteria.hpp).
+  std::optional<double> nonlinear_p, cubic_p;
+  double valve_explained = 0.0;  ///< ln(error before / after) of sticking or play, held out
   std::string verdict;
   double ngi = 0.0;
 };

@@ -36,6 +36,8 @@ class Reader {
       options_.plants = words_.count(word, 0);
     else if (word == "--outside")
       outside_ = words_.count(word, 0);
+    else if (word == "--independent")
+      options_.independent = words_.count(word, 1);
     else if (word == "--threads")
       options_.threads = static_cast<unsigned>(words_.count(word, 1));
     else
@@ -55,12 +57,13 @@ Options read_options(const std::vector<std::string>& words) {
 
 std::string usage() {
   return "plant_sources [--seed N] [--plants M] [--outside K] [--threads T] [--json]\n"
-         "              [--criteria] [--evidence FILE.csv]\n"
+         "              [--criteria] [--evidence FILE.csv] [--independent N]\n"
          "Draws M plants of thirty loops that one sticking valve shakes (one in eight at a "
          "recycle) "
          "and K\nthat something outside does, diagnoses every loop and says who is the source.\n"
          "Defaults: seed 1, 40 plants, a quarter as many outside, one thread per processor.\n"
          "--criteria adds what each published figure alone would have ranked first.\n"
+         "--independent: of N plants whose loops share nothing, how many show an event.\n"
          "--evidence writes what the ranking weighs, for fit_weights.\n";
 }
 

@@ -14,8 +14,9 @@ struct Options {
   bool criteria = false;      ///< also what each criterion alone would rank first
   std::string evidence_file;  ///< the ranking's figures of every member; empty = not written
   std::uint64_t seed = 1;
-  std::size_t plants = 40;   ///< with a sticking valve as the source
-  std::size_t outside = 10;  ///< with the cause outside
+  std::size_t plants = 40;      ///< with a sticking valve as the source
+  std::size_t outside = 10;     ///< with the cause outside
+  std::size_t independent = 0;  ///< instead: plants of loops that share nothing
   unsigned threads = 1;
 };
 

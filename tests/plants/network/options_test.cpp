@@ -24,6 +24,7 @@ TEST(PlantOptions, ReadsEveryOption) {
   EXPECT_TRUE(options.json);
   EXPECT_TRUE(options.criteria);
   EXPECT_EQ(options.evidence_file, "file.csv");
+  EXPECT_EQ(read_options({"--independent", "500"}).independent, 500U);
   EXPECT_TRUE(read_options({"--help"}).help);
 }
 

@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "tests/plants/network/evidence_file.hpp"
+#include "tests/plants/network/independent.hpp"
 #include "tests/plants/network/options.hpp"
 #include "tests/plants/network/run_plants.hpp"
 #include "tests/plants/network/summary.hpp"
@@ -13,6 +14,13 @@ namespace network = loopscope::tests::network;
 void run(const network::Options& options) {
   if (options.help) {
     std::cout << network::usage();
+    return;
+  }
+  if (options.independent > 0) {
+    std::cout << "plants of loops that share nothing with an event: "
+              << network::plants_with_false_event(options.seed, options.independent,
+                                                  options.threads)
+              << " of " << options.independent << '\n';
     return;
   }
   const std::vector<network::Outcome> outcomes = network::run_plants(options);

@@ -42,7 +42,7 @@ DiagnosedLoop diagnose(const ProcessLoop& loop, std::uint64_t seed) {
   const auto [evidence, verdict, traces] =
       core::diagnose(result.first, settings, facts, nullptr,
                      {.cause = core::ModelCause{}, .traces = false, .done = {}});
-  result.own = core::diagnosis::own_findings(evidence, verdict);
+  result.own = core::diagnosis::own_findings(verdict);
   return result;
 }
 
@@ -55,7 +55,6 @@ MemberLoop member_of(const ProcessLoop& loop, const DiagnosedLoop& diagnosed) {
   member.sp = loop.sp;
   member.pv = diagnosed.first.loop.pv;
   member.op = diagnosed.first.loop.op_percent;
-  member.oscillation = diagnosed.first.oscillation;
   member.own = diagnosed.own;
   return member;
 }

@@ -1,5 +1,5 @@
-#include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,7 +26,7 @@ constexpr const char* kUsage =
     "CAUSE: none, sticking_valve, dead_band, sawtooth_sensor, tight_loop, outside_wave\n";
 
 struct Options {
-  std::string kind;
+  std::optional<process::PlantKind> kind;
   std::vector<process::Cause> causes = process::all_causes();
   std::uint64_t seed = 1;
   std::uint64_t plants = 60;
@@ -34,15 +34,25 @@ struct Options {
   std::string evidence;
 };
 
+/// A name that there is not is wrong usage.
+template <typename Value>
+Value named(Value (*value)(const std::string&), const std::string& name) {
+  try {
+    return value(name);
+  } catch (const std::invalid_argument& error) {
+    throw WrongUsage(std::string(error.what()) + "\n" + kUsage);
+  }
+}
+
 Options read_options(const std::vector<std::string>& words) {
   Options options;
   CommandWords left(words);
   while (!left.done()) {
     const std::string option = left.next();
     if (option == "--kind")
-      options.kind = left.value(option);
+      options.kind = named(process::kind_named, left.value(option));
     else if (option == "--cause")
-      options.causes = {process::cause_named(left.value(option))};
+      options.causes = {named(process::cause_named, left.value(option))};
     else if (option == "--seed")
       options.seed = left.count(option, 1);
     else if (option == "--plants")
@@ -54,29 +64,28 @@ Options read_options(const std::vector<std::string>& words) {
     else
       throw WrongUsage(option + " is no option\n" + kUsage);
   }
-  if (options.kind.empty()) throw WrongUsage(std::string("--kind is missing\n") + kUsage);
+  if (!options.kind) throw WrongUsage(std::string("--kind is missing\n") + kUsage);
   return options;
 }
 
-void write_evidence(const std::string& file, const std::vector<process::Judgement>& judgements) {
-  std::ofstream out(file);
+void write_evidence(std::ostream& out, const std::vector<process::Judgement>& judgements) {
   out << process::kEvidenceHeader << '\n';
   for (const process::Judgement& one : judgements)
     for (const std::string& line : one.evidence) out << line << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write " + file);
 }
 
 void run(const Options& options) {
-  const process::PlantKind kind = process::kind_named(options.kind);
   std::vector<process::Judgement> judgements(options.plants);
   loopscope::tests::in_threads(
       judgements.size(), static_cast<unsigned>(options.threads), [&](std::size_t k) {
         const std::size_t causes = options.causes.size();
-        judgements[k] =
-            process::judge_plant(kind, options.causes[k % causes], options.seed + k / causes);
+        judgements[k] = process::judge_plant(*options.kind, options.causes[k % causes],
+                                             options.seed + k / causes);
       });
   std::cout << process::table_of(judgements);
-  if (!options.evidence.empty()) write_evidence(options.evidence, judgements);
+  if (!options.evidence.empty())
+    loopscope::tests::write_file(options.evidence,
+                                 [&](std::ostream& file) { write_evidence(file, judgements); });
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
-#include "storage/results/cause_values.hpp"
+#include "storage/results/number_list.hpp"
 
-#include <optional>
 #include <tuple>
 
 namespace loopscope::storage {
 
-core::diagnosis::PerCause read_cause_values(const pqxx::field& field) {
-  core::diagnosis::PerCause values;
+std::vector<std::optional<double>> read_number_list(const pqxx::field& field) {
+  std::vector<std::optional<double>> values;
   if (field.is_null()) return values;
   pqxx::array_parser elements = field.as_array();
   for (auto [what, text] = elements.get_next(); what != pqxx::array_parser::done;
