@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/diagnosis/words.hpp"
+#include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/diagnosis/model_words.hpp"
 #include "core/diagnosis/structure.hpp"
 #include "core/diagnosis/words.hpp"
+#include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

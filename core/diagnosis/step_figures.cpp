@@ -5,6 +5,7 @@
 
 #include "core/diagnosis/structure.hpp"
 #include "core/model/cycle_valve.hpp"
+#include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

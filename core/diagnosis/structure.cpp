@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/diagnosis/nonlinearity.hpp"
+#include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

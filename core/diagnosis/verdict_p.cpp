@@ -8,6 +8,7 @@
 #include "core/diagnosis/loop_figures.hpp"
 #include "core/diagnosis/nonlinearity.hpp"
 #include "core/diagnosis/structure.hpp"
+#include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

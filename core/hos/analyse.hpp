@@ -9,19 +9,10 @@
 
 #include "core/hos/kernels.hpp"
 #include "core/hos/noise_shape.hpp"
+#include "core/hos/peaks.hpp"
 #include "core/hos/settings.hpp"
 
 namespace loopscope::core::hos {
-
-/// A peak of the squared bicoherence.
-struct Peak {
-  double f1 = 0.0;    ///< cycles per sample, 0 to 0.5, f1 >= f2
-  double f2 = 0.0;    ///< cycles per sample
-  double bic2 = 0.0;  ///< squared bicoherence, 0 to 1
-  /// Against Gaussian noise, corrected for the whole triangle; nullopt = the three frequencies
-  /// share main lobes, where a single line looks coupled to itself
-  std::optional<double> p;
-};
 
 /// What the error signal couples; `none_found` never means "linear", `too_short` that the record
 /// holds too few cycles of its oscillation for any to be found.

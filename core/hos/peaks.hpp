@@ -1,14 +1,24 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "core/hos/analyse.hpp"
 #include "core/hos/principal_domain.hpp"
 #include "core/hos/settings.hpp"
 
 namespace loopscope::core::hos {
+
+/// A peak of the squared bicoherence.
+struct Peak {
+  double f1 = 0.0;    ///< cycles per sample, 0 to 0.5, f1 >= f2
+  double f2 = 0.0;    ///< cycles per sample
+  double bic2 = 0.0;  ///< squared bicoherence, 0 to 1
+  /// Against Gaussian noise, corrected for the whole triangle; nullopt = the three frequencies
+  /// share main lobes, where a single line looks coupled to itself
+  std::optional<double> p;
+};
 
 /// Squared bicoherence that the largest of `bifrequencies` (L) values exceeds with a probability
 /// of about alpha when nothing is coupled: ln(L / alpha) / K. By the published null K bic2 is

@@ -3,6 +3,8 @@
 #include "core/model/answer_lanes.hpp"
 #include "core/model/answer_sums.hpp"
 #include "core/model/lane_basis.hpp"
+#include "core/model/loop_data.hpp"
+#include "core/model/noise_model.hpp"
 #include "core/model/valve_batch.hpp"
 
 namespace loopscope::core::model {

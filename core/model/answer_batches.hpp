@@ -2,6 +2,8 @@
 
 #include "core/model/answer_batch.hpp"
 #include "core/model/lane_basis.hpp"
+#include "core/model/lane_kernel.hpp"
+#include "core/model/valve_law.hpp"
 
 namespace loopscope::core::model {
 inline namespace LOOPSCOPE_PATH {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/model/lane_basis.hpp"
+#include "core/model/noise_model.hpp"
+#include "core/model/process_shape.hpp"
 #include "core/model/valve_lanes.hpp"
 
 namespace loopscope::core::model {

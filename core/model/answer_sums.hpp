@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/model/lane_basis.hpp"
+#include "core/model/loop_data.hpp"
 #include "core/model/valve_lanes.hpp"
 
 namespace loopscope::core::model {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/effects/catalogue.hpp"
+
 namespace loopscope::core::model {
 namespace {
 

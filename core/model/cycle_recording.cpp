@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "core/model/cycle_period.hpp"
+#include "core/model/cycle_band.hpp"
 #include "core/signal/gaps.hpp"
 #include "core/signal/spread.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/model/driven_cycle.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/phrases.hpp"
 
 namespace loopscope::core::model {

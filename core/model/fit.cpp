@@ -73,21 +73,6 @@ class Hope {
 
 }  // namespace
 
-Structure with(Structure structure, EffectPtr effect) {
-  structure.effects.push_back(std::move(effect));
-  return structure;
-}
-
-Structure with_last(Structure structure, EffectPtr effect) {
-  structure.effects.back() = std::move(effect);
-  return structure;
-}
-
-Structure without_last(Structure structure) {
-  structure.effects.pop_back();
-  return structure;
-}
-
 std::span<const double> coefficients_of(const Fit& fit, std::size_t place) {
   const auto& effects = fit.structure.effects;
   std::size_t offset = fit.taps();

@@ -5,26 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "core/model/effect.hpp"
 #include "core/model/loop_data.hpp"
-#include "core/model/noise_model.hpp"
-#include "core/model/process_shape.hpp"
+#include "core/model/model_structure.hpp"
 
 namespace loopscope::core::model {
-
-/// A loop model but for the coefficients that least squares gives.
-struct Structure {
-  ProcessShape process;
-  NoiseModel noise;
-  bool second_order = false;  ///< the second lag is fitted too
-  bool two_taps = false;      ///< the numerator has its second coefficient; every sample is a row
-  std::vector<EffectPtr> effects;
-};
-
-/// With one effect more, with another last one, without the last one.
-[[nodiscard]] Structure with(Structure structure, EffectPtr effect);
-[[nodiscard]] Structure with_last(Structure structure, EffectPtr effect);
-[[nodiscard]] Structure without_last(Structure structure);
 
 /// A structure fitted to the fit rows of a record.
 struct Fit {

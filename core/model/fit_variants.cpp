@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/model/added_column.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/newton_step.hpp"
 #include "core/model/whitening.hpp"
 

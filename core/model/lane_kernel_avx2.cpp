@@ -1,4 +1,4 @@
-#include "core/model/lane_basis.hpp"
+#include "core/model/lane_foundations.hpp"
 
 #if defined(__x86_64__)
 

@@ -2,6 +2,7 @@
 
 #include "core/model/answer_batches.hpp"
 #include "core/model/lane_basis.hpp"
+#include "core/model/lane_kernel.hpp"
 
 namespace loopscope::core::model {
 inline namespace LOOPSCOPE_PATH {

@@ -7,6 +7,7 @@
 #include "core/model/asked.hpp"
 #include "core/model/closed_loop.hpp"
 #include "core/model/controller_trap.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/excitation.hpp"
 #include "core/model/noise_floor.hpp"
 #include "core/model/prefer_hysteresis.hpp"

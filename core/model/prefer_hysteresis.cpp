@@ -7,6 +7,7 @@
 
 #include "core/model/asked.hpp"
 #include "core/model/cycle_valve.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/hysteresis_step.hpp"
 
 namespace loopscope::core::model {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/op_direction.hpp"
 #include "core/model/questions/coupling.hpp"
 

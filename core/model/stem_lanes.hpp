@@ -2,6 +2,7 @@
 
 #include "core/model/lane_basis.hpp"
 #include "core/model/stems.hpp"
+#include "core/model/valve_law.hpp"
 
 namespace loopscope::core::model {
 inline namespace LOOPSCOPE_PATH {

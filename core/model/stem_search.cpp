@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/hos/uniform_draw.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/fit_variants.hpp"
 #include "core/model/stem_genes.hpp"
 

@@ -2,6 +2,9 @@
 
 #include "core/model/lane_basis.hpp"
 #include "core/model/lane_masks.hpp"
+#include "core/model/op_step.hpp"
+#include "core/model/stem_friction.hpp"
+#include "core/model/valve_law.hpp"
 
 namespace loopscope::core::model {
 inline namespace LOOPSCOPE_PATH {

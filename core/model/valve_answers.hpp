@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/model/effects/valve.hpp"
-#include "core/model/fit.hpp"
+#include "core/model/loop_data.hpp"
+#include "core/model/model_structure.hpp"
 #include "core/model/products.hpp"
 
 namespace loopscope::core::model {

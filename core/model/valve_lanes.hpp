@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/model/lane_basis.hpp"
+#include "core/model/op_step.hpp"
+#include "core/model/valve_law.hpp"
 
 namespace loopscope::core::model {
 inline namespace LOOPSCOPE_PATH {

@@ -11,7 +11,9 @@
 #include "daemon/failure.hpp"
 #include "daemon/output/printable.hpp"
 #include "daemon/service/storage_settings.hpp"
-#include "storage/check.hpp"
+#include "storage/finding.hpp"
+#include "storage/historian/check_historian.hpp"
+#include "storage/results/check_results.hpp"
 
 namespace loopscope::daemon {
 namespace {

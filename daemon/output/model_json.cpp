@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/effects/catalogue.hpp"
 #include "daemon/output/json_number.hpp"
 
 namespace loopscope::daemon {

@@ -4,6 +4,7 @@
 
 #include "core/diagnosis/model_words.hpp"
 #include "core/diagnosis/words.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "daemon/output/text_line.hpp"
 
 namespace loopscope::daemon {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/diagnosis/words.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "daemon/report/compact_svg.hpp"
 #include "daemon/report/html_text.hpp"
 #include "daemon/report/page_text.hpp"

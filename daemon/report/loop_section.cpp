@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "core/diagnosis/model_words.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/phrases.hpp"
 #include "daemon/report/cause_bars.hpp"
 #include "daemon/report/data_section.hpp"

@@ -7,6 +7,8 @@
 #include <set>
 #include <string_view>
 
+#include "core/model/effects/catalogue.hpp"
+
 namespace loopscope::tests::effects {
 namespace {
 

@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 
-#include "storage/check.hpp"
+#include "storage/finding.hpp"
+#include "storage/historian/check_historian.hpp"
 #include "storage/historian/historian_writer.hpp"
 #include "storage/historian/list_tags.hpp"
 #include "storage/historian/pq_connection.hpp"
+#include "storage/results/check_results.hpp"
 #include "storage/results/migrate.hpp"
 #include "tests/storage/historian/historian_fixture.hpp"
 #include "tests/storage/results/results_fixture.hpp"

@@ -5,9 +5,11 @@
 #include <optional>
 
 #include "storage/ask_aside.hpp"
-#include "storage/check.hpp"
 #include "storage/error.hpp"
+#include "storage/finding.hpp"
+#include "storage/historian/check_historian.hpp"
 #include "storage/historian/pq_connection.hpp"
+#include "storage/results/check_results.hpp"
 #include "storage/results/session.hpp"
 #include "tests/storage/running_statement.hpp"
 #include "tests/support/pooler.hpp"

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/model/effect_kind.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "tests/core/model/trial_records.hpp"
 #include "tests/tables/table.hpp"
 

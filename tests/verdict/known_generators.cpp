@@ -7,6 +7,7 @@
 
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/model/effect_kind.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "tests/core/model/field_families.hpp"
 #include "tests/effects/generator.hpp"
 #include "tests/effects/random.hpp"

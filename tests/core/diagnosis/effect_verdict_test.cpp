@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/model/effects/catalogue.hpp"
+
 namespace loopscope::core::diagnosis {
 namespace {
 

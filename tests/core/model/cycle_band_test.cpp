@@ -1,10 +1,12 @@
 #include "core/model/cycle_band.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <vector>
 
+#include "core/simulate/random.hpp"
 #include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {
@@ -46,6 +48,28 @@ TEST(CycleBand, TheDriftIsWhatItTakesOut) {
   for (const double value : band.drift(std::vector(500, 7.0))) EXPECT_NEAR(value, 7.0, 1e-12);
   EXPECT_GT(amplitude(band.drift(sine(3000, 600.0))), 0.9);
   EXPECT_NEAR(amplitude(band.drift(sine(3000, 30.0))), 0.13, 0.02);
+}
+
+bool holds_period(const std::vector<double>& periods, double period) {
+  return std::ranges::any_of(periods, [&](double p) { return std::abs(p / period - 1.0) < 0.1; });
+}
+
+TEST(CycleBand, OneWhereErrorAndOutputAgree) {
+  const auto periods = candidate_periods(sine(2000, 40.0, 0.2), sine(2000, 40.0, 0.1));
+  ASSERT_EQ(periods.size(), 1U);
+  EXPECT_NEAR(periods.front(), 40.0, 2.0);
+}
+
+/// Fewer than nine cycles are too few for the spectrum.
+TEST(CycleBand, TheTurnsOfTheOutputShowSixCycles) {
+  const auto periods = candidate_periods(sine(900, 150.0, 0.3), sine(900, 150.0, 0.05));
+  EXPECT_TRUE(holds_period(periods, 150.0));
+}
+
+TEST(CycleBand, AnOutputThatOnlyDriftsAddsNothing) {
+  std::vector<double> drift(1000);
+  for (std::size_t k = 0; k < drift.size(); ++k) drift[k] = static_cast<double>(k);
+  EXPECT_EQ(candidate_periods(sine(1000, 40.0), drift).size(), 1U);
 }
 
 }  // namespace

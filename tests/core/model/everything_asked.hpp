@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/model/asked.hpp"
+#include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::model::tests {
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/curvature.hpp"
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/effects/gain_change.hpp"

@@ -7,6 +7,7 @@
 
 #include "core/model/asked.hpp"
 #include "core/model/baseline.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "core/model/put_questions.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/model_records.hpp"

@@ -5,6 +5,7 @@
 #include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/nonlinearity.hpp"
 #include "core/diagnosis/plant_member.hpp"
+#include "core/model/effects/catalogue.hpp"
 #include "tests/effects/window_of.hpp"
 
 namespace loopscope::tests::network {

@@ -1,6 +1,7 @@
 #include "core/model/effects/catalogue.hpp"
 
 #include <gtest/gtest.h>
+#include <set>
 
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/effects/gain_change.hpp"
@@ -9,6 +10,8 @@
 
 namespace loopscope::core::model {
 namespace {
+
+using enum EffectKind;
 
 TEST(Catalogue, HasALineForEachKind) {
   for (const EffectKind kind : all_effect_kinds()) {
@@ -43,6 +46,27 @@ TEST(Catalogue, AnEffectSaysItselfWhatItIs) {
   const ExternalOscillation wave(50.0);
   EXPECT_EQ(wave.as_wave(), &wave);
   EXPECT_FALSE(wave.as_valve() || wave.moment());
+}
+
+TEST(Catalogue, EveryKindHasAWordOfItsOwn) {
+  std::set<std::string_view> words;
+  for (const EffectKind kind : all_effect_kinds()) words.insert(name(kind));
+  EXPECT_EQ(words.size(), all_effect_kinds().size());
+  EXPECT_FALSE(words.contains(""));
+}
+
+TEST(Catalogue, CausesAreThoseOfOneVerdict) {
+  EXPECT_TRUE(same_cause(external_oscillation, load_step));
+  EXPECT_TRUE(same_cause(sensor_hold, sensor_quantisation));
+  EXPECT_FALSE(same_cause(valve_stiction, valve_deadband));
+  for (const EffectKind kind : all_effect_kinds()) EXPECT_TRUE(same_cause(kind, kind));
+}
+
+TEST(Catalogue, TheValveBendsTheFlowButItsTrimDoesNot) {
+  EXPECT_TRUE(bends_flow(valve_deadband));
+  EXPECT_TRUE(bends_flow(valve_saturation));
+  EXPECT_FALSE(bends_flow(valve_characteristic));  // a column of the fit
+  EXPECT_FALSE(is_valve_hysteresis(valve_saturation));
 }
 
 }  // namespace
