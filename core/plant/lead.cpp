@@ -48,8 +48,10 @@ struct TimeGrid {
     }
   }
   [[nodiscard]] std::size_t size() const {
-    return to_s > from_s ? std::min(kMostSteps, static_cast<std::size_t>((to_s - from_s) / step_s))
-                         : 0;
+    if (!(to_s > from_s)) return 0;
+    // Without a member the span has no end.
+    return static_cast<std::size_t>(
+        std::min((to_s - from_s) / step_s, static_cast<double>(kMostSteps)));
   }
 };
 
