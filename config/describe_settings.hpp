@@ -4,7 +4,7 @@
 
 namespace loopscope::config {
 
-/// Every setting with its default, range, unit and meaning as a Markdown table (for the README and
+/// Every setting with its default, range, unit and meaning as a Markdown table (for SETTINGS.md and
 /// `check-config --describe`).
 [[nodiscard]] std::string describe_settings();
 

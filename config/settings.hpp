@@ -17,7 +17,7 @@ struct ResultsSettings {
 };
 
 /// One historian: a connection, and where and how its tables keep the tags. `preset` gives the
-/// defaults of a vendor's tables, every other field may change them (README: presets).
+/// defaults of a vendor's tables, every other field may change them (HISTORIANS.md).
 struct HistorianSettings {
   std::string name = "plant";     ///< what loops refer to as their source
   std::string preset = "narrow";  ///< see historian_presets.hpp
@@ -127,8 +127,8 @@ struct PlantSettings {
   double notice_s = 60.0;   ///< between two looks for newly flagged loops, 0 to 86400; 0 = none
 };
 
-/// How `loops discover` groups tags into loops (daemon/README.md, "Discovery"). Words whatever
-/// their case, the preferred one first.
+/// How `loops discover` groups tags into loops (daemon/catalogue/README.md, "Discovery"). Words
+/// whatever their case, the preferred one first.
 struct DiscoverySettings {
   std::string patterns =
       "{loop}/*/{role}.CV; {loop}/*/{role}.ACTUAL; {loop}[./]{role}.CV; {loop}[./]PID*[./]{role}; "
@@ -140,7 +140,7 @@ struct DiscoverySettings {
   std::string mode_words = "MODE,MD,AUTO";
 };
 
-/// The report that the daemon writes by itself (daemon/README.md, "Reports").
+/// The report that the daemon writes by itself (daemon/report/README.md, "Reports").
 struct ReportSettings {
   std::string plant;         ///< name of the plant, for the title; empty = none
   std::string folder;        ///< where `run` writes reports; empty = it writes none

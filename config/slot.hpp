@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/hos/settings.hpp"
+#include "core/hos/transforms/settings.hpp"
 
 namespace loopscope::config {
 

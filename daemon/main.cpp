@@ -1,5 +1,5 @@
-#include "daemon/memory.hpp"
-#include "daemon/program.hpp"
+#include "daemon/commands/memory.hpp"
+#include "daemon/commands/program.hpp"
 
 int main(int argc, char** argv) {
   loopscope::daemon::keep_freed_memory();

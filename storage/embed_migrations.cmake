@@ -17,7 +17,7 @@ foreach(file IN LISTS FILES)
   string(APPEND entries "    {${number}, \"${name}\", \"${sha256}\",\n     R\"migration(${sql})migration\"},\n")
 endforeach()
 
-file(WRITE ${OUTPUT} "#include \"storage/results/embedded_migrations.hpp\"
+file(WRITE ${OUTPUT} "#include \"storage/results/schema/embedded_migrations.hpp\"
 
 namespace loopscope::storage {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/diagnosis/catalogue.hpp"
-#include "core/diagnosis/structure.hpp"
-#include "core/diagnosis/words.hpp"
+#include "core/diagnosis/evidence/structure.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/words.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

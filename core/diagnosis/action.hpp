@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
 #include "core/diagnosis/odds/cause_odds.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/diagnosis/decision_settings.hpp"
-#include "core/hos/settings.hpp"
+#include "core/diagnosis/verdicts/decision_settings.hpp"
+#include "core/hos/transforms/settings.hpp"
 #include "core/loop/oscillation.hpp"
 #include "core/loop/performance.hpp"
 #include "core/signal/prepare.hpp"

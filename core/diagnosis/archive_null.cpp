@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "core/hos/draw_missing.hpp"
-#include "core/hos/innovations.hpp"
-#include "core/hos/surrogates.hpp"
+#include "core/hos/linear/draw_missing.hpp"
+#include "core/hos/linear/innovations.hpp"
+#include "core/hos/surrogates/surrogates.hpp"
 #include "core/signal/archive.hpp"
 #include "core/signal/holes.hpp"
 #include "core/signal/swinging_door.hpp"

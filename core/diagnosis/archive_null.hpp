@@ -10,11 +10,11 @@ namespace loopscope::core {
 /// Raises the p-values of `result` to what they are worth behind a swinging door.
 ///
 /// A door stores a sample because the next one leaves its band, so that the samples that it leaves
-/// out are not only those within the band (core/hos/draw_missing.hpp), and a sharp oscillation
-/// keeps a little of the door's corners: 3 f of a loop at the edge of stability shows them. Where a
-/// test is near significance, records of the loop's own linear model are sent through the same
-/// door, drawn and tested in the same way, and -ln p is divided by the mean that they show, if that
-/// is above 1 by more than chance: a p-value is never smaller than before.
+/// out are not only those within the band (core/hos/linear/draw_missing.hpp), and a sharp
+/// oscillation keeps a little of the door's corners: 3 f of a loop at the edge of stability shows
+/// them. Where a test is near significance, records of the loop's own linear model are sent through
+/// the same door, drawn and tested in the same way, and -ln p is divided by the mean that they
+/// show, if that is above 1 by more than chance: a p-value is never smaller than before.
 ///
 /// `error` is the record that `result` was taken from, `band` the door's half width in its units.
 /// The same seed gives the same result.

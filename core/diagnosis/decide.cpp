@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "core/diagnosis/action.hpp"
-#include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/disturbance_words.hpp"
+#include "core/diagnosis/evidence/nonlinearity.hpp"
+#include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/loop_state.hpp"
-#include "core/diagnosis/nonlinearity.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/state_verdict.hpp"
-#include "core/diagnosis/structure.hpp"
 #include "core/diagnosis/verdict_p.hpp"
-#include "core/diagnosis/words.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/words.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/diagnosis/decision_settings.hpp"
-#include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
 #include "core/diagnosis/odds/cause_odds.hpp"
 #include "core/diagnosis/odds/combined_odds.hpp"
-#include "core/diagnosis/verdict.hpp"
-#include "core/hos/settings.hpp"
+#include "core/diagnosis/verdicts/decision_settings.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
+#include "core/hos/transforms/settings.hpp"
 
 namespace loopscope::core::diagnosis {
 

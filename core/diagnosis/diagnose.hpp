@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "core/diagnosis/analysis_settings.hpp"
-#include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
 #include "core/diagnosis/first_look.hpp"
 #include "core/diagnosis/loop_facts.hpp"
 #include "core/diagnosis/loop_model.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 #include "core/model/traces.hpp"
 #include "core/signal/loop_window.hpp"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/diagnosis/effect_verdict.hpp"
-#include "core/diagnosis/words.hpp"
-#include "core/model/asked.hpp"
+#include "core/diagnosis/verdicts/words.hpp"
+#include "core/model/residual_tests/asked.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

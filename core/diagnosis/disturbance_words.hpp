@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/model/explanation.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::diagnosis {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/diagnosis/verdict.hpp"
-#include "core/model/effect_kind.hpp"
-#include "core/model/explanation.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
+#include "core/model/results/effect_kind.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::diagnosis {
 

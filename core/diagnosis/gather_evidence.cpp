@@ -9,8 +9,8 @@
 
 #include "core/diagnosis/archive_null.hpp"
 #include "core/diagnosis/steady_error.hpp"
-#include "core/hos/period.hpp"
-#include "core/signal/spread.hpp"
+#include "core/hos/slow/period.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core {
 namespace {

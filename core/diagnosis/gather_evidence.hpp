@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/diagnosis/analysis_settings.hpp"
-#include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
 #include "core/diagnosis/first_look.hpp"
 #include "core/diagnosis/loop_facts.hpp"
 #include "core/signal/loop_window.hpp"

@@ -4,15 +4,15 @@
 #include <optional>
 #include <string_view>
 
-#include "core/model/mechanism.hpp"
+#include "core/model/results/mechanism.hpp"
 
 namespace loopscope::core {
 
 /// What is known of a loop beside its samples.
 struct LoopFacts {
   bool integrating = false;  ///< level loop: the vessel integrates
-  /// Of the simulations behind p-values (core/hos/significance.hpp); made from the loop and the
-  /// window, so that a replay is identical.
+  /// Of the simulations behind p-values (core/hos/surrogates/significance.hpp); made from the loop
+  /// and the window, so that a replay is identical.
   std::uint64_t seed = 0;
   /// Width of the transmitter's range, pv units, > 0; nullopt = not known.
   std::optional<double> pv_span = std::nullopt;

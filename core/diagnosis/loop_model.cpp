@@ -1,8 +1,8 @@
 #include "core/diagnosis/loop_model.hpp"
 
-#include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/decide.hpp"
 #include "core/diagnosis/loop_state.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
 #include "core/model/explain.hpp"
 
 namespace loopscope::core {

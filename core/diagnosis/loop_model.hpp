@@ -3,12 +3,12 @@
 #include <optional>
 
 #include "core/diagnosis/analysis_settings.hpp"
-#include "core/diagnosis/evidence.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
 #include "core/diagnosis/first_look.hpp"
 #include "core/diagnosis/loop_facts.hpp"
-#include "core/diagnosis/verdict.hpp"
-#include "core/model/explanation.hpp"
-#include "core/model/model_input.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
+#include "core/model/record/model_input.hpp"
+#include "core/model/results/explanation.hpp"
 #include "core/model/traces.hpp"
 
 namespace loopscope::core {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/diagnosis/structure.hpp"
-#include "core/diagnosis/words.hpp"
+#include "core/diagnosis/evidence/structure.hpp"
+#include "core/diagnosis/verdicts/words.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

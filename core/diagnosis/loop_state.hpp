@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/evidence.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 

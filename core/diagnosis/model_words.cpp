@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/diagnosis/words.hpp"
+#include "core/diagnosis/verdicts/words.hpp"
 #include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {

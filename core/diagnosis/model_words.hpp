@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/model/explanation.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::diagnosis {
 

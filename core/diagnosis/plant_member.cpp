@@ -1,6 +1,6 @@
 #include "core/diagnosis/plant_member.hpp"
 
-#include "core/diagnosis/catalogue.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

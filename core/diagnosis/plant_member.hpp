@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 #include "core/plant/member_loop.hpp"
 
 namespace loopscope::core::diagnosis {

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/diagnosis/figure.hpp"
+#include "core/diagnosis/evidence/figure.hpp"
+#include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/loop_state.hpp"
 #include "core/diagnosis/model_words.hpp"
-#include "core/diagnosis/structure.hpp"
-#include "core/diagnosis/words.hpp"
+#include "core/diagnosis/verdicts/words.hpp"
 #include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/evidence.hpp"
-#include "core/diagnosis/nonlinearity.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
+#include "core/diagnosis/evidence/nonlinearity.hpp"
 #include "core/diagnosis/odds/cause_odds.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 

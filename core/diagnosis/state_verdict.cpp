@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/diagnosis/action.hpp"
-#include "core/diagnosis/catalogue.hpp"
-#include "core/diagnosis/nonlinearity.hpp"
+#include "core/diagnosis/evidence/nonlinearity.hpp"
 #include "core/diagnosis/odds/cause_odds.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/reasons.hpp"
-#include "core/diagnosis/words.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/words.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "core/hos/draw_missing.hpp"
-#include "core/hos/segments.hpp"
-#include "core/hos/stationary_stretch.hpp"
+#include "core/hos/linear/draw_missing.hpp"
+#include "core/hos/linear/stationary_stretch.hpp"
+#include "core/hos/transforms/segments.hpp"
 #include "core/loop/setpoint_answer.hpp"
 #include "core/signal/setpoint_steps.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/hos/settings.hpp"
+#include "core/hos/transforms/settings.hpp"
 #include "core/signal/loop_window.hpp"
 #include "core/signal/prepared_loop.hpp"
 
@@ -32,9 +32,10 @@ struct SteadyError {
 /// The error without the transients of setpoint steps, where that leaves kMinSegments; else the
 /// whole error, what is left of it without the answer to the setpoint, and the flag of a setpoint
 /// that moves too often. What pv's archive did not store is
-/// drawn (core/hos/draw_missing.hpp); the same seed draws the same. Where the loop changes within
-/// the record, all but the longest stationary stretch (core/hos/stationary_stretch.hpp) is masked;
-/// where that leaves fewer than kMinSegments nothing is, and the tests are to be refused.
+/// drawn (core/hos/linear/draw_missing.hpp); the same seed draws the same. Where the loop changes
+/// within the record, all but the longest stationary stretch
+/// (core/hos/linear/stationary_stretch.hpp) is masked; where that leaves fewer than kMinSegments
+/// nothing is, and the tests are to be refused.
 [[nodiscard]] SteadyError steady_error(const signal::PreparedLoop& loop,
                                        const hos::Settings& settings, std::uint64_t seed);
 

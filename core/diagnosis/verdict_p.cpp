@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/diagnosis/catalogue.hpp"
 #include "core/diagnosis/effect_verdict.hpp"
-#include "core/diagnosis/loop_figures.hpp"
-#include "core/diagnosis/nonlinearity.hpp"
-#include "core/diagnosis/structure.hpp"
+#include "core/diagnosis/evidence/loop_figures.hpp"
+#include "core/diagnosis/evidence/nonlinearity.hpp"
+#include "core/diagnosis/evidence/structure.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
 #include "core/model/effects/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "core/diagnosis/evidence.hpp"
-#include "core/diagnosis/verdict.hpp"
-#include "core/model/explanation.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::diagnosis {
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/hos/bicoherence.hpp"
-#include "core/hos/indices.hpp"
-#include "core/hos/moments.hpp"
-#include "core/hos/peaks.hpp"
-#include "core/hos/quadratic_test.hpp"
-#include "core/hos/significance.hpp"
-#include "core/hos/tested_spectra.hpp"
+#include "core/hos/bicoherence/bicoherence.hpp"
+#include "core/hos/bicoherence/indices.hpp"
+#include "core/hos/bicoherence/moments.hpp"
+#include "core/hos/bicoherence/peaks.hpp"
+#include "core/hos/coupling/quadratic_test.hpp"
+#include "core/hos/coupling/tested_spectra.hpp"
+#include "core/hos/surrogates/significance.hpp"
 
 namespace loopscope::core::hos {
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/hos/kernels.hpp"
-#include "core/hos/noise_shape.hpp"
-#include "core/hos/peaks.hpp"
-#include "core/hos/settings.hpp"
+#include "core/hos/bicoherence/peaks.hpp"
+#include "core/hos/kernels/kernels.hpp"
+#include "core/hos/linear/noise_shape.hpp"
+#include "core/hos/transforms/settings.hpp"
 
 namespace loopscope::core::hos {
 
@@ -26,7 +26,7 @@ struct PublishedDecision {
 };
 
 /// The decision at the thresholds of `settings`, the paper's beta = 0.001 and 0.01 by default.
-/// What it does on linear signals is measured in the README of this room.
+/// What it does on linear signals is measured in core/hos/MEASURED.md.
 [[nodiscard]] PublishedDecision published_decision(double ngi, double nli,
                                                    const Settings& settings);
 

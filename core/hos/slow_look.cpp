@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/hos/decimate.hpp"
-#include "core/hos/segments.hpp"
+#include "core/hos/slow/decimate.hpp"
+#include "core/hos/transforms/segments.hpp"
 
 namespace loopscope::core::hos {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/hos/analyse.hpp"
-#include "core/hos/settings.hpp"
+#include "core/hos/transforms/settings.hpp"
 
 namespace loopscope::core::hos {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::loop {
 namespace {

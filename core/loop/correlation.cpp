@@ -5,7 +5,7 @@
 #include <complex>
 #include <utility>
 
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::loop {
 namespace {

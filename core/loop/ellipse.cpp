@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/hos/symmetric_eigen.hpp"
+#include "core/hos/numeric/symmetric_eigen.hpp"
 
 namespace loopscope::core::loop {
 namespace {

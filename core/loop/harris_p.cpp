@@ -11,7 +11,7 @@ namespace loopscope::core::loop {
 namespace {
 
 /// A fitted model forgets faster than the process behind it; with the full degrees of freedom twice
-/// to five times the nominal share of records at the edge of the null were rejected (README.md).
+/// to five times the nominal share of records at the edge of the null were rejected (DECISIONS.md).
 constexpr double kTrustInMemory = 0.7;
 
 /// Independent values among `samples` of noise with this impulse response, where its variance is

@@ -11,7 +11,7 @@
 #include "core/loop/record_spectrum.hpp"
 #include "core/loop/spectral_peak.hpp"
 #include "core/loop/zero_crossings.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::loop {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/loop/valve_work.hpp"
 #include "core/loop/variance_error.hpp"
 #include "core/signal/mode_counts.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::loop {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/hos/record_fft.hpp"
+#include "core/hos/transforms/record_fft.hpp"
 
 namespace loopscope::core::loop {
 

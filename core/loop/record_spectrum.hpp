@@ -6,7 +6,7 @@
 
 #include "core/loop/real_transform.hpp"
 #include "core/signal/loop_window.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::loop {
 

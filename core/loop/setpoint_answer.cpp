@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/hos/magnitude.hpp"
+#include "core/hos/numeric/magnitude.hpp"
 
 namespace loopscope::core::loop {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/loop/record_spectrum.hpp"
 #include "core/loop/shape_index.hpp"
 #include "core/loop/valve_plot.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::loop {
 namespace {

@@ -15,7 +15,7 @@ struct SpectralPeak {
 };
 
 /// The search looks at up to about 150 overlapping bands; with this threshold the whole decision of
-/// find_oscillation calls about one record in fifty of smooth noise oscillating (README.md). At 4
+/// find_oscillation calls about one record in fifty of smooth noise oscillating (MEASURED.md). At 4
 /// it would be one in two hundred, but short records with drift would lose their oscillations.
 inline constexpr double kClearProminence = 3.5;
 

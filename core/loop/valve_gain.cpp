@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/signal/sort_values.hpp"
+#include "core/signal/order/sort_values.hpp"
 
 namespace loopscope::core::loop {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/loop/actuator.hpp"
 #include "core/loop/if_finite.hpp"
 #include "core/loop/valve_work.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::loop {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/loop/correlation.hpp"
 #include "core/loop/if_finite.hpp"
 #include "core/loop/real_transform.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::loop {
 namespace {

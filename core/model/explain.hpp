@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "core/model/explanation.hpp"
-#include "core/model/model_input.hpp"
+#include "core/model/record/model_input.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/model/simulation_error.hpp"
+#include "core/model/fit/simulation_error.hpp"
 #include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::model {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/model/story.hpp"
+#include "core/model/selection/story.hpp"
 #include "core/model/traces.hpp"
 
 namespace loopscope::core::model {

@@ -4,18 +4,18 @@
 #include <cmath>
 #include <utility>
 
-#include "core/model/asked.hpp"
-#include "core/model/closed_loop.hpp"
-#include "core/model/controller_trap.hpp"
+#include "core/model/controller/closed_loop.hpp"
+#include "core/model/controller/controller_trap.hpp"
+#include "core/model/controller/excitation.hpp"
+#include "core/model/controller/tuning.hpp"
 #include "core/model/effects/catalogue.hpp"
-#include "core/model/excitation.hpp"
-#include "core/model/noise_floor.hpp"
-#include "core/model/prefer_hysteresis.hpp"
-#include "core/model/process_report.hpp"
-#include "core/model/put_questions.hpp"
-#include "core/model/step_report.hpp"
-#include "core/model/steps_after_moves.hpp"
-#include "core/model/tuning.hpp"
+#include "core/model/fit/noise_floor.hpp"
+#include "core/model/fit/process_report.hpp"
+#include "core/model/limit_cycle/prefer_hysteresis.hpp"
+#include "core/model/residual_tests/asked.hpp"
+#include "core/model/residual_tests/put_questions.hpp"
+#include "core/model/selection/step_report.hpp"
+#include "core/model/selection/steps_after_moves.hpp"
 
 namespace loopscope::core::model {
 namespace {

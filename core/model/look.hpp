@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "core/model/explanation.hpp"
-#include "core/model/model_input.hpp"
-#include "core/model/question_residual.hpp"
-#include "core/model/story.hpp"
+#include "core/model/record/model_input.hpp"
+#include "core/model/residual_tests/question_residual.hpp"
+#include "core/model/results/explanation.hpp"
+#include "core/model/selection/story.hpp"
 
 namespace loopscope::core::model {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/model/op_turns.hpp"
-#include "core/signal/spread.hpp"
+#include "core/model/limit_cycle/op_turns.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::model {
 namespace {

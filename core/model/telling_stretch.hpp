@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/model/loop_data.hpp"
+#include "core/model/record/loop_data.hpp"
 
 namespace loopscope::core::model {
 

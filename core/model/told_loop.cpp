@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "core/model/look.hpp"
-#include "core/model/renewed_record.hpp"
-#include "core/model/sensor_steps.hpp"
-#include "core/signal/median.hpp"
-#include "core/signal/spread.hpp"
+#include "core/model/record/renewed_record.hpp"
+#include "core/model/residual_tests/sensor_steps.hpp"
+#include "core/signal/order/median.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "core/model/explanation.hpp"
-#include "core/model/model_input.hpp"
-#include "core/model/story.hpp"
+#include "core/model/record/model_input.hpp"
+#include "core/model/results/explanation.hpp"
+#include "core/model/selection/story.hpp"
 
 namespace loopscope::core::model {
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/model/judged_stage.hpp"
+#include "core/model/limit_cycle/witness_simulation.hpp"
 #include "core/model/telling_stretch.hpp"
 #include "core/model/told_loop.hpp"
-#include "core/model/witness_simulation.hpp"
 #include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::model {

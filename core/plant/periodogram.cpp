@@ -7,7 +7,7 @@
 
 #include "core/loop/real_transform.hpp"
 #include "core/signal/gaps.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::plant {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "core/hos/decimate.hpp"
-#include "core/hos/harmonic_test.hpp"
-#include "core/hos/period.hpp"
-#include "core/model/phrases.hpp"
+#include "core/hos/coupling/harmonic_test.hpp"
+#include "core/hos/slow/decimate.hpp"
+#include "core/hos/slow/period.hpp"
+#include "core/model/results/phrases.hpp"
 #include "core/plant/lead.hpp"
 #include "core/plant/spectral_line.hpp"
 

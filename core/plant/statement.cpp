@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/model/phrases.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::plant {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/signal/between_rows.hpp"
-#include "core/signal/median.hpp"
-#include "core/signal/sort_values.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/median.hpp"
+#include "core/signal/order/sort_values.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

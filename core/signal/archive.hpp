@@ -28,7 +28,7 @@ struct StoredSamples {
 };
 
 /// A grid of values with steps above this share of pv's standard deviation shapes the statistics
-/// (README, "The gate"; Thornhill, Choudhury and Shah 2004).
+/// (README, "Samples that were not stored"; Thornhill, Choudhury and Shah 2004).
 inline constexpr double kCoarseGrid = 0.4;
 
 /// A run of samples that were not stored, of this many at most, is a hole in what is known; a

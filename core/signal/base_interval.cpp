@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/signal/grid.hpp"
-#include "core/signal/median.hpp"
 #include "core/signal/microseconds.hpp"
+#include "core/signal/order/median.hpp"
 
 namespace loopscope::core::signal {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/signal/median.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/median.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

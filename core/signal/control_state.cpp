@@ -7,10 +7,10 @@
 
 #include "core/signal/flat_run.hpp"
 #include "core/signal/lasting_error.hpp"
-#include "core/signal/median.hpp"
 #include "core/signal/op_scale.hpp"
+#include "core/signal/order/median.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/signal/read_back.hpp"
-#include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/signal/median.hpp"
 #include "core/signal/microseconds.hpp"
+#include "core/signal/order/median.hpp"
 
 namespace loopscope::core::signal {
 namespace {

@@ -5,7 +5,8 @@
 
 namespace loopscope::core::signal {
 
-/// pv with a first guess where it was not stored but may be drawn (core/hos/draw_missing.hpp).
+/// pv with a first guess where it was not stored but may be drawn
+/// (core/hos/linear/draw_missing.hpp).
 struct Reconstruction {
   Samples value;  ///< pv units; stored, guessed, or NaN in a gap
   Samples low;    ///< of a guessed sample, -infinity = not bounded; NaN = stored or a gap; empty =

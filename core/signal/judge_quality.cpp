@@ -7,8 +7,8 @@
 
 #include "core/signal/gaps.hpp"
 #include "core/signal/mode_counts.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/signal/setpoint_moves.hpp"
-#include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kStaleFactor = 3.0;
 constexpr double kFarFromSetpoint = 5.0;
 
 /// Of so many samples one at least has to be stored for the tests: beyond that too much of what
-/// they see is the model's (README, "The gate").
+/// they see is the model's (README, "Samples that were not stored").
 constexpr double kMostDrawn = 4.0;
 
 std::string decimal(double value) {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

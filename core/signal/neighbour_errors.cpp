@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

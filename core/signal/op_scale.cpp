@@ -5,7 +5,7 @@
 
 #include "core/signal/flat_run.hpp"
 #include "core/signal/lasting_error.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/signal/holes.hpp"
 #include "core/signal/judge_quality.hpp"
 #include "core/signal/op_scale.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/signal/spikes.hpp"
-#include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

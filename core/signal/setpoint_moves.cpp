@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/signal/gaps.hpp"
-#include "core/signal/median.hpp"
+#include "core/signal/order/median.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/signal/setpoint_moves.hpp"
-#include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/signal/loop_prediction.hpp"
-#include "core/signal/median.hpp"
 #include "core/signal/neighbour_errors.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/median.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/signal/tail_law.hpp"
 
 namespace loopscope::core::signal {

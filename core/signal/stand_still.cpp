@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "core/signal/lasting_error.hpp"
-#include "core/signal/median.hpp"
 #include "core/signal/mode_counts.hpp"
 #include "core/signal/op_scale.hpp"
+#include "core/signal/order/median.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/signal/setpoint_moves.hpp"
-#include "core/signal/spread.hpp"
 
 namespace loopscope::core::signal {
 namespace {

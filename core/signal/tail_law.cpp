@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/signal/order_statistic.hpp"
+#include "core/signal/order/order_statistic.hpp"
 
 namespace loopscope::core::signal {
 namespace {

@@ -7,7 +7,7 @@
 namespace loopscope::daemon {
 
 /// For scripts: {"records", "levels", "tests": [..], "families": [..], "cost", "plants": [..]};
-/// keys in the README of daemon/. All but "cost" repeats from run to run.
+/// keys in the README of this folder. All but "cost" repeats from run to run.
 [[nodiscard]] nlohmann::ordered_json calibration_json(const Calibration& calibration);
 
 }  // namespace loopscope::daemon

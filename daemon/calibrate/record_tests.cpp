@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "core/hos/analyse.hpp"
-#include "core/hos/fackrell.hpp"
-#include "core/hos/hinich.hpp"
-#include "core/hos/independent_segments.hpp"
+#include "core/hos/literature/fackrell.hpp"
+#include "core/hos/literature/hinich.hpp"
+#include "core/hos/literature/independent_segments.hpp"
 #include "daemon/calibrate/cpu_time.hpp"
 
 namespace loopscope::daemon {

@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "core/hos/bicoherence.hpp"
-#include "core/hos/settings.hpp"
+#include "core/hos/bicoherence/bicoherence.hpp"
+#include "core/hos/transforms/settings.hpp"
 
 namespace loopscope::daemon {
 

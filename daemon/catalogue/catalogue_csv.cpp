@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "daemon/catalogue/entry_fields.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/recording/cells.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

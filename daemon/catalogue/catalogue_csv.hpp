@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/recording/csv_table.hpp"
+#include "daemon/text/csv_table.hpp"
 #include "storage/catalogue_entry.hpp"
 
 namespace loopscope::daemon {

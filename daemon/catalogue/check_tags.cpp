@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "daemon/catalogue/tag_roles.hpp"
-#include "daemon/recording/csv_table.hpp"
+#include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "daemon/catalogue/tag_roles.hpp"
-#include "daemon/output/printable.hpp"
+#include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {
 namespace {

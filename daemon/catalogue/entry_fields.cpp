@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
-#include "daemon/recording/cells.hpp"
+#include "daemon/text/cells.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "config/nearest_name.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/recording/cells.hpp"
-#include "daemon/recording/time_text.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "daemon/recording/csv_table.hpp"
-#include "storage/results/maintenance.hpp"
+#include "daemon/text/csv_table.hpp"
+#include "storage/results/catalogue/maintenance.hpp"
 
 namespace loopscope::daemon {
 

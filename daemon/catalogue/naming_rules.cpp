@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "daemon/catalogue/tag_roles.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/recording/cells.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/signal/op_range.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 #include "daemon/catalogue/loop_type_of.hpp"
 
 namespace loopscope::daemon {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "daemon/failure.hpp"
-#include "storage/results/catalogue.hpp"
+#include "daemon/text/failure.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
 
 namespace loopscope::daemon {
 

@@ -7,10 +7,10 @@
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
-#include "daemon/failure.hpp"
 #include "daemon/output/analysis_text.hpp"
-#include "daemon/output/printable.hpp"
 #include "daemon/recording/analyse_windows.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -10,13 +10,13 @@
 #include "config/read_settings.hpp"
 #include "daemon/catalogue/unknown_loop.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/failure.hpp"
 #include "daemon/output/annotation_text.hpp"
-#include "daemon/output/printable.hpp"
-#include "daemon/recording/time_text.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "storage/results/annotations.hpp"
-#include "storage/results/catalogue.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
+#include "daemon/text/time_text.hpp"
+#include "storage/results/catalogue/annotations.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
 
 namespace loopscope::daemon {
 namespace {

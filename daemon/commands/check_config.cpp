@@ -8,12 +8,12 @@
 #include "config/http_address.hpp"
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/output/printable.hpp"
-#include "daemon/service/storage_settings.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
 #include "storage/finding.hpp"
 #include "storage/historian/check_historian.hpp"
-#include "storage/results/check_results.hpp"
+#include "storage/results/schema/check_results.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -9,12 +9,12 @@
 #include "config/read_settings.hpp"
 #include "daemon/catalogue/unknown_loop.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/failure.hpp"
 #include "daemon/output/export_writer.hpp"
-#include "daemon/recording/time_text.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "storage/results/catalogue.hpp"
-#include "storage/results/export_view.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/time_text.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
+#include "storage/results/reports/export_view.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -15,15 +15,15 @@
 #include "daemon/catalogue/tag_roles.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/output/printable.hpp"
 #include "daemon/recording/recording.hpp"
-#include "daemon/recording/time_text.hpp"
-#include "daemon/service/slot.hpp"
-#include "daemon/service/storage_settings.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/windows/slot.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
+#include "daemon/text/time_text.hpp"
 #include "storage/historian/historian_reader.hpp"
 #include "storage/historian/historian_writer.hpp"
-#include "storage/results/catalogue.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
 
 namespace loopscope::daemon {
 namespace {

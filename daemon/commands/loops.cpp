@@ -11,11 +11,11 @@
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/loops_actions.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/output/printable.hpp"
 #include "daemon/output/write_csv.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "storage/results/catalogue.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
 
 namespace loopscope::daemon {
 namespace {

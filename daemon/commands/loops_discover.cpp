@@ -10,13 +10,13 @@
 #include "daemon/catalogue/discovery_text.hpp"
 #include "daemon/catalogue/read_values.hpp"
 #include "daemon/commands/loops_actions.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/output/printable.hpp"
 #include "daemon/output/write_csv.hpp"
-#include "daemon/service/storage_settings.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
 #include "storage/historian/historian_reader.hpp"
 #include "storage/historian/list_tags.hpp"
-#include "storage/results/catalogue.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
 
 namespace loopscope::daemon {
 namespace {

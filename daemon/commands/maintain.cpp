@@ -7,10 +7,10 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/service/compare_clocks.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "storage/results/accept_clocks.hpp"
-#include "storage/results/migrate.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/shared/compare_clocks.hpp"
+#include "storage/results/schema/accept_clocks.hpp"
+#include "storage/results/schema/migrate.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -1,4 +1,4 @@
-#include "storage/results/maintenance.hpp"
+#include "storage/results/catalogue/maintenance.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,11 +11,11 @@
 #include "config/read_settings.hpp"
 #include "daemon/catalogue/maintenance_csv.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/output/printable.hpp"
-#include "daemon/recording/time_text.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "storage/results/catalogue.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
+#include "daemon/text/time_text.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
 
 namespace loopscope::daemon {
 namespace {

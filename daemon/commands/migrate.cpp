@@ -1,4 +1,4 @@
-#include "storage/results/migrate.hpp"
+#include "storage/results/schema/migrate.hpp"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -7,7 +7,7 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/service/storage_settings.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -10,10 +10,10 @@
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/plant/plant_watch.hpp"
-#include "daemon/service/cost_text.hpp"
-#include "daemon/service/log.hpp"
+#include "daemon/service/observe/cost_text.hpp"
+#include "daemon/service/observe/log.hpp"
 #include "daemon/service/pass.hpp"
-#include "daemon/service/workforce.hpp"
+#include "daemon/service/threads/workforce.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "daemon/failure.hpp"
-#include "daemon/recording/cells.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 

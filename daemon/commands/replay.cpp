@@ -7,15 +7,15 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/output/printable.hpp"
 #include "daemon/output/text_line.hpp"
-#include "daemon/recording/time_text.hpp"
 #include "daemon/replay/compare_figures.hpp"
 #include "daemon/replay/record_figures.hpp"
 #include "daemon/replay/repeat_analysis.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "storage/results/analysis_archive.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
+#include "daemon/text/time_text.hpp"
+#include "storage/results/reports/analysis_archive.hpp"
 
 namespace loopscope::daemon {
 namespace {

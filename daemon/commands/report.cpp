@@ -12,12 +12,12 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/failure.hpp"
 #include "daemon/output/what_if_text.hpp"
-#include "daemon/recording/cells.hpp"
-#include "daemon/recording/time_text.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "storage/results/report_database.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/time_text.hpp"
+#include "storage/results/reports/report_database.hpp"
 
 namespace loopscope::daemon {
 namespace {

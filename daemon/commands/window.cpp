@@ -9,15 +9,15 @@
 #include "config/read_settings.hpp"
 #include "core/signal/microseconds.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/failure.hpp"
 #include "daemon/output/window_csv.hpp"
 #include "daemon/output/write_file.hpp"
-#include "daemon/recording/time_text.hpp"
-#include "daemon/service/newest_slots.hpp"
-#include "daemon/service/row_memory.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "daemon/service/window_reader.hpp"
-#include "storage/results/catalogue.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/windows/newest_slots.hpp"
+#include "daemon/service/windows/row_memory.hpp"
+#include "daemon/service/windows/window_reader.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/time_text.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
 
 namespace loopscope::daemon {
 namespace {

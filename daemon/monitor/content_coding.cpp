@@ -8,7 +8,7 @@
 #define ZLIB_CONST  // what is compressed is not written to
 #include <zlib.h>
 
-#include "daemon/recording/cells.hpp"
+#include "daemon/text/cells.hpp"
 
 namespace loopscope::daemon {
 namespace {

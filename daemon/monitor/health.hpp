@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/results/schedule_health.hpp"
+#include "storage/results/leases/schedule_health.hpp"
 
 namespace loopscope::daemon {
 

@@ -4,7 +4,7 @@
 #include <asio/ip/address.hpp>
 #include <system_error>
 
-#include "daemon/recording/cells.hpp"
+#include "daemon/text/cells.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -12,9 +12,9 @@
 #include <thread>
 #include <utility>
 
-#include "daemon/failure.hpp"
 #include "daemon/monitor/connection_table.hpp"
 #include "daemon/monitor/http_connection.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

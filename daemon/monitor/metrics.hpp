@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "storage/results/leases/schedule_health.hpp"
 #include "storage/results/results_database.hpp"
-#include "storage/results/schedule_health.hpp"
 #include "storage/stage_cost.hpp"
 
 namespace loopscope::daemon {

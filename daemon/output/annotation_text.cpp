@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "core/signal/microseconds.hpp"
-#include "daemon/output/printable.hpp"
-#include "daemon/recording/time_text.hpp"
+#include "daemon/text/printable.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {

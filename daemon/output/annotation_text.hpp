@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/results/annotations.hpp"
+#include "storage/results/catalogue/annotations.hpp"
 
 namespace loopscope::daemon {
 

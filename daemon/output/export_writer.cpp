@@ -7,7 +7,7 @@
 #include "daemon/output/output_file.hpp"
 #include "daemon/output/standard_output.hpp"
 #include "daemon/output/write_csv.hpp"
-#include "daemon/recording/csv_table.hpp"
+#include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
 namespace {

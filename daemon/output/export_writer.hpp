@@ -3,7 +3,7 @@
 #include <string>
 
 #include "storage/connection_settings.hpp"
-#include "storage/results/export_view.hpp"
+#include "storage/results/reports/export_view.hpp"
 
 namespace loopscope::daemon {
 

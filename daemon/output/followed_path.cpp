@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "daemon/failure.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

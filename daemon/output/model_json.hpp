@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/model/explanation.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::daemon {
 

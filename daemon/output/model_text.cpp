@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/diagnosis/model_words.hpp"
-#include "core/diagnosis/words.hpp"
+#include "core/diagnosis/verdicts/words.hpp"
 #include "core/model/effects/catalogue.hpp"
 #include "daemon/output/text_line.hpp"
 

@@ -5,8 +5,8 @@
 #include <system_error>
 #include <utility>
 
-#include "daemon/failure.hpp"
 #include "daemon/output/output_target.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <utility>
 
-#include "daemon/failure.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <unistd.h>
 
-#include "daemon/failure.hpp"
-#include "daemon/output/printable.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {
 

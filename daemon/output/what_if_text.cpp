@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "daemon/output/printable.hpp"
 #include "daemon/output/text_line.hpp"
+#include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/results/report_rows.hpp"
+#include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/signal/grid.hpp"
-#include "daemon/recording/time_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "daemon/output/standard_output.hpp"
 #include "daemon/output/write_file.hpp"
-#include "daemon/recording/cells.hpp"
-#include "daemon/recording/csv_table.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
 

@@ -8,7 +8,7 @@
 
 #include "core/diagnosis/plant_member.hpp"
 #include "core/plant/loop_records.hpp"
-#include "daemon/output/printable.hpp"
+#include "daemon/text/printable.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::daemon {

@@ -10,7 +10,7 @@
 #include "core/plant/event.hpp"
 #include "core/plant/member_loop.hpp"
 #include "daemon/plant/plant_series.hpp"
-#include "storage/results/plant_candidates.hpp"
+#include "storage/results/plant/plant_candidates.hpp"
 
 namespace loopscope::daemon {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/plant/shared_oscillation.hpp"
-#include "storage/results/write_plant_round.hpp"
+#include "storage/results/plant/write_plant_round.hpp"
 
 namespace loopscope::daemon {
 

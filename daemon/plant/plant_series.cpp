@@ -10,11 +10,11 @@
 
 #include "core/signal/microseconds.hpp"
 #include "core/signal/prepare.hpp"
-#include "daemon/service/past_slot.hpp"
-#include "daemon/service/row_memory.hpp"
-#include "daemon/service/source_terms.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "daemon/service/window_reader.hpp"
+#include "daemon/service/historians/source_terms.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/windows/past_slot.hpp"
+#include "daemon/service/windows/row_memory.hpp"
+#include "daemon/service/windows/window_reader.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "config/settings.hpp"
 #include "core/signal/loop_window.hpp"
-#include "daemon/service/lane_tools.hpp"
-#include "storage/results/plant_candidates.hpp"
+#include "daemon/service/shared/lane_tools.hpp"
+#include "storage/results/plant/plant_candidates.hpp"
 
 namespace loopscope::daemon {
 

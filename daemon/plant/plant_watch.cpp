@@ -5,12 +5,12 @@
 #include <spdlog/spdlog.h>
 #include <utility>
 
-#include "daemon/failure.hpp"
-#include "daemon/output/printable.hpp"
 #include "daemon/plant/plant_round.hpp"
-#include "daemon/service/stopwatch.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "daemon/service/workforce.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/observe/stopwatch.hpp"
+#include "daemon/service/threads/workforce.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {
 namespace {

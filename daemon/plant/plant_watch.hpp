@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "config/settings.hpp"
-#include "daemon/service/lane_tools.hpp"
-#include "storage/results/plant_rounds.hpp"
+#include "daemon/service/shared/lane_tools.hpp"
+#include "storage/results/plant/plant_rounds.hpp"
 
 namespace loopscope::daemon {
 

@@ -3,7 +3,7 @@
 #include "core/signal/grid.hpp"
 #include "core/signal/stand_still.hpp"
 #include "core/signal/window_digest.hpp"
-#include "daemon/recording/time_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {

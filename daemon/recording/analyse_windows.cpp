@@ -41,8 +41,8 @@ diagnosis::JudgedWindow judged(const RecordingAnalysis& analysis) {
 }
 
 /// Windows that could not be judged say nothing.
-void add(const RecordingAnalysis& analysis, std::optional<diagnosis::CombinedOdds>& combined,
-         std::size_t& count) {
+void add_to_odds(const RecordingAnalysis& analysis,
+                 std::optional<diagnosis::CombinedOdds>& combined, std::size_t& count) {
   const diagnosis::JudgedWindow window = judged(analysis);
   if (window.evidence.empty()) return;
   combined = diagnosis::combine(combined, window);
@@ -59,11 +59,11 @@ WindowsAnalysis analyse_windows(const Recording& recording, const core::Analysis
   std::optional<diagnosis::CombinedOdds> combined;
   std::size_t count = 0;
   for (const std::int64_t end_us : earlier_ends(whole, settings.prepare.window_samples))
-    add(analyse_recording(recording, settings, op_range, facts, end_us), combined, count);
+    add_to_odds(analyse_recording(recording, settings, op_range, facts, end_us), combined, count);
   WindowsAnalysis result{analyse_recording(recording, settings, op_range, facts)};
   core::Diagnosis& newest = result.newest.diagnosis;
   const std::size_t before = count;
-  add(result.newest, combined, count);
+  add_to_odds(result.newest, combined, count);
   // With nothing before it, or nothing of its own, the newest window's verdict stands.
   if (before == 0 || count == before) return result;
   result.judged = count;

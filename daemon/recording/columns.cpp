@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/failure.hpp"
-#include "daemon/recording/cells.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "daemon/recording/csv_table.hpp"
+#include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
 

@@ -1,10 +1,10 @@
 #include "daemon/recording/recording.hpp"
 
 #include "core/signal/base_interval.hpp"
-#include "daemon/recording/cell_failure.hpp"
-#include "daemon/recording/cells.hpp"
 #include "daemon/recording/columns.hpp"
 #include "daemon/recording/row_times.hpp"
+#include "daemon/text/cell_failure.hpp"
+#include "daemon/text/cells.hpp"
 
 namespace loopscope::daemon {
 namespace {

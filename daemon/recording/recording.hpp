@@ -8,7 +8,7 @@
 
 #include "core/signal/assemble.hpp"
 #include "core/signal/loop_window.hpp"
-#include "daemon/recording/csv_table.hpp"
+#include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
 

@@ -6,9 +6,9 @@
 
 #include "core/signal/loop_window.hpp"
 #include "core/signal/microseconds.hpp"
-#include "daemon/recording/cell_failure.hpp"
-#include "daemon/recording/cells.hpp"
-#include "daemon/recording/time_text.hpp"
+#include "daemon/text/cell_failure.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {

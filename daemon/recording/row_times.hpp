@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "daemon/recording/columns.hpp"
-#include "daemon/recording/csv_table.hpp"
+#include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
 

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include "config/analysis_settings_json.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/service/analyse_window.hpp"
-#include "daemon/service/past_slot.hpp"
-#include "daemon/service/row_memory.hpp"
-#include "daemon/service/storage_settings.hpp"
+#include "daemon/service/batches/analyse_window.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/windows/past_slot.hpp"
+#include "daemon/service/windows/row_memory.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

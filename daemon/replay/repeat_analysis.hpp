@@ -2,7 +2,7 @@
 
 #include "config/settings.hpp"
 #include "storage/analysis_record.hpp"
-#include "storage/results/analysis_archive.hpp"
+#include "storage/results/reports/analysis_archive.hpp"
 
 namespace loopscope::daemon {
 

@@ -7,8 +7,8 @@
 #include <sys/stat.h>
 #include <system_error>
 
-#include "daemon/failure.hpp"
 #include "daemon/output/followed_path.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

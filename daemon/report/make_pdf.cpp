@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <fmt/format.h>
 
-#include "daemon/failure.hpp"
-#include "daemon/report/find_program.hpp"
-#include "daemon/report/run_child.hpp"
+#include "daemon/report/figures/find_program.hpp"
+#include "daemon/report/figures/run_child.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -10,19 +10,19 @@
 #include <utility>
 
 #include "daemon/calibrate/in_threads.hpp"
-#include "daemon/failure.hpp"
 #include "daemon/output/followed_path.hpp"
 #include "daemon/output/write_file.hpp"
-#include "daemon/report/draw_figures.hpp"
+#include "daemon/report/evidence/window_source.hpp"
+#include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/make_pdf.hpp"
-#include "daemon/report/page.hpp"
-#include "daemon/report/page_text.hpp"
-#include "daemon/report/plant_section.hpp"
+#include "daemon/report/page/page.hpp"
+#include "daemon/report/sections/plant_section.hpp"
 #include "daemon/report/tell_loop.hpp"
-#include "daemon/report/window_source.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "storage/results/catalogue.hpp"
-#include "storage/results/report_database.hpp"
+#include "daemon/report/text/page_text.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
+#include "storage/results/reports/report_database.hpp"
 
 namespace loopscope::daemon {
 namespace {

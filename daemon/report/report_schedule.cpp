@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "core/signal/microseconds.hpp"
-#include "daemon/failure.hpp"
 #include "daemon/output/followed_path.hpp"
-#include "daemon/recording/time_text.hpp"
 #include "daemon/report/folder_lock.hpp"
 #include "daemon/report/report.hpp"
-#include "daemon/report/thread_priority.hpp"
-#include "daemon/service/slot.hpp"
+#include "daemon/service/threads/thread_priority.hpp"
+#include "daemon/service/windows/slot.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/time_text.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::daemon {

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "config/settings.hpp"
-#include "daemon/service/fault_log.hpp"
+#include "daemon/service/observe/fault_log.hpp"
 
 namespace loopscope::daemon {
 

@@ -4,13 +4,13 @@
 #include <iterator>
 #include <utility>
 
-#include "daemon/failure.hpp"
-#include "daemon/report/draw_figures.hpp"
-#include "daemon/report/explanation_figures.hpp"
-#include "daemon/report/history_figures.hpp"
-#include "daemon/report/residual_pairs.hpp"
-#include "daemon/report/signal_figures.hpp"
-#include "daemon/report/spectrum_figures.hpp"
+#include "daemon/report/figures/draw_figures.hpp"
+#include "daemon/report/figures/explanation_figures.hpp"
+#include "daemon/report/figures/history_figures.hpp"
+#include "daemon/report/figures/residual_pairs.hpp"
+#include "daemon/report/figures/signal_figures.hpp"
+#include "daemon/report/figures/spectrum_figures.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

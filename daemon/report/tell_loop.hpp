@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/diagnosis/analysis_settings.hpp"
-#include "daemon/report/loop_section.hpp"
-#include "daemon/report/window_source.hpp"
-#include "storage/results/report_database.hpp"
+#include "daemon/report/evidence/window_source.hpp"
+#include "daemon/report/sections/loop_section.hpp"
+#include "storage/results/reports/report_database.hpp"
 
 namespace loopscope::daemon {
 

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <vector>
 
-#include "core/hos/segments.hpp"
-#include "core/hos/window.hpp"
+#include "core/hos/transforms/segments.hpp"
+#include "core/hos/transforms/window.hpp"
 
 namespace loopscope::daemon {
 

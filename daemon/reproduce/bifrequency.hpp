@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/hos/settings.hpp"
+#include "core/hos/transforms/settings.hpp"
 
 namespace loopscope::daemon {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hos/settings.hpp"
+#include "core/hos/transforms/settings.hpp"
 
 namespace loopscope::daemon {
 

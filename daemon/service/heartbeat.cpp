@@ -4,7 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "daemon/service/workforce.hpp"
+#include "daemon/service/threads/workforce.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "config/settings.hpp"
-#include "daemon/service/lane_tools.hpp"
-#include "daemon/service/results_link.hpp"
+#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/service/shared/results_link.hpp"
 
 namespace loopscope::daemon {
 

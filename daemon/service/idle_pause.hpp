@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "daemon/service/retry_pause.hpp"
+#include "daemon/service/threads/retry_pause.hpp"
 
 namespace loopscope::daemon {
 

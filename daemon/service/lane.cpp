@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "config/read_settings.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/service/batch_cost.hpp"
-#include "daemon/service/blame.hpp"
-#include "daemon/service/stopwatch.hpp"
-#include "daemon/service/storage_settings.hpp"
-#include "daemon/service/workforce.hpp"
+#include "daemon/service/batches/batch_cost.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/observe/blame.hpp"
+#include "daemon/service/observe/stopwatch.hpp"
+#include "daemon/service/threads/workforce.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "config/settings.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/service/batch_reader.hpp"
-#include "daemon/service/cost_book.hpp"
-#include "daemon/service/lane_tools.hpp"
-#include "daemon/service/slot.hpp"
+#include "daemon/service/batches/batch_reader.hpp"
+#include "daemon/service/observe/cost_book.hpp"
+#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/service/windows/slot.hpp"
+#include "daemon/text/failure.hpp"
 #include "storage/results/results_database.hpp"
 #include "storage/stage_cost.hpp"
 

@@ -10,12 +10,12 @@
 #include <mutex>
 #include <vector>
 
-#include "daemon/service/compare_clocks.hpp"
 #include "daemon/service/heartbeat.hpp"
 #include "daemon/service/lane.hpp"
+#include "daemon/service/observe/stopwatch.hpp"
 #include "daemon/service/progress_bar.hpp"
-#include "daemon/service/stopwatch.hpp"
-#include "daemon/service/workforce.hpp"
+#include "daemon/service/shared/compare_clocks.hpp"
+#include "daemon/service/threads/workforce.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "config/settings.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/service/lane_tools.hpp"
+#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/text/failure.hpp"
 #include "storage/results/results_database.hpp"
 #include "storage/stage_cost.hpp"
 

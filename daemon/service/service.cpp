@@ -20,13 +20,13 @@
 #include "daemon/monitor/service_manager.hpp"
 #include "daemon/plant/plant_watch.hpp"
 #include "daemon/service/heartbeat.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/idle_pause.hpp"
 #include "daemon/service/lane.hpp"
-#include "daemon/service/log.hpp"
+#include "daemon/service/observe/log.hpp"
 #include "daemon/service/service_watch.hpp"
-#include "daemon/service/storage_settings.hpp"
+#include "daemon/service/threads/workforce.hpp"
 #include "daemon/service/work_report.hpp"
-#include "daemon/service/workforce.hpp"
 #include "storage/check_connection.hpp"
 
 namespace loopscope::daemon {

@@ -5,10 +5,10 @@
 #include <spdlog/spdlog.h>
 #include <utility>
 
-#include "daemon/failure.hpp"
 #include "daemon/monitor/monitor_pages.hpp"
 #include "daemon/monitor/service_manager.hpp"
-#include "daemon/service/compare_clocks.hpp"
+#include "daemon/service/shared/compare_clocks.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

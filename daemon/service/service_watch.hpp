@@ -13,10 +13,10 @@
 #include "config/settings.hpp"
 #include "daemon/monitor/health.hpp"
 #include "daemon/monitor/http_server.hpp"
-#include "daemon/report/live_pages.hpp"
+#include "daemon/report/live/live_pages.hpp"
 #include "daemon/report/report_schedule.hpp"
 #include "daemon/service/heartbeat.hpp"
-#include "daemon/service/lane_tools.hpp"
+#include "daemon/service/shared/lane_tools.hpp"
 
 namespace loopscope::daemon {
 

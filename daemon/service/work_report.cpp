@@ -3,8 +3,8 @@
 #include <spdlog/spdlog.h>
 #include <utility>
 
-#include "daemon/service/cost_text.hpp"
-#include "daemon/service/workforce.hpp"
+#include "daemon/service/observe/cost_text.hpp"
+#include "daemon/service/threads/workforce.hpp"
 
 namespace loopscope::daemon {
 namespace {

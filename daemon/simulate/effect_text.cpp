@@ -8,7 +8,7 @@
 
 #include "config/nearest_name.hpp"
 #include "core/simulate/scenario.hpp"
-#include "daemon/failure.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <system_error>
 
-#include "daemon/failure.hpp"
-#include "daemon/recording/cell_failure.hpp"
-#include "daemon/recording/cells.hpp"
+#include "daemon/text/cell_failure.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -45,7 +45,7 @@ loopscope_debian_files(${DOC_DIR}/examples
 loopscope_debian_files(${DOC_DIR}/examples/prometheus
   ${DEPLOY_DIR}/prometheus/loopscope.rules.yml)
 
-configure_file(${DEPLOY_DIR}/queries/README.md ${PACKAGE_DIR}/queries.md COPYONLY)
+configure_file(${DEPLOY_DIR}/queries/QUERIES.md ${PACKAGE_DIR}/queries.md COPYONLY)
 loopscope_debian_files(${DOC_DIR} ${PACKAGE_DIR}/queries.md)
 loopscope_debian_files(${DOC_DIR}/examples/grafana
   ${DEPLOY_DIR}/grafana/loopscope.json ${DEPLOY_DIR}/grafana/datasources.yml ${DEPLOY_DIR}/grafana/dashboards.yml)

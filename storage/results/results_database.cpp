@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "storage/array_literal.hpp"
-#include "storage/results/claim_due.hpp"
-#include "storage/results/finish_loops.hpp"
-#include "storage/results/recall_stray.hpp"
-#include "storage/results/results_clock.hpp"
-#include "storage/results/schedule_statements.hpp"
-#include "storage/results/schema_version.hpp"
-#include "storage/results/session.hpp"
-#include "storage/results/statements.hpp"
+#include "storage/results/leases/claim_due.hpp"
+#include "storage/results/leases/finish_loops.hpp"
+#include "storage/results/leases/recall_stray.hpp"
+#include "storage/results/rows/schedule_statements.hpp"
+#include "storage/results/rows/statements.hpp"
+#include "storage/results/schema/schema_version.hpp"
+#include "storage/results/session/results_clock.hpp"
+#include "storage/results/session/session.hpp"
 #include "storage/utf8.hpp"
 
 namespace loopscope::storage {

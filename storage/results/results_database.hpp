@@ -15,91 +15,13 @@
 #include "storage/connection_settings.hpp"
 #include "storage/data_problem.hpp"
 #include "storage/error.hpp"
-#include "storage/results/claim_floor.hpp"
-#include "storage/results/schedule_health.hpp"
+#include "storage/loop_work.hpp"
+#include "storage/results/leases/claim_floor.hpp"
+#include "storage/results/leases/schedule_health.hpp"
 #include "storage/server_clock.hpp"
 #include "storage/stage_cost.hpp"
 
 namespace loopscope::storage {
-
-/// What was said of a loop last.
-struct LastVerdict {
-  core::diagnosis::VerdictCode code = core::diagnosis::VerdictCode::healthy;
-  double confidence = 0.0;
-  std::optional<double> p;  ///< of the test behind it; nullopt = it rests on none
-};
-
-/// A loop that this worker holds until its lease ends.
-struct ClaimedLoop {
-  CatalogueEntry loop;
-  std::int64_t fence = 0;            ///< rises with every claim
-  int attempts = 0;                  ///< failures in a row before this claim, lost leases included
-  std::int64_t database_now_us = 0;  ///< the database's clock at the claim
-  std::optional<std::int64_t> last_slot_end_us;            ///< newest slot that was completed
-  std::optional<LastVerdict> last_verdict = std::nullopt;  ///< the newest one; nullopt = none yet
-  /// What its windows so far tell of pv; nullopt = none yet, or by a program that did not say.
-  std::optional<core::signal::PvPast> pv_past = std::nullopt;
-};
-
-/// Which claim of which loop.
-struct ClaimKey {
-  std::int64_t loop_id = 0;
-  std::int64_t fence = 0;
-  [[nodiscard]] auto operator<=>(const ClaimKey&) const = default;
-};
-
-/// A claimed loop that was brought to its end: give it back, with or without a new row.
-struct CompletedLoop {
-  std::int64_t loop_id = 0;
-  std::int64_t fence = 0;
-  std::int64_t slot_end_us = 0;
-  std::int64_t next_due_us = 0;          ///< when it shall be looked at again
-  std::optional<AnalysisRecord> record;  ///< nullopt = the stored analysis still holds
-  /// The slot that was the newest one before this; nullopt = none, or this one was.
-  std::optional<std::int64_t> previous_slot_end_us = std::nullopt;
-  bool judged = true;  ///< false: the verdict is `insufficient_data` or `not_controlling`
-  std::vector<DataProblem> problems = {};    ///< of the newest slot
-  std::vector<AnalysisRecord> revised = {};  ///< of earlier slots whose input had changed since
-};
-
-/// A claimed loop whose work failed: it is set aside and retried after a pause.
-struct FailedLoop {
-  std::int64_t loop_id = 0;
-  std::int64_t fence = 0;
-  std::string error;
-  double retry_after_s = 60.0;
-  bool at_fault = true;  ///< false: its historian is away; counts as no failure of the loop
-};
-
-/// What a process says of itself while it works.
-struct WorkerSign {
-  std::string worker;  ///< host/pid
-  std::string program_version;
-  int algorithm_revision = 0;
-  std::size_t held_loops = 0;
-  std::uint64_t lost_leases = 0;  ///< since its start
-};
-
-/// What a write did.
-struct WriteCount {
-  std::size_t inserted = 0;         ///< new analysis rows
-  std::size_t revised = 0;          ///< rows whose input had changed (input_revision raised)
-  std::size_t unchanged = 0;        ///< completed without a new row
-  std::size_t failed = 0;           ///< set aside
-  std::size_t fenced_off = 0;       ///< the lease had been lost: nothing was written for these
-  std::size_t not_judged = 0;       ///< of those completed: the newest slot is no loop in control
-  std::size_t revised_earlier = 0;  ///< rows of earlier slots whose input had changed
-};
-
-/// The key of a stored analysis and its digest.
-struct StoredDigest {
-  std::int64_t loop_id = 0;
-  std::int64_t slot_end_us = 0;
-  std::string input_digest;
-  bool usable = true;         ///< whether the loop could be judged
-  bool same_settings = true;  ///< analysed with the settings that were asked with
-  bool modelled = false;      ///< with a loop model
-};
 
 /// The results schema `loopscope` as the worker sees it. One object = one connection; not shared
 /// between threads. Every function throws DatabaseError; after Remedy::reconnect the object must

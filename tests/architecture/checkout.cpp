@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string_view>
 
@@ -32,21 +33,29 @@ bool is_source(const fs::path& file) {
   return std::find(kSourceSuffixes.begin(), kSourceSuffixes.end(), suffix) != kSourceSuffixes.end();
 }
 
-}  // namespace
-
-std::vector<SourceFile> source_files() {
+std::vector<SourceFile> files_that(const std::function<bool(const fs::path&)>& wanted) {
   std::vector<SourceFile> files;
   const fs::path root = source_dir();
   for (const std::string_view folder : kFolders) {
     if (!fs::is_directory(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder))
-      if (entry.is_regular_file() && is_source(entry.path()))
+      if (entry.is_regular_file() && wanted(entry.path()))
         files.push_back(
             {entry.path().lexically_relative(root).generic_string(), content(entry.path())});
   }
   std::sort(files.begin(), files.end(),
             [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
   return files;
+}
+
+}  // namespace
+
+std::vector<SourceFile> source_files() {
+  return files_that(is_source);
+}
+
+std::vector<SourceFile> documents() {
+  return files_that([](const fs::path& file) { return file.extension() == ".md"; });
 }
 
 std::vector<std::string> top_level_folders() {

@@ -22,6 +22,9 @@ struct Violation {
 /// Every source file below the rooms and tests/, in the order of their paths.
 [[nodiscard]] std::vector<SourceFile> source_files();
 
+/// Every Markdown file below the rooms and tests/, in the order of their paths.
+[[nodiscard]] std::vector<SourceFile> documents();
+
 /// The folders at the top of the checkout without the hidden ones and the build folders that
 /// .gitignore names.
 [[nodiscard]] std::vector<std::string> top_level_folders();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <regex>
 #include <string_view>
 
@@ -15,18 +14,6 @@ namespace {
 /// Names that come with a harmless header and still reach outside of a computation.
 constexpr std::array<std::string_view, 5> kImpureNames = {"random_device", "getenv", "std::rand(",
                                                           "std::srand(", "std::time("};
-
-struct Include {
-  bool quoted = false;
-  std::string header;
-};
-
-std::optional<Include> include_of(const std::string& line) {
-  static const std::regex kInclude(R"(^\s*#\s*include\s*([<"])([^>"]*)[>"].*)");
-  std::smatch match;
-  if (!std::regex_match(line, match, kInclude)) return std::nullopt;
-  return Include{match[1] == "\"", match[2]};
-}
 
 template <typename Range>
 bool contains(const Range& range, std::string_view value) {
@@ -75,6 +62,13 @@ std::string code_of(const std::string& line) {
 }
 
 }  // namespace
+
+std::optional<Include> include_of(const std::string& line) {
+  static const std::regex kInclude(R"(^\s*#\s*include\s*([<"])([^>"]*)[>"].*)");
+  std::smatch match;
+  if (!std::regex_match(line, match, kInclude)) return std::nullopt;
+  return Include{match[1] == "\"", match[2]};
+}
 
 std::vector<Violation> check_includes(const SourceFile& file) {
   std::vector<Violation> violations;

@@ -40,8 +40,8 @@ TEST(IncludeRules, EveryExceptionIsStillNeeded) {
 }
 
 TEST(IncludeRules, BadIncludeIsNamedWithFileAndLine) {
-  EXPECT_EQ(verdict("core/hos/peaks.cpp", "\"storage/error.hpp\""),
-            "core/hos/peaks.cpp:2: core/hos may not use storage (storage/error.hpp)\n");
+  EXPECT_EQ(verdict("core/hos/bicoherence/peaks.cpp", "\"storage/error.hpp\""),
+            "core/hos/bicoherence/peaks.cpp:2: core/hos may not use storage (storage/error.hpp)\n");
 }
 
 TEST(IncludeRules, EveryViolationOfAFileIsListed) {
@@ -57,12 +57,12 @@ TEST(IncludeRules, ArrowsPointDown) {
   EXPECT_EQ(verdict("storage/check.cpp", "\"core/diagnosis/diagnose.hpp\""), "");
   for (const auto& [file, header] :
        {std::pair{"core/signal/grid.cpp", "\"core/hos/analyse.hpp\""},
-        std::pair{"core/signal/grid.cpp", "\"core/diagnosis/verdict.hpp\""},
+        std::pair{"core/signal/grid.cpp", "\"core/diagnosis/verdicts/verdict.hpp\""},
         std::pair{"core/loop/shape.cpp", "\"core/simulate/loop.hpp\""},
         std::pair{"config/settings.hpp", "\"storage/error.hpp\""},
         std::pair{"config/settings.hpp", "\"core/simulate/loop.hpp\""},
         std::pair{"storage/check.cpp", "\"config/settings.hpp\""},
-        std::pair{"storage/check.cpp", "\"daemon/failure.hpp\""}})
+        std::pair{"storage/check.cpp", "\"daemon/text/failure.hpp\""}})
     EXPECT_THAT(verdict(file, header), HasSubstr(" may not use ")) << file << " " << header;
 }
 
@@ -73,22 +73,24 @@ TEST(IncludeRules, IncludesOfTheProjectAreRooted) {
 }
 
 TEST(IncludeRules, LibrariesStayInTheirRooms) {
-  EXPECT_EQ(verdict("core/hos/spectra.cpp", "<fftw3.h>"), "");
-  EXPECT_EQ(verdict("core/hos/hinich.cpp", "<boost/math/distributions/chi_squared.hpp>"), "");
+  EXPECT_EQ(verdict("core/hos/transforms/spectra.cpp", "<fftw3.h>"), "");
+  EXPECT_EQ(verdict("core/hos/literature/hinich.cpp", "<boost/math/distributions/chi_squared.hpp>"),
+            "");
   EXPECT_EQ(verdict("core/loop/shape.cpp", "<unsupported/Eigen/FFT>"), "");
   EXPECT_EQ(verdict("config/document.cpp", "<nlohmann/json.hpp>"), "");
   EXPECT_EQ(verdict("storage/check.cpp", "<pqxx/pqxx>"), "");
-  EXPECT_EQ(verdict("daemon/program.cpp", "<asio/post.hpp>"), "");
-  for (const auto& [file, header] : {std::pair{"core/loop/shape.cpp", "<fftw3.h>"},
-                                     std::pair{"core/signal/grid.cpp", "<Eigen/Core>"},
-                                     std::pair{"core/hos/peaks.cpp", "<nlohmann/json.hpp>"},
-                                     std::pair{"config/document.cpp", "<fmt/format.h>"},
-                                     std::pair{"storage/check.cpp", "<nlohmann/json.hpp>"},
-                                     std::pair{"daemon/program.cpp", "<pqxx/pqxx>"},
-                                     std::pair{"daemon/program.cpp", "<libpq-fe.h>"},
-                                     std::pair{"daemon/program.cpp", "<gtest/gtest.h>"}})
+  EXPECT_EQ(verdict("daemon/commands/program.cpp", "<asio/post.hpp>"), "");
+  for (const auto& [file, header] :
+       {std::pair{"core/loop/shape.cpp", "<fftw3.h>"},
+        std::pair{"core/signal/grid.cpp", "<Eigen/Core>"},
+        std::pair{"core/hos/bicoherence/peaks.cpp", "<nlohmann/json.hpp>"},
+        std::pair{"config/document.cpp", "<fmt/format.h>"},
+        std::pair{"storage/check.cpp", "<nlohmann/json.hpp>"},
+        std::pair{"daemon/commands/program.cpp", "<pqxx/pqxx>"},
+        std::pair{"daemon/commands/program.cpp", "<libpq-fe.h>"},
+        std::pair{"daemon/commands/program.cpp", "<gtest/gtest.h>"}})
     EXPECT_THAT(verdict(file, header), HasSubstr(" may not use ")) << file << " " << header;
-  EXPECT_THAT(verdict("daemon/program.cpp", "<boost/asio.hpp>"), HasSubstr("no library"));
+  EXPECT_THAT(verdict("daemon/commands/program.cpp", "<boost/asio.hpp>"), HasSubstr("no library"));
 }
 
 TEST(IncludeRules, CoreOnlyComputes) {
@@ -112,8 +114,8 @@ TEST(IncludeRules, CoreHasNoHiddenRandomness) {
 }
 
 TEST(IncludeRules, MutexIsForTheFftwPlannerAlone) {
-  EXPECT_EQ(verdict("core/hos/plan_cache.hpp", "<mutex>"), "");
-  EXPECT_THAT(verdict("core/hos/spectra.cpp", "<mutex>"), HasSubstr("may not use"));
+  EXPECT_EQ(verdict("core/hos/kernels/plan_cache.hpp", "<mutex>"), "");
+  EXPECT_THAT(verdict("core/hos/transforms/spectra.cpp", "<mutex>"), HasSubstr("may not use"));
 }
 
 }  // namespace

@@ -86,12 +86,12 @@ constexpr std::array kExceptions = {
               "a pipe that is given as the settings file must not hold the program up"},
     Exception{"config/read_bounded.cpp", "unistd.h",
               "a pipe that is given as the settings file must not hold the program up"},
-    Exception{"core/hos/plan_cache.hpp", "mutex",
+    Exception{"core/hos/kernels/plan_cache.hpp", "mutex",
               "FFTW's planner is the one thing in core/ that all threads of a program share"},
     Exception{"config/http_address.cpp", "arpa/inet.h",
               "what is an address, and of the loopback, the system's own reader says"},
-    Exception{"core/hos/triple_tile_avx2.cpp", "immintrin.h", "vector instructions"},
-    Exception{"core/hos/triple_tile_avx512.cpp", "immintrin.h", "vector instructions"},
+    Exception{"core/hos/kernels/triple_tile_avx2.cpp", "immintrin.h", "vector instructions"},
+    Exception{"core/hos/kernels/triple_tile_avx512.cpp", "immintrin.h", "vector instructions"},
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "core/diagnosis/gather_evidence.hpp"
 #include "core/signal/window_digest.hpp"
 #include "core/simulate/scenario.hpp"
-#include "daemon/memory.hpp"
+#include "daemon/commands/memory.hpp"
 
 namespace loopscope::core {
 namespace {

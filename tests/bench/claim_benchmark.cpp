@@ -16,8 +16,8 @@
 #include <thread>
 #include <vector>
 
-#include "storage/results/migrate.hpp"
 #include "storage/results/results_database.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/support/sql_connection.hpp"
 #include "tests/support/test_database.hpp"
 

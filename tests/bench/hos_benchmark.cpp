@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "core/hos/analyse.hpp"
-#include "core/hos/bicoherence.hpp"
-#include "core/hos/bispectrum_indirect.hpp"
-#include "core/hos/indices.hpp"
-#include "core/hos/linear_model.hpp"
-#include "core/hos/peaks.hpp"
-#include "core/hos/period.hpp"
-#include "core/hos/segments.hpp"
+#include "core/hos/bicoherence/bicoherence.hpp"
+#include "core/hos/bicoherence/indices.hpp"
+#include "core/hos/bicoherence/peaks.hpp"
+#include "core/hos/linear/linear_model.hpp"
+#include "core/hos/literature/bispectrum_indirect.hpp"
+#include "core/hos/slow/period.hpp"
+#include "core/hos/transforms/segments.hpp"
 #include "core/simulate/calibration_families.hpp"
 #include "tests/bench/multiply_add_floor.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "core/model/explain.hpp"
 #include "core/simulate/scenario.hpp"
-#include "daemon/memory.hpp"
+#include "daemon/commands/memory.hpp"
 
 namespace loopscope::core::model {
 namespace {

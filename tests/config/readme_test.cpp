@@ -13,8 +13,8 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string readme() {
-  const std::ifstream file(loopscope::tests::source_dir() / "config/README.md");
+std::string document(const std::string& name) {
+  const std::ifstream file(loopscope::tests::source_dir() / "config" / name);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
@@ -22,7 +22,7 @@ std::string readme() {
 
 /// The first fenced block of a language; empty when there is none.
 std::string block(const std::string& language) {
-  const std::string text = readme();
+  const std::string text = document("README.md");
   const std::string fence = "```" + language + "\n";
   const std::size_t start = text.find(fence);
   if (start == std::string::npos) return {};
@@ -30,9 +30,9 @@ std::string block(const std::string& language) {
   return text.substr(from, text.find("```", from) - from);
 }
 
-TEST(Readme, HoldsExactlyTheTableOfSettings) {
-  EXPECT_THAT(readme(), HasSubstr("\n\n" + describe_settings() + "\n"))
-      << "replace the table in config/README.md by:\n"
+TEST(Readme, TheTableOfSettingsIsWhatTheProgramDescribes) {
+  EXPECT_THAT(document("SETTINGS.md"), HasSubstr("\n\n" + describe_settings() + "\n"))
+      << "replace the table in config/SETTINGS.md by:\n"
       << describe_settings();
 }
 
@@ -46,7 +46,7 @@ TEST(Readme, WrongFileHasTheProblemsThatItShows) {
   std::string rows = "| path | problem | hint |\n|---|---|---|\n";
   for (const Problem& problem : problems_of(block("json")))
     rows += "| `" + problem.path + "` | " + problem.message + " | " + problem.hint + " |\n";
-  EXPECT_THAT(readme(), HasSubstr("\n\n" + rows + "\n"));
+  EXPECT_THAT(document("README.md"), HasSubstr("\n\n" + rows + "\n"));
 }
 
 }  // namespace

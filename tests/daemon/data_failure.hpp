@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "daemon/failure.hpp"
+#include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "core/hos/bicoherence.hpp"
+#include "core/hos/bicoherence/bicoherence.hpp"
 #include "core/simulate/paper_signals.hpp"
 #include "daemon/reproduce/bifrequency.hpp"
 #include "daemon/reproduce/industrial_case.hpp"

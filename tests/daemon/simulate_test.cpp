@@ -4,11 +4,11 @@
 #include <limits>
 
 #include "core/simulate/scenario.hpp"
-#include "daemon/failure.hpp"
 #include "daemon/recording/recording.hpp"
 #include "daemon/simulate/effect_text.hpp"
 #include "daemon/simulate/number_text.hpp"
 #include "daemon/simulate/record_csv.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/support/source_dir.hpp"
 
 namespace loopscope::daemon {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/mechanism.hpp"
+#include "core/model/results/mechanism.hpp"
 #include "tests/effects/outcome.hpp"
 
 namespace loopscope::tests::effects {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/explanation.hpp"
+#include "core/model/results/explanation.hpp"
 #include "tests/effects/generator.hpp"
 
 namespace loopscope::tests::effects {

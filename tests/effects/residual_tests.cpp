@@ -6,8 +6,8 @@
 
 #include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/loop_model.hpp"
-#include "core/model/asked.hpp"
 #include "core/model/look.hpp"
+#include "core/model/residual_tests/asked.hpp"
 #include "tests/effects/window_of.hpp"
 #include "tests/support/in_threads.hpp"
 

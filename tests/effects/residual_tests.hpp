@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/questions/answer.hpp"
+#include "core/model/residual_tests/statistics/answer.hpp"
 #include "tests/effects/draws.hpp"
 
 namespace loopscope::tests::effects {

@@ -5,7 +5,7 @@
 #include "tests/end_to_end/ready_queries.hpp"
 #include "tests/end_to_end/told_plant.hpp"
 
-/// deploy/queries/README.md: every query runs with the rights that it says and has something to
+/// deploy/queries/QUERIES.md: every query runs with the rights that it says and has something to
 /// show.
 namespace loopscope::tests {
 namespace {

@@ -7,7 +7,7 @@
 namespace loopscope::tests {
 
 std::vector<ReadyQuery> ready_queries() {
-  std::ifstream file(source_dir() / "deploy" / "queries" / "README.md");
+  std::ifstream file(source_dir() / "deploy" / "queries" / "QUERIES.md");
   std::vector<ReadyQuery> queries;
   std::string section;
   bool in_statement = false;

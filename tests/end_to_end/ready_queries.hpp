@@ -5,7 +5,7 @@
 
 namespace loopscope::tests {
 
-/// A query of deploy/queries/README.md.
+/// A query of deploy/queries/QUERIES.md.
 struct ReadyQuery {
   std::string section, title, purpose, statement;
   /// Whether it wants the rights of an engineer.

@@ -30,7 +30,7 @@ class SharedDatabase : public testing::Test {
     outsider_->run(content_of(source_dir() / "tests" / "support" / "traps.sql"));
   }
 
-  /// As deploy/README.md tells to make them.
+  /// As deploy/SECURITY.md tells to make them.
   void make_logins() {
     for (const char* group : {"owner", "worker", "reader", "engineer", "historian"}) {
       logins_[group] = database_->make_login("loopscope_" + std::string(group));

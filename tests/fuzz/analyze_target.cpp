@@ -1,8 +1,8 @@
 // The whole path of `loopscope analyze`: bytes to CSV to window to diagnosis to JSON. The first
 // byte holds the options, the rest is the file.
 
-#include "daemon/failure.hpp"
 #include "daemon/recording/analyse_recording.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/fuzz/check_diagnosis.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "daemon/recording/cell_failure.hpp"
+#include "daemon/text/cell_failure.hpp"
 #include "storage/array_literal.hpp"
 #include "storage/timestamp.hpp"
 #include "storage/utf8.hpp"

@@ -24,12 +24,12 @@ is_fuzz_target() {
 # What a target is about: its coverage is told of these files.
 fuzz_sources() {
   case $1 in
-    settings) printf '%s\n' config daemon/service/storage_settings.cpp ;;
+    settings) printf '%s\n' config daemon/service/historians/storage_settings.cpp ;;
     recording) printf '%s\n' daemon/recording daemon/output/window_csv.cpp core/signal/{assemble,base_interval,grid,window_digest}.cpp ;;
-    catalogue) printf '%s\n' daemon/catalogue/{catalogue_csv,entry_fields}.cpp daemon/recording/csv_table.cpp ;;
+    catalogue) printf '%s\n' daemon/catalogue/{catalogue_csv,entry_fields}.cpp daemon/text/csv_table.cpp ;;
     discovery) printf '%s\n' daemon/catalogue/{discover_loops,naming_rules,tag_pattern}.cpp ;;
     binary_array) printf '%s\n' storage/historian/binary_array.cpp ;;
-    array_literal) printf '%s\n' storage/{array_literal,timestamp,utf8}.cpp daemon/recording/cell_failure.cpp ;;
+    array_literal) printf '%s\n' storage/{array_literal,timestamp,utf8}.cpp daemon/text/cell_failure.cpp ;;
     historian_rows) printf '%s\n' storage/historian/{scan_rows,binary_array,merge_series,mode_codes,native_time}.cpp ;;
     analyze) printf '%s\n' core/{signal,hos,loop,model,diagnosis} daemon/recording daemon/output/{analysis,model}_{json,text}.cpp ;;
     window) printf '%s\n' core/{signal,hos,loop,model,diagnosis} daemon/output/{analysis,model}_{json,text}.cpp ;;

@@ -4,8 +4,8 @@
 #include "config/read_settings.hpp"
 #include "core/diagnosis/diagnose.hpp"
 #include "daemon/catalogue/naming_rules.hpp"
-#include "daemon/failure.hpp"
-#include "daemon/service/storage_settings.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "daemon/failure.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/fuzz/require.hpp"
 
 namespace loopscope::tests::fuzz {

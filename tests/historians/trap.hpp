@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/service/storage_settings.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
 #include "storage/historian/historian_reader.hpp"
 #include "tests/historians/truth.hpp"
 #include "tests/historians/vendor.hpp"

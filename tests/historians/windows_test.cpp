@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-#include "daemon/service/storage_settings.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
 #include "storage/historian/historian_reader.hpp"
 #include "storage/historian/list_tags.hpp"
 #include "tests/historians/truth.hpp"

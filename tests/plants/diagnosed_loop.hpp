@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "core/model/mechanism.hpp"
+#include "core/model/results/mechanism.hpp"
 #include "tests/plants/plant.hpp"
 
 namespace loopscope::tests::plants {

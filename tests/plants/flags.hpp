@@ -7,7 +7,8 @@
 
 namespace loopscope::tests::plants {
 
-/// Settings as a plant gets them that sets none (config/README.md, /flags; storage/README.md).
+/// Settings as a plant gets them that sets none (config/SETTINGS.md, /flags;
+/// storage/results/reports/README.md).
 struct FlagRule {
   double false_discovery_rate = 0.005;
   double min_confidence = 0.3;

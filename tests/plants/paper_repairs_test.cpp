@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 
-#include "core/diagnosis/catalogue.hpp"
-#include "storage/results/migrate.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/plants/store_repairs.hpp"
 #include "tests/support/test_database.hpp"
 

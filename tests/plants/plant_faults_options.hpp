@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/mechanism.hpp"
+#include "core/model/results/mechanism.hpp"
 #include "tests/plants/flags.hpp"
 #include "tests/plants/plant.hpp"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <thread>
 
-#include "storage/results/migrate.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/plants/repair_score.hpp"
 #include "tests/plants/run_repairs.hpp"
 #include "tests/plants/store_repairs.hpp"

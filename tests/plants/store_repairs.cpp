@@ -3,7 +3,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "storage/results/catalogue.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
 #include "storage/results/results_database.hpp"
 
 namespace loopscope::tests::repairs {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "storage/connection_settings.hpp"
-#include "storage/results/maintenance.hpp"
+#include "storage/results/catalogue/maintenance.hpp"
 #include "tests/plants/diagnose_repair.hpp"
 
 namespace loopscope::tests::repairs {

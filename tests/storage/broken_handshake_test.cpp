@@ -10,7 +10,7 @@
 
 #include "storage/error.hpp"
 #include "storage/historian/pq_connection.hpp"
-#include "storage/results/session.hpp"
+#include "storage/results/session/session.hpp"
 
 namespace loopscope::storage {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "storage/error.hpp"
 #include "storage/historian/pq_connection.hpp"
-#include "storage/results/session.hpp"
+#include "storage/results/session/session.hpp"
 #include "tests/support/environment.hpp"
 #include "tests/support/tls_server.hpp"
 

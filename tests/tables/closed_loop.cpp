@@ -3,14 +3,14 @@
 #include <ctime>
 #include <string>
 
-#include "core/model/controller_trap.hpp"
-#include "core/model/excitation.hpp"
+#include "core/model/controller/controller_trap.hpp"
+#include "core/model/controller/excitation.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/known_loops.hpp"
 #include "tests/core/model/tuning_cases.hpp"
 #include "tests/tables/table.hpp"
 
-/// The tables of core/model/README.closed_loop.md. Disabled, because they assert nothing that the
+/// The tables of core/model/controller/MEASURED.md. Disabled, because they assert nothing that the
 /// other tests do not assert on fewer seeds.
 namespace loopscope::core::model {
 namespace {

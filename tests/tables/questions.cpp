@@ -4,9 +4,9 @@
 #include <limits>
 #include <string>
 
-#include "core/model/question_residual.hpp"
-#include "core/model/questions/coupling.hpp"
-#include "tests/core/model/questions/pass_rates.hpp"
+#include "core/model/residual_tests/question_residual.hpp"
+#include "core/model/residual_tests/tests/coupling.hpp"
+#include "tests/core/model/residual_tests/pass_rates.hpp"
 #include "tests/tables/table.hpp"
 
 namespace loopscope::core::model {

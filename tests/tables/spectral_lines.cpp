@@ -1,11 +1,11 @@
-#include "core/model/questions/spectral_lines.hpp"
+#include "core/model/residual_tests/statistics/spectral_lines.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
-#include "tests/core/model/questions/loops.hpp"
+#include "tests/core/model/residual_tests/loops.hpp"
 #include "tests/tables/table.hpp"
 
 namespace loopscope::core::model {

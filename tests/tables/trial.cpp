@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "core/model/effect_kind.hpp"
 #include "core/model/effects/catalogue.hpp"
+#include "core/model/results/effect_kind.hpp"
 #include "tests/core/model/trial_records.hpp"
 #include "tests/tables/table.hpp"
 

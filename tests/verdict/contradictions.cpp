@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/diagnosis/catalogue.hpp"
-#include "core/diagnosis/structure.hpp"
+#include "core/diagnosis/evidence/structure.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
 #include "tests/verdict/naming.hpp"
 
 namespace loopscope::tests::verdict {

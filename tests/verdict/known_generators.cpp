@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/diagnosis/effect_verdict.hpp"
-#include "core/model/effect_kind.hpp"
 #include "core/model/effects/catalogue.hpp"
+#include "core/model/results/effect_kind.hpp"
 #include "tests/core/model/field_families.hpp"
 #include "tests/effects/generator.hpp"
 #include "tests/effects/random.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/diagnosis/loop_facts.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 #include "core/signal/loop_window.hpp"
 
 namespace loopscope::tests::verdict {

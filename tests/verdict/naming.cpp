@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/diagnosis/structure.hpp"
+#include "core/diagnosis/evidence/structure.hpp"
 
 namespace loopscope::tests::verdict {
 

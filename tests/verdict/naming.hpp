@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/diagnosis/catalogue.hpp"
-#include "core/diagnosis/evidence.hpp"
-#include "core/diagnosis/verdict.hpp"
-#include "core/model/effect_kind.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
+#include "core/model/results/effect_kind.hpp"
 
 namespace loopscope::tests::verdict {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/odds/curve.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <utility>
 
-#include "core/diagnosis/catalogue.hpp"
-#include "core/diagnosis/figure.hpp"
+#include "core/diagnosis/evidence/figure.hpp"
+#include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/odds/cause_curves.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
-#include "core/diagnosis/structure.hpp"
+#include "core/diagnosis/verdicts/catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/diagnosis/decision_settings.hpp"
-#include "core/diagnosis/evidence.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
+#include "core/diagnosis/verdicts/decision_settings.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 

@@ -11,7 +11,7 @@
 #include "core/diagnosis/odds/beside_others.hpp"
 #include "core/diagnosis/odds/cause_curves.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

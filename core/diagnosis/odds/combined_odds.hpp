@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/diagnosis/odds/beside_others.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/model/effect_traits.hpp"
+#include "core/model/effects/effect_traits.hpp"
 
 namespace loopscope::core::model {
 

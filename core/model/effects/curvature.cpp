@@ -1,6 +1,6 @@
 #include "core/model/effects/curvature.hpp"
 
-#include "core/model/phrases.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/model/phrases.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

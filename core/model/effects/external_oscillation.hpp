@@ -2,8 +2,8 @@
 
 #include <complex>
 
-#include "core/model/effect.hpp"
-#include "core/model/effect_traits.hpp"
+#include "core/model/effects/effect.hpp"
+#include "core/model/effects/effect_traits.hpp"
 
 namespace loopscope::core::model {
 

@@ -5,7 +5,7 @@
 
 #include "core/model/effects/input_load.hpp"
 #include "core/model/effects/load_step.hpp"
-#include "core/model/phrases.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

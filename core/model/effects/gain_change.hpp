@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/model/effect.hpp"
-#include "core/model/effect_traits.hpp"
+#include "core/model/effects/effect.hpp"
+#include "core/model/effects/effect_traits.hpp"
 
 namespace loopscope::core::model {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/model/effect.hpp"
+#include "core/model/effects/effect.hpp"
 
 namespace loopscope::core::model {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/model/phrases.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/effects/curvature.hpp"
-#include "core/model/phrases.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

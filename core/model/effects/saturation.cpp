@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/phrases.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/model/effect_traits.hpp"
+#include "core/model/effects/effect_traits.hpp"
 
 namespace loopscope::core::model {
 

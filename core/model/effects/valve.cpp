@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model/phrases.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 

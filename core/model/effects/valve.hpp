@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/model/effect.hpp"
-#include "core/model/effect_traits.hpp"
-#include "core/model/valve_law.hpp"
+#include "core/model/effects/effect.hpp"
+#include "core/model/effects/effect_traits.hpp"
+#include "core/model/valve_law/valve_law.hpp"
 
 namespace loopscope::core::model {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/diagnosis/evidence.hpp"
-#include "core/model/explanation.hpp"
+#include "core/diagnosis/evidence/evidence.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::diagnosis {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 #include "tests/core/model/field_families.hpp"
 
 /// The whole program's verdicts on recordings as plants make them.

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/diagnosis/figure.hpp"
+#include "core/diagnosis/evidence/figure.hpp"
 #include "tests/core/diagnosis/explanations.hpp"
 
 namespace loopscope::core::diagnosis {

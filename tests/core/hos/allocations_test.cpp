@@ -9,9 +9,9 @@
 #include <limits>
 #include <new>
 
-#include "core/hos/bicoherence.hpp"
-#include "core/hos/indices.hpp"
-#include "core/hos/peaks.hpp"
+#include "core/hos/bicoherence/bicoherence.hpp"
+#include "core/hos/bicoherence/indices.hpp"
+#include "core/hos/bicoherence/peaks.hpp"
 #include "tests/core/hos/signals.hpp"
 
 namespace {

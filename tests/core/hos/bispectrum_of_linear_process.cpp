@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "core/hos/principal_domain.hpp"
+#include "core/hos/kernels/principal_domain.hpp"
 
 namespace loopscope::core::hos::tests {
 namespace {

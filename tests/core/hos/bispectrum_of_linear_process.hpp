@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/hos/settings.hpp"
+#include "core/hos/transforms/settings.hpp"
 
 namespace loopscope::core::hos::tests {
 

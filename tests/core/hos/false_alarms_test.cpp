@@ -1,5 +1,5 @@
 // What the published rules do on signals that are linear and Gaussian: documentation that runs.
-// The table of the README is what this test prints.
+// The table of MEASURED.md is what this test prints.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using loopscope::tests::four_errors;
 
-/// Per signal; LOOPSCOPE_RECORDS=20000 gives the README's table.
+/// Per signal; LOOPSCOPE_RECORDS=20000 gives MEASURED.md's table.
 int records() {
   return tests::records(500);
 }

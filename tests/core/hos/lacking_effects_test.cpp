@@ -1,7 +1,7 @@
 // What the published null model lacks, effect by effect: how often a test at nominal 5 % rejects
 // records in which there is nothing to find, before the effect is allowed for and after.
 //
-// LOOPSCOPE_RECORDS=2000 core_tests --gtest_filter='HosLackingEffects.*' makes the README's table.
+// LOOPSCOPE_RECORDS=2000 core_tests --gtest_filter='HosLackingEffects.*' makes MEASURED.md's table.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,10 +12,10 @@
 #include <string_view>
 
 #include "core/hos/analyse.hpp"
-#include "core/hos/null_laws.hpp"
-#include "core/hos/overlap.hpp"
-#include "core/hos/quadratic_test.hpp"
-#include "core/hos/tested_spectra.hpp"
+#include "core/hos/coupling/null_laws.hpp"
+#include "core/hos/coupling/overlap.hpp"
+#include "core/hos/coupling/quadratic_test.hpp"
+#include "core/hos/coupling/tested_spectra.hpp"
 #include "core/simulate/calibration_families.hpp"
 #include "tests/core/hos/family_rates.hpp"
 #include "tests/support/long_run.hpp"

@@ -1,6 +1,6 @@
 // A line whose period divides the hop of 32 samples stands at the same phase in every segment, and
 // its leakage with it: the published rule takes that for coupling. Documentation that runs; the
-// figures of the README of daemon/ are what this prints with LOOPSCOPE_RECORDS=2000.
+// figures of daemon/MEASURED.md are what this prints with LOOPSCOPE_RECORDS=2000.
 
 #include <cstdio>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string_view>
 
-#include "core/hos/principal_domain.hpp"
+#include "core/hos/kernels/principal_domain.hpp"
 
 namespace loopscope::core::hos::tests {
 

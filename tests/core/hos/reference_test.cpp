@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/hos/analyse.hpp"
-#include "core/hos/bicoherence.hpp"
+#include "core/hos/bicoherence/bicoherence.hpp"
 #include "tests/core/hos/reference_figures.hpp"
 #include "tests/support/source_dir.hpp"
 

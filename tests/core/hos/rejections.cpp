@@ -1,8 +1,8 @@
 #include "tests/core/hos/rejections.hpp"
 
-#include "core/hos/bicoherence.hpp"
-#include "core/hos/fackrell.hpp"
-#include "core/hos/hinich.hpp"
+#include "core/hos/bicoherence/bicoherence.hpp"
+#include "core/hos/literature/fackrell.hpp"
+#include "core/hos/literature/hinich.hpp"
 #include "tests/support/long_run.hpp"
 
 namespace loopscope::core::hos::tests {

@@ -1,4 +1,4 @@
-// What the second look sees of slow oscillations and the first does not. The tables of the README
+// What the second look sees of slow oscillations and the first does not. The tables of MEASURED.md
 // are what these tests print.
 
 #include "core/hos/slow_look.hpp"
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/hos/decimate.hpp"
+#include "core/hos/slow/decimate.hpp"
 #include "tests/core/hos/signals.hpp"
 #include "tests/support/long_run.hpp"
 #include "tests/support/numbers.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 using loopscope::tests::kTurn;
 constexpr std::size_t kFirstSeed = 9001;
-/// Per signal; LOOPSCOPE_RECORDS=1000 gives the README's tables.
+/// Per signal; LOOPSCOPE_RECORDS=1000 gives MEASURED.md's tables.
 constexpr std::size_t kSlowRecords = 40;
 
 using tests::sawtooth;

@@ -35,7 +35,7 @@ TEST(HarrisP, ClaimsNothingOfAModelThatGrows) {
 }
 
 TEST(HarrisP, HoldsItsSizeAtTheEdgeOfTheNull) {
-  // Measured 0.02 to 0.04 at nominal 0.05 (README.md); 400 records scatter by 0.01.
+  // Measured 0.02 to 0.04 at nominal 0.05 (MEASURED.md); 400 records scatter by 0.01.
   const double share = share_at_null(0.97);
   int rejected = 0;
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {

@@ -30,7 +30,7 @@ Series noisy_wave(Random& random, std::size_t count, Wave kind, double period, d
 }
 
 TEST(Oscillation, NoiseAndDriftAreNone) {
-  // Measured rate below 2 % (README.md): more than 4 of 40 happen less than once in a thousand.
+  // Measured rate below 2 % (MEASURED.md): more than 4 of 40 happen less than once in a thousand.
   for (const std::size_t count : {std::size_t{4096}, std::size_t{751}}) {
     EXPECT_LE(count_present([=](Random& r) { return signals::white(r, count); }), 4);
     EXPECT_LE(count_present([=](Random& r) { return signals::ar1(r, count, 0.9); }), 4);
@@ -59,7 +59,7 @@ TEST(Oscillation, FiguresOfASinusoidAreItsOwn) {
   const Oscillation result = find_oscillation(series, 10.0);
   ASSERT_TRUE(result.present);
   EXPECT_NEAR(*result.period_s, 500.0, 1.0);
-  EXPECT_NEAR(*result.amplitude, 3.0, 0.15);  // up to 5 % low, see README.md
+  EXPECT_NEAR(*result.amplitude, 3.0, 0.15);  // up to 5 % low, see MEASURED.md
   EXPECT_GT(*result.regularity, 10.0);
   EXPECT_GT(*result.persistence, 0.9);
 }

@@ -27,7 +27,7 @@ int clear_peaks(int records, const std::function<Series(Random&)>& draw) {
 }
 
 TEST(SpectralPeak, SmoothSpectraHaveNone) {
-  // Two in a hundred at most (README.md); with 100 records more than 7 happen once in a thousand.
+  // Two in a hundred at most (MEASURED.md); with 100 records more than 7 happen once in a thousand.
   constexpr std::size_t kCount = 2048;
   EXPECT_LE(clear_peaks(100, [](Random& r) { return signals::white(r, kCount); }), 7);
   EXPECT_LE(clear_peaks(100, [](Random& r) { return signals::ar1(r, kCount, 0.9); }), 7);

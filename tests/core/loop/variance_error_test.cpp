@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 #include "tests/core/loop/signals.hpp"
 #include "tests/support/numbers.hpp"
 

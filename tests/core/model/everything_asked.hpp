@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/model/asked.hpp"
 #include "core/model/effects/catalogue.hpp"
+#include "core/model/residual_tests/asked.hpp"
 
 namespace loopscope::core::model::tests {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/model/closed_loop.hpp"
+#include "core/model/controller/closed_loop.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/known_loops.hpp"
 #include "tests/core/model/model_records.hpp"

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
-#include "core/model/closed_loop.hpp"
-#include "core/model/simc.hpp"
+#include "core/model/controller/closed_loop.hpp"
+#include "core/model/controller/simc.hpp"
 #include "core/simulate/random.hpp"
 #include "core/simulate/scenario.hpp"
 

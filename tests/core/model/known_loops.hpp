@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/controller_law.hpp"
-#include "core/model/explanation.hpp"
-#include "core/model/sampled_process.hpp"
+#include "core/model/controller/controller_law.hpp"
+#include "core/model/controller/sampled_process.hpp"
+#include "core/model/results/explanation.hpp"
 #include "core/simulate/loop.hpp"
 
 /// Simulated loops whose process and controller are known, one sample per second.

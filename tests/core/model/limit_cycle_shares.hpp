@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "core/model/limit_cycle_cause.hpp"
+#include "core/model/limit_cycle/limit_cycle_cause.hpp"
 #include "tests/core/model/field_families.hpp"
 
 namespace loopscope::core::model::tests {

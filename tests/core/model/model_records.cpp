@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/model/effects/valve.hpp"
-#include "core/model/trial.hpp"
+#include "core/model/fit/trial.hpp"
 #include "core/simulate/random.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/support/numbers.hpp"

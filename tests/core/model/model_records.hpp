@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/model/explain.hpp"
-#include "core/model/fit.hpp"
-#include "core/model/hysteresis_net.hpp"
-#include "core/model/valve_law.hpp"
+#include "core/model/fit/fit.hpp"
+#include "core/model/valve_law/valve_law.hpp"
+#include "core/model/valve_search/hysteresis_net.hpp"
 #include "core/simulate/loop.hpp"
 
 /// Records whose model is known, one sample per second unless said otherwise.

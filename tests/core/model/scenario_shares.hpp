@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/explanation.hpp"
+#include "core/model/results/explanation.hpp"
 
 /// What explain() says first of records whose cause is known.
 namespace loopscope::core::model::tests {

@@ -99,7 +99,7 @@ TEST(TracesOfEffects, ALoopWithoutEffectsHasTheLinearStageAlone) {
 }
 
 /// The one-step error shows nothing of that valve; the square wave that looks like one is the trap
-/// of core/model/README.limit_cycle.md.
+/// of core/model/limit_cycle/MEASURED.md.
 TEST(TracesOfEffects, AValveThatTheCycleNamesIsSimulated) {
   const auto families = loopscope::tests::model::field_families();
   const auto family =

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/model/loop_data.hpp"
-#include "core/model/trial.hpp"
+#include "core/model/fit/trial.hpp"
+#include "core/model/record/loop_data.hpp"
 
 /// Loops of one lag in noise, and what trials say of effects that they do not have.
 namespace loopscope::core::model::tests {

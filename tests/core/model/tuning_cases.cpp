@@ -4,8 +4,8 @@
 #include <numeric>
 #include <random>
 
-#include "core/model/closed_loop.hpp"
-#include "core/model/simc.hpp"
+#include "core/model/controller/closed_loop.hpp"
+#include "core/model/controller/simc.hpp"
 #include "tests/core/model/known_loops.hpp"
 
 namespace loopscope::core::model::known {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/model/tuning.hpp"
+#include "core/model/controller/tuning.hpp"
 
 namespace loopscope::core::model::known {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/model/valve_law.hpp"
+#include "core/model/valve_law/valve_law.hpp"
 #include "core/simulate/random.hpp"
 
 namespace loopscope::core::model::tests {

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "core/hos/normal_draw.hpp"
+#include "core/hos/numeric/normal_draw.hpp"
 
 namespace loopscope::core::plant {
 namespace {

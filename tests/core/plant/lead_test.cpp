@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "core/hos/normal_draw.hpp"
+#include "core/hos/numeric/normal_draw.hpp"
 #include "tests/core/plant/oscillators.hpp"
 #include "tests/support/numbers.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/hos/normal_draw.hpp"
-#include "core/hos/uniform_draw.hpp"
+#include "core/hos/numeric/normal_draw.hpp"
+#include "core/hos/numeric/uniform_draw.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace loopscope::core::plant::tests {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "core/hos/normal_draw.hpp"
+#include "core/hos/numeric/normal_draw.hpp"
 #include "tests/core/plant/oscillators.hpp"
 #include "tests/support/numbers.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/signal/swinging_door.hpp"
 
 namespace loopscope::core::signal {

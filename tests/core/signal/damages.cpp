@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/signal/base_interval.hpp"
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/simulate/coloured_noise.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/signal/archives.hpp"
@@ -207,7 +207,8 @@ std::vector<Damage> make_damages() {
   list.push_back(changed("second half three times as loud", louder));
   list.push_back(changed("mean 2 standard deviations up halfway", shifted));
   list.push_back(changed("another spectrum from 70 % on", another<70>));
-  // Of two stretches of the same length the later one is judged (core/hos/stationary_stretch.hpp).
+  // Of two stretches of the same length the later one is judged
+  // (core/hos/linear/stationary_stretch.hpp).
   list.push_back(changed("another spectrum from halfway on", another<50>));
   list.back().leaves_linear = true;
   list.push_back(changed("another spectrum from 30 % on", another<30>));

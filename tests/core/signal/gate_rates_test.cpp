@@ -1,5 +1,5 @@
 // How often healthy loops are called nonlinear after their data were damaged on the way, how many
-// are judged at all, and how often nonlinear ones are still found. The tables of the README are
+// are judged at all, and how often nonlinear ones are still found. The tables of MEASURED.md are
 // what these tests print.
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace loopscope::core::signal {
 namespace {
 
-/// Of each loop; LOOPSCOPE_RECORDS=30 gives the README's tables.
+/// Of each loop; LOOPSCOPE_RECORDS=30 gives MEASURED.md's tables.
 constexpr std::size_t kGateRecords = 12;
 /// Other seeds than those on which the limits were chosen.
 constexpr std::uint64_t kFirstSeed = 900'000;

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/simulate/coloured_noise.hpp"
 
 namespace loopscope::core::signal {

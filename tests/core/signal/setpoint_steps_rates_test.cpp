@@ -1,5 +1,5 @@
 // How often linear, Gaussian loops are called nonlinear because somebody moves their setpoint, with
-// and without the mask. The table of the README is what this test prints.
+// and without the mask. The table of MEASURED.md is what this test prints.
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "core/hos/analyse.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/signal/prepare.hpp"
 #include "core/signal/setpoint_steps.hpp"
-#include "core/signal/spread.hpp"
 #include "core/simulate/paper_loops.hpp"
 #include "core/simulate/plant_loops.hpp"
 #include "core/simulate/scenario.hpp"
@@ -19,7 +19,7 @@
 namespace loopscope::core::signal {
 namespace {
 
-/// Per line; LOOPSCOPE_RECORDS=1000 gives the README's table.
+/// Per line; LOOPSCOPE_RECORDS=1000 gives MEASURED.md's table.
 constexpr std::size_t kStepRecords = 200;
 int records() {
   return static_cast<int>(loopscope::tests::records(kStepRecords));

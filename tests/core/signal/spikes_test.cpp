@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "core/signal/spread.hpp"
+#include "core/signal/order/spread.hpp"
 #include "core/simulate/innovations.hpp"
 #include "core/simulate/limit_cycle.hpp"
 

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <string>
 
+#include "core/signal/order/spread.hpp"
 #include "core/signal/prepare.hpp"
-#include "core/signal/spread.hpp"
 #include "core/simulate/random.hpp"
 #include "core/simulate/uniform_source.hpp"
 #include "tests/support/long_run.hpp"

@@ -6,7 +6,7 @@
 
 #include "daemon/catalogue/discovery_text.hpp"
 #include "daemon/catalogue/tag_roles.hpp"
-#include "daemon/failure.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/support/sanitized.hpp"
 
 namespace loopscope::daemon {

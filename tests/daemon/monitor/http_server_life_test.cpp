@@ -4,8 +4,8 @@
 #include <optional>
 #include <thread>
 
-#include "daemon/failure.hpp"
 #include "daemon/monitor/http_server.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/daemon/monitor/http_client.hpp"
 
 /// Beginning and end of a server, and where it listens.

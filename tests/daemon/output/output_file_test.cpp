@@ -8,8 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "daemon/failure.hpp"
 #include "daemon/output/followed_path.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/source_dir.hpp"
 

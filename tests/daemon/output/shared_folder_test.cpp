@@ -11,8 +11,8 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-#include "daemon/failure.hpp"
 #include "daemon/output/write_file.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/source_dir.hpp"
 

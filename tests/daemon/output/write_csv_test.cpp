@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "daemon/recording/csv_table.hpp"
+#include "daemon/text/csv_table.hpp"
 #include "tests/support/hostile_names.hpp"
 #include "tests/support/source_dir.hpp"
 

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "daemon/failure.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/support/source_dir.hpp"
 
 namespace loopscope::daemon {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "storage/results/report_rows.hpp"
+#include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
 

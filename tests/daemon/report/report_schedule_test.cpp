@@ -7,8 +7,8 @@
 #include <thread>
 #include <unistd.h>
 
-#include "daemon/failure.hpp"
 #include "daemon/report/folder_lock.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/support/source_dir.hpp"
 
 namespace loopscope::daemon {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "daemon/report/plant_section.hpp"
-#include "storage/results/report_rows.hpp"
+#include "daemon/report/sections/plant_section.hpp"
+#include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
 

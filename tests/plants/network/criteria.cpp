@@ -5,9 +5,9 @@
 #include <complex>
 #include <numeric>
 
-#include "core/hos/decimate.hpp"
-#include "core/hos/harmonic_filters.hpp"
-#include "core/hos/harmonic_test.hpp"
+#include "core/hos/coupling/harmonic_filters.hpp"
+#include "core/hos/coupling/harmonic_test.hpp"
+#include "core/hos/slow/decimate.hpp"
 #include "tests/plants/network/thornhill.hpp"
 
 namespace loopscope::tests::network {

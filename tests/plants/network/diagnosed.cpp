@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "core/diagnosis/nonlinearity.hpp"
+#include "core/diagnosis/evidence/nonlinearity.hpp"
 #include "core/diagnosis/plant_member.hpp"
 #include "core/model/effects/catalogue.hpp"
 #include "tests/effects/window_of.hpp"

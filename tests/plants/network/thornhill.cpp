@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/hos/decimate.hpp"
+#include "core/hos/slow/decimate.hpp"
 #include "tests/effects/random.hpp"
 
 namespace loopscope::tests::network {

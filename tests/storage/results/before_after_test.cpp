@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "storage/results/report_database.hpp"
+#include "storage/results/reports/report_database.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 namespace loopscope::storage {

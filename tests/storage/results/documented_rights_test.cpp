@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "storage/results/migrate.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/role_fixture.hpp"
 
 namespace loopscope::storage {

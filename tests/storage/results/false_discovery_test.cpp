@@ -260,7 +260,7 @@ TEST(FalseDiscoveryReference, HoldsTheFalseShareOfPlants) {
   }
 }
 
-/// storage/README.md; not asserted beyond the second that 10 000 loops may take.
+/// storage/MEASURED.md; not asserted beyond the second that 10 000 loops may take.
 void time_view(const tests::TestDatabase& database, std::size_t loops) {
   double best = 1e9;
   for (int run = 0; run < 3; ++run) {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "storage/results/plant_rounds.hpp"
-#include "storage/results/report_database.hpp"
+#include "storage/results/plant/plant_rounds.hpp"
+#include "storage/results/reports/report_database.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 /// What keeps faults from flagged_loop, and that this is shown.

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "storage/results/migrate.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/upgrade_fixture.hpp"
 
 /// What a migration makes of the list of a filled schema.

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "storage/results/migrate.hpp"
-#include "storage/results/plant_rounds.hpp"
+#include "storage/results/plant/plant_rounds.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 namespace loopscope::storage {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <thread>
 
-#include "storage/results/migrate.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/results_fixture.hpp"
 
 namespace loopscope::storage {

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
-#include "storage/results/migrate.hpp"
-#include "storage/results/plant_rounds.hpp"
-#include "storage/results/report_database.hpp"
+#include "storage/results/plant/plant_rounds.hpp"
+#include "storage/results/reports/report_database.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/upgrade_fixture.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 

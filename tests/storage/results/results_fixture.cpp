@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "storage/results/embedded_migrations.hpp"
-#include "storage/results/migrate.hpp"
+#include "storage/results/schema/embedded_migrations.hpp"
+#include "storage/results/schema/migrate.hpp"
 
 namespace loopscope::storage {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/results/catalogue.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
 #include "storage/results/results_database.hpp"
 #include "tests/support/test_database.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 
-#include "storage/results/check_results.hpp"
-#include "storage/results/migrate.hpp"
+#include "storage/results/schema/check_results.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/results_fixture.hpp"
 
 namespace loopscope::storage {

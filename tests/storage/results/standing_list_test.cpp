@@ -5,7 +5,7 @@
 
 #include "core/diagnosis/odds/combined_odds.hpp"
 #include "core/plant/list_by_odds.hpp"
-#include "storage/results/plant_rounds.hpp"
+#include "storage/results/plant/plant_rounds.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
 /// What comes onto the list over time, and stays: list_questions(), hidden_loop.

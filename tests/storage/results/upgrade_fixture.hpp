@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/results/embedded_migrations.hpp"
+#include "storage/results/schema/embedded_migrations.hpp"
 #include "tests/storage/results/results_fixture.hpp"
 
 namespace loopscope::storage {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "storage/results/migrate.hpp"
-#include "storage/results/plant_rounds.hpp"
+#include "storage/results/plant/plant_rounds.hpp"
+#include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/upgrade_fixture.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/source_dir.hpp"

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "core/diagnosis/figure.hpp"
-#include "core/diagnosis/verdict.hpp"
+#include "core/diagnosis/evidence/figure.hpp"
+#include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

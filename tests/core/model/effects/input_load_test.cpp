@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/model/trial.hpp"
+#include "core/model/fit/trial.hpp"
 #include "tests/core/model/effects/neighbours.hpp"
 
 namespace loopscope::core::model {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/model/trial.hpp"
+#include "core/model/fit/trial.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/effects/neighbours.hpp"
 

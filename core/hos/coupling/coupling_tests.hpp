@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "core/hos/coupling/harmonic_test.hpp"
+#include "core/hos/coupling/tested_spectra.hpp"
+
+namespace loopscope::core::hos {
+
+/// p-values of the three statistics of phase coupling against Gaussian noise of any spectrum:
+/// closed forms (quadratic_test.hpp, harmonic_test.hpp).
+struct CouplingTests {
+  double mean_p = 1.0;            ///< of the mean squared bicoherence
+  double nli_p = 1.0;             ///< largest cell, and f + f -> 2f
+  std::optional<double> cubic_p;  ///< f + f + f -> 3f; nullopt = no period, or too few segments
+
+  [[nodiscard]] double smallest() const;
+  [[nodiscard]] double quadratic() const;  ///< the first two combined
+  [[nodiscard]] double combined() const;   ///< all
+};
+
+/// `harmonics` at the period of the record's strongest oscillation; nullptr where there is none.
+[[nodiscard]] CouplingTests test_coupling(const TestedSpectra& tested,
+                                          const HarmonicTest* harmonics);
+
+}  // namespace loopscope::core::hos

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/hos/kernels/record_sums.hpp"
+#include "core/hos/kernels/segment_dft.hpp"
+#include "core/hos/kernels/triple_tile.hpp"
+#include "core/hos/numeric/magnitude.hpp"
+
+namespace loopscope::core::hos {
+
+/// Rows of one length, one after another at a fixed distance.
+struct Rows {
+  const double* first;  ///< on a cache line
+  std::size_t stride;   ///< doubles from row to row, a multiple of kLanes
+  std::size_t length;   ///< doubles, a multiple of kLanes
+  std::size_t count;
+};
+
+/// Every hot loop of the room, compiled for one kind of processor. Fused multiply-adds round once
+/// and lanes change the order of sums, so that results of different kernels differ by rounding; one
+/// kernel gives the same digits whatever was computed before and in any number of threads.
+struct Kernels {
+  std::string_view name;  ///< "avx512", "avx2" or "portable"
+  /// largest_magnitude() and whether every sample is finite, in one look.
+  MagnitudeScan (*scan)(std::span<const double> signal);
+  /// The spectra of up to kLanes segments; `dft` must be made for their length.
+  void (*transform)(const SegmentDft& dft, const SegmentBatch& batch);
+  /// Sum of every row, `sums[0 .. count - 1]`.
+  void (*sum_rows)(const Rows& rows, double* sums);
+  /// Every bifrequency of the principal domain.
+  void (*sum_triples)(const SpectrumRows& rows, const TripleOutputs& sums);
+  /// Over the finite samples.
+  PowerSums (*sum_powers)(std::span<const double> signal, const Centring& centring);
+  TrendSums (*sum_trend)(std::span<const double> signal, const Centring& centring);
+  /// (y - centre - slope t) 0.5 (1 - cos(2 pi (n + 0.5) / count)), 0 where a sample is missing.
+  void (*taper_record)(std::span<const double> signal, const Centring& centring, double* tapered);
+  /// Of each difference of neighbours (f) and the one before it (b), where both are finite.
+  PairSums (*sum_differences)(std::span<const double> signal);
+  PairSums (*sum_pairs)(const double* f, const double* b, std::size_t count);
+  /// Replaces f by f - k b, and b by b - k f.
+  void (*predict_each_other)(double* f, double* b, std::size_t count, double k);
+  /// x(n) - a_1 x(n - 1) - ... - a_p x(n - p) for n = 0 .. count - 1; x(-p) must be readable.
+  void (*subtract_predictions)(const double* x, std::size_t count, std::span<const double> a,
+                               double* errors);
+  /// Dot product of each column with the samples from x on.
+  void (*apply_taps)(const FilterTaps& taps, const double* x, double* outputs);
+  /// Rows times weights, added up; `sums` as long as a row.
+  void (*weigh_rows)(const Rows& rows, const double* weights, double* sums);
+};
+
+/// Runs everywhere; multiplies and adds round separately.
+extern const Kernels kPortableKernels;
+#if defined(__x86_64__)
+extern const Kernels kAvx2Kernels;    ///< needs AVX2 with FMA
+extern const Kernels kAvx512Kernels;  ///< needs AVX-512F
+#endif
+
+/// Those that this processor can run, the fastest last; at least one.
+[[nodiscard]] const std::vector<const Kernels*>& runnable_kernels();
+
+/// The fastest of them.
+[[nodiscard]] const Kernels& best_kernels();
+
+}  // namespace loopscope::core::hos

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "core/model/controller/sampled_process.hpp"
+
+namespace loopscope::core::model {
+
+/// Zeros in z of a polynomial in z^-1 (its constant not 0), those at z = 0 left out: eigenvalues of
+/// its companion matrix.
+[[nodiscard]] std::vector<std::complex<double>> zeros(const Polynomial& polynomial);
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/model/fit/batched/valve_answers.hpp"
+#include "core/model/record/loop_data.hpp"
+#include "core/model/response/noise_model.hpp"
+#include "core/model/response/products.hpp"
+
+namespace loopscope::core::model {
+
+/// What valves answer to, and what their answers are multiplied by; see ValveAnswers.
+struct AnswerTask {
+  std::span<const double> op;
+  const NoiseModel& noise;
+  std::size_t taps;
+  std::span<const Signal> steady;
+  std::span<const Range> rows;
+};
+
+/// What goes side by side in vectors, for one kind of processor. The digits of a lane do not depend
+/// on how many there are, and sums are added in one order: all kinds give the same results.
+struct LaneKernel {
+  using Products = std::vector<Eigen::MatrixXd> (*)(const AnswerTask& task,
+                                                    std::span<const ValveAndProcess> valves);
+  std::string_view name;
+  Products single_answers;  ///< ValveAnswers::products(), Digits::single
+  Products full_answers;    ///< the same, Digits::full
+};
+
+/// Runs everywhere.
+extern const LaneKernel kPortableLanes;
+#if defined(__x86_64__)
+/// Need AVX2, and AVX-512 F, DQ, BW and VL.
+extern const LaneKernel kAvx2Lanes;
+extern const LaneKernel kAvx512Lanes;
+#endif
+
+/// The fastest of them on this processor.
+[[nodiscard]] const LaneKernel& best_lane_kernel();
+
+}  // namespace loopscope::core::model

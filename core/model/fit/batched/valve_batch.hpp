@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/model/valve_law/op_step.hpp"
+#include "core/model/valve_law/stem_lanes.hpp"
+#include "core/model/valve_law/valve_lanes.hpp"
+#include "core/model/valve_law/valve_law.hpp"
+#include "core/model/vectors/lane_basis.hpp"
+
+namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
+
+/// op as all valves see it, in the digits of their numbers.
+template <typename Element>
+struct SeenOp {
+  std::vector<Element> op;
+  std::vector<OpStep<Element>> steps;  ///< for valves that act at the samples
+};
+
+/// Valves side by side, whatever their law: what is done with their places is compiled once for all
+/// laws, a call for each stretch of samples.
+template <typename Numbers>
+class ValveBatch {
+ public:
+  virtual void put_in(std::size_t lane, const Valve& valve) = 0;
+  /// Where the valves are at so many samples from `first` on.
+  virtual void run(std::size_t first, std::size_t samples, Numbers* places) = 0;
+
+ protected:
+  ~ValveBatch() = default;
+};
+
+/// Valves side by side that act at the samples, of one law and direction at the start, each lane
+/// with its own friction. Number is NumberPair or ShortNumbers.
+template <typename Number, std::size_t count, ValveLaw law>
+class SampledBatch final : public ValveBatch<NumberRow<Number, count>> {
+ public:
+  using Element = typename ElementOf<Number>::type;
+  using Numbers = NumberRow<Number, count>;
+
+  explicit SampledBatch(const SeenOp<Element>& seen) : steps_(seen.steps) {}
+
+  void put_in(std::size_t lane, const Valve& valve) override {
+    const std::size_t v = lane / kElements<Number>, i = lane % kElements<Number>;
+    const FrictionIn<Element> friction(valve);
+    friction_[v].band[i] = friction.band;
+    friction_[v].jump[i] = friction.jump;
+    friction_[v].breakaway[i] = friction.breakaway;
+    friction_[v].lag[i] = friction.lag;
+    const Element op = steps_.front().op;
+    valves_.position[v][i] = valve.start_percent
+                                 ? static_cast<Element>(*valve.start_percent)
+                                 : op - static_cast<Element>(valve.start_direction) * friction.lag;
+    valves_.turn[v][i] = op;
+  }
+
+  void run(std::size_t first, std::size_t samples, Numbers* places) override {
+    ValveLanes<Number, count> valves = valves_;
+    const OpStep<Element>* steps = &steps_[first];
+    for (std::size_t k = 0; k < samples; ++k) {
+      valves.template step<law>(friction_, steps[k]);
+      places[k] = valves.position;
+    }
+    valves_ = valves;
+  }
+
+ private:
+  std::span<const OpStep<Element>> steps_;
+  std::array<FrictionIn<Number>, count> friction_{};
+  ValveLanes<Number, count> valves_;
+};
+
+/// The same of stems between the samples, each lane with its own lags too. Law `he` or `kano`.
+template <typename Number, std::size_t count, ValveLaw law>
+class StemBatch final : public ValveBatch<NumberRow<Number, count>> {
+ public:
+  using Element = typename ElementOf<Number>::type;
+  using Numbers = NumberRow<Number, count>;
+
+  explicit StemBatch(const SeenOp<Element>& seen) : op_(seen.op) {}
+
+  void put_in(std::size_t lane, const Valve& valve) override {
+    stems_.put_in(lane, valve, static_cast<double>(op_.front()));
+  }
+  void run(std::size_t first, std::size_t samples, Numbers* places) override {
+    stems_.template run<law>(op_.subspan(first, samples), places);
+  }
+
+ private:
+  std::span<const Element> op_;
+  StemLanes<Number, count> stems_;
+};
+
+}  // namespace LOOPSCOPE_PATH
+}  // namespace loopscope::core::model

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/model/residual_tests/statistics/answer.hpp"
+
+namespace loopscope::core::model {
+
+/// "nonlinear" and "ngi": the calibrated tests of core/hos on the residual, all of them combined,
+/// and the mean bicoherence alone (skewed white noise has one too). Quadratic coupling nominates
+/// process_nonlinearity and valve_characteristic, cubic coupling valve_stiction and valve_deadband.
+/// Empty when gaps leave fewer than two segments. `seed` as in hos::analyse.
+[[nodiscard]] std::vector<Answer> ask_coupling(std::span<const double> innovation,
+                                               std::uint64_t seed);
+
+}  // namespace loopscope::core::model

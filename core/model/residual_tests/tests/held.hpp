@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+
+#include "core/model/residual_tests/statistics/answer.hpp"
+#include "core/model/residual_tests/statistics/questioned.hpp"
+
+namespace loopscope::core::model {
+
+/// "held": is pv renewed less often than it is recorded? The smallest p, times three, of
+/// - a clock: changes of pv fall on every m-th sample only (renewals.hpp);
+/// - repeats: more samples repeat the one before than a grid of up to 0.15 of the fast noise makes
+///   (not asked where pv lies on a coarser grid, which repeats by itself);
+/// - a freeze: the longest run of equal values while op moves, among all runs.
+/// Nominates sensor_hold with m, or the mean or longest run. nullopt when pv is missing or
+/// constant.
+[[nodiscard]] std::optional<Answer> ask_held(const Questioned& questioned);
+
+}  // namespace loopscope::core::model

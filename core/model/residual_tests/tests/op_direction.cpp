@@ -1,0 +1,78 @@
+#include "core/model/residual_tests/tests/op_direction.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/hos/numeric/sample_quantile.hpp"
+#include "core/model/residual_tests/statistics/play.hpp"
+#include "core/model/residual_tests/statistics/score_test.hpp"
+#include "core/model/results/phrases.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr std::array kFilterWidths = {0.25, 0.75, 2.25};
+
+/// Half the distance between the 16th and the 84th percentile: the standard deviation of Gaussian
+/// values, and one setpoint move does not change it.
+double usual_deviation(std::span<const double> op_sorted) {
+  return 0.5 * (hos::sample_quantile(op_sorted, 0.84) - hos::sample_quantile(op_sorted, 0.16));
+}
+
+std::size_t count_reversals(std::span<const double> direction) {
+  std::size_t count = 0;
+  double last = 0.0;
+  for (const double now : direction) {
+    if (std::isnan(now) || now == 0.0) continue;
+    count += last != 0.0 && now != last ? 1 : 0;
+    last = now;
+  }
+  return count;
+}
+
+/// The width of the column with the most standard errors.
+std::size_t strongest_width(const Eigen::VectorXd& t, const std::vector<double>& widths) {
+  Eigen::Index strongest = 0;
+  t.cwiseAbs().maxCoeff(&strongest);
+  return std::min(static_cast<std::size_t>(strongest) / Questioned::kOpLags.size(),
+                  widths.size() - 1);
+}
+
+std::string statement_of(const Questioned& questioned, double width_percent) {
+  return "The residual depends on which way op last went, beyond op itself (" +
+         std::to_string(count_reversals(questioned.view.op_direction)) +
+         " reversals), most as with " + in_digits(width_percent) +
+         " % of play: hysteresis between op and pv.";
+}
+
+}  // namespace
+
+std::optional<Answer> ask_op_direction(const Questioned& questioned) {
+  if (!questioned.op) return std::nullopt;
+  const double usual = usual_deviation(questioned.op_sorted);
+  std::vector<Centred> lags;
+  std::vector<double> widths;
+  for (const double share : kFilterWidths) {
+    auto lag =
+        centred(high_passed(lag_of_play(questioned.view.op_percent, share * usual)), kFewestAsked);
+    if (!lag) continue;
+    widths.push_back(share * usual);
+    lags.push_back(std::move(*lag));
+  }
+  if (widths.empty()) return std::nullopt;
+  LaggedColumns columns(questioned.view.op_percent.size());
+  for (const Centred& lag : lags) columns.add(lag.values, Questioned::kOpLags);
+  const Score score =
+      score_test(questioned.beyond_linear, columns, questioned.linear_past, questioned.recorded);
+  if (score.freedom == 0) return std::nullopt;
+  Answer answer{{"op_direction", score.p, {}}, {}};
+  if (score.p > kSignificant) return answer;
+  answer.question.statement = statement_of(questioned, widths.at(strongest_width(score.t, widths)));
+  for (const EffectKind effect : {EffectKind::valve_stiction, EffectKind::valve_deadband})
+    answer.nominations.push_back({.effect = effect, .p = score.p});
+  return answer;
+}
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,41 @@
+#include "core/model/residual_tests/tests/op_dynamics.hpp"
+
+#include <array>
+
+#include "core/model/residual_tests/statistics/score_test.hpp"
+#include "core/model/results/phrases.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+constexpr std::array kMoveLags = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20};
+
+std::string statement_of(const Score& score, double sample_interval_s) {
+  Eigen::Index strongest = 0;
+  score.t.cwiseAbs().maxCoeff(&strongest);
+  const auto lag = kMoveLags.at(static_cast<std::size_t>(strongest));
+  return "The residual follows moves of op, most those of " + in_time(lag * sample_interval_s) +
+         " (" + std::to_string(lag) + " samples) before, " +
+         in_digits(std::abs(score.t[strongest])) +
+         " standard errors: delay or order of the linear model do not fit.";
+}
+
+}  // namespace
+
+std::optional<Answer> ask_op_dynamics(const Questioned& questioned) {
+  if (!questioned.op) return std::nullopt;
+  const std::optional<Centred> moves =
+      centred(increments(questioned.view.op_percent), kFewestAsked);
+  if (!moves) return std::nullopt;
+  LaggedColumns columns(moves->values.size());
+  columns.add(moves->values, kMoveLags);
+  const Score score = score_test(questioned.constant.without(questioned.residual.values), columns,
+                                 questioned.constant, questioned.recorded);
+  if (score.freedom == 0) return std::nullopt;
+  Answer answer{{"op_dynamics", score.p, {}}, {}};
+  if (score.p <= kSignificant)
+    answer.question.statement = statement_of(score, questioned.view.sample_interval_s);
+  return answer;
+}
+
+}  // namespace loopscope::core::model

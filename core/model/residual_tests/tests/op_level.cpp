@@ -1,0 +1,89 @@
+#include "core/model/residual_tests/tests/op_level.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/hos/coupling/combine_p.hpp"
+#include "core/hos/numeric/sample_quantile.hpp"
+#include "core/model/residual_tests/statistics/score_test.hpp"
+#include "core/model/results/phrases.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+/// Shares of the samples on the near side of a limit that is tried.
+constexpr std::array kShares = {0.65, 0.92};
+
+/// p of op passed through `map`; 1 where that says nothing.
+template <class Map>
+double p_of(const Questioned& questioned, Map map) {
+  std::vector<double> mapped(questioned.view.op_percent.begin(), questioned.view.op_percent.end());
+  for (double& value : mapped) value = map(value);
+  const std::optional<Centred> feature = centred(high_passed(mapped), kFewestAsked);
+  if (!feature) return 1.0;
+  LaggedColumns columns(mapped.size());
+  columns.add(feature->values, Questioned::kOpLags);
+  return score_test(questioned.beyond_linear, columns, questioned.linear_past, questioned.recorded)
+      .p;
+}
+
+struct Limit {
+  double at_percent = 0.0;
+  bool high = true;
+  double share = 0.0;  ///< of the samples beyond
+  double p = 1.0;
+};
+
+Limit try_limit(const Questioned& questioned, double share, bool high) {
+  const double near = high ? share : 1.0 - share;
+  Limit limit{hos::sample_quantile(questioned.op_sorted, near), high, 1.0 - share, 1.0};
+  limit.p = p_of(questioned, [&limit](double op) {
+    return limit.high ? std::max(op - limit.at_percent, 0.0 * op)
+                      : std::min(op - limit.at_percent, 0.0 * op);
+  });
+  return limit;
+}
+
+std::vector<Limit> try_limits(const Questioned& questioned) {
+  std::vector<Limit> limits;
+  for (const bool high : {true, false})
+    for (const double share : kShares) limits.push_back(try_limit(questioned, share, high));
+  return limits;
+}
+
+Nomination saturation_of(const Limit& limit) {
+  Nomination nomination{.effect = EffectKind::valve_saturation, .p = limit.p};
+  (limit.high ? nomination.high_percent : nomination.low_percent) = limit.at_percent;
+  return nomination;
+}
+
+std::string statement_of(double curved_p, const Limit& limit) {
+  if (curved_p <= limit.p)
+    return "Moves of op work more at one end of its range than at the other: the residual follows "
+           "the square of op.";
+  return "Moves of op " + std::string(limit.high ? "above " : "below ") +
+         in_digits(limit.at_percent) + " % (" + in_percent(limit.share) +
+         " of the samples) work differently from the others.";
+}
+
+}  // namespace
+
+std::optional<Answer> ask_op_level(const Questioned& questioned) {
+  if (!questioned.op) return std::nullopt;
+  const double mean = questioned.op->mean;
+  const double curved_p = p_of(questioned, [mean](double op) { return (op - mean) * (op - mean); });
+  const std::vector<Limit> limits = try_limits(questioned);
+  std::vector<double> parts = {curved_p};
+  for (const Limit& limit : limits) parts.push_back(limit.p);
+  Answer answer{{"op_level", hos::combine_p(parts), {}}, {}};
+  if (answer.question.p > kSignificant) return answer;
+  const Limit best = *std::min_element(limits.begin(), limits.end(),
+                                       [](const Limit& a, const Limit& b) { return a.p < b.p; });
+  answer.question.statement = statement_of(curved_p, best);
+  answer.nominations = {{.effect = EffectKind::valve_characteristic, .p = curved_p},
+                        saturation_of(best)};
+  if (best.p < curved_p) std::swap(answer.nominations[0], answer.nominations[1]);
+  return answer;
+}
+
+}  // namespace loopscope::core::model

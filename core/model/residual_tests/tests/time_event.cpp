@@ -1,0 +1,33 @@
+#include "core/model/residual_tests/tests/time_event.hpp"
+
+#include "core/model/residual_tests/statistics/outbursts.hpp"
+#include "core/model/results/phrases.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+std::string words_of(const Outburst& event, const Questioned& questioned) {
+  return in_digits(event.mean * questioned.fresh.std) + " pv units" +
+         (event.samples > 1 ? " over " + std::to_string(event.samples) + " samples " : " ") +
+         at_place(event.at_sample, questioned.view.sample_interval_s);
+}
+
+}  // namespace
+
+Answer ask_time_event(const Questioned& questioned) {
+  const Outbursts found = find_outbursts(questioned.fresh.values);
+  Answer answer{{"time_event", found.p, {}}, {}};
+  for (const Outburst& event : found.events) {
+    answer.question.statement +=
+        answer.question.statement.empty() ? "Moments that the noise does not explain: " : "; ";
+    answer.question.statement += words_of(event, questioned);
+    answer.nominations.push_back({.effect = EffectKind::load_step,
+                                  .p = found.p,
+                                  .at_sample = event.at_sample,
+                                  .size = event.mean * questioned.fresh.std});
+  }
+  if (!answer.question.statement.empty()) answer.question.statement += ".";
+  return answer;
+}
+
+}  // namespace loopscope::core::model

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "core/model/record/loop_data.hpp"
+
+namespace loopscope::core::model {
+
+/// Signals of one record by their first samples.
+using Signal = const double*;
+
+/// Sums over the rows, which ascend, of the products of each signal of `left` with each of `right`.
+/// Where signals begin or end with zeros, as columns that sit in one place do, nothing is summed.
+[[nodiscard]] Eigen::MatrixXd products(std::span<const Signal> left, std::span<const Signal> right,
+                                       std::span<const Range> rows);
+
+/// The same of all signals with one another.
+[[nodiscard]] Eigen::MatrixXd products(std::span<const Signal> signals,
+                                       std::span<const Range> rows);
+
+/// Sum of squares over the rows.
+[[nodiscard]] double sum_of_squares(Signal signal, std::span<const Range> rows);
+
+}  // namespace loopscope::core::model

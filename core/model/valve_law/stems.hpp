@@ -1,0 +1,155 @@
+#pragma once
+
+#include "core/model/valve_law/op_step.hpp"
+#include "core/model/valve_law/stem_friction.hpp"
+#include "core/model/valve_law/valve_law.hpp"
+#include "core/model/vectors/lane_basis.hpp"
+#include "core/model/vectors/lane_masks.hpp"
+
+namespace loopscope::core::model {
+inline namespace LOOPSCOPE_PATH {
+
+/// A pressure after a sample in which so much of its way to op is left: what waits for the one
+/// before is a product and a sum.
+template <typename Number>
+Number passed_on(Number pressure, Number left, Number op) {
+  return left * pressure + (op - left * op);
+}
+
+/// The stems of valve_between_samples.hpp, as many as a Number has (double: one), side by side
+/// under the same op. Choices instead of branches, but for what all of them do: mostly all of them
+/// rest.
+template <typename Number>
+class alignas(sizeof(Number)) Stems {
+ public:
+  using Element = typename ElementOf<Number>::type;
+  using Mask = MaskOf<Number>;
+
+  /// Stem `at`, which has just come to rest in the valve's direction at that op.
+  void put_in(std::size_t at, const Valve& valve, double op) {
+    const StemFriction<double> one = stem_friction(valve);
+    friction_.put(at, one);
+    put_element(pressure_, at, op);
+    put_element(place_, at, valve.start_percent.value_or(op - valve.start_direction * one.behind));
+  }
+
+  [[nodiscard]] const Number& place() const { return place_; }
+
+  /// The pressures, which follow op where no stem moves, and what is left of their way to it then.
+  [[nodiscard]] Number& pressure() { return pressure_; }
+  [[nodiscard]] const Number& pressure_left() const { return friction_.pressure_left; }
+
+  /// The next sample of op; law `he` or `kano`.
+  template <ValveLaw law>
+  void step(Element next) {
+    const Number op = Number{} + next;
+    const Mask rest = resting(op);
+    Number end = place_;
+    Mask settled = rest;
+    if constexpr (law == ValveLaw::kano) settled = Mask(rest | moving_all_along(op, end));
+    if (holds_for_all(settled)) {
+      pressure_ = built_up(op);
+      place_ = rest ? place_ : end;
+    } else {
+      look_again<law>(op, settled, rest ? place_ : end);
+    }
+  }
+
+  /// Every op from `lowest` to `highest` leaves all of them at rest; they are drawn together.
+  void narrow(Number& lowest, Number& highest) const {
+    constexpr Element kNever = std::numeric_limits<Element>::max();
+    const Mask rest = resting(pressure_);
+    const Number low = rest ? place_ - friction_.breakaway : Number{} + kNever;
+    const Number high = rest ? place_ + friction_.breakaway : Number{} - kNever;
+    lowest = low > lowest ? low : lowest;
+    highest = high < highest ? high : highest;
+  }
+
+ private:
+  [[nodiscard]] Mask holds(Number pressure) const {
+    const Number gap = pressure - place_;
+    return Mask((gap <= friction_.breakaway) & (gap >= -friction_.breakaway));
+  }
+  /// The pressure goes straight from where it is to op: where neither moves the stem, it rests.
+  [[nodiscard]] Mask resting(Number op) const {
+    const Mask stands = direction_ == Number{}, held = holds(pressure_), kept = holds(op);
+    return Mask(stands & held & kept);
+  }
+  [[nodiscard]] Number built_up(Number op) const {
+    return passed_on(pressure_, friction_.pressure_left, op);
+  }
+
+  [[nodiscard]] Number after(const StemCourse<Number>& course, Number op) const {
+    return course.own * place_ + course.pressure * pressure_ + course.op * op +
+           course.behind * direction_ * friction_.behind;
+  }
+
+  /// Those that do not come to rest in this sample, and where they `end` then. Their ways rise and
+  /// fall at most once while the pressure goes on: the first and the last are least.
+  [[nodiscard]] Mask moving_all_along(Number op, Number& end) const {
+    const Number zero{};
+    const Number least = friction_.stem_share * (friction_.least_gap - friction_.behind);
+    const Number pressure = pressure_ + friction_.pressure_share * (op - pressure_);
+    const Number gap = pressure - direction_ * friction_.behind - place_;
+    const Number first = friction_.stem_share * gap * direction_;
+    end = after(friction_.sample, op);
+    const Number last = (end - after(friction_.but_one_look, op)) * direction_;
+    const Mask onwards = (op - pressure_) * direction_ >= zero;
+    return Mask(onwards & (direction_ != zero) & (first > least) & (last > least));
+  }
+
+  /// What changes from look to look.
+  struct alignas(sizeof(Number)) Moment {
+    Number pressure, place;
+    Mask up, down;  ///< where a moving stem moves
+  };
+
+  /// Those that have `settled`, at `end`, are left there.
+  template <ValveLaw law>
+  void look_again(Number op, Mask settled, Number end) {
+    const Number none{}, one = none + Element{1};
+    Moment now{pressure_, place_, direction_ > none, direction_ < none};
+    for (int i = 0; i < kLooks; ++i) {
+      now.pressure += friction_.pressure_share * (op - now.pressure);
+      law == ValveLaw::he ? slip(now) : follow(now);
+    }
+    const Number direction = (now.up ? one : none) - (now.down ? one : none);
+    direction_ = settled ? direction_ : direction;
+    pressure_ = settled ? built_up(op) : now.pressure;
+    place_ = settled ? end : now.place;
+  }
+
+  // The next look waits for the place of this one: whatever does not depend on it is known by then.
+
+  /// By `he`: there at once, and at rest again.
+  void slip(Moment& now) const {
+    const Mask up = now.pressure - friction_.breakaway > now.place;
+    const Mask down = now.pressure + friction_.breakaway < now.place;
+    const Number above = down ? now.pressure + friction_.behind : now.place;
+    now.place = up ? now.pressure - friction_.behind : above;
+  }
+
+  /// By `kano`: breaks loose, moves on and may come to rest. Both ways are known before it is known
+  /// which is gone.
+  void follow(Moment& now) const {
+    const Number none{};
+    const Number gap_up = now.pressure - friction_.behind - now.place;
+    const Number gap_down = now.pressure + friction_.behind - now.place;
+    const Mask stands = Mask(!(now.up | now.down));
+    const Mask up = Mask(now.up | (stands & (now.pressure - friction_.breakaway > now.place)));
+    const Mask down = Mask(now.down | (stands & (now.pressure + friction_.breakaway < now.place)));
+    now.up = Mask(up & (now.pressure - friction_.least_gap >= now.place));
+    now.down = Mask(down & (now.pressure + friction_.least_gap <= now.place));
+    const Number way_up = Mask(up & (gap_up > none)) ? friction_.stem_share * gap_up : none;
+    const Number way_down = Mask(down & (gap_down < none)) ? friction_.stem_share * gap_down : none;
+    now.place += way_up + way_down;
+  }
+
+  StemFriction<Number> friction_;
+  Number pressure_{};
+  Number place_{};
+  Number direction_{};  ///< of a moving stem; 0 = it rests
+};
+
+}  // namespace LOOPSCOPE_PATH
+}  // namespace loopscope::core::model

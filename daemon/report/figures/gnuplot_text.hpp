@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "daemon/report/figures/envelope.hpp"
+
+namespace loopscope::daemon {
+
+/// Okabe and Ito's colours, which people of any colour vision tell apart; as gnuplot writes them.
+namespace colour {
+inline constexpr std::string_view kBlack = "#000000";
+inline constexpr std::string_view kBlue = "#0072B2";
+inline constexpr std::string_view kVermillion = "#D55E00";
+inline constexpr std::string_view kGreen = "#009E73";
+inline constexpr std::string_view kPurple = "#CC79A7";
+inline constexpr std::string_view kOrange = "#E69F00";
+inline constexpr std::string_view kGrey = "#666666";
+}  // namespace colour
+
+/// A data block `$name` of two columns; where y is NaN the curve is broken.
+[[nodiscard]] std::string data_block(std::string_view name, std::span<const Point> points);
+
+/// What every picture begins with: terminal, type, frame, grid, no title.
+[[nodiscard]] std::string picture_start(int width, int height);
+
+/// The x axis as times from `from_us` to `to_us` (microseconds UTC since 1970; points carry
+/// seconds since 1970): range, tics at round times, and a label that names days and zone.
+[[nodiscard]] std::string time_axis(std::int64_t from_us, std::int64_t to_us);
+/// The same without words, for the upper ones of panels that share an axis.
+[[nodiscard]] std::string silent_time_axis(std::int64_t from_us, std::int64_t to_us);
+
+/// The y axis: a range that holds `low` to `high` with a little air, and a label.
+[[nodiscard]] std::string value_axis(double low, double high, std::string_view label);
+
+/// One of `count` panels one above the other, the first on top: its margins, as shares of a canvas
+/// `height` pixels high. The last one has room for the words of the x axis.
+[[nodiscard]] std::string panel(int index, int count, int height);
+
+/// "with lines" in a colour and width.
+[[nodiscard]] std::string line_style(std::string_view colour, double width = 1.2);
+
+/// Seconds since 1970, as points of a time axis carry them.
+[[nodiscard]] double seconds_of(std::int64_t time_us);
+
+}  // namespace loopscope::daemon

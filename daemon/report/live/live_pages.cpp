@@ -1,0 +1,82 @@
+#include "daemon/report/live/live_pages.hpp"
+
+#include <utility>
+
+#include "daemon/report/page/page.hpp"
+#include "storage/error.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+HttpAnswer page_answer(int status, std::string text) {
+  HttpAnswer answer{status, std::move(text), "text/html; charset=utf-8"};
+  answer.headers.emplace("Content-Security-Policy",
+                         content_security_policy() + "; frame-ancestors 'none'");
+  answer.headers.emplace("Referrer-Policy", "no-referrer");
+  return answer;
+}
+
+/// Which server, and what it said, is the log's to tell: a page may be read by many.
+HttpAnswer away() {
+  HttpAnswer answer = page_answer(
+      503, page({"Loopscope", "the results database does not answer", ""},
+                "<p class=\"trouble\">The results database does not answer: nothing can be shown "
+                "before it does. The log and <a href=\"/readyz\">/readyz</a> say more.</p>\n"));
+  answer.headers.emplace("Retry-After", "10");
+  return answer;
+}
+
+template <typename Read>
+HttpAnswer read_page(const Read& read) {
+  try {
+    LivePage page = read();
+    return page_answer(page.found ? 200 : 404, std::move(page.html));
+  } catch (const storage::DatabaseError&) {
+    return away();
+  }
+}
+
+std::string value_of(const HttpRequest& request, const std::string& name) {
+  const auto found = request.query.find(name);
+  return found == request.query.end() ? "" : found->second;
+}
+
+}  // namespace
+
+LivePages::LivePages(std::function<std::shared_ptr<const config::Settings>()> settings)
+    : settings_(std::move(settings)) {}
+
+LiveReader& LivePages::reader() {
+  const std::shared_ptr<const config::Settings> now_in_force = settings_();
+  if (!reader_ || read_with_ != now_in_force) {
+    read_with_ = now_in_force;
+    reader_ = std::make_unique<LiveReader>(now_in_force);
+  }
+  return *reader_;
+}
+
+void LivePages::add_to(HttpServer& server) {
+  server.handle_deferred("/", [this](const HttpRequest&, const HttpReply& reply) {
+    worker_.answer(
+        "/",
+        [this](const std::stop_token& stop) {
+          return read_page([&] { return reader().plant(stop); });
+        },
+        reply);
+  });
+  server.handle_deferred("/loops", [this](const HttpRequest&, const HttpReply& reply) {
+    worker_.answer(
+        "/loops",
+        [this](const std::stop_token&) { return read_page([this] { return reader().loops(); }); },
+        reply);
+  });
+  server.handle_deferred("/loop", [this](const HttpRequest& request, const HttpReply& reply) {
+    const std::string name = value_of(request, "name");
+    const auto make = [this, name](const std::stop_token& stop) {
+      return read_page([&] { return reader().loop(name, stop); });
+    };
+    worker_.answer("/loop " + name, make, reply);
+  });
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "config/settings.hpp"
+#include "daemon/monitor/http_server.hpp"
+#include "daemon/report/live/live_reader.hpp"
+#include "daemon/report/live/page_worker.hpp"
+
+namespace loopscope::daemon {
+
+/// The pages that people read, from the results as they are now: `/` the plant, `/loops` every
+/// loop, `/loop?name=NAME` one loop with its pictures. Reading only. They take one thread, one
+/// connection to the results while a page is made, and one to each historian that was asked for.
+class LivePages {
+ public:
+  /// `settings` is asked for each page: those in force.
+  explicit LivePages(std::function<std::shared_ptr<const config::Settings>()> settings);
+
+  /// Adds the pages to a server that has not started yet and is stopped before this ends.
+  void add_to(HttpServer& server);
+
+ private:
+  [[nodiscard]] LiveReader& reader();
+
+  std::function<std::shared_ptr<const config::Settings>()> settings_;
+  std::shared_ptr<const config::Settings> read_with_;  ///< the worker's
+  std::unique_ptr<LiveReader> reader_;                 ///< the worker's
+  PageWorker worker_;                                  // last: it ends before what it uses
+};
+
+}  // namespace loopscope::daemon

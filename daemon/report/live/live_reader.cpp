@@ -1,0 +1,119 @@
+#include "daemon/report/live/live_reader.hpp"
+
+#include <utility>
+
+#include "daemon/report/figures/draw_figures.hpp"
+#include "daemon/report/page/page.hpp"
+#include "daemon/report/sections/loop_list.hpp"
+#include "daemon/report/sections/plant_section.hpp"
+#include "daemon/report/tell_loop.hpp"
+#include "daemon/report/text/html_text.hpp"
+#include "daemon/report/text/page_text.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "storage/results/catalogue/catalogue.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+/// What is new on a page without a beginning of its own.
+constexpr std::int64_t kNewWithinUs = std::int64_t{7} * 86'400 * 1'000'000;
+constexpr std::size_t kMostSeen = 8;
+constexpr const char* kNavigation =
+    "<nav><a href=\"/\">Plant</a><a href=\"/loops\">All loops</a></nav>";
+
+std::string titled(const std::string& plant, const std::string& words) {
+  return plant.empty() ? words : plant + ": " + words;
+}
+
+LivePage no_such_loop(const std::string& name) {
+  return {page({"No such loop", "", kNavigation},
+               "<p class=\"trouble\">The catalogue has no loop named <bdi>" + html(name) +
+                   "</bdi>, or it was never analysed.</p>\n"),
+          false};
+}
+
+}  // namespace
+
+void LiveReader::draw_events(PlantFacts& facts, const std::stop_token& stop) {
+  EventAlbum album = event_album(facts.oscillations);
+  if (album.figures.empty()) return;
+  try {
+    if (!album_.shows_the_same(album)) {
+      album.pictures = draw_figures(album.figures, find_gnuplot(), stop);
+      album_ = std::move(album);
+    }
+    facts.album = album_;
+  } catch (const Failure& failure) {
+    // Tried again when the page is asked for again.
+    facts.picture_trouble = failure.what();
+  }
+}
+
+PlantFacts LiveReader::plant_facts() const {
+  storage::ReportDatabase database(results_connection(*settings_));
+  const std::int64_t since_us = database.now_us() - kNewWithinUs;
+  return {settings_->report.plant,       since_us,
+          database.counts(since_us),     database.flagged(),
+          database.plant_oscillations(), database.repairs(since_us)};
+}
+
+LivePage LiveReader::plant(const std::stop_token& stop) {
+  PlantFacts facts = plant_facts();
+  draw_events(facts, stop);
+  return {page({titled(facts.plant, "Control loops"), "as of " + utc(facts.since_us + kNewWithinUs),
+                kNavigation},
+               plant_section(facts, LoopLinks::pages))};
+}
+
+LivePage LiveReader::loops() {
+  storage::ReportDatabase database(results_connection(*settings_));
+  const auto rows = database.loops();
+  return {page({titled(settings_->report.plant, "All loops"),
+                counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), kNavigation},
+               loop_list(rows))};
+}
+
+const LiveReader::Seen* LiveReader::seen(const storage::FlaggedRow& row) const {
+  for (const Seen& one : seen_) {
+    if (one.analysis_id == row.analysis_id && one.input_revision == row.input_revision) return &one;
+  }
+  return nullptr;
+}
+
+void LiveReader::look(LoopStory& story, const std::stop_token& stop) {
+  if (const Seen* before = seen(story.row)) {
+    story.evidence = before->story.evidence;
+    story.pictures = before->story.pictures;
+    return;
+  }
+  const auto entry = storage::Catalogue(results_connection(*settings_)).find(story.row.loop_name);
+  if (!entry) return;
+  try {
+    const std::filesystem::path gnuplot = find_gnuplot();
+    illustrate(story, *entry, windows_.read(*entry, story.row.slot_end_us), settings_->analysis,
+               gnuplot, stop);
+  } catch (const Failure& failure) {
+    story.trouble = failure.what();
+  }
+  // What failed is tried again when the page is asked for again.
+  if (!story.evidence || !story.trouble.empty()) return;
+  seen_.push_front({story.row.analysis_id, story.row.input_revision, story});
+  if (seen_.size() > kMostSeen) seen_.pop_back();
+}
+
+LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) {
+  LoopStory story;
+  {
+    storage::ReportDatabase database(results_connection(*settings_));
+    const auto row = database.latest(name);
+    if (!row) return no_such_loop(name);
+    story = read_story(database, *row);
+  }
+  look(story, stop);
+  return {page({titled(settings_->report.plant, name), "window until " + utc(story.row.slot_end_us),
+                kNavigation},
+               loop_section(story))};
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include "config/settings.hpp"
+#include "daemon/report/evidence/window_source.hpp"
+#include "daemon/report/sections/loop_section.hpp"
+#include "daemon/report/sections/plant_section.hpp"
+#include "storage/results/reports/report_database.hpp"
+
+namespace loopscope::daemon {
+
+struct LivePage {
+  std::string html;
+  bool found = true;  ///< false: there is no such loop, or it was never analysed
+};
+
+/// Reads and writes the daemon's pages; for one thread at a time. A loop that was looked at a
+/// moment ago is not looked at again before it has another analysis. Every function throws
+/// storage::DatabaseError when the results are away.
+class LiveReader {
+ public:
+  explicit LiveReader(std::shared_ptr<const config::Settings> settings)
+      : settings_(std::move(settings)), windows_(*settings_) {}
+
+  /// The first screen, with what is new since a week; without a plotting program no trends and
+  /// spectra of shared oscillations.
+  [[nodiscard]] LivePage plant(const std::stop_token& stop);
+  /// Every loop of the catalogue.
+  [[nodiscard]] LivePage loops();
+  /// One loop with its pictures; without a plotting program its words and figures.
+  [[nodiscard]] LivePage loop(const std::string& name, const std::stop_token& stop);
+
+ private:
+  /// The costly part of a story, by the analysis that it belongs to.
+  struct Seen {
+    std::int64_t analysis_id = 0;
+    int input_revision = 0;
+    LoopStory story;
+  };
+
+  /// What the first screen tells but its pictures; the view of the results is let go with it.
+  [[nodiscard]] PlantFacts plant_facts() const;
+  /// Once for each round: a page is asked for more often than a round is made.
+  void draw_events(PlantFacts& facts, const std::stop_token& stop);
+  void look(LoopStory& story, const std::stop_token& stop);
+  [[nodiscard]] const Seen* seen(const storage::FlaggedRow& row) const;
+
+  std::shared_ptr<const config::Settings> settings_;
+  WindowSource windows_;
+  std::deque<Seen> seen_;  ///< newest first
+  EventAlbum album_;       ///< that was drawn last
+};
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,97 @@
+#include "daemon/report/live/page_worker.hpp"
+
+#include <csignal>
+#include <exception>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+#include <utility>
+
+#include "daemon/service/threads/thread_priority.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+/// Pages of a few hundred kilobytes each.
+constexpr std::size_t kMostPages = 16;
+
+HttpAnswer later() {
+  HttpAnswer answer{503, "others are reading: try again\n"};
+  answer.headers.emplace("Retry-After", "2");
+  return answer;
+}
+
+HttpAnswer made(const PageWorker::Make& make, const std::string& key, const std::stop_token& stop) {
+  try {
+    HttpAnswer answer = make(stop);
+    add_gzipped(answer);
+    return answer;
+  } catch (const std::exception& error) {
+    spdlog::error("page {}: {}", key, error.what());
+    return HttpAnswer{500, "this failed: the log says why\n"};
+  }
+}
+
+}  // namespace
+
+PageWorker::PageWorker(Limits limits) : limits_(limits) {
+  // Signals are the main thread's.
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+const PageWorker::Page* PageWorker::at_hand(const std::string& key) const {
+  const auto found = pages_.find(key);
+  if (found == pages_.end() || Clock::now() - found->second.made_at > limits_.freshness)
+    return nullptr;
+  return &found->second;
+}
+
+void PageWorker::forget_readers_that_left() {
+  std::erase_if(waiting_, [](const Reader& reader) { return !reader.reply.wanted(); });
+}
+
+void PageWorker::answer(const std::string& key, const Make& make, const HttpReply& reply) {
+  const std::lock_guard lock(mutex_);
+  if (const Page* page = at_hand(key)) return reply.send(page->answer);
+  if (waiting_.size() >= limits_.most_waiting) forget_readers_that_left();
+  if (waiting_.size() >= limits_.most_waiting) return reply.send(later());
+  waiting_.push_back({key, make, reply});
+  changed_.notify_one();
+}
+
+void PageWorker::keep(const std::string& key, Answer answer) {
+  std::erase_if(pages_, [&](const auto& page) {
+    return Clock::now() - page.second.made_at > limits_.freshness;
+  });
+  if (pages_.size() >= kMostPages) pages_.clear();
+  pages_[key] = {std::move(answer), Clock::now()};
+}
+
+void PageWorker::hand_out(const std::string& key, const Answer& answer) {
+  std::erase_if(waiting_, [&](const Reader& reader) {
+    if (reader.key != key) return false;
+    reader.reply.send(answer);
+    return true;
+  });
+}
+
+void PageWorker::run(const std::stop_token& stop) {
+  yield_to_analysis();
+  std::unique_lock lock(mutex_);
+  while (changed_.wait(lock, stop, [this] { return !waiting_.empty(); })) {
+    forget_readers_that_left();
+    if (waiting_.empty()) continue;
+    const std::string key = waiting_.front().key;
+    const Make make = waiting_.front().make;
+    lock.unlock();
+    const auto answer = std::make_shared<const HttpAnswer>(made(make, key, stop));
+    lock.lock();
+    keep(key, answer);
+    hand_out(key, answer);
+  }
+}
+
+}  // namespace loopscope::daemon

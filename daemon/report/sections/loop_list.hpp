@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/results/reports/report_rows.hpp"
+
+namespace loopscope::daemon {
+
+/// Every loop of the catalogue as a table that can be sorted and filtered, each with a link to its
+/// page: verdict, confidence, whether it is flagged and, if not, what hides it, and whether the
+/// monitor does its work there.
+[[nodiscard]] std::string loop_list(const std::vector<storage::LoopRow>& rows);
+
+}  // namespace loopscope::daemon

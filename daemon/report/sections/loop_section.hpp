@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "daemon/report/evidence/loop_evidence.hpp"
+#include "daemon/report/figures/figure.hpp"
+#include "daemon/report/sections/chain_table.hpp"
+#include "storage/results/reports/report_rows.hpp"
+
+namespace loopscope::daemon {
+
+/// Everything that is said of one loop.
+struct LoopStory {
+  storage::FlaggedRow row;
+  std::vector<storage::HistoryPoint> history;
+  std::vector<storage::HiddenRow> hidden;        ///< what keeps it from the list
+  std::optional<storage::FollowedRow> followed;  ///< the shared oscillation that it follows
+  std::vector<storage::DataProblemRow> problems;
+  std::vector<storage::RepairRow> repairs;
+  std::optional<LoopEvidence> evidence;  ///< nullopt = its window could not be read again
+  std::vector<Picture> pictures;
+  std::vector<StepPictures> chain;  ///< of the steps of the loop model
+  std::string trouble;  ///< why there are no pictures of the window, a sentence; empty = there are
+};
+
+/// One loop as HTML: cause, action, evidence, pictures, what led to the explanation and its errors,
+/// data, repairs.
+[[nodiscard]] std::string loop_section(const LoopStory& story);
+
+/// The table of the model's errors before and after each effect, and what is left.
+[[nodiscard]] std::string explanation_table(const core::model::Explanation& explanation);
+
+}  // namespace loopscope::daemon

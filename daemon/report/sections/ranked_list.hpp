@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "daemon/report/sections/loop_link.hpp"
+#include "storage/results/reports/report_rows.hpp"
+
+namespace loopscope::daemon {
+
+/// The work list as a table, with every factor of the score; runs that began after `since_us` are
+/// marked as new.
+[[nodiscard]] std::string ranked_list(const std::vector<storage::FlaggedRow>& flagged,
+                                      std::int64_t since_us, LoopLinks links);
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,52 @@
+#include "daemon/report/text/html_text.hpp"
+
+#include <array>
+#include <fmt/format.h>
+#include <iterator>
+#include <utility>
+
+#include "daemon/text/printable.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+constexpr std::array kReferences{std::pair{'&', "&amp;"}, std::pair{'<', "&lt;"},
+                                 std::pair{'>', "&gt;"}, std::pair{'"', "&quot;"},
+                                 std::pair{'\'', "&#39;"}};
+
+void append(std::string& shown, char character) {
+  for (const auto& [special, reference] : kReferences) {
+    if (special != character) continue;
+    shown += reference;
+    return;
+  }
+  shown += character;
+}
+
+bool stands_for_itself(char character) {
+  return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') ||
+         (character >= '0' && character <= '9') ||
+         std::string_view("-._~").find(character) != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string html(std::string_view text) {
+  std::string shown;
+  for (const char character : printable(text)) append(shown, character);
+  return shown;
+}
+
+std::string url_value(std::string_view text) {
+  std::string value;
+  for (const char character : text) {
+    if (stands_for_itself(character)) {
+      value += character;
+    } else {
+      fmt::format_to(std::back_inserter(value), "%{:02X}", static_cast<unsigned char>(character));
+    }
+  }
+  return value;
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,44 @@
+#include "daemon/report/text/page_text.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "core/diagnosis/verdicts/words.hpp"
+#include "core/model/results/phrases.hpp"
+#include "daemon/text/time_text.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+constexpr const char* kUnknown = "\u2013";
+
+}  // namespace
+
+std::string minute(std::int64_t time_us) {
+  const std::string text = format_time(time_us);
+  constexpr std::size_t kDay = 10;
+  constexpr std::size_t kMinute = 16;
+  return text.substr(0, kDay) + " " + text.substr(kDay + 1, kMinute - kDay - 1);
+}
+
+std::string utc(std::int64_t time_us) {
+  return minute(time_us) + " UTC";
+}
+
+std::string two_decimals(double value) {
+  return fmt::format("{:.2f}", value);
+}
+
+std::string digits(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? core::model::in_digits(*value) : kUnknown;
+}
+
+std::string p_text(const std::optional<double>& p) {
+  return p && std::isfinite(*p) ? core::diagnosis::p_text(*p) : kUnknown;
+}
+
+std::string counted(std::int64_t number, const std::string& singular, const std::string& plural) {
+  return fmt::format("{} {}", number, number == 1 ? singular : plural);
+}
+
+}  // namespace loopscope::daemon

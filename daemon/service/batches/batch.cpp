@@ -1,0 +1,24 @@
+#include "daemon/service/batches/batch.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "daemon/service/threads/workforce.hpp"
+
+namespace loopscope::daemon {
+
+void set_aside(const storage::ClaimedLoop& claim, const Failure& failure, Batch& batch) {
+  const double pause_s = retry_pause_s(claim.attempts);
+  spdlog::error("loop \"{}\" is set aside for {:.0f} s: {} HINT: {}", claim.loop.name, pause_s,
+                failure.what(), failure.hint());
+  if (!batch.first_failure) batch.first_failure = failure;
+  batch.failed.push_back({claim.loop.loop_id, claim.fence, failure.what(), pause_s});
+}
+
+void postpone(const Claims& claims, const Failure& failure, double pause_s, Batch& batch) {
+  if (!batch.first_failure) batch.first_failure = failure;
+  for (const storage::ClaimedLoop* claim : claims) {
+    batch.failed.push_back({claim->loop.loop_id, claim->fence, failure.what(), pause_s, false});
+  }
+}
+
+}  // namespace loopscope::daemon

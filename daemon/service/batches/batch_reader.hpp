@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/settings.hpp"
+#include "daemon/service/batches/batch.hpp"
+#include "daemon/service/batches/read_visits.hpp"
+#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/service/windows/slot.hpp"
+
+namespace loopscope::daemon {
+
+/// Reads what a batch needs out of its historian: the newest windows, what is stored of their
+/// slots, and the earlier slots that late rows may have changed. What is done when that fails is
+/// decided here: a source that is away postpones its loops, a loop at fault is set aside.
+class BatchReader {
+ public:
+  enum class Read {
+    all,
+    nothing,  ///< the loops stand in Batch::failed
+    apart,    ///< one of the loops is at fault: to be tried one by one
+  };
+
+  /// `settings_json` is the provenance of every analysis. What is passed has to outlive this.
+  BatchReader(std::shared_ptr<const config::Settings> settings, const std::string& settings_json,
+              SlotRule slot_rule, LaneTools& tools, ProgressBoard::Desk& desk,
+              ResultsLink& results);
+
+  /// Throws storage::DatabaseError when the results database fails.
+  [[nodiscard]] Read read(const std::string& source, const Claims& claims, Batch& batch);
+
+ private:
+  /// Runs `visit` on a connection to the source.
+  template <typename Visit>
+  Read with_source(const std::string& source, const Claims& claims, Batch& batch, Visit visit);
+  [[nodiscard]] SourceTime time_of(const std::string& source, storage::HistorianReader& historian);
+  Read read_newest(const std::string& source, const Claims& claims, Batch& batch);
+  Read read_earlier(const std::string& source, const Claims& claims, Batch& batch);
+  [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopVisit>& visits);
+  void source_is_away(const std::string& source, const Failure& failure, const Claims& claims,
+                      Batch& batch);
+
+  std::shared_ptr<const config::Settings> settings_;
+  const std::string& settings_json_;
+  SlotRule slot_rule_;
+  LaneTools& tools_;
+  ProgressBoard::Desk& desk_;
+  ResultsLink& results_;
+};
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,70 @@
+#include "daemon/service/historians/source_gate.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace loopscope::daemon {
+namespace {
+
+storage::DatabaseError no_place(const std::string& source, int limit,
+                                SourceGate::Duration patience) {
+  return {fmt::format("all {} connections are in use and none came free within {:.0f} s, "
+                      "historian {}",
+                      limit, std::chrono::duration<double>(patience).count(), source),
+          "raise max_connections of this historian, or lower /daemon/workers",
+          storage::Remedy::retry};
+}
+
+}  // namespace
+
+/// While a source is down, whoever is inside already is the one that tries.
+void SourceGate::throw_if_down() {
+  if (fault_ && (inside_ > 0 || Clock::now() < try_again_at_)) throw *fault_;
+}
+
+void SourceGate::enter(const std::string& source, int limit, Duration patience) {
+  const Clock::time_point deadline = Clock::now() + patience;
+  std::unique_lock lock(mutex_);
+  throw_if_down();
+  while (inside_ >= limit) {
+    if (changed_.wait_until(lock, deadline) == std::cv_status::timeout && inside_ >= limit) {
+      throw no_place(source, limit, patience);
+    }
+    throw_if_down();
+  }
+  ++inside_;
+}
+
+void SourceGate::leave() {
+  const std::lock_guard lock(mutex_);
+  --inside_;
+  fault_.reset();
+  changed_.notify_all();
+}
+
+void SourceGate::leave_down(const storage::DatabaseError& fault, Duration pause) {
+  const std::lock_guard lock(mutex_);
+  --inside_;
+  fault_ = fault;
+  try_again_at_ = Clock::now() + pause;
+  changed_.notify_all();
+}
+
+bool SourceGate::is_down() {
+  const std::lock_guard lock(mutex_);
+  return fault_.has_value();
+}
+
+std::optional<SourceGate::Duration> SourceGate::closed_for() {
+  const std::lock_guard lock(mutex_);
+  const Duration left = try_again_at_ - Clock::now();
+  if (!fault_ || (inside_ == 0 && left <= Duration::zero())) return std::nullopt;
+  return std::max(left, Duration::zero());
+}
+
+int SourceGate::inside() {
+  const std::lock_guard lock(mutex_);
+  return inside_;
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,145 @@
+#include "storage/results/catalogue/catalogue.hpp"
+
+#include <unordered_set>
+
+#include "storage/array_literal.hpp"
+#include "storage/results/rows/loop_row.hpp"
+#include "storage/results/rows/schedule_statements.hpp"
+#include "storage/results/rows/statements.hpp"
+#include "storage/results/schema/schema_version.hpp"
+#include "storage/results/session/session.hpp"
+#include "storage/utf8.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+/// What the arrays would silently change or PostgreSQL would refuse in words that name no loop.
+void check_entries(std::span<const CatalogueEntry> entries) {
+  std::unordered_set<std::string> names;
+  for (const CatalogueEntry& entry : entries) {
+    for (const std::string* text :
+         {&entry.name, &entry.source, &entry.sp_tag, &entry.pv_tag, &entry.op_tag, &entry.mv_tag,
+          &entry.mode_tag, &entry.loop_type, &entry.area, &entry.unit, &entry.description,
+          &entry.pv_unit, &entry.owner}) {
+      if (!is_storable(*text)) {
+        throw DatabaseError("not UTF-8, loop " + make_storable(entry.name),
+                            "save the list of loops as UTF-8", Remedy::give_up);
+      }
+    }
+    if (!names.insert(entry.name).second) {
+      throw DatabaseError("the loop is listed twice, loop " + entry.name,
+                          "give every loop a name of its own", Remedy::give_up);
+    }
+  }
+}
+
+template <typename Add>
+std::string column(std::span<const CatalogueEntry> entries, Add add) {
+  ArrayLiteral array;
+  for (const CatalogueEntry& entry : entries) add(array, entry);
+  return array.text();
+}
+
+std::string texts(std::span<const CatalogueEntry> entries, std::string CatalogueEntry::*member) {
+  return column(entries, [member](ArrayLiteral& array, const CatalogueEntry& entry) {
+    array.add_text(entry.*member);
+  });
+}
+
+std::vector<std::string> entry_parameters(std::span<const CatalogueEntry> entries) {
+  using Entry = CatalogueEntry;
+  using core::signal::OpRange;
+  const auto limit = [](std::optional<OpRange> Entry::*range, double OpRange::*end) {
+    return [range, end](ArrayLiteral& array, const Entry& entry) {
+      entry.*range ? array.add_number(*(entry.*range).*end) : array.add_null();
+    };
+  };
+  return {
+      texts(entries, &Entry::name),
+      texts(entries, &Entry::source),
+      texts(entries, &Entry::sp_tag),
+      texts(entries, &Entry::pv_tag),
+      texts(entries, &Entry::op_tag),
+      texts(entries, &Entry::mv_tag),
+      texts(entries, &Entry::mode_tag),
+      column(entries,
+             [](ArrayLiteral& array, const Entry& entry) { array.add_number(entry.interval_s); }),
+      column(entries,
+             [](ArrayLiteral& array, const Entry& entry) { array.add_number(entry.period_s); }),
+      column(entries, limit(&Entry::op_range, &OpRange::low)),
+      column(entries, limit(&Entry::op_range, &OpRange::high)),
+      texts(entries, &Entry::loop_type),
+      column(entries,
+             [](ArrayLiteral& array, const Entry& entry) { array.add_number(entry.importance); }),
+      column(entries,
+             [](ArrayLiteral& array, const Entry& entry) { array.add_boolean(entry.enabled); }),
+      texts(entries, &Entry::area),
+      texts(entries, &Entry::unit),
+      texts(entries, &Entry::description),
+      texts(entries, &Entry::pv_unit),
+      texts(entries, &Entry::owner),
+      column(entries, limit(&Entry::pv_range, &OpRange::low)),
+      column(entries, limit(&Entry::pv_range, &OpRange::high)),
+  };
+}
+
+std::size_t save_all(Transaction& transaction, std::span<const CatalogueEntry> entries) {
+  std::size_t created = 0;
+  ArrayLiteral loop_id;
+  for (const pqxx::row& row : transaction.run(statements::kSaveLoops, entry_parameters(entries))) {
+    if (row["is_new"].as<bool>()) ++created;
+    loop_id.add_integer(row["loop_id"].as<std::int64_t>());
+  }
+  transaction.run(statements::kMakeDue, {loop_id.text()});
+  return created;
+}
+
+}  // namespace
+
+struct Catalogue::Impl {
+  explicit Impl(const ConnectionSettings& settings) : session(settings) {
+    require_schema_version(session);
+  }
+  Session session;
+};
+
+Catalogue::Catalogue(const ConnectionSettings& settings)
+    : impl_(std::make_unique<Impl>(settings)) {}
+Catalogue::~Catalogue() = default;
+
+std::vector<CatalogueEntry> Catalogue::list() {
+  return impl_->session.transact([](Transaction& transaction) {
+    std::vector<CatalogueEntry> entries;
+    for (const pqxx::row& row : transaction.run(statements::kListLoops)) {
+      entries.push_back(read_loop(row));
+    }
+    return entries;
+  });
+}
+
+std::optional<CatalogueEntry> Catalogue::find(const std::string& name) {
+  // A name that PostgreSQL refuses cannot be in the catalogue.
+  if (!is_storable(name)) return std::nullopt;
+  return impl_->session.transact([&](Transaction& transaction) -> std::optional<CatalogueEntry> {
+    const pqxx::result rows = transaction.run(statements::kFindLoop, {name});
+    if (rows.empty()) return std::nullopt;
+    return read_loop(rows[0]);
+  });
+}
+
+std::size_t Catalogue::save(std::span<const CatalogueEntry> entries) {
+  check_entries(entries);
+  return impl_->session.transact(
+      [&](Transaction& transaction) { return save_all(transaction, entries); });
+}
+
+std::size_t Catalogue::set_enabled(std::span<const std::string> names, bool enabled) {
+  ArrayLiteral list;
+  for (const std::string& name : names) list.add_text(name);
+  return impl_->session.transact([&](Transaction& transaction) {
+    return static_cast<std::size_t>(
+        transaction.run(statements::kSetEnabled, {list.text(), enabled ? "t" : "f"}).size());
+  });
+}
+
+}  // namespace loopscope::storage

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <pqxx/pqxx>
+#include <string>
+#include <vector>
+
+#include "storage/results/reports/report_rows.hpp"
+
+namespace loopscope::storage {
+
+/// Rows of the statements of report_statements.hpp as values.
+[[nodiscard]] PlantCounts read_counts(const pqxx::row& row);
+[[nodiscard]] UnjudgedReason read_reason(const pqxx::row& row);
+[[nodiscard]] NotControllingRow read_not_controlling(const pqxx::row& row);
+[[nodiscard]] FlaggedRow read_flagged(const pqxx::row& row);
+[[nodiscard]] HistoryPoint read_history_point(const pqxx::row& row);
+[[nodiscard]] HiddenRow read_hidden(const pqxx::row& row);
+[[nodiscard]] DataProblemRow read_problem(const pqxx::row& row);
+[[nodiscard]] LoopRow read_loop_row(const pqxx::row& row);
+
+/// Figure by figure into repairs.
+[[nodiscard]] std::vector<RepairRow> read_repairs(const pqxx::result& rows);
+
+}  // namespace loopscope::storage

@@ -1,0 +1,178 @@
+#include "storage/results/schema/migrate.hpp"
+
+#include <set>
+
+#include "storage/results/schema/brief_locks.hpp"
+#include "storage/results/schema/embedded_migrations.hpp"
+#include "storage/results/schema/schema_version.hpp"
+#include "storage/results/session/results_clock.hpp"
+#include "storage/results/session/schema_owner.hpp"
+#include "storage/results/session/schema_statements.hpp"
+#include "storage/results/session/session.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+// This month and the next three: `maintain` may fail to run for a quarter of a year before rows
+// end up in DEFAULT.
+constexpr int kMonthsAhead = 4;
+
+/// SQLSTATE unique_violation: another program made the schema while this one wanted to, and has
+/// left little to do.
+constexpr const char* kMadeMeanwhile = "23505";
+
+/// Moving a month's rows out of DEFAULT or dropping a month may take longer than any query of the
+/// worker is allowed to.
+ConnectionSettings without_time_limit(ConnectionSettings settings) {
+  settings.statement_timeout_s = 0;
+  return settings;
+}
+
+[[noreturn]] void refuse(const std::string& what, const std::string& hint) {
+  throw DatabaseError(what + ", schema loopscope", hint, Remedy::give_up);
+}
+
+/// Whether the recorded migrations are the first ones of this program's.
+void check_applied(const pqxx::result& applied) {
+  const auto compiled_in = embedded_migrations();
+  for (const pqxx::row& row : applied) {
+    const std::string name = row["name"].c_str();
+    const auto number = row["version"].as<std::size_t>();
+    if (number > compiled_in.size()) {
+      refuse("migration " + name + " is not known to this program", "install the newer program");
+    }
+    const Migration& known = compiled_in[number - 1];
+    if (name != known.name || row["sha256"].c_str() != std::string(known.sha256)) {
+      refuse(
+          "migration " + name + " was applied with another text than this program's " + known.name,
+          "use the program that made the schema, or start with an empty database");
+    }
+  }
+}
+
+std::vector<std::string> apply_pending(Transaction& transaction, std::size_t applied) {
+  std::vector<std::string> names;
+  for (const Migration& migration : embedded_migrations().subspan(applied)) {
+    transaction.run_script(migration.name, migration.sql);
+    transaction.run(statements::kRecordMigration,
+                    {std::to_string(migration.number), migration.name, migration.sha256});
+    names.emplace_back(migration.name);
+  }
+  return names;
+}
+
+std::vector<std::string> make_partitions(Transaction& transaction) {
+  std::vector<std::string> names;
+  for (const pqxx::row& row :
+       transaction.run(statements::kMakePartitions, {std::to_string(kMonthsAhead)})) {
+    names.emplace_back(row["name"].c_str());
+  }
+  return names;
+}
+
+std::vector<std::string> migrate_all(Transaction& transaction) {
+  transaction.run(statements::kBecomeOwner);
+  if (find_schema_owner(transaction).owner.empty()) transaction.run(statements::kMakeSchema);
+  transaction.run(statements::kLockSchema);
+  std::size_t applied = 0;
+  if (transaction.run(statements::kHasSchema)[0][0].as<bool>()) {
+    const pqxx::result rows = transaction.run(statements::kAppliedMigrations);
+    check_applied(rows);
+    applied = rows.size();
+  }
+  std::vector<std::string> names = apply_pending(transaction, applied);
+  make_partitions(transaction);
+  transaction.run(statements::kGrantRights);
+  return names;
+}
+
+/// In tries that keep no reader waiting, each under a clock that is believed.
+template <typename Work>
+auto maintain_in_time(Session& session, const MaintenanceOrders& orders, Work work) {
+  return transact_between_others(session, [&](Transaction& transaction) {
+    if (orders.check) checked_clock(transaction, orders.check);
+    return work(transaction);
+  });
+}
+
+std::vector<std::string> expired_partitions(Transaction& transaction, const std::string& months) {
+  std::vector<std::string> names;
+  for (const pqxx::row& row : transaction.run(statements::kExpiredPartitions, {months})) {
+    names.emplace_back(row["name"].c_str());
+  }
+  return names;
+}
+
+void refuse_many(const std::vector<std::string>& partitions) {
+  std::set<std::string> months;
+  for (const std::string& name : partitions) {
+    months.insert(name.substr(name.size() - std::string("YYYY_MM").size()));
+  }
+  if (months.size() <= kMostMonthsAtOnce) return;
+  refuse(std::to_string(months.size()) + " months of results would be dropped at once, " +
+             *months.begin() + " to " + *months.rbegin(),
+         "look at the clock of the results server and at retention_months; if both are right: "
+         "loopscope maintain --config F --accept-clock");
+}
+
+/// Each partition in its own transaction: its parent is locked only for that moment.
+std::vector<std::string> drop_expired(Session& session, const MaintenanceOrders& orders) {
+  const std::string months = std::to_string(orders.retention_months);
+  std::vector<std::string> expired =
+      maintain_in_time(session, orders, [&](Transaction& transaction) {
+        transaction.run(statements::kBecomeOwner);
+        std::vector<std::string> names = expired_partitions(transaction, months);
+        if (!orders.drop_many) refuse_many(names);
+        transaction.run(statements::kDeleteOldRows, {months});
+        return names;
+      });
+  for (const std::string& name : expired) {
+    maintain_in_time(session, orders, [&](Transaction& transaction) {
+      transaction.run(statements::kBecomeOwner);
+      transaction.run(statements::kDropPartition, {name});
+    });
+  }
+  return expired;
+}
+
+/// What is no result goes by its own age, also where all results are kept: workers without a word
+/// for a month, what stages cost two years ago.
+void delete_old_notes(Session& session, const MaintenanceOrders& orders) {
+  maintain_in_time(session, orders, [](Transaction& transaction) {
+    transaction.run(statements::kBecomeOwner);
+    transaction.run(statements::kDeleteLostWorkers);
+    transaction.run(statements::kDeleteOldCosts);
+  });
+}
+
+}  // namespace
+
+int required_schema_version() {
+  return embedded_migrations().back().number;
+}
+
+std::vector<std::string> migrate(const ConnectionSettings& owner) {
+  Session session(without_time_limit(owner));
+  try {
+    return session.transact(migrate_all);
+  } catch (const DatabaseError& error) {
+    if (error.sqlstate() != kMadeMeanwhile) throw;
+  }
+  return session.transact(migrate_all);
+}
+
+MaintenanceResult maintain(const ConnectionSettings& owner, const MaintenanceOrders& orders) {
+  Session session(without_time_limit(owner));
+  require_schema_version(session);
+  MaintenanceResult result;
+  result.created = maintain_in_time(session, orders, [](Transaction& transaction) {
+    transaction.run(statements::kBecomeOwner);
+    transaction.run(statements::kLockSchema);
+    return make_partitions(transaction);
+  });
+  if (orders.retention_months > 0) result.dropped = drop_expired(session, orders);
+  delete_old_notes(session, orders);
+  return result;
+}
+
+}  // namespace loopscope::storage

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include "core/diagnosis/verdicts/verdict.hpp"
+#include "storage/results/session/session.hpp"
+
+namespace loopscope::storage {
+
+/// What has changed of a loop's stored slots.
+struct ChangedSlots {
+  std::int64_t first_us;     ///< end of the earliest of them
+  std::int64_t earliest_us;  ///< slots before are forgotten (longest_memory_windows())
+};
+
+/// Combines the odds of each loop's windows (core/diagnosis/odds/combined_odds) from the first
+/// changed slot on, by what is stored of them and of the combined one before: late data and a
+/// replay of slots in any order come to the same. Only rows of `algorithm_revision` are combined;
+/// what a row keeps of its windows knows no priors, `priors` are those of the probabilities beside
+/// it. A window that stands alone keeps the probabilities that it was judged with.
+void write_combined(Transaction& transaction, int algorithm_revision,
+                    const std::map<std::int64_t, ChangedSlots>& changed,
+                    const core::diagnosis::PerCause& priors);
+
+}  // namespace loopscope::storage

@@ -1,0 +1,34 @@
+#include "core/signal/order/order_statistic.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "tests/core/signal/mixed_values.hpp"
+
+namespace loopscope::core::signal {
+namespace {
+
+TEST(OrderStatistic, IsTheValueAtItsRank) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const std::size_t count : {1U, 2U, 99U, 100U, 101U, 1000U, 4096U}) {
+      const std::vector<double> values = mixed_values(count, seed);
+      std::vector<double> sorted = values;
+      std::sort(sorted.begin(), sorted.end());
+      for (const std::size_t rank : {std::size_t{0}, count / 20, count / 2, count - 1}) {
+        ASSERT_EQ(order_statistic(values, rank), sorted[rank]) << count << " of seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(OrderStatistic, OfEqualValuesAndOfInfiniteOnes) {
+  std::vector<double> values(500, 3.0);
+  EXPECT_EQ(order_statistic(values, 250), 3.0);
+  values[4] = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(order_statistic(values, 250), 3.0);
+  EXPECT_EQ(order_statistic(values, 499), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace loopscope::core::signal

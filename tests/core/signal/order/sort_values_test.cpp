@@ -1,0 +1,40 @@
+#include "core/signal/order/sort_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "tests/core/signal/mixed_values.hpp"
+
+namespace loopscope::core::signal {
+namespace {
+
+TEST(SortValues, IsWhatComparisonsGive) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const std::size_t count : {0U, 1U, 2U, 199U, 200U, 201U, 1000U, 4096U, 65537U}) {
+      std::vector<double> values = mixed_values(count, seed);
+      std::vector<double> expected = values;
+      std::sort(expected.begin(), expected.end());
+      sort_values(values);
+      ASSERT_EQ(values, expected) << count << " values of seed " << seed;
+    }
+  }
+}
+
+TEST(SortValues, KnowsInfinityAndBothZeros) {
+  std::vector<double> values(300, 1.0);
+  values[7] = std::numeric_limits<double>::infinity();
+  values[8] = -std::numeric_limits<double>::infinity();
+  values[9] = -0.0;
+  values[10] = 0.0;
+  sort_values(values);
+  EXPECT_EQ(values.front(), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(values.back(), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::signbit(values[1]));
+  EXPECT_FALSE(std::signbit(values[2]));
+  EXPECT_EQ(values[2], 0.0);
+}
+
+}  // namespace
+}  // namespace loopscope::core::signal

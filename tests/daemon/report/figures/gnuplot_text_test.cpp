@@ -1,0 +1,46 @@
+#include "daemon/report/figures/gnuplot_text.hpp"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/daemon/times.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(GnuplotText, DataBlocksBreakWhereNothingIsKnown) {
+  EXPECT_EQ(data_block("pv", std::vector<Point>{{1.0, 2.5}, {2.0, NAN}, {3.0, 1e-9}}),
+            "$pv << EOD\n1 2.5\n\n3 1e-09\nEOD\n");
+}
+
+TEST(GnuplotText, TimeAxesNameDayAndZoneAndCountInRoundTimes) {
+  const std::string hours = time_axis(kNoon_us, kNoon_us + 2 * kHour_us);
+  EXPECT_THAT(hours, HasSubstr("time (UTC) on 2026-03-01"));
+  EXPECT_THAT(hours, HasSubstr("set xtics 1800\n"));
+  EXPECT_THAT(hours, HasSubstr("'%H:%M'"));
+  const std::string weeks = time_axis(kNoon_us, kNoon_us + 500 * kHour_us);
+  EXPECT_THAT(weeks, HasSubstr("time (UTC), 2026-03-01 to 2026-03-22"));
+  EXPECT_THAT(weeks, HasSubstr("'%d %b'"));
+  EXPECT_THAT(time_axis(kNoon_us, kNoon_us + kHour_us / 200), HasSubstr("'%H:%M:%S'"));
+  EXPECT_THAT(silent_time_axis(kNoon_us, kNoon_us + kHour_us), HasSubstr("unset xlabel"));
+}
+
+TEST(GnuplotText, AnAxisHoldsItsValuesAndHasFewTics) {
+  EXPECT_THAT(value_axis(0.0, 10.0, "op (%)"), HasSubstr("set yrange [-0.6:10.6]\nset ytics 5\n"));
+  EXPECT_THAT(value_axis(48.1, 52.4, "pv"), HasSubstr("set ytics 2\n"));
+  // A constant has a range too.
+  EXPECT_THAT(value_axis(5.0, 5.0, "pv"), Not(HasSubstr("[5:5]")));
+  EXPECT_THAT(value_axis(0.0, 0.0, "pv"), Not(HasSubstr("[0:0]")));
+}
+
+TEST(GnuplotText, PanelsStandOneAboveTheOtherWithinTheCanvas) {
+  EXPECT_THAT(panel(0, 1, 320), HasSubstr("set tmargin at screen 0.9313\n"));
+  EXPECT_THAT(panel(2, 3, 320), HasSubstr("set bmargin at screen 0.1500\n"));
+}
+
+}  // namespace
+}  // namespace loopscope::daemon

@@ -1,0 +1,74 @@
+#include "daemon/report/figures/run_child.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <system_error>
+#include <thread>
+
+#include "tests/support/source_dir.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+using testing::Not;
+
+ChildResult shell(const std::string& script, std::string_view input = "",
+                  milliseconds patience = milliseconds(20'000), const std::stop_token& stop = {}) {
+  return run_child({"/bin/sh", {"-c", script}, input, patience}, stop);
+}
+
+TEST(RunChild, CarriesInputAndOutputOfAnySize) {
+  const std::string input(3'000'000, 'x');
+  const ChildResult result = shell("cat", input);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, input);
+}
+
+TEST(RunChild, TellsCodeAndComplaint) {
+  const ChildResult result = shell("echo wrong >&2; exit 7");
+  EXPECT_EQ(result.exit_code, 7);
+  EXPECT_EQ(result.complaint, "wrong\n");
+  EXPECT_FALSE(result.out_of_time);
+}
+
+TEST(RunChild, AChildThatReadsNothingIsNoSignalForUs) {
+  EXPECT_EQ(shell("exit 0", std::string(3'000'000, 'x')).exit_code, 0);
+}
+
+TEST(RunChild, EndsWhatTakesTooLongWithAllItHasStarted) {
+  const ChildResult result = shell("sleep 60 & sleep 60", "", milliseconds(200));
+  EXPECT_TRUE(result.out_of_time);
+  EXPECT_EQ(result.exit_code, -1);
+}
+
+TEST(RunChild, EndsAtOnceWhenToldToStop) {
+  std::stop_source source;
+  std::jthread bell([&] {
+    std::this_thread::sleep_for(milliseconds(100));
+    source.request_stop();
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(shell("sleep 60", "", milliseconds(60'000), source.get_token()).exit_code, -1);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+}
+
+TEST(RunChild, InheritsNoVariableAndNoDescriptor) {
+  ::setenv("LOOPSCOPE_TEST_SECRET", "hidden", 1);
+  const std::ofstream open_file("/dev/null");
+  const ChildResult result = shell("env; ls /proc/self/fd | wc -l; pwd");
+  EXPECT_THAT(result.out, Not(HasSubstr("LOOPSCOPE_TEST_SECRET")));
+  EXPECT_THAT(result.out, HasSubstr("\n4\n"));  // three, and the folder that ls has opened
+  EXPECT_THAT(result.out, HasSubstr("\n/\n"));
+  ::unsetenv("LOOPSCOPE_TEST_SECRET");
+}
+
+TEST(RunChild, SaysWhatCannotBeStarted) {
+  EXPECT_THROW((void)run_child({"/nonexistent/program", {}, ""}), std::system_error);
+}
+
+}  // namespace
+}  // namespace loopscope::daemon

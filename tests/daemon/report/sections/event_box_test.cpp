@@ -1,0 +1,92 @@
+#include "daemon/report/sections/event_box.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/daemon/report/event_rows.hpp"
+#include "tests/daemon/report/markup.hpp"
+#include "tests/daemon/report/sample_rows.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string box_of(const storage::PlantOscillationRow& event) {
+  return event_box(event, {}, {}, LoopLinks::pages);
+}
+
+TEST(EventBox, SaysHowProbableEachSourceIsAndWhatSpeaksForIt) {
+  storage::PlantOscillationRow event = sample_event(4);
+  event.members[0].reasons = {"It leads.", "Against it: the others lead it."};
+  const std::string text = box_of(event);
+  EXPECT_THAT(text, HasSubstr("Plant-wide oscillation 1: period 40 s, 4 loops"));
+  EXPECT_THAT(text, HasSubstr("<details class=\"cause\" open><summary><span class=\"label\"><bdi>"
+                              "L1</bdi>"));
+  EXPECT_THAT(text, HasSubstr("<span class=\"share\">75 %</span>"));
+  EXPECT_THAT(text, HasSubstr("<p>For</p><ul><li>It leads.</li></ul>"));
+  EXPECT_THAT(text, HasSubstr("<p>Against</p><ul><li>The others lead it.</li></ul>"));
+  EXPECT_THAT(text, HasSubstr("outside the recorded loops"));
+  EXPECT_THAT(text, HasSubstr("<span class=\"share\">13 %</span>"));
+  EXPECT_EQ(unbalanced(text), "");
+}
+
+TEST(EventBox, TheMostProbableComesFirstTheOutsideToo) {
+  storage::PlantOscillationRow event = sample_event(2);
+  event.outside = 0.8;
+  event.members[0].score = 0.1;
+  event.members[1].score = 0.05;
+  const std::string text = box_of(event);
+  EXPECT_LT(text.find("outside the recorded"), text.find("class=\"label\"><bdi>L1"));
+  EXPECT_LT(text.find("class=\"label\"><bdi>L1"), text.find("class=\"label\"><bdi>L2"));
+  EXPECT_THAT(text, HasSubstr("open><summary><span class=\"label\"><bdi>L1"));
+}
+
+TEST(EventBox, MembersByTheirShareWithRoleLagAndProbability) {
+  const std::string text = box_of(sample_event(3));
+  EXPECT_THAT(text, HasSubstr("<a href=\"/loop?name=L2\"><bdi>L2</bdi></a>"));
+  EXPECT_THAT(text, HasSubstr("data-label=\"Share\">45 %</td>"));
+  EXPECT_THAT(text, HasSubstr("data-label=\"Lag\">3 s behind</td>"));
+  EXPECT_THAT(text, HasSubstr("data-label=\"Source?\">75 %</td>"));
+  EXPECT_THAT(text, Not(HasSubstr("smaller share")));
+}
+
+TEST(EventBox, ManyMembersAreNamedBelowTheTable) {
+  const std::string text = box_of(sample_event(30));
+  EXPECT_THAT(text, HasSubstr("14 loops with a smaller share"));
+  EXPECT_THAT(text, HasSubstr("<bdi>L30</bdi>"));
+  EXPECT_EQ(unbalanced(text), "");
+}
+
+TEST(EventBox, ShowsItsPictures) {
+  const std::vector<Picture> pictures = {{"Trends", "words", "<svg/>", 560, 400}};
+  const std::string text = event_box(sample_event(3), pictures, {}, LoopLinks::pages);
+  EXPECT_THAT(text, HasSubstr("<figcaption>Trends</figcaption>"));
+  EXPECT_THAT(text, HasSubstr("<figcaption>Who follows whom</figcaption>"));
+}
+
+/// Scores were no probabilities then.
+TEST(EventBox, ARoundOfAProgramOfBeforeShowsWhatThereIs) {
+  storage::PlantOscillationRow event = sample_event(3);
+  event.outside.reset();
+  event.leads.clear();
+  event.traces.clear();
+  event.members[0].score = 3.5;
+  const std::string text = box_of(event);
+  EXPECT_THAT(text, Not(HasSubstr("probability</h4>")));
+  EXPECT_THAT(text, Not(HasSubstr("350 %")));
+  EXPECT_THAT(text, Not(HasSubstr("<svg")));
+  EXPECT_THAT(text, HasSubstr("<bdi>L3</bdi>"));
+  EXPECT_EQ(unbalanced(text), "");
+}
+
+TEST(EventBox, AReportLinksToLoopsOfItsListOnly) {
+  const std::vector<storage::FlaggedRow> flagged = {flagged_row(2, "L2")};
+  const std::string text = event_box(sample_event(3), {}, flagged, LoopLinks::sections);
+  EXPECT_THAT(text, HasSubstr("<a href=\"#loop-2\">"));
+  EXPECT_THAT(text, Not(HasSubstr("href=\"#loop-3\"")));
+}
+
+}  // namespace
+}  // namespace loopscope::daemon

@@ -1,0 +1,75 @@
+#include "daemon/report/sections/follow_words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "daemon/report/sections/loop_list.hpp"
+#include "tests/daemon/report/sample_rows.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+LoopStory healthy_story() {
+  LoopStory story;
+  story.row = flagged_row(1, "TIC2");
+  story.row.rank = 0;
+  story.row.code = "healthy";
+  story.row.confidence = 0.93;
+  story.row.summary = "Nothing is wrong.";
+  story.row.action = "Nothing to do.";
+  story.row.plant_oscillation_number.reset();
+  return story;
+}
+
+TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
+  LoopStory story = healthy_story();
+  story.followed = {3, 40.0, "FIC1", "victim", 0.62, "external_disturbance"};
+  const std::string text = loop_section(story);
+  EXPECT_THAT(text, HasSubstr("<span class=\"verdict external_disturbance\">External disturbance"));
+  EXPECT_THAT(text,
+              HasSubstr("62 % of its error follows plant-wide oscillation 3 of <bdi>FIC1</bdi>"
+                        " (period 40 s). By itself the loop is sound (healthy, confidence "
+                        "0.93): Nothing is wrong."));
+  EXPECT_THAT(text, HasSubstr("Repair the source <bdi>FIC1</bdi> first"));
+  EXPECT_THAT(text, Not(HasSubstr("Nothing to do.")));
+  story.followed->source_name.reset();
+  EXPECT_THAT(loop_section(story), HasSubstr("whose source is not known"));
+}
+
+TEST(FollowWords, OneThatIsHardlyTouchedStaysHealthyAndSaysSo) {
+  LoopStory story = healthy_story();
+  story.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
+  const std::string text = loop_section(story);
+  EXPECT_THAT(text, HasSubstr("<span class=\"verdict healthy\">"));
+  EXPECT_THAT(text, HasSubstr("Nothing to do."));
+  EXPECT_THAT(text, HasSubstr("<dt>Follows</dt><dd>10 % of its error follows"));
+  story.followed.reset();
+  EXPECT_THAT(loop_section(story), Not(HasSubstr("Follows")));
+}
+
+TEST(FollowWords, AStayOnTheListKeepsItsFaultWhateverTheNewestWindowSays) {
+  LoopStory story = healthy_story();
+  story.row.code = "valve_stiction";
+  story.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
+  const std::string text = loop_section(story);
+  EXPECT_THAT(text, HasSubstr("Valve stiction"));
+  EXPECT_THAT(text, Not(HasSubstr("By itself the loop is sound")));
+}
+
+TEST(FollowWords, TheListOfAllLoopsSaysWhose) {
+  storage::LoopRow row;
+  row.name = "TIC2";
+  row.code = "healthy";
+  row.shown_code = "external_disturbance";
+  row.follows = "62 % of its error follows the plant-wide oscillation 3 of FIC1 (period 40 s)";
+  const std::string text = loop_list({row});
+  EXPECT_THAT(text, HasSubstr(*row.follows));
+  EXPECT_THAT(text, HasSubstr("data-verdict=\"External disturbance\""));
+  EXPECT_THAT(text, HasSubstr("<small>by itself healthy</small>"));
+}
+
+}  // namespace
+}  // namespace loopscope::daemon

@@ -1,0 +1,82 @@
+#include "daemon/text/csv_table.hpp"
+
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/daemon/data_failure.hpp"
+#include "tests/support/hostile_names.hpp"
+#include "tests/support/source_dir.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string csv_failure(std::string_view text) {
+  return data_failure([&] { return parse_csv(text, "f.csv"); }).what();
+}
+
+TEST(CsvTable, HeaderAndRowsWithTheirLines) {
+  const CsvTable table = parse_csv("a,b\n1,2\n\n3,4\n", "f.csv");
+  EXPECT_THAT(table.header, ElementsAre("a", "b"));
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_THAT(table.rows[1].cells, ElementsAre("3", "4"));
+  EXPECT_EQ(table.rows[1].line, 4U);
+}
+
+TEST(CsvTable, ByteOrderMarkCarriageReturnsAndAMissingLastNewline) {
+  const CsvTable table = parse_csv(
+      "\xEF\xBB\xBF"
+      "a,b\r\n1,\r\n3,4",
+      "f.csv");
+  EXPECT_THAT(table.header, ElementsAre("a", "b"));
+  EXPECT_THAT(table.rows[0].cells, ElementsAre("1", ""));
+  EXPECT_THAT(table.rows[1].cells, ElementsAre("3", "4"));
+}
+
+TEST(CsvTable, QuotedCells) {
+  const CsvTable table = parse_csv("a,b\n\"x,\"\"y\"\"\nz\",2\n5,6\n", "f.csv");
+  EXPECT_THAT(table.rows[0].cells, ElementsAre("x,\"y\"\nz", "2"));
+  EXPECT_EQ(table.rows[1].line, 4U);
+}
+
+TEST(CsvTable, WrittenCellsReadBack) {
+  for (const std::string text : {"plain", "with,comma", "with \"quotes\"", "line\nbreak", ""}) {
+    const CsvTable table = parse_csv("a,b\n" + csv_cell(text) + ",x\n", "f.csv");
+    EXPECT_EQ(table.rows[0].cells[0], text);
+  }
+}
+
+TEST(CsvTable, HostileNamesReadBack) {
+  for (const tests::HostileName& hostile : tests::hostile_names()) {
+    const CsvTable table =
+        parse_csv("a,b\n" + csv_cell(hostile.name) + "," + csv_cell(hostile.name) + "\n", "f.csv");
+    ASSERT_EQ(table.rows.size(), 1U) << hostile.about;
+    EXPECT_THAT(table.rows[0].cells, ElementsAre(hostile.name, hostile.name)) << hostile.about;
+  }
+}
+
+TEST(CsvTable, ProblemsNameTheirLine) {
+  EXPECT_THAT(csv_failure(""), HasSubstr("the file is empty"));
+  EXPECT_THAT(csv_failure("\n\n"), HasSubstr("the file is empty"));
+  EXPECT_THAT(csv_failure("a,b\n1,2\n1\n"), HasSubstr("line 3: 1 cells where the header has 2"));
+  EXPECT_THAT(csv_failure("a,b\n1,\"2\n"), HasSubstr("line 2: a quote is opened"));
+}
+
+TEST(CsvTable, FilesThatCannotBeRead) {
+  const tests::TemporaryFolder folder;
+  EXPECT_THROW(static_cast<void>(read_csv(folder.path() / "absent.csv")), Failure);
+  EXPECT_THROW(static_cast<void>(read_csv(folder.path())), Failure);
+  std::ofstream(folder.path() / "empty.csv").flush();
+  try {
+    static_cast<void>(read_csv(folder.path() / "empty.csv"));
+    ADD_FAILURE() << "an empty file was accepted";
+  } catch (const Failure& failure) {
+    EXPECT_THAT(failure.what(), HasSubstr("is empty"));
+  }
+}
+
+}  // namespace
+}  // namespace loopscope::daemon

@@ -1,0 +1,151 @@
+#include "storage/results/catalogue/annotations.hpp"
+
+#include <chrono>
+#include <future>
+#include <gmock/gmock.h>
+
+#include "storage/results/schema/migrate.hpp"
+#include "tests/storage/results/views_fixture.hpp"
+#include "tests/support/login_session.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Not;
+using testing::Optional;
+
+/// By a login that is a member of loopscope_engineer alone.
+class AnnotationsTest : public ViewsTest {
+ protected:
+  void SetUp() override {
+    ViewsTest::SetUp();
+    if (!database) return;
+    database->make_roles();
+    migrate(settings_for(*database));
+    login = database->make_login("loopscope_engineer");
+    tell({{.loop = "a"}, {.loop = "b"}});
+  }
+  [[nodiscard]] Annotations annotations() const {
+    return Annotations(settings_for(*database, login));
+  }
+  [[nodiscard]] std::int64_t in_an_hour() const {
+    return std::stoll(value("SELECT (extract(epoch FROM now()) * 1000000)::bigint + 3600000000"));
+  }
+  std::string login;
+};
+
+TEST_F(AnnotationsTest, HideAndAreListedWithTheirAuthor) {
+  const std::int64_t until = in_an_hour();
+  EXPECT_THAT(annotations().add({"a", "suppressed", std::nullopt, until, "shutdown", "", 0}),
+              Optional(0U));
+  EXPECT_THAT(flagged(), ElementsAre("b"));
+  const std::vector<Annotation> list = annotations().in_force();
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list[0].loop_name, "a");
+  EXPECT_EQ(list[0].kind, "suppressed");
+  EXPECT_EQ(list[0].code, std::nullopt);
+  EXPECT_EQ(list[0].until_us, until);
+  EXPECT_EQ(list[0].reason, "shutdown");
+  EXPECT_EQ(list[0].author, login);
+  EXPECT_NEAR(static_cast<double>(list[0].entered_at_us), static_cast<double>(until) - 3.6e9, 6e7);
+}
+
+TEST_F(AnnotationsTest, ANewOneTakesThePlaceOfItsKind) {
+  EXPECT_THAT(annotations().add({"a", "acknowledged", "valve_stiction", {}, "", "", 0}),
+              Optional(0U));
+  EXPECT_THAT(annotations().add({"a", "acknowledged", "valve_stiction", {}, "ordered", "", 0}),
+              Optional(1U));
+  EXPECT_THAT(annotations().add({"a", "acknowledged", "tight_tuning", {}, "", "", 0}), Optional(0U))
+      << "about another verdict";
+  EXPECT_EQ(annotations().in_force().size(), 2U);
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.annotation_history WHERE state = 'withdrawn'"
+                  " AND withdrawn_by = '" +
+                  login + "'"),
+            "1");
+}
+
+TEST_F(AnnotationsTest, AreTakenBackAllOrThoseOfAVerdict) {
+  annotations().add({"a", "acknowledged", "valve_stiction", {}, "", "", 0});
+  annotations().add({"a", "false_positive", "tight_tuning", {}, "", "", 0});
+  annotations().add({"b", "acknowledged", "valve_stiction", {}, "", "", 0});
+  EXPECT_EQ(annotations().withdraw("a", "valve_stiction"), 1U);
+  EXPECT_THAT(flagged(), ElementsAre("a"));
+  EXPECT_EQ(annotations().withdraw("a", std::nullopt), 1U);
+  EXPECT_EQ(annotations().withdraw("a", std::nullopt), 0U);
+  EXPECT_EQ(annotations().in_force().size(), 1U);
+}
+
+TEST_F(AnnotationsTest, UnknownLoopsAreNone) {
+  EXPECT_EQ(annotations().add({"x", "acknowledged", {}, {}, "", "", 0}), std::nullopt);
+  EXPECT_EQ(annotations().add({"\xff", "acknowledged", {}, {}, "", "", 0}), std::nullopt);
+  EXPECT_EQ(annotations().withdraw("x", {}), 0U);
+  EXPECT_EQ(annotations().newest_code("x"), std::nullopt);
+  EXPECT_THAT(annotations().in_force(), IsEmpty());
+}
+
+TEST_F(AnnotationsTest, KnowsWhatCanBeAnnotated) {
+  EXPECT_EQ(annotations().newest_code("a"), "valve_stiction");
+  EXPECT_THAT(annotations().fault_codes(), Contains("valve_stiction"));
+  EXPECT_THAT(annotations().fault_codes(), Not(Contains("healthy")));
+}
+
+TEST_F(AnnotationsTest, NobodySpeaksForSomebodyElse) {
+  const auto refused = [this](const std::string& sql) {
+    return tests::LoginSession(database->conninfo(login)).state_of(sql);
+  };
+  EXPECT_EQ(refused("INSERT INTO loopscope.annotation (loop_id, kind, author) SELECT loop_id,"
+                    " 'acknowledged', 'boss' FROM loopscope.loop"),
+            "42501");
+  annotations().add({"a", "acknowledged", {}, {}, "", "", 0});
+  EXPECT_EQ(refused("UPDATE loopscope.annotation SET reason = 'other'"), "42501");
+  EXPECT_EQ(refused("UPDATE loopscope.annotation SET withdrawn_by = 'boss'"), "42501");
+  EXPECT_EQ(refused("INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind,"
+                    " description) SELECT loop_id, now(), 'valve', 'new packing'"
+                    " FROM loopscope.loop"),
+            "");
+}
+
+/// What one engineer has taken back, with the time given to another to say so.
+TEST_F(AnnotationsTest, WhatWasTakenBackStaysSo) {
+  annotations().add({"a", "suppressed", {}, in_an_hour(), "shutdown", "", 0});
+  EXPECT_EQ(annotations().withdraw("a", std::nullopt), 1U);
+  const std::string second = database->make_login("loopscope_engineer");
+  const tests::SqlConnection other(database->conninfo(second));
+  for (const char* time : {"NULL", "'1999-01-01'", "now() + interval '1 day'"}) {
+    EXPECT_THROW(other.run(std::string("UPDATE loopscope.annotation SET withdrawn_at = ") + time),
+                 std::runtime_error)
+        << time;
+  }
+  EXPECT_EQ(value("SELECT state FROM loopscope.annotation_history"), "withdrawn");
+  EXPECT_EQ(value("SELECT withdrawn_by FROM loopscope.annotation_history"), login);
+  EXPECT_EQ(annotations().withdraw("a", std::nullopt), 0U) << "there is nothing left";
+}
+
+TEST_F(AnnotationsTest, TheServerNotesWhenOneWasTakenBack) {
+  annotations().add({"a", "acknowledged", {}, {}, "", "", 0});
+  tests::SqlConnection(database->conninfo(login))
+      .run("UPDATE loopscope.annotation SET withdrawn_at = '1999-01-01'");
+  EXPECT_EQ(value("SELECT withdrawn_at >= entered_at AND withdrawn_at <= now()"
+                  " FROM loopscope.annotation_history"),
+            "t");
+}
+
+TEST_F(AnnotationsTest, TwoWhoTakeTheSameOneBackTakeItBackOnce) {
+  annotations().add({"a", "acknowledged", {}, {}, "", "", 0});
+  const tests::SqlConnection other(database->conninfo(login));
+  other.run("BEGIN; UPDATE loopscope.annotation SET withdrawn_at = now()");
+  std::future<std::size_t> second =
+      std::async(std::launch::async, [this] { return annotations().withdraw("a", std::nullopt); });
+  // Until it waits for the first.
+  while (value("SELECT count(*) FROM pg_locks WHERE NOT granted") == "0") {
+    ASSERT_EQ(second.wait_for(std::chrono::milliseconds(20)), std::future_status::timeout);
+  }
+  other.run("COMMIT");
+  EXPECT_EQ(second.get(), 0U);
+}
+
+}  // namespace
+}  // namespace loopscope::storage
