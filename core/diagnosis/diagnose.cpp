@@ -10,7 +10,7 @@ namespace {
 bool wants_model(const FirstLook& first, const Evidence& evidence, const AnalysisSettings& settings,
                  const ModelPlan& plan) {
   if (!settings.fit_model || !can_be_modelled(first, evidence)) return false;
-  return !plan.cause || gives_cause_for_a_model(evidence, settings, *plan.cause);
+  return !plan.cause || triggers_model(evidence, settings, *plan.cause);
 }
 
 void fit_model(const FirstLook& first, const LoopFacts& facts, const ModelPlan& plan,

@@ -28,7 +28,7 @@ enum class Stage { statistics, model, verdict };
 /// When a diagnosis fits a loop model, and what it keeps of it.
 struct ModelPlan {
   /// nullopt: where the data allow one. Else only where the statistics give this cause too.
-  std::optional<ModelCause> cause;
+  std::optional<ModelTrigger> cause;
   bool traces = false;              ///< with the series behind it, for pictures
   std::function<void(Stage)> done;  ///< called when a stage ends; of the model, if one was fitted
 };

@@ -6,7 +6,7 @@
 
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/verdicts/words.hpp"
-#include "core/model/residual_tests/asked.hpp"
+#include "core/model/residual_tests/nominations.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -35,7 +35,7 @@ VerdictCode verdict_of(model::EffectKind effect) {
 
 VerdictCode verdict_of(const model::Step& step) {
   if (step.setpoint_chance <= kHardlyByChance) return VerdictCode::unexplained;
-  return step.cycles_as_if_stuck ? VerdictCode::valve_stiction : verdict_of(step.effect);
+  return step.cycle_indicates_stiction ? VerdictCode::valve_stiction : verdict_of(step.effect);
 }
 
 }  // namespace loopscope::core::diagnosis

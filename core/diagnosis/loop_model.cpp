@@ -23,15 +23,15 @@ bool can_be_modelled(const FirstLook& first, const Evidence& evidence) {
          diagnosis::state_of(evidence) != diagnosis::LoopState::not_controlling && !evidence.still;
 }
 
-bool ModelCause::given_by(diagnosis::VerdictCode code, double confidence,
-                          std::optional<double> p) const {
+bool ModelTrigger::given_by(diagnosis::VerdictCode code, double confidence,
+                            std::optional<double> p) const {
   using diagnosis::VerdictCode;
   return diagnosis::catalogue_entry(code).weight > 0.0 && p.value_or(0.0) <= largest_p &&
          confidence >= least_confidence;
 }
 
-bool gives_cause_for_a_model(const Evidence& evidence, const AnalysisSettings& settings,
-                             const ModelCause& cause) {
+bool triggers_model(const Evidence& evidence, const AnalysisSettings& settings,
+                    const ModelTrigger& cause) {
   const diagnosis::Verdict verdict = diagnosis::decide(evidence, settings.hos, settings.decision);
   return cause.given_by(verdict.code, verdict.confidence, verdict.p);
 }

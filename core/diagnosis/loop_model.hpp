@@ -19,7 +19,7 @@ namespace loopscope::core {
 
 /// What has to be shown before a loop model is fitted by those who cannot afford one for every loop
 /// of a plant.
-struct ModelCause {
+struct ModelTrigger {
   double largest_p = 0.05;        ///< of the test behind a verdict that rests on one
   double least_confidence = 0.0;  ///< of the verdict
   /// Whether a verdict with this confidence, and this p where it rests on a test, is one.
@@ -28,9 +28,8 @@ struct ModelCause {
 };
 
 /// Whether the evidence without a model gives cause to fit one.
-[[nodiscard]] bool gives_cause_for_a_model(const Evidence& evidence,
-                                           const AnalysisSettings& settings,
-                                           const ModelCause& cause = {});
+[[nodiscard]] bool triggers_model(const Evidence& evidence, const AnalysisSettings& settings,
+                                  const ModelTrigger& cause = {});
 
 /// What core/model is given; views `first`, and `cycle` where it was judged before.
 [[nodiscard]] model::ModelInput model_input(const FirstLook& first, const LoopFacts& facts,

@@ -2,12 +2,12 @@
 
 #include <utility>
 
-#include "core/model/told_loop.hpp"
+#include "core/model/loop_model_fit.hpp"
 
 namespace loopscope::core::model {
 
 std::optional<Explanation> explain(const ModelInput& input) {
-  std::optional<ToldLoop> told = tell_loop(input);
+  std::optional<FittedLoop> told = fit_loop_model(input);
   if (!told) return std::nullopt;
   return std::move(told->explanation);
 }

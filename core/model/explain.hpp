@@ -16,7 +16,7 @@ namespace loopscope::core::model {
 /// - The linear loop (baseline.hpp): one or two lags or an integrator, at least one sample of
 ///   delay, numerator, noise with real roots; order by BIC.
 /// - Effects enter one after the other, the one with most evidence first, while the split
-///   likelihood ratio on unseen rows stays below p = 0.001 (story.hpp).
+///   likelihood ratio on unseen rows stays below p = 0.001 (stepwise_model.hpp).
 /// - `unexplained.fraction` is (error - floor) / (baseline error - floor), 0 to 1: of what could be
 ///   explained, the share that is not. Where the baseline lies within 2 % of the floor, 2 % of it
 ///   is taken for what could be explained. Where the errors are simulation errors no floor is known

@@ -6,10 +6,10 @@
 #include <span>
 #include <utility>
 
-#include "core/model/judged_stage.hpp"
-#include "core/model/limit_cycle/witness_simulation.hpp"
-#include "core/model/telling_stretch.hpp"
-#include "core/model/told_loop.hpp"
+#include "core/model/display_window.hpp"
+#include "core/model/held_out_series.hpp"
+#include "core/model/limit_cycle/limit_cycle_simulation.hpp"
+#include "core/model/loop_model_fit.hpp"
 #include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::model {
@@ -50,7 +50,7 @@ void put_simulation(std::span<const double> measured, std::vector<double> simula
 
 class Stages {
  public:
-  Stages(const ModelInput& input, const ToldLoop& told)
+  Stages(const ModelInput& input, const FittedLoop& told)
       : input_(input), told_(told), story_(told.renewals ? *told.renewals : told.samples) {
     stages_.push_back(baseline(told.samples, true));
     const bool by_witness = told.explanation.error_kind == ErrorKind::simulation;
@@ -62,7 +62,7 @@ class Stages {
   [[nodiscard]] std::vector<TraceStage> take() { return std::move(stages_); }
 
  private:
-  [[nodiscard]] TraceStage baseline(const Story& story, bool once) const {
+  [[nodiscard]] TraceStage baseline(const StepwiseModel& story, bool once) const {
     return judged_stage(input_.pv, story.data, {story.baseline, story.first_rows, once});
   }
 
@@ -82,8 +82,8 @@ class Stages {
   }
 
   const ModelInput& input_;
-  const ToldLoop& told_;
-  const Story& story_;  ///< the one with chapters
+  const FittedLoop& told_;
+  const StepwiseModel& story_;  ///< the one with chapters
   std::optional<WitnessSimulation> witness_;
   std::vector<TraceStage> stages_;
   std::size_t next_ = 0;
@@ -118,7 +118,7 @@ std::vector<double> first_gain(const ExplanationTraces& traces) {
 
 std::optional<ExplanationTraces> trace_explanation(const ModelInput& input) {
   constexpr std::size_t kFewestRenewals = 60;  // in a picture
-  std::optional<ToldLoop> told = tell_loop(input);
+  std::optional<FittedLoop> told = fit_loop_model(input);
   if (!told) return std::nullopt;
   ExplanationTraces traces;
   traces.measured.assign(input.pv.begin(), input.pv.end());

@@ -22,8 +22,9 @@ namespace loopscope::core::model {
 ///
 /// **Simulated**: the model run on op, with the effects so far, alone, plus the offset and the
 /// cubic drift that simulation_error.hpp fits. Where the errors of the explanation are simulation
-/// errors it is what the witness that named the valve makes of pv instead (witness_simulation.hpp),
-/// in the first stage without the valve; the stage of that valve has no one-step series.
+/// errors it is what the witness that named the valve makes of pv instead
+/// (limit_cycle_simulation.hpp), in the first stage without the valve; the stage of that valve has
+/// no one-step series.
 struct TraceStage {
   std::optional<EffectKind> effect;  ///< taken in by this stage; nullopt = the linear baseline
   std::vector<double> one_step_prediction;

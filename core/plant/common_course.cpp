@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/plant/following.hpp"
-#include "core/plant/in_step.hpp"
+#include "core/plant/synchrony.hpp"
 #include "core/signal/loop_window.hpp"
 
 namespace loopscope::core::plant {

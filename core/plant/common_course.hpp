@@ -28,7 +28,7 @@ class CommonCourse {
   /// Mean frequency: that of the envelopes and what the course turns against it, weighted by power.
   [[nodiscard]] double frequency_hz() const;
   /// A loop of the core is compared with the course of the rest. `own_line` = the loop's spectrum
-  /// shows a line of its own here, so that it has to keep step (in_step.hpp), not only to follow.
+  /// shows a line of its own here, so that it has to keep step (synchrony.hpp), not only to follow.
   [[nodiscard]] Follower follow(std::size_t index, bool own_line) const;
 
  private:

@@ -12,9 +12,9 @@
 #include "core/plant/common_course.hpp"
 #include "core/plant/false_discovery.hpp"
 #include "core/plant/following.hpp"
-#include "core/plant/in_step.hpp"
+#include "core/plant/hub.hpp"
 #include "core/plant/loop_records.hpp"
-#include "core/plant/star.hpp"
+#include "core/plant/synchrony.hpp"
 
 namespace loopscope::core::plant {
 namespace {

@@ -26,7 +26,7 @@ struct Event {
 ///
 /// 1. Lines: every loop's spectral lines, faint ones too (spectral_line.hpp), strongest first.
 /// 2. Who follows it: all loops against the line's loop at its frequency (following.hpp); the star
-///    that independent loops show least often (star.hpp) has to be rarer than event_p.
+///    that independent loops show least often (hub.hpp) has to be rarer than event_p.
 /// 3. Members: who follows the common course of the star, by false-discovery control.
 /// 4. The line of all: loops of one process go together at rest as well, but over broad bands.
 ///    Their evidence for a line is added by Fisher's rule and has to be rarer than event_p as well.

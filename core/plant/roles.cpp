@@ -66,8 +66,8 @@ bool leaves_work_list(Role role) {
   return role == Role::victim || role == Role::cascade_master || role == Role::cascade_slave;
 }
 
-void give_roles(SharedOscillation& event, std::span<const MemberLoop> loops,
-                std::span<const CascadePair> cascades, const PlantSettings& settings) {
+void assign_roles(SharedOscillation& event, std::span<const MemberLoop> loops,
+                  std::span<const CascadePair> cascades, const PlantSettings& settings) {
   for (SharingLoop& member : event.members) {
     const bool is_source = event.source && *event.source == member.index;
     member.role = is_source                                                       ? Role::source

@@ -16,7 +16,7 @@ namespace loopscope::core::plant {
 /// blamed on, does not keep it there when another loop is named as the source, most of the error is
 /// the shared oscillation and the loop is not likely the source itself. Of a cascade both of whose
 /// loops are members, those that are victims are `cascade_master` and `cascade_slave` instead.
-void give_roles(SharedOscillation& event, std::span<const MemberLoop> loops,
-                std::span<const CascadePair> cascades, const PlantSettings& settings);
+void assign_roles(SharedOscillation& event, std::span<const MemberLoop> loops,
+                  std::span<const CascadePair> cascades, const PlantSettings& settings);
 
 }  // namespace loopscope::core::plant

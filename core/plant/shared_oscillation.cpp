@@ -82,7 +82,7 @@ SharedOscillation describe(const Event& found, std::span<const MemberLoop> loops
     member.score = std::ranges::find(event.ranking, one.index, &SourceCandidate::index)->score;
     event.members.push_back(member);
   }
-  give_roles(event, loops, cascades, settings);
+  assign_roles(event, loops, cascades, settings);
   std::ranges::stable_sort(event.members, std::ranges::greater(), [](const SharingLoop& member) {
     return std::pair(member.role == Role::source, member.strength);
   });

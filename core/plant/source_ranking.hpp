@@ -15,7 +15,7 @@ struct SourceOdds {
 
 /// Conditional logit (McFadden 1974): every member and "none of them" have a score, linear in
 /// figures_of(), and the odds are the exponentials of the scores. The weights were fitted on
-/// simulated plants; others were scored (README.md).
+/// simulated plants; others were scored (MEASURED.md).
 [[nodiscard]] SourceOdds rank_sources(std::span<const SourceEvidence> evidence);
 
 }  // namespace loopscope::core::plant

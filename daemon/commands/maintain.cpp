@@ -21,7 +21,7 @@ struct MaintainOptions {
 };
 
 /// By the owner's connection: a worker's may not be there.
-ClockBook::State look(const config::Settings& settings, LaneTools& tools) {
+KnownClocks::State look(const config::Settings& settings, SharedServices& tools) {
   return look_at_clocks(settings, tools, [&] {
     const storage::ResultsTime time = storage::results_time(owner_connection(settings));
     tools.clocks.accept(time.accepted);
@@ -30,9 +30,9 @@ ClockBook::State look(const config::Settings& settings, LaneTools& tools) {
 }
 
 /// Whoever says so has looked: what differs now is known, and no reason to stand still.
-void accept_clocks(const config::Settings& settings, LaneTools& tools) {
+void accept_clocks(const config::Settings& settings, SharedServices& tools) {
   ask_historians(settings, tools);
-  const ClockBook::State state = look(settings, tools);
+  const KnownClocks::State state = look(settings, tools);
   std::vector<ClockReading> clocks = state.historians;
   clocks.push_back(state.host);
   storage::AcceptedClocks accepted;
@@ -48,7 +48,7 @@ void accept_clocks(const config::Settings& settings, LaneTools& tools) {
 
 void maintain(const MaintainOptions& options) {
   const config::Settings settings = config::read_settings(options.config);
-  LaneTools tools(1, Perseverance::one_lease);
+  SharedServices tools(1, RetryLimit::one_lease);
   if (options.accept_clock) accept_clocks(settings, tools);
   if (const auto why = refusal(look(settings, tools))) throw *why;
   const auto result = storage::maintain(

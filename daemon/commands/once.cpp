@@ -13,7 +13,7 @@
 #include "daemon/service/observe/cost_text.hpp"
 #include "daemon/service/observe/log.hpp"
 #include "daemon/service/pass.hpp"
-#include "daemon/service/threads/workforce.hpp"
+#include "daemon/service/threads/worker_identity.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -37,7 +37,7 @@ void once(const std::string& config_file) {
       std::make_shared<const config::Settings>(config::read_settings(config_file));
   set_up_log(settings->daemon);
   // Of the whole command: what the pass learns of the clocks holds for the round after it.
-  LaneTools tools(worker_count(settings->daemon), Perseverance::one_lease);
+  SharedServices tools(worker_count(settings->daemon), RetryLimit::one_lease);
   const PassResult pass = run_pass(settings, tools);
   std::cout << pass_text(pass) << std::endl;
   if (pass.cost.loops > 0) {

@@ -52,7 +52,7 @@ std::vector<std::size_t> slow_ones(std::span<const MemberLoop> loops) {
 }  // namespace
 
 ComparedLoops::ComparedLoops(std::vector<storage::PlantCandidate> candidates,
-                             const config::Settings& settings, LaneTools& tools)
+                             const config::Settings& settings, SharedServices& tools)
     : candidates_(std::move(candidates)), settings_(settings), tools_(tools) {
   for (const storage::PlantCandidate& candidate : candidates_) loops_.push_back(loop_of(candidate));
   records_.resize(loops_.size());

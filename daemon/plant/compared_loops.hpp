@@ -21,7 +21,7 @@ namespace loopscope::daemon {
 class ComparedLoops {
  public:
   ComparedLoops(std::vector<storage::PlantCandidate> candidates, const config::Settings& settings,
-                LaneTools& tools);
+                SharedServices& tools);
 
   [[nodiscard]] bool read_errors();
   [[nodiscard]] bool read_longer();
@@ -42,7 +42,7 @@ class ComparedLoops {
 
   std::vector<storage::PlantCandidate> candidates_;
   const config::Settings& settings_;
-  LaneTools& tools_;
+  SharedServices& tools_;
   std::vector<core::plant::MemberLoop> loops_;  // views of records_ and longer_
   std::vector<core::plant::CascadePair> cascades_;
   std::vector<PlantSeries> records_, longer_;  // of every loop; empty = not read

@@ -39,7 +39,7 @@ std::optional<storage::PlantRoundRecord> compare(ComparedLoops& compared, CoreGa
 
 std::optional<storage::PlantRoundRecord> make_plant_round(storage::PlantRounds& rounds,
                                                           const config::Settings& settings,
-                                                          LaneTools& tools) {
+                                                          SharedServices& tools) {
   const std::optional<std::int64_t> slot_end_us = rounds.newest_slot_us();
   if (!slot_end_us) return std::nullopt;
   ComparedLoops compared(rounds.candidates(*slot_end_us, kMostLoops), settings, tools);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "config/settings.hpp"
-#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/service/shared/shared_services.hpp"
 #include "storage/results/plant/plant_rounds.hpp"
 
 namespace loopscope::daemon {
@@ -16,7 +16,7 @@ namespace loopscope::daemon {
 /// was analysed yet, or the process shall end. Throws storage::DatabaseError and Failure; then
 /// nothing was stored, and the round before holds.
 [[nodiscard]] std::optional<storage::PlantRoundRecord> make_plant_round(
-    storage::PlantRounds& rounds, const config::Settings& settings, LaneTools& tools);
+    storage::PlantRounds& rounds, const config::Settings& settings, SharedServices& tools);
 
 /// The round in a line for the log.
 [[nodiscard]] std::string round_text(const storage::PlantRoundRecord& round);

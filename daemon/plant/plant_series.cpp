@@ -100,7 +100,8 @@ void read_batch(storage::HistorianReader& historian, const Batch& batch,
 
 std::vector<PlantSeries> read_plant_series(Candidates candidates,
                                            std::span<const std::size_t> wanted, SeriesWanted how,
-                                           const config::Settings& settings, LaneTools& tools) {
+                                           const config::Settings& settings,
+                                           SharedServices& tools) {
   std::vector<PlantSeries> series(wanted.size());
   // The longer the windows, the fewer at a time: what a batch holds stays the same.
   const auto most = std::max<std::size_t>(

@@ -7,7 +7,7 @@
 
 #include "config/settings.hpp"
 #include "core/signal/loop_window.hpp"
-#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/service/shared/shared_services.hpp"
 #include "storage/results/plant/plant_candidates.hpp"
 
 namespace loopscope::daemon {
@@ -35,6 +35,6 @@ struct SeriesWanted {
 /// storage::DatabaseError when a historian is away, Failure when the settings have no such source.
 [[nodiscard]] std::vector<PlantSeries> read_plant_series(
     std::span<const storage::PlantCandidate> candidates, std::span<const std::size_t> wanted,
-    SeriesWanted how, const config::Settings& settings, LaneTools& tools);
+    SeriesWanted how, const config::Settings& settings, SharedServices& tools);
 
 }  // namespace loopscope::daemon

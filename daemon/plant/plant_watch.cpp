@@ -8,7 +8,7 @@
 #include "daemon/plant/plant_round.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/observe/stopwatch.hpp"
-#include "daemon/service/threads/workforce.hpp"
+#include "daemon/service/threads/worker_identity.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 
@@ -45,7 +45,7 @@ constexpr double kLeastHold_s = 1200.0;
 constexpr int kRefusalsToSay = 10;
 
 storage::PlantTurn round_when_due(storage::PlantRounds& rounds, double every_s,
-                                  const config::Settings& settings, LaneTools& tools) {
+                                  const config::Settings& settings, SharedServices& tools) {
   storage::PlantTurn turn =
       rounds.take_turn(every_s, process_name(), std::max(settings.schedule.lease_s, kLeastHold_s));
   if (turn.wait_s != 0.0) return turn;
@@ -68,7 +68,7 @@ void announce(storage::PlantRounds& rounds) {
 
 }  // namespace
 
-PlantWatch::PlantWatch(std::shared_ptr<const config::Settings> settings, LaneTools& tools)
+PlantWatch::PlantWatch(std::shared_ptr<const config::Settings> settings, SharedServices& tools)
     : tools_(tools),
       settings_(std::move(settings)),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
@@ -136,7 +136,7 @@ double PlantWatch::look(const config::Settings& settings) {
   return pause_s;
 }
 
-void compare_all_loops(const config::Settings& settings, LaneTools& tools) {
+void compare_all_loops(const config::Settings& settings, SharedServices& tools) {
   storage::PlantRounds rounds(results_connection(settings), tools.clocks.check());
   if (settings.plant.round_s > 0.0) {
     const storage::PlantTurn turn = round_when_due(rounds, 0.0, settings, tools);

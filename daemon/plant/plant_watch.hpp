@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "config/settings.hpp"
-#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/service/shared/shared_services.hpp"
 #include "storage/results/plant/plant_rounds.hpp"
 
 namespace loopscope::daemon {
@@ -21,7 +21,7 @@ namespace loopscope::daemon {
 /// fault for the log.
 class PlantWatch {
  public:
-  PlantWatch(std::shared_ptr<const config::Settings> settings, LaneTools& tools);
+  PlantWatch(std::shared_ptr<const config::Settings> settings, SharedServices& tools);
 
   void use(std::shared_ptr<const config::Settings> settings);
 
@@ -36,7 +36,7 @@ class PlantWatch {
   /// Says who has the turn when it has been another's at many looks in a row.
   void count_refusal(const std::string& holder);
 
-  LaneTools& tools_;
+  SharedServices& tools_;
   Clock::time_point next_round_{};  ///< not before; of the thread
   int refusals_ = 0;                ///< looks in a row at which another had the turn; of the thread
   std::mutex mutex_;                ///< over settings_
@@ -48,6 +48,6 @@ class PlantWatch {
 /// One comparison of all loops now, and the notices that follow, for a single pass; says in the log
 /// what it found. Another worker that is at it is left alone. Throws storage::DatabaseError and
 /// Failure.
-void compare_all_loops(const config::Settings& settings, LaneTools& tools);
+void compare_all_loops(const config::Settings& settings, SharedServices& tools);
 
 }  // namespace loopscope::daemon

@@ -14,10 +14,10 @@
 #include "daemon/output/write_file.hpp"
 #include "daemon/report/evidence/window_source.hpp"
 #include "daemon/report/figures/draw_figures.hpp"
+#include "daemon/report/loop_report.hpp"
 #include "daemon/report/make_pdf.hpp"
 #include "daemon/report/page/page.hpp"
 #include "daemon/report/sections/plant_section.hpp"
-#include "daemon/report/tell_loop.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
@@ -33,7 +33,7 @@ constexpr std::size_t kMostPictured = 100;
 
 struct Content {
   PlantFacts facts;
-  std::vector<LoopStory> stories;
+  std::vector<LoopReport> stories;
 };
 
 using LoopsById = std::map<std::int64_t, storage::CatalogueEntry>;
@@ -70,27 +70,27 @@ storage::CatalogueEntry entry_of(const LoopsById& loops, const storage::FlaggedR
 }
 
 /// Windows are read one after the other, looked at and drawn on all cores.
-void illustrate_all(const config::Settings& settings, std::span<LoopStory> stories,
+void illustrate_all(const config::Settings& settings, std::span<LoopReport> stories,
                     const std::stop_token& stop) {
   const std::filesystem::path gnuplot = find_gnuplot();
   const LoopsById loops = catalogue_of(settings);
   WindowSource windows(settings);
   std::vector<WindowSource::Reading> readings;
   std::vector<storage::CatalogueEntry> entries;
-  for (const LoopStory& story : stories) {
+  for (const LoopReport& story : stories) {
     entries.push_back(entry_of(loops, story.row));
     readings.push_back(windows.read(entries.back(), story.row.slot_end_us));
   }
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
   in_threads(stories.size(), threads, [&]() -> IndexedTask {
     return [&](std::size_t k) {
-      illustrate(stories[k], entries[k], readings[k], settings.analysis, gnuplot, stop);
+      add_figures(stories[k], entries[k], readings[k], settings.analysis, gnuplot, stop);
     };
   });
 }
 
-void leave_without_pictures(std::span<LoopStory> stories, const std::string& why) {
-  for (LoopStory& story : stories) story.trouble = why;
+void leave_without_pictures(std::span<LoopReport> stories, const std::string& why) {
+  for (LoopReport& story : stories) story.trouble = why;
 }
 
 void add_event_pictures(PlantFacts& facts, bool wanted, const std::stop_token& stop) {
@@ -109,10 +109,10 @@ void add_event_pictures(PlantFacts& facts, bool wanted, const std::stop_token& s
   }
 }
 
-void add_pictures(const config::Settings& settings, bool wanted, std::vector<LoopStory>& stories,
+void add_pictures(const config::Settings& settings, bool wanted, std::vector<LoopReport>& stories,
                   const std::stop_token& stop) {
   const std::size_t pictured = wanted ? std::min(stories.size(), kMostPictured) : 0;
-  const std::span<LoopStory> all(stories);
+  const std::span<LoopReport> all(stories);
   if (pictured > 0) illustrate_all(settings, all.first(pictured), stop);
   leave_without_pictures(
       all.subspan(pictured),
@@ -129,7 +129,7 @@ std::string title_of(const std::string& plant) {
 std::string page_of(const Content& content) {
   const PlantFacts& facts = content.facts;
   std::string text = plant_section(facts, LoopLinks::sections);
-  for (const LoopStory& story : content.stories) text += loop_section(story);
+  for (const LoopReport& story : content.stories) text += loop_section(story);
   return page(
       {title_of(facts.plant),
        fmt::format("Loopscope report, {} to {}", utc(facts.since_us), utc(facts.counts.now_us)),
@@ -170,7 +170,7 @@ ReportResult write_report(const config::Settings& settings, const ReportOptions&
   if (options.pdf) write(".pdf", pdf);
   write(".html", page);
   result.flagged = content.stories.size();
-  for (const LoopStory& story : content.stories) {
+  for (const LoopReport& story : content.stories) {
     if (story.trouble.empty()) continue;
     if (result.unpictured++ == 0) result.first_trouble = story.trouble;
   }

@@ -4,7 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "daemon/service/threads/workforce.hpp"
+#include "daemon/service/threads/worker_identity.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -16,7 +16,7 @@ constexpr std::size_t kClaimsAtATime = 1000;
 
 }  // namespace
 
-Heartbeat::Heartbeat(std::shared_ptr<const config::Settings> settings, LaneTools& tools)
+Heartbeat::Heartbeat(std::shared_ptr<const config::Settings> settings, SharedServices& tools)
     : tools_(tools),
       settings_(std::move(settings)),
       pause_(settings_->schedule.poll_s),

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "config/settings.hpp"
-#include "daemon/service/shared/lane_tools.hpp"
 #include "daemon/service/shared/results_link.hpp"
+#include "daemon/service/shared/shared_services.hpp"
 
 namespace loopscope::daemon {
 
@@ -22,7 +22,7 @@ class Heartbeat {
  public:
   using Clock = std::chrono::steady_clock;
 
-  Heartbeat(std::shared_ptr<const config::Settings> settings, LaneTools& tools);
+  Heartbeat(std::shared_ptr<const config::Settings> settings, SharedServices& tools);
 
   /// New settings are in force from the next beat on.
   void use(std::shared_ptr<const config::Settings> settings);
@@ -37,7 +37,7 @@ class Heartbeat {
   double beat();
   void extend(storage::ResultsDatabase& database, double hold_s);
 
-  LaneTools& tools_;
+  SharedServices& tools_;
   std::mutex mutex_;  ///< over what follows, up to the thread's own
   std::condition_variable_any changed_;
   std::shared_ptr<const config::Settings> settings_;

@@ -10,12 +10,12 @@
 #include <mutex>
 #include <vector>
 
+#include "daemon/service/analysis_thread.hpp"
 #include "daemon/service/heartbeat.hpp"
-#include "daemon/service/lane.hpp"
 #include "daemon/service/observe/stopwatch.hpp"
 #include "daemon/service/progress_bar.hpp"
 #include "daemon/service/shared/compare_clocks.hpp"
-#include "daemon/service/threads/workforce.hpp"
+#include "daemon/service/threads/worker_identity.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -24,7 +24,7 @@ namespace {
 /// thread's io_context alone.
 class Pass {
  public:
-  Pass(std::shared_ptr<const config::Settings> settings, LaneTools& tools)
+  Pass(std::shared_ptr<const config::Settings> settings, SharedServices& tools)
       : settings_(std::move(settings)),
         tools_(tools),
         signals_(context_, SIGINT, SIGTERM),
@@ -64,7 +64,7 @@ class Pass {
  private:
   void work(std::size_t index) {
     try {
-      Lane lane(settings_, index, SlotRule::newest_sample, tools_);
+      AnalysisThread lane(settings_, index, SlotRule::newest_sample, tools_);
       process_all(lane, [&] { return next_claims(lane); });
       // The last lane, so that a suspect which kills the process takes nothing with it.
       if (--walking_lanes_ == 0) process_all(lane, [&] { return next_suspect(lane); });
@@ -86,7 +86,7 @@ class Pass {
 
   /// Until there is nothing to claim.
   template <typename Claim>
-  void process_all(Lane& lane, Claim claim) {
+  void process_all(AnalysisThread& lane, Claim claim) {
     for (auto claims = claim(); !claims.empty(); claims = claim()) {
       const storage::WriteCount count = lane.process(claims);
       asio::post(context_, [this, count, loops = claims.size()] { account(count, loops); });
@@ -95,13 +95,13 @@ class Pass {
 
   /// Each at most once, since one that is done is none any more. Those that rest are left out: they
   /// have killed a process that had nothing else in hand.
-  std::vector<storage::ClaimedLoop> next_suspect(Lane& lane) {
+  std::vector<storage::ClaimedLoop> next_suspect(AnalysisThread& lane) {
     if (stopping_) return {};
     return lane.claim_suspect();
   }
 
   /// Claims are taken one lane at a time, so that all walk through the catalogue together.
-  std::vector<storage::ClaimedLoop> next_claims(Lane& lane) {
+  std::vector<storage::ClaimedLoop> next_claims(AnalysisThread& lane) {
     const std::lock_guard lock(cursor_mutex_);
     if (stopping_) return {};
     auto claims = lane.claim_next(cursor_);
@@ -118,7 +118,7 @@ class Pass {
   }
 
   std::shared_ptr<const config::Settings> settings_;
-  LaneTools& tools_;
+  SharedServices& tools_;
   asio::io_context context_;
   asio::signal_set signals_;
   std::size_t lanes_left_;
@@ -134,7 +134,8 @@ class Pass {
 
 }  // namespace
 
-PassResult run_pass(const std::shared_ptr<const config::Settings>& settings, LaneTools& tools) {
+PassResult run_pass(const std::shared_ptr<const config::Settings>& settings,
+                    SharedServices& tools) {
   return Pass(settings, tools).run();
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "config/settings.hpp"
-#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/service/shared/shared_services.hpp"
 #include "daemon/text/failure.hpp"
 #include "storage/results/results_database.hpp"
 #include "storage/stage_cost.hpp"
@@ -28,6 +28,6 @@ struct PassResult {
 /// one by one at the end. SIGTERM or SIGINT finishes what is in hand and ends early. Throws the
 /// first storage::DatabaseError of the results database after every worker has stopped.
 [[nodiscard]] PassResult run_pass(const std::shared_ptr<const config::Settings>& settings,
-                                  LaneTools& tools);
+                                  SharedServices& tools);
 
 }  // namespace loopscope::daemon

@@ -19,13 +19,13 @@
 #include "config/read_settings.hpp"
 #include "daemon/monitor/service_manager.hpp"
 #include "daemon/plant/plant_watch.hpp"
+#include "daemon/service/analysis_thread.hpp"
 #include "daemon/service/heartbeat.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/idle_pause.hpp"
-#include "daemon/service/lane.hpp"
 #include "daemon/service/observe/log.hpp"
 #include "daemon/service/service_watch.hpp"
-#include "daemon/service/threads/workforce.hpp"
+#include "daemon/service/threads/worker_identity.hpp"
 #include "daemon/service/work_report.hpp"
 #include "storage/check_connection.hpp"
 
@@ -43,7 +43,7 @@ class Service {
   explicit Service(std::filesystem::path file)
       : file_(std::move(file)),
         settings_(std::make_shared<config::Settings>(config::read_settings(file_))),
-        tools_(worker_count(settings_->daemon), Perseverance::endless),
+        tools_(worker_count(settings_->daemon), RetryLimit::endless),
         signals_(context_, SIGINT, SIGTERM, SIGHUP),
         pulse_timer_(context_),
         pool_(lane_count(settings_->daemon)),
@@ -76,13 +76,13 @@ class Service {
 
  private:
   /// A lane and when it looks again.
-  struct Seat {
-    Seat(asio::io_context& context, double poll_s) : timer(context), pause(poll_s) {}
-    std::optional<Lane> lane;
+  struct WorkerSlot {
+    WorkerSlot(asio::io_context& context, double poll_s) : timer(context), pause(poll_s) {}
+    std::optional<AnalysisThread> lane;
     asio::steady_timer timer;
     RetryPause pause;
   };
-  struct Drained : Look {
+  struct DrainResult : Look {
     storage::WriteCount count;
   };
 
@@ -105,7 +105,7 @@ class Service {
     stopping_ = true;
     watch_->stopping();
     tools_.bell.ring();
-    for (Seat& seat : seats_) seat.timer.cancel();
+    for (WorkerSlot& seat : seats_) seat.timer.cancel();
     end_when_idle();
   }
 
@@ -161,7 +161,7 @@ class Service {
       watch_->use(settings_);
       plant_->use(settings_);
       tell_sources();
-      for (Seat& seat : seats_) seat.pause = RetryPause(settings_->schedule.poll_s);
+      for (WorkerSlot& seat : seats_) seat.pause = RetryPause(settings_->schedule.poll_s);
       forget_faults_of_former(before->historians);
       spdlog::info("settings read again: {}", file_.string());
       if (wants_restart(before->daemon))
@@ -193,23 +193,23 @@ class Service {
 
   /// Sends an idle lane to look for due loops.
   void dispatch(std::size_t index) {
-    Seat& seat = seats_[index];
+    WorkerSlot& seat = seats_[index];
     if (!seat.lane || seat.lane->settings() != settings_) {
       seat.lane.emplace(settings_, index, SlotRule::clock, tools_);
     }
     ++busy_;
     asio::post(pool_, [this, index, &seat] {
-      const Drained drained = drain(*seat.lane);
+      const DrainResult drained = drain(*seat.lane);
       asio::post(context_, [this, index, drained] { rest(index, drained); });
     });
   }
 
   /// Back from the pool: until the next look.
-  void rest(std::size_t index, const Drained& drained) {
+  void rest(std::size_t index, const DrainResult& drained) {
     --busy_;
     add(sum_, drained.count);
     if (stopping_) return end_when_idle();
-    Seat& seat = seats_[index];
+    WorkerSlot& seat = seats_[index];
     if (seat.lane->settings() != settings_) return dispatch(index);
     seat.timer.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
         std::chrono::duration<double>(
@@ -230,8 +230,8 @@ class Service {
   }
 
   /// Works until nothing is due. Runs on a pool thread.
-  Drained drain(Lane& lane) {
-    Drained drained;
+  DrainResult drain(AnalysisThread& lane) {
+    DrainResult drained;
     try {
       WorkReport report(lane.cost());
       for (int round = 1; lane.settings().get() == in_force_; ++round) {
@@ -258,7 +258,7 @@ class Service {
   }
 
   /// Suspects come after all others, but not never.
-  std::vector<storage::ClaimedLoop> next_claims(Lane& lane, int round) {
+  std::vector<storage::ClaimedLoop> next_claims(AnalysisThread& lane, int round) {
     if (stopping_) return {};
     const bool suspect_first = round % kSuspectEvery == 0;
     auto claims = suspect_first ? lane.claim_suspect() : lane.claim_due();
@@ -268,11 +268,11 @@ class Service {
 
   std::filesystem::path file_;
   std::shared_ptr<const config::Settings> settings_;
-  LaneTools tools_;
+  SharedServices tools_;
   asio::io_context context_;
   asio::signal_set signals_;
   asio::steady_timer pulse_timer_;
-  std::deque<Seat> seats_;
+  std::deque<WorkerSlot> seats_;
   std::size_t busy_ = 0;  ///< lanes on the pool
   asio::thread_pool pool_;
   std::atomic<bool> stopping_ = false;

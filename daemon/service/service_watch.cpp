@@ -37,13 +37,13 @@ double seconds(duration<double> time) {
 
 /// SQLSTATE classes: no such schema or another version of it; an object of it is missing or
 /// changed.
-bool speaks_of_schema(const storage::DatabaseError& error) {
+bool is_schema_error(const storage::DatabaseError& error) {
   return error.sqlstate().starts_with("3F") || error.sqlstate().starts_with("42");
 }
 
 }  // namespace
 
-ServiceWatch::ServiceWatch(std::shared_ptr<const config::Settings> settings, LaneTools& tools,
+ServiceWatch::ServiceWatch(std::shared_ptr<const config::Settings> settings, SharedServices& tools,
                            Heartbeat& heartbeat)
     : tools_(tools),
       heartbeat_(heartbeat),
@@ -168,7 +168,7 @@ void ServiceWatch::look(ResultsLink& link, const config::Settings& settings) {
                                        schedule.lag_s, schedule.failing_loops));
   } catch (const storage::DatabaseError& error) {
     link.say(error);
-    if (speaks_of_schema(error)) health_.schema_refused(error.what());
+    if (is_schema_error(error)) health_.schema_refused(error.what());
     if (!stopping_) ServiceManager::status("the results database is away");
   } catch (const std::exception& error) {
     tools_.faults.fault("monitor", error.what());

@@ -16,7 +16,7 @@
 #include "daemon/report/live/live_pages.hpp"
 #include "daemon/report/report_schedule.hpp"
 #include "daemon/service/heartbeat.hpp"
-#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/service/shared/shared_services.hpp"
 
 namespace loopscope::daemon {
 
@@ -29,7 +29,7 @@ class ServiceWatch {
   using Clock = std::chrono::steady_clock;
 
   /// An HTTP address that cannot be had is a fault for the log: the work goes on without.
-  ServiceWatch(std::shared_ptr<const config::Settings> settings, LaneTools& tools,
+  ServiceWatch(std::shared_ptr<const config::Settings> settings, SharedServices& tools,
                Heartbeat& heartbeat);
   ~ServiceWatch();
 
@@ -48,7 +48,7 @@ class ServiceWatch {
   void recall_stray(ResultsLink& link, double settle_s);
   [[nodiscard]] std::shared_ptr<const config::Settings> settings();
 
-  LaneTools& tools_;
+  SharedServices& tools_;
   Heartbeat& heartbeat_;
   std::mutex mutex_;  ///< over settings_ and pulsed_at_
   std::shared_ptr<const config::Settings> settings_;

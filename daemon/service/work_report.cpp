@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "daemon/service/observe/cost_text.hpp"
-#include "daemon/service/threads/workforce.hpp"
+#include "daemon/service/threads/worker_identity.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -32,7 +32,7 @@ Outcome run_draw(const std::string& kind, std::uint64_t seed, const Plan& plan) 
   const core::signal::LoopWindow window = window_of(record, record.interval_s);
   core::LoopFacts facts{
       .integrating = record.truth.loop.integrating, .seed = seed, .without = plan.without};
-  std::vector<core::model::Answer> others;
+  std::vector<core::model::TestOutcome> others;
   if (plan.permuted) {
     others = answers_of(other_kind(plan, kind), seed, plan);
     facts.without.hear_instead(others);

@@ -6,20 +6,20 @@
 
 #include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/loop_model.hpp"
-#include "core/model/look.hpp"
-#include "core/model/residual_tests/asked.hpp"
+#include "core/model/baseline_analysis.hpp"
+#include "core/model/residual_tests/nominations.hpp"
 #include "tests/effects/window_of.hpp"
 #include "tests/support/in_threads.hpp"
 
 namespace loopscope::tests::effects {
 namespace {
 
-using core::model::Answer;
+using core::model::TestOutcome;
 
-std::vector<std::string> tests_of(const std::vector<std::vector<Answer>>& draws) {
+std::vector<std::string> tests_of(const std::vector<std::vector<TestOutcome>>& draws) {
   std::vector<std::string> names;
-  for (const std::vector<Answer>& answers : draws) {
-    for (const Answer& answer : answers)
+  for (const std::vector<TestOutcome>& answers : draws) {
+    for (const TestOutcome& answer : answers)
       if (std::ranges::find(names, answer.question.name) == names.end())
         names.emplace_back(answer.question.name);
   }
@@ -31,11 +31,11 @@ std::size_t width_of(const std::string& test) {
   return std::max<std::size_t>(5, test.size());
 }
 
-std::string line_of(const std::string& kind, std::span<const std::vector<Answer>> draws,
+std::string line_of(const std::string& kind, std::span<const std::vector<TestOutcome>> draws,
                     const std::vector<std::string>& tests) {
   std::string line = fmt::format("{:32}", kind);
   for (const std::string& test : tests) {
-    const auto passes = std::ranges::count_if(draws, [&](const std::vector<Answer>& answers) {
+    const auto passes = std::ranges::count_if(draws, [&](const std::vector<TestOutcome>& answers) {
       return p_of(answers, test) <= core::model::kAsks;
     });
     const double share = 100.0 * static_cast<double>(passes) / static_cast<double>(draws.size());
@@ -46,14 +46,14 @@ std::string line_of(const std::string& kind, std::span<const std::vector<Answer>
 
 }  // namespace
 
-std::vector<Answer> answers_of(const std::string& kind, std::uint64_t seed, const Plan& plan) {
+std::vector<TestOutcome> answers_of(const std::string& kind, std::uint64_t seed, const Plan& plan) {
   const Record record = generate(kind, seed, plan.size, plan.noise);
   const core::FirstLook first = core::first_look(window_of(record, record.interval_s), {});
-  return core::model::look_at(core::model_input(first, {.seed = seed})).answers;
+  return core::model::analyse_baseline(core::model_input(first, {.seed = seed})).answers;
 }
 
 std::string passing_table(const Plan& plan) {
-  std::vector<std::vector<Answer>> draws(plan.kinds.size() * plan.draws);
+  std::vector<std::vector<TestOutcome>> draws(plan.kinds.size() * plan.draws);
   in_threads(draws.size(), plan.threads, [&](std::size_t job) {
     draws[job] = answers_of(plan.kinds[job / plan.draws], plan.seed + job % plan.draws, plan);
   });

@@ -3,8 +3,8 @@
 #include <ctime>
 #include <string>
 
-#include "core/model/controller/controller_trap.hpp"
 #include "core/model/controller/excitation.hpp"
+#include "core/model/controller/inverse_controller_fit.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/known_loops.hpp"
 #include "tests/core/model/tuning_cases.hpp"
@@ -104,7 +104,8 @@ LOOPSCOPE_TABLE(closed_loop_cost, "microseconds of each judgement") {
   print_cost("excitation", [&] {
     (void)judge_excitation({records.op, records.pv, true, records.pv});
   });
-  print_cost("controller_trap", [&] { (void)judge_controller_trap(late, law, records.op, 1.0); });
+  print_cost("inverse_controller_fit",
+             [&] { (void)judge_controller_trap(late, law, records.op, 1.0); });
   print_cost("tuning, delay 2", [&] { (void)judge_tuning(loop.process, law, 1.0); });
   print_cost("tuning, delay 12", [&] { (void)judge_tuning(late, law, 1.0); });
   late.delay_s = 25.0;

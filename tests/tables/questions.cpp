@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "core/model/residual_tests/question_residual.hpp"
+#include "core/model/residual_tests/test_residual.hpp"
 #include "core/model/residual_tests/tests/coupling.hpp"
 #include "tests/core/model/residual_tests/pass_rates.hpp"
 #include "tests/tables/table.hpp"
@@ -45,7 +45,7 @@ LOOPSCOPE_TABLE(question_events, "the same in Laplacian GARCH noise") {
     PassRates rates;
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {
       const Series r = tests::white(White::garch_laplace, samples, seed);
-      count(question_residual(tests::closed_loop(r, seed).view()), rates);
+      count(test_residual(tests::closed_loop(r, seed).view()), rates);
     }
     print(std::to_string(samples), rates, 0);
   }
@@ -68,10 +68,10 @@ LOOPSCOPE_TABLE(question_cost, "milliseconds of a round") {
   double least_ms = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 20; ++round) {
     const std::clock_t begin = std::clock();
-    for (int k = 0; k < 20; ++k) (void)question_residual(loop.view());
+    for (int k = 0; k < 20; ++k) (void)test_residual(loop.view());
     least_ms = std::min(least_ms, 1e3 / 20.0 * double(std::clock() - begin) / CLOCKS_PER_SEC);
   }
-  std::printf("question_residual, 4096 samples: %.2f ms\n", least_ms);
+  std::printf("test_residual, 4096 samples: %.2f ms\n", least_ms);
 }
 
 LOOPSCOPE_TABLE(question_powers, "how often each question sees each scenario") {

@@ -110,7 +110,7 @@ Value of_hysteresis(const Evidence& evidence) {
 Value as_if_stuck(const Evidence& evidence) {
   if (evidence.integrating) return std::nullopt;
   if (evidence.cycle && !model::follows_in_cycle(evidence.cycle->evidence)) return std::nullopt;
-  return of_hysteresis<&model::Step::cycles_as_if_stuck>(evidence);
+  return of_hysteresis<&model::Step::cycle_indicates_stiction>(evidence);
 }
 
 Value all_hysteresis(const Evidence& evidence) {

@@ -27,7 +27,7 @@ struct TuningJudgement {
 
 /// Self-regulating loops are sluggish when integral action is less than a quarter of SIMC's;
 /// integrating ones never are, they may be meant to average. Thresholds hold with the process 20 %
-/// off in gain and time constant (core/model/controller/README.md). Throws std::invalid_argument
+/// off in gain and time constant (core/model/controller/MEASURED.md). Throws std::invalid_argument
 /// unless interval_s > 0 and the fit's gain is not 0.
 [[nodiscard]] TuningJudgement judge_tuning(const ProcessFit& fit, const ControllerLaw& law,
                                            double interval_s);

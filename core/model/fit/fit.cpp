@@ -54,9 +54,9 @@ Fit finished(const LoopData& data, const Structure& structure, const Solution& s
 
 /// Whether a fit may still come below an error. Of 5000 steps the whole way from there on, in n ln,
 /// was more than three times the promise of the first in 3 %.
-class Hope {
+class EarlyStop {
  public:
-  Hope(const LoopData& data, double to_beat)
+  EarlyStop(const LoopData& data, double to_beat)
       : to_beat_(to_beat), slack_(1.0 / static_cast<double>(data.rows.fit_count() + 1)) {}
   [[nodiscard]] bool is_left(double error, double promise) const {
     constexpr double kTimes = 3.0;
@@ -98,7 +98,7 @@ std::vector<double> deterministic_output(const LoopData& data, const Fit& fit) {
 Fit polish(const LoopData& data, const Structure& start, int iterations, double to_beat) {
   constexpr double kWorthwhile = 1e-4;  // relative gain of a step below which the fit has settled
   constexpr double kPromising = 0.5 * kWorthwhile;  // a promise below which there is none to come
-  const Hope hope(data, to_beat);
+  const EarlyStop hope(data, to_beat);
   const DesignMaker maker(data, start.effects);
   Structure structure = start;
   Solution solution, tried;

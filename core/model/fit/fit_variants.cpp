@@ -139,7 +139,7 @@ std::vector<double> FitVariants::fit_errors(std::span<const ValveAndProcess> val
     for (const ValveAndProcess& one : valves) errors.push_back(fit_error(*one.valve, *one.process));
     return errors;
   }
-  const ValveAnswers answers(flow_, structure_, steady_columns_, data_.rows.fit);
+  const ValveResponses answers(flow_, structure_, steady_columns_, data_.rows.fit);
   AddedColumn added(steady_normal_);
   const auto rows = static_cast<double>(data_.rows.fit_count());
   const bool ranked = digits == Digits::single && !structure_.two_taps && rows > 0.0;

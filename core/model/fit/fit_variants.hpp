@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/model/fit/batched/valve_answers.hpp"
+#include "core/model/fit/batched/valve_responses.hpp"
 #include "core/model/fit/design.hpp"
 
 namespace loopscope::core::model {

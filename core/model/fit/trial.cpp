@@ -57,23 +57,24 @@ std::vector<Range> without(const std::vector<Range>& ranges, const std::vector<R
 
 }  // namespace
 
-TwinFit twin(const LoopData& data, Fit fit) {
-  const LoopData other = mirrored(data);
-  Fit mirror = polish(other, fit.structure, 4);
+CrossFit cross_fit(const LoopData& data, Fit fit) {
+  const LoopData other = on_other_fold(data);
+  Fit other_fold = polish(other, fit.structure, 4);
   // A valve's band is a needle: the half that it is scored on stands for the tries of its search.
   const Effect* last = fit.structure.effects.empty() ? nullptr : fit.structure.effects.back().get();
   if (last != nullptr && !is_valve_hysteresis(last->kind()) &&
       traits_of(last->kind()).moves_on_half)
-    mirror = refine_last(other, std::move(mirror), 0.25);
-  return {std::move(fit), std::move(mirror)};
+    other_fold = refine_last(other, std::move(other_fold), 0.25);
+  return {std::move(fit), std::move(other_fold)};
 }
 
-Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& after, bool once) {
+Comparison compare(const LoopData& data, const CrossFit& before, const CrossFit& after, bool once) {
   ErrorSums sums;
   add_up(data, data.rows.score, before.fit, after.fit, sums);
   // Rows that both have seen count once.
   if (!once)
-    add_up(data, without(data.rows.fit, data.rows.score), before.mirror, after.mirror, sums);
+    add_up(data, without(data.rows.fit, data.rows.score), before.other_fold, after.other_fold,
+           sums);
   Comparison result;
   if (sums.rows == 0 || sums.after <= 0.0) return result;
   const auto n = static_cast<double>(sums.rows);
@@ -88,8 +89,9 @@ Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& a
   return result;
 }
 
-TwinFit reevaluated(const LoopData& rows, const TwinFit& fit) {
-  return {evaluate(rows, fit.fit.structure), evaluate(mirrored(rows), fit.mirror.structure)};
+CrossFit reevaluated(const LoopData& rows, const CrossFit& fit) {
+  return {evaluate(rows, fit.fit.structure),
+          evaluate(on_other_fold(rows), fit.other_fold.structure)};
 }
 
 bool is_plausible(const Fit& fit) {

@@ -5,11 +5,11 @@
 namespace loopscope::core::model {
 
 /// A structure fitted twice, each time to the rows that the other is scored on.
-struct TwinFit {
-  Fit fit;     ///< on the fit rows
-  Fit mirror;  ///< on the score rows, from where `fit` ended
+struct CrossFit {
+  Fit fit;         ///< on the fit rows
+  Fit other_fold;  ///< on the score rows, from where `fit` ended
 };
-[[nodiscard]] TwinFit twin(const LoopData& data, Fit fit);
+[[nodiscard]] CrossFit cross_fit(const LoopData& data, Fit fit);
 
 /// How much better one fit predicts than another on rows that it has not seen, or that both halves
 /// see; each counts once.
@@ -20,15 +20,15 @@ struct Comparison {
   /// Of the split likelihood ratio (Wasserman, Ramdas and Balakrishnan 2020): a model fitted on one
   /// half is exp(evidence / 2) times likelier than the null on the other half with at most the
   /// probability exp(-evidence / 2), however long the search was that found it. That holds for one
-  /// half; over both the share at 0.001 was measured to be 0.0015 at most (README.md).
+  /// half; over both the share at 0.001 was measured to be 0.0015 at most.
   double p = 1.0;
   double steadiness = 0.0;  ///< share of an eighth of the record each in which the error falls
 };
-[[nodiscard]] Comparison compare(const LoopData& data, const TwinFit& before, const TwinFit& after,
-                                 bool once = false);
+[[nodiscard]] Comparison compare(const LoopData& data, const CrossFit& before,
+                                 const CrossFit& after, bool once = false);
 
 /// Both fits of a structure that stands, on other rows.
-[[nodiscard]] TwinFit reevaluated(const LoopData& rows, const TwinFit& fit);
+[[nodiscard]] CrossFit reevaluated(const LoopData& rows, const CrossFit& fit);
 
 /// Whether the last effect does no more than such an effect does in a plant.
 [[nodiscard]] bool is_plausible(const Fit& fit);

@@ -44,7 +44,7 @@ bool has_band(const Step& step) {
 }
 
 void mark_as_stuck(Step& step, const CycleEvidence& cycle) {
-  step.cycles_as_if_stuck = true;
+  step.cycle_indicates_stiction = true;
   step.statement +=
       " The loop keeps up a cycle about it, as behind a valve that sticks: the band is " +
       in_percent(step.parameters.front().value / cycle.travel) +
@@ -76,7 +76,7 @@ void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps) {
     const bool play = step.effect == EffectKind::valve_deadband;
     if (play && odds > 0.0 && cycles && follows_in_cycle(cause.evidence))
       mark_as_stuck(step, cause.evidence);
-    step.beside_the_cycle = !play && odds < kThreeToOneAgainst && steadily;
+    step.cycle_contradicts_valve = !play && odds < kThreeToOneAgainst && steadily;
   }
 }
 

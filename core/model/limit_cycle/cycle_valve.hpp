@@ -24,11 +24,11 @@ namespace loopscope::core::model {
 /// Play: the one-step error hardly tells it from stiction, but a self-regulating loop with play
 /// does not cycle by itself (one whose process integrates in the cycle does). Where the odds are
 /// above 0 and op repeats its half cycle better than noise does the step is marked
-/// `cycles_as_if_stuck`; clearly better, and more often than the setpoint turns, where that moves
-/// op: moves back and forth across play look alike. The effect stays play, which is what the error
-/// shows: in front of a lag that the integral action outruns play hunts as well. Stiction: where op
-/// repeats its half cycle under a setpoint at rest and the odds are three to one against, the step
-/// is marked `beside_the_cycle`: something else makes the loop cycle.
+/// `cycle_indicates_stiction`; clearly better, and more often than the setpoint turns, where that
+/// moves op: moves back and forth across play look alike. The effect stays play, which is what the
+/// error shows: in front of a lag that the integral action outruns play hunts as well. Stiction:
+/// where op repeats its half cycle under a setpoint at rest and the odds are three to one against,
+/// the step is marked `cycle_contradicts_valve`: something else makes the loop cycle.
 void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps);
 
 }  // namespace loopscope::core::model

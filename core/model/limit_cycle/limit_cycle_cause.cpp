@@ -59,7 +59,7 @@ double steady_triangle(const CycleEvidence& e) {
   return weight * std::clamp(e.op_triangle, -0.1, 0.12);
 }
 
-/// Logistic regression on simulated recordings, see README.md. The limits keep one
+/// Logistic regression on simulated recordings, see MEASURED.md. The limits keep one
 /// figure far outside of what was simulated from deciding alone.
 double score_of(const CycleEvidence& e) {
   constexpr double kLeastRatio = 1e-3;

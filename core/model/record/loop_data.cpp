@@ -137,7 +137,7 @@ std::size_t Rows::score_count() const {
   return count(score);
 }
 
-LoopData mirrored(LoopData data) {
+LoopData on_other_fold(LoopData data) {
   std::swap(data.rows.fit, data.rows.score);
   return data;
 }

@@ -57,7 +57,7 @@ struct LoopData {
                                       double sample_interval_s, const RowGrid& grid = {});
 
 /// The fit sees what it was scored on, and the other way round.
-[[nodiscard]] LoopData mirrored(LoopData data);
+[[nodiscard]] LoopData on_other_fold(LoopData data);
 
 /// The fit sees the rows of both kinds; the score is what it was.
 [[nodiscard]] LoopData seen_whole(LoopData data);

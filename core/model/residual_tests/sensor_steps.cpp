@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/residual_tests/asked.hpp"
+#include "core/model/residual_tests/nominations.hpp"
 #include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
@@ -12,8 +12,8 @@ namespace {
 /// A fact of the values, which nothing else makes by chance.
 constexpr double kClearP = 1e-6;
 
-const Nomination* nominated(const std::vector<Answer>& answers, EffectKind kind) {
-  for (const Answer& answer : answers) {
+const Nomination* nominated(const std::vector<TestOutcome>& answers, EffectKind kind) {
+  for (const TestOutcome& answer : answers) {
     for (const Nomination& nomination : answer.nominations) {
       if (nomination.effect == kind && nomination.p <= kClearP) return &nomination;
     }
@@ -36,7 +36,7 @@ Step sensor_step(EffectKind kind, double p, const Parameter& parameter, double e
 
 }  // namespace
 
-SensorFinding find_sensor_steps(double error, const std::vector<Answer>& answers) {
+SensorFinding find_sensor_steps(double error, const std::vector<TestOutcome>& answers) {
   const Asked asked(answers);
   SensorFinding finding;
   const Nomination* held = nominated(answers, EffectKind::sensor_hold);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/model/residual_tests/question_residual.hpp"
+#include "core/model/residual_tests/test_residual.hpp"
 #include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {
@@ -20,6 +20,7 @@ struct SensorFinding {
 /// Takes the answers to "grid" and "held" for steps where they are clear; `error` is that of the
 /// baseline, pv units squared, and stands before and after each step: a grid need not lower it, and
 /// what a held sensor leaves is for the caller to find out.
-[[nodiscard]] SensorFinding find_sensor_steps(double error, const std::vector<Answer>& answers);
+[[nodiscard]] SensorFinding find_sensor_steps(double error,
+                                              const std::vector<TestOutcome>& answers);
 
 }  // namespace loopscope::core::model

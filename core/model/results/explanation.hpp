@@ -57,9 +57,9 @@ struct Step {
   std::optional<double> simulation_ratio;
   double steadiness = 1.0;  ///< share of the record's parts in which the effect lowers the error
   /// Of a valve: the loop cycles, but not about this band (cycle_valve.hpp).
-  bool beside_the_cycle = false;
+  bool cycle_contradicts_valve = false;
   /// Of play: the loop keeps up a cycle about this band, as behind a valve that sticks.
-  bool cycles_as_if_stuck = false;
+  bool cycle_indicates_stiction = false;
   /// Of a load step that comes when the loop answers its setpoint: the chance that loads at any
   /// time do so (steps_after_moves.hpp). 1 = it comes at another time.
   double setpoint_chance = 1.0;

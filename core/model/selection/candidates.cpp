@@ -9,8 +9,8 @@
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit/trial.hpp"
 #include "core/model/selection/nominate.hpp"
-#include "core/model/valve_search/hysteresis_net.hpp"
-#include "core/model/valve_search/stem_search.hpp"
+#include "core/model/valve_search/hysteresis_grid_search.hpp"
+#include "core/model/valve_search/stiction_search.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -47,16 +47,16 @@ void add_hysteresis(const Round& round, double other_gain, std::vector<Candidate
   constexpr double kLeastGain = 5.0;
   if (!round.data.without.has(Mechanism::play_net)) return;
   const double worth_searching = std::max(kLeastGain, 0.1 * other_gain);
-  const auto add = [&](const NetFind& find) {
+  const auto add = [&](const GridResult& find) {
     const double gain = gain_of(round.data, round.now.fit.fit_error, find.fit_error);
     list.push_back({find.structure.effects.back(), find.structure, gain});
     return gain;
   };
   const Fit& now = round.now.fit;
-  const std::optional<NetFind> play =
+  const std::optional<GridResult> play =
       find_play(round.data, now, error_after(round.data, now.fit_error, kLeastGain));
   if (!play || add(*play) < worth_searching || !can_seek_sticking(play->structure)) return;
-  for (const NetFind& find : find_sticking(round.data, round.now.fit, *play)) add(find);
+  for (const GridResult& find : find_sticking(round.data, round.now.fit, *play)) add(find);
   if (!round.data.without.has(Mechanism::stem_search)) return;
   const EffectPtr& effect = play->structure.effects.back();
   const double band = effect->as_valve()->valve().stickband_percent;
@@ -72,7 +72,7 @@ std::size_t tries_of(const Round& round, EffectKind kind, std::size_t nominees) 
 
 /// The best few are put in place: where a level comes with the new gain, a net of places shows of a
 /// sudden change what a slow one would explain as well.
-void place_best(const FirstLooks& looks, std::vector<Candidate>& list) {
+void place_best(const EffectScreening& looks, std::vector<Candidate>& list) {
   constexpr std::size_t kPlaced = 3;
   for (std::size_t i = 0; i < std::min(kPlaced, list.size()); ++i) {
     if (list[i].gain >= kWorthPlacing) looks.put_in_place(list[i]);

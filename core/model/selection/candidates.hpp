@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/model/selection/first_looks.hpp"
+#include "core/model/selection/effect_screening.hpp"
 #include "core/model/selection/round.hpp"
 
 namespace loopscope::core::model {
@@ -28,7 +28,7 @@ class CandidateSearch {
   [[nodiscard]] SoughtKind look_at(EffectKind kind);
 
   const Round& round_;
-  FirstLooks looks_;
+  EffectScreening looks_;
   std::vector<SoughtKind> kinds_;
   double best_look_ = 0.0;  ///< of all kinds, n ln
 };

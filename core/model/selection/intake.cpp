@@ -9,7 +9,7 @@
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit/baseline.hpp"
 #include "core/model/fit/simulation_error.hpp"
-#include "core/model/residual_tests/asked.hpp"
+#include "core/model/residual_tests/nominations.hpp"
 #include "core/model/selection/closer_look.hpp"
 #include "core/model/selection/round.hpp"
 
@@ -17,9 +17,9 @@ namespace loopscope::core::model {
 namespace {
 
 /// At the price of the winner's search; of kinds that were passed over, what they promised.
-double rival_evidence(const std::vector<Contestant>& trials, double passed_over) {
-  const Contestant& winner = trials.front();
-  for (const Contestant& trial : trials) {
+double rival_evidence(const std::vector<CandidateFit>& trials, double passed_over) {
+  const CandidateFit& winner = trials.front();
+  for (const CandidateFit& trial : trials) {
     if (!same_cause(trial.kind(), winner.kind()))
       return std::max(passed_over, trial.worth() + winner.price);
   }
@@ -27,9 +27,9 @@ double rival_evidence(const std::vector<Contestant>& trials, double passed_over)
 }
 
 /// All but its fit.
-Chapter chapter_of(const std::vector<Contestant>& trials, double passed_over) {
-  const Contestant& winner = trials.front();
-  Chapter chapter;
+SelectedEffect chapter_of(const std::vector<CandidateFit>& trials, double passed_over) {
+  const CandidateFit& winner = trials.front();
+  SelectedEffect chapter;
   chapter.comparison = winner.comparison;
   chapter.rival_evidence = rival_evidence(trials, passed_over);
   chapter.simulation_ratio = simulation_error(winner.rows, winner.fit.fit) /
@@ -40,21 +40,22 @@ Chapter chapter_of(const std::vector<Contestant>& trials, double passed_over) {
 
 /// The process once more with the effect in its place: process and noise may have been bent by its
 /// absence, so that they are also sought from a plain noise.
-void settle_chapter(const LoopData& rows, Chapter& chapter) {
-  if (!rows.without.has(Mechanism::settled_chapter)) return;
+void settle_chapter(const LoopData& rows, SelectedEffect& chapter) {
+  if (!rows.without.has(Mechanism::settled_effect)) return;
   Structure plain = chapter.fit.fit.structure;
   plain.noise = NoiseModel{};
   for (const Structure& start : {chapter.fit.fit.structure, plain}) {
     Fit again = search_process(rows, start);
     if (again.fit_error < chapter.fit.fit.fit_error && is_plausible(again))
-      chapter.fit = twin(rows, std::move(again));
+      chapter.fit = cross_fit(rows, std::move(again));
   }
 }
 
-void add_chapter(const IntakeTerms& terms, std::vector<Contestant>& trials, Story& story) {
+void add_chapter(const IntakeTerms& terms, std::vector<CandidateFit>& trials,
+                 StepwiseModel& story) {
   complete(trials.front());
-  Chapter chapter = chapter_of(trials, terms.passed_over);
-  const TwinFit& judged = chapter.judged.fit;
+  SelectedEffect chapter = chapter_of(trials, terms.passed_over);
+  const CrossFit& judged = chapter.judged.fit;
   story.data = judged_on(terms.original, judged.fit.structure);
   chapter.fit = reevaluated(story.data, judged);
   settle_chapter(story.data, chapter);
@@ -75,7 +76,7 @@ bool comes_alone(EffectKind kind) {
   return !is_from_outside(kind);
 }
 
-bool answers_its_tests(const Contestant& trial, const Chapter& chapter) {
+bool answers_its_tests(const CandidateFit& trial, const SelectedEffect& chapter) {
   const EffectKind kind = chapter.kind();
   if (!comes_alone(kind) || !trial.rows.without.has(Mechanism::share_left)) return true;
   const double left = share_left(asked_by(kind, chapter.asked_for, chapter.left));
@@ -83,7 +84,7 @@ bool answers_its_tests(const Contestant& trial, const Chapter& chapter) {
 }
 
 /// Whether a test that asked for a valve still sees what it saw.
-bool is_still_asked_for(const Chapter& chapter) {
+bool is_still_asked_for(const SelectedEffect& chapter) {
   const EffectKind kind = chapter.kind();
   return is_valve_hysteresis(kind) &&
          std::ranges::any_of(
@@ -94,7 +95,7 @@ bool is_still_asked_for(const Chapter& chapter) {
 /// One round's trials on their way into the story.
 class Intake {
  public:
-  Intake(std::vector<Contestant> trials, const IntakeTerms& terms, Story& story)
+  Intake(std::vector<CandidateFit> trials, const IntakeTerms& terms, StepwiseModel& story)
       : trials_(std::move(trials)), terms_(terms), story_(story), before_(story.data) {}
 
   bool run() {
@@ -137,7 +138,7 @@ class Intake {
 
   void put_in() {
     add_chapter(terms_, trials_, story_);
-    Chapter& chapter = story_.chapters.back();
+    SelectedEffect& chapter = story_.chapters.back();
     chapter.asked_for = terms_.answers;
     chapter.left = terms_.tests(story_.data, chapter.fit.fit);
   }
@@ -150,21 +151,21 @@ class Intake {
   /// Whether that found a better valve, which the first trial is then.
   bool look_again(const Fit& settled) {
     if (!is_valve_hysteresis(trials_.front().kind())) return false;
-    std::optional<Contestant> closer = look_closer(trials_.front(), settled, ++looks_);
+    std::optional<CandidateFit> closer = look_closer(trials_.front(), settled, ++looks_);
     if (closer) trials_.front() = std::move(*closer);
     return closer.has_value();
   }
 
-  std::vector<Contestant> trials_;
+  std::vector<CandidateFit> trials_;
   const IntakeTerms& terms_;
-  Story& story_;
+  StepwiseModel& story_;
   const LoopData before_;
   std::size_t looks_ = 0;
 };
 
 }  // namespace
 
-bool take_in(std::vector<Contestant> trials, const IntakeTerms& terms, Story& story) {
+bool take_in(std::vector<CandidateFit> trials, const IntakeTerms& terms, StepwiseModel& story) {
   return Intake(std::move(trials), terms, story).run();
 }
 

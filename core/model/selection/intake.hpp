@@ -3,16 +3,16 @@
 #include <optional>
 #include <vector>
 
-#include "core/model/selection/contestant.hpp"
-#include "core/model/selection/story.hpp"
+#include "core/model/selection/candidate_fit.hpp"
+#include "core/model/selection/stepwise_model.hpp"
 
 namespace loopscope::core::model {
 
 /// What a round's trials are taken in by.
 struct IntakeTerms {
-  const LoopData& original;            ///< before any effect placed its rows
-  const ResidualTests& tests;          ///< put to what is left once an effect is in
-  const std::vector<Answer>& answers;  ///< what they said before
+  const LoopData& original;                 ///< before any effect placed its rows
+  const ResidualTests& tests;               ///< put to what is left once an effect is in
+  const std::vector<TestOutcome>& answers;  ///< what they said before
   std::optional<EffectKind> outdone_by = std::nullopt;  ///< Contest::outdone_by
   double passed_over = 0.0;                             ///< Contest::passed_over
 };
@@ -26,6 +26,7 @@ struct IntakeTerms {
 /// samples, or that does not foresee what it should, is looked for once more before it is weighed,
 /// and again as long as a test that asked for it still speaks with it in the model
 /// (closer_look.hpp).
-[[nodiscard]] bool take_in(std::vector<Contestant> trials, const IntakeTerms& terms, Story& story);
+[[nodiscard]] bool take_in(std::vector<CandidateFit> trials, const IntakeTerms& terms,
+                           StepwiseModel& story);
 
 }  // namespace loopscope::core::model

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/model/fit/fit.hpp"
-#include "core/model/residual_tests/statistics/answer.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/model/fit/trial.hpp"
-#include "core/model/residual_tests/asked.hpp"
+#include "core/model/residual_tests/nominations.hpp"
 
 namespace loopscope::core::model {
 
@@ -18,7 +18,7 @@ enum class Reach {
 struct Round {
   const LoopData& original;  ///< rows as laid out, before any step was seen by fit and score alike
   const LoopData& data;      ///< rows on which `now` is judged
-  const TwinFit& now;
+  const CrossFit& now;
   const Asked& asked;  ///< for by the residual tests
   bool load_steps_only =
       false;  ///< they come in groups: the next one before anything else is looked at

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/effects/catalogue.hpp"
-#include "core/model/residual_tests/asked.hpp"
+#include "core/model/residual_tests/nominations.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -55,7 +55,7 @@ void add_spread(const LoopData& data, const Fit& fit, std::vector<Parameter>& pa
   }
 }
 
-Step report(const LoopData& data, const Chapter& chapter) {
+Step report(const LoopData& data, const SelectedEffect& chapter) {
   const Fit& fit = chapter.fit.fit;
   const Effect& effect = *fit.structure.effects.back();
   const double square = data.pv_scale * data.pv_scale;
@@ -79,9 +79,9 @@ Step report(const LoopData& data, const Chapter& chapter) {
 
 }  // namespace
 
-std::vector<Step> report_steps(const Story& story) {
+std::vector<Step> report_steps(const StepwiseModel& story) {
   std::vector<Step> steps;
-  for (const Chapter& chapter : story.chapters) steps.push_back(report(story.data, chapter));
+  for (const SelectedEffect& chapter : story.chapters) steps.push_back(report(story.data, chapter));
   return steps;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/model/results/explanation.hpp"
-#include "core/model/selection/story.hpp"
+#include "core/model/selection/stepwise_model.hpp"
 
 namespace loopscope::core::model {
 
 /// The steps of a story in the results' words: parameters with their spread, errors in pv units.
-[[nodiscard]] std::vector<Step> report_steps(const Story& story);
+[[nodiscard]] std::vector<Step> report_steps(const StepwiseModel& story);
 
 }  // namespace loopscope::core::model

@@ -59,7 +59,7 @@ std::optional<BicoherenceMap> find_map(const LoopInput& input, const core::First
 
 }  // namespace
 
-LoopEvidence look_again(const storage::CatalogueEntry& loop, const LoopInput& input,
+LoopEvidence rediagnose(const storage::CatalogueEntry& loop, const LoopInput& input,
                         const AnalysisSettings& settings) {
   const core::FirstLook first =
       input.first ? *input.first : core::first_look(input.at_slot.window, settings);

@@ -33,7 +33,7 @@ struct LoopEvidence {
 
 /// Diagnoses a slot again, as core::diagnose() does, with the same seed as analyse_window(): the
 /// same rows and settings give the same verdict. Throws as core::diagnose() does.
-[[nodiscard]] LoopEvidence look_again(const storage::CatalogueEntry& loop, const LoopInput& input,
+[[nodiscard]] LoopEvidence rediagnose(const storage::CatalogueEntry& loop, const LoopInput& input,
                                       const core::AnalysisSettings& settings);
 
 }  // namespace loopscope::daemon

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/model/display_window.hpp"
 #include "core/model/effects/catalogue.hpp"
-#include "core/model/telling_stretch.hpp"
 #include "core/signal/grid.hpp"
 #include "core/signal/order/spread.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "daemon/report/figures/draw_figures.hpp"
+#include "daemon/report/loop_report.hpp"
 #include "daemon/report/page/page.hpp"
 #include "daemon/report/sections/loop_list.hpp"
 #include "daemon/report/sections/plant_section.hpp"
-#include "daemon/report/tell_loop.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
@@ -81,7 +81,7 @@ const LiveReader::Seen* LiveReader::seen(const storage::FlaggedRow& row) const {
   return nullptr;
 }
 
-void LiveReader::look(LoopStory& story, const std::stop_token& stop) {
+void LiveReader::look(LoopReport& story, const std::stop_token& stop) {
   if (const Seen* before = seen(story.row)) {
     story.evidence = before->story.evidence;
     story.pictures = before->story.pictures;
@@ -91,8 +91,8 @@ void LiveReader::look(LoopStory& story, const std::stop_token& stop) {
   if (!entry) return;
   try {
     const std::filesystem::path gnuplot = find_gnuplot();
-    illustrate(story, *entry, windows_.read(*entry, story.row.slot_end_us), settings_->analysis,
-               gnuplot, stop);
+    add_figures(story, *entry, windows_.read(*entry, story.row.slot_end_us), settings_->analysis,
+                gnuplot, stop);
   } catch (const Failure& failure) {
     story.trouble = failure.what();
   }
@@ -103,7 +103,7 @@ void LiveReader::look(LoopStory& story, const std::stop_token& stop) {
 }
 
 LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) {
-  LoopStory story;
+  LoopReport story;
   {
     storage::ReportDatabase database(results_connection(*settings_));
     const auto row = database.latest(name);

@@ -40,14 +40,14 @@ class LiveReader {
   struct Seen {
     std::int64_t analysis_id = 0;
     int input_revision = 0;
-    LoopStory story;
+    LoopReport story;
   };
 
   /// What the first screen tells but its pictures; the view of the results is let go with it.
   [[nodiscard]] PlantFacts plant_facts() const;
   /// Once for each round: a page is asked for more often than a round is made.
   void draw_events(PlantFacts& facts, const std::stop_token& stop);
-  void look(LoopStory& story, const std::stop_token& stop);
+  void look(LoopReport& story, const std::stop_token& stop);
   [[nodiscard]] const Seen* seen(const storage::FlaggedRow& row) const;
 
   std::shared_ptr<const config::Settings> settings_;

@@ -65,7 +65,7 @@ std::string refusals(const LoopEvidence& evidence) {
 
 }  // namespace
 
-std::string data_section(const LoopStory& story) {
+std::string data_section(const LoopReport& story) {
   std::string text = "<h3>Data</h3>\n" + problems_table(story.problems);
   if (story.evidence) text += refusals(*story.evidence) + window_figures(*story.evidence);
   return text;

@@ -8,6 +8,6 @@ namespace loopscope::daemon {
 
 /// What the loop's data are worth: what is wrong with them and what mends it, and the figures of
 /// the window.
-[[nodiscard]] std::string data_section(const LoopStory& story);
+[[nodiscard]] std::string data_section(const LoopReport& story);
 
 }  // namespace loopscope::daemon

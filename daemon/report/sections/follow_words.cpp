@@ -18,12 +18,12 @@ std::string source_of(const storage::FollowedRow& followed) {
 
 }  // namespace
 
-bool is_only_shaken(const LoopStory& story) {
+bool is_only_shaken(const LoopReport& story) {
   // A stay on the list is headed by its last fault, whatever the newest window says.
   return story.followed && story.row.code == "healthy" && story.followed->shown_code != "healthy";
 }
 
-std::string shown_code(const LoopStory& story) {
+std::string shown_code(const LoopReport& story) {
   return is_only_shaken(story) ? story.followed->shown_code : story.row.code;
 }
 
@@ -33,21 +33,21 @@ std::string follow_sentence(const storage::FollowedRow& followed) {
                      source_of(followed), core::model::in_time(followed.period_s));
 }
 
-std::string shaken_cause(const LoopStory& story) {
+std::string shaken_cause(const LoopReport& story) {
   return follow_sentence(*story.followed) +
          fmt::format(". By itself the loop is sound ({}, confidence {}): {}",
                      html(in_words(story.row.code)), two_decimals(story.row.confidence),
                      html(story.row.summary));
 }
 
-std::string shaken_action(const LoopStory& story) {
+std::string shaken_action(const LoopReport& story) {
   const std::string later = "; this loop needs no work of its own, look again afterwards.";
   if (!story.followed->source_name)
     return "Find the source of the oscillation: what its loops have in common upstream" + later;
   return "Repair the source <bdi>" + html(*story.followed->source_name) + "</bdi> first" + later;
 }
 
-std::string follow_entry(const LoopStory& story) {
+std::string follow_entry(const LoopReport& story) {
   if (!story.followed || is_only_shaken(story)) return {};
   return "<dt>Follows</dt><dd>" + follow_sentence(*story.followed) + ".</dd>\n";
 }

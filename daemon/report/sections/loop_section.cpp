@@ -47,7 +47,7 @@ std::string confidence_words(const FlaggedRow& row) {
   return text;
 }
 
-std::string heading(const LoopStory& story) {
+std::string heading(const LoopReport& story) {
   const FlaggedRow& row = story.row;
   const std::string code = shown_code(story);
   const std::string rank =
@@ -81,11 +81,11 @@ std::string source_words(const FlaggedRow& row) {
 }
 
 /// Of the window as the historian gives it now.
-std::string causes_of(const LoopStory& story) {
+std::string causes_of(const LoopReport& story) {
   return story.evidence ? cause_bars(story.evidence->diagnosis.verdict) : std::string();
 }
 
-std::string findings(const LoopStory& story) {
+std::string findings(const LoopReport& story) {
   const FlaggedRow& row = story.row;
   const bool shaken = is_only_shaken(story);
   return fmt::format(
@@ -97,7 +97,7 @@ std::string findings(const LoopStory& story) {
 }
 
 /// The verdict that the pictures show may be another than the stored one: late rows, settings.
-std::string difference(const LoopStory& story) {
+std::string difference(const LoopReport& story) {
   if (!story.evidence) return {};
   const std::string now(core::diagnosis::name(story.evidence->diagnosis.verdict.code));
   if (now == story.row.code) return {};
@@ -109,7 +109,7 @@ std::string difference(const LoopStory& story) {
       html(in_words(now)));
 }
 
-std::string pictures(const LoopStory& story) {
+std::string pictures(const LoopReport& story) {
   std::string text;
   if (!story.trouble.empty())
     text = "<p class=\"trouble\">No pictures of the window: " + html(story.trouble) + "</p>\n";
@@ -140,14 +140,14 @@ std::string rest_text(const Explanation& explanation) {
   return text;
 }
 
-std::string explanation_part(const LoopStory& story) {
+std::string explanation_part(const LoopReport& story) {
   if (!story.evidence || !story.evidence->diagnosis.evidence.model) return {};
   const Explanation& explanation = *story.evidence->diagnosis.evidence.model;
   return "<h3>Explanation</h3>\n" + chain_table(explanation, story.chain) +
          explanation_table(explanation);
 }
 
-std::string repairs_part(const LoopStory& story) {
+std::string repairs_part(const LoopReport& story) {
   if (story.repairs.empty()) return {};
   return "<h3>Repairs, before and after</h3>\n" + repairs_table(story.repairs);
 }
@@ -175,7 +175,7 @@ std::string explanation_table(const Explanation& explanation) {
   return text + "</tbody></table>\n" + rest_text(explanation);
 }
 
-std::string loop_section(const LoopStory& story) {
+std::string loop_section(const LoopReport& story) {
   return fmt::format("<section class=\"loop\" id=\"loop-{}\">\n", story.row.loop_id) +
          heading(story) + "<div class=\"story\">\n<div class=\"words\">\n" + findings(story) +
          difference(story) + "</div>\n" + pictures(story) + "</div>\n" + explanation_part(story) +

@@ -12,7 +12,7 @@
 namespace loopscope::daemon {
 
 /// Everything that is said of one loop.
-struct LoopStory {
+struct LoopReport {
   storage::FlaggedRow row;
   std::vector<storage::HistoryPoint> history;
   std::vector<storage::HiddenRow> hidden;        ///< what keeps it from the list
@@ -27,7 +27,7 @@ struct LoopStory {
 
 /// One loop as HTML: cause, action, evidence, pictures, what led to the explanation and its errors,
 /// data, repairs.
-[[nodiscard]] std::string loop_section(const LoopStory& story);
+[[nodiscard]] std::string loop_section(const LoopReport& story);
 
 /// The table of the model's errors before and after each effect, and what is left.
 [[nodiscard]] std::string explanation_table(const core::model::Explanation& explanation);

@@ -17,7 +17,7 @@ using core::signal::LoopWindow;
 
 /// core::diagnose(), each stage timed.
 core::Diagnosis timed_diagnosis(const LoopInput& input, const core::AnalysisSettings& settings,
-                                const core::LoopFacts& facts, const ModelWish& wish,
+                                const core::LoopFacts& facts, const ModelPolicy& wish,
                                 storage::AnalysisRecord& record) {
   // What a first look threw, it throws again.
   const std::optional<core::FirstLook> again =
@@ -59,7 +59,7 @@ std::string digest_of(const storage::CatalogueEntry& loop, const LoopInput& inpu
 
 storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, const LoopInput& input,
                                        const core::AnalysisSettings& settings,
-                                       const std::string& settings_json, const ModelWish& wish) {
+                                       const std::string& settings_json, const ModelPolicy& wish) {
   Stopwatch watch;
   storage::AnalysisRecord record;
   describe_window(input.at_slot, record);

@@ -17,7 +17,7 @@ namespace loopscope::daemon {
                                                      const LoopInput& input,
                                                      const core::AnalysisSettings& settings,
                                                      const std::string& settings_json,
-                                                     const ModelWish& wish = {});
+                                                     const ModelPolicy& wish = {});
 
 /// The digest that the record of this input carries: over the window and, where one was read, over
 /// the longer span.

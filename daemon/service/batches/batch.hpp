@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "daemon/service/batches/loop_visit.hpp"
+#include "daemon/service/batches/loop_task.hpp"
 #include "daemon/service/windows/row_memory.hpp"
 #include "daemon/text/failure.hpp"
 #include "storage/results/results_database.hpp"
@@ -16,7 +16,7 @@ using Claims = std::vector<const storage::ClaimedLoop*>;
 
 /// Claimed loops on their way through a lane: what was read, what has come of it, what it cost.
 struct Batch {
-  std::vector<LoopVisit> visits;
+  std::vector<LoopTask> visits;
   RowMemory rows;
   StoredAnalyses stored;
   std::vector<storage::CompletedLoop> completed;

@@ -21,9 +21,9 @@ void add_record(const storage::AnalysisRecord& record, storage::StageCost& cost)
 
 }  // namespace
 
-void add_reading(double elapsed_s, std::span<const LoopVisit> visits, storage::StageCost& cost) {
+void add_reading(double elapsed_s, std::span<const LoopTask> visits, storage::StageCost& cost) {
   const double prepared_s = cost.prepare_s;
-  for (const LoopVisit& visit : visits) {
+  for (const LoopTask& visit : visits) {
     add_input(visit.newest, cost);
     for (const LoopInput& input : visit.earlier) add_input(input, cost);
   }

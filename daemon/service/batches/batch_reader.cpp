@@ -6,10 +6,10 @@
 
 #include "daemon/service/batches/batch_cost.hpp"
 #include "daemon/service/batches/data_age.hpp"
-#include "daemon/service/batches/read_visits.hpp"
+#include "daemon/service/batches/fetch_windows.hpp"
 #include "daemon/service/historians/source_terms.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/observe/blame.hpp"
+#include "daemon/service/observe/error_scope.hpp"
 #include "daemon/service/observe/stopwatch.hpp"
 
 namespace loopscope::daemon {
@@ -21,8 +21,8 @@ constexpr const char* kServerOutOfMemory = "53200";
 }  // namespace
 
 BatchReader::BatchReader(std::shared_ptr<const config::Settings> settings,
-                         const std::string& settings_json, SlotRule slot_rule, LaneTools& tools,
-                         ProgressBoard::Desk& desk, ResultsLink& results)
+                         const std::string& settings_json, SlotRule slot_rule,
+                         SharedServices& tools, ProgressBoard::Entry& desk, ResultsLink& results)
     : settings_(std::move(settings)),
       settings_json_(settings_json),
       slot_rule_(slot_rule),
@@ -60,8 +60,8 @@ BatchReader::Read BatchReader::with_source(const std::string& source, const Clai
     return Read::all;
   } catch (const storage::DatabaseError& error) {
     const bool too_much = error.sqlstate() == kServerOutOfMemory;
-    if ((speaks_of_rows(error) || too_much) && claims.size() > 1) return Read::apart;
-    if (speaks_of_rows(error)) {
+    if ((is_row_error(error) || too_much) && claims.size() > 1) return Read::apart;
+    if (is_row_error(error)) {
       set_aside(*claims.front(), as_failure(error), batch);
     } else {
       source_is_away(source, as_failure(error), claims, batch);
@@ -80,9 +80,9 @@ BatchReader::Read BatchReader::read_newest(const std::string& source, const Clai
                                            Batch& batch) {
   const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
     const SourceTime time = time_of(source, historian);
-    std::vector<LoopVisit> visits =
+    std::vector<LoopTask> visits =
         visit_newest(historian, claims, *settings_, time, batch.rows, {tools_.cores, desk_});
-    for (LoopVisit& visit : visits) visit.by_rows = time.rule != slot_rule_;
+    for (LoopTask& visit : visits) visit.by_rows = time.rule != slot_rule_;
     return visits;
   });
   if (done == Read::all) note_data(source, batch.visits, tools_.metrics);
@@ -109,12 +109,12 @@ BatchReader::Read BatchReader::read_earlier(const std::string& source, const Cla
   });
 }
 
-StoredAnalyses BatchReader::stored_analyses(const std::vector<LoopVisit>& visits) {
+StoredAnalyses BatchReader::stored_analyses(const std::vector<LoopTask>& visits) {
   const auto keys = slots_that_may_be_stored(visits, settings_->schedule.revise_slots);
   const auto ask = [&](storage::ResultsDatabase& database) {
     return database.stored_digests(keys, core::kAlgorithmRevision, settings_json_);
   };
-  return StoredAnalyses(results_.persistently(tools_.perseverance, ask, [this] { desk_.step(); }));
+  return StoredAnalyses(results_.with_retry(tools_.perseverance, ask, [this] { desk_.step(); }));
 }
 
 void BatchReader::source_is_away(const std::string& source, const Failure& failure,

@@ -6,8 +6,8 @@
 
 #include "config/settings.hpp"
 #include "daemon/service/batches/batch.hpp"
-#include "daemon/service/batches/read_visits.hpp"
-#include "daemon/service/shared/lane_tools.hpp"
+#include "daemon/service/batches/fetch_windows.hpp"
+#include "daemon/service/shared/shared_services.hpp"
 #include "daemon/service/windows/slot.hpp"
 
 namespace loopscope::daemon {
@@ -25,7 +25,7 @@ class BatchReader {
 
   /// `settings_json` is the provenance of every analysis. What is passed has to outlive this.
   BatchReader(std::shared_ptr<const config::Settings> settings, const std::string& settings_json,
-              SlotRule slot_rule, LaneTools& tools, ProgressBoard::Desk& desk,
+              SlotRule slot_rule, SharedServices& tools, ProgressBoard::Entry& desk,
               ResultsLink& results);
 
   /// Throws storage::DatabaseError when the results database fails.
@@ -38,15 +38,15 @@ class BatchReader {
   [[nodiscard]] SourceTime time_of(const std::string& source, storage::HistorianReader& historian);
   Read read_newest(const std::string& source, const Claims& claims, Batch& batch);
   Read read_earlier(const std::string& source, const Claims& claims, Batch& batch);
-  [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopVisit>& visits);
+  [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopTask>& visits);
   void source_is_away(const std::string& source, const Failure& failure, const Claims& claims,
                       Batch& batch);
 
   std::shared_ptr<const config::Settings> settings_;
   const std::string& settings_json_;
   SlotRule slot_rule_;
-  LaneTools& tools_;
-  ProgressBoard::Desk& desk_;
+  SharedServices& tools_;
+  ProgressBoard::Entry& desk_;
   ResultsLink& results_;
 };
 

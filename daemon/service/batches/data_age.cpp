@@ -9,10 +9,10 @@
 
 namespace loopscope::daemon {
 
-void note_data(const std::string& source, std::span<const LoopVisit> visits, Metrics& metrics) {
+void note_data(const std::string& source, std::span<const LoopTask> visits, Metrics& metrics) {
   std::optional<std::int64_t> youngest_us;
   std::size_t unknown = 0;
-  for (const LoopVisit& visit : visits) {
+  for (const LoopTask& visit : visits) {
     for (const TagReading& tag : visit.newest.at_slot.tags) {
       unknown += tag.unknown_rows;
       if (!tag.newest_row_us) continue;

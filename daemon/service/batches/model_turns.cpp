@@ -28,7 +28,7 @@ bool is_its_turn(const storage::CatalogueEntry& loop, std::int64_t slot_end_us, 
 /// What may be flagged. False discoveries are controlled over all loops at once, which a single
 /// loop cannot know: a tenth of the rate is above where the control ends while fewer than a third
 /// of the loops are at fault.
-core::ModelCause may_be_flagged(const config::FlagSettings& flags) {
+core::ModelTrigger may_be_flagged(const config::FlagSettings& flags) {
   constexpr double kShareOfRate = 0.1;
   return {kShareOfRate * flags.false_discovery_rate, flags.min_confidence};
 }
@@ -40,10 +40,10 @@ bool was_silent(const storage::LastVerdict& last) {
 
 }  // namespace
 
-ModelWish model_wish(const config::Settings& settings, std::size_t enabled_loops,
-                     const storage::ClaimedLoop& claim, std::int64_t slot_end_us) {
+ModelPolicy model_wish(const config::Settings& settings, std::size_t enabled_loops,
+                       const storage::ClaimedLoop& claim, std::int64_t slot_end_us) {
   const config::ScheduleSettings& schedule = settings.schedule;
-  const core::ModelCause cause = may_be_flagged(settings.flags);
+  const core::ModelTrigger cause = may_be_flagged(settings.flags);
   const auto& last = claim.last_verdict;
   const bool always =
       enabled_loops <= static_cast<std::size_t>(schedule.model_all_up_to) ||

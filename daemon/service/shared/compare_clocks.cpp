@@ -24,14 +24,15 @@ bool is_among(const ClockReading& reading, const std::vector<ClockReading>& read
   return std::ranges::find(readings, reading.clock, &ClockReading::clock) != readings.end();
 }
 
-void tell(const ClockReading& reading, bool is_wrong, const char* consequence, LaneTools& tools) {
+void tell(const ClockReading& reading, bool is_wrong, const char* consequence,
+          SharedServices& tools) {
   const std::string subject = "clock of " + reading.clock;
   if (!is_wrong) return tools.faults.recovered(subject);
   tools.faults.fault(subject, fmt::format("it is wrong, {}; {} HINT: set it right (NTP)",
                                           difference_text(reading.ahead_s), consequence));
 }
 
-void tell(const ClockBook::State& state, LaneTools& tools) {
+void tell(const KnownClocks::State& state, SharedServices& tools) {
   const ClockJudgement& judgement = state.judgement;
   if (const auto why = refusal(state)) {
     tools.faults.fault(kResultsSubject, std::string(why->what()) + " HINT: " + why->hint());
@@ -51,7 +52,7 @@ void tell(const ClockBook::State& state, LaneTools& tools) {
 
 }  // namespace
 
-void ask_historians(const config::Settings& settings, LaneTools& tools) {
+void ask_historians(const config::Settings& settings, SharedServices& tools) {
   for (const config::HistorianSettings& source : settings.historians) {
     try {
       tools.clocks.note_historian(
@@ -64,19 +65,19 @@ void ask_historians(const config::Settings& settings, LaneTools& tools) {
   }
 }
 
-ClockBook::State look_at_clocks(const config::Settings& settings, LaneTools& tools,
-                                const std::function<storage::ServerClock()>& results_clock) {
-  ClockBook::State state = tools.clocks.note_results(results_clock());
+KnownClocks::State look_at_clocks(const config::Settings& settings, SharedServices& tools,
+                                  const std::function<storage::ServerClock()>& results_clock) {
+  KnownClocks::State state = tools.clocks.note_results(results_clock());
   if (all_agree(state.judgement)) return state;
   ask_historians(settings, tools);
   return tools.clocks.note_results(results_clock());
 }
 
 std::optional<storage::DatabaseError> compare_clocks(const config::Settings& settings,
-                                                     LaneTools& tools, ResultsLink& results) {
+                                                     SharedServices& tools, ResultsLink& results) {
   tools.clocks.accept(
       results.with([](storage::ResultsDatabase& database) { return database.accepted_clocks(); }));
-  const ClockBook::State state = look_at_clocks(settings, tools, [&] {
+  const KnownClocks::State state = look_at_clocks(settings, tools, [&] {
     return results.with([](storage::ResultsDatabase& database) { return database.clock(); });
   });
   tell(state, tools);

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "config/settings.hpp"
-#include "daemon/service/shared/lane_tools.hpp"
 #include "daemon/service/shared/results_link.hpp"
+#include "daemon/service/shared/shared_services.hpp"
 #include "storage/error.hpp"
 #include "storage/server_clock.hpp"
 
@@ -17,15 +17,15 @@ namespace loopscope::daemon {
 /// claimed or written; nullopt = it may. Throws storage::DatabaseError when the results database
 /// does not answer.
 std::optional<storage::DatabaseError> compare_clocks(const config::Settings& settings,
-                                                     LaneTools& tools, ResultsLink& results);
+                                                     SharedServices& tools, ResultsLink& results);
 
 /// How the results server's clock, which `results_clock` reads, stands beside the others. Where all
 /// that are known agree nobody else is asked, else every historian too.
-[[nodiscard]] ClockBook::State look_at_clocks(
-    const config::Settings& settings, LaneTools& tools,
+[[nodiscard]] KnownClocks::State look_at_clocks(
+    const config::Settings& settings, SharedServices& tools,
     const std::function<storage::ServerClock()>& results_clock);
 
 /// Asks the clocks of all historians that answer and notes them.
-void ask_historians(const config::Settings& settings, LaneTools& tools);
+void ask_historians(const config::Settings& settings, SharedServices& tools);
 
 }  // namespace loopscope::daemon

@@ -33,9 +33,9 @@ bool ResultsLink::is_stale(const storage::DatabaseError& error) {
   return error.remedy() == storage::Remedy::reconnect || error.sqlstate().starts_with("42");
 }
 
-double ResultsLink::patience_s(Perseverance perseverance) const {
-  return perseverance == Perseverance::endless ? std::numeric_limits<double>::infinity()
-                                               : settings_->schedule.lease_s;
+double ResultsLink::patience_s(RetryLimit perseverance) const {
+  return perseverance == RetryLimit::endless ? std::numeric_limits<double>::infinity()
+                                             : settings_->schedule.lease_s;
 }
 
 void ResultsLink::say(const storage::DatabaseError& error) {

@@ -5,15 +5,15 @@
 
 #include "config/settings.hpp"
 #include "daemon/service/observe/fault_log.hpp"
-#include "daemon/service/shared/clock_book.hpp"
+#include "daemon/service/shared/known_clocks.hpp"
 #include "daemon/service/threads/retry_pause.hpp"
-#include "daemon/service/threads/stop_bell.hpp"
+#include "daemon/service/threads/stop_signal.hpp"
 #include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
 
 /// How long a lane tries to bring its work to the results database.
-enum class Perseverance {
+enum class RetryLimit {
   one_lease,  ///< once: whoever called wants to know
   endless,    ///< run: until it works or the process shall stop
 };
@@ -23,7 +23,7 @@ enum class Perseverance {
 class ResultsLink {
  public:
   ResultsLink(std::shared_ptr<const config::Settings> settings, FaultLog& faults, Metrics& metrics,
-              ClockBook& clocks, StopBell& bell, std::shared_ptr<storage::ClaimFloors> floors)
+              KnownClocks& clocks, StopSignal& bell, std::shared_ptr<storage::ClaimFloors> floors)
       : settings_(std::move(settings)),
         faults_(faults),
         metrics_(metrics),
@@ -53,7 +53,7 @@ class ResultsLink {
   /// already. What a repeat cannot mend is thrown, as is everything after the bell has rung or
   /// perseverance has ended. `step()` is called at each try.
   template <typename Use, typename Step>
-  auto persistently(Perseverance perseverance, Use use, Step step) {
+  auto with_retry(RetryLimit perseverance, Use use, Step step) {
     RetryPause pause(settings_->schedule.poll_s);
     for (double waited_s = 0.0;;) {
       step();
@@ -89,13 +89,13 @@ class ResultsLink {
   storage::ResultsDatabase& database();
   [[nodiscard]] static bool may_pass(const storage::DatabaseError& error);
   [[nodiscard]] static bool is_stale(const storage::DatabaseError& error);
-  [[nodiscard]] double patience_s(Perseverance perseverance) const;
+  [[nodiscard]] double patience_s(RetryLimit perseverance) const;
 
   std::shared_ptr<const config::Settings> settings_;
   FaultLog& faults_;
   Metrics& metrics_;
-  ClockBook& clocks_;
-  StopBell& bell_;
+  KnownClocks& clocks_;
+  StopSignal& bell_;
   std::shared_ptr<storage::ClaimFloors> floors_;
   std::optional<storage::ResultsDatabase> database_;
 };

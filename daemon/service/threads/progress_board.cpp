@@ -5,27 +5,27 @@
 
 namespace loopscope::daemon {
 
-void ProgressBoard::Desk::hold(const std::vector<storage::ClaimedLoop>& claims) {
+void ProgressBoard::Entry::hold(const std::vector<storage::ClaimedLoop>& claims) {
   const std::lock_guard lock(board_.mutex_);
   claims_ = claims;
   lost_.clear();
   last_step_ = Clock::now();
 }
 
-void ProgressBoard::Desk::drop() {
+void ProgressBoard::Entry::drop() {
   const std::lock_guard lock(board_.mutex_);
   claims_.clear();
   lost_.clear();
 }
 
-void ProgressBoard::Desk::done(std::span<const std::int64_t> loop_ids) {
+void ProgressBoard::Entry::done(std::span<const std::int64_t> loop_ids) {
   const std::lock_guard lock(board_.mutex_);
   std::erase_if(claims_, [&](const storage::ClaimedLoop& claim) {
     return std::ranges::find(loop_ids, claim.loop.loop_id) != loop_ids.end();
   });
 }
 
-std::vector<storage::ClaimedLoop> ProgressBoard::Desk::held() {
+std::vector<storage::ClaimedLoop> ProgressBoard::Entry::held() {
   const std::lock_guard lock(board_.mutex_);
   std::vector<storage::ClaimedLoop> held;
   std::ranges::copy_if(claims_, std::back_inserter(held),
@@ -33,35 +33,35 @@ std::vector<storage::ClaimedLoop> ProgressBoard::Desk::held() {
   return held;
 }
 
-void ProgressBoard::Desk::step() {
+void ProgressBoard::Entry::step() {
   const std::lock_guard lock(board_.mutex_);
   last_step_ = Clock::now();
 }
 
-bool ProgressBoard::Desk::lost(std::int64_t loop_id) {
+bool ProgressBoard::Entry::lost(std::int64_t loop_id) {
   const std::lock_guard lock(board_.mutex_);
   return lost_.contains(loop_id);
 }
 
-void ProgressBoard::Desk::wait(bool waiting) {
+void ProgressBoard::Entry::wait(bool waiting) {
   const std::lock_guard lock(board_.mutex_);
   waiting_ = waiting;
   last_step_ = Clock::now();
 }
 
-ProgressBoard::Desk& ProgressBoard::desk() {
+ProgressBoard::Entry& ProgressBoard::desk() {
   const std::lock_guard lock(mutex_);
   return desks_.emplace_back(*this);
 }
 
 std::vector<storage::ClaimedLoop> ProgressBoard::proven_claims() {
   const std::lock_guard lock(mutex_);
-  const auto got_on = [this](const Desk& desk) { return desk.last_step_ > renewed_; };
-  const bool any = std::ranges::any_of(desks_, [&](const Desk& desk) {
+  const auto got_on = [this](const Entry& desk) { return desk.last_step_ > renewed_; };
+  const bool any = std::ranges::any_of(desks_, [&](const Entry& desk) {
     return got_on(desk) && !desk.waiting_ && !desk.claims_.empty();
   });
   std::vector<storage::ClaimedLoop> proven;
-  for (const Desk& desk : desks_) {
+  for (const Entry& desk : desks_) {
     if (!got_on(desk) && !(desk.waiting_ && any)) continue;
     std::ranges::copy_if(desk.claims_, std::back_inserter(proven), [&](const auto& claim) {
       return !desk.lost_.contains(claim.loop.loop_id);
@@ -78,7 +78,7 @@ void ProgressBoard::renewed(Clock::time_point seen) {
 std::size_t ProgressBoard::lose(std::span<const storage::ClaimKey> claims) {
   const std::lock_guard lock(mutex_);
   std::size_t count = 0;
-  for (Desk& desk : desks_) {
+  for (Entry& desk : desks_) {
     for (const storage::ClaimedLoop& claim : desk.claims_) {
       const storage::ClaimKey key{claim.loop.loop_id, claim.fence};
       if (std::ranges::find(claims, key) == claims.end()) continue;
@@ -91,7 +91,7 @@ std::size_t ProgressBoard::lose(std::span<const storage::ClaimKey> claims) {
 std::size_t ProgressBoard::held_loops() {
   const std::lock_guard lock(mutex_);
   std::size_t count = 0;
-  for (const Desk& desk : desks_) count += desk.claims_.size();
+  for (const Entry& desk : desks_) count += desk.claims_.size();
   return count;
 }
 
@@ -105,7 +105,7 @@ std::optional<std::string> ProgressBoard::standstill(Clock::duration limit, Cloc
 ProgressBoard::Clock::duration ProgressBoard::longest_silence(Clock::time_point now) {
   const std::lock_guard lock(mutex_);
   Clock::duration longest{0};
-  for (const Desk& desk : desks_) {
+  for (const Entry& desk : desks_) {
     if (!desk.claims_.empty() && !desk.waiting_) longest = std::max(longest, now - desk.last_step_);
   }
   return longest;

@@ -25,7 +25,7 @@ class ProgressBoard {
   using Clock = std::chrono::steady_clock;
 
   /// One lane's place. Lives as long as the board.
-  class Desk {
+  class Entry {
    public:
     /// The lane has claimed these loops.
     void hold(const std::vector<storage::ClaimedLoop>& claims);
@@ -43,16 +43,16 @@ class ProgressBoard {
     /// The lane waits for its turn as long as this lives.
     class Wait {
      public:
-      explicit Wait(Desk& desk) : desk_(desk) { desk_.wait(true); }
+      explicit Wait(Entry& desk) : desk_(desk) { desk_.wait(true); }
       ~Wait() { desk_.wait(false); }
       Wait(const Wait&) = delete;
       Wait& operator=(const Wait&) = delete;
 
      private:
-      Desk& desk_;
+      Entry& desk_;
     };
 
-    explicit Desk(ProgressBoard& board) : board_(board) {}
+    explicit Entry(ProgressBoard& board) : board_(board) {}
 
    private:
     friend class ProgressBoard;
@@ -65,7 +65,7 @@ class ProgressBoard {
   };
 
   /// A place of its own.
-  [[nodiscard]] Desk& desk();
+  [[nodiscard]] Entry& desk();
 
   /// Claims of all lanes that got on since renewed() was called last.
   [[nodiscard]] std::vector<storage::ClaimedLoop> proven_claims();
@@ -84,7 +84,7 @@ class ProgressBoard {
 
  private:
   std::mutex mutex_;
-  std::deque<Desk> desks_;  // their addresses stay
+  std::deque<Entry> desks_;  // their addresses stay
   Clock::time_point renewed_ = Clock::time_point::min();
 };
 

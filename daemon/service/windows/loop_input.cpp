@@ -37,7 +37,7 @@ void read_long_windows(storage::HistorianReader& historian, std::span<const Loop
 std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
                                    std::span<const LoopSlot> slots,
                                    const core::AnalysisSettings& settings, RowMemory& memory,
-                                   const Workplace& place) {
+                                   const AnalysisContext& place) {
   std::vector<LoopInput> inputs;
   for (LoopWindowAtSlot& at_slot :
        read_windows(historian, slots, settings.prepare.window_samples, memory)) {

@@ -6,7 +6,7 @@
 
 #include "core/diagnosis/diagnose.hpp"
 #include "core/signal/loop_window.hpp"
-#include "daemon/service/threads/workplace.hpp"
+#include "daemon/service/threads/analysis_context.hpp"
 #include "daemon/service/windows/window_reader.hpp"
 #include "storage/historian/historian_reader.hpp"
 
@@ -29,6 +29,6 @@ struct LoopInput {
 [[nodiscard]] std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
                                                  std::span<const LoopSlot> slots,
                                                  const core::AnalysisSettings& settings,
-                                                 RowMemory& memory, const Workplace& place);
+                                                 RowMemory& memory, const AnalysisContext& place);
 
 }  // namespace loopscope::daemon

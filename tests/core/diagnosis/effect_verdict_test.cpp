@@ -32,7 +32,7 @@ TEST(EffectVerdict, PlayThatTheLoopCyclesAboutEndsAsStiction) {
   model::Step play;
   play.effect = valve_deadband;
   EXPECT_EQ(verdict_of(play), VerdictCode::valve_deadband);
-  play.cycles_as_if_stuck = true;
+  play.cycle_indicates_stiction = true;
   EXPECT_EQ(verdict_of(play), VerdictCode::valve_stiction);
 }
 

@@ -36,7 +36,7 @@ TEST(LoopModel, CauseIsWhateverTheStatisticsCallUnhealthy) {
     loop.op = record.op;
     loop.op_range = signal::OpRange{0.0, 100.0};
     const Evidence evidence = gather_evidence(first_look(loop, {}), {}, {});
-    return gives_cause_for_a_model(evidence, {});
+    return triggers_model(evidence, {});
   };
   EXPECT_FALSE(cause("healthy_flow"));
   EXPECT_FALSE(cause("paper_5_1"));
@@ -46,7 +46,7 @@ TEST(LoopModel, CauseIsWhateverTheStatisticsCallUnhealthy) {
 
 TEST(LoopModel, ACauseIsAVerdictThatIsSureEnough) {
   using enum diagnosis::VerdictCode;
-  const ModelCause cause{0.005, 0.3};
+  const ModelTrigger cause{0.005, 0.3};
   EXPECT_TRUE(cause.given_by(nonlinear_unexplained, 0.5, 0.001));
   EXPECT_FALSE(cause.given_by(nonlinear_unexplained, 0.5, 0.02));
   EXPECT_FALSE(cause.given_by(nonlinear_unexplained, 0.2, 0.001));

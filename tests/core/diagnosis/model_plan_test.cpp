@@ -19,8 +19,9 @@ FirstLook look_at_scenario(const char* scenario) {
 
 /// A cause that no statistics give.
 ModelPlan never() {
-  return {
-      .cause = ModelCause{.largest_p = -1.0, .least_confidence = 2.0}, .traces = false, .done = {}};
+  return {.cause = ModelTrigger{.largest_p = -1.0, .least_confidence = 2.0},
+          .traces = false,
+          .done = {}};
 }
 
 TEST(ModelPlan, EveryStageIsTold) {

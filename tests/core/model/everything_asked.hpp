@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/model/effects/catalogue.hpp"
-#include "core/model/residual_tests/asked.hpp"
+#include "core/model/residual_tests/nominations.hpp"
 
 namespace loopscope::core::model::tests {
 

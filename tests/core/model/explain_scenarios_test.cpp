@@ -114,7 +114,7 @@ TEST(ExplainScenarios, ThePapersValveByKanosLaw) {
   expect_paper_valve(paper_valve("paper_5_4_kano", "kano", records(10)), 10);
 }
 
-/// The shares of core/model/README.md.
+/// The shares of core/model/MEASURED.md.
 TEST(ExplainScenarios, PapersValves) {
   constexpr std::size_t kManyRecords = 100;
   expect_paper_valve(paper_valve("paper_5_4", "choudhury", records(kManyRecords)), kManyRecords);

@@ -164,7 +164,7 @@ double value_of(const std::vector<Parameter>& parameters, std::string_view name)
   return found == parameters.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }
 
-const Valve& valve_of(const NetFind& find) {
+const Valve& valve_of(const GridResult& find) {
   return dynamic_cast<const ValveEffect&>(*find.structure.effects.back()).valve();
 }
 

@@ -9,7 +9,7 @@
 #include "core/model/explain.hpp"
 #include "core/model/fit/fit.hpp"
 #include "core/model/valve_law/valve_law.hpp"
-#include "core/model/valve_search/hysteresis_net.hpp"
+#include "core/model/valve_search/hysteresis_grid_search.hpp"
 #include "core/simulate/loop.hpp"
 
 /// Records whose model is known, one sample per second unless said otherwise.
@@ -75,7 +75,7 @@ inline constexpr double kNoiselessGain = 1.2;
 [[nodiscard]] double value_of(const std::vector<Parameter>& parameters, std::string_view name);
 
 /// The valve that a search has put last.
-[[nodiscard]] const Valve& valve_of(const NetFind& find);
+[[nodiscard]] const Valve& valve_of(const GridResult& find);
 
 /// A scenario's loop, with the settings of the scenario.
 [[nodiscard]] simulate::LoopRecord scenario_record(std::string_view name, std::uint64_t seed = 1);

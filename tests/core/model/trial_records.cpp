@@ -30,9 +30,9 @@ std::vector<double> p_without(const EffectPtr& effect, bool once, std::size_t re
   std::vector<double> result;
   for (std::uint64_t seed = 1; seed <= records; ++seed) {
     const LoopData data = lagged_loop(seed);
-    const TwinFit before = twin(data, polish(data, truth()));
+    const CrossFit before = cross_fit(data, polish(data, truth()));
     const Fit fit = refine_last(data, evaluate(data, truth({effect})));
-    const TwinFit after = twin(data, polish(data, fit.structure));
+    const CrossFit after = cross_fit(data, polish(data, fit.structure));
     result.push_back(compare(data, before, after, once).p);
   }
   return result;

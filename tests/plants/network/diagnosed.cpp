@@ -16,8 +16,9 @@ DiagnosedLoop diagnose(const LoopRecord& record, const TrueLoop& truth, std::uin
   const std::int64_t start_us = std::llround(record.start_s * 1e6);
   const core::FirstLook first =
       core::first_look(effects::window_of(record, record.interval_s, start_us), settings);
-  const auto [evidence, verdict, traces] = core::diagnose(
-      first, settings, facts, nullptr, {.cause = core::ModelCause{}, .traces = false, .done = {}});
+  const auto [evidence, verdict, traces] =
+      core::diagnose(first, settings, facts, nullptr,
+                     {.cause = core::ModelTrigger{}, .traces = false, .done = {}});
   DiagnosedLoop loop;
   loop.name = truth.name;
   loop.interval_s = record.interval_s;

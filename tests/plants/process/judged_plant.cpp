@@ -41,7 +41,7 @@ DiagnosedLoop diagnose(const ProcessLoop& loop, std::uint64_t seed) {
   DiagnosedLoop result{core::first_look(window_of(loop), settings), {}};
   const auto [evidence, verdict, traces] =
       core::diagnose(result.first, settings, facts, nullptr,
-                     {.cause = core::ModelCause{}, .traces = false, .done = {}});
+                     {.cause = core::ModelTrigger{}, .traces = false, .done = {}});
   result.own = core::diagnosis::own_findings(verdict);
   return result;
 }

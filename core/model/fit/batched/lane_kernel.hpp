@@ -5,15 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/fit/batched/valve_answers.hpp"
+#include "core/model/fit/batched/valve_responses.hpp"
 #include "core/model/record/loop_data.hpp"
 #include "core/model/response/noise_model.hpp"
 #include "core/model/response/products.hpp"
 
 namespace loopscope::core::model {
 
-/// What valves answer to, and what their answers are multiplied by; see ValveAnswers.
-struct AnswerTask {
+/// What valves answer to, and what their answers are multiplied by; see ValveResponses.
+struct ResponseTask {
   std::span<const double> op;
   const NoiseModel& noise;
   std::size_t taps;
@@ -24,10 +24,10 @@ struct AnswerTask {
 /// What goes side by side in vectors, for one kind of processor. The digits of a lane do not depend
 /// on how many there are, and sums are added in one order: all kinds give the same results.
 struct LaneKernel {
-  using Products = std::vector<Eigen::MatrixXd> (*)(const AnswerTask& task,
+  using Products = std::vector<Eigen::MatrixXd> (*)(const ResponseTask& task,
                                                     std::span<const ValveAndProcess> valves);
   std::string_view name;
-  Products single_answers;  ///< ValveAnswers::products(), Digits::single
+  Products single_answers;  ///< ValveResponses::products(), Digits::single
   Products full_answers;    ///< the same, Digits::full
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/model/fit/batched/answer_batches.hpp"
 #include "core/model/fit/batched/lane_kernel.hpp"
+#include "core/model/fit/batched/response_batches.hpp"
 #include "core/model/vectors/lane_basis.hpp"
 
 namespace loopscope::core::model {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <functional>
 
-#include "core/model/residual_tests/statistics/answer.hpp"
 #include "core/model/residual_tests/statistics/tails.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 namespace {

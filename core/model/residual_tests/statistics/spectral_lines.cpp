@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "core/hos/transforms/record_fft.hpp"
-#include "core/model/residual_tests/statistics/answer.hpp"
 #include "core/model/residual_tests/statistics/centred.hpp"
-#include "core/model/residual_tests/statistics/questioned.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 #include "core/signal/gaps.hpp"
 
 namespace loopscope::core::model {

@@ -1,22 +1,22 @@
 #include "core/model/residual_tests/tests/coupling.hpp"
 
 #include "core/hos/analyse.hpp"
-#include "core/model/residual_tests/statistics/questioned.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
 #include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-Answer answer_of(std::string_view question, double p, const std::string& statement) {
+TestOutcome answer_of(std::string_view question, double p, const std::string& statement) {
   return {{question, p, p <= kSignificant ? statement : std::string()}, {}};
 }
 
 }  // namespace
 
-std::vector<Answer> ask_coupling(std::span<const double> innovation, std::uint64_t seed) {
+std::vector<TestOutcome> ask_coupling(std::span<const double> innovation, std::uint64_t seed) {
   if (!centred(innovation, kFewestAsked)) return {};
   const auto result = hos::analyse(innovation, hos::Settings{}, seed);
-  std::vector<Answer> answers;
+  std::vector<TestOutcome> answers;
   if (result && result->nonlinear_p) {
     answers.push_back(answer_of("nonlinear", *result->nonlinear_p,
                                 "Frequencies of the residual are coupled: " +

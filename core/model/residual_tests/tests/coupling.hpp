@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/model/residual_tests/statistics/answer.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 
@@ -12,7 +12,7 @@ namespace loopscope::core::model {
 /// and the mean bicoherence alone (skewed white noise has one too). Quadratic coupling nominates
 /// process_nonlinearity and valve_characteristic, cubic coupling valve_stiction and valve_deadband.
 /// Empty when gaps leave fewer than two segments. `seed` as in hos::analyse.
-[[nodiscard]] std::vector<Answer> ask_coupling(std::span<const double> innovation,
-                                               std::uint64_t seed);
+[[nodiscard]] std::vector<TestOutcome> ask_coupling(std::span<const double> innovation,
+                                                    std::uint64_t seed);
 
 }  // namespace loopscope::core::model

@@ -3,12 +3,12 @@
 #include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
-std::optional<Answer> ask_grid(const Questioned& questioned) {
+std::optional<TestOutcome> ask_grid(const ResidualContext& questioned) {
   if (!questioned.pv) return std::nullopt;
   const double noise_std = questioned.fast_noise_std;
   const ValueGrid& grid = questioned.grid;
   const bool coarse = grid.step >= kHarmlessStep * noise_std;
-  Answer answer{{"grid", coarse ? grid.p : 1.0, {}}, {}};
+  TestOutcome answer{{"grid", coarse ? grid.p : 1.0, {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   answer.question.statement = "pv moves in steps of " + in_digits(grid.step) + " pv units (" +
                               std::to_string(grid.levels) + " values), " +

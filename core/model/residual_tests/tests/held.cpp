@@ -54,7 +54,7 @@ bool op_moves_within(const FlatRun& run, const ResidualView& view, double op_std
 }
 
 /// Runs of equal values have an exponential tail where each sample renews by chance.
-Hold by_freeze(const std::vector<FlatRun>& runs, const Questioned& questioned) {
+Hold by_freeze(const std::vector<FlatRun>& runs, const ResidualContext& questioned) {
   if (!questioned.op || runs.size() < 20) return {};
   const auto longest =
       std::max_element(runs.begin(), runs.end(),
@@ -72,7 +72,7 @@ Hold by_clock(const std::vector<FlatRun>& runs) {
           "pv is renewed by a clock, every so many samples: "};
 }
 
-Hold strongest(const Questioned& questioned) {
+Hold strongest(const ResidualContext& questioned) {
   const double noise_std = questioned.fast_noise_std;
   const std::vector<FlatRun> runs = complete_runs(questioned.view.pv, kSameValue * noise_std);
   return std::min({by_clock(runs), by_repeats(runs, questioned.grid.step, noise_std),
@@ -82,10 +82,10 @@ Hold strongest(const Questioned& questioned) {
 
 }  // namespace
 
-std::optional<Answer> ask_held(const Questioned& questioned) {
+std::optional<TestOutcome> ask_held(const ResidualContext& questioned) {
   if (!questioned.pv) return std::nullopt;
   const Hold hold = strongest(questioned);
-  Answer answer{{"held", std::min(1.0, kHoldLooks * hold.p), {}}, {}};
+  TestOutcome answer{{"held", std::min(1.0, kHoldLooks * hold.p), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const double interval_s = questioned.view.sample_interval_s;
   answer.question.statement =

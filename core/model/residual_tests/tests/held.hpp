@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "core/model/residual_tests/statistics/answer.hpp"
-#include "core/model/residual_tests/statistics/questioned.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 
@@ -14,6 +14,6 @@ namespace loopscope::core::model {
 /// - a freeze: the longest run of equal values while op moves, among all runs.
 /// Nominates sensor_hold with m, or the mean or longest run. nullopt when pv is missing or
 /// constant.
-[[nodiscard]] std::optional<Answer> ask_held(const Questioned& questioned);
+[[nodiscard]] std::optional<TestOutcome> ask_held(const ResidualContext& questioned);
 
 }  // namespace loopscope::core::model

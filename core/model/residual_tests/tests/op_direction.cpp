@@ -36,11 +36,11 @@ std::size_t count_reversals(std::span<const double> direction) {
 std::size_t strongest_width(const Eigen::VectorXd& t, const std::vector<double>& widths) {
   Eigen::Index strongest = 0;
   t.cwiseAbs().maxCoeff(&strongest);
-  return std::min(static_cast<std::size_t>(strongest) / Questioned::kOpLags.size(),
+  return std::min(static_cast<std::size_t>(strongest) / ResidualContext::kOpLags.size(),
                   widths.size() - 1);
 }
 
-std::string statement_of(const Questioned& questioned, double width_percent) {
+std::string statement_of(const ResidualContext& questioned, double width_percent) {
   return "The residual depends on which way op last went, beyond op itself (" +
          std::to_string(count_reversals(questioned.view.op_direction)) +
          " reversals), most as with " + in_digits(width_percent) +
@@ -49,7 +49,7 @@ std::string statement_of(const Questioned& questioned, double width_percent) {
 
 }  // namespace
 
-std::optional<Answer> ask_op_direction(const Questioned& questioned) {
+std::optional<TestOutcome> ask_op_direction(const ResidualContext& questioned) {
   if (!questioned.op) return std::nullopt;
   const double usual = usual_deviation(questioned.op_sorted);
   std::vector<Centred> lags;
@@ -63,11 +63,11 @@ std::optional<Answer> ask_op_direction(const Questioned& questioned) {
   }
   if (widths.empty()) return std::nullopt;
   LaggedColumns columns(questioned.view.op_percent.size());
-  for (const Centred& lag : lags) columns.add(lag.values, Questioned::kOpLags);
+  for (const Centred& lag : lags) columns.add(lag.values, ResidualContext::kOpLags);
   const Score score =
       score_test(questioned.beyond_linear, columns, questioned.linear_past, questioned.recorded);
   if (score.freedom == 0) return std::nullopt;
-  Answer answer{{"op_direction", score.p, {}}, {}};
+  TestOutcome answer{{"op_direction", score.p, {}}, {}};
   if (score.p > kSignificant) return answer;
   answer.question.statement = statement_of(questioned, widths.at(strongest_width(score.t, widths)));
   for (const EffectKind effect : {EffectKind::valve_stiction, EffectKind::valve_deadband})

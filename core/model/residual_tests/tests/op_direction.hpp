@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "core/model/residual_tests/statistics/answer.hpp"
-#include "core/model/residual_tests/statistics/questioned.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 
@@ -13,6 +13,6 @@ namespace loopscope::core::model {
 /// 1/4, 3/4 and 9/4 of op's usual deviation, a basis for hysteresis of any shape (Prandtl,
 /// Ishlinskii), at lags of 1 to 12 samples, beyond what op itself explains (score_test.hpp).
 /// Nominates valve_stiction and valve_deadband. nullopt when op is missing or constant.
-[[nodiscard]] std::optional<Answer> ask_op_direction(const Questioned& questioned);
+[[nodiscard]] std::optional<TestOutcome> ask_op_direction(const ResidualContext& questioned);
 
 }  // namespace loopscope::core::model

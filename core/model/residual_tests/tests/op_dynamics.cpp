@@ -22,7 +22,7 @@ std::string statement_of(const Score& score, double sample_interval_s) {
 
 }  // namespace
 
-std::optional<Answer> ask_op_dynamics(const Questioned& questioned) {
+std::optional<TestOutcome> ask_op_dynamics(const ResidualContext& questioned) {
   if (!questioned.op) return std::nullopt;
   const std::optional<Centred> moves =
       centred(increments(questioned.view.op_percent), kFewestAsked);
@@ -32,7 +32,7 @@ std::optional<Answer> ask_op_dynamics(const Questioned& questioned) {
   const Score score = score_test(questioned.constant.without(questioned.residual.values), columns,
                                  questioned.constant, questioned.recorded);
   if (score.freedom == 0) return std::nullopt;
-  Answer answer{{"op_dynamics", score.p, {}}, {}};
+  TestOutcome answer{{"op_dynamics", score.p, {}}, {}};
   if (score.p <= kSignificant)
     answer.question.statement = statement_of(score, questioned.view.sample_interval_s);
   return answer;

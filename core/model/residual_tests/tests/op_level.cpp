@@ -16,13 +16,13 @@ constexpr std::array kShares = {0.65, 0.92};
 
 /// p of op passed through `map`; 1 where that says nothing.
 template <class Map>
-double p_of(const Questioned& questioned, Map map) {
+double p_of(const ResidualContext& questioned, Map map) {
   std::vector<double> mapped(questioned.view.op_percent.begin(), questioned.view.op_percent.end());
   for (double& value : mapped) value = map(value);
   const std::optional<Centred> feature = centred(high_passed(mapped), kFewestAsked);
   if (!feature) return 1.0;
   LaggedColumns columns(mapped.size());
-  columns.add(feature->values, Questioned::kOpLags);
+  columns.add(feature->values, ResidualContext::kOpLags);
   return score_test(questioned.beyond_linear, columns, questioned.linear_past, questioned.recorded)
       .p;
 }
@@ -34,7 +34,7 @@ struct Limit {
   double p = 1.0;
 };
 
-Limit try_limit(const Questioned& questioned, double share, bool high) {
+Limit try_limit(const ResidualContext& questioned, double share, bool high) {
   const double near = high ? share : 1.0 - share;
   Limit limit{hos::sample_quantile(questioned.op_sorted, near), high, 1.0 - share, 1.0};
   limit.p = p_of(questioned, [&limit](double op) {
@@ -44,7 +44,7 @@ Limit try_limit(const Questioned& questioned, double share, bool high) {
   return limit;
 }
 
-std::vector<Limit> try_limits(const Questioned& questioned) {
+std::vector<Limit> try_limits(const ResidualContext& questioned) {
   std::vector<Limit> limits;
   for (const bool high : {true, false})
     for (const double share : kShares) limits.push_back(try_limit(questioned, share, high));
@@ -68,14 +68,14 @@ std::string statement_of(double curved_p, const Limit& limit) {
 
 }  // namespace
 
-std::optional<Answer> ask_op_level(const Questioned& questioned) {
+std::optional<TestOutcome> ask_op_level(const ResidualContext& questioned) {
   if (!questioned.op) return std::nullopt;
   const double mean = questioned.op->mean;
   const double curved_p = p_of(questioned, [mean](double op) { return (op - mean) * (op - mean); });
   const std::vector<Limit> limits = try_limits(questioned);
   std::vector<double> parts = {curved_p};
   for (const Limit& limit : limits) parts.push_back(limit.p);
-  Answer answer{{"op_level", hos::combine_p(parts), {}}, {}};
+  TestOutcome answer{{"op_level", hos::combine_p(parts), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const Limit best = *std::min_element(limits.begin(), limits.end(),
                                        [](const Limit& a, const Limit& b) { return a.p < b.p; });

@@ -26,14 +26,14 @@ std::vector<SeenLine> merged(const LineSearch& residual, const LineSearch& pv, d
   std::vector<SeenLine> lines;
   for (const SpectralLine& line : pv.lines) lines.push_back({line, true});
   for (const SpectralLine& line : residual.lines) {
-    const auto twin = std::find_if(lines.begin(), lines.end(), [&](const SeenLine& other) {
+    const auto cross_fit = std::find_if(lines.begin(), lines.end(), [&](const SeenLine& other) {
       return same(other.line, line, samples);
     });
-    if (twin == lines.end()) {
+    if (cross_fit == lines.end()) {
       lines.push_back({line, false});
-    } else if (line.p < twin->line.p) {
-      twin->line.p = line.p;
-      twin->line.period_samples = line.period_samples;
+    } else if (line.p < cross_fit->line.p) {
+      cross_fit->line.p = line.p;
+      cross_fit->line.period_samples = line.period_samples;
     }
   }
   std::stable_sort(lines.begin(), lines.end(),
@@ -50,11 +50,11 @@ std::string words_of(const SeenLine& line, double sample_interval_s) {
 
 }  // namespace
 
-Answer ask_periodic(const Questioned& questioned) {
+TestOutcome ask_periodic(const ResidualContext& questioned) {
   const LineSearch residual = find_lines(questioned.view.innovation);
   const LineSearch pv = find_lines(
       questioned.view.pv_undisturbed.empty() ? questioned.view.pv : questioned.view.pv_undisturbed);
-  Answer answer{{"periodic", std::min(1.0, 2.0 * std::min(residual.p, pv.p)), {}}, {}};
+  TestOutcome answer{{"periodic", std::min(1.0, 2.0 * std::min(residual.p, pv.p)), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const auto samples = static_cast<double>(questioned.view.pv.size());
   for (const SeenLine& line : merged(residual, pv, samples)) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array kResponseLags = {0, 1, 2, 3, 5};
 
-std::optional<Centred> square_of(const Questioned& questioned) {
+std::optional<Centred> square_of(const ResidualContext& questioned) {
   std::vector<double> square(questioned.view.response.begin(), questioned.view.response.end());
   for (double& x : square) {
     const double deviation = (x - questioned.response->mean) / questioned.response->std;
@@ -21,7 +21,7 @@ std::optional<Centred> square_of(const Questioned& questioned) {
 
 }  // namespace
 
-std::optional<Answer> ask_response_level(const Questioned& questioned) {
+std::optional<TestOutcome> ask_response_level(const ResidualContext& questioned) {
   if (!questioned.response) return std::nullopt;
   const std::optional<Centred> square = square_of(questioned);
   if (!square) return std::nullopt;
@@ -33,7 +33,7 @@ std::optional<Answer> ask_response_level(const Questioned& questioned) {
   const Score score =
       score_test(known.without(questioned.residual.values), columns, known, questioned.recorded);
   if (score.freedom == 0) return std::nullopt;
-  Answer answer{{"response_level", score.p, {}}, {}};
+  TestOutcome answer{{"response_level", score.p, {}}, {}};
   if (score.p > kSignificant) return answer;
   answer.question.statement =
       "The residual follows the square of the model's answer (which spans a standard deviation "

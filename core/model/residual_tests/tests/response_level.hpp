@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "core/model/residual_tests/statistics/answer.hpp"
-#include "core/model/residual_tests/statistics/questioned.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 
@@ -11,6 +11,6 @@ namespace loopscope::core::model {
 /// mean, now and at lags 1 to 5, beyond what x itself at those lags explains (score_test.hpp).
 /// Nominates process_nonlinearity.
 /// nullopt when x is missing or constant.
-[[nodiscard]] std::optional<Answer> ask_response_level(const Questioned& questioned);
+[[nodiscard]] std::optional<TestOutcome> ask_response_level(const ResidualContext& questioned);
 
 }  // namespace loopscope::core::model

@@ -6,7 +6,7 @@
 namespace loopscope::core::model {
 namespace {
 
-std::string words_of(const Outburst& event, const Questioned& questioned) {
+std::string words_of(const Outburst& event, const ResidualContext& questioned) {
   return in_digits(event.mean * questioned.fresh.std) + " pv units" +
          (event.samples > 1 ? " over " + std::to_string(event.samples) + " samples " : " ") +
          at_place(event.at_sample, questioned.view.sample_interval_s);
@@ -14,9 +14,9 @@ std::string words_of(const Outburst& event, const Questioned& questioned) {
 
 }  // namespace
 
-Answer ask_time_event(const Questioned& questioned) {
+TestOutcome ask_time_event(const ResidualContext& questioned) {
   const Outbursts found = find_outbursts(questioned.fresh.values);
-  Answer answer{{"time_event", found.p, {}}, {}};
+  TestOutcome answer{{"time_event", found.p, {}}, {}};
   for (const Outburst& event : found.events) {
     answer.question.statement +=
         answer.question.statement.empty() ? "Moments that the noise does not explain: " : "; ";

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/model/residual_tests/statistics/answer.hpp"
-#include "core/model/residual_tests/statistics/questioned.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 
 /// "time_event": do a few moments stand out of the noise (outbursts.hpp)? In one-step form a load
 /// step is one large innovation, or a cluster that fades. Nominates load_step at each moment.
-[[nodiscard]] Answer ask_time_event(const Questioned& questioned);
+[[nodiscard]] TestOutcome ask_time_event(const ResidualContext& questioned);
 
 }  // namespace loopscope::core::model

@@ -47,14 +47,14 @@ FoundGain judge(const Centred& residual, const Centred& answer) {
 
 }  // namespace
 
-std::optional<Answer> ask_time_gain(const Questioned& questioned) {
+std::optional<TestOutcome> ask_time_gain(const ResidualContext& questioned) {
   if (!questioned.response) return std::nullopt;
   const FoundGain level = judge(questioned.fresh, *questioned.response);
   FoundGain move;
   if (const auto moves = centred(increments(questioned.view.response), kFewestAsked))
     move = judge(questioned.fresh, *moves);
   const std::array parts = {level.change.p, move.change.p};
-  Answer answer{{"time_gain", hos::combine_p(parts), {}}, {}};
+  TestOutcome answer{{"time_gain", hos::combine_p(parts), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const FoundGain& best = level.change.p <= move.change.p ? level : move;
   answer.question.statement =

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "core/model/residual_tests/statistics/answer.hpp"
-#include "core/model/residual_tests/statistics/questioned.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 
@@ -12,6 +12,6 @@ namespace loopscope::core::model {
 /// with x(k) - x(k-1), which is what a gain error leaves when the noise wanders. The two are
 /// combined (hos/combine_p.hpp). Nominates gain_change with its place and a rough ratio.
 /// nullopt when x is missing or constant.
-[[nodiscard]] std::optional<Answer> ask_time_gain(const Questioned& questioned);
+[[nodiscard]] std::optional<TestOutcome> ask_time_gain(const ResidualContext& questioned);
 
 }  // namespace loopscope::core::model

@@ -25,10 +25,10 @@ Magnitudes magnitudes_of(const Centred& residual) {
 
 }  // namespace
 
-Answer ask_time_spread(const Questioned& questioned) {
+TestOutcome ask_time_spread(const ResidualContext& questioned) {
   const Magnitudes magnitudes = magnitudes_of(questioned.fresh);
   const ChangePoint change = find_change(magnitudes.about_mean);
-  Answer answer{{"time_spread", change.p, {}}, {}};
+  TestOutcome answer{{"time_spread", change.p, {}}, {}};
   if (change.p <= kSignificant)
     answer.question.statement =
         "The residual is " +

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/model/residual_tests/statistics/answer.hpp"
-#include "core/model/residual_tests/statistics/questioned.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 
 /// "time_spread": is the residual larger in one part of the record than in another? The change of
 /// the mean of |r| over time (change_point.hpp). It is a property of the noise and nominates
 /// nothing, but it warns of errors that compare unlike parts.
-[[nodiscard]] Answer ask_time_spread(const Questioned& questioned);
+[[nodiscard]] TestOutcome ask_time_spread(const ResidualContext& questioned);
 
 }  // namespace loopscope::core::model

@@ -44,7 +44,7 @@ std::vector<double> clipped(const Centred& residual) {
 
 }  // namespace
 
-Answer ask_white(const Questioned& questioned) {
+TestOutcome ask_white(const ResidualContext& questioned) {
   const std::vector<double> r = clipped(questioned.residual);
   double sum = 0.0;
   double strongest = 0.0;
@@ -56,7 +56,7 @@ Answer ask_white(const Questioned& questioned) {
     strongest = t;
     strongest_lag = lag;
   }
-  Answer answer{{"white", chi_square_upper(sum, kPortmanteauLags), {}}, {}};
+  TestOutcome answer{{"white", chi_square_upper(sum, kPortmanteauLags), {}}, {}};
   if (answer.question.p <= kSignificant)
     answer.question.statement =
         "The residual is linked with its own past, most at " +

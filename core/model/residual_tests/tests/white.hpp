@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/model/residual_tests/statistics/answer.hpp"
-#include "core/model/residual_tests/statistics/questioned.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::model {
 
@@ -13,6 +13,6 @@ namespace loopscope::core::model {
 ///     Q = sum over j of (sum r(k) r(k-j))^2 / sum r(k)^2 r(k-j)^2 ~ chi-square, lags 1 to 25
 ///
 /// It nominates nothing: what is missing is the other questions' to say.
-[[nodiscard]] Answer ask_white(const Questioned& questioned);
+[[nodiscard]] TestOutcome ask_white(const ResidualContext& questioned);
 
 }  // namespace loopscope::core::model

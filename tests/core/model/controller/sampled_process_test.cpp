@@ -7,7 +7,7 @@
 namespace loopscope::core::model {
 namespace {
 
-/// Answer to a unit step of op after `samples`.
+/// TestOutcome to a unit step of op after `samples`.
 double step_answer(const SampledProcess& process, std::size_t samples) {
   Polynomial y;
   for (std::size_t k = 0; k <= samples; ++k) {

@@ -148,7 +148,7 @@ TEST(FitVariants, TheBestIsTakenAndOfEqualOnesTheFirst) {
 }
 
 TEST(FitVariants, SeeTheRowsOfTheFitAlone) {
-  const LoopData data = mirrored(noisy_record());
+  const LoopData data = on_other_fold(noisy_record());
   expect_variants_the_slow_way(data, {std::make_shared<LoadStep>(500)});
   expect_variants_the_slow_way(data, {valve(2.0, 2.0)});
 }

@@ -27,7 +27,7 @@ using tests::truth;
 
 TEST(Trial, ComparedWithItselfNothingIsGained) {
   const LoopData data = lagged_loop(1);
-  const TwinFit fit = twin(data, evaluate(data, truth()));
+  const CrossFit fit = cross_fit(data, evaluate(data, truth()));
   for (const bool once : {false, true}) {
     const Comparison same = compare(data, fit, fit, once);
     EXPECT_EQ(same.evidence, 0.0);
@@ -39,8 +39,9 @@ TEST(Trial, ComparedWithItselfNothingIsGained) {
 
 TEST(Trial, EvidenceIsTheLogarithmOfTheErrors) {
   const LoopData data = lagged_loop(2);
-  const TwinFit before = twin(data, evaluate(data, truth()));
-  const TwinFit after = twin(data, evaluate(data, tests::structure_of(tests::one_lag(0.1, 1))));
+  const CrossFit before = cross_fit(data, evaluate(data, truth()));
+  const CrossFit after =
+      cross_fit(data, evaluate(data, tests::structure_of(tests::one_lag(0.1, 1))));
   const Comparison once = compare(data, before, after, true);
   EXPECT_NEAR(once.before, before.fit.score_error, 1e-12);
   EXPECT_NEAR(once.after, after.fit.score_error, 1e-12);
@@ -54,24 +55,25 @@ TEST(Trial, RowsThatBothHalvesSeeCountOnce) {
   const LoopData data = seen_whole(lagged_loop(2));
   LoopData shared = data;
   shared.rows.score = shared.rows.fit;
-  const TwinFit before = twin(shared, evaluate(shared, truth()));
-  const TwinFit after = twin(shared, evaluate(shared, tests::structure_of(tests::one_lag(0.1, 1))));
+  const CrossFit before = cross_fit(shared, evaluate(shared, truth()));
+  const CrossFit after =
+      cross_fit(shared, evaluate(shared, tests::structure_of(tests::one_lag(0.1, 1))));
   EXPECT_EQ(compare(shared, before, after).evidence, compare(shared, before, after, true).evidence);
 }
 
 TEST(Trial, SwappingTurnsTheSign) {
   const LoopData data = lagged_loop(3);
-  const TwinFit a = twin(data, evaluate(data, truth()));
-  const TwinFit b = twin(data, evaluate(data, tests::structure_of(tests::one_lag(0.5, 3))));
+  const CrossFit a = cross_fit(data, evaluate(data, truth()));
+  const CrossFit b = cross_fit(data, evaluate(data, tests::structure_of(tests::one_lag(0.5, 3))));
   EXPECT_NEAR(compare(data, a, b).evidence, -compare(data, b, a).evidence, 1e-9);
 }
 
 TEST(Trial, ATwinSeesTheOtherRows) {
   const LoopData data = lagged_loop(4);
-  const TwinFit fit = twin(data, evaluate(data, truth()));
-  const LoopData other = mirrored(data);
-  EXPECT_LE(fit.mirror.fit_error, evaluate(other, fit.fit.structure).fit_error * (1.0 + 1e-12));
-  EXPECT_EQ(fit.mirror.structure.process.delay_samples, 3U);
+  const CrossFit fit = cross_fit(data, evaluate(data, truth()));
+  const LoopData other = on_other_fold(data);
+  EXPECT_LE(fit.other_fold.fit_error, evaluate(other, fit.fit.structure).fit_error * (1.0 + 1e-12));
+  EXPECT_EQ(fit.other_fold.structure.process.delay_samples, 3U);
 }
 
 /// The bound of the split likelihood ratio holds at every level; two standard errors of room.
@@ -90,9 +92,9 @@ TEST(Trial, AnEffectThatIsThereIsCertain) {
   for (std::size_t k = 0; k < 4096; ++k) noise[k] += 2.0 * std::sin(0.1 * static_cast<double>(k));
   const LoopData data =
       make_loop_data(tests::process_record(tests::one_lag(0.8, 3), 1.5, op, noise), op, 1.0);
-  const TwinFit before = twin(data, polish(data, truth()));
-  const TwinFit after =
-      twin(data, evaluate(data, truth({std::make_shared<ExternalOscillation>(62.8)})));
+  const CrossFit before = cross_fit(data, polish(data, truth()));
+  const CrossFit after =
+      cross_fit(data, evaluate(data, truth({std::make_shared<ExternalOscillation>(62.8)})));
   const Comparison found = compare(data, before, after);
   EXPECT_LT(found.p, 1e-6);
   EXPECT_EQ(found.steadiness, 1.0);

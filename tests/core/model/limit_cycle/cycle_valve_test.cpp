@@ -50,7 +50,7 @@ bool marked(std::string_view name, std::uint64_t seed, double share) {
   step.parameters = {{"width", "%", share * travel, {}, {}}};
   std::vector<Step> steps{step};
   weigh_valves_by_cycle(input, steps);
-  return steps.front().cycles_as_if_stuck;
+  return steps.front().cycle_indicates_stiction;
 }
 
 int stiction_of_ten(std::string_view name, double share) {
@@ -98,7 +98,7 @@ TEST(CycleValve, SaysWhatItSawAndKeepsTheErrors) {
   std::vector<Step> steps{play};
   weigh_valves_by_cycle(input, steps);
   const Step& step = steps.front();
-  EXPECT_TRUE(step.cycles_as_if_stuck);
+  EXPECT_TRUE(step.cycle_indicates_stiction);
   EXPECT_EQ(step.effect, EffectKind::valve_deadband);
   EXPECT_EQ(step.parameters[0].low, 0.1);
   EXPECT_EQ(step.evidence, 100.0);

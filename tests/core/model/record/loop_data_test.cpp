@@ -136,10 +136,10 @@ TEST(LoopData, ShortRecordsHaveBothKindsOfRows) {
 
 TEST(LoopData, TheMirrorOfTheMirrorIsTheRecord) {
   const LoopData data = full_record();
-  const LoopData once = mirrored(data);
+  const LoopData once = on_other_fold(data);
   EXPECT_EQ(once.rows.fit_count(), data.rows.score_count());
   EXPECT_EQ(seen(once.rows.score, kWindow), seen(data.rows.fit, kWindow));
-  EXPECT_EQ(seen(mirrored(once).rows.fit, kWindow), seen(data.rows.fit, kWindow));
+  EXPECT_EQ(seen(on_other_fold(once).rows.fit, kWindow), seen(data.rows.fit, kWindow));
 }
 
 TEST(LoopData, SeenByBothAddsTheWindowToBothAndNothingElse) {

@@ -135,21 +135,21 @@ Questionable arx_residual(const simulate::LoopRecord& record) {
   return loop;
 }
 
-const Answer* answer_of(const std::vector<Answer>& answers, std::string_view question) {
-  const auto found = std::find_if(answers.begin(), answers.end(), [question](const Answer& answer) {
-    return answer.question.name == question;
-  });
+const TestOutcome* answer_of(const std::vector<TestOutcome>& answers, std::string_view question) {
+  const auto found = std::find_if(
+      answers.begin(), answers.end(),
+      [question](const TestOutcome& answer) { return answer.question.name == question; });
   return found == answers.end() ? nullptr : &*found;
 }
 
-double p_of(const std::vector<Answer>& answers, std::string_view question) {
-  const Answer* answer = answer_of(answers, question);
+double p_of(const std::vector<TestOutcome>& answers, std::string_view question) {
+  const TestOutcome* answer = answer_of(answers, question);
   return answer == nullptr ? kMissing : answer->question.p;
 }
 
-const Nomination* nomination_of(const std::vector<Answer>& answers, std::string_view question,
+const Nomination* nomination_of(const std::vector<TestOutcome>& answers, std::string_view question,
                                 EffectKind effect) {
-  const Answer* answer = answer_of(answers, question);
+  const TestOutcome* answer = answer_of(answers, question);
   if (answer == nullptr) return nullptr;
   const auto found =
       std::find_if(answer->nominations.begin(), answer->nominations.end(),

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/residual_tests/statistics/answer.hpp"
 #include "core/model/residual_tests/statistics/residual_view.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 #include "core/simulate/loop.hpp"
 
 namespace loopscope::core::model::tests {
@@ -37,12 +37,12 @@ struct Questionable {
 [[nodiscard]] Questionable arx_residual(const simulate::LoopRecord& record);
 
 /// p of the question of that name; NaN when it was not asked.
-[[nodiscard]] double p_of(const std::vector<Answer>& answers, std::string_view question);
+[[nodiscard]] double p_of(const std::vector<TestOutcome>& answers, std::string_view question);
 /// nullptr when it was not asked.
-[[nodiscard]] const Answer* answer_of(const std::vector<Answer>& answers,
-                                      std::string_view question);
+[[nodiscard]] const TestOutcome* answer_of(const std::vector<TestOutcome>& answers,
+                                           std::string_view question);
 /// nullptr when the question did not nominate it.
-[[nodiscard]] const Nomination* nomination_of(const std::vector<Answer>& answers,
+[[nodiscard]] const Nomination* nomination_of(const std::vector<TestOutcome>& answers,
                                               std::string_view question, EffectKind effect);
 
 }  // namespace loopscope::core::model::tests

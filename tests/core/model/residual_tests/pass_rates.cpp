@@ -2,13 +2,13 @@
 
 #include <cstdint>
 
-#include "core/model/residual_tests/question_residual.hpp"
+#include "core/model/residual_tests/test_residual.hpp"
 #include "core/simulate/scenario.hpp"
 
 namespace loopscope::core::model::tests {
 
-void count(const std::vector<Answer>& answers, PassRates& rates) {
-  for (const Answer& answer : answers) {
+void count(const std::vector<TestOutcome>& answers, PassRates& rates) {
+  for (const TestOutcome& answer : answers) {
     PassCounts& counts = rates[std::string(answer.question.name)];
     ++counts.asked;
     for (std::size_t i = 0; i < kLevels.size(); ++i)
@@ -20,7 +20,7 @@ PassRates sizes(White kind, std::size_t samples, std::size_t records) {
   PassRates rates;
   for (std::uint64_t seed = 1; seed <= records; ++seed) {
     const Questionable loop = closed_loop(white(kind, samples, 131 * seed), seed);
-    count(question_residual(loop.view()), rates);
+    count(test_residual(loop.view()), rates);
   }
   return rates;
 }
@@ -29,7 +29,7 @@ PassRates powers(const std::string& scenario, std::size_t records) {
   PassRates rates;
   for (std::uint64_t seed = 1; seed <= records; ++seed) {
     const auto record = simulate::simulate_scenario(scenario, {}, seed);
-    count(question_residual(arx_residual(record).view()), rates);
+    count(test_residual(arx_residual(record).view()), rates);
   }
   return rates;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/residual_tests/statistics/answer.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 #include "tests/core/model/residual_tests/loops.hpp"
 
 /// How often each question of a residual says yes.
@@ -23,7 +23,7 @@ struct PassCounts {
 };
 using PassRates = std::map<std::string, PassCounts, std::less<>>;  ///< by question
 
-void count(const std::vector<Answer>& answers, PassRates& rates);
+void count(const std::vector<TestOutcome>& answers, PassRates& rates);
 
 /// Of right models.
 [[nodiscard]] PassRates sizes(White kind, std::size_t samples, std::size_t records);

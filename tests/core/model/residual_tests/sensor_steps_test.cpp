@@ -7,15 +7,15 @@ namespace {
 
 constexpr double kError = 0.25;
 
-Answer held_every(double samples, double p) {
-  Answer answer;
+TestOutcome held_every(double samples, double p) {
+  TestOutcome answer;
   answer.question = {"held", p, ""};
   answer.nominations = {{.effect = EffectKind::sensor_hold, .p = p, .hold_samples = samples}};
   return answer;
 }
 
-Answer grid_of(double step, double p) {
-  Answer answer;
+TestOutcome grid_of(double step, double p) {
+  TestOutcome answer;
   answer.question = {"grid", p, ""};
   answer.nominations = {{.effect = EffectKind::sensor_quantisation, .p = p, .step = step}};
   return answer;
@@ -49,7 +49,7 @@ TEST(SensorSteps, AGridIsAStepThatLowersNothing) {
 
 /// One long standstill leaves the rest of the record as it is.
 TEST(SensorSteps, AFreezeIsAHoldThatIsNotRenewed) {
-  Answer freeze = held_every(200.0, 1e-40);
+  TestOutcome freeze = held_every(200.0, 1e-40);
   freeze.nominations.front().at_sample = 1000;
   const SensorFinding finding = find_sensor_steps(kError, {freeze});
   ASSERT_TRUE(finding.hold);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/model/selection/story.hpp"
+#include "core/model/selection/stepwise_model.hpp"
 #include "tests/core/model/everything_asked.hpp"
 #include "tests/core/model/model_records.hpp"
 
@@ -20,7 +20,7 @@ LoopData linear_loop() {
 
 class Candidates : public testing::Test {
  protected:
-  Story story = begin_story(linear_loop());
+  StepwiseModel story = start_selection(linear_loop());
 };
 
 TEST_F(Candidates, WhatPromisesMostIsFirst) {

@@ -14,7 +14,7 @@ namespace {
 using loopscope::tests::kWindow;
 
 /// A valve that sticks, S 4 and J 2.5 % of op, behind which play was found.
-Contestant play_for_sticking(std::uint64_t seed) {
+CandidateFit play_for_sticking(std::uint64_t seed) {
   const tests::Series op =
       tests::sum(tests::stepping_op(kWindow, seed, 3.0),
                  tests::coloured_noise({1, {0.95, 0, 0}, {}}, kWindow, seed + 100, 0.5));
@@ -26,13 +26,14 @@ Contestant play_for_sticking(std::uint64_t seed) {
   Fit linear = search_process(data, {});
   Structure play = linear.structure;
   play.effects = {std::make_shared<ValveEffect>(Valve{ValveLaw::he, 4.4, 0.0, 1.0})};
-  return scored({{}, {}, data, twin(data, std::move(linear)), 0.0}, search_process(data, play), 10);
+  return scored({{}, {}, data, cross_fit(data, std::move(linear)), 0.0}, search_process(data, play),
+                10);
 }
 
 TEST(CloserLook, FindsWhatSticksBehindPlay) {
-  const Contestant entered = play_for_sticking(1);
+  const CandidateFit entered = play_for_sticking(1);
   ASSERT_EQ(entered.kind(), EffectKind::valve_deadband);
-  const std::optional<Contestant> closer = look_closer(entered, entered.fit.fit, 1);
+  const std::optional<CandidateFit> closer = look_closer(entered, entered.fit.fit, 1);
   ASSERT_TRUE(closer);
   EXPECT_EQ(closer->kind(), EffectKind::valve_stiction);
   EXPECT_GT(closer->worth(), entered.worth());
@@ -40,7 +41,7 @@ TEST(CloserLook, FindsWhatSticksBehindPlay) {
 }
 
 TEST(CloserLook, FindsNothingWhereTheSearchIsLeftOut) {
-  Contestant entered = play_for_sticking(1);
+  CandidateFit entered = play_for_sticking(1);
   entered.rows.without.leave_out(Mechanism::stem_search);
   EXPECT_FALSE(look_closer(entered, entered.fit.fit, 1));
 }

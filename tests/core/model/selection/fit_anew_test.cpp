@@ -6,7 +6,7 @@
 
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/fit/trial.hpp"
-#include "core/model/selection/story.hpp"
+#include "core/model/selection/stepwise_model.hpp"
 #include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {
@@ -35,7 +35,7 @@ LoopData answered_wave(std::uint64_t seed) {
 TEST(FitAnew, FindsTheProcessBehindAWaveWhosePhaseWanders) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const LoopData data = answered_wave(seed);
-    const Fit linear = begin_story(data).last().fit;
+    const Fit linear = start_selection(data).last().fit;
     const auto line = std::make_shared<ExternalOscillation>(kWanderingPeriod);
     const Fit fit = fit_anew(data, evaluate(data, with(linear.structure, line)), HUGE_VAL);
     const double floor = std::pow(kWanderingNoiseStd / data.pv_scale, 2.0);

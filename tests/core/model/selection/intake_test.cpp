@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <span>
 
-#include "core/model/selection/contest.hpp"
+#include "core/model/selection/selection_round.hpp"
 #include "core/simulate/scenario.hpp"
 #include "tests/core/model/everything_asked.hpp"
 
@@ -16,8 +16,8 @@ class IntakeOfTrials : public testing::Test {
  protected:
   void SetUp() override {
     const Asked asked = tests::everything_asked();
-    trials =
-        hold_contest({story.data, story.data, story.last(), asked, false, Reach::asked}).trials;
+    trials = run_selection_round({story.data, story.data, story.last(), asked, false, Reach::asked})
+                 .trials;
     ASSERT_GE(trials.size(), 2U);
     ASSERT_TRUE(trials[1].enters());
     leader = trials.front().kind();
@@ -30,10 +30,10 @@ class IntakeOfTrials : public testing::Test {
 
   const simulate::LoopRecord record = simulate::simulate_scenario("worn_valve", {}, 1);
   const LoopData original = make_loop_data(record.pv, record.op, record.sample_interval_s);
-  Story story = begin_story(original);
-  std::vector<Contestant> trials;
+  StepwiseModel story = start_selection(original);
+  std::vector<CandidateFit> trials;
   EffectKind leader = EffectKind::load_step;
-  std::vector<Answer> said;
+  std::vector<TestOutcome> said;
 };
 
 TEST_F(IntakeOfTrials, BehindARefusedTrialTheNextOneEnters) {

@@ -19,7 +19,8 @@ namespace {
 using Start = std::function<EffectPtr(const LoopData&)>;
 
 /// A story with one chapter: that effect in the flow loop, noise and load as in the scenarios.
-Story told(const simulate::Effect& truth, double move, const Start& start, std::uint64_t seed) {
+StepwiseModel told(const simulate::Effect& truth, double move, const Start& start,
+                   std::uint64_t seed) {
   simulate::LoopSettings loop = simulate::scenario_loop("healthy_flow");
   loop.effects = {truth};
   const double pattern[] = {1.0, -1.0, -1.0, 1.0};
@@ -27,15 +28,15 @@ Story told(const simulate::Effect& truth, double move, const Start& start, std::
     loop.setpoint_moves.push_back({.at_sample = 1000 + 103 * i, .size = move * pattern[i % 4]});
   }
   const simulate::LoopRecord record = simulate::simulate_loop(loop, seed);
-  Story story{make_loop_data(record.pv, record.op, 1.0), {}, {}};
+  StepwiseModel story{make_loop_data(record.pv, record.op, 1.0), {}, {}};
   Structure structure = tests::structure_of(tests::noiseless_process());
   structure.noise = {1, {0.98, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
-  story.baseline = twin(story.data, evaluate(story.data, structure));
+  story.baseline = cross_fit(story.data, evaluate(story.data, structure));
   structure.effects = {start(story.data)};
   const Fit fit =
       polish(story.data, refine_last(story.data, evaluate(story.data, structure)).structure, 4);
-  Chapter chapter;
-  chapter.fit = twin(story.data, fit);
+  SelectedEffect chapter;
+  chapter.fit = cross_fit(story.data, fit);
   chapter.comparison = compare(story.data, story.baseline, chapter.fit);
   chapter.rival_evidence = 12.0;
   chapter.simulation_ratio = 0.5;
@@ -43,7 +44,7 @@ Story told(const simulate::Effect& truth, double move, const Start& start, std::
   return story;
 }
 
-Story saturated(std::uint64_t seed) {
+StepwiseModel saturated(std::uint64_t seed) {
   return told(
       simulate::ValveSaturation{.low_percent = 40.0, .high_percent = 53.0}, 6.0,
       [](const LoopData& data) { return std::make_shared<Saturation>(-1e9, 53.0 - data.op_mean); },
@@ -51,7 +52,7 @@ Story saturated(std::uint64_t seed) {
 }
 
 TEST(StepReport, IsTheComparisonInPvUnits) {
-  const Story story = saturated(1);
+  const StepwiseModel story = saturated(1);
   const auto steps = report_steps(story);
   ASSERT_EQ(steps.size(), 1U);
   const Comparison& comparison = story.chapters[0].comparison;
@@ -67,7 +68,7 @@ TEST(StepReport, IsTheComparisonInPvUnits) {
 }
 
 TEST(StepReport, AStoryWithoutChaptersHasNoSteps) {
-  Story story = saturated(1);
+  StepwiseModel story = saturated(1);
   story.chapters.clear();
   EXPECT_TRUE(report_steps(story).empty());
 }
@@ -76,7 +77,8 @@ struct Coverage {
   int covered = 0, reported = 0;
 };
 
-void count(const Story& story, std::string_view parameter, double truth, Coverage& coverage) {
+void count(const StepwiseModel& story, std::string_view parameter, double truth,
+           Coverage& coverage) {
   for (const Step& step : report_steps(story)) {
     for (const Parameter& found : step.parameters) {
       if (found.name != parameter) continue;
@@ -131,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Parameters, StepIntervals, testing::Values("high", "cur
 
 /// What sits at one place has no parts to be fitted again on.
 TEST(StepReport, ALoadStepHasNoInterval) {
-  const Story story = told(
+  const StepwiseModel story = told(
       simulate::LoadStep{.at_s = 2000.0, .size = 8.0}, 0.0,
       [](const LoopData&) { return std::make_shared<LoadStep>(2000); }, 1);
   const std::vector<Step> steps = report_steps(story);

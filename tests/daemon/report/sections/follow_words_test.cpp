@@ -12,8 +12,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-LoopStory healthy_story() {
-  LoopStory story;
+LoopReport healthy_story() {
+  LoopReport story;
   story.row = flagged_row(1, "TIC2");
   story.row.rank = 0;
   story.row.code = "healthy";
@@ -25,7 +25,7 @@ LoopStory healthy_story() {
 }
 
 TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
-  LoopStory story = healthy_story();
+  LoopReport story = healthy_story();
   story.followed = {3, 40.0, "FIC1", "victim", 0.62, "external_disturbance"};
   const std::string text = loop_section(story);
   EXPECT_THAT(text, HasSubstr("<span class=\"verdict external_disturbance\">External disturbance"));
@@ -40,7 +40,7 @@ TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
 }
 
 TEST(FollowWords, OneThatIsHardlyTouchedStaysHealthyAndSaysSo) {
-  LoopStory story = healthy_story();
+  LoopReport story = healthy_story();
   story.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
   const std::string text = loop_section(story);
   EXPECT_THAT(text, HasSubstr("<span class=\"verdict healthy\">"));
@@ -51,7 +51,7 @@ TEST(FollowWords, OneThatIsHardlyTouchedStaysHealthyAndSaysSo) {
 }
 
 TEST(FollowWords, AStayOnTheListKeepsItsFaultWhateverTheNewestWindowSays) {
-  LoopStory story = healthy_story();
+  LoopReport story = healthy_story();
   story.row.code = "valve_stiction";
   story.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
   const std::string text = loop_section(story);

@@ -15,8 +15,8 @@ using core::model::EffectKind;
 using testing::HasSubstr;
 using testing::Not;
 
-LoopStory story(const std::string& text) {
-  LoopStory told;
+LoopReport story(const std::string& text) {
+  LoopReport told;
   told.row = flagged_row(7, text);
   told.problems = {{"no_rows", "op", text, text, text, told.row.since_us, true}};
   told.repairs = plant_facts(text).repairs;
@@ -54,7 +54,7 @@ TEST(LoopSection, TellsCauseActionEvidenceAndShowsPictures) {
 }
 
 TEST(LoopSection, WithoutPicturesItSaysWhy) {
-  LoopStory told = story("FIC101");
+  LoopReport told = story("FIC101");
   told.pictures.clear();
   told.trouble = "the historian <is> away";
   EXPECT_THAT(loop_section(told), HasSubstr("the window: the historian &lt;is&gt; away"));
@@ -62,14 +62,14 @@ TEST(LoopSection, WithoutPicturesItSaysWhy) {
 }
 
 TEST(LoopSection, BesidePicturesOfThePastItSaysWhyTheWindowHasNone) {
-  LoopStory told = story("FIC101");
+  LoopReport told = story("FIC101");
   told.trouble = "the historian is away";
   EXPECT_THAT(loop_section(told), HasSubstr("No pictures of the window: the historian is away"));
   EXPECT_THAT(loop_section(told), HasSubstr("class=\"pictures\""));
 }
 
 TEST(LoopSection, AHiddenLoopSaysWhyAndWhatToDoFirst) {
-  LoopStory told = story("TIC7");
+  LoopReport told = story("TIC7");
   EXPECT_THAT(loop_section(told), Not(HasSubstr("Not on the list")));
   told.hidden = {
       {"victim", "FIC1 leads", "", 0, std::nullopt, 3, "FIC1"},

@@ -88,7 +88,8 @@ LoopInput noise_input() {
 TEST(AnalyseWindow, AModelOnlyWhereThereIsCauseWhenThatIsTheWish) {
   const LoopInput quiet = noise_input();
   const storage::AnalysisRecord always = analyse_window({}, quiet, {}, "{}");
-  const storage::AnalysisRecord spared = analyse_window({}, quiet, {}, "{}", {core::ModelCause{}});
+  const storage::AnalysisRecord spared =
+      analyse_window({}, quiet, {}, "{}", {core::ModelTrigger{}});
   EXPECT_TRUE(always.model_ms.has_value());
   EXPECT_FALSE(spared.model_ms.has_value());
   EXPECT_TRUE(spared.model_json.empty());
@@ -101,7 +102,7 @@ TEST(AnalyseWindow, AModelOnlyWhereThereIsCauseWhenThatIsTheWish) {
     waving.at_slot.window.pv[k] += 8.0 * std::sin(0.1 * static_cast<double>(k));
   }
   waving.first = core::first_look(waving.at_slot.window, {});
-  EXPECT_TRUE(analyse_window({}, waving, {}, "{}", {core::ModelCause{}}).model_ms.has_value());
+  EXPECT_TRUE(analyse_window({}, waving, {}, "{}", {core::ModelTrigger{}}).model_ms.has_value());
 }
 
 TEST(AnalyseWindow, TheStagesAreTimed) {

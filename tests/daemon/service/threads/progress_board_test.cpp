@@ -30,8 +30,8 @@ std::vector<std::int64_t> proven(ProgressBoard& board) {
 
 TEST(ProgressBoard, OnlyWhoGotOnSinceKeepsItsClaims) {
   ProgressBoard board;
-  ProgressBoard::Desk& busy = board.desk();
-  ProgressBoard::Desk& hanging = board.desk();
+  ProgressBoard::Entry& busy = board.desk();
+  ProgressBoard::Entry& hanging = board.desk();
   busy.hold(claims({1, 2}));
   hanging.hold(claims({3}));
   EXPECT_THAT(proven(board), UnorderedElementsAre(1, 2, 3)) << "all are new";
@@ -46,7 +46,7 @@ TEST(ProgressBoard, OnlyWhoGotOnSinceKeepsItsClaims) {
 
 TEST(ProgressBoard, AStepDuringTheRenewalCountsForTheNext) {
   ProgressBoard board;
-  ProgressBoard::Desk& desk = board.desk();
+  ProgressBoard::Entry& desk = board.desk();
   desk.hold(claims({1}));
   const Clock::time_point seen = Clock::now();
   desk.step();
@@ -56,11 +56,11 @@ TEST(ProgressBoard, AStepDuringTheRenewalCountsForTheNext) {
 
 TEST(ProgressBoard, WhoWaitsForACoreGetsOnAsLongAsAnybodyDoes) {
   ProgressBoard board;
-  ProgressBoard::Desk& waiting = board.desk();
-  ProgressBoard::Desk& busy = board.desk();
+  ProgressBoard::Entry& waiting = board.desk();
+  ProgressBoard::Entry& busy = board.desk();
   waiting.hold(claims({1}));
   busy.hold(claims({2}));
-  const ProgressBoard::Desk::Wait wait(waiting);
+  const ProgressBoard::Entry::Wait wait(waiting);
   board.renewed(Clock::now());
   EXPECT_THAT(proven(board), IsEmpty());
   busy.step();
@@ -69,7 +69,7 @@ TEST(ProgressBoard, WhoWaitsForACoreGetsOnAsLongAsAnybodyDoes) {
 
 TEST(ProgressBoard, WhatIsLostIsToldAndNotAskedForAgain) {
   ProgressBoard board;
-  ProgressBoard::Desk& desk = board.desk();
+  ProgressBoard::Entry& desk = board.desk();
   desk.hold(claims({1, 2}));
   EXPECT_EQ(board.lose(keys({{2, 0}, {7, 0}})), 1u);
   EXPECT_EQ(board.lose(keys({{2, 0}})), 0u);
@@ -82,8 +82,8 @@ TEST(ProgressBoard, WhatIsLostIsToldAndNotAskedForAgain) {
 
 TEST(ProgressBoard, AnOutdatedClaimSaysNothingOfANewOne) {
   ProgressBoard board;
-  ProgressBoard::Desk& former = board.desk();
-  ProgressBoard::Desk& present = board.desk();
+  ProgressBoard::Entry& former = board.desk();
+  ProgressBoard::Entry& present = board.desk();
   auto claimed = claims({1});
   claimed[0].fence = 7;
   former.hold(claimed);
@@ -96,7 +96,7 @@ TEST(ProgressBoard, AnOutdatedClaimSaysNothingOfANewOne) {
 
 TEST(ProgressBoard, WhatIsGivenBackIsHeldNoLonger) {
   ProgressBoard board;
-  ProgressBoard::Desk& desk = board.desk();
+  ProgressBoard::Entry& desk = board.desk();
   desk.hold(claims({1, 2, 3}));
   desk.done(std::vector<std::int64_t>{2});
   EXPECT_THAT(proven(board), ElementsAre(1, 3));
@@ -107,12 +107,12 @@ TEST(ProgressBoard, WhatIsGivenBackIsHeldNoLonger) {
 
 TEST(ProgressBoard, AnIdleLaneProvesNothingForThoseThatWait) {
   ProgressBoard board;
-  ProgressBoard::Desk& waiting = board.desk();
-  ProgressBoard::Desk& hanging = board.desk();
-  ProgressBoard::Desk& idle = board.desk();
+  ProgressBoard::Entry& waiting = board.desk();
+  ProgressBoard::Entry& hanging = board.desk();
+  ProgressBoard::Entry& idle = board.desk();
   waiting.hold(claims({1}));
   hanging.hold(claims({2}));
-  const ProgressBoard::Desk::Wait wait(waiting);
+  const ProgressBoard::Entry::Wait wait(waiting);
   board.renewed(Clock::now());
   idle.step();
   EXPECT_THAT(proven(board), IsEmpty());
@@ -120,7 +120,7 @@ TEST(ProgressBoard, AnIdleLaneProvesNothingForThoseThatWait) {
 
 TEST(ProgressBoard, SaysWhenABatchStandsStill) {
   ProgressBoard board;
-  ProgressBoard::Desk& desk = board.desk();
+  ProgressBoard::Entry& desk = board.desk();
   const Clock::time_point later = Clock::now() + 100s;
   EXPECT_FALSE(board.standstill(60s, later)) << "an idle lane has nothing to show";
   desk.hold(claims({1}));
@@ -128,7 +128,7 @@ TEST(ProgressBoard, SaysWhenABatchStandsStill) {
   EXPECT_THAT(board.standstill(60s, later).value_or(""),
               testing::StartsWith("a batch of loops has made no progress for"));
   {
-    const ProgressBoard::Desk::Wait wait(desk);
+    const ProgressBoard::Entry::Wait wait(desk);
     EXPECT_FALSE(board.standstill(60s, later)) << "whoever has the core answers for it";
   }
   EXPECT_EQ(board.held_loops(), 1u);

@@ -65,7 +65,7 @@ std::vector<ValveEffect> lane_valves() {
 TEST(LaneKernel, AnswersOfValvesAreTheSame) {
   const LaneSetting setting;
   const NoiseModel noise{2, {0.97, 0.4, 0.0}, {-0.6, 0.1, 0.0}};
-  const AnswerTask task{setting.op, noise, 2, setting.signals, setting.rows};
+  const ResponseTask task{setting.op, noise, 2, setting.signals, setting.rows};
   const std::vector<ValveEffect> all = lane_valves();
   const ProcessShape process = tests::two_lags(0.9, 0.5, 4);
   std::vector<ValveAndProcess> pairs;

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/model/record/model_input.hpp"
+#include "core/model/residual_tests/test_residual.hpp"
+#include "core/model/results/explanation.hpp"
+
+namespace loopscope::core::model {
+
+/// Puts a valve by its three witnesses (hysteresis_from_limit_cycle.hpp) in place of the steps that
+/// its slips pass for, and the errors of the whole explanation into simulation errors. Other
+/// effects stand where the shape of the cycle is not clear beyond doubt and an outside oscillation
+/// is among them, or what they leave no longer follows op's direction. A valve among the steps is
+/// weighed by the cycle instead (cycle_valve.hpp), unless jumps lead the story that may be its
+/// slips and the shape of the cycle is clear beyond doubt. Where op made a few strokes only nothing
+/// of that stands. `first`: asked of the linear loop's residual; `left`: of the last model's.
+void apply_limit_cycle_evidence(const ModelInput& input, const std::vector<TestOutcome>& first,
+                                const std::vector<TestOutcome>& left, std::size_t op_turns,
+                                Explanation& explanation);
+
+}  // namespace loopscope::core::model

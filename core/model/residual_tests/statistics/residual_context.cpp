@@ -1,0 +1,74 @@
+#include "core/model/residual_tests/statistics/residual_context.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/model/residual_tests/statistics/fast_noise.hpp"
+
+namespace loopscope::core::model {
+namespace {
+
+void check(const ResidualView& view) {
+  const std::size_t size = view.innovation.size();
+  for (const std::span<const double> signal :
+       std::array{view.op_percent, view.op_direction, view.response, view.pv})
+    if (signal.size() != size) throw std::invalid_argument("residual: signals differ in length");
+  if (!(view.sample_interval_s > 0.0))
+    throw std::invalid_argument("residual: the sample interval must be positive");
+}
+
+/// Each sample of a few, then further apart.
+constexpr std::array kPastLags = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 20, 25, 30};
+constexpr std::array kLinearOpLags = {1,  2,  3,  4,  5,  6,  7,  8,  9, 10,
+                                      11, 12, 14, 16, 20, 25, 30, 40, 60};
+
+/// A missing sample stays 0.
+Centred fresh_of(const ResidualContext& questioned) {
+  Centred result{{questioned.beyond_linear.begin(), questioned.beyond_linear.end()},
+                 questioned.residual.recorded,
+                 0.0,
+                 questioned.residual.std};
+  const double square = questioned.beyond_linear.squaredNorm();
+  const double std = std::sqrt(square / static_cast<double>(result.recorded));
+  if (!(std > 0.0)) return questioned.residual;
+  for (double& value : result.values) value /= std;
+  result.std *= std;
+  return result;
+}
+
+}  // namespace
+
+std::optional<ResidualContext> prepare_questions(const ResidualView& view) {
+  check(view);
+  std::optional<Centred> residual = centred(view.innovation, kFewestAsked);
+  if (!residual) return std::nullopt;
+  ResidualContext result{
+      .view = view,
+      .residual = std::move(*residual),
+      .op = centred(view.op_percent, kFewestAsked),
+      .response = centred(view.response, kFewestAsked),
+      .pv = centred(view.pv, kFewestAsked),
+      .op_sorted = sorted_finite(view.op_percent),
+      .fast_noise_std = fast_noise_std(view),
+      .grid = {},
+      .recorded = Eigen::ArrayXd(static_cast<Eigen::Index>(view.innovation.size())),
+      .constant = {},
+      .linear_past = {},
+      .beyond_linear = {},
+      .fresh = {}};
+  for (Eigen::Index k = 0; k < result.recorded.size(); ++k)
+    result.recorded[k] = std::isfinite(view.innovation[static_cast<std::size_t>(k)]) ? 1.0 : 0.0;
+
+  LaggedColumns columns(view.innovation.size());
+  result.constant = LinearSpan(columns, result.recorded);
+  columns.add(result.residual.values, kPastLags);
+  if (result.op) columns.add(result.op->values, kLinearOpLags);
+  result.linear_past = LinearSpan(columns, result.recorded);
+  result.beyond_linear = result.linear_past.without(result.residual.values);
+  result.fresh = fresh_of(result);
+  if (result.pv) result.grid = find_grid(view.pv, result.fast_noise_std);
+  return result;
+}
+
+}  // namespace loopscope::core::model

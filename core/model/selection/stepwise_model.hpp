@@ -1,0 +1,59 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/model/fit/trial.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
+
+namespace loopscope::core::model {
+
+/// A fit as it was judged on rows that it had not seen.
+struct Judged {
+  CrossFit fit;
+  Rows rows;
+  bool once = false;  ///< on the score rows alone (candidate_fit.hpp), else on those of both kinds
+};
+
+/// An effect that was taken in.
+struct SelectedEffect {
+  CrossFit fit;                 ///< with it and all before it
+  Comparison comparison;        ///< with it against without it
+  double rival_evidence = 0.0;  ///< of the best effect of another cause in the same round; of such
+                                ///< as were not tried, their promise
+  double simulation_ratio = 1.0;
+  std::size_t promise_rank = 0;        ///< among what the residual tests asked for; 0 = nobody did
+  std::vector<TestOutcome> asked_for;  ///< of the residual tests, before it and after it
+  std::vector<TestOutcome> left;
+  /// Of the effect.
+  [[nodiscard]] EffectKind kind() const { return fit.fit.structure.effects.back()->kind(); }
+  Judged judged;  ///< what `comparison` has after it, before the process was settled behind it
+};
+
+/// From the linear loop to the last effect that the data ask for.
+struct StepwiseModel {
+  LoopData data;  ///< with the rows on which the last fit is judged
+  CrossFit baseline;
+  std::vector<SelectedEffect> chapters;
+  Rows first_rows = data.rows;  ///< on which the baseline is judged
+  [[nodiscard]] const CrossFit& last() const {
+    return chapters.empty() ? baseline : chapters.back().fit;
+  }
+};
+
+/// Fits the linear loop.
+[[nodiscard]] StepwiseModel start_selection(const LoopData& data);
+
+/// What the residual tests say of a fit of the record.
+using ResidualTests = std::function<std::vector<TestOutcome>(const LoopData&, const Fit&)>;
+
+/// Takes in one effect after the other, each time the one least probable by chance, as long as that
+/// is significant.
+/// The residual tests lead: what they ask for is tried, and what nobody asked for gets a cheap look
+/// once nothing else enters. `answers` to the linear loop's residual; returns those to the last
+/// one's.
+[[nodiscard]] std::vector<TestOutcome> select_effects(StepwiseModel& story,
+                                                      std::vector<TestOutcome> answers,
+                                                      const ResidualTests& tests);
+
+}  // namespace loopscope::core::model

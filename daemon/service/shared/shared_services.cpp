@@ -1,0 +1,22 @@
+#include "daemon/service/shared/shared_services.hpp"
+
+#include <string>
+
+#include "core/diagnosis/diagnose.hpp"
+#include "core/hos/bicoherence/triple_sums.hpp"
+
+namespace loopscope::daemon {
+
+SharedServices::SharedServices(std::size_t workers, RetryLimit how_long)
+    : metrics(
+          {LOOPSCOPE_VERSION, core::kAlgorithmRevision, std::string(core::hos::processor_path())}),
+      cores(workers),
+      perseverance(how_long) {}
+
+std::vector<std::string> SharedServices::sources_away() {
+  std::vector<std::string> away;
+  for (const auto& [source, left] : historians.closed()) away.push_back(source);
+  return away;
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "daemon/service/historians/historian_pool.hpp"
+#include "daemon/service/observe/fault_log.hpp"
+#include "daemon/service/shared/known_clocks.hpp"
+#include "daemon/service/shared/results_link.hpp"
+#include "daemon/service/threads/core_gate.hpp"
+#include "daemon/service/threads/progress_board.hpp"
+#include "daemon/service/threads/stop_signal.hpp"
+#include "storage/results/leases/claim_floor.hpp"
+
+namespace loopscope::daemon {
+
+/// What all lanes of the process share. Thread-safe.
+struct SharedServices {
+  SharedServices(std::size_t workers, RetryLimit how_long);
+  /// Whose loops nobody claims just now.
+  [[nodiscard]] std::vector<std::string> sources_away();
+  StopSignal bell;
+  Metrics metrics;
+  FaultLog faults{metrics};
+  HistorianPool historians{metrics};
+  CoreGate cores;
+  KnownClocks clocks;
+  ProgressBoard progress;
+  const std::shared_ptr<storage::ClaimFloors> floors = std::make_shared<storage::ClaimFloors>();
+  /// Held by the one lane that works on a suspect: two that kill their worker cannot be told apart.
+  std::mutex suspect_turn;
+  const RetryLimit perseverance;
+};
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,38 @@
+#include "core/plant/hub.hpp"
+
+#include <gtest/gtest.h>
+#include <random>
+
+#include "core/hos/numeric/uniform_draw.hpp"
+
+namespace loopscope::core::plant {
+namespace {
+
+TEST(Star, HoldsItsRateOverIndependentNeighbours) {
+  std::mt19937_64 random(61);
+  constexpr int kStars = 4000;
+  int rare = 0;
+  for (int k = 0; k < kStars; ++k) {
+    std::vector<Neighbour> around;
+    for (std::size_t i = 1; i <= 20; ++i) around.push_back({i, hos::uniform_draw(random)});
+    rare += find_star(0, around).p <= 0.05 ? 1 : 0;
+  }
+  EXPECT_LE(rare, 0.05 * kStars);
+}
+
+TEST(Star, ManyFairFollowersSayAsMuchAsOneGoodOne) {
+  std::vector<Neighbour> around;
+  for (std::size_t i = 1; i <= 20; ++i) around.push_back({i, i <= 6 ? 0.01 : 0.5});
+  const Star star = find_star(7, around);
+  EXPECT_EQ(star.centre, 7U);
+  EXPECT_EQ(star.rays.size(), 6U);
+  EXPECT_LE(star.p, 1e-5);
+}
+
+TEST(Star, OfNothingIsNone) {
+  EXPECT_TRUE(find_star(0, {}).rays.empty());
+  EXPECT_EQ(find_star(0, {}).p, 1.0);
+}
+
+}  // namespace
+}  // namespace loopscope::core::plant
