@@ -48,12 +48,12 @@ void check_schedule(const ScheduleSettings& schedule, ProblemList& problems) {
     problems.add_unless_refused(
         {"/schedule/lease_s", "/schedule/poll_s"},
         seconds(schedule.lease_s) + " is less than 3 poll_s, " + seconds(3.0 * schedule.poll_s),
-        "hold loops longer or look more often");
+        "hold loops longer or poll more often");
   if (schedule.default_period_s < schedule.poll_s)
     problems.add_unless_refused(
         {"/schedule/default_period_s", "/schedule/poll_s"},
         seconds(schedule.default_period_s) + " is less than poll_s, " + seconds(schedule.poll_s),
-        "no loop is analysed more often than the daemon looks");
+        "no loop is analysed more often than the daemon polls");
 }
 
 void check_http_address(const std::string& address, ProblemList& problems) {

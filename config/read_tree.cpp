@@ -106,7 +106,7 @@ class TreeReader {
     for (const auto& [key, value] : node.items()) {
       const std::string path = member_path(place.path, key);
       if (std::find(names.begin(), names.end(), key) == names.end())
-        problems_.add({path, "is no known setting", hint_for_unknown(key, names)});
+        problems_.add({path, "is not a known setting", hint_for_unknown(key, names)});
       else
         read(value, {path, place.pattern + "/" + key, place.index});
     }

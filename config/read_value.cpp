@@ -129,7 +129,7 @@ std::optional<Problem> refuse_element(const std::string& text, const std::string
   if (text.empty()) return Problem{path, "is empty", "leave it out of the list"};
   if (has_control_character(text)) return Problem{path, "holds a control character", {}};
   if (form == Form::numbers && !is_number_text(text))
-    return Problem{path, Json(text).dump() + " is no number", {}};
+    return Problem{path, Json(text).dump() + " is not a number", {}};
   const std::size_t equals = text.rfind('=');
   const bool state = equals != std::string::npos && equals > 0 &&
                      is_number_text(std::string_view(text).substr(equals + 1));

@@ -87,7 +87,7 @@ constexpr std::array kOtherSettings = {
             "results older than this are dropped by `maintain`; 0 = none"},
 
     Setting{"/schedule/poll_s", in_schedule<&ScheduleSettings::poll_s>, range(0.1, 3600, "s"),
-            "between two looks for due loops"},
+            "interval between two polls for due loops"},
     Setting{"/schedule/settle_s", in_schedule<&ScheduleSettings::settle_s>, range(0, 86400, "s"),
             "rows newer than this are left to settle"},
     Setting{"/schedule/lease_s", in_schedule<&ScheduleSettings::lease_s>, range(10, 86400, "s"),
@@ -165,8 +165,9 @@ constexpr std::array kOtherSettings = {
 
     Setting{"/plant/round_s", in_plant<&PlantSettings::round_s>, range(0, 604800, "s"),
             "between two comparisons of all loops with each other (shared oscillations); 0 = none"},
-    Setting{"/plant/notice_s", in_plant<&PlantSettings::notice_s>, range(0, 86400, "s"),
-            "between two looks for newly flagged loops, which NOTIFY tells of; 0 = none"},
+    Setting{
+        "/plant/notice_s", in_plant<&PlantSettings::notice_s>, range(0, 86400, "s"),
+        "interval between two checks for newly flagged loops, which NOTIFY announces; 0 = none"},
 
     Setting{"/discovery/patterns", in_discovery<&DiscoverySettings::patterns>, any(Form::text),
             "of the tags of a loop, between semicolons, the first that fits counts; `*` is a part "

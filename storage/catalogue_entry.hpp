@@ -27,7 +27,7 @@ struct CatalogueEntry {
   std::string unit;         ///< process unit within the area
   std::string description;  ///< what the loop controls
   std::string pv_unit;      ///< of sp and pv, such as m3/h
-  std::string owner;        ///< who looks after the loop
+  std::string owner;        ///< who is responsible for the loop
   double importance = 1.0;  ///< weight in the ranking, > 0
   bool enabled = true;
   std::int64_t registered_us = 0;  ///< when it was added, microseconds UTC

@@ -85,14 +85,14 @@ DisturbanceWords words_of(Disturbance disturbance, const model::Explanation& exp
               "can be measured, consider feedforward."};
     case Disturbance::keeps_moving:
       return {"The load keeps moving.",
-              "Look for what feeds this loop (supply pressure, upstream level, composition): it "
+              "Check what feeds this loop (supply pressure, upstream level, composition): it "
               "moves without a period. Where it can be measured, consider feedforward."};
     case Disturbance::wave:
     case Disturbance::none:
       break;
   }
   return {"An oscillation reaches the loop from outside.",
-          "Look for another loop with the same period before this one is touched."};
+          "Find the loop or unit with the same period before changing this loop."};
 }
 
 }  // namespace loopscope::core::diagnosis

@@ -31,7 +31,7 @@ std::string parameters_text(const model::Step& step) {
 std::string statement_of(const model::Step& step) {
   if (!step.statement.empty()) return step.statement;
   const std::string parameters = parameters_text(step);
-  std::string text = "The model takes in ";
+  std::string text = "The model includes ";
   text += model::name(step.effect);
   if (!parameters.empty()) text.append(" (").append(parameters).append(")");
   return text + ".";
@@ -40,15 +40,19 @@ std::string statement_of(const model::Step& step) {
 }  // namespace
 
 std::string step_text(const model::Step& step) {
-  return statement_of(step) + " Error on unseen samples " + number(step.holdout_error_before) +
+  return statement_of(step) +
+         " One-step prediction error on held-out samples: " + number(step.holdout_error_before) +
          " -> " + number(step.holdout_error_after) + " (evidence " + number(step.evidence) +
          ", p " + p_text(step.p) + ").";
 }
 
 std::string unexplained_text(const model::Explanation& explanation) {
   const model::Unexplained& rest = explanation.unexplained;
-  std::string text = "Of what could be explained the model leaves " + percent(rest.fraction) +
-                     " (whiteness p " + p_text(rest.whiteness_p) + ").";
+  const std::string left = percent(rest.fraction);
+  std::string text = left == "0 %"
+                         ? std::string("The model explains all of the explainable error")
+                         : "The model leaves " + left + " of the explainable error unexplained";
+  text += " (residual whiteness p " + p_text(rest.whiteness_p) + ").";
   if (!rest.statement.empty()) text += " " + rest.statement;
   for (const model::Question& question : explanation.questions) {
     const bool said = rest.statement.find(question.statement) != std::string::npos;
@@ -63,8 +67,9 @@ std::string closed_loop_text(const model::ClosedLoop& loop) {
                                       : std::string("unstable");
   const std::string period =
       loop.period_s > 0.0 ? ", period " + duration(loop.period_s) : std::string(", no oscillation");
-  return "Closed loop implied by the records: " + sensitivity + ", damping " +
-         number(loop.damping) + period + ", settles in " + duration(loop.settling_s) + ".";
+  return "Closed loop by the fitted model and the recorded controller: " + sensitivity +
+         ", damping " + number(loop.damping) + period + ", settles in " +
+         duration(loop.settling_s) + ".";
 }
 
 }  // namespace loopscope::core::diagnosis

@@ -26,8 +26,8 @@ std::string measured_text(const Part& part) {
 std::string others_text(const Part& part) {
   const std::string chance = percent(part.value.value_or(0.0));
   if (part.other == VerdictCode::nonlinear_unexplained)
-    return "valve or process is nonlinear, in whatever way: " + chance;
-  return "some other finding by its own figures: " + chance + ", likeliest " +
+    return "some nonlinearity of valve or process: " + chance;
+  return "other causes together by their own figures: " + chance + ", most likely " +
          std::string(name(part.other));
 }
 
@@ -57,15 +57,17 @@ std::string position_text(const loop::Shape& shape) {
 void add_model(const model::Explanation& model, std::vector<std::string>& reasons) {
   for (const model::Step& step : model.steps) {
     const bool believed = model.excited || model::is_seen_without_op(step.effect);
-    reasons.push_back(believed ? step_text(step)
-                               : "The model took in " + std::string(model::name(step.effect)) +
-                                     ", but op moves too little to show it: not believed.");
+    reasons.push_back(
+        believed ? step_text(step)
+                 : "The model fitted " + std::string(model::name(step.effect)) +
+                       ", but the controller output moves too little to confirm it: rejected.");
   }
   if (!model.excited) {
-    reasons.push_back("Of the way from op to pv the model claims nothing: " + model.excitation);
+    reasons.push_back("The process from op to pv could not be identified from these data: " +
+                      model.excitation);
     return;
   }
-  reasons.push_back((model.steps.empty() ? "The linear model needs no effect. " : "") +
+  reasons.push_back((model.steps.empty() ? "A linear loop model is sufficient. " : "") +
                     unexplained_text(model));
   if (!model.process_doubt.empty()) reasons.push_back(model.process_doubt);
   if (model.closed_loop) reasons.push_back(closed_loop_text(*model.closed_loop));
@@ -76,8 +78,8 @@ void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
   const bool held = state_of(evidence) == LoopState::held_at_limit || evidence.still.has_value();
   if (!op_speaks(evidence) && !held) {
     reasons.emplace_back(
-        "op does not move or is not recorded: nothing is known of controller and "
-        "valve.");
+        "op does not move or is not recorded: controller and valve cannot be "
+        "judged.");
   }
   if (has_flag(evidence, "pv_quantised")) {
     reasons.push_back("pv moves in steps of " +
@@ -112,7 +114,7 @@ CauseReport report_of(const WeighedCause& cause) {
   }
   if (std::abs(unknown) >= kLeastWeight) {
     std::vector<std::string>& side = unknown > 0.0 ? report.in_favour : report.against;
-    side.push_back("figures that could not be computed" + odds_text(unknown));
+    side.push_back("figures that this window does not give" + odds_text(unknown));
   }
   return report;
 }

@@ -89,11 +89,11 @@ SourceFigures figures_of(std::span<const SourceEvidence> evidence) {
 std::vector<std::string> reasons_of(const SourceEvidence& evidence) {
   std::vector<std::string> reasons;
   if (evidence.net_lead > 0.0)
-    reasons.push_back("Its past foretells the others more than theirs foretells it (" +
-                      model::in_percent(evidence.net_lead) + " of what is foretold, net).");
+    reasons.push_back("Its past predicts the others better than theirs predicts it (" +
+                      model::in_percent(evidence.net_lead) + " of the predicted variance, net).");
   if (evidence.friction_p > kWorthSaying)
     reasons.push_back(
-        "By its own diagnosis its valve sticks, has play or is too large, probability " +
+        "By its own diagnosis its valve sticks, has dead band or is oversized, probability " +
         model::in_percent(evidence.friction_p) + ".");
   reasons.push_back("The oscillation is " + model::in_percent(evidence.strength) +
                     " of its error's variance and " + model::in_percent(evidence.op_share) +
@@ -101,8 +101,9 @@ std::vector<std::string> reasons_of(const SourceEvidence& evidence) {
   if (evidence.writes_setpoint)
     reasons.emplace_back("Its output is another loop's setpoint: it moves no valve of its own.");
   if (evidence.net_lead < 0.0)
-    reasons.push_back("Against it: the others' past foretells it more than it foretells them (" +
-                      model::in_percent(-evidence.net_lead) + ", net).");
+    reasons.push_back(
+        "Against it: the others' past predicts it better than its past predicts them (" +
+        model::in_percent(-evidence.net_lead) + ", net).");
   if (evidence.outside_p > kWorthSaying)
     reasons.push_back(
         "Against it: by its own diagnosis something outside the loop disturbs it, "

@@ -37,8 +37,9 @@ std::string names_where(const SharedOscillation& event, std::span<const MemberLo
 
 std::string what(const SharedOscillation& event, std::span<const MemberLoop> loops) {
   const auto all = [](const SharingLoop&, Fault) { return true; };
-  return std::to_string(event.members.size()) + " loops share an oscillation with a period of " +
-         model::in_time(event.period_s) + ": " + names_where(event, loops, all) + ".";
+  return std::to_string(event.members.size()) +
+         " loops take part in one oscillation with a period of " + model::in_time(event.period_s) +
+         ": " + names_where(event, loops, all) + ".";
 }
 
 std::string where_from(const SharedOscillation& event, std::span<const MemberLoop> loops) {
@@ -47,15 +48,16 @@ std::string where_from(const SharedOscillation& event, std::span<const MemberLoo
   if (event.source)
     return " It comes from " + name + " (probability " + model::in_percent(first.score) + "). " +
            first.reasons.front() + " Repair " + name +
-           " first; the others follow it and should calm down without work of their own.";
+           " first; the others follow it and should stop oscillating once it is repaired.";
   if (event.outside > first.score)
     return " No member stands out as its source (most likely " + name + ", " +
            model::in_percent(first.score) +
-           "): look at what these loops have in common upstream, "
-           "at supplies and at loops that are not recorded.";
+           "): check what these loops have in common upstream, "
+           "supplies and loops that are not recorded.";
   return " Its source is not clear: " + name + " is the most likely member (" +
-         model::in_percent(first.score) + "). Put its controller in manual for a few periods and " +
-         "see whether the others calm down.";
+         model::in_percent(first.score) +
+         "). If operations agrees, put its controller in manual for a few periods and " +
+         "see whether the others stop oscillating.";
 }
 
 /// A member without a fault is one that the oscillation hardly touches.
@@ -75,7 +77,7 @@ std::string borrowed_faults(const SharedOscillation& event, std::span<const Memb
   });
   if (names.empty()) return {};
   return " Seen alone, a valve would be blamed for the same cycle; when the source is repaired, "
-         "look again at " +
+         "check these again: " +
          names + ".";
 }
 

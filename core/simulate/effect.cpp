@@ -88,7 +88,7 @@ double number(std::string_view where, const EffectArgument& argument) {
   const auto [stop, error] = std::from_chars(argument.value.data(), end, value);
   if (error != std::errc() || stop != end || !std::isfinite(value)) {
     throw std::invalid_argument(std::string(where) + ": " + argument.name + "=" + argument.value +
-                                " is no number");
+                                " is not a number");
   }
   return value;
 }

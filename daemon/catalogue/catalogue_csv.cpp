@@ -40,7 +40,7 @@ void with_place(const CsvTable& table, std::size_t line, std::string_view column
   } catch (const std::invalid_argument& problem) {
     throw Failure(ExitCode::unusable_data,
                   fmt::format("{}, line {}{}: {}", table.name, line, column, problem.what()),
-                  "nothing was changed: mend the line and load the file again");
+                  "nothing was changed: correct the line and load the file again");
   }
 }
 

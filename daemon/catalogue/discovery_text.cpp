@@ -92,7 +92,7 @@ std::string discovery_text(const DiscoveryReport& report) {
               without(found.loops, &CatalogueEntry::sp_tag)) +
          line("tags without a value, left out", report.empty_tags) +
          line("roles with several tags", ambiguous_roles(found)) +
-         line("by a word of two roles (MV), look at op and mv", found.by_shared_word) +
+         line("by a word of two roles (MV), check op and mv", found.by_shared_word) +
          line("names taken by other loops of the catalogue, left out", report.taken) +
          line("tags fit no pattern", found.unmatched) + proposals_text(report.proposals);
 }

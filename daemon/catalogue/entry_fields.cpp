@@ -143,7 +143,7 @@ constexpr std::array kFields{
                write_text<&CatalogueEntry::description>},
     EntryField{"pv_unit", "unit of sp and pv, such as m3/h", read_text<&CatalogueEntry::pv_unit>,
                write_text<&CatalogueEntry::pv_unit>},
-    EntryField{"owner", "who looks after the loop", read_text<&CatalogueEntry::owner>,
+    EntryField{"owner", "who is responsible for the loop", read_text<&CatalogueEntry::owner>,
                write_text<&CatalogueEntry::owner>},
     EntryField{"pv_low", "pv at 0 % of its transmitter",
                read_end<&CatalogueEntry::pv_range, &OpRange::low>,

@@ -66,7 +66,7 @@ std::vector<storage::MaintenanceEntry> parse_maintenance(const CsvTable& table) 
     } catch (const std::invalid_argument& problem) {
       throw Failure(ExitCode::unusable_data,
                     fmt::format("{}, line {}: {}", table.name, row.line, problem.what()),
-                    "nothing was entered: mend the line and load the file again");
+                    "nothing was entered: correct the line and load the file again");
     }
   }
   return entries;

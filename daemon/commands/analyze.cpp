@@ -71,9 +71,10 @@ void add_analyze(CLI::App& program) {
   command.add_flag("--no-model", options->no_model,
                    "Statistics and shapes only: no loop model is fitted");
   command
-      .add_option("--window", options->window,
-                  "One look at the last N samples (default: windows of 4096, as many as cover the "
-                  "file, eight at most, judged together)")
+      .add_option(
+          "--window", options->window,
+          "One analysis of the last N samples (default: windows of 4096, as many as cover the "
+          "file, eight at most, judged together)")
       ->check(CLI::Range(16, 10'000'000));
   command.add_option("--op-range", options->op_range, "Controller output at 0 and 100 %: LOW,HIGH");
   command.add_option("--pv-range", options->pv_range, "Range of pv's transmitter: LOW,HIGH");

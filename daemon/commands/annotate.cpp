@@ -197,7 +197,8 @@ void add_annotate(CLI::App& program) {
                  options, call_false);
   add_code(wrong, options, kNewest);
   add_reason(wrong, options);
-  CLI::App& back = add_action(annotate, "withdraw", "Takes back what holds", options, withdraw);
+  CLI::App& back =
+      add_action(annotate, "withdraw", "Withdraws an active annotation", options, withdraw);
   add_code(back, options, kWhatever);
   add_action(annotate, "list", "What holds, and who said it", options, list);
 }

@@ -77,7 +77,7 @@ void export_view(const ExportOptions& options) {
 }
 
 std::string list_of_views() {
-  std::string text = "Views (one row per ...; --since looks at the column in brackets):";
+  std::string text = "Views (one row per ...; --since filters by the column in brackets):";
   for (const storage::ExportedView& view : storage::exported_views()) {
     const std::string time =
         *view.time_column == '\0' ? "" : fmt::format(" [{}]", view.time_column);

@@ -84,7 +84,7 @@ void tell_proposals(const CheckOptions& options, const config::Settings& setting
   told << (options.propose.empty()
                ? fmt::format("--propose FILE.csv writes the {} loops with what is proposed\n",
                              changed.size())
-               : fmt::format("look through {0}, then: loopscope loops --config {1} load {0}\n",
+               : fmt::format("review {0}, then: loopscope loops --config {1} load {0}\n",
                              printable(options.propose), printable(*options.config)));
 }
 

@@ -100,10 +100,10 @@ void put_out(const DiscoverOptions& options, const DiscoveryReport& report,
   } else if (!options.out.empty()) {
     write_csv(options.out, catalogue_csv(loops));
     if (options.out == "-") return;
-    std::cout << fmt::format("look through {0}, then: loopscope loops --config {1} load {0}\n",
+    std::cout << fmt::format("review {0}, then: loopscope loops --config {1} load {0}\n",
                              printable(options.out), printable(*options.config));
   } else {
-    std::cout << "nothing written: --out FILE.csv for a look first, --add for the catalogue\n";
+    std::cout << "nothing written: --out FILE.csv to review first, --add for the catalogue\n";
   }
 }
 

@@ -52,8 +52,8 @@ void once(const std::string& config_file) {
   compare_all_loops(*settings, tools);
   if (!pass.first_failure) return;
   throw Failure(pass.first_failure->exit_code(),
-                fmt::format("{} loops were set aside, the first because: {}", pass.count.failed,
-                            pass.first_failure->what()),
+                fmt::format("{} loops failed and are tried again later, the first because: {}",
+                            pass.count.failed, pass.first_failure->what()),
                 pass.first_failure->hint());
 }
 

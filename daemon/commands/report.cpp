@@ -52,7 +52,7 @@ struct Thresholds {
 };
 
 [[noreturn]] void refuse_threshold(const std::string& part) {
-  throw Failure(ExitCode::usage, fmt::format("--what-if: \"{}\" is no threshold", part),
+  throw Failure(ExitCode::usage, fmt::format("--what-if: \"{}\" is not a threshold", part),
                 "write e.g. rate=0.1,confidence=0.5,dependence=arbitrary (or positive); rate and "
                 "confidence lie within 0 and 1");
 }

@@ -8,8 +8,8 @@
 namespace loopscope::daemon {
 
 void add_run(CLI::App& program) {
-  CLI::App& command = *program.add_subcommand(
-      "run", "The daemon: polls, analyses, writes results until told to stop");
+  CLI::App& command =
+      *program.add_subcommand("run", "The daemon: polls, analyses, writes results until stopped");
   const auto config = std::make_shared<std::string>();
   command.add_option("--config", *config, "Settings file")->required();
   command.callback([config] { run_service(*config); });

@@ -21,7 +21,7 @@ std::string asked_by_text(const core::model::AskedBy& by) {
 /// content now.
 std::string asked_lines(const core::model::Step& step) {
   if (step.asked_by.empty())
-    return text_line("", "  asked for by no residual test; a first look showed it");
+    return text_line("", "  no residual test pointed to it; a first screening did");
   std::string text;
   for (const core::model::AskedBy& by : step.asked_by)
     text += text_line("", "  " + asked_by_text(by));
@@ -32,11 +32,11 @@ std::string asked_lines(const core::model::Step& step) {
 
 std::string model_text(const core::model::Explanation& explanation) {
   if (!explanation.excited) {
-    return text_line("model", "claims nothing: " + explanation.excitation);
+    return text_line("model", "process not identified: " + explanation.excitation);
   }
   const core::model::Baseline& baseline = explanation.baseline;
   std::string text = text_line(
-      "model", fmt::format("{}; error on unseen samples {} ({}, floor {})", baseline.description,
+      "model", fmt::format("{}; error on held-out samples {} ({}, floor {})", baseline.description,
                            figure_text(baseline.holdout_error), name(explanation.error_kind),
                            figure_text(explanation.noise_floor)));
   for (std::size_t i = 0; i < explanation.steps.size(); ++i) {

@@ -110,7 +110,7 @@ std::optional<double> PlantWatch::compare(storage::PlantRounds& rounds,
 void PlantWatch::count_refusal(const std::string& holder) {
   refusals_ = holder.empty() ? 0 : refusals_ + 1;
   if (refusals_ == kRefusalsToSay)
-    spdlog::warn("plant round: {} has had the turn at {} looks in a row", printable(holder),
+    spdlog::warn("plant round: {} has had the turn at {} polls in a row", printable(holder),
                  refusals_);
 }
 

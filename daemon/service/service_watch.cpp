@@ -169,7 +169,7 @@ void ServiceWatch::look(ResultsLink& link, const config::Settings& settings) {
   } catch (const storage::DatabaseError& error) {
     link.say(error);
     if (is_schema_error(error)) health_.schema_refused(error.what());
-    if (!stopping_) ServiceManager::status("the results database is away");
+    if (!stopping_) ServiceManager::status("the results database is not reachable");
   } catch (const std::exception& error) {
     tools_.faults.fault("monitor", error.what());
   }

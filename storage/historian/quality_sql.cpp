@@ -91,7 +91,7 @@ QualitySql listed(PqConnection& connection, const SourceLayout& layout, const st
   const bool numbers = !is_text_type(type);
   for (const std::string& code : known) {
     if (numbers && !is_whole_number(code)) {
-      refuse(layout, "the quality code \"" + code + "\" is no number, but the column is " + type,
+      refuse(layout, "the quality code \"" + code + "\" is not a number, but the column is " + type,
              "write codes as the column has them, or name `quality_table`");
     }
   }

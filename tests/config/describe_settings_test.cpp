@@ -20,7 +20,8 @@ TEST(DescribeSettings, HoldsEverySetting) {
 
 TEST(DescribeSettings, RowsHaveDefaultRangeUnitAndMeaning) {
   const std::string table = describe_settings();
-  EXPECT_THAT(table, HasSubstr("| `/schedule/poll_s` | `10` | 0.1 to 3600 s | between two looks"));
+  EXPECT_THAT(
+      table, HasSubstr("| `/schedule/poll_s` | `10` | 0.1 to 3600 s | interval between two polls"));
   EXPECT_THAT(table, HasSubstr("| `/analysis/hos/segment_length` | `64` | whole number, 16 to 4096 "
                                "samples, even |"));
   EXPECT_THAT(table, HasSubstr("| `/results/connection` | required |"));

@@ -63,7 +63,7 @@ TEST(HistorianPresets, HalfAMappingIsRefused) {
   EXPECT_THAT(complaints(R"({"connection": "service=h", "quality_rule": "codes"})"),
               HasSubstr("/historians/0/good_codes: is empty"));
   EXPECT_THAT(complaints(R"({"connection": "service=h", "manual_codes": ["0", "MAN"]})"),
-              HasSubstr("/historians/0/manual_codes/1: \"MAN\" is no number"));
+              HasSubstr("/historians/0/manual_codes/1: \"MAN\" is not a number"));
   EXPECT_THAT(complaints(R"({"connection": "service=h", "states": ["ON"]})"),
               HasSubstr("is not TEXT=NUMBER"));
   EXPECT_THAT(complaints(R"({"connection": "service=h", "good_codes": "1"})"),

@@ -77,14 +77,14 @@ TEST(ReadSettings, EveryProblemIsReportedAtOnce) {
                   "/results/connection: holds a password",
                   "/results/retention_months: is a text, not a whole number, 0 to 1200 "
                   "months",
-                  "/historians/0/name: is empty", "/historians/1/tabel: is no known setting",
+                  "/historians/0/name: is empty", "/historians/1/tabel: is not a known setting",
                   "/schedule/poll_s: 0.02 is out of range, 0.1 to 3600 s",
                   "/schedule/lease_s: 5 is out of range, 10 to 86400 s",
                   "/daemon/log_level: \"verbose\" is none of debug, info, warning, error",
                   "/analysis/hos/segment_length: 63 is odd, 16 to 4096 samples, even",
                   "/analysis/hos/dft_length: 32.5 is no whole number, 16 to 8192 samples, "
                   "even",
-                  "/extra: is no known setting", "/historians/0/connection: is missing"));
+                  "/extra: is not a known setting", "/historians/0/connection: is missing"));
 }
 
 TEST(ReadSettings, WhatNamesTheFileAndHasOneLinePerProblem) {

@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 TEST(ReadTree, UnknownKeysNameTheNearestKnownOne) {
   const std::string text = minimal_with(R"("schedule": {"pol_s": 5})");
-  EXPECT_THAT(lines_of(text), ElementsAre("/schedule/pol_s: is no known setting"));
+  EXPECT_THAT(lines_of(text), ElementsAre("/schedule/pol_s: is not a known setting"));
   EXPECT_EQ(first_hint_of(text), "did you mean \"poll_s\"?");
 }
 
@@ -30,9 +30,9 @@ TEST(ReadTree, KeysLikeNoOtherGetTheListOfKnownOnes) {
 
 TEST(ReadTree, KeysThatLookLikePathsAreUnknown) {
   EXPECT_THAT(lines_of(minimal_with(R"("schedule/poll_s": 5)")),
-              ElementsAre("/schedule~1poll_s: is no known setting"));
+              ElementsAre("/schedule~1poll_s: is not a known setting"));
   EXPECT_THAT(lines_of(minimal_with(R"("historians/*/name": "x")")),
-              ElementsAre("/historians~1*~1name: is no known setting"));
+              ElementsAre("/historians~1*~1name: is not a known setting"));
 }
 
 TEST(ReadTree, SectionsMustBeObjects) {

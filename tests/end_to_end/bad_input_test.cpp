@@ -79,7 +79,7 @@ TEST_F(BadInput, TheHistoriansTableIsMissing) {
   plant_.sql("drop table history");
   const ProgramResult pass = plant_.loopscope("once");
   expect_error(pass, 4, "history");
-  EXPECT_THAT(pass.out, HasSubstr("1 set aside"));
+  EXPECT_THAT(pass.out, HasSubstr("1 failed"));
   EXPECT_EQ(plant_.loopscope("check-config").exit_code, 4);
   expect_nothing_stored();
 }

@@ -43,11 +43,11 @@ TEST(Memory, OneAnalysisThatDoesNotFitIsSetAsideAndTheOthersAreDone) {
     const int limit_mb = (too_small + enough) / 2;
     const ProgramResult result = pass(limit_mb);
     ASSERT_THAT(result.exit_code, AnyOf(0, 1, 4)) << limit_mb << " MB: " << result.err;
-    is_alone = says(result, "3 new, 0 revised, 0 unchanged, 1 set aside");
+    is_alone = says(result, "3 new, 0 revised, 0 unchanged, 1 failed");
     if (is_alone) {
       EXPECT_THAT(result.err, HasSubstr("loop \"long\": out of memory"));
     }
-    (says(result, "4 new, 0 revised, 0 unchanged, 0 set aside") ? enough : too_small) = limit_mb;
+    (says(result, "4 new, 0 revised, 0 unchanged, 0 failed") ? enough : too_small) = limit_mb;
   }
   EXPECT_TRUE(is_alone) << "at no limit was the long window alone set aside";
 }

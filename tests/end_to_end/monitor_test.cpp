@@ -90,7 +90,7 @@ TEST(Monitor, OneLoopOfAnUnknownSourceStopsNothingElse) {
   const ProgramResult pass = plant.loopscope("once");
   EXPECT_EQ(pass.exit_code, 3) << pass.err;
   EXPECT_THAT(pass.out, HasSubstr("1 new"));
-  EXPECT_THAT(pass.out, HasSubstr("1 set aside"));
+  EXPECT_THAT(pass.out, HasSubstr("1 failed"));
   EXPECT_THAT(pass.err, HasSubstr("no historian named \"elsewhere\""));
 }
 

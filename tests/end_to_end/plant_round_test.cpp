@@ -166,7 +166,7 @@ TEST_F(PlantRound, WhoeverKeepsTheTurnIsNamed) {
       R"("plant": {"round_s": 0.5, "notice_s": 0.1}, "schedule": {"poll_s": 0.5, "settle_s": 0})"));
   const std::string log = plant.folder() / "daemon.log";
   BackgroundProgram daemon(plant.command_line("run"), log);
-  const std::string words = "plant round: host/9 has had the turn at 10 looks in a row";
+  const std::string words = "plant round: host/9 has had the turn at 10 polls in a row";
   for (int tries = 0; tries < 300 && content_of(log).find(words) == std::string::npos; ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_THAT(content_of(log), HasSubstr(words));

@@ -191,13 +191,13 @@ constexpr std::array kAll = {
                     set(v, Code::tight_tuning, 0.9);
                     set(v, Code::sluggish_tuning, 0.9);
                   }},
-    Contradiction{"the model claims nothing of op, and a valve's step is told as found",
+    Contradiction{"the process is not identified, and a valve's step is reported as found",
                   [](const Evidence& e, const Verdict& v) {
-                    return e.model && !e.model->excited && says(v, "takes in valve_");
+                    return e.model && !e.model->excited && says(v, "includes valve_");
                   },
                   [](Evidence& e, Verdict& v) {
                     e.model.emplace().excited = false;
-                    v.reasons.emplace_back("The model takes in valve_stiction (S 4 %).");
+                    v.reasons.emplace_back("The model includes valve_stiction (S 4 %).");
                   }},
     Contradiction{"coupling found, and the tests found none",
                   [](const Evidence& e, const Verdict& v) {

@@ -11,22 +11,22 @@ namespace {
 std::string coupling_text(hos::Coupling coupling) {
   switch (coupling) {
     case hos::Coupling::quadratic:
-      return "Quadratic coupling";
+      return "Quadratic phase coupling";
     case hos::Coupling::cubic:
-      return "Cubic coupling (odd-symmetric, as of a square or triangular wave)";
+      return "Cubic phase coupling (third harmonic, as of a square or triangular wave)";
     case hos::Coupling::both:
-      return "Quadratic and cubic coupling";
+      return "Quadratic and cubic phase coupling";
     case hos::Coupling::none_found:
     case hos::Coupling::too_short:
       break;
   }
-  return "No quadratic or cubic coupling found";
+  return "No quadratic or cubic phase coupling found";
 }
 
 /// Never by the names of the indices: those are no p-values, and stand in the same sentence.
 std::string tests_text(const hos::Result& hos) {
   std::string text = p_equals(hos.nonlinear_p.value_or(1.0)) +
-                     " (p of the tests: quadratic on average " + p_text(hos.ngi_p.value_or(1.0)) +
+                     " (p by test: quadratic on average " + p_text(hos.ngi_p.value_or(1.0)) +
                      ", at single bifrequencies " + p_text(hos.nli_p.value_or(1.0));
   if (hos.cubic_p) text += ", cubic " + p_text(*hos.cubic_p);
   if (hos.innovation_p) text += ", innovations " + p_text(*hos.innovation_p);
@@ -55,8 +55,9 @@ std::string slow_text(const hos::SlowLook& slow) {
 
 std::string residual_text(const Evidence& evidence) {
   if (evidence.tested_on == TestedOn::error) return {};
-  return " The setpoint moves too often to be left out: the tests are made on what is left of the "
-         "error without the loop's linear answer to it.";
+  return " The setpoint moves too often for those samples to be excluded: the tests use the error "
+         "less "
+         "the loop's linear response to the setpoint.";
 }
 
 /// Noise that a linear loop passes on, said for itself.

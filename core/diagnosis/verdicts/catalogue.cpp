@@ -17,9 +17,10 @@ constexpr std::array kCatalogue{
         "The valve sticks and jumps", "The control valve sticks.",
         "Check in the field: put the controller in manual, step the output by 0.5 % at a time and "
         "watch when the stem moves; then packing, actuator and positioner."},
-    CatalogueEntry{VerdictCode::valve_deadband, "valve_deadband", 0.8, "friction", Fault::friction,
-                   true, "The valve has play (backlash)", "The control valve has dead band.",
-                   "Check linkage and positioner for play; measure the travel in both directions."},
+    CatalogueEntry{
+        VerdictCode::valve_deadband, "valve_deadband", 0.8, "friction", Fault::friction, true,
+        "The valve has play (backlash)", "The control valve has dead band.",
+        "Check linkage and positioner for backlash; measure the travel in both directions."},
     CatalogueEntry{VerdictCode::valve_saturation, "valve_saturation", 0.9, "limit", Fault::valve,
                    true, "The valve runs into a limit", "The controller output is at its limit.",
                    "Check whether the valve is too small, the bypass open or the setpoint out of "
@@ -42,8 +43,8 @@ constexpr std::array kCatalogue{
     CatalogueEntry{VerdictCode::external_disturbance, "external_disturbance", 0.5, "oscillation",
                    Fault::disturbance, false, "Something outside the loop disturbs it",
                    "A disturbance reaches the loop from outside.",
-                   "Look for what reaches it (feeds, utilities, another loop) before this loop is "
-                   "touched."},
+                   "Find its source (feeds, utilities, another loop) before changing this "
+                   "loop."},
     CatalogueEntry{VerdictCode::process_change, "process_change", 0.6, "oscillation",
                    Fault::process, false, "The process gain changed",
                    "The process has changed within the window.",
@@ -66,8 +67,8 @@ constexpr std::array kCatalogue{
                    "Record the valve position (mv) or do a stroke test, then analyse again."},
     CatalogueEntry{VerdictCode::unexplained, "unexplained", 0.3, "unknown", Fault::unexplained,
                    false, "Structured, but no known effect explains it",
-                   "The loop performs poorly for a reason that was not found.",
-                   "Look at the trends of setpoint, process variable and controller output."},
+                   "Performance could be better; no cause was found.",
+                   "Inspect the trends of setpoint, process variable and controller output."},
     CatalogueEntry{VerdictCode::not_controlling, "not_controlling", 0.0, "", Fault::none, false,
                    "No controller acts: manual, tracking, out of service, constant output",
                    "No controller acts on the loop.", "Ask operations why it is not in automatic."},

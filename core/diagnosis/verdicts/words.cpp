@@ -6,7 +6,7 @@
 
 namespace loopscope::core::diagnosis {
 std::string tuning_waits() {
-  return " Leave the tuning alone until that is mended.";
+  return " Do not retune before that is repaired.";
 }
 
 std::string p_text(double p) {

@@ -62,8 +62,8 @@ std::string ValveCharacteristic::words(std::span<const Parameter> parameters) co
 }
 
 std::string ProcessNonlinearity::words(std::span<const Parameter> parameters) const {
-  return "The process answers along a curve: curvature " + in_digits(parameters[0].value) +
-         ", the gain changes with the process variable.";
+  return "The process gain depends on the operating point: curvature " +
+         in_digits(parameters[0].value) + ", the gain changes with the process variable.";
 }
 
 }  // namespace loopscope::core::model

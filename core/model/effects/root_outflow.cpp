@@ -72,7 +72,7 @@ std::vector<Parameter> RootOutflow::parameters(const LoopData& data,
 }
 
 std::string RootOutflow::words(std::span<const Parameter> parameters) const {
-  return "The process answers as a vessel whose outflow grows with the root of its level: "
+  return "The process behaves as a vessel whose outflow grows with the square root of its level: "
          "curvature " +
          in_digits(parameters[0].value) +
          ", gain and time constant change with the process variable.";

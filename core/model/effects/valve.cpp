@@ -1,6 +1,7 @@
 #include "core/model/effects/valve.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "core/model/results/phrases.hpp"
 
@@ -80,14 +81,27 @@ std::string_view ValveEffect::law() const {
   return kind() == EffectKind::valve_stiction ? name(valve_.law) : std::string_view();
 }
 
+namespace {
+
+/// "kano" as a name.
+std::string author(std::string_view law) {
+  std::string name(law);
+  if (!name.empty()) name.front() = static_cast<char>(std::toupper(name.front()));
+  return name;
+}
+
+}  // namespace
+
 std::string ValveEffect::words(std::span<const Parameter> parameters) const {
   if (kind() == EffectKind::valve_deadband) {
     return "The valve has " + in_digits(parameters[0].value) +
-           " % of play: so far the output moves after each turn before the valve follows.";
+           " % of dead band (backlash): after each reversal the controller output moves that far "
+           "before the valve follows.";
   }
-  return "The valve sticks: after a turn it stands until the output has moved " +
+  return "The valve sticks: after a reversal it stands still until the controller output has "
+         "moved " +
          in_digits(parameters[0].value) + " %, then jumps by " + in_digits(parameters[1].value) +
-         " % (law " + std::string(law()) + ").";
+         " % (stiction model of " + author(law()) + ").";
 }
 
 }  // namespace loopscope::core::model

@@ -46,9 +46,10 @@ bool has_band(const Step& step) {
 void mark_as_stuck(Step& step, const CycleEvidence& cycle) {
   step.cycle_indicates_stiction = true;
   step.statement +=
-      " The loop keeps up a cycle about it, as behind a valve that sticks: the band is " +
+      " The loop keeps cycling across it, as a loop with a sticking valve does: the band is " +
       in_percent(step.parameters.front().value / cycle.travel) +
-      " of op's travel, and op repeats its half cycle to " + in_percent(cycle.op_coherence) + ".";
+      " of the controller output's travel, and the output repeats its half cycle to " +
+      in_percent(cycle.op_coherence) + ".";
 }
 
 }  // namespace

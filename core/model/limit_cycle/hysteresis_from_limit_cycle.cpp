@@ -72,11 +72,11 @@ std::optional<Step> by_strokes(const ModelInput& input, double p) {
   step.holdout_error_before = travel->error_before();
   step.holdout_error_after = travel->error_after();
   step.margin = step.evidence;
-  step.statement = "The valve rests while the output travels: op alone explains " +
-                   in_percent(travel->linear_share) +
-                   " of pv's slow moves, op behind a valve that sticks over " +
-                   in_digits(valve.stickband_percent) + " % explains " +
-                   in_percent(travel->valve_share) + ".";
+  step.statement =
+      "The valve stands still while the controller output travels: op alone explains " +
+      in_percent(travel->linear_share) +
+      " of pv's slow moves, op through a valve that sticks over " +
+      in_digits(valve.stickband_percent) + " % explains " + in_percent(travel->valve_share) + ".";
   return step;
 }
 

@@ -122,9 +122,10 @@ Coincidence coincidence_of(const Answers& answers, const std::vector<Step>& step
 }
 
 std::string words_of(const Coincidence& found) {
-  return " It begins when the loop answers its setpoint, as do " + std::to_string(found.answering) +
-         " of " + std::to_string(found.moments) + " (by chance: " + in_percent(found.chance) +
-         "); rather than a load, that answer may be another one than the model's.";
+  return " It begins when the loop responds to its setpoint, as do " +
+         std::to_string(found.answering) + " of " + std::to_string(found.moments) +
+         " (by chance: " + in_percent(found.chance) +
+         "); rather than a load, it may be a response that differs from the model's.";
 }
 
 }  // namespace

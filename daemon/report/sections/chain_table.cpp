@@ -40,7 +40,7 @@ std::string test_words(const AskedBy& by) {
 }
 
 std::string tests_cell(const Step& step) {
-  if (step.asked_by.empty()) return "<p>no residual test: a first look showed it</p>";
+  if (step.asked_by.empty()) return "<p>no residual test: a first screening</p>";
   std::string text;
   for (const AskedBy& by : step.asked_by) text += test_words(by);
   return text;

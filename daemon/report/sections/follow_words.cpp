@@ -41,7 +41,7 @@ std::string shaken_cause(const LoopReport& story) {
 }
 
 std::string shaken_action(const LoopReport& story) {
-  const std::string later = "; this loop needs no work of its own, look again afterwards.";
+  const std::string later = "; this loop needs no work of its own; check again afterwards.";
   if (!story.followed->source_name)
     return "Find the source of the oscillation: what its loops have in common upstream" + later;
   return "Repair the source <bdi>" + html(*story.followed->source_name) + "</bdi> first" + later;

@@ -16,7 +16,7 @@ std::string by_an_oscillation(const HiddenRow& row) {
       fmt::format("plant-wide oscillation {}", *row.plant_oscillation_number);
   if (!row.source_name) return "A victim of " + number + ", whose source is not known.";
   const std::string source = "<bdi>" + html(*row.source_name) + "</bdi>";
-  return fmt::format("A victim of {}: repair its source {} first, then look again.", number,
+  return fmt::format("A victim of {}: repair its source {} first, then check again.", number,
                      source);
 }
 

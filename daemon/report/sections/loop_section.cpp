@@ -75,7 +75,7 @@ std::string evidence_list(const FlaggedRow& row) {
 std::string source_words(const FlaggedRow& row) {
   if (!row.plant_oscillation_number) return {};
   return fmt::format(
-      "<dt>Source</dt><dd>The source of plant-wide oscillation {}: mend this loop first, its "
+      "<dt>Source</dt><dd>The source of plant-wide oscillation {}: repair this loop first, its "
       "victims follow.</dd>\n",
       *row.plant_oscillation_number);
 }
@@ -156,7 +156,7 @@ std::string repairs_part(const LoopReport& story) {
 
 std::string explanation_table(const Explanation& explanation) {
   if (!explanation.excited)
-    return "<p>The loop model claims nothing: " + html(explanation.excitation) + "</p>\n";
+    return "<p>The loop model process not identified: " + html(explanation.excitation) + "</p>\n";
   std::string text = fmt::format(
       "<p class=\"note\">Errors are mean squares in pv units squared, {}, on samples that the fit "
       "has not seen; evidence is n ln(before / after).</p>\n<table class=\"errors\"><thead><tr>"

@@ -38,7 +38,7 @@ std::string tiles(const PlantFacts& facts) {
   text += tile(counts.loops, "loops", fmt::format("{} enabled", counts.enabled));
   text += tile(counts.judged, "judged", "newest window could be judged");
   text += tile(counts.not_controlling, "not in control", service_note(counts));
-  text += tile(counts.flagged, "flagged", "somebody should act", "act");
+  text += tile(counts.flagged, "flagged", "action needed", "act");
   text += tile(counts.new_flags, "new", "since " + utc(facts.since_us), "act");
   text += tile(counts.fixed, "fixed", "repairs since then", "good");
   text += tile(counts.unjudgeable, "unjudgeable", why_unjudged(counts));
@@ -113,7 +113,7 @@ std::string no_pictures(const PlantFacts& facts) {
 
 std::string oscillations(const PlantFacts& facts, LoopLinks links) {
   if (facts.oscillations.empty()) return {};
-  std::string text = "<h2>Oscillations that loops share</h2>\n" + no_pictures(facts);
+  std::string text = "<h2>Plant-wide oscillations</h2>\n" + no_pictures(facts);
   for (const storage::PlantOscillationRow& event : facts.oscillations)
     text += event_box(event, facts.album.of_event(event.number), facts.flagged, links);
   return text;

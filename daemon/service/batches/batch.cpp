@@ -8,7 +8,7 @@ namespace loopscope::daemon {
 
 void set_aside(const storage::ClaimedLoop& claim, const Failure& failure, Batch& batch) {
   const double pause_s = retry_pause_s(claim.attempts);
-  spdlog::error("loop \"{}\" is set aside for {:.0f} s: {} HINT: {}", claim.loop.name, pause_s,
+  spdlog::error("loop \"{}\" failed, next try in {:.0f} s: {} HINT: {}", claim.loop.name, pause_s,
                 failure.what(), failure.hint());
   if (!batch.first_failure) batch.first_failure = failure;
   batch.failed.push_back({claim.loop.loop_id, claim.fence, failure.what(), pause_s});

@@ -54,7 +54,7 @@ void add(storage::WriteCount& sum, const storage::WriteCount& more) {
 std::string count_text(const storage::WriteCount& count) {
   const std::size_t all =
       count.inserted + count.revised + count.unchanged + count.failed + count.fenced_off;
-  std::string text = fmt::format("{} loops: {} new, {} revised, {} unchanged, {} set aside", all,
+  std::string text = fmt::format("{} loops: {} new, {} revised, {} unchanged, {} failed", all,
                                  count.inserted, count.revised, count.unchanged, count.failed);
   if (count.not_judged > 0) {
     text += fmt::format(", {} could not be judged (loopscope.data_problem)", count.not_judged);

@@ -25,7 +25,7 @@ namespace loopscope::daemon {
 /// `sum` grown by `more`.
 void add(storage::WriteCount& sum, const storage::WriteCount& more);
 
-/// "24 loops: 20 new, 1 revised, 3 unchanged, 0 set aside"
+/// "24 loops: 20 new, 1 revised, 3 unchanged, 0 failed"
 [[nodiscard]] std::string count_text(const storage::WriteCount& count);
 
 }  // namespace loopscope::daemon

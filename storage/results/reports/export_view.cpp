@@ -18,7 +18,7 @@ constexpr ExportedView kViews[] = {
     {"data_quality", "slot_end", true, "loop: what its newest data are worth"},
     {"explanation", "slot_end", true, "effect in the loop model of the newest window"},
     {"flag_history", "flagged_at", true, "stay of a loop on the list"},
-    {"flagged_loop", "slot_end", true, "loop that somebody should act on, worst first"},
+    {"flagged_loop", "slot_end", true, "loop that needs action, worst first"},
     {"following_loop", "", true, "loop that follows a shared oscillation"},
     {"hidden_loop", "entered_at", true, "fault that is hidden, and by what"},
     {"latest_verdict", "slot_end", true, "loop: its newest verdict"},

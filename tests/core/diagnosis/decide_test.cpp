@@ -187,7 +187,8 @@ TEST(Decide, PartsForAndAgainstStandFirstAmongTheReasons) {
   EXPECT_EQ(verdict.code, Code::external_disturbance);
   EXPECT_THAT(verdict.reasons.front(), HasSubstr("For: "));
   EXPECT_THAT(verdict.reasons.front(), HasSubstr("(odds times "));
-  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("Error on unseen samples 1 -> 0.5")));
+  EXPECT_THAT(verdict.reasons,
+              Contains(HasSubstr("One-step prediction error on held-out samples: 1 -> 0.5")));
 }
 
 TEST(Decide, TuningWaitsForAValve) {
@@ -198,7 +199,7 @@ TEST(Decide, TuningWaitsForAValve) {
   evidence.shape.mv_stuck_fraction = 0.9;
   const Verdict verdict = decide(evidence, {});
   EXPECT_EQ(verdict.code, Code::valve_stiction);
-  EXPECT_THAT(verdict.action, HasSubstr("Leave the tuning alone"));
+  EXPECT_THAT(verdict.action, HasSubstr("Do not retune"));
 }
 
 TEST(Decide, NothingIsEverCalledLinear) {

@@ -16,8 +16,8 @@ TEST(ModelWords, AStepNamesItsParametersAndErrors) {
   step.parameters = {{"S", "%", 4.2, 4.0, 4.4}, {"J", "%", 1.1, {}, {}}};
   step.law = "kano";
   EXPECT_EQ(step_text(step),
-            "The model takes in valve_stiction (S 4.2 %, J 1.1 %, law kano). Error on unseen "
-            "samples 0.91 -> 0.4 (evidence 500, p 1e-09).");
+            "The model includes valve_stiction (S 4.2 %, J 1.1 %, law kano). One-step prediction "
+            "error on held-out samples: 0.91 -> 0.4 (evidence 500, p 1e-09).");
 }
 
 /// Tails that far out say nothing: no "p 0", no "p 1e-308".
@@ -29,13 +29,26 @@ TEST(ModelWords, APThatIsNextToNothingIsABound) {
   }
   model::Explanation explanation = explanation_of();
   explanation.unexplained.whiteness_p = 0.0;
-  EXPECT_THAT(unexplained_text(explanation), HasSubstr("(whiteness p < 1e-12)"));
+  EXPECT_THAT(unexplained_text(explanation), HasSubstr("(residual whiteness p < 1e-12)"));
+}
+
+TEST(ModelWords, WhatIsLeftIsToldWhereAnythingIs) {
+  model::Explanation explanation = explanation_of();
+  explanation.unexplained = {};
+  explanation.unexplained.whiteness_p = 0.31;
+  explanation.unexplained.fraction = 0.004;
+  EXPECT_EQ(unexplained_text(explanation),
+            "The model explains all of the explainable error (residual whiteness p 0.31).");
+  explanation.unexplained.fraction = 0.12;
+  EXPECT_EQ(
+      unexplained_text(explanation),
+      "The model leaves 12 % of the explainable error unexplained (residual whiteness p 0.31).");
 }
 
 TEST(ModelWords, AStatementStandsForTheParameters) {
   model::Step step = clear_step(model::EffectKind::load_step, 0.91, 0.4);
   step.statement = "The load steps by 3 at 1200 s.";
-  EXPECT_THAT(step_text(step), testing::StartsWith("The load steps by 3 at 1200 s. Error on"));
+  EXPECT_THAT(step_text(step), testing::StartsWith("The load steps by 3 at 1200 s. One-step"));
 }
 
 TEST(ModelWords, WhatIsLeftNamesTheQuestionsThatFoundSomething) {

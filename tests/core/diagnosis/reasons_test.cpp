@@ -28,26 +28,29 @@ TEST(Reasons, PartsForAndAgainstInWordsWithTheirNumbers) {
                   Part{std::nullopt, 0.12, 0.15, VerdictCode::tight_tuning},
                   part("shape.index", 0.5, 0.01)}});
   EXPECT_EQ(report.probability, 0.5);
-  EXPECT_THAT(report.in_favour,
-              ElementsAre("op repeats its half cycle: 93 % (odds times 2.72)",
-                          "some other finding by its own figures: 12 %, likeliest tight_tuning "
-                          "(odds times 1.16)"));
+  EXPECT_THAT(
+      report.in_favour,
+      ElementsAre("op repeats its half cycle: 93 % (odds times 2.72)",
+                  "other causes together by their own figures: 12 %, most likely tight_tuning "
+                  "(odds times 1.16)"));
   EXPECT_THAT(report.against,
               ElementsAre("test whether an oscillation is present: p = 1 (odds divided by 2.01)",
-                          "figures that could not be computed (odds divided by 1.22)"));
+                          "figures that this window does not give (odds divided by 1.22)"));
 }
 
 NonlinearityFinding finding() {
   NonlinearityFinding nonlinearity;
-  nonlinearity.reason = "No quadratic or cubic coupling found.";
+  nonlinearity.reason = "No quadratic or cubic phase coupling found.";
   return nonlinearity;
 }
 
 TEST(Reasons, FindingsNameWhatTheModelTookIn) {
   const auto reasons = findings(
       evidence_with(explanation_of({clear_step(model::EffectKind::valve_stiction)})), finding());
-  EXPECT_THAT(reasons, Contains(HasSubstr("valve_stiction. Error on unseen samples 1 -> 0.5")));
-  EXPECT_THAT(reasons, Contains("No quadratic or cubic coupling found."));
+  EXPECT_THAT(reasons,
+              Contains(HasSubstr(
+                  "valve_stiction. One-step prediction error on held-out samples: 1 -> 0.5")));
+  EXPECT_THAT(reasons, Contains("No quadratic or cubic phase coupling found."));
   EXPECT_THAT(reasons, Not(Contains(HasSubstr("Oscillation of period"))));
 }
 
@@ -58,8 +61,9 @@ TEST(Reasons, AModelThatIsNotExcitedIsBelievedOfWhatComesFromOutside) {
   evidence.model->excited = false;
   evidence.model->excitation = "Not excited: op stands still.";
   const auto reasons = findings(evidence, finding());
-  EXPECT_THAT(reasons, Contains(HasSubstr("valve_deadband, but op moves too little")));
-  EXPECT_THAT(reasons, Contains(HasSubstr("external_oscillation. Error")));
+  EXPECT_THAT(reasons,
+              Contains(HasSubstr("valve_deadband, but the controller output moves too little")));
+  EXPECT_THAT(reasons, Contains(HasSubstr("external_oscillation. One-step")));
   EXPECT_THAT(reasons, Contains(HasSubstr("op stands still")));
 }
 

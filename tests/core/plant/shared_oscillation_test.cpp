@@ -96,7 +96,7 @@ TEST(SharedOscillation, FrictionThatTheSharedCycleShowsIsNoFaultOfItsOwn) {
   plant.loops[4].own.confidence = 0.9;
   const SharedOscillation event = find_shared_oscillations(plant.loops).at(0);
   EXPECT_EQ(member(event, 4).role, Role::victim);
-  EXPECT_NE(event.statement.find("look again at L104"), std::string::npos) << event.statement;
+  EXPECT_NE(event.statement.find("check these again: L104"), std::string::npos) << event.statement;
   PlantOfSix nobody(false);  // stands out
   nobody.loops[4].own.fault = Fault::friction;
   nobody.loops[4].own.confidence = 0.65;

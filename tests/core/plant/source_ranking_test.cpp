@@ -94,7 +94,7 @@ TEST(SourceRanking, AValveThatSticksInAnotherRhythmCountsLess) {
 TEST(SourceRanking, ReasonsNameWhatSpeaksForTheLoopFirst) {
   const std::vector<std::string> reasons = reasons_of(sticking());
   ASSERT_EQ(reasons.size(), 3U);
-  EXPECT_NE(reasons.front().find("foretells the others"), std::string::npos) << reasons.front();
+  EXPECT_NE(reasons.front().find("predicts the others"), std::string::npos) << reasons.front();
   EXPECT_NE(reasons_of(victim()).back().find("Against it"), std::string::npos);
 }
 

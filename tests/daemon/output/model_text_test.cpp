@@ -26,13 +26,16 @@ TEST(ModelText, TellsTheStoryLineByLine) {
   core::model::Explanation explanation = story();
   explanation.closed_loop = {0.5, 30.0, 0.9, 1.5, 0.7, 60.0, 150.0};
   EXPECT_EQ(model_text(explanation),
-            "  model         First order, gain 2, 20 s, delay 5 s; error on unseen samples 1 "
+            "  model         First order, gain 2, 20 s, delay 5 s; error on held-out samples 1 "
             "(one_step, floor 0.4)\n"
-            "    + step 1    valve_stiction: The valve sticks, S 4.2 %. Error on unseen samples "
+            "    + step 1    valve_stiction: The valve sticks, S 4.2 %. One-step prediction error "
+            "on held-out samples: "
             "1 -> 0.5 (evidence 300, p 1e-09).\n"
-            "                  asked for by no residual test; a first look showed it\n"
-            "    left        Of what could be explained the model leaves 10 % (whiteness p 0.3).\n"
-            "    closed loop Closed loop implied by the records: peak sensitivity 1.5, damping "
+            "                  no residual test pointed to it; a first screening did\n"
+            "    left        The model leaves 10 % of the explainable error unexplained (residual "
+            "whiteness p 0.3).\n"
+            "    closed loop Closed loop by the fitted model and the recorded controller: peak "
+            "sensitivity 1.5, damping "
             "0.7, period 60 s, settles in 2.5 min.\n");
 }
 
@@ -54,7 +57,7 @@ TEST(ModelText, WithoutExcitationItClaimsNothing) {
   core::model::Explanation explanation = story();
   explanation.excited = false;
   explanation.excitation = "op stands still.";
-  EXPECT_EQ(model_text(explanation), "  model         claims nothing: op stands still.\n");
+  EXPECT_EQ(model_text(explanation), "  model         process not identified: op stands still.\n");
 }
 
 }  // namespace

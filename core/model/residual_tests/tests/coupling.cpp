@@ -19,7 +19,7 @@ std::vector<TestOutcome> ask_coupling(std::span<const double> innovation, std::u
   std::vector<TestOutcome> answers;
   if (result && result->nonlinear_p) {
     answers.push_back(answer_of("nonlinear", *result->nonlinear_p,
-                                "Frequencies of the residual are coupled: " +
+                                "The residual shows phase coupling of frequencies: " +
                                     std::string(hos::name(result->coupling)) + "."));
   }
   if (result && result->ngi_p)

@@ -41,10 +41,10 @@ std::size_t strongest_width(const Eigen::VectorXd& t, const std::vector<double>&
 }
 
 std::string statement_of(const ResidualContext& questioned, double width_percent) {
-  return "The residual depends on which way op last went, beyond op itself (" +
+  return "The residual depends on the direction of the last move of op, beyond op itself (" +
          std::to_string(count_reversals(questioned.view.op_direction)) +
          " reversals), most as with " + in_digits(width_percent) +
-         " % of play: hysteresis between op and pv.";
+         " % of dead band: hysteresis between op and pv.";
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ std::string statement_of(const Score& score, double sample_interval_s) {
   return "The residual follows moves of op, most those of " + in_time(lag * sample_interval_s) +
          " (" + std::to_string(lag) + " samples) before, " +
          in_digits(std::abs(score.t[strongest])) +
-         " standard errors: delay or order of the linear model do not fit.";
+         " standard errors: dead time or order of the linear model do not fit.";
 }
 
 }  // namespace

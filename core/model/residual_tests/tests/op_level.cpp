@@ -59,11 +59,12 @@ Nomination saturation_of(const Limit& limit) {
 
 std::string statement_of(double curved_p, const Limit& limit) {
   if (curved_p <= limit.p)
-    return "Moves of op work more at one end of its range than at the other: the residual follows "
+    return "Moves of op have more effect at one end of its range than at the other: the residual "
+           "follows "
            "the square of op.";
   return "Moves of op " + std::string(limit.high ? "above " : "below ") +
          in_digits(limit.at_percent) + " % (" + in_percent(limit.share) +
-         " of the samples) work differently from the others.";
+         " of the samples) have another effect on pv than the others.";
 }
 
 }  // namespace

@@ -36,9 +36,10 @@ std::optional<TestOutcome> ask_response_level(const ResidualContext& questioned)
   TestOutcome answer{{"response_level", score.p, {}}, {}};
   if (score.p > kSignificant) return answer;
   answer.question.statement =
-      "The residual follows the square of the model's answer (which spans a standard deviation "
+      "The residual follows the square of the model's response (which spans a standard deviation "
       "of " +
-      in_digits(questioned.response->std) + " pv units): the answer is curved.";
+      in_digits(questioned.response->std) +
+      " pv units): the process gain depends on the operating point.";
   answer.nominations = {{.effect = EffectKind::process_nonlinearity, .p = score.p}};
   return answer;
 }

@@ -19,7 +19,7 @@ TestOutcome ask_time_event(const ResidualContext& questioned) {
   TestOutcome answer{{"time_event", found.p, {}}, {}};
   for (const Outburst& event : found.events) {
     answer.question.statement +=
-        answer.question.statement.empty() ? "Moments that the noise does not explain: " : "; ";
+        answer.question.statement.empty() ? "Sudden disturbances beyond the noise: " : "; ";
     answer.question.statement += words_of(event, questioned);
     answer.nominations.push_back({.effect = EffectKind::load_step,
                                   .p = found.p,

@@ -58,7 +58,7 @@ std::optional<TestOutcome> ask_time_gain(const ResidualContext& questioned) {
   if (answer.question.p > kSignificant) return answer;
   const FoundGain& best = level.change.p <= move.change.p ? level : move;
   answer.question.statement =
-      "The process answers about " + in_digits(best.ratio) + " times as strongly from " +
+      "The process responds about " + in_digits(best.ratio) + " times as strongly from " +
       at_place(best.change.at_sample, questioned.view.sample_interval_s) + " on.";
   answer.nominations = {{.effect = EffectKind::gain_change,
                          .p = best.change.p,

@@ -59,7 +59,7 @@ TestOutcome ask_white(const ResidualContext& questioned) {
   TestOutcome answer{{"white", chi_square_upper(sum, kPortmanteauLags), {}}, {}};
   if (answer.question.p <= kSignificant)
     answer.question.statement =
-        "The residual is linked with its own past, most at " +
+        "The residual is autocorrelated, most at " +
         in_time(static_cast<double>(strongest_lag) * questioned.view.sample_interval_s) + " (" +
         std::to_string(strongest_lag) + " samples) before, " + in_digits(std::abs(strongest)) +
         " standard errors, " +

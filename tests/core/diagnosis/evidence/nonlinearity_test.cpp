@@ -35,7 +35,7 @@ TEST(Nonlinearity, SaysWhatTheTestsRestOn) {
   Evidence evidence = with_p(1e-9);
   EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, Not(HasSubstr("setpoint")));
   evidence.tested_on = TestedOn::model_residual;
-  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, HasSubstr("linear answer"));
+  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, HasSubstr("linear response"));
   EXPECT_EQ(name(TestedOn::model_residual), "model_residual");
 }
 
@@ -85,11 +85,11 @@ TEST(Nonlinearity, NoLookIsNoFinding) {
 TEST(Nonlinearity, WordsNameTheCouplingAndNeverSayLinear) {
   using hos::Coupling;
   EXPECT_THAT(judge_nonlinearity(with_p(0.7), {}).reason,
-              HasSubstr("No quadratic or cubic coupling found: p = 0.7"));
+              HasSubstr("No quadratic or cubic phase coupling found: p = 0.7"));
   EXPECT_THAT(judge_nonlinearity(with_p(1e-5, Coupling::cubic), {}).reason,
-              HasSubstr("Cubic coupling"));
+              HasSubstr("Cubic phase coupling"));
   EXPECT_THAT(judge_nonlinearity(with_p(1e-5, Coupling::both), {}).reason,
-              HasSubstr("Quadratic and cubic coupling"));
+              HasSubstr("Quadratic and cubic phase coupling"));
   for (const Coupling coupling :
        {Coupling::none_found, Coupling::quadratic, Coupling::cubic, Coupling::both}) {
     EXPECT_THAT(judge_nonlinearity(with_p(0.5, coupling), {}).reason, Not(HasSubstr("linear")));
@@ -106,7 +106,7 @@ TEST(Nonlinearity, TestsAndPublishedIndicesAreToldApart) {
   evidence.hos->cubic_p = 0.5;
   EXPECT_THAT(
       judge_nonlinearity(evidence, {}).reason,
-      HasSubstr("Quadratic coupling: p < 1e-12 (p of the tests: quadratic on average < 1e-12, at "
+      HasSubstr("Quadratic phase coupling: p < 1e-12 (p by test: quadratic on average < 1e-12, at "
                 "single bifrequencies 0.004, cubic 0.5); published indices NGI 0.021, NLI 0.3 on "
                 "127 segments"));
 }

@@ -102,7 +102,7 @@ TEST(CycleValve, SaysWhatItSawAndKeepsTheErrors) {
   EXPECT_EQ(step.effect, EffectKind::valve_deadband);
   EXPECT_EQ(step.parameters[0].low, 0.1);
   EXPECT_EQ(step.evidence, 100.0);
-  EXPECT_NE(step.statement.find("sticks"), std::string::npos);
+  EXPECT_NE(step.statement.find("sticking valve"), std::string::npos);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(ChainTable, LeadsFromTheTestThatSpokeToWhatItSaysAfterwards) {
 }
 
 TEST(ChainTable, AStepThatNoTestAskedForSaysSo) {
-  EXPECT_THAT(chain_table(two_steps(""), {}), HasSubstr("no residual test: a first look"));
+  EXPECT_THAT(chain_table(two_steps(""), {}), HasSubstr("no residual test: a first screening"));
 }
 
 TEST(ChainTable, PicturesStandInTheRowOfTheirStep) {

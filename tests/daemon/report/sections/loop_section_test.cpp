@@ -77,7 +77,7 @@ TEST(LoopSection, AHiddenLoopSaysWhyAndWhatToDoFirst) {
       {"suppressed", "shut <down>", "eve", 0, 86'400'000'000, std::nullopt, std::nullopt}};
   const std::string text = loop_section(told);
   EXPECT_THAT(text, HasSubstr("A victim of plant-wide oscillation 3: repair its source "
-                              "<bdi>FIC1</bdi> first, then look again."));
+                              "<bdi>FIC1</bdi> first, then check again."));
   EXPECT_THAT(text, HasSubstr("oscillation 4, whose source is not known."));
   EXPECT_THAT(text, HasSubstr("Suppressed by <bdi>eve</bdi>, 1970-01-01 00:00"));
   EXPECT_THAT(text, HasSubstr("<bdi>shut &lt;down&gt;</bdi>"));
@@ -99,7 +99,7 @@ TEST(LoopSection, TheTableHasErrorsBeforeAndAfterAndTheFloor) {
 TEST(LoopSection, AModelThatClaimsNothingSaysSo) {
   core::model::Explanation silent;
   silent.excitation = "op hardly moves";
-  EXPECT_THAT(explanation_table(silent), HasSubstr("claims nothing: op hardly moves"));
+  EXPECT_THAT(explanation_table(silent), HasSubstr("process not identified: op hardly moves"));
 }
 
 TEST(LoopSection, NoHostileNameChangesTheMarkup) {
