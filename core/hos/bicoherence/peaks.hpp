@@ -44,9 +44,9 @@ class PeakFinder {
 
  private:
   struct Candidate {
-    std::size_t index;  // in the domain
+    std::size_t index = 0;  // in the domain
     Bifrequency at;
-    double bic2;
+    double bic2 = 0.0;
   };
   void find_candidates(std::span<const double> bic2, double level);
   [[nodiscard]] bool is_distinct(const Candidate& next) const;

@@ -9,7 +9,8 @@
 namespace loopscope::core::model {
 
 /// Looks a sample at a stem between the samples. Stems that were simulated in 20 steps a sample are
-/// followed as well by 8, the lag making up for the rest, and not by 3 (core/model/valve_search/README.md).
+/// followed as well by 8, the lag making up for the rest, and not by 3
+/// (core/model/valve_search/README.md).
 inline constexpr int kLooks = 8;
 
 /// Where a stem that moves on all along is after some looks: the sum of shares of where it was, of

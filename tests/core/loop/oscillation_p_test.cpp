@@ -51,8 +51,8 @@ double share_at(const Family& family, std::size_t samples, int records, double l
 }
 
 TEST(OscillationP, QuietRecordsSeldomPass) {
-  // Measured below 0.2 and 0.08 of the nominal size (MEASURED.md): 300 records stay below the size by
-  // more than three standard deviations.
+  // Measured below 0.2 and 0.08 of the nominal size (MEASURED.md): 300 records stay below the size
+  // by more than three standard deviations.
   for (const Family& family : signals::quiet_families()) {
     EXPECT_LE(share_at(family, 751, 300, 0.05), 0.05) << family.name;
     EXPECT_EQ(share_at(family, 751, 300, 1e-4), 0.0) << family.name;

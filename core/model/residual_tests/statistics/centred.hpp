@@ -21,7 +21,8 @@ struct Centred {
 
 /// Samples over which high_passed() forgets. op answers to past residuals, so that a feature of op
 /// that wanders slower than the record is long enough for does not average out
-/// (core/model/residual_tests/README.md); what a valve or a bend does within a few dozen samples of a move is kept.
+/// (core/model/residual_tests/README.md); what a valve or a bend does within a few dozen samples of
+/// a move is kept.
 inline constexpr double kMemorySamples = 40.0;
 
 /// signal(k) less its exponential mean before k: what the past alone decides, as the tests that
