@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/diagnosis/evidence/structure.hpp"
-#include "core/diagnosis/verdicts/catalogue.hpp"
-#include "core/diagnosis/verdicts/words.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

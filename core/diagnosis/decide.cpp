@@ -15,8 +15,8 @@
 #include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/state_verdict.hpp"
 #include "core/diagnosis/verdict_p.hpp"
-#include "core/diagnosis/verdicts/catalogue.hpp"
-#include "core/diagnosis/verdicts/words.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/diagnosis/effect_verdict.hpp"
-#include "core/diagnosis/verdicts/words.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/model/residual_tests/nominations.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -30,7 +30,7 @@ double explained_by_all(const std::vector<model::Step>& steps) {
 
 bool sudden_loads_left(const model::Explanation& explanation) {
   return std::ranges::any_of(explanation.questions, [](const model::Question& question) {
-    return question.name == "time_event" && question.p <= model::kAsks;
+    return question.name == "time_event" && question.p <= model::kNominates;
   });
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/diagnosis/decide.hpp"
 #include "core/diagnosis/loop_state.hpp"
-#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/model/explain.hpp"
 
 namespace loopscope::core {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/diagnosis/verdicts/words.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/diagnosis/plant_member.hpp"
 
-#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -8,8 +8,8 @@
 #include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/loop_state.hpp"
 #include "core/diagnosis/model_words.hpp"
-#include "core/diagnosis/verdicts/words.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

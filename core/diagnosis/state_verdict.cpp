@@ -11,8 +11,8 @@
 #include "core/diagnosis/odds/cause_odds.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/reasons.hpp"
-#include "core/diagnosis/verdicts/catalogue.hpp"
-#include "core/diagnosis/verdicts/words.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

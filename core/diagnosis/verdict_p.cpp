@@ -7,8 +7,8 @@
 #include "core/diagnosis/evidence/loop_figures.hpp"
 #include "core/diagnosis/evidence/nonlinearity.hpp"
 #include "core/diagnosis/evidence/structure.hpp"
-#include "core/diagnosis/verdicts/catalogue.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/model/controller/excitation.hpp"
 #include "core/model/controller/inverse_controller_fit.hpp"
 #include "core/model/controller/tuning.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/fit/noise_floor.hpp"
 #include "core/model/fit/process_report.hpp"
 #include "core/model/limit_cycle/apply_limit_cycle_evidence.hpp"
@@ -68,9 +68,9 @@ std::size_t judge_loop(const BaselineAnalysis& look, const Fit& fit, Explanation
       find_controller_law({input.error, input.sp, input.op, input.op_in_percent});
   if (!law.found) return excitation.reversals;
   const ProcessFit& process = explanation.baseline.process;
-  const ControllerTrap trap =
+  const InverseControllerFit trap =
       judge_controller_trap(process, law, input.op, input.sample_interval_s);
-  const bool refused = trap.refused && input.without.has(Mechanism::inverse_controller_fit);
+  const bool refused = trap.refused && input.without.keeps(Mechanism::inverse_controller_fit);
   if (refused && explanation.steps.empty()) {
     explanation.process_doubt = trap.statement;
     return excitation.reversals;
@@ -156,9 +156,9 @@ Explanation select_and_report(BaselineAnalysis& look) {
   report_rest(story, left, explanation);
   // Behind a held sensor the shape of a cycle proves nothing: there it accused the valves of 5 in
   // 640 healthy loops, and none of 40 that stick and were not found without it.
-  if (story.data.grid.every_sample() && look.recorded.without.has(Mechanism::hysteresis_by_cycle))
+  if (story.data.grid.every_sample() && look.recorded.without.keeps(Mechanism::hysteresis_by_cycle))
     apply_limit_cycle_evidence(look.recorded, look.answers, left, op_turns, explanation);
-  if (look.recorded.without.has(Mechanism::steps_after_moves))
+  if (look.recorded.without.keeps(Mechanism::steps_after_moves))
     find_steps_after_moves(look.recorded, story.data.grid.samples_per_row, explanation);
   return explanation;
 }

@@ -54,7 +54,7 @@ class Stages {
       : input_(input), told_(told), story_(told.renewals ? *told.renewals : told.samples) {
     stages_.push_back(baseline(told.samples, true));
     const bool by_witness = told.explanation.error_kind == ErrorKind::simulation;
-    if (by_witness) witness_ = simulate_witness(input, told.explanation.steps.back());
+    if (by_witness) witness_ = simulate_limit_cycle(input, told.explanation.steps.back());
     if (witness_) put_simulation(input.pv, witness_->linear, stages_.front());
     for (const Step& step : told.explanation.steps)
       stages_.push_back(named(after(step, by_witness), step.effect));

@@ -149,7 +149,7 @@ class Search {
 
   void look_about(const Centre& centre) {
     const std::vector<Envelope>& envelopes = envelopes_at(centre.step);
-    const Star star = star_about(centre, envelopes);
+    const Hub star = star_about(centre, envelopes);
     const double star_p = star.p * static_cast<double>(centres_.size());
     if (star.rays.empty() || star_p > settings_.event_p) return;
     std::vector<std::size_t> core{star.centre};
@@ -168,8 +168,7 @@ class Search {
 
   /// Loops with a line of their own here have to keep step, the others to follow: two families, of
   /// which the one that says less may still join.
-  [[nodiscard]] Star star_about(const Centre& centre,
-                                const std::vector<Envelope>& envelopes) const {
+  [[nodiscard]] Hub star_about(const Centre& centre, const std::vector<Envelope>& envelopes) const {
     std::vector<Neighbour> lines, others;
     const Envelope& own = envelopes[centre.index];
     const Wander wander = measure_wander(own);
@@ -180,8 +179,8 @@ class Search {
       else
         others.push_back({i, follow(envelopes[i], own).p});
     }
-    Star star = find_star(centre.index, std::move(lines));
-    const Star other = find_star(centre.index, std::move(others));
+    Hub star = find_star(centre.index, std::move(lines));
+    const Hub other = find_star(centre.index, std::move(others));
     if (other.p < star.p && other.p > settings_.event_p) star.rays.clear();
     if (other.p <= std::max(star.p, settings_.event_p))
       star.rays.insert(star.rays.end(), other.rays.begin(), other.rays.end());

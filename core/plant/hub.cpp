@@ -6,9 +6,9 @@
 #include "core/plant/distributions.hpp"
 
 namespace loopscope::core::plant {
-Star find_star(std::size_t centre, std::vector<Neighbour> around) {
+Hub find_star(std::size_t centre, std::vector<Neighbour> around) {
   std::ranges::sort(around, {}, [](const Neighbour& n) { return std::pair(n.p, n.index); });
-  Star star{centre, {}, 1.0};
+  Hub star{centre, {}, 1.0};
   std::size_t size = 0;
   const auto sizes = static_cast<double>(around.size());
   for (std::size_t k = 1; k <= around.size(); ++k) {

@@ -13,7 +13,7 @@ struct Neighbour {
 };
 
 /// One loop and those that follow its oscillation.
-struct Star {
+struct Hub {
   std::size_t centre = 0;
   std::vector<std::size_t> rays;  ///< best first; empty = nothing was found
   /// That independent loops show such a star: the chance of so many of the neighbours below the
@@ -22,6 +22,6 @@ struct Star {
 };
 
 /// The least likely of the stars about one centre.
-[[nodiscard]] Star find_star(std::size_t centre, std::vector<Neighbour> around);
+[[nodiscard]] Hub find_star(std::size_t centre, std::vector<Neighbour> around);
 
 }  // namespace loopscope::core::plant

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "daemon/output/json_number.hpp"
 
 namespace loopscope::daemon {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "core/diagnosis/model_words.hpp"
-#include "core/diagnosis/verdicts/words.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "daemon/output/text_line.hpp"
 
 namespace loopscope::daemon {

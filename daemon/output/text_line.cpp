@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/diagnosis/verdicts/words.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
 
 namespace loopscope::daemon {
 

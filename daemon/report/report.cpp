@@ -16,7 +16,7 @@
 #include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/loop_report.hpp"
 #include "daemon/report/make_pdf.hpp"
-#include "daemon/report/page/page.hpp"
+#include "daemon/report/page/page_frame.hpp"
 #include "daemon/report/sections/plant_section.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"

@@ -7,7 +7,7 @@
 #include <set>
 #include <string_view>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 
 namespace loopscope::tests::effects {
 namespace {

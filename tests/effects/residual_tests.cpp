@@ -36,7 +36,7 @@ std::string line_of(const std::string& kind, std::span<const std::vector<TestOut
   std::string line = fmt::format("{:32}", kind);
   for (const std::string& test : tests) {
     const auto passes = std::ranges::count_if(draws, [&](const std::vector<TestOutcome>& answers) {
-      return p_of(answers, test) <= core::model::kAsks;
+      return p_of(answers, test) <= core::model::kNominates;
     });
     const double share = 100.0 * static_cast<double>(passes) / static_cast<double>(draws.size());
     line += fmt::format(" {:>{}.1f}", share, width_of(test));

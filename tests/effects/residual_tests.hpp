@@ -15,7 +15,7 @@ namespace loopscope::tests::effects {
                                                                const Plan& plan);
 
 /// A line for each kind of the plan: the share of its draws, %, in which each residual test passes
-/// at kAsks. Of kinds without an effect that is the size of the test, else its power.
+/// at kNominates. Of kinds without an effect that is the size of the test, else its power.
 [[nodiscard]] std::string passing_table(const Plan& plan);
 
 }  // namespace loopscope::tests::effects

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "tests/effects/window_of.hpp"
 #include "tests/support/in_threads.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 
-#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "storage/results/schema/migrate.hpp"
 #include "tests/plants/store_repairs.hpp"
 #include "tests/support/test_database.hpp"

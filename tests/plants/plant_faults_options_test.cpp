@@ -18,8 +18,8 @@ TEST(PlantFaultsOptions, AreReadInAnyOrder) {
   EXPECT_TRUE(options.json);
   EXPECT_EQ(read_options({"--rate", "0.02"}).rule.false_discovery_rate, 0.02);
   const Options without = read_options({"--without", "play_net"});
-  EXPECT_FALSE(without.without.has(core::model::Mechanism::play_net));
-  EXPECT_TRUE(without.without.has(core::model::Mechanism::stem_search));
+  EXPECT_FALSE(without.without.keeps(core::model::Mechanism::play_net));
+  EXPECT_TRUE(without.without.keeps(core::model::Mechanism::stem_search));
 }
 
 TEST(PlantFaultsOptions, WrongWordsAreNamed) {

@@ -57,7 +57,7 @@ LOOPSCOPE_TABLE(question_coupling_sizes, "the same with the questions of couplin
       PassRates rates;
       for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         const Questionable loop = tests::closed_loop(tests::white(kind, samples, 131 * seed), seed);
-        count(ask_coupling(loop.view().innovation, seed), rates);
+        count(test_coupling(loop.view().innovation, seed), rates);
       }
       print(std::to_string(samples) + " " + std::string(tests::name(kind)), rates, 0);
     }

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/results/effect_kind.hpp"
 #include "tests/core/model/trial_records.hpp"
 #include "tests/tables/table.hpp"

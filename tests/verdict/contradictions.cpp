@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/diagnosis/evidence/structure.hpp"
-#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "tests/verdict/naming.hpp"
 
 namespace loopscope::tests::verdict {

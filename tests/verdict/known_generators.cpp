@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/diagnosis/effect_verdict.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/results/effect_kind.hpp"
 #include "tests/core/model/field_families.hpp"
 #include "tests/effects/generator.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/diagnosis/evidence/evidence.hpp"
-#include "core/diagnosis/verdicts/catalogue.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/model/results/effect_kind.hpp"
 
 namespace loopscope::tests::verdict {

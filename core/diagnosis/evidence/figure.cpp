@@ -6,7 +6,7 @@
 #include "core/diagnosis/evidence/loop_figures.hpp"
 #include "core/diagnosis/evidence/shape_figures.hpp"
 #include "core/diagnosis/evidence/step_figures.hpp"
-#include "core/diagnosis/verdicts/words.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
 
 namespace loopscope::core::diagnosis {
 

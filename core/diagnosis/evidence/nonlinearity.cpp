@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/diagnosis/evidence/structure.hpp"
-#include "core/diagnosis/verdicts/words.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/diagnosis/evidence/structure.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/limit_cycle/cycle_valve.hpp"
 
 namespace loopscope::core::diagnosis {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/diagnosis/evidence/nonlinearity.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -13,7 +13,7 @@
 #include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/odds/cause_curves.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
-#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -38,7 +38,7 @@ bool positive_feedback(const SampledProcess& fit, const ControllerLaw& law) {
   return slow_gain * (law.integral != 0.0 ? law.integral : law.gain) < 0.0;
 }
 
-std::string describe(const ControllerTrap& trap) {
+std::string describe(const InverseControllerFit& trap) {
   if (!trap.refused) return {};
   if (trap.distance < kRefusedBelow) {
     return sentence("The fit from op to pv is the controller run backwards (distance ",
@@ -49,9 +49,9 @@ std::string describe(const ControllerTrap& trap) {
 
 }  // namespace
 
-ControllerTrap judge_controller_trap(const SampledProcess& fit, const ControllerLaw& law,
-                                     std::span<const double> op) {
-  ControllerTrap trap;
+InverseControllerFit judge_controller_trap(const SampledProcess& fit, const ControllerLaw& law,
+                                           std::span<const double> op) {
+  InverseControllerFit trap;
   const std::vector<OctavePower> octaves = octave_powers(op);
   if (!law.found || octaves.empty()) return trap;
   trap.distance = distance_to_inverse(fit, law, octaves);
@@ -61,8 +61,8 @@ ControllerTrap judge_controller_trap(const SampledProcess& fit, const Controller
   return trap;
 }
 
-ControllerTrap judge_controller_trap(const ProcessFit& fit, const ControllerLaw& law,
-                                     std::span<const double> op, double interval_s) {
+InverseControllerFit judge_controller_trap(const ProcessFit& fit, const ControllerLaw& law,
+                                           std::span<const double> op, double interval_s) {
   return judge_controller_trap(sample_process(fit, interval_s), law, op);
 }
 

@@ -9,7 +9,7 @@
 namespace loopscope::core::model {
 
 /// Whether a process fitted from op to pv is the controller run backwards.
-struct ControllerTrap {
+struct InverseControllerFit {
   bool refused = false;
   /// Between the fit G and -1/C over the band where op moves, gain and shape together: 0 = the
   /// same, 1 = nothing in common.
@@ -22,11 +22,13 @@ struct ControllerTrap {
 /// Without set-point moves op and pv obey the law of the controller at every sample, so a fit that
 /// is free to answer within the sample finds pv = -op / C, almost without error. `op` tells where
 /// the comparison counts; NaN = missing. Never refused without a law (`law.found` false).
-[[nodiscard]] ControllerTrap judge_controller_trap(const SampledProcess& fit,
-                                                   const ControllerLaw& law,
-                                                   std::span<const double> op);
+[[nodiscard]] InverseControllerFit judge_controller_trap(const SampledProcess& fit,
+                                                         const ControllerLaw& law,
+                                                         std::span<const double> op);
 /// The same; throws std::invalid_argument unless interval_s > 0.
-[[nodiscard]] ControllerTrap judge_controller_trap(const ProcessFit& fit, const ControllerLaw& law,
-                                                   std::span<const double> op, double interval_s);
+[[nodiscard]] InverseControllerFit judge_controller_trap(const ProcessFit& fit,
+                                                         const ControllerLaw& law,
+                                                         std::span<const double> op,
+                                                         double interval_s);
 
 }  // namespace loopscope::core::model

@@ -79,7 +79,7 @@ double misfit_of(const Fit& fit, const LoopData& data) {
 
 EffectPtr slowly_changing(const EffectPtr& line, const LoopData& data) {
   constexpr std::size_t kNet = 2;  // eight stretches: the line itself comes first
-  if (!data.without.has(Mechanism::wave_shape)) return nullptr;
+  if (!data.without.keeps(Mechanism::wave_shape)) return nullptr;
   const std::vector<EffectPtr> nets =
       as_wave(line).with_knots(data.samples(), data.grid.samples_per_row);
   return nets.size() > kNet ? nets[kNet] : nullptr;
@@ -89,7 +89,7 @@ PricedWave best_wave(const FitVariants& variants, const LoopData& data, const Ef
   constexpr int kTurns = 3;
   const double rows = rows_of(data);
   PricedWave best = priced(variants, rows, start);
-  if (!data.without.has(Mechanism::wave_shape)) return best;
+  if (!data.without.keeps(Mechanism::wave_shape)) return best;
   for (int turn = 0; turn < kTurns; ++turn) {
     take_best_net(variants, rows,
                   as_wave(best.effect).with_knots(data.samples(), data.grid.samples_per_row), best);

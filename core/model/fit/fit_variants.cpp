@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/fit/added_column.hpp"
 #include "core/model/fit/newton_step.hpp"
 #include "core/model/response/whitening.hpp"

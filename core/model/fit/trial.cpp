@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit/fit_variants.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/limit_cycle/cycle_valve.hpp"
 #include "core/model/limit_cycle/hysteresis_from_limit_cycle.hpp"
 #include "core/model/residual_tests/nominations.hpp"
@@ -80,7 +80,7 @@ void apply_limit_cycle_evidence(const ModelInput& input, const std::vector<TestO
   explanation.unexplained.fraction =
       std::clamp(step->holdout_error_after / step->holdout_error_before, 0.0, 1.0);
   step->asked_by = asked_by(step->effect, first, {});  // not asked again: no one-step model has it
-  step->promise_rank = Asked(first).rank(step->effect);
+  step->promise_rank = Nominations(first).rank(step->effect);
   explanation.steps = {std::move(*step)};
 }
 

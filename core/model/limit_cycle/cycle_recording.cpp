@@ -93,7 +93,7 @@ std::vector<CycleRecord> parts_of(const CycleRecording& recording, const CycleBa
 
 double cycle_period(const CycleRecording& recording, const Without& without) {
   const std::vector<double> periods = candidate_periods(recording.error, recording.op);
-  if (periods.size() == 1 || !without.has(Mechanism::second_period)) return periods.front();
+  if (periods.size() == 1 || !without.keeps(Mechanism::second_period)) return periods.front();
   return *std::ranges::max_element(periods, {},
                                    [&](double period) { return coherence_at(recording, period); });
 }

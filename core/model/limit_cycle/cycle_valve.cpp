@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/limit_cycle/driven_cycle.hpp"
 #include "core/model/results/phrases.hpp"
 
@@ -66,7 +66,7 @@ double odds_that_valve_cycles(const CycleCause& cause, double band_percent) {
 }
 
 void weigh_valves_by_cycle(const ModelInput& input, std::vector<Step>& steps) {
-  if (!input.without.has(Mechanism::cycle_score) || std::ranges::none_of(steps, has_band)) return;
+  if (!input.without.keeps(Mechanism::cycle_score) || std::ranges::none_of(steps, has_band)) return;
   const CycleCause cause = cycle_of(input);
   if (cause.decision == CycleCause::Decision::undecided) return;
   const bool cycles = cycles_by_itself(cause.evidence, input);

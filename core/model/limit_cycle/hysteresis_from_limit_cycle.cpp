@@ -90,11 +90,11 @@ std::optional<Step> find_hysteresis(const ModelInput& input,
   };
   const double level_p = p_of(answers, "op_level");
   const bool strokes_call = p <= kStrokeP || level_p <= kStrokeLevelP;
-  if (op_turns <= kFewStrokes && strokes_call && input.without.has(Mechanism::slow_travel)) {
+  if (op_turns <= kFewStrokes && strokes_call && input.without.keeps(Mechanism::slow_travel)) {
     auto step = by_strokes(input, std::min(p, level_p));
     if (lowers_the_error(step)) return step;
   }
-  if (p > kCycleP || !input.without.has(Mechanism::cycle_score)) return std::nullopt;
+  if (p > kCycleP || !input.without.keeps(Mechanism::cycle_score)) return std::nullopt;
   auto step = by_cycle(input, p);
   return lowers_the_error(step) ? step : std::nullopt;
 }

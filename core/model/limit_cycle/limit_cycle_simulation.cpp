@@ -75,7 +75,7 @@ std::optional<WitnessSimulation> simulate_strokes(const ModelInput& input) {
 
 }  // namespace
 
-std::optional<WitnessSimulation> simulate_witness(const ModelInput& input, const Step& step) {
+std::optional<WitnessSimulation> simulate_limit_cycle(const ModelInput& input, const Step& step) {
   return told_by_strokes(step) ? simulate_strokes(input) : simulate_cycle(input);
 }
 

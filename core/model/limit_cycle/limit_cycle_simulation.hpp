@@ -19,7 +19,7 @@ struct WitnessSimulation {
 };
 
 /// nullopt where the witness has nothing to say of the record: `step` is not of it.
-[[nodiscard]] std::optional<WitnessSimulation> simulate_witness(const ModelInput& input,
-                                                                const Step& step);
+[[nodiscard]] std::optional<WitnessSimulation> simulate_limit_cycle(const ModelInput& input,
+                                                                    const Step& step);
 
 }  // namespace loopscope::core::model

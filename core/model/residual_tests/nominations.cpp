@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -14,36 +14,36 @@ bool same_search(EffectKind a, EffectKind b) {
 
 bool asks_for(const TestOutcome& answer, EffectKind effect) {
   return std::ranges::any_of(answer.nominations, [effect](const Nomination& nomination) {
-    return nomination.p <= kAsks && same_search(nomination.effect, effect);
+    return nomination.p <= kNominates && same_search(nomination.effect, effect);
   });
 }
 
 }  // namespace
 
-Asked::Asked(const std::vector<TestOutcome>& answers) {
+Nominations::Nominations(const std::vector<TestOutcome>& answers) {
   for (const TestOutcome& answer : answers) {
     for (const Nomination& nomination : answer.nominations) add(nomination);
   }
   order();
 }
 
-Asked::Asked(std::span<const Nomination> nominations) {
+Nominations::Nominations(std::span<const Nomination> nominations) {
   for (const Nomination& nomination : nominations) add(nomination);
   order();
 }
 
-void Asked::add(const Nomination& nomination) {
-  if (nomination.p <= kAsks)
+void Nominations::add(const Nomination& nomination) {
+  if (nomination.p <= kNominates)
     nominations_.push_back(nomination);
   else if (nomination.p <= kSignificant)
     hints_.push_back(nomination.effect);
 }
 
-void Asked::order() {
+void Nominations::order() {
   std::ranges::stable_sort(nominations_, {}, &Nomination::p);
 }
 
-std::size_t Asked::rank(EffectKind effect) const {
+std::size_t Nominations::rank(EffectKind effect) const {
   std::vector<EffectKind> before;
   for (const Nomination& nomination : nominations_) {
     if (same_search(nomination.effect, effect)) return before.size() + 1;
@@ -53,16 +53,16 @@ std::size_t Asked::rank(EffectKind effect) const {
   return 0;
 }
 
-double Asked::promise(EffectKind effect) const {
+double Nominations::promise(EffectKind effect) const {
   const std::vector<Nomination> asked = nominations(effect);
   return asked.empty() ? 0.0 : -2.0 * std::log(asked.front().p);
 }
 
-bool Asked::hints_at(EffectKind effect) const {
+bool Nominations::hints_at(EffectKind effect) const {
   return std::ranges::find(hints_, effect) != hints_.end();
 }
 
-std::vector<Nomination> Asked::nominations(EffectKind effect) const {
+std::vector<Nomination> Nominations::nominations(EffectKind effect) const {
   std::vector<Nomination> result;
   std::ranges::copy_if(nominations_, std::back_inserter(result),
                        [&](const Nomination& one) { return same_search(one.effect, effect); });
@@ -98,7 +98,7 @@ std::vector<AskedEffect> asked_effects(const std::vector<TestOutcome>& answers) 
   std::vector<AskedEffect> result;
   for (const TestOutcome& answer : answers) {
     for (const Nomination& nomination : answer.nominations) {
-      if (nomination.p <= kAsks)
+      if (nomination.p <= kNominates)
         result.push_back({nomination.effect, answer.question.name, nomination.p});
     }
   }

@@ -10,17 +10,17 @@
 namespace loopscope::core::model {
 
 /// At this p a residual test asks for effects: one healthy loop in a hundred and test.
-inline constexpr double kAsks = 0.01;
+inline constexpr double kNominates = 0.01;
 
 /// The effects that the residual tests ask for, by what they promise. Twice the negative logarithm
 /// of a test's p is what an effect that explains all that the test saw would come to in evidence:
 /// in that measure tests of any kind compare, so that they are ranked by p. They are tried in that
 /// order (selection_round.cpp); the rank stands in the results.
-class Asked {
+class Nominations {
  public:
-  explicit Asked(const std::vector<TestOutcome>& answers);
+  explicit Nominations(const std::vector<TestOutcome>& answers);
   /// Tests only: what another loop's residual asked for.
-  explicit Asked(std::span<const Nomination> nominations);
+  explicit Nominations(std::span<const Nomination> nominations);
 
   /// A valve that sticks and one that has play are asked for together.
   [[nodiscard]] bool for_effect(EffectKind effect) const { return rank(effect) > 0; }
@@ -30,7 +30,7 @@ class Asked {
   [[nodiscard]] double promise(EffectKind effect) const;
   /// Those of one effect, the most promising first.
   [[nodiscard]] std::vector<Nomination> nominations(EffectKind effect) const;
-  /// Whether a test points to it at kSignificant, if not at kAsks.
+  /// Whether a test points to it at kSignificant, if not at kNominates.
   [[nodiscard]] bool hints_at(EffectKind effect) const;
 
  private:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/record/op_direction.hpp"
 #include "core/model/residual_tests/tests/coupling.hpp"
 
@@ -63,7 +63,7 @@ std::vector<TestOutcome> question(const ModelInput& input, const LoopData& data,
 
 std::vector<TestOutcome> question_coupling(const LoopData& data, const Fit& fit,
                                            std::uint64_t seed) {
-  return ask_coupling(residual_of(data, fit), seed);
+  return test_coupling(residual_of(data, fit), seed);
 }
 
 }  // namespace loopscope::core::model

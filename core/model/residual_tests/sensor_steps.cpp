@@ -37,7 +37,7 @@ Step sensor_step(EffectKind kind, double p, const Parameter& parameter, double e
 }  // namespace
 
 SensorFinding find_sensor_steps(double error, const std::vector<TestOutcome>& answers) {
-  const Asked asked(answers);
+  const Nominations asked(answers);
   SensorFinding finding;
   const Nomination* held = nominated(answers, EffectKind::sensor_hold);
   if (held && held->hold_samples && *held->hold_samples >= 2.0) {

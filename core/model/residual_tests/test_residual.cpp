@@ -26,20 +26,20 @@ void add(std::optional<TestOutcome> answer, std::vector<TestOutcome>& answers) {
 }  // namespace
 
 std::vector<TestOutcome> test_residual(const ResidualView& view) {
-  const std::optional<ResidualContext> questioned = prepare_questions(view);
-  if (!questioned) return {};
+  const std::optional<ResidualContext> context = prepare_questions(view);
+  if (!context) return {};
   std::vector<TestOutcome> answers;
-  add(ask_white(*questioned), answers);
-  add(ask_op_dynamics(*questioned), answers);
-  add(ask_op_direction(*questioned), answers);
-  add(ask_op_level(*questioned), answers);
-  add(ask_response_level(*questioned), answers);
-  add(ask_time_gain(*questioned), answers);
-  add(ask_time_spread(*questioned), answers);
-  add(ask_time_event(*questioned), answers);
-  add(ask_periodic(*questioned), answers);
-  add(ask_grid(*questioned), answers);
-  add(ask_held(*questioned), answers);
+  add(test_white(*context), answers);
+  add(test_op_dynamics(*context), answers);
+  add(test_op_direction(*context), answers);
+  add(test_op_level(*context), answers);
+  add(test_response_level(*context), answers);
+  add(test_time_gain(*context), answers);
+  add(test_time_spread(*context), answers);
+  add(test_time_event(*context), answers);
+  add(test_periodic(*context), answers);
+  add(test_grid(*context), answers);
+  add(test_held(*context), answers);
   return answers;
 }
 

@@ -2,8 +2,8 @@
 
 namespace loopscope::core::model {
 
-/// The closed list of effects that a loop model can take in; name() of effects/catalogue.hpp gives
-/// the word that users, scripts and the results schema see.
+/// The closed list of effects that a loop model can take in; name() of effects/effect_catalogue.hpp
+/// gives the word that users, scripts and the results schema see.
 enum class EffectKind {
   valve_stiction,
   valve_deadband,

@@ -14,7 +14,7 @@ enum class Mechanism {
   cheap_look,     ///< at effects that no residual test asked for
   stem_search,    ///< valves that move between the samples (stiction_search.hpp)
   play_net,       ///< play, and what sticks about it, by its law alone (hysteresis_grid_search.hpp)
-  bands_scanned,  ///< bands and jumps about a valve that was found (fit_anew.cpp)
+  bands_scanned,  ///< bands and jumps about a valve that was found (fit_candidate.cpp)
   hysteresis_by_cycle,     ///< valves that no one-step error shows (apply_limit_cycle_evidence.hpp)
   cycle_score,             ///< the shape of the loop's cycle (limit_cycle_cause.hpp)
   second_period,           ///< the period at which op turns, beside that of most power
@@ -45,7 +45,7 @@ struct TestOutcome;
 class Without {
  public:
   void leave_out(Mechanism mechanism) { out_.set(static_cast<std::size_t>(mechanism)); }
-  [[nodiscard]] bool has(Mechanism mechanism) const {
+  [[nodiscard]] bool keeps(Mechanism mechanism) const {
     return !out_.test(static_cast<std::size_t>(mechanism));
   }
   [[nodiscard]] bool any() const { return out_.any(); }

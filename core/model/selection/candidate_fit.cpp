@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/selection/multi_step_error.hpp"
 #include "core/model/valve_search/hysteresis_grid_search.hpp"
@@ -35,7 +35,7 @@ CrossFit scored_fit(const LoopData& rows, Fit fit, bool once) {
 void compare_fairly(CandidateFit& trial) {
   const bool once = trial.scored_once();
   trial.comparison = compare(trial.rows, trial.before, trial.fit, once);
-  if (!trial.rows.without.has(Mechanism::fair_comparison)) return;
+  if (!trial.rows.without.keeps(Mechanism::fair_comparison)) return;
   if (trial.comparison.evidence <= 0.0) return;
   const CrossFit bare =
       scored_fit(trial.rows, polish(trial.rows, without_last(trial.fit.fit.structure)), once);
@@ -63,7 +63,7 @@ CandidateFit scored(CandidateFit trial, Fit fit, std::size_t tries) {
 
 bool foresees(const CandidateFit& trial) {
   if (is_from_outside(trial.kind())) return true;
-  if (!trial.rows.without.has(Mechanism::multi_step)) return true;
+  if (!trial.rows.without.keeps(Mechanism::multi_step)) return true;
   const double evidence = multi_step_evidence(trial.rows, trial.before.fit, trial.fit.fit);
   return std::exp(-0.5 * evidence) <= kEnters;
 }

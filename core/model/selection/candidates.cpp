@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit/trial.hpp"
 #include "core/model/selection/nominate.hpp"
@@ -45,7 +45,7 @@ bool is_sought(const Round& round, EffectKind kind) {
 /// something, and not next to nothing of what another effect gains: that one is first.
 void add_hysteresis(const Round& round, double other_gain, std::vector<Candidate>& list) {
   constexpr double kLeastGain = 5.0;
-  if (!round.data.without.has(Mechanism::play_net)) return;
+  if (!round.data.without.keeps(Mechanism::play_net)) return;
   const double worth_searching = std::max(kLeastGain, 0.1 * other_gain);
   const auto add = [&](const GridResult& find) {
     const double gain = gain_of(round.data, round.now.fit.fit_error, find.fit_error);
@@ -57,7 +57,7 @@ void add_hysteresis(const Round& round, double other_gain, std::vector<Candidate
       find_play(round.data, now, error_after(round.data, now.fit_error, kLeastGain));
   if (!play || add(*play) < worth_searching || !can_seek_sticking(play->structure)) return;
   for (const GridResult& find : find_sticking(round.data, round.now.fit, *play)) add(find);
-  if (!round.data.without.has(Mechanism::stem_search)) return;
+  if (!round.data.without.keeps(Mechanism::stem_search)) return;
   const EffectPtr& effect = play->structure.effects.back();
   const double band = effect->as_valve()->valve().stickband_percent;
   for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano})

@@ -10,7 +10,7 @@ namespace loopscope::core::model {
 /// A kind of effect that a round looks for.
 struct SoughtKind {
   EffectKind kind = EffectKind::load_step;
-  double promise = 0.0;  ///< evidence: Asked::promise, or what the best first look gains
+  double promise = 0.0;  ///< evidence: Nominations::promise, or what the best first look gains
   std::vector<Candidate> looked_at;
 };
 

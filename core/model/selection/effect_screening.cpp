@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/fit/baseline.hpp"
 #include "core/model/fit/best_wave.hpp"
 #include "core/model/fit/trial.hpp"

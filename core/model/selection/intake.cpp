@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit/baseline.hpp"
 #include "core/model/fit/simulation_error.hpp"
 #include "core/model/residual_tests/nominations.hpp"
-#include "core/model/selection/closer_look.hpp"
+#include "core/model/selection/refine_valve.hpp"
 #include "core/model/selection/round.hpp"
 
 namespace loopscope::core::model {
@@ -41,7 +41,7 @@ SelectedEffect chapter_of(const std::vector<CandidateFit>& trials, double passed
 /// The process once more with the effect in its place: process and noise may have been bent by its
 /// absence, so that they are also sought from a plain noise.
 void settle_chapter(const LoopData& rows, SelectedEffect& chapter) {
-  if (!rows.without.has(Mechanism::settled_effect)) return;
+  if (!rows.without.keeps(Mechanism::settled_effect)) return;
   Structure plain = chapter.fit.fit.structure;
   plain.noise = NoiseModel{};
   for (const Structure& start : {chapter.fit.fit.structure, plain}) {
@@ -78,7 +78,7 @@ bool comes_alone(EffectKind kind) {
 
 bool answers_its_tests(const CandidateFit& trial, const SelectedEffect& chapter) {
   const EffectKind kind = chapter.kind();
-  if (!comes_alone(kind) || !trial.rows.without.has(Mechanism::share_left)) return true;
+  if (!comes_alone(kind) || !trial.rows.without.keeps(Mechanism::share_left)) return true;
   const double left = share_left(asked_by(kind, chapter.asked_for, chapter.left));
   return std::exp(-0.5 * (trial.worth() - price_of_share_left(left))) <= kEnters;
 }
@@ -89,7 +89,7 @@ bool is_still_asked_for(const SelectedEffect& chapter) {
   return is_valve_hysteresis(kind) &&
          std::ranges::any_of(
              asked_by(kind, chapter.asked_for, chapter.left),
-             [](const AskedBy& test) { return test.p_after.value_or(1.0) <= kAsks; });
+             [](const AskedBy& test) { return test.p_after.value_or(1.0) <= kNominates; });
 }
 
 /// One round's trials on their way into the story.
@@ -151,7 +151,7 @@ class Intake {
   /// Whether that found a better valve, which the first trial is then.
   bool look_again(const Fit& settled) {
     if (!is_valve_hysteresis(trials_.front().kind())) return false;
-    std::optional<CandidateFit> closer = look_closer(trials_.front(), settled, ++looks_);
+    std::optional<CandidateFit> closer = refine_valve(trials_.front(), settled, ++looks_);
     if (closer) trials_.front() = std::move(*closer);
     return closer.has_value();
   }

@@ -13,8 +13,8 @@ struct IntakeTerms {
   const LoopData& original;                 ///< before any effect placed its rows
   const ResidualTests& tests;               ///< put to what is left once an effect is in
   const std::vector<TestOutcome>& answers;  ///< what they said before
-  std::optional<EffectKind> outdone_by = std::nullopt;  ///< Contest::outdone_by
-  double passed_over = 0.0;                             ///< Contest::passed_over
+  std::optional<EffectKind> outdone_by = std::nullopt;  ///< SelectionOutcome::outdone_by
+  double passed_over = 0.0;                             ///< SelectionOutcome::passed_over
 };
 
 /// The first of the trials that enters, explains something further ahead as well (`foresees`) and
@@ -25,7 +25,7 @@ struct IntakeTerms {
 /// A valve's law is a needle, and the search for it is one of chance: a valve that goes between the
 /// samples, or that does not foresee what it should, is looked for once more before it is weighed,
 /// and again as long as a test that asked for it still speaks with it in the model
-/// (closer_look.hpp).
+/// (refine_valve.hpp).
 [[nodiscard]] bool take_in(std::vector<CandidateFit> trials, const IntakeTerms& terms,
                            StepwiseModel& story);
 

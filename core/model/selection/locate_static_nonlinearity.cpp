@@ -66,7 +66,7 @@ bool is_bend(EffectKind kind) {
 }
 
 void locate_static_nonlinearity(const LoopData& data, std::vector<CandidateFit>& trials) {
-  if (!data.without.has(Mechanism::bends_told_apart)) return;
+  if (!data.without.keeps(Mechanism::bends_told_apart)) return;
   if (trials.empty() || !is_bend(trials.front().kind())) return;
   std::vector<CandidateFit*> rivals;
   for (CandidateFit& trial : trials) {

@@ -94,7 +94,7 @@ std::vector<EffectPtr> waves_asked_for(const std::vector<Nomination>& asked, con
 
 std::vector<EffectPtr> nominate_trims(const LoopData& data) {
   std::vector<EffectPtr> result;
-  if (!data.without.has(Mechanism::exponential_trim)) return result;
+  if (!data.without.keeps(Mechanism::exponential_trim)) return result;
   for (const double growth : {-0.4, 0.4}) {
     result.push_back(std::make_shared<ExponentialTrim>(growth, reach_of(data)));
   }
@@ -113,7 +113,7 @@ std::vector<EffectPtr> nominate_static(EffectKind kind, const LoopData& data) {
     result.push_back(std::make_shared<ValveCharacteristic>());
   } else if (kind == EffectKind::process_nonlinearity) {
     result.push_back(std::make_shared<ProcessNonlinearity>());
-    if (!data.without.has(Mechanism::root_outflow)) return result;
+    if (!data.without.keeps(Mechanism::root_outflow)) return result;
     // A shallow vessel and a deep one; deeper ones are straight.
     for (const double reaches : {1.0, 2.5})
       result.push_back(std::make_shared<RootOutflow>(reaches * reach_of(data)));

@@ -19,7 +19,7 @@ struct Round {
   const LoopData& original;  ///< rows as laid out, before any step was seen by fit and score alike
   const LoopData& data;      ///< rows on which `now` is judged
   const CrossFit& now;
-  const Asked& asked;  ///< for by the residual tests
+  const Nominations& asked;  ///< for by the residual tests
   bool load_steps_only =
       false;  ///< they come in groups: the next one before anything else is looked at
   Reach reach = Reach::promising;

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/fit/baseline.hpp"
 #include "core/model/selection/candidates.hpp"
-#include "core/model/selection/fit_anew.hpp"
+#include "core/model/selection/fit_candidate.hpp"
 #include "core/model/selection/locate_static_nonlinearity.hpp"
 
 namespace loopscope::core::model {
@@ -45,10 +45,10 @@ std::optional<CandidateFit> try_candidate(const Round& round, const Candidate& c
   if (traits.on_own_rows) trial.before = reevaluated(trial.rows, round.now);
   const double hopeless = hopeless_error(trial, traits);
   const double far_off = kFarOff * trial.before.fit.fit_error;
-  Fit fit = fit_anew(trial.rows, evaluate(trial.rows, candidate.structure), far_off);
+  Fit fit = fit_candidate(trial.rows, evaluate(trial.rows, candidate.structure), far_off);
   if (!(fit.fit_error <= hopeless) || !is_plausible(fit)) return std::nullopt;
   CandidateFit entry = scored(std::move(trial), std::move(fit), candidate.tries);
-  return entry.enters() && round.data.without.has(Mechanism::plainer_refuted) &&
+  return entry.enters() && round.data.without.keeps(Mechanism::plainer_refuted) &&
                  !refutes_plainer(entry)
              ? std::nullopt
              : std::optional(std::move(entry));
@@ -70,7 +70,7 @@ bool is_outdone(const SoughtKind& sought, const Leader& leader) {
 }
 
 bool outdoes_others(const Round& round) {
-  return round.reach == Reach::promising && round.data.without.has(Mechanism::outdone_skipped);
+  return round.reach == Reach::promising && round.data.without.keeps(Mechanism::outdone_skipped);
 }
 
 std::optional<CandidateFit> best_of(const Round& round, const std::vector<Candidate>& candidates) {
@@ -88,8 +88,8 @@ void rank(std::vector<CandidateFit>& entries) {
 
 }  // namespace
 
-Contest run_selection_round(const Round& round) {
-  Contest contest;
+SelectionOutcome run_selection_round(const Round& round) {
+  SelectionOutcome contest;
   CandidateSearch search(round);
   Leader leader;
   for (const SoughtKind& sought : search.kinds()) {

@@ -8,7 +8,7 @@
 
 namespace loopscope::core::model {
 
-struct Contest {
+struct SelectionOutcome {
   /// The best of every kind that has anything to show, the least probable by chance first. What is
   /// scored once has no other_fold yet.
   std::vector<CandidateFit> trials;
@@ -19,6 +19,6 @@ struct Contest {
 };
 
 /// Tries what promises most first.
-[[nodiscard]] Contest run_selection_round(const Round& round);
+[[nodiscard]] SelectionOutcome run_selection_round(const Round& round);
 
 }  // namespace loopscope::core::model

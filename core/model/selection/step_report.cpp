@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/residual_tests/nominations.hpp"
 
 namespace loopscope::core::model {

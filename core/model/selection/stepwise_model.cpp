@@ -22,18 +22,18 @@ std::vector<TestOutcome> select_effects(StepwiseModel& story, std::vector<TestOu
   const LoopData original = story.data;
   bool after_a_step = false;
   while (story.chapters.size() < kMostEffects) {
-    const Asked asked(answers);
+    const Nominations asked(answers);
     bool passed_over = false;
     const auto seek = [&](Reach reach) {
       const Round round{original, story.data, story.last(), asked, after_a_step, reach};
-      Contest contest = run_selection_round(round);
+      SelectionOutcome contest = run_selection_round(round);
       passed_over = contest.outdone_by.has_value();
       return take_in(std::move(contest.trials),
                      {original, tests, answers, contest.outdone_by, contest.passed_over}, story);
     };
     bool found = seek(Reach::promising);
     if (!found && passed_over) found = seek(Reach::asked);
-    if (!found && !after_a_step && original.without.has(Mechanism::cheap_look))
+    if (!found && !after_a_step && original.without.keeps(Mechanism::cheap_look))
       found = seek(Reach::unasked);
     if (!found && !after_a_step) break;
     if (found) {

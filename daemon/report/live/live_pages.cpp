@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "daemon/report/page/page.hpp"
+#include "daemon/report/page/page_frame.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::daemon {

@@ -4,7 +4,7 @@
 
 #include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/loop_report.hpp"
-#include "daemon/report/page/page.hpp"
+#include "daemon/report/page/page_frame.hpp"
 #include "daemon/report/sections/loop_list.hpp"
 #include "daemon/report/sections/plant_section.hpp"
 #include "daemon/report/text/html_text.hpp"

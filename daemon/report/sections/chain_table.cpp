@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "core/diagnosis/verdicts/words.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "daemon/report/figures/compact_svg.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"

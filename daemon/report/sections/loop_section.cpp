@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "core/diagnosis/model_words.hpp"
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/results/phrases.hpp"
 #include "daemon/report/sections/cause_bars.hpp"
 #include "daemon/report/sections/data_section.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "core/diagnosis/verdicts/words.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/model/results/phrases.hpp"
 #include "daemon/text/time_text.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -2,18 +2,18 @@
 
 #include <vector>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/residual_tests/nominations.hpp"
 
 namespace loopscope::core::model::tests {
 
 /// As if residual tests asked for every effect, with no place to start from.
-[[nodiscard]] inline Asked everything_asked() {
+[[nodiscard]] inline Nominations everything_asked() {
   std::vector<Nomination> all;
   for (const EffectKind kind : all_effect_kinds()) {
     if (kind != EffectKind::external_oscillation) all.push_back({.effect = kind, .p = 1e-6});
   }
-  return Asked(std::span<const Nomination>(all));
+  return Nominations(std::span<const Nomination>(all));
 }
 
 }  // namespace loopscope::core::model::tests

@@ -8,7 +8,7 @@
 namespace loopscope::core::plant {
 namespace {
 
-TEST(Star, HoldsItsRateOverIndependentNeighbours) {
+TEST(Hub, HoldsItsRateOverIndependentNeighbours) {
   std::mt19937_64 random(61);
   constexpr int kStars = 4000;
   int rare = 0;
@@ -20,16 +20,16 @@ TEST(Star, HoldsItsRateOverIndependentNeighbours) {
   EXPECT_LE(rare, 0.05 * kStars);
 }
 
-TEST(Star, ManyFairFollowersSayAsMuchAsOneGoodOne) {
+TEST(Hub, ManyFairFollowersSayAsMuchAsOneGoodOne) {
   std::vector<Neighbour> around;
   for (std::size_t i = 1; i <= 20; ++i) around.push_back({i, i <= 6 ? 0.01 : 0.5});
-  const Star star = find_star(7, around);
+  const Hub star = find_star(7, around);
   EXPECT_EQ(star.centre, 7U);
   EXPECT_EQ(star.rays.size(), 6U);
   EXPECT_LE(star.p, 1e-5);
 }
 
-TEST(Star, OfNothingIsNone) {
+TEST(Hub, OfNothingIsNone) {
   EXPECT_TRUE(find_star(0, {}).rays.empty());
   EXPECT_EQ(find_star(0, {}).p, 1.0);
 }

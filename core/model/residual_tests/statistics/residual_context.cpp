@@ -24,14 +24,14 @@ constexpr std::array kLinearOpLags = {1,  2,  3,  4,  5,  6,  7,  8,  9, 10,
                                       11, 12, 14, 16, 20, 25, 30, 40, 60};
 
 /// A missing sample stays 0.
-Centred fresh_of(const ResidualContext& questioned) {
-  Centred result{{questioned.beyond_linear.begin(), questioned.beyond_linear.end()},
-                 questioned.residual.recorded,
+Centred fresh_of(const ResidualContext& context) {
+  Centred result{{context.beyond_linear.begin(), context.beyond_linear.end()},
+                 context.residual.recorded,
                  0.0,
-                 questioned.residual.std};
-  const double square = questioned.beyond_linear.squaredNorm();
+                 context.residual.std};
+  const double square = context.beyond_linear.squaredNorm();
   const double std = std::sqrt(square / static_cast<double>(result.recorded));
-  if (!(std > 0.0)) return questioned.residual;
+  if (!(std > 0.0)) return context.residual;
   for (double& value : result.values) value /= std;
   result.std *= std;
   return result;

@@ -13,7 +13,7 @@ TestOutcome answer_of(std::string_view question, double p, const std::string& st
 
 }  // namespace
 
-std::vector<TestOutcome> ask_coupling(std::span<const double> innovation, std::uint64_t seed) {
+std::vector<TestOutcome> test_coupling(std::span<const double> innovation, std::uint64_t seed) {
   if (!centred(innovation, kFewestAsked)) return {};
   const auto result = hos::analyse(innovation, hos::Settings{}, seed);
   std::vector<TestOutcome> answers;

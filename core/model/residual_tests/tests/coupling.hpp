@@ -12,7 +12,7 @@ namespace loopscope::core::model {
 /// and the mean bicoherence alone (skewed white noise has one too). Quadratic coupling nominates
 /// process_nonlinearity and valve_characteristic, cubic coupling valve_stiction and valve_deadband.
 /// Empty when gaps leave fewer than two segments. `seed` as in hos::analyse.
-[[nodiscard]] std::vector<TestOutcome> ask_coupling(std::span<const double> innovation,
-                                                    std::uint64_t seed);
+[[nodiscard]] std::vector<TestOutcome> test_coupling(std::span<const double> innovation,
+                                                     std::uint64_t seed);
 
 }  // namespace loopscope::core::model

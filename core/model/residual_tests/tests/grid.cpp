@@ -3,10 +3,10 @@
 #include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
-std::optional<TestOutcome> ask_grid(const ResidualContext& questioned) {
-  if (!questioned.pv) return std::nullopt;
-  const double noise_std = questioned.fast_noise_std;
-  const ValueGrid& grid = questioned.grid;
+std::optional<TestOutcome> test_grid(const ResidualContext& context) {
+  if (!context.pv) return std::nullopt;
+  const double noise_std = context.fast_noise_std;
+  const ValueGrid& grid = context.grid;
   const bool coarse = grid.step >= kHarmlessStep * noise_std;
   TestOutcome answer{{"grid", coarse ? grid.p : 1.0, {}}, {}};
   if (answer.question.p > kSignificant) return answer;

@@ -54,13 +54,12 @@ bool op_moves_within(const FlatRun& run, const ResidualView& view, double op_std
 }
 
 /// Runs of equal values have an exponential tail where each sample renews by chance.
-Hold by_freeze(const std::vector<FlatRun>& runs, const ResidualContext& questioned) {
-  if (!questioned.op || runs.size() < 20) return {};
+Hold by_freeze(const std::vector<FlatRun>& runs, const ResidualContext& context) {
+  if (!context.op || runs.size() < 20) return {};
   const auto longest =
       std::max_element(runs.begin(), runs.end(),
                        [](const FlatRun& a, const FlatRun& b) { return a.samples < b.samples; });
-  if (longest->samples < 10 || !op_moves_within(*longest, questioned.view, questioned.op->std))
-    return {};
+  if (longest->samples < 10 || !op_moves_within(*longest, context.view, context.op->std)) return {};
   const double share = static_cast<double>(longest->samples) / covered(runs);
   return {largest_share_upper(share, runs.size()), static_cast<double>(longest->samples),
           longest->begin, "pv stands still while op moves, for as many samples as "};
@@ -72,22 +71,22 @@ Hold by_clock(const std::vector<FlatRun>& runs) {
           "pv is renewed by a clock, every so many samples: "};
 }
 
-Hold strongest(const ResidualContext& questioned) {
-  const double noise_std = questioned.fast_noise_std;
-  const std::vector<FlatRun> runs = complete_runs(questioned.view.pv, kSameValue * noise_std);
-  return std::min({by_clock(runs), by_repeats(runs, questioned.grid.step, noise_std),
-                   by_freeze(runs, questioned)},
-                  [](const Hold& a, const Hold& b) { return a.p < b.p; });
+Hold strongest(const ResidualContext& context) {
+  const double noise_std = context.fast_noise_std;
+  const std::vector<FlatRun> runs = complete_runs(context.view.pv, kSameValue * noise_std);
+  return std::min(
+      {by_clock(runs), by_repeats(runs, context.grid.step, noise_std), by_freeze(runs, context)},
+      [](const Hold& a, const Hold& b) { return a.p < b.p; });
 }
 
 }  // namespace
 
-std::optional<TestOutcome> ask_held(const ResidualContext& questioned) {
-  if (!questioned.pv) return std::nullopt;
-  const Hold hold = strongest(questioned);
+std::optional<TestOutcome> test_held(const ResidualContext& context) {
+  if (!context.pv) return std::nullopt;
+  const Hold hold = strongest(context);
   TestOutcome answer{{"held", std::min(1.0, kHoldLooks * hold.p), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
-  const double interval_s = questioned.view.sample_interval_s;
+  const double interval_s = context.view.sample_interval_s;
   answer.question.statement =
       hold.words + in_digits(hold.samples) + " (" + in_time(hold.samples * interval_s) + ")";
   if (hold.at_sample) answer.question.statement += ", " + at_place(*hold.at_sample, interval_s);

@@ -14,6 +14,6 @@ namespace loopscope::core::model {
 /// - a freeze: the longest run of equal values while op moves, among all runs.
 /// Nominates sensor_hold with m, or the mean or longest run. nullopt when pv is missing or
 /// constant.
-[[nodiscard]] std::optional<TestOutcome> ask_held(const ResidualContext& questioned);
+[[nodiscard]] std::optional<TestOutcome> test_held(const ResidualContext& context);
 
 }  // namespace loopscope::core::model

@@ -40,36 +40,35 @@ std::size_t strongest_width(const Eigen::VectorXd& t, const std::vector<double>&
                   widths.size() - 1);
 }
 
-std::string statement_of(const ResidualContext& questioned, double width_percent) {
+std::string statement_of(const ResidualContext& context, double width_percent) {
   return "The residual depends on the direction of the last move of op, beyond op itself (" +
-         std::to_string(count_reversals(questioned.view.op_direction)) +
-         " reversals), most as with " + in_digits(width_percent) +
-         " % of dead band: hysteresis between op and pv.";
+         std::to_string(count_reversals(context.view.op_direction)) + " reversals), most as with " +
+         in_digits(width_percent) + " % of dead band: hysteresis between op and pv.";
 }
 
 }  // namespace
 
-std::optional<TestOutcome> ask_op_direction(const ResidualContext& questioned) {
-  if (!questioned.op) return std::nullopt;
-  const double usual = usual_deviation(questioned.op_sorted);
+std::optional<TestOutcome> test_op_direction(const ResidualContext& context) {
+  if (!context.op) return std::nullopt;
+  const double usual = usual_deviation(context.op_sorted);
   std::vector<Centred> lags;
   std::vector<double> widths;
   for (const double share : kFilterWidths) {
     auto lag =
-        centred(high_passed(lag_of_play(questioned.view.op_percent, share * usual)), kFewestAsked);
+        centred(high_passed(lag_of_play(context.view.op_percent, share * usual)), kFewestAsked);
     if (!lag) continue;
     widths.push_back(share * usual);
     lags.push_back(std::move(*lag));
   }
   if (widths.empty()) return std::nullopt;
-  LaggedColumns columns(questioned.view.op_percent.size());
+  LaggedColumns columns(context.view.op_percent.size());
   for (const Centred& lag : lags) columns.add(lag.values, ResidualContext::kOpLags);
   const Score score =
-      score_test(questioned.beyond_linear, columns, questioned.linear_past, questioned.recorded);
+      score_test(context.beyond_linear, columns, context.linear_past, context.recorded);
   if (score.freedom == 0) return std::nullopt;
   TestOutcome answer{{"op_direction", score.p, {}}, {}};
   if (score.p > kSignificant) return answer;
-  answer.question.statement = statement_of(questioned, widths.at(strongest_width(score.t, widths)));
+  answer.question.statement = statement_of(context, widths.at(strongest_width(score.t, widths)));
   for (const EffectKind effect : {EffectKind::valve_stiction, EffectKind::valve_deadband})
     answer.nominations.push_back({.effect = effect, .p = score.p});
   return answer;

@@ -13,6 +13,6 @@ namespace loopscope::core::model {
 /// 1/4, 3/4 and 9/4 of op's usual deviation, a basis for hysteresis of any shape (Prandtl,
 /// Ishlinskii), at lags of 1 to 12 samples, beyond what op itself explains (score_test.hpp).
 /// Nominates valve_stiction and valve_deadband. nullopt when op is missing or constant.
-[[nodiscard]] std::optional<TestOutcome> ask_op_direction(const ResidualContext& questioned);
+[[nodiscard]] std::optional<TestOutcome> test_op_direction(const ResidualContext& context);
 
 }  // namespace loopscope::core::model

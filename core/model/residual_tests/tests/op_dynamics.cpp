@@ -22,19 +22,18 @@ std::string statement_of(const Score& score, double sample_interval_s) {
 
 }  // namespace
 
-std::optional<TestOutcome> ask_op_dynamics(const ResidualContext& questioned) {
-  if (!questioned.op) return std::nullopt;
-  const std::optional<Centred> moves =
-      centred(increments(questioned.view.op_percent), kFewestAsked);
+std::optional<TestOutcome> test_op_dynamics(const ResidualContext& context) {
+  if (!context.op) return std::nullopt;
+  const std::optional<Centred> moves = centred(increments(context.view.op_percent), kFewestAsked);
   if (!moves) return std::nullopt;
   LaggedColumns columns(moves->values.size());
   columns.add(moves->values, kMoveLags);
-  const Score score = score_test(questioned.constant.without(questioned.residual.values), columns,
-                                 questioned.constant, questioned.recorded);
+  const Score score = score_test(context.constant.without(context.residual.values), columns,
+                                 context.constant, context.recorded);
   if (score.freedom == 0) return std::nullopt;
   TestOutcome answer{{"op_dynamics", score.p, {}}, {}};
   if (score.p <= kSignificant)
-    answer.question.statement = statement_of(score, questioned.view.sample_interval_s);
+    answer.question.statement = statement_of(score, context.view.sample_interval_s);
   return answer;
 }
 

@@ -16,15 +16,14 @@ constexpr std::array kShares = {0.65, 0.92};
 
 /// p of op passed through `map`; 1 where that says nothing.
 template <class Map>
-double p_of(const ResidualContext& questioned, Map map) {
-  std::vector<double> mapped(questioned.view.op_percent.begin(), questioned.view.op_percent.end());
+double p_of(const ResidualContext& context, Map map) {
+  std::vector<double> mapped(context.view.op_percent.begin(), context.view.op_percent.end());
   for (double& value : mapped) value = map(value);
   const std::optional<Centred> feature = centred(high_passed(mapped), kFewestAsked);
   if (!feature) return 1.0;
   LaggedColumns columns(mapped.size());
   columns.add(feature->values, ResidualContext::kOpLags);
-  return score_test(questioned.beyond_linear, columns, questioned.linear_past, questioned.recorded)
-      .p;
+  return score_test(context.beyond_linear, columns, context.linear_past, context.recorded).p;
 }
 
 struct Limit {
@@ -34,20 +33,20 @@ struct Limit {
   double p = 1.0;
 };
 
-Limit try_limit(const ResidualContext& questioned, double share, bool high) {
+Limit try_limit(const ResidualContext& context, double share, bool high) {
   const double near = high ? share : 1.0 - share;
-  Limit limit{hos::sample_quantile(questioned.op_sorted, near), high, 1.0 - share, 1.0};
-  limit.p = p_of(questioned, [&limit](double op) {
+  Limit limit{hos::sample_quantile(context.op_sorted, near), high, 1.0 - share, 1.0};
+  limit.p = p_of(context, [&limit](double op) {
     return limit.high ? std::max(op - limit.at_percent, 0.0 * op)
                       : std::min(op - limit.at_percent, 0.0 * op);
   });
   return limit;
 }
 
-std::vector<Limit> try_limits(const ResidualContext& questioned) {
+std::vector<Limit> try_limits(const ResidualContext& context) {
   std::vector<Limit> limits;
   for (const bool high : {true, false})
-    for (const double share : kShares) limits.push_back(try_limit(questioned, share, high));
+    for (const double share : kShares) limits.push_back(try_limit(context, share, high));
   return limits;
 }
 
@@ -69,11 +68,11 @@ std::string statement_of(double curved_p, const Limit& limit) {
 
 }  // namespace
 
-std::optional<TestOutcome> ask_op_level(const ResidualContext& questioned) {
-  if (!questioned.op) return std::nullopt;
-  const double mean = questioned.op->mean;
-  const double curved_p = p_of(questioned, [mean](double op) { return (op - mean) * (op - mean); });
-  const std::vector<Limit> limits = try_limits(questioned);
+std::optional<TestOutcome> test_op_level(const ResidualContext& context) {
+  if (!context.op) return std::nullopt;
+  const double mean = context.op->mean;
+  const double curved_p = p_of(context, [mean](double op) { return (op - mean) * (op - mean); });
+  const std::vector<Limit> limits = try_limits(context);
   std::vector<double> parts = {curved_p};
   for (const Limit& limit : limits) parts.push_back(limit.p);
   TestOutcome answer{{"op_level", hos::combine_p(parts), {}}, {}};

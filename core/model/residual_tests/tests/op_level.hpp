@@ -13,6 +13,6 @@ namespace loopscope::core::model {
 /// percentile and their other_fold images (a valve that stops short). The parts are combined
 /// (hos/combine_p.hpp). Nominates valve_characteristic, and valve_saturation with the limit that
 /// fits best, to about the spacing of the percentiles. nullopt when op is missing or constant.
-[[nodiscard]] std::optional<TestOutcome> ask_op_level(const ResidualContext& questioned);
+[[nodiscard]] std::optional<TestOutcome> test_op_level(const ResidualContext& context);
 
 }  // namespace loopscope::core::model

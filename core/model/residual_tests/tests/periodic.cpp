@@ -50,17 +50,17 @@ std::string words_of(const SeenLine& line, double sample_interval_s) {
 
 }  // namespace
 
-TestOutcome ask_periodic(const ResidualContext& questioned) {
-  const LineSearch residual = find_lines(questioned.view.innovation);
+TestOutcome test_periodic(const ResidualContext& context) {
+  const LineSearch residual = find_lines(context.view.innovation);
   const LineSearch pv = find_lines(
-      questioned.view.pv_undisturbed.empty() ? questioned.view.pv : questioned.view.pv_undisturbed);
+      context.view.pv_undisturbed.empty() ? context.view.pv : context.view.pv_undisturbed);
   TestOutcome answer{{"periodic", std::min(1.0, 2.0 * std::min(residual.p, pv.p)), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
-  const auto samples = static_cast<double>(questioned.view.pv.size());
+  const auto samples = static_cast<double>(context.view.pv.size());
   for (const SeenLine& line : merged(residual, pv, samples)) {
     answer.question.statement +=
         answer.question.statement.empty() ? "A line in the spectrum: " : "; ";
-    answer.question.statement += words_of(line, questioned.view.sample_interval_s);
+    answer.question.statement += words_of(line, context.view.sample_interval_s);
     Nomination nomination{.effect = EffectKind::external_oscillation,
                           .p = line.line.p,
                           .period_samples = line.line.period_samples};

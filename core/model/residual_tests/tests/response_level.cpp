@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::array kResponseLags = {0, 1, 2, 3, 5};
 
-std::optional<Centred> square_of(const ResidualContext& questioned) {
-  std::vector<double> square(questioned.view.response.begin(), questioned.view.response.end());
+std::optional<Centred> square_of(const ResidualContext& context) {
+  std::vector<double> square(context.view.response.begin(), context.view.response.end());
   for (double& x : square) {
-    const double deviation = (x - questioned.response->mean) / questioned.response->std;
+    const double deviation = (x - context.response->mean) / context.response->std;
     x = deviation * deviation;
   }
   return centred(high_passed(square), kFewestAsked);
@@ -21,24 +21,24 @@ std::optional<Centred> square_of(const ResidualContext& questioned) {
 
 }  // namespace
 
-std::optional<TestOutcome> ask_response_level(const ResidualContext& questioned) {
-  if (!questioned.response) return std::nullopt;
-  const std::optional<Centred> square = square_of(questioned);
+std::optional<TestOutcome> test_response_level(const ResidualContext& context) {
+  if (!context.response) return std::nullopt;
+  const std::optional<Centred> square = square_of(context);
   if (!square) return std::nullopt;
   LaggedColumns linear(square->values.size());
-  linear.add(questioned.response->values, kResponseLags);
+  linear.add(context.response->values, kResponseLags);
   LaggedColumns columns(square->values.size());
   columns.add(square->values, kResponseLags);
-  const LinearSpan known(questioned.linear_past, linear, questioned.recorded);
+  const LinearSpan known(context.linear_past, linear, context.recorded);
   const Score score =
-      score_test(known.without(questioned.residual.values), columns, known, questioned.recorded);
+      score_test(known.without(context.residual.values), columns, known, context.recorded);
   if (score.freedom == 0) return std::nullopt;
   TestOutcome answer{{"response_level", score.p, {}}, {}};
   if (score.p > kSignificant) return answer;
   answer.question.statement =
       "The residual follows the square of the model's response (which spans a standard deviation "
       "of " +
-      in_digits(questioned.response->std) +
+      in_digits(context.response->std) +
       " pv units): the process gain depends on the operating point.";
   answer.nominations = {{.effect = EffectKind::process_nonlinearity, .p = score.p}};
   return answer;

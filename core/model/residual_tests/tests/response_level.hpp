@@ -11,6 +11,6 @@ namespace loopscope::core::model {
 /// mean, now and at lags 1 to 5, beyond what x itself at those lags explains (score_test.hpp).
 /// Nominates process_nonlinearity.
 /// nullopt when x is missing or constant.
-[[nodiscard]] std::optional<TestOutcome> ask_response_level(const ResidualContext& questioned);
+[[nodiscard]] std::optional<TestOutcome> test_response_level(const ResidualContext& context);
 
 }  // namespace loopscope::core::model

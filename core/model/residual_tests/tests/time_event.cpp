@@ -6,25 +6,25 @@
 namespace loopscope::core::model {
 namespace {
 
-std::string words_of(const Outburst& event, const ResidualContext& questioned) {
-  return in_digits(event.mean * questioned.fresh.std) + " pv units" +
+std::string words_of(const Outburst& event, const ResidualContext& context) {
+  return in_digits(event.mean * context.fresh.std) + " pv units" +
          (event.samples > 1 ? " over " + std::to_string(event.samples) + " samples " : " ") +
-         at_place(event.at_sample, questioned.view.sample_interval_s);
+         at_place(event.at_sample, context.view.sample_interval_s);
 }
 
 }  // namespace
 
-TestOutcome ask_time_event(const ResidualContext& questioned) {
-  const Outbursts found = find_outbursts(questioned.fresh.values);
+TestOutcome test_time_event(const ResidualContext& context) {
+  const Outbursts found = find_outbursts(context.fresh.values);
   TestOutcome answer{{"time_event", found.p, {}}, {}};
   for (const Outburst& event : found.events) {
     answer.question.statement +=
         answer.question.statement.empty() ? "Sudden disturbances beyond the noise: " : "; ";
-    answer.question.statement += words_of(event, questioned);
+    answer.question.statement += words_of(event, context);
     answer.nominations.push_back({.effect = EffectKind::load_step,
                                   .p = found.p,
                                   .at_sample = event.at_sample,
-                                  .size = event.mean * questioned.fresh.std});
+                                  .size = event.mean * context.fresh.std});
   }
   if (!answer.question.statement.empty()) answer.question.statement += ".";
   return answer;

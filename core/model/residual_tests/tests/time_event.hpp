@@ -7,6 +7,6 @@ namespace loopscope::core::model {
 
 /// "time_event": do a few moments stand out of the noise (outbursts.hpp)? In one-step form a load
 /// step is one large innovation, or a cluster that fades. Nominates load_step at each moment.
-[[nodiscard]] TestOutcome ask_time_event(const ResidualContext& questioned);
+[[nodiscard]] TestOutcome test_time_event(const ResidualContext& context);
 
 }  // namespace loopscope::core::model

@@ -47,19 +47,19 @@ FoundGain judge(const Centred& residual, const Centred& answer) {
 
 }  // namespace
 
-std::optional<TestOutcome> ask_time_gain(const ResidualContext& questioned) {
-  if (!questioned.response) return std::nullopt;
-  const FoundGain level = judge(questioned.fresh, *questioned.response);
+std::optional<TestOutcome> test_time_gain(const ResidualContext& context) {
+  if (!context.response) return std::nullopt;
+  const FoundGain level = judge(context.fresh, *context.response);
   FoundGain move;
-  if (const auto moves = centred(increments(questioned.view.response), kFewestAsked))
-    move = judge(questioned.fresh, *moves);
+  if (const auto moves = centred(increments(context.view.response), kFewestAsked))
+    move = judge(context.fresh, *moves);
   const std::array parts = {level.change.p, move.change.p};
   TestOutcome answer{{"time_gain", hos::combine_p(parts), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const FoundGain& best = level.change.p <= move.change.p ? level : move;
   answer.question.statement =
       "The process responds about " + in_digits(best.ratio) + " times as strongly from " +
-      at_place(best.change.at_sample, questioned.view.sample_interval_s) + " on.";
+      at_place(best.change.at_sample, context.view.sample_interval_s) + " on.";
   answer.nominations = {{.effect = EffectKind::gain_change,
                          .p = best.change.p,
                          .at_sample = best.change.at_sample,

@@ -12,6 +12,6 @@ namespace loopscope::core::model {
 /// with x(k) - x(k-1), which is what a gain error leaves when the noise wanders. The two are
 /// combined (hos/combine_p.hpp). Nominates gain_change with its place and a rough ratio.
 /// nullopt when x is missing or constant.
-[[nodiscard]] std::optional<TestOutcome> ask_time_gain(const ResidualContext& questioned);
+[[nodiscard]] std::optional<TestOutcome> test_time_gain(const ResidualContext& context);
 
 }  // namespace loopscope::core::model

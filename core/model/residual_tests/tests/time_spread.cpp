@@ -25,15 +25,15 @@ Magnitudes magnitudes_of(const Centred& residual) {
 
 }  // namespace
 
-TestOutcome ask_time_spread(const ResidualContext& questioned) {
-  const Magnitudes magnitudes = magnitudes_of(questioned.fresh);
+TestOutcome test_time_spread(const ResidualContext& context) {
+  const Magnitudes magnitudes = magnitudes_of(context.fresh);
   const ChangePoint change = find_change(magnitudes.about_mean);
   TestOutcome answer{{"time_spread", change.p, {}}, {}};
   if (change.p <= kSignificant)
     answer.question.statement =
         "The residual is " +
         in_digits((magnitudes.mean + change.after) / (magnitudes.mean + change.before)) +
-        " times as large from " + at_place(change.at_sample, questioned.view.sample_interval_s) +
+        " times as large from " + at_place(change.at_sample, context.view.sample_interval_s) +
         " on.";
   return answer;
 }

@@ -44,8 +44,8 @@ std::vector<double> clipped(const Centred& residual) {
 
 }  // namespace
 
-TestOutcome ask_white(const ResidualContext& questioned) {
-  const std::vector<double> r = clipped(questioned.residual);
+TestOutcome test_white(const ResidualContext& context) {
+  const std::vector<double> r = clipped(context.residual);
   double sum = 0.0;
   double strongest = 0.0;
   std::size_t strongest_lag = 1;
@@ -60,7 +60,7 @@ TestOutcome ask_white(const ResidualContext& questioned) {
   if (answer.question.p <= kSignificant)
     answer.question.statement =
         "The residual is autocorrelated, most at " +
-        in_time(static_cast<double>(strongest_lag) * questioned.view.sample_interval_s) + " (" +
+        in_time(static_cast<double>(strongest_lag) * context.view.sample_interval_s) + " (" +
         std::to_string(strongest_lag) + " samples) before, " + in_digits(std::abs(strongest)) +
         " standard errors, " +
         (strongest > 0.0 ? "with the same sign." : "with the opposite sign.");

@@ -13,6 +13,6 @@ namespace loopscope::core::model {
 ///     Q = sum over j of (sum r(k) r(k-j))^2 / sum r(k)^2 r(k-j)^2 ~ chi-square, lags 1 to 25
 ///
 /// It nominates nothing: what is missing is the other questions' to say.
-[[nodiscard]] TestOutcome ask_white(const ResidualContext& questioned);
+[[nodiscard]] TestOutcome test_white(const ResidualContext& context);
 
 }  // namespace loopscope::core::model

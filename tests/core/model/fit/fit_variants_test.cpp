@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/curvature.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/effects/gain_change.hpp"
 #include "core/model/effects/load_step.hpp"

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 
-#include "core/model/effects/catalogue.hpp"
 #include "core/model/effects/curvature.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/effects/gain_change.hpp"
 #include "core/model/effects/load_step.hpp"
 #include "core/model/effects/saturation.hpp"
-#include "core/model/selection/fit_anew.hpp"
+#include "core/model/selection/fit_candidate.hpp"
 #include "tests/core/model/model_records.hpp"
 #include "tests/core/model/trial_records.hpp"
 
@@ -114,7 +114,8 @@ TEST(Trial, RefiningAndFittingAnewAreNeverWorse) {
     const Fit start = evaluate(data, truth({effect}));
     const Fit refined = refine_last(data, start);
     EXPECT_LE(refined.fit_error, start.fit_error) << name(effect->kind());
-    EXPECT_LE(fit_anew(data, start).fit_error, refined.fit_error * 1.01) << name(effect->kind());
+    EXPECT_LE(fit_candidate(data, start).fit_error, refined.fit_error * 1.01)
+        << name(effect->kind());
   }
 }
 

@@ -46,7 +46,7 @@ simulate::LoopRecord square_cycle(std::size_t samples) {
 TEST(WitnessSimulation, TheCycleIsThatOfTheJudge) {
   const auto record = square_cycle(1200);
   const ModelInput input{record.pv, record.op, record.sp, {}, record.sample_interval_s, true, 1};
-  const auto simulation = simulate_witness(input, told_by(ValveLaw::he));
+  const auto simulation = simulate_limit_cycle(input, told_by(ValveLaw::he));
   ASSERT_TRUE(simulation);
   const CycleEvidence evidence = judge_limit_cycle(record.pv, record.op, record.sp).evidence;
   const double ratio =
@@ -61,7 +61,7 @@ TEST(WitnessSimulation, TheCycleIsThatOfTheJudge) {
 TEST(WitnessSimulation, OfALongRecordThreePartsAreLookedAt) {
   const auto record = square_cycle(4096);
   const ModelInput input{record.pv, record.op, record.sp, {}, record.sample_interval_s, true, 1};
-  const auto simulation = simulate_witness(input, told_by(ValveLaw::he));
+  const auto simulation = simulate_limit_cycle(input, told_by(ValveLaw::he));
   ASSERT_TRUE(simulation);
   EXPECT_EQ(known(simulation->valve), known(simulation->linear));
   EXPECT_LT(known(simulation->valve), record.pv.size());
@@ -79,7 +79,7 @@ TEST(WitnessSimulation, StrokesAreThoseOfTheSlowTravel) {
   }
   run_valve(ValveLaw::kano, 1.4, 0.4, 1.0, op, pv);
   for (double& value : pv) value = 4.0 * value + 0.1 * noise.next();
-  const auto simulation = simulate_witness({pv, op, {}, {}, 1.0}, told_by(ValveLaw::kano));
+  const auto simulation = simulate_limit_cycle({pv, op, {}, {}, 1.0}, told_by(ValveLaw::kano));
   ASSERT_TRUE(simulation);
   EXPECT_LT(mean_square(pv, simulation->valve), 0.2 * mean_square(pv, simulation->linear));
   EXPECT_EQ(known(simulation->valve), kSamples);
@@ -88,7 +88,7 @@ TEST(WitnessSimulation, StrokesAreThoseOfTheSlowTravel) {
 TEST(WitnessSimulation, NothingToLookAt) {
   const Series still(1000, 1.0);
   for (const ValveLaw law : {ValveLaw::he, ValveLaw::kano})
-    EXPECT_FALSE(simulate_witness({still, still, {}, {}, 1.0}, told_by(law)));
+    EXPECT_FALSE(simulate_limit_cycle({still, still, {}, {}, 1.0}, told_by(law)));
 }
 
 }  // namespace

@@ -20,34 +20,34 @@ std::vector<TestOutcome> two_tests() {
           answer("time_gain", 0.02, {{.effect = gain_change, .p = 0.02}})};
 }
 
-TEST(Asked, TheMostSignificantPromisesMost) {
-  const Asked asked(two_tests());
+TEST(Nominations, TheMostSignificantPromisesMost) {
+  const Nominations asked(two_tests());
   EXPECT_EQ(asked.rank(EffectKind::external_oscillation), 1U);
   EXPECT_EQ(asked.rank(EffectKind::valve_stiction), 2U);
   EXPECT_EQ(asked.nominations(EffectKind::external_oscillation).size(), 1U);
 }
 
-TEST(Asked, APromiseIsTheEvidenceThatTheTestComesTo) {
-  const Asked asked(two_tests());
+TEST(Nominations, APromiseIsTheEvidenceThatTheTestComesTo) {
+  const Nominations asked(two_tests());
   EXPECT_NEAR(asked.promise(EffectKind::valve_deadband), -2.0 * std::log(1e-4), 1e-12);
   EXPECT_NEAR(asked.promise(EffectKind::external_oscillation), -2.0 * std::log(1e-9), 1e-12);
   EXPECT_EQ(asked.promise(EffectKind::gain_change), 0.0);
 }
 
 /// The two are one search, told apart by the jump that it ends with.
-TEST(Asked, PlayAndStictionShareARank) {
-  const Asked asked(two_tests());
+TEST(Nominations, PlayAndStictionShareARank) {
+  const Nominations asked(two_tests());
   EXPECT_EQ(asked.rank(EffectKind::valve_deadband), asked.rank(EffectKind::valve_stiction));
 }
 
-TEST(Asked, AboveOneInAHundredNobodyAsks) {
-  const Asked asked(two_tests());
+TEST(Nominations, AboveOneInAHundredNobodyAsks) {
+  const Nominations asked(two_tests());
   EXPECT_FALSE(asked.for_effect(EffectKind::gain_change));
   EXPECT_EQ(asked.rank(EffectKind::gain_change), 0U);
   EXPECT_TRUE(asked_by(EffectKind::gain_change, two_tests(), {}).empty());
 }
 
-TEST(Asked, WhoAskedIsToldWithWhatHeSaysAfterwards) {
+TEST(Nominations, WhoAskedIsToldWithWhatHeSaysAfterwards) {
   const std::vector<TestOutcome> after = {answer("op_direction", 0.4, {})};
   const auto by = asked_by(EffectKind::valve_deadband, two_tests(), after);
   ASSERT_EQ(by.size(), 1U);
@@ -58,7 +58,7 @@ TEST(Asked, WhoAskedIsToldWithWhatHeSaysAfterwards) {
   EXPECT_FALSE(asked_by(EffectKind::valve_deadband, two_tests(), {}).front().p_after);
 }
 
-TEST(Asked, WhatIsLeftIsInLogarithmsOfP) {
+TEST(Nominations, WhatIsLeftIsInLogarithmsOfP) {
   const auto by = [](double p, std::optional<double> after) {
     return std::vector<AskedBy>{{"op_direction", p, after, {}}};
   };
@@ -69,7 +69,7 @@ TEST(Asked, WhatIsLeftIsInLogarithmsOfP) {
   EXPECT_EQ(share_left({}), 0.0);
 }
 
-TEST(Asked, EffectsAreToldByPromise) {
+TEST(Nominations, EffectsAreToldByPromise) {
   const auto effects = asked_effects(two_tests());
   ASSERT_EQ(effects.size(), 3U);
   EXPECT_EQ(effects.front().effect, EffectKind::external_oscillation);

@@ -15,10 +15,10 @@ TEST(Mechanism, EveryOneIsFoundByItsName) {
 
 TEST(Mechanism, NothingIsLeftOutUnlessSomebodySaysSo) {
   Without without;
-  for (const Mechanism mechanism : all_mechanisms()) EXPECT_TRUE(without.has(mechanism));
+  for (const Mechanism mechanism : all_mechanisms()) EXPECT_TRUE(without.keeps(mechanism));
   without.leave_out(Mechanism::stem_search);
   for (const Mechanism mechanism : all_mechanisms())
-    EXPECT_EQ(without.has(mechanism), mechanism != Mechanism::stem_search);
+    EXPECT_EQ(without.keeps(mechanism), mechanism != Mechanism::stem_search);
 }
 
 }  // namespace

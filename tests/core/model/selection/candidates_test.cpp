@@ -27,7 +27,7 @@ TEST_F(Candidates, WhatPromisesMostIsFirst) {
   const std::vector<Nomination> nominations = {
       {.effect = EffectKind::valve_deadband, .p = 1e-20},
       {.effect = EffectKind::process_nonlinearity, .p = 1e-30}};
-  const Asked asked{std::span<const Nomination>(nominations)};
+  const Nominations asked{std::span<const Nomination>(nominations)};
   const Round round{story.data, story.data, story.last(), asked};
   const CandidateSearch found(round);
   ASSERT_EQ(found.kinds().size(), 2U);
@@ -37,7 +37,7 @@ TEST_F(Candidates, WhatPromisesMostIsFirst) {
 }
 
 TEST_F(Candidates, UnaskedKindsAreThoseThatNobodyAskedFor) {
-  const Asked everything = tests::everything_asked();  // but waves
+  const Nominations everything = tests::everything_asked();  // but waves
   const Round round{story.data, story.data, story.last(), everything, false, Reach::unasked};
   const CandidateSearch found(round);
   ASSERT_EQ(found.kinds().size(), 1U);
@@ -46,13 +46,13 @@ TEST_F(Candidates, UnaskedKindsAreThoseThatNobodyAskedFor) {
 
 TEST_F(Candidates, WhatHasNoPlaceToStartFromIsNotTried) {
   const std::vector<Nomination> held = {{.effect = EffectKind::sensor_hold, .p = 1e-30}};
-  const Asked asked{std::span<const Nomination>(held)};
+  const Nominations asked{std::span<const Nomination>(held)};
   const Round round{story.data, story.data, story.last(), asked};
   EXPECT_TRUE(CandidateSearch(round).kinds().empty());
 }
 
 TEST_F(Candidates, AfterALoadStepNothingElseIsLookedAt) {
-  const Asked everything = tests::everything_asked();
+  const Nominations everything = tests::everything_asked();
   const Round round{story.data, story.data, story.last(), everything, true};
   const CandidateSearch found(round);
   ASSERT_EQ(found.kinds().size(), 1U);

@@ -15,7 +15,7 @@ namespace {
 class IntakeOfTrials : public testing::Test {
  protected:
   void SetUp() override {
-    const Asked asked = tests::everything_asked();
+    const Nominations asked = tests::everything_asked();
     trials = run_selection_round({story.data, story.data, story.last(), asked, false, Reach::asked})
                  .trials;
     ASSERT_GE(trials.size(), 2U);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/effects/load_step.hpp"
 #include "core/simulate/scenario.hpp"

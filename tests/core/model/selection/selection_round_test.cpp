@@ -23,9 +23,9 @@ LoopData changed(double level, double part, std::uint64_t seed) {
   return make_loop_data(tests::process_record(kShape, 1.5, op, rest), op, 1.0);
 }
 
-Contest first_contest(const LoopData& data, Reach reach = Reach::promising) {
+SelectionOutcome first_contest(const LoopData& data, Reach reach = Reach::promising) {
   const StepwiseModel story = start_selection(data);
-  const Asked asked = tests::everything_asked();
+  const Nominations asked = tests::everything_asked();
   return run_selection_round({story.data, story.data, story.last(), asked, false, reach});
 }
 
@@ -34,7 +34,7 @@ bool among(const std::vector<CandidateFit>& entries, EffectKind kind) {
       entries, [&](const CandidateFit& entry) { return entry.enters() && entry.kind() == kind; });
 }
 
-TEST(Contest, ALoadThatMovesIsNoChangeOfGain) {
+TEST(SelectionOutcome, ALoadThatMovesIsNoChangeOfGain) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const auto entries = first_contest(changed(12.0, 0.0, seed)).trials;
     EXPECT_TRUE(among(entries, EffectKind::load_step)) << seed;
@@ -42,7 +42,7 @@ TEST(Contest, ALoadThatMovesIsNoChangeOfGain) {
   }
 }
 
-TEST(Contest, AChangeOfGainTakesItsLevelWithIt) {
+TEST(SelectionOutcome, AChangeOfGainTakesItsLevelWithIt) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const auto entries = first_contest(changed(12.0, 0.6, seed)).trials;
     ASSERT_FALSE(entries.empty());
@@ -51,9 +51,9 @@ TEST(Contest, AChangeOfGainTakesItsLevelWithIt) {
   }
 }
 
-TEST(Contest, WhatAnEarlierTrialOutdoesIsPassedOver) {
+TEST(SelectionOutcome, WhatAnEarlierTrialOutdoesIsPassedOver) {
   const LoopData data = changed(40.0, 0.0, 1);
-  const Contest promising = first_contest(data), all = first_contest(data, Reach::asked);
+  const SelectionOutcome promising = first_contest(data), all = first_contest(data, Reach::asked);
   EXPECT_EQ(promising.outdone_by, EffectKind::load_step);
   EXPECT_GT(promising.passed_over, 0.0);
   EXPECT_FALSE(all.outdone_by);
@@ -63,7 +63,7 @@ TEST(Contest, WhatAnEarlierTrialOutdoesIsPassedOver) {
   EXPECT_EQ(promising.trials.front().worth(), all.trials.front().worth());
 }
 
-TEST(Contest, WithoutThatMechanismEverythingIsTried) {
+TEST(SelectionOutcome, WithoutThatMechanismEverythingIsTried) {
   LoopData data = changed(40.0, 0.0, 1);
   data.without.leave_out(Mechanism::outdone_skipped);
   EXPECT_FALSE(first_contest(data).outdone_by);

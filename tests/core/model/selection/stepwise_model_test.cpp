@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <tuple>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/fit/baseline.hpp"
 #include "core/model/residual_tests/nominations.hpp"
 #include "core/model/residual_tests/run_residual_tests.hpp"
@@ -69,8 +69,8 @@ TEST(StepwiseModel, AChapterKeepsWhoAskedForItAndWhatIsSaidAfterIt) {
   const auto asked = asked_by(EffectKind::valve_deadband, chapter.asked_for, chapter.left);
   ASSERT_FALSE(asked.empty());
   EXPECT_EQ(asked.front().test, "op_direction");
-  EXPECT_LE(asked.front().p, kAsks);
-  EXPECT_GT(asked.front().p_after.value_or(0.0), kAsks);
+  EXPECT_LE(asked.front().p, kNominates);
+  EXPECT_GT(asked.front().p_after.value_or(0.0), kNominates);
 }
 
 /// However well it fits: the tests that asked for it have to see less of it.

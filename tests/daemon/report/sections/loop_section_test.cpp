@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/report/page/page.hpp"
+#include "daemon/report/page/page_frame.hpp"
 #include "tests/daemon/report/markup.hpp"
 #include "tests/daemon/report/sample_rows.hpp"
 #include "tests/support/hostile_names.hpp"

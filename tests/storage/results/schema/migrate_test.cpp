@@ -5,7 +5,7 @@
 #include <sstream>
 #include <thread>
 
-#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "storage/results/schema/embedded_migrations.hpp"
 #include "tests/storage/results/results_fixture.hpp"
 #include "tests/support/source_dir.hpp"

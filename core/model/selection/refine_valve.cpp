@@ -1,9 +1,9 @@
-#include "core/model/selection/closer_look.hpp"
+#include "core/model/selection/refine_valve.hpp"
 
 #include <utility>
 
 #include "core/model/effects/valve.hpp"
-#include "core/model/selection/fit_anew.hpp"
+#include "core/model/selection/fit_candidate.hpp"
 #include "core/model/valve_search/stiction_search.hpp"
 
 namespace loopscope::core::model {
@@ -22,13 +22,13 @@ GridResult best_stem(const LoopData& rows, const Structure& behind, std::size_t 
 
 }  // namespace
 
-std::optional<CandidateFit> look_closer(const CandidateFit& entered, const Fit& settled,
-                                        std::size_t attempt) {
-  if (!entered.rows.without.has(Mechanism::stem_search) || !can_seek_sticking(settled.structure))
+std::optional<CandidateFit> refine_valve(const CandidateFit& entered, const Fit& settled,
+                                         std::size_t attempt) {
+  if (!entered.rows.without.keeps(Mechanism::stem_search) || !can_seek_sticking(settled.structure))
     return std::nullopt;
   const GridResult find = best_stem(entered.rows, settled.structure, attempt);
   if (!(find.fit_error < settled.fit_error)) return std::nullopt;
-  Fit fit = fit_anew(entered.rows, evaluate(entered.rows, find.structure));
+  Fit fit = fit_candidate(entered.rows, evaluate(entered.rows, find.structure));
   CandidateFit closer =
       scored({{}, {}, entered.rows, entered.before, 0.0}, std::move(fit), kStemGuesses);
   return closer.worth() > entered.worth() ? std::optional(std::move(closer)) : std::nullopt;

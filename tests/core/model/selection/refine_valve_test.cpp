@@ -1,4 +1,4 @@
-#include "core/model/selection/closer_look.hpp"
+#include "core/model/selection/refine_valve.hpp"
 
 #include <gtest/gtest.h>
 #include <memory>
@@ -33,7 +33,7 @@ CandidateFit play_for_sticking(std::uint64_t seed) {
 TEST(CloserLook, FindsWhatSticksBehindPlay) {
   const CandidateFit entered = play_for_sticking(1);
   ASSERT_EQ(entered.kind(), EffectKind::valve_deadband);
-  const std::optional<CandidateFit> closer = look_closer(entered, entered.fit.fit, 1);
+  const std::optional<CandidateFit> closer = refine_valve(entered, entered.fit.fit, 1);
   ASSERT_TRUE(closer);
   EXPECT_EQ(closer->kind(), EffectKind::valve_stiction);
   EXPECT_GT(closer->worth(), entered.worth());
@@ -43,7 +43,7 @@ TEST(CloserLook, FindsWhatSticksBehindPlay) {
 TEST(CloserLook, FindsNothingWhereTheSearchIsLeftOut) {
   CandidateFit entered = play_for_sticking(1);
   entered.rows.without.leave_out(Mechanism::stem_search);
-  EXPECT_FALSE(look_closer(entered, entered.fit.fit, 1));
+  EXPECT_FALSE(refine_valve(entered, entered.fit.fit, 1));
 }
 
 }  // namespace

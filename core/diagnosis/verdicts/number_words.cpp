@@ -1,4 +1,4 @@
-#include "core/diagnosis/verdicts/words.hpp"
+#include "core/diagnosis/verdicts/number_words.hpp"
 
 #include <array>
 #include <charconv>

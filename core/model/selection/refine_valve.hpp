@@ -15,7 +15,7 @@ namespace loopscope::core::model {
 ///
 /// `settled` ends with that valve; each `attempt` has first guesses of its own. nullopt where
 /// nothing is found that is worth more.
-[[nodiscard]] std::optional<CandidateFit> look_closer(const CandidateFit& entered,
-                                                      const Fit& settled, std::size_t attempt);
+[[nodiscard]] std::optional<CandidateFit> refine_valve(const CandidateFit& entered,
+                                                       const Fit& settled, std::size_t attempt);
 
 }  // namespace loopscope::core::model

@@ -1,4 +1,4 @@
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/model/selection/fit_anew.hpp"
+#include "core/model/selection/fit_candidate.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(FitAnew, FindsTheProcessBehindAWaveWhosePhaseWanders) {
     const LoopData data = answered_wave(seed);
     const Fit linear = start_selection(data).last().fit;
     const auto line = std::make_shared<ExternalOscillation>(kWanderingPeriod);
-    const Fit fit = fit_anew(data, evaluate(data, with(linear.structure, line)), HUGE_VAL);
+    const Fit fit = fit_candidate(data, evaluate(data, with(linear.structure, line)), HUGE_VAL);
     const double floor = std::pow(kWanderingNoiseStd / data.pv_scale, 2.0);
     EXPECT_GT(linear.fit_error, 1.2 * floor) << seed;
     EXPECT_LT(fit.fit_error, 1.1 * floor) << seed;

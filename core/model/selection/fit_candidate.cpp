@@ -1,9 +1,9 @@
-#include "core/model/selection/fit_anew.hpp"
+#include "core/model/selection/fit_candidate.hpp"
 
 #include <utility>
 #include <vector>
 
-#include "core/model/effects/catalogue.hpp"
+#include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/effects/valve.hpp"
 #include "core/model/fit/baseline.hpp"
 #include "core/model/fit/best_wave.hpp"
@@ -107,7 +107,7 @@ Fit prefer_play(const LoopData& data, Fit fit) {
 
 }  // namespace
 
-Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {
+Fit fit_candidate(const LoopData& data, Fit fit, double hopeless) {
   const EffectKind kind = fit.structure.effects.back()->kind();
   const bool bends = bends_flow(kind);
   if (!traits_of(kind).moves_on_half) return searched_and_settled(data, fit);
@@ -116,7 +116,7 @@ Fit fit_anew(const LoopData& data, Fit fit, double hopeless) {
   // The linear baseline takes all of a valve's travel for dynamics.
   fit = bends ? search_process(data, fit.structure) : settle(data, fit);
   if (is_valve_hysteresis(kind) && fit.fit_error > hopeless) return fit;
-  const bool scans = data.without.has(Mechanism::bands_scanned);
+  const bool scans = data.without.keeps(Mechanism::bands_scanned);
   if (bends && scans) fit = polish(data, scan_band(data, std::move(fit)).structure, 4);
   if (scans) fit = scan_jump(data, std::move(fit));
   for (int round = 0; bends && round < 3; ++round) {

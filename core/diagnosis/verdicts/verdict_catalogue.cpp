@@ -1,4 +1,4 @@
-#include "core/diagnosis/verdicts/catalogue.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 
 #include <array>
 #include <cstddef>

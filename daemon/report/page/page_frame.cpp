@@ -1,4 +1,4 @@
-#include "daemon/report/page/page.hpp"
+#include "daemon/report/page/page_frame.hpp"
 
 #include <fmt/format.h>
 
