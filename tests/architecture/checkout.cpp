@@ -55,7 +55,11 @@ std::vector<SourceFile> source_files() {
 }
 
 std::vector<SourceFile> documents() {
-  return files_that([](const fs::path& file) { return file.extension() == ".md"; });
+  std::vector<SourceFile> files =
+      files_that([](const fs::path& file) { return file.extension() == ".md"; });
+  for (const char* top : {"CONTRIBUTING.md", "README.md"})
+    files.push_back({top, content(fs::path(source_dir()) / top)});
+  return files;
 }
 
 std::vector<std::string> top_level_folders() {

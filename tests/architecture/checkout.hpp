@@ -22,7 +22,8 @@ struct Violation {
 /// Every source file below the rooms and tests/, in the order of their paths.
 [[nodiscard]] std::vector<SourceFile> source_files();
 
-/// Every Markdown file below the rooms and tests/, in the order of their paths.
+/// Every Markdown file below the rooms and tests/, in the order of their paths, then the two at
+/// the top that tell of the code.
 [[nodiscard]] std::vector<SourceFile> documents();
 
 /// The folders at the top of the checkout without the hidden ones and the build folders that

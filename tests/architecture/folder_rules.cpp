@@ -127,7 +127,7 @@ std::vector<Violation> check_readme_lengths(std::span<const SourceFile> document
   std::vector<Violation> violations;
   for (const SourceFile& document : documents) {
     const std::size_t count = lines_of(document.text).size();
-    if (document.path.ends_with("/README.md") && count > kMostReadmeLines)
+    if (document.path.ends_with("README.md") && count > kMostReadmeLines)
       violations.push_back({document.path, count,
                             "has " + std::to_string(count) + " lines, at most " +
                                 std::to_string(kMostReadmeLines) + " are allowed"});

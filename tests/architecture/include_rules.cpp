@@ -64,9 +64,9 @@ std::string code_of(const std::string& line) {
 }  // namespace
 
 std::optional<Include> include_of(const std::string& line) {
-  static const std::regex kInclude(R"(^\s*#\s*include\s*([<"])([^>"]*)[>"].*)");
+  static const std::regex include_line(R"(^\s*#\s*include\s*([<"])([^>"]*)[>"].*)");
   std::smatch match;
-  if (!std::regex_match(line, match, kInclude)) return std::nullopt;
+  if (!std::regex_match(line, match, include_line)) return std::nullopt;
   return Include{match[1] == "\"", match[2]};
 }
 
