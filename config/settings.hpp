@@ -75,10 +75,10 @@ struct HistorianSettings {
 
 /// When and in what portions the work is done.
 struct ScheduleSettings {
-  double poll_s = 10.0;    ///< seconds interval between two polls for due loops, 0.1 to 3600
-  double settle_s = 60.0;  ///< nothing newer than this is read, 0 to 86400
-  double lease_s = 300.0;  ///< seconds after which others take over, 10 to 86400
-  int batch_loops = 32;    ///< loops per claim, 1 to 256
+  double poll_s = 10.0;              ///< seconds between two polls for due loops, 0.1 to 3600
+  double settle_s = 60.0;            ///< nothing newer than this is read, 0 to 86400
+  double lease_s = 300.0;            ///< seconds after which others take over, 10 to 86400
+  int batch_loops = 32;              ///< loops per claim, 1 to 256
   double default_period_s = 3600.0;  ///< analysis period of a loop that is added without one
   int revise_slots = 1;              ///< earlier slots that are checked for late rows, 0 to 48
   int catch_up_slots = 6;            ///< missed slots that are made up for, 0 to 1000

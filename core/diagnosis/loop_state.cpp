@@ -113,8 +113,8 @@ std::string not_controlling_action(const Evidence& evidence) {
   const std::string meant = " If it is meant to be so for long, disable the loop in the catalogue.";
   return evidence.control.reason == NotActing::mode
              ? "Ask operations why it is not in automatic." + meant
-             : "Check the controller's mode (manual, tracking, out of service) and at the "
-               "output's tag." +
+             : "Check the controller's mode (manual, tracking, out of service) and the output's "
+               "tag." +
                    meant;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
+#include "core/model/residual_tests/statistics/test_outcome.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -37,6 +38,19 @@ std::string statement_of(const model::Step& step) {
   return text + ".";
 }
 
+/// What is left of the error that a model can explain, in agreement with the test of whiteness.
+std::string left_text(const model::Unexplained& rest) {
+  const std::string left = percent(rest.fraction), p = p_text(rest.whiteness_p);
+  if (left != "0 %")
+    return "The model leaves " + left +
+           " of the explainable error unexplained (residual whiteness p " + p + ").";
+  if (rest.whiteness_p > model::kSignificant)
+    return "The model explains all of the explainable error (residual whiteness p " + p + ").";
+  return "The model explains nearly all of the explainable error, but its residual is not white "
+         "(p " +
+         p + ").";
+}
+
 }  // namespace
 
 std::string step_text(const model::Step& step) {
@@ -48,11 +62,7 @@ std::string step_text(const model::Step& step) {
 
 std::string unexplained_text(const model::Explanation& explanation) {
   const model::Unexplained& rest = explanation.unexplained;
-  const std::string left = percent(rest.fraction);
-  std::string text = left == "0 %"
-                         ? std::string("The model explains all of the explainable error")
-                         : "The model leaves " + left + " of the explainable error unexplained";
-  text += " (residual whiteness p " + p_text(rest.whiteness_p) + ").";
+  std::string text = left_text(rest);
   if (!rest.statement.empty()) text += " " + rest.statement;
   for (const model::Question& question : explanation.questions) {
     const bool said = rest.statement.find(question.statement) != std::string::npos;

@@ -69,7 +69,7 @@ std::size_t judge_loop(const BaselineAnalysis& look, const Fit& fit, Explanation
   if (!law.found) return excitation.reversals;
   const ProcessFit& process = explanation.baseline.process;
   const InverseControllerFit trap =
-      judge_controller_trap(process, law, input.op, input.sample_interval_s);
+      judge_inverse_controller_fit(process, law, input.op, input.sample_interval_s);
   const bool refused = trap.refused && input.without.keeps(Mechanism::inverse_controller_fit);
   if (refused && explanation.steps.empty()) {
     explanation.process_doubt = trap.statement;
@@ -116,7 +116,7 @@ BaselineAnalysis analyse_baseline(const ModelInput& recorded, const ModelInput& 
   LoopData data = make_loop_data(recorded.pv, recorded.op, recorded.sample_interval_s, grid);
   data.without = recorded.without;
   BaselineAnalysis look{recorded, at_rows, start_selection(data), {}};
-  look.answers = question(at_rows, look.story.data, look.story.baseline.fit);
+  look.answers = run_residual_tests(at_rows, look.story.data, look.story.baseline.fit);
   return look;
 }
 
@@ -144,13 +144,13 @@ Explanation select_and_report(BaselineAnalysis& look) {
   const std::vector<TestOutcome>* others = look.recorded.without.others();
   std::vector<TestOutcome> left = select_effects(
       story, others ? *others : look.answers, [&](const LoopData& data, const Fit& fit) {
-        return others ? *others : question(look.at_rows, data, fit);
+        return others ? *others : run_residual_tests(look.at_rows, data, fit);
       });
   explanation.steps = report_steps(story);
   const Fit& last = story.last().fit;
   const bool changed = !story.chapters.empty();
   if (changed) explanation.baseline.process = report_process(story.data, last);
-  for (TestOutcome& answer : question_coupling(story.data, last, look.at_rows.seed))
+  for (TestOutcome& answer : run_coupling_tests(story.data, last, look.at_rows.seed))
     left.push_back(std::move(answer));
   const std::size_t op_turns = judge_loop(look, last, explanation);
   report_rest(story, left, explanation);

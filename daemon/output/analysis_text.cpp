@@ -41,11 +41,11 @@ std::string peaks_text(const core::hos::Result& hos, double sample_interval_s) {
 /// Without the published rule: it does not know that these segments overlap by three quarters.
 std::string slow_look_text(const core::hos::SlowLook& look, double sample_interval_s) {
   std::string text = text_line(
-      "slow look",
-      fmt::format("NGI {:.4f}, NLI {:.4f}, p {} over {} segments of every {}th of "
-                  "{} samples",
+      "decimated",
+      fmt::format("NGI {:.4f}, NLI {:.4f}, p {} over {} segments of {} samples "
+                  "decimated by {}",
                   look.result.ngi, look.result.nli, p_figure_text(look.result.nonlinear_p),
-                  look.result.segments, look.decimation, look.samples));
+                  look.result.segments, look.samples, look.decimation));
   return text + peaks_text(look.result, static_cast<double>(look.decimation) * sample_interval_s);
 }
 

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <vector>
 
-#include "daemon/service/analysis_thread.hpp"
+#include "daemon/service/analysis_worker.hpp"
 #include "daemon/service/heartbeat.hpp"
 #include "daemon/service/observe/stopwatch.hpp"
 #include "daemon/service/progress_bar.hpp"
@@ -64,7 +64,7 @@ class Pass {
  private:
   void work(std::size_t index) {
     try {
-      AnalysisThread lane(settings_, index, SlotRule::newest_sample, tools_);
+      AnalysisWorker lane(settings_, index, SlotRule::newest_sample, tools_);
       process_all(lane, [&] { return next_claims(lane); });
       // The last lane, so that a suspect which kills the process takes nothing with it.
       if (--walking_lanes_ == 0) process_all(lane, [&] { return next_suspect(lane); });
@@ -86,7 +86,7 @@ class Pass {
 
   /// Until there is nothing to claim.
   template <typename Claim>
-  void process_all(AnalysisThread& lane, Claim claim) {
+  void process_all(AnalysisWorker& lane, Claim claim) {
     for (auto claims = claim(); !claims.empty(); claims = claim()) {
       const storage::WriteCount count = lane.process(claims);
       asio::post(context_, [this, count, loops = claims.size()] { account(count, loops); });
@@ -95,13 +95,13 @@ class Pass {
 
   /// Each at most once, since one that is done is none any more. Those that rest are left out: they
   /// have killed a process that had nothing else in hand.
-  std::vector<storage::ClaimedLoop> next_suspect(AnalysisThread& lane) {
+  std::vector<storage::ClaimedLoop> next_suspect(AnalysisWorker& lane) {
     if (stopping_) return {};
     return lane.claim_suspect();
   }
 
   /// Claims are taken one lane at a time, so that all walk through the catalogue together.
-  std::vector<storage::ClaimedLoop> next_claims(AnalysisThread& lane) {
+  std::vector<storage::ClaimedLoop> next_claims(AnalysisWorker& lane) {
     const std::lock_guard lock(cursor_mutex_);
     if (stopping_) return {};
     auto claims = lane.claim_next(cursor_);

@@ -19,7 +19,7 @@
 #include "config/read_settings.hpp"
 #include "daemon/monitor/service_manager.hpp"
 #include "daemon/plant/plant_watch.hpp"
-#include "daemon/service/analysis_thread.hpp"
+#include "daemon/service/analysis_worker.hpp"
 #include "daemon/service/heartbeat.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/idle_pause.hpp"
@@ -78,7 +78,7 @@ class Service {
   /// A lane and when it looks again.
   struct WorkerSlot {
     WorkerSlot(asio::io_context& context, double poll_s) : timer(context), pause(poll_s) {}
-    std::optional<AnalysisThread> lane;
+    std::optional<AnalysisWorker> lane;
     asio::steady_timer timer;
     RetryPause pause;
   };
@@ -230,7 +230,7 @@ class Service {
   }
 
   /// Works until nothing is due. Runs on a pool thread.
-  DrainResult drain(AnalysisThread& lane) {
+  DrainResult drain(AnalysisWorker& lane) {
     DrainResult drained;
     try {
       WorkReport report(lane.cost());
@@ -258,7 +258,7 @@ class Service {
   }
 
   /// Suspects come after all others, but not never.
-  std::vector<storage::ClaimedLoop> next_claims(AnalysisThread& lane, int round) {
+  std::vector<storage::ClaimedLoop> next_claims(AnalysisWorker& lane, int round) {
     if (stopping_) return {};
     const bool suspect_first = round % kSuspectEvery == 0;
     auto claims = suspect_first ? lane.claim_suspect() : lane.claim_due();

@@ -14,7 +14,6 @@ namespace loopscope::tests::architecture {
 namespace {
 
 constexpr std::size_t kMostFiles = 60;
-constexpr std::size_t kMostReadmeLines = 150;
 constexpr std::size_t kMostFilesOfSplitRooms = 30;
 
 /// Rooms and parts of rooms that consist of folders of one subject each.
@@ -56,10 +55,8 @@ std::set<std::string> reached_from(const std::string& folder, const Graph& graph
 }
 
 bool is_split(std::string_view folder) {
-  return std::ranges::any_of(kSplit, [&](std::string_view part) {
-    return folder == part ||
-           (folder.starts_with(part) && folder.substr(part.size()).starts_with('/'));
-  });
+  return std::ranges::any_of(
+      kSplit, [&](std::string_view part) { return folder == part || lies_below(folder, part); });
 }
 
 /// The README that says what a folder is for: that of its room.
@@ -119,18 +116,6 @@ std::vector<Violation> check_folder_purposes(std::span<const SourceFile> files,
     const std::string name = folder.substr(folder_of(readme).size() + 1);
     if (texts[readme].find("| `" + name + "/`") == std::string::npos)
       violations.push_back({folder, 0, readme + " does not say what it is for"});
-  }
-  return violations;
-}
-
-std::vector<Violation> check_readme_lengths(std::span<const SourceFile> documents) {
-  std::vector<Violation> violations;
-  for (const SourceFile& document : documents) {
-    const std::size_t count = lines_of(document.text).size();
-    if (document.path.ends_with("README.md") && count > kMostReadmeLines)
-      violations.push_back({document.path, count,
-                            "has " + std::to_string(count) + " lines, at most " +
-                                std::to_string(kMostReadmeLines) + " are allowed"});
   }
   return violations;
 }

@@ -20,7 +20,4 @@ namespace loopscope::tests::architecture {
 [[nodiscard]] std::vector<Violation> check_folder_purposes(std::span<const SourceFile> files,
                                                            std::span<const SourceFile> documents);
 
-/// READMEs of more lines than a person reads before the code: 150.
-[[nodiscard]] std::vector<Violation> check_readme_lengths(std::span<const SourceFile> documents);
-
 }  // namespace loopscope::tests::architecture

@@ -18,10 +18,6 @@ TEST(FolderRules, EveryFolderHasItsPurpose) {
   EXPECT_EQ(listing(check_folder_purposes(source_files(), documents())), "");
 }
 
-TEST(FolderRules, NoReadmeIsTooLong) {
-  EXPECT_EQ(listing(check_readme_lengths(documents())), "");
-}
-
 TEST(FolderRules, CirclesAreCaught) {
   const std::vector<SourceFile> files = {{"core/hos/a/x.hpp", "#include \"core/hos/b/y.hpp\"\n"},
                                          {"core/hos/b/y.hpp", "#include \"core/hos/c/z.hpp\"\n"},

@@ -32,11 +32,10 @@ std::string refuse_own(const Room& room, const std::string& header) {
   const Room* other = room_of(header);
   if (other == nullptr)
     return "\"" + header + "\" does not start at the root with the name of a room";
-  const bool allowed =
-      other == &room ||
-      std::any_of(room.rooms.begin(), room.rooms.end(), [&](std::string_view lower) {
-        return header.starts_with(lower) && header.substr(lower.size()).starts_with('/');
-      });
+  const bool allowed = other == &room || std::any_of(room.rooms.begin(), room.rooms.end(),
+                                                     [&](std::string_view lower) {
+                                                       return lies_below(header, lower);
+                                                     });
   if (allowed) return {};
   return std::string(room.path) + " may not use " + std::string(other->path) + " (" + header + ")";
 }

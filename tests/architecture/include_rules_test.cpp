@@ -100,7 +100,7 @@ TEST(IncludeRules, CoreOnlyComputes) {
     EXPECT_THAT(verdict("core/signal/grid.cpp", header), HasSubstr("may not use")) << header;
   for (const char* header : {"<vector>", "<cmath>", "<random>", "<numbers>"})
     EXPECT_EQ(verdict("core/signal/grid.cpp", header), "");
-  EXPECT_EQ(verdict("daemon/service/analysis_thread.cpp", "<thread>"), "");
+  EXPECT_EQ(verdict("daemon/service/analysis_worker.cpp", "<thread>"), "");
   EXPECT_EQ(verdict("storage/check.cpp", "<unistd.h>"), "");
 }
 
@@ -110,7 +110,7 @@ TEST(IncludeRules, CoreHasNoHiddenRandomness) {
               HasSubstr("core/simulate/loop.cpp:1: core/simulate may not use random_device"));
   EXPECT_TRUE(
       check_includes({"core/simulate/loop.cpp", "// no std::random_device here\n"}).empty());
-  EXPECT_TRUE(check_includes({"daemon/service/analysis_thread.cpp", use}).empty());
+  EXPECT_TRUE(check_includes({"daemon/service/analysis_worker.cpp", use}).empty());
 }
 
 TEST(IncludeRules, MutexIsForTheFftwPlannerAlone) {

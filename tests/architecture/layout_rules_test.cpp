@@ -22,6 +22,12 @@ TEST(LayoutRules, NoFileIsTooLong) {
   EXPECT_EQ(listing(check_lengths(source_files())), "");
 }
 
+TEST(LayoutRules, NoReadmeIsTooLong) {
+  std::vector<SourceFile> readmes = documents();
+  std::erase_if(readmes, [](const SourceFile& file) { return !file.path.ends_with("README.md"); });
+  EXPECT_EQ(listing(check_lengths(readmes)), "");
+}
+
 TEST(LayoutRules, CheckoutIsSeen) {
   EXPECT_GT(source_files().size(), 50U);
 }
@@ -55,6 +61,8 @@ TEST(LayoutRules, LongFileIsCaught) {
   EXPECT_TRUE(check_lengths(std::vector<SourceFile>{{"a.hpp", text}}).empty());
   EXPECT_EQ(listing(check_lengths(std::vector<SourceFile>{{"a.hpp", text + "\n"}})),
             "a.hpp:301: has 301 lines, at most 300 are allowed\n");
+  EXPECT_EQ(listing(check_lengths(std::vector<SourceFile>{{"core/README.md", text}})),
+            "core/README.md:300: has 300 lines, at most 150 are allowed\n");
 }
 
 }  // namespace

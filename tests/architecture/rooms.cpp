@@ -96,9 +96,13 @@ constexpr std::array kExceptions = {
 
 }  // namespace
 
+bool lies_below(std::string_view path, std::string_view folder) {
+  return path.starts_with(folder) && path.substr(folder.size()).starts_with('/');
+}
+
 const Room* room_of(std::string_view path) {
   const auto* found = std::find_if(kRooms.begin(), kRooms.end(), [path](const Room& room) {
-    return path.starts_with(room.path) && path.substr(room.path.size()).starts_with('/');
+    return lies_below(path, room.path);
   });
   return found == kRooms.end() ? nullptr : found;
 }

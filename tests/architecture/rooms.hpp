@@ -23,6 +23,9 @@ struct Exception {
   std::string_view reason;
 };
 
+/// Whether a path lies below a folder.
+[[nodiscard]] bool lies_below(std::string_view path, std::string_view folder);
+
 /// The room that a file or rooted header stands in; nullptr when it is in none.
 [[nodiscard]] const Room* room_of(std::string_view path);
 

@@ -28,8 +28,9 @@ void print_scenario(std::string_view name) {
     const ProcessFit fit = known::off_by_a_fifth(loop.process, seed);
     laws += law.found;
     excited += judge_excitation({records.op, records.pv, true, {}}).sufficient;
-    refused += judge_controller_trap(fit, law, records.op, 1.0).refused;
-    caught += judge_controller_trap(known::fit_without_delay(records, 1), law, records.op).refused;
+    refused += judge_inverse_controller_fit(fit, law, records.op, 1.0).refused;
+    caught +=
+        judge_inverse_controller_fit(known::fit_without_delay(records, 1), law, records.op).refused;
     ++tuning.judged[static_cast<std::size_t>(judge_tuning(fit, law, 1.0).tuning)];
   }
   std::printf("| %s | %d | %d | %d | %d | %zu | %zu | %zu | %zu |\n", std::string(name).c_str(),
@@ -52,9 +53,11 @@ void print_trap(double op_step, double pv_noise) {
     const ControllerLaw law = known::find_law(records);
     found += law.found;
     const ProcessFit fit = known::off_by_a_fifth(loop.process, seed);
-    right += judge_controller_trap(fit, law, records.op, 1.0).refused;
-    first += judge_controller_trap(known::fit_without_delay(records, 1), law, records.op).refused;
-    second += judge_controller_trap(known::fit_without_delay(records, 2), law, records.op).refused;
+    right += judge_inverse_controller_fit(fit, law, records.op, 1.0).refused;
+    first +=
+        judge_inverse_controller_fit(known::fit_without_delay(records, 1), law, records.op).refused;
+    second +=
+        judge_inverse_controller_fit(known::fit_without_delay(records, 2), law, records.op).refused;
   }
   const double percent = 100.0 / static_cast<double>(kTrapLoops);
   std::printf("| op to %.2g %%, pv noise %.2g std | %.1f %% | %.1f %% | %.1f %% | %.1f %% |\n",
@@ -105,7 +108,7 @@ LOOPSCOPE_TABLE(closed_loop_cost, "microseconds of each judgement") {
     (void)judge_excitation({records.op, records.pv, true, records.pv});
   });
   print_cost("inverse_controller_fit",
-             [&] { (void)judge_controller_trap(late, law, records.op, 1.0); });
+             [&] { (void)judge_inverse_controller_fit(late, law, records.op, 1.0); });
   print_cost("tuning, delay 2", [&] { (void)judge_tuning(loop.process, law, 1.0); });
   print_cost("tuning, delay 12", [&] { (void)judge_tuning(late, law, 1.0); });
   late.delay_s = 25.0;

@@ -48,16 +48,15 @@ std::string peak_text(const hos::Result& hos, double alpha) {
 }
 
 std::string slow_text(const hos::SlowLook& slow) {
-  return " On every " + std::to_string(slow.decimation) +
-         "th sample, to fit the slow oscillation: " + coupling_text(slow.result.coupling) + ", " +
+  return " On data decimated by " + std::to_string(slow.decimation) +
+         " (slow oscillation): " + coupling_text(slow.result.coupling) + ", " +
          tests_text(slow.result) + ".";
 }
 
 std::string residual_text(const Evidence& evidence) {
   if (evidence.tested_on == TestedOn::error) return {};
   return " The setpoint moves too often for those samples to be excluded: the tests use the error "
-         "less "
-         "the loop's linear response to the setpoint.";
+         "less the loop's linear response to the setpoint.";
 }
 
 /// Noise that a linear loop passes on, said for itself.

@@ -49,8 +49,9 @@ std::string describe(const InverseControllerFit& trap) {
 
 }  // namespace
 
-InverseControllerFit judge_controller_trap(const SampledProcess& fit, const ControllerLaw& law,
-                                           std::span<const double> op) {
+InverseControllerFit judge_inverse_controller_fit(const SampledProcess& fit,
+                                                  const ControllerLaw& law,
+                                                  std::span<const double> op) {
   InverseControllerFit trap;
   const std::vector<OctavePower> octaves = octave_powers(op);
   if (!law.found || octaves.empty()) return trap;
@@ -61,9 +62,9 @@ InverseControllerFit judge_controller_trap(const SampledProcess& fit, const Cont
   return trap;
 }
 
-InverseControllerFit judge_controller_trap(const ProcessFit& fit, const ControllerLaw& law,
-                                           std::span<const double> op, double interval_s) {
-  return judge_controller_trap(sample_process(fit, interval_s), law, op);
+InverseControllerFit judge_inverse_controller_fit(const ProcessFit& fit, const ControllerLaw& law,
+                                                  std::span<const double> op, double interval_s) {
+  return judge_inverse_controller_fit(sample_process(fit, interval_s), law, op);
 }
 
 }  // namespace loopscope::core::model

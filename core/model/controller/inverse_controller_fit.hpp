@@ -22,13 +22,13 @@ struct InverseControllerFit {
 /// Without set-point moves op and pv obey the law of the controller at every sample, so a fit that
 /// is free to answer within the sample finds pv = -op / C, almost without error. `op` tells where
 /// the comparison counts; NaN = missing. Never refused without a law (`law.found` false).
-[[nodiscard]] InverseControllerFit judge_controller_trap(const SampledProcess& fit,
-                                                         const ControllerLaw& law,
-                                                         std::span<const double> op);
+[[nodiscard]] InverseControllerFit judge_inverse_controller_fit(const SampledProcess& fit,
+                                                                const ControllerLaw& law,
+                                                                std::span<const double> op);
 /// The same; throws std::invalid_argument unless interval_s > 0.
-[[nodiscard]] InverseControllerFit judge_controller_trap(const ProcessFit& fit,
-                                                         const ControllerLaw& law,
-                                                         std::span<const double> op,
-                                                         double interval_s);
+[[nodiscard]] InverseControllerFit judge_inverse_controller_fit(const ProcessFit& fit,
+                                                                const ControllerLaw& law,
+                                                                std::span<const double> op,
+                                                                double interval_s);
 
 }  // namespace loopscope::core::model

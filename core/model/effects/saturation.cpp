@@ -33,7 +33,7 @@ std::vector<Parameter> Saturation::parameters(const LoopData& data, std::span<co
 }
 
 std::string Saturation::words(std::span<const Parameter> parameters) const {
-  return "The valve follows the controller output only between " + in_digits(parameters[0].value) +
+  return "The valve follows the controller output between " + in_digits(parameters[0].value) +
          " and " + in_digits(parameters[1].value) + " % only.";
 }
 

@@ -52,7 +52,8 @@ std::vector<double> response_of(const LoopData& data, const Fit& fit) {
   return response;
 }
 
-std::vector<TestOutcome> question(const ModelInput& input, const LoopData& data, const Fit& fit) {
+std::vector<TestOutcome> run_residual_tests(const ModelInput& input, const LoopData& data,
+                                            const Fit& fit) {
   const std::vector<double> residual = residual_of(data, fit);
   const std::vector<double> direction = op_direction(input.op);
   const std::vector<double> response = response_of(data, fit);
@@ -61,8 +62,8 @@ std::vector<TestOutcome> question(const ModelInput& input, const LoopData& data,
       {residual, input.op, direction, response, input.pv, input.sample_interval_s, undisturbed});
 }
 
-std::vector<TestOutcome> question_coupling(const LoopData& data, const Fit& fit,
-                                           std::uint64_t seed) {
+std::vector<TestOutcome> run_coupling_tests(const LoopData& data, const Fit& fit,
+                                            std::uint64_t seed) {
   return test_coupling(residual_of(data, fit), seed);
 }
 

@@ -14,11 +14,11 @@ namespace loopscope::core::model {
 
 /// What the one-step errors of a fit still hold, by the residual tests. `data` and `fit` are of the
 /// record in `input`.
-[[nodiscard]] std::vector<TestOutcome> question(const ModelInput& input, const LoopData& data,
-                                                const Fit& fit);
+[[nodiscard]] std::vector<TestOutcome> run_residual_tests(const ModelInput& input,
+                                                          const LoopData& data, const Fit& fit);
 /// The same by the tests of core/hos, which cost more than the others together: nonlinear, ngi.
 /// `seed` drives the simulations behind their p-values.
-[[nodiscard]] std::vector<TestOutcome> question_coupling(const LoopData& data, const Fit& fit,
-                                                         std::uint64_t seed);
+[[nodiscard]] std::vector<TestOutcome> run_coupling_tests(const LoopData& data, const Fit& fit,
+                                                          std::uint64_t seed);
 
 }  // namespace loopscope::core::model

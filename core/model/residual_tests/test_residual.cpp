@@ -26,7 +26,7 @@ void add(std::optional<TestOutcome> answer, std::vector<TestOutcome>& answers) {
 }  // namespace
 
 std::vector<TestOutcome> test_residual(const ResidualView& view) {
-  const std::optional<ResidualContext> context = prepare_questions(view);
+  const std::optional<ResidualContext> context = prepare_context(view);
   if (!context) return {};
   std::vector<TestOutcome> answers;
   add(test_white(*context), answers);

@@ -23,7 +23,7 @@ double tries_of(const Effect& fitted, std::size_t tries, std::size_t samples) {
   return static_cast<double>(valve->valve().acts_at_samples() ? samples : kStemGuesses);
 }
 
-/// The on_other_fold fit of what is scored once waits until it has won: nothing is read from it
+/// The fit to the other fold of what is scored once waits until it has won: nothing is read from it
 /// before.
 CrossFit scored_fit(const LoopData& rows, Fit fit, bool once) {
   if (once) return {std::move(fit), {}};

@@ -22,13 +22,13 @@ struct CandidateFit {
   [[nodiscard]] const Effect& effect() const { return *fit.fit.structure.effects.back(); }
   [[nodiscard]] EffectKind kind() const { return effect().kind(); }
   /// What it gains is counted once: where a step sits was taken from the fit rows, so that the
-  /// on_other_fold fit has nothing unseen to be scored on.
+  /// fit to the other fold has nothing unseen to be scored on.
   [[nodiscard]] bool scored_once() const;
 };
 
 /// `trial`, whose rows and model without the effect stand, with that fit of its last effect: scored
 /// and priced. `tries`: places, shapes or starting points that the effect was chosen from; of a
-/// valve they follow from what was fitted. What is scored once has no other_fold yet.
+/// valve they follow from what was fitted. What is scored once has no fit to the other fold yet.
 [[nodiscard]] CandidateFit scored(CandidateFit trial, Fit fit, std::size_t tries);
 
 /// Whether an effect within the loop is significant several rows ahead as well
@@ -39,7 +39,7 @@ struct CandidateFit {
 /// (Effect::plainer) is significant by itself, at the price of its search.
 [[nodiscard]] bool refutes_plainer(const CandidateFit& trial);
 
-/// Fits the other_fold of one that is taken in.
+/// Fits the other fold of one that is taken in.
 void complete(CandidateFit& winner);
 
 }  // namespace loopscope::core::model

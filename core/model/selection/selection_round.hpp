@@ -10,7 +10,7 @@ namespace loopscope::core::model {
 
 struct SelectionOutcome {
   /// The best of every kind that has anything to show, the least probable by chance first. What is
-  /// scored once has no other_fold yet.
+  /// scored once has no fit to the other fold yet.
   std::vector<CandidateFit> trials;
   /// The kind whose trial let others be passed over, where any were, and the most that one of them
   /// promised. Where that trial is refused, they have to be tried.

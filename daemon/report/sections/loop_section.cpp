@@ -156,7 +156,7 @@ std::string repairs_part(const LoopReport& story) {
 
 std::string explanation_table(const Explanation& explanation) {
   if (!explanation.excited)
-    return "<p>The loop model process not identified: " + html(explanation.excitation) + "</p>\n";
+    return "<p>The process could not be identified: " + html(explanation.excitation) + "</p>\n";
   std::string text = fmt::format(
       "<p class=\"note\">Errors are mean squares in pv units squared, {}, on samples that the fit "
       "has not seen; evidence is n ln(before / after).</p>\n<table class=\"errors\"><thead><tr>"

@@ -29,7 +29,7 @@ TEST(ModelWords, APThatIsNextToNothingIsABound) {
   }
   model::Explanation explanation = explanation_of();
   explanation.unexplained.whiteness_p = 0.0;
-  EXPECT_THAT(unexplained_text(explanation), HasSubstr("(residual whiteness p < 1e-12)"));
+  EXPECT_THAT(unexplained_text(explanation), HasSubstr("whiteness p < 1e-12)"));
 }
 
 TEST(ModelWords, WhatIsLeftIsToldWhereAnythingIs) {
@@ -39,6 +39,11 @@ TEST(ModelWords, WhatIsLeftIsToldWhereAnythingIs) {
   explanation.unexplained.fraction = 0.004;
   EXPECT_EQ(unexplained_text(explanation),
             "The model explains all of the explainable error (residual whiteness p 0.31).");
+  explanation.unexplained.whiteness_p = 0.0075;
+  EXPECT_EQ(unexplained_text(explanation),
+            "The model explains nearly all of the explainable error, but its residual is not white "
+            "(p 0.0075).");
+  explanation.unexplained.whiteness_p = 0.31;
   explanation.unexplained.fraction = 0.12;
   EXPECT_EQ(
       unexplained_text(explanation),

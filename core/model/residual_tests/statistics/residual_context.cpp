@@ -39,7 +39,7 @@ Centred fresh_of(const ResidualContext& context) {
 
 }  // namespace
 
-std::optional<ResidualContext> prepare_questions(const ResidualView& view) {
+std::optional<ResidualContext> prepare_context(const ResidualView& view) {
   check(view);
   std::optional<Centred> residual = centred(view.innovation, kFewestAsked);
   if (!residual) return std::nullopt;

@@ -42,6 +42,6 @@ inline constexpr std::size_t kFewestAsked = 200;
 
 /// nullopt when the residual has fewer than kFewestAsked samples or no variance.
 /// Throws std::invalid_argument when the spans differ in length or the interval is not positive.
-[[nodiscard]] std::optional<ResidualContext> prepare_questions(const ResidualView& view);
+[[nodiscard]] std::optional<ResidualContext> prepare_context(const ResidualView& view);
 
 }  // namespace loopscope::core::model

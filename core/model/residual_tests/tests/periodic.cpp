@@ -26,14 +26,14 @@ std::vector<SeenLine> merged(const LineSearch& residual, const LineSearch& pv, d
   std::vector<SeenLine> lines;
   for (const SpectralLine& line : pv.lines) lines.push_back({line, true});
   for (const SpectralLine& line : residual.lines) {
-    const auto cross_fit = std::find_if(lines.begin(), lines.end(), [&](const SeenLine& other) {
+    const auto match = std::find_if(lines.begin(), lines.end(), [&](const SeenLine& other) {
       return same(other.line, line, samples);
     });
-    if (cross_fit == lines.end()) {
+    if (match == lines.end()) {
       lines.push_back({line, false});
-    } else if (line.p < cross_fit->line.p) {
-      cross_fit->line.p = line.p;
-      cross_fit->line.period_samples = line.period_samples;
+    } else if (line.p < match->line.p) {
+      match->line.p = line.p;
+      match->line.period_samples = line.period_samples;
     }
   }
   std::stable_sort(lines.begin(), lines.end(),

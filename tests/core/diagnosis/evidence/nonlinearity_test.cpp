@@ -124,7 +124,8 @@ TEST(Nonlinearity, TheSecondLookSaysHowItWasTaken) {
   evidence.hos_slow = hos::SlowLook{17, 8976, {}};
   evidence.hos_slow->result.nonlinear_p = 0.001;
   evidence.hos_slow->result.coupling = hos::Coupling::cubic;
-  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason, HasSubstr("every 17th sample"));
+  EXPECT_THAT(judge_nonlinearity(evidence, {}).reason,
+              HasSubstr("decimated by 17 (slow oscillation)"));
 }
 
 /// The bounds are 2 and 7 %: 2000 records give 5 % to within 1 % (two errors).

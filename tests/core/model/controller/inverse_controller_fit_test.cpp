@@ -23,7 +23,7 @@ TEST(InverseControllerFit, InverseOfTheLawHasDistanceZero) {
   // pv = -op / C = -(1 - z^-1) / (Kc (1 - z^-1) + I) op.
   const double sum = law.gain + law.integral;
   const SampledProcess inverse{{-1.0 / sum, 1.0 / sum}, {1.0, -law.gain / sum}, 0};
-  const InverseControllerFit trap = judge_controller_trap(inverse, law, records.op);
+  const InverseControllerFit trap = judge_inverse_controller_fit(inverse, law, records.op);
   EXPECT_NEAR(trap.distance, 0.0, 1e-9);
   EXPECT_TRUE(trap.refused);
   EXPECT_FALSE(trap.statement.empty());
@@ -36,7 +36,7 @@ TEST(InverseControllerFit, NaiveFitsAreCaught) {
       const auto s = static_cast<std::uint64_t>(seed);
       const known::Records records = known::run(known::random_loop(s).settings, s);
       const SampledProcess naive = known::fit_without_delay(records, order);
-      caught += judge_controller_trap(naive, known::find_law(records), records.op).refused;
+      caught += judge_inverse_controller_fit(naive, known::find_law(records), records.op).refused;
     }
     EXPECT_GE(caught, at_least(95, kRandomLoops, random_loops())) << "order " << order;
   }
@@ -49,7 +49,7 @@ TEST(InverseControllerFit, RightModelsAreKept) {
     const known::KnownLoop loop = known::random_loop(s);
     const known::Records records = known::run(loop.settings, s);
     const ProcessFit fit = known::off_by_a_fifth(loop.process, s);
-    refused += judge_controller_trap(fit, known::find_law(records), records.op, 1.0).refused;
+    refused += judge_inverse_controller_fit(fit, known::find_law(records), records.op, 1.0).refused;
   }
   EXPECT_LE(refused, at_most(2, kRandomLoops, random_loops()));
 }
@@ -62,7 +62,7 @@ TEST(InverseControllerFit, RightModelsOfPlantLoopsAreKept) {
       const known::Records records = known::run(loop.settings, seed);
       const ProcessFit fit = known::off_by_a_fifth(loop.process, seed);
       const InverseControllerFit trap =
-          judge_controller_trap(fit, known::find_law(records), records.op, 1.0);
+          judge_inverse_controller_fit(fit, known::find_law(records), records.op, 1.0);
       EXPECT_FALSE(trap.refused) << name << " seed " << seed << " distance " << trap.distance;
     }
   }
@@ -73,14 +73,15 @@ TEST(InverseControllerFit, PositiveFeedbackIsRefused) {
   const known::Records records = known::run(loop.settings, 1);
   ProcessFit reversed = loop.process;
   reversed.gain = -reversed.gain;
-  const InverseControllerFit trap = judge_controller_trap(reversed, loop.law, records.op, 1.0);
+  const InverseControllerFit trap =
+      judge_inverse_controller_fit(reversed, loop.law, records.op, 1.0);
   EXPECT_TRUE(trap.wrong_sign);
   EXPECT_TRUE(trap.refused);
 }
 
 TEST(InverseControllerFit, WithoutALawNothingIsRefused) {
   const known::Records records = known::run(known::scenario("healthy_flow").settings, 1);
-  EXPECT_FALSE(judge_controller_trap(known::paper_process(), {}, records.op).refused);
+  EXPECT_FALSE(judge_inverse_controller_fit(known::paper_process(), {}, records.op).refused);
 }
 
 }  // namespace

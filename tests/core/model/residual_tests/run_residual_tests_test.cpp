@@ -16,7 +16,7 @@ std::vector<TestOutcome> answers_of(std::string_view scenario, std::uint64_t see
   const LoopData data = make_loop_data(record.pv, record.op, record.sample_interval_s, grid);
   const std::vector<double> pv = at_rows(grid, record.pv), op = at_rows(grid, record.op);
   const ModelInput input{pv, op, {}, {}, record.sample_interval_s};
-  return question(input, data, search_process(data, {}));
+  return run_residual_tests(input, data, search_process(data, {}));
 }
 
 TEST(PutQuestions, OpsDirectionMattersToALoopWithPlayAndToNoHealthyOne) {

@@ -21,7 +21,7 @@ StepwiseModel story_of(std::string_view scenario, std::uint64_t seed) {
   StepwiseModel story =
       start_selection(make_loop_data(record.pv, record.op, record.sample_interval_s));
   const ResidualTests tests = [&](const LoopData& data, const Fit& fit) {
-    return question(input, data, fit);
+    return run_residual_tests(input, data, fit);
   };
   std::ignore = select_effects(story, tests(story.data, story.baseline.fit), tests);
   return story;
@@ -79,7 +79,7 @@ TEST(StepwiseModel, AnEffectThatLeavesItsTestsAsTheyWereDoesNotEnter) {
   const ModelInput input{record.pv, record.op, {}, {}, record.sample_interval_s};
   StepwiseModel story =
       start_selection(make_loop_data(record.pv, record.op, record.sample_interval_s));
-  const std::vector<TestOutcome> first = question(input, story.data, story.baseline.fit);
+  const std::vector<TestOutcome> first = run_residual_tests(input, story.data, story.baseline.fit);
   std::ignore = select_effects(story, first, [&](const LoopData&, const Fit&) { return first; });
   for (const SelectedEffect& chapter : story.chapters) {
     const EffectKind kind = chapter.fit.fit.structure.effects.back()->kind();

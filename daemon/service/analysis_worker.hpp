@@ -28,13 +28,13 @@ namespace loopscope::daemon {
 /// Each has its own connection to the results, used by one thread at a time; those to the
 /// historians are lent by a pool. A fault of one loop or one historian sets those loops aside and
 /// stops nothing else; work that is done is kept until the results database takes it.
-class AnalysisThread {
+class AnalysisWorker {
  public:
   /// `index` tells the lanes of a process apart.
-  AnalysisThread(std::shared_ptr<const config::Settings> settings, std::size_t index,
+  AnalysisWorker(std::shared_ptr<const config::Settings> settings, std::size_t index,
                  SlotRule slot_rule, SharedServices& tools);
-  AnalysisThread(const AnalysisThread&) = delete;  // its parts refer to each other
-  AnalysisThread& operator=(const AnalysisThread&) = delete;
+  AnalysisWorker(const AnalysisWorker&) = delete;  // its parts refer to each other
+  AnalysisWorker& operator=(const AnalysisWorker&) = delete;
 
   /// Claims loops that are due. Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();

@@ -1,4 +1,4 @@
-#include "daemon/service/analysis_thread.hpp"
+#include "daemon/service/analysis_worker.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -25,7 +25,7 @@ constexpr double kRefusedPause_s = 60.0;
 
 }  // namespace
 
-AnalysisThread::AnalysisThread(std::shared_ptr<const config::Settings> settings, std::size_t index,
+AnalysisWorker::AnalysisWorker(std::shared_ptr<const config::Settings> settings, std::size_t index,
                                SlotRule slot_rule, SharedServices& tools)
     : settings_(std::move(settings)),
       settings_json_(config::analysis_settings_json(settings_->analysis)),
@@ -37,7 +37,7 @@ AnalysisThread::AnalysisThread(std::shared_ptr<const config::Settings> settings,
       reader_(settings_, settings_json_, slot_rule, tools, desk_, results_) {}
 
 template <typename Claim>
-std::vector<ClaimedLoop> AnalysisThread::timed_claim(Claim claim) {
+std::vector<ClaimedLoop> AnalysisWorker::timed_claim(Claim claim) {
   Stopwatch watch;
   std::vector<ClaimedLoop> claims = results_.with([&](storage::ResultsDatabase& database) {
     if (std::exchange(in_doubt_, true)) database.release_owned(owner_);
@@ -54,7 +54,7 @@ std::vector<ClaimedLoop> AnalysisThread::timed_claim(Claim claim) {
   return claims;
 }
 
-std::vector<ClaimedLoop> AnalysisThread::claim_due() {
+std::vector<ClaimedLoop> AnalysisWorker::claim_due() {
   const config::ScheduleSettings& schedule = settings_->schedule;
   const std::vector<std::string> away = tools_.sources_away();
   return timed_claim([&](storage::ResultsDatabase& database) {
@@ -62,7 +62,7 @@ std::vector<ClaimedLoop> AnalysisThread::claim_due() {
   });
 }
 
-std::vector<ClaimedLoop> AnalysisThread::claim_suspect() {
+std::vector<ClaimedLoop> AnalysisWorker::claim_suspect() {
   std::unique_lock turn(tools_.suspect_turn, std::try_to_lock);
   if (!turn) return {};
   std::vector<ClaimedLoop> claims = timed_claim([&](storage::ResultsDatabase& database) {
@@ -72,14 +72,14 @@ std::vector<ClaimedLoop> AnalysisThread::claim_suspect() {
   return claims;
 }
 
-std::vector<ClaimedLoop> AnalysisThread::claim_next(std::int64_t after) {
+std::vector<ClaimedLoop> AnalysisWorker::claim_next(std::int64_t after) {
   const config::ScheduleSettings& schedule = settings_->schedule;
   return timed_claim([&](storage::ResultsDatabase& database) {
     return database.claim_next(owner_, schedule.hold_s(), schedule.batch_loops, after);
   });
 }
 
-std::optional<double> AnalysisThread::next_due_in_s() {
+std::optional<double> AnalysisWorker::next_due_in_s() {
   return results_.with([this](storage::ResultsDatabase& database) {
     return database.next_due_in_s(settings_->schedule.poll_s);
   });
@@ -87,7 +87,7 @@ std::optional<double> AnalysisThread::next_due_in_s() {
 
 /// Loops grouped by historian, the one with the fewest users first. One that was down a moment ago
 /// comes last: what it costs to find that it still is must not hold up the loops of others.
-std::vector<std::pair<std::string, Claims>> AnalysisThread::by_source(
+std::vector<std::pair<std::string, Claims>> AnalysisWorker::by_source(
     const std::vector<ClaimedLoop>& claims) {
   std::map<std::string, Claims> groups;
   for (const ClaimedLoop& claim : claims) groups[claim.loop.source].push_back(&claim);
@@ -103,10 +103,10 @@ std::vector<std::pair<std::string, Claims>> AnalysisThread::by_source(
   return ordered;
 }
 
-storage::WriteCount AnalysisThread::process(const std::vector<ClaimedLoop>& claims) {
+storage::WriteCount AnalysisWorker::process(const std::vector<ClaimedLoop>& claims) {
   /// Whatever happens, nothing is held afterwards.
   struct Clear {
-    AnalysisThread& lane;
+    AnalysisWorker& lane;
     ~Clear() {
       lane.desk_.drop();
       lane.suspect_turn_ = {};
@@ -126,7 +126,7 @@ storage::WriteCount AnalysisThread::process(const std::vector<ClaimedLoop>& clai
   return sum;
 }
 
-storage::WriteCount AnalysisThread::process_source(const std::string& source,
+storage::WriteCount AnalysisWorker::process_source(const std::string& source,
                                                    const Claims& claims) {
   Batch batch;
   batch.cost.loops = claims.size();
@@ -143,7 +143,7 @@ storage::WriteCount AnalysisThread::process_source(const std::string& source,
   return count;
 }
 
-std::size_t AnalysisThread::analyse(Batch& batch) {
+std::size_t AnalysisWorker::analyse(Batch& batch) {
   const AnalysisOrders orders{*settings_, settings_json_, enabled_loops()};
   Stopwatch watch;
   const CoreGate::Permit core = take_core({tools_.cores, desk_});
@@ -162,7 +162,7 @@ std::size_t AnalysisThread::analyse(Batch& batch) {
   return lost;
 }
 
-void AnalysisThread::complete(const LoopTask& visit, const AnalysisOrders& orders, Batch& batch) {
+void AnalysisWorker::complete(const LoopTask& visit, const AnalysisOrders& orders, Batch& batch) {
   try {
     batch.completed.push_back(complete_visit(visit, batch.stored, orders));
   } catch (const std::exception& error) {
@@ -170,7 +170,7 @@ void AnalysisThread::complete(const LoopTask& visit, const AnalysisOrders& order
   }
 }
 
-storage::WriteCount AnalysisThread::write(const Claims& claims, Batch& batch) {
+storage::WriteCount AnalysisWorker::write(const Claims& claims, Batch& batch) {
   Stopwatch watch;
   storage::WriteCount count;
   try {
@@ -186,7 +186,7 @@ storage::WriteCount AnalysisThread::write(const Claims& claims, Batch& batch) {
 }
 
 /// One loop's row is refused, and with it the whole transaction: the others do without it.
-storage::WriteCount AnalysisThread::write_one_by_one(const Claims& claims, Batch& batch) {
+storage::WriteCount AnalysisWorker::write_one_by_one(const Claims& claims, Batch& batch) {
   storage::WriteCount sum;
   for (const storage::CompletedLoop& loop : std::exchange(batch.completed, {})) {
     try {
@@ -202,7 +202,7 @@ storage::WriteCount AnalysisThread::write_one_by_one(const Claims& claims, Batch
   return sum;
 }
 
-storage::WriteCount AnalysisThread::finish(const std::vector<storage::CompletedLoop>& completed,
+storage::WriteCount AnalysisWorker::finish(const std::vector<storage::CompletedLoop>& completed,
                                            const std::vector<storage::FailedLoop>& failed) {
   const storage::WriteCount count = with_retry(
       [&](storage::ResultsDatabase& database) { return database.finish(completed, failed); });
@@ -217,7 +217,7 @@ storage::WriteCount AnalysisThread::finish(const std::vector<storage::CompletedL
 /// What could not be brought to its end goes back without blame, so that no lease is lost for a
 /// fault that is not the loops': at once when the process stops, else after a pause. Where that
 /// fails too they go back before the next claim, or the claims run out.
-void AnalysisThread::give_back(const std::string& reason) {
+void AnalysisWorker::give_back(const std::string& reason) {
   const std::vector<ClaimedLoop> held = desk_.held();
   if (held.empty()) return;
   std::vector<storage::FailedLoop> failed;
@@ -237,7 +237,7 @@ void AnalysisThread::give_back(const std::string& reason) {
 }
 
 /// Counted anew now and then: the catalogue changes slowly.
-std::size_t AnalysisThread::enabled_loops() {
+std::size_t AnalysisWorker::enabled_loops() {
   const Clock::time_point now = Clock::now();
   if (!counted_at_ || now - *counted_at_ > kCountEvery) {
     enabled_loops_ = with_retry(
@@ -247,12 +247,12 @@ std::size_t AnalysisThread::enabled_loops() {
   return enabled_loops_;
 }
 
-void AnalysisThread::store_cost() {
+void AnalysisWorker::store_cost() {
   store_cost(costs_.take(true));
 }
 
 /// The record of costs is worth less than the work: without it, that goes on.
-void AnalysisThread::store_cost(const std::optional<storage::StageCost>& cost) {
+void AnalysisWorker::store_cost(const std::optional<storage::StageCost>& cost) {
   if (!cost) return;
   try {
     results_.with([&](storage::ResultsDatabase& database) {
