@@ -9,6 +9,7 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
+#include "daemon/plant/judge_repairs.hpp"
 #include "daemon/plant/plant_watch.hpp"
 #include "daemon/service/observe/cost_text.hpp"
 #include "daemon/service/observe/log.hpp"
@@ -49,6 +50,7 @@ void once(const std::string& config_file) {
     std::signal(pass.signal, SIG_DFL);
     std::raise(pass.signal);
   }
+  judge_repairs(*settings, tools);
   compare_all_loops(*settings, tools);
   if (!pass.first_failure) return;
   throw Failure(pass.first_failure->exit_code(),

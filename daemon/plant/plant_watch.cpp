@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 #include <utility>
 
+#include "daemon/plant/judge_repairs.hpp"
 #include "daemon/plant/plant_round.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/observe/stopwatch.hpp"
@@ -16,24 +17,25 @@ namespace loopscope::daemon {
 namespace {
 
 constexpr const char* kRoundSubject = "plant round";
+constexpr const char* kRepairsSubject = "repairs";
 /// Another worker that is at it may be lost with its turn: so long, and others look again.
 constexpr double kLookAgain_s = 60.0;
 
 /// A round reads every oscillating loop: one that fails is not tried again at once.
 constexpr std::chrono::minutes kAfterFailure{5};
 
-/// Whether the step ends without an exception; one is a fault for the log.
+/// Whether the step ends without an exception; one is a fault of the subject for the log.
 template <typename Step>
-bool goes_well(FaultLog& faults, Step step) {
+bool goes_well(FaultLog& faults, const char* subject, Step step) {
   try {
     step();
     return true;
   } catch (const storage::DatabaseError& error) {
-    faults.fault(kRoundSubject, std::string(error.what()) + " HINT: " + error.hint());
+    faults.fault(subject, std::string(error.what()) + " HINT: " + error.hint());
   } catch (const Failure& failure) {
-    faults.fault(kRoundSubject, std::string(failure.what()) + " HINT: " + failure.hint());
+    faults.fault(subject, std::string(failure.what()) + " HINT: " + failure.hint());
   } catch (const std::exception& error) {
-    faults.fault(kRoundSubject, error.what());
+    faults.fault(subject, error.what());
   }
   return false;
 }
@@ -102,7 +104,7 @@ std::optional<double> PlantWatch::compare(storage::PlantRounds& rounds,
     count_refusal(turn.holder);
     wait_s = turn.wait_s.value_or(wait_s);
   };
-  if (goes_well(tools_.faults, round)) return wait_s;
+  if (goes_well(tools_.faults, kRoundSubject, round)) return wait_s;
   next_round_ = Clock::now() + kAfterFailure;
   return std::nullopt;
 }
@@ -115,12 +117,20 @@ void PlantWatch::count_refusal(const std::string& holder) {
 }
 
 double PlantWatch::look(const config::Settings& settings) {
+  const double pause_s = look_at_plant(settings);
+  if (goes_well(tools_.faults, kRepairsSubject, [&] { judge_repairs(settings, tools_); }))
+    tools_.faults.recovered(kRepairsSubject);
+  return pause_s;
+}
+
+double PlantWatch::look_at_plant(const config::Settings& settings) {
   const config::PlantSettings& plant = settings.plant;
   double pause_s = kLookAgain_s;
   if (plant.round_s <= 0.0 && plant.notice_s <= 0.0) return pause_s;
   std::optional<storage::PlantRounds> rounds;
-  bool well = goes_well(
-      tools_.faults, [&] { rounds.emplace(results_connection(settings), tools_.clocks.check()); });
+  bool well = goes_well(tools_.faults, kRoundSubject, [&] {
+    rounds.emplace(results_connection(settings), tools_.clocks.check());
+  });
   if (!well) return settings.schedule.poll_s;
   if (plant.round_s > 0.0) {
     const auto wait_s = compare(*rounds, settings);
@@ -129,7 +139,7 @@ double PlantWatch::look(const config::Settings& settings) {
   }
   if (plant.notice_s > 0.0) {
     // Whatever became of the round: the loops of a historian that answers are flagged meanwhile.
-    well &= goes_well(tools_.faults, [&] { announce(*rounds); });
+    well &= goes_well(tools_.faults, kRoundSubject, [&] { announce(*rounds); });
     pause_s = std::min(pause_s, plant.notice_s);
   }
   if (well) tools_.faults.recovered(kRoundSubject);

@@ -17,8 +17,8 @@ namespace loopscope::daemon {
 /// What is to be said of all loops together, on a thread of its own: compares them with each other
 /// every `plant.round_s` (one worker of the plant at a time does), and tells listeners of the
 /// results database of loops that are newly flagged (NOTIFY), every `plant.notice_s`, whether the
-/// comparison succeeds or not. Lanes go on whatever happens here; a database that is away is a
-/// fault for the log.
+/// comparison succeeds or not; judges repairs at every look, once a minute at least. Lanes go on
+/// whatever happens here; a database that is away is a fault for the log.
 class PlantWatch {
  public:
   PlantWatch(std::shared_ptr<const config::Settings> settings, SharedServices& tools);
@@ -31,6 +31,8 @@ class PlantWatch {
 
   /// Does what is due; seconds until the next look.
   double look(const config::Settings& settings);
+  /// The comparison and the notices, as far as the settings want them.
+  double look_at_plant(const config::Settings& settings);
   /// Compares when it is time; seconds until it will be, nullopt = it failed, now or lately.
   std::optional<double> compare(storage::PlantRounds& rounds, const config::Settings& settings);
   /// Says who has the turn when it has been another's at many looks in a row.

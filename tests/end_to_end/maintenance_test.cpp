@@ -32,7 +32,17 @@ TEST_F(MaintenanceTest, WorkIsEnteredAndListed) {
   const ProgramResult list = plant.loopscope("maintenance", {"list", "--loop", "FIC101"});
   EXPECT_EQ(list.exit_code, 0) << list.err;
   EXPECT_THAT(list.out, AllOf(HasSubstr("2026-03-01T13:30:00Z  -  FIC101  valve: new packing\n"),
-                              HasSubstr("    Not judged: no usable window")));
+                              HasSubstr("    Not judged yet: a running service judges it")));
+}
+
+TEST_F(MaintenanceTest, APassJudgesIt) {
+  EXPECT_EQ(add("FIC101", "2026-03-01 12:00", "valve").exit_code, 0);
+  plant.import_loop("FIC101", 4096);
+  const ProgramResult pass = plant.loopscope("once");
+  EXPECT_EQ(pass.exit_code, 0) << pass.err;
+  EXPECT_THAT(pass.err, HasSubstr("repairs: 1 judged"));
+  EXPECT_THAT(plant.loopscope("maintenance", {"list"}).out,
+              HasSubstr("    Not judged: no usable window lies before this work"));
 }
 
 TEST_F(MaintenanceTest, MistakesAreExplained) {

@@ -1,4 +1,4 @@
-// Simulated repairs, diagnosed, stored and judged by the view before_after_maintenance.
+// Simulated repairs, diagnosed, stored and judged as the daemon does.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -71,7 +71,7 @@ void add_options(CLI::App& program, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App program{"Judges simulated repairs by the view before_after_maintenance."};
+  CLI::App program{"Judges simulated repairs, diagnosed and stored as the daemon does."};
   Options options;
   add_options(program, options);
   try {

@@ -3,6 +3,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "daemon/plant/judge_repairs.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 #include "storage/results/results_database.hpp"
 
@@ -54,6 +55,9 @@ std::vector<storage::MaintenanceRow> store_repairs(const storage::ConnectionSett
   write_analyses(database, repairs);
   storage::MaintenanceLog log(database);
   if (!log.add(work).empty()) throw std::runtime_error("the log of work refused a repair");
+  storage::RepairJudgements judgements(database);
+  while (daemon::judge_some_repairs(judgements) > 0) {
+  }
   std::map<std::string, storage::MaintenanceRow> by_name;
   for (storage::MaintenanceRow& row : log.list()) by_name[row.entry.loop_name] = std::move(row);
   std::vector<storage::MaintenanceRow> rows;

@@ -52,6 +52,7 @@ class BeforeAfterTest : public ViewsTest {
         when + " '2026-01-01 20:00+00'");
   }
   [[nodiscard]] std::string of(const std::string& column) const {
+    judge_repairs();
     return value("SELECT " + column +
                  " FROM loopscope.before_after_maintenance ORDER BY done_at"
                  " LIMIT 1");
@@ -82,6 +83,7 @@ TEST_F(BeforeAfterTest, OtherWorkBoundsTheWindows) {
   work_at(14);
   see({12, 16, 18, 24, 28}, {});
   work_at(26);
+  judge_repairs();
   EXPECT_THAT(column("SELECT windows_before || ' ' || windows_after"
                      " FROM loopscope.before_after_maintenance ORDER BY done_at"),
               ElementsAre("1 2", "2 1", "1 1"));
@@ -90,6 +92,7 @@ TEST_F(BeforeAfterTest, OtherWorkBoundsTheWindows) {
 TEST_F(BeforeAfterTest, WorkOfOneTimeIsComparedTogether) {
   see({16, 18, 24, 28}, {});
   work_at(20);
+  judge_repairs();
   EXPECT_THAT(column("SELECT windows_before || ' ' || windows_after"
                      " FROM loopscope.before_after_maintenance"),
               ElementsAre("2 2", "2 2"));
@@ -102,6 +105,7 @@ TEST_F(BeforeAfterTest, WorkWithoutAWindowBetweenIsOneJob) {
   see({21}, {});  // mixes before and after
   see({24, 26}, {.code = kHealthy, .error_std = 1.0, .harris = 0.8});
   see({34}, {.code = kHealthy});
+  judge_repairs();
   EXPECT_EQ(database->rows("SELECT windows_before, windows_after, word"
                            " FROM loopscope.before_after_maintenance ORDER BY done_at"),
             (TextRows{{"2", "2", "fixed"}, {"2", "2", "fixed"}, {"2", "1", "unchanged"}}));

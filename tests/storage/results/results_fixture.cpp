@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "storage/results/catalogue/repair_judgements.hpp"
 #include "storage/results/schema/embedded_migrations.hpp"
 #include "storage/results/schema/migrate.hpp"
 
@@ -141,6 +142,17 @@ void ResultsTest::add_loops(const std::vector<std::string>& names) {
 
 std::vector<ClaimedLoop> ResultsTest::claim_all(ResultsDatabase& results, double lease_s) {
   return results.claim_due("worker", lease_s, 1000);
+}
+
+void ResultsTest::judge_repairs() const {
+  database->execute("DELETE FROM loopscope.repair_judgement");
+  RepairJudgements judgements(settings_for(*database));
+  std::vector<JudgedRepair> judged;
+  for (DueRepair& due : judgements.due(1000)) {
+    auto judgement = core::repair::judge_repair(due.windows);
+    judged.push_back({std::move(due), std::move(judgement)});
+  }
+  judgements.store(judged);
 }
 
 }  // namespace loopscope::storage

@@ -51,6 +51,8 @@ class ResultsTest : public testing::Test {
   void add_loops(const std::vector<std::string>& names);
   /// Claims everything that is due.
   std::vector<ClaimedLoop> claim_all(ResultsDatabase& results, double lease_s = 100.0);
+  /// Judges all repairs anew, whether they are due or not.
+  void judge_repairs() const;
   [[nodiscard]] ResultsDatabase connect() const { return ResultsDatabase(settings_for(*database)); }
   [[nodiscard]] std::string value(const std::string& sql) const { return database->value(sql); }
 

@@ -12,7 +12,7 @@ namespace {
 using testing::IsEmpty;
 
 /// list_false_share, of schema 22; list_leave_share and list_enough_windows, of 24;
-/// list_least_probability, of 25; list_leave_probability, of 26. Schema 27 has none.
+/// list_least_probability, of 25; list_leave_probability, of 26. Schemas 27 and 28 have none.
 std::size_t new_parameters(int former) {
   if (former < 22) return 5;
   if (former < 24) return 4;
@@ -26,7 +26,7 @@ class UpgradeFromTest : public UpgradeTest, public testing::WithParamInterface<i
   UpgradeFromTest() : UpgradeTest(GetParam()) {}
 };
 INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest,
-                         testing::Values(15, 17, 18, 19, 20, 21, 22, 24, 25, 26));
+                         testing::Values(15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27));
 
 TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
   const ConnectionSettings as_owner = settings_for(*database, owner);

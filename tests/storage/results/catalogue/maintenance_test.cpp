@@ -25,6 +25,8 @@ MaintenanceEntry packing(const std::string& loop, int hours) {
 TEST_F(MaintenanceTest, WhatIsEnteredIsListed) {
   add_loops({"b", "a"});
   EXPECT_THAT(log().add(std::vector{packing("b", 2), packing("a", 3), packing("a", 1)}), IsEmpty());
+  EXPECT_THAT(log().list().at(0).statement, HasSubstr("a running service judges it"));
+  judge_repairs();
   const std::vector<MaintenanceRow> rows = log().list();
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0].entry.loop_name, "a");

@@ -140,12 +140,12 @@ TEST_F(ReportDatabaseTest, RepairsWithTheirFigures) {
   database->execute(
       "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description)"
       " SELECT loop_id, '2026-01-01 05:00+00', 'valve', 'new packing' FROM loopscope.loop");
+  judge_repairs();
   const std::vector<RepairRow> repairs = report().repairs(slot(0));
   ASSERT_THAT(repairs, SizeIs(1));
   EXPECT_EQ(repairs[0].loop_name, "a");
   EXPECT_EQ(repairs[0].done_at_us, slot(5));
-  EXPECT_EQ(repairs[0].kind, "valve");
-  EXPECT_EQ(repairs[0].description, "new packing");
+  EXPECT_EQ(repairs[0].kind + ": " + repairs[0].description, "valve: new packing");
   EXPECT_EQ(repairs[0].code_before, "valve_stiction");
   EXPECT_EQ(repairs[0].code_after, "healthy");
   EXPECT_EQ(repairs[0].windows_before, 1);

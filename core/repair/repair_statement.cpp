@@ -1,0 +1,148 @@
+#include "core/repair/repair_statement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace loopscope::core::repair {
+namespace {
+
+/// A code or a figure's name as words.
+std::string words(std::string_view name) {
+  std::string text(name);
+  std::ranges::replace_if(
+      text, [](char c) { return c == '_' || c == '.'; }, ' ');
+  return text;
+}
+
+std::string in_format(double value, std::chars_format format, int digits) {
+  std::array<char, 400> text{};  // the largest number without an exponent has 309 digits
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
+  return {text.data(), end.ptr};
+}
+
+/// Three significant digits, with an exponent only where nobody would read the number off a
+/// display: 12300, not 1.23e+04.
+std::string number(double value) {
+  const std::string text = in_format(value, std::chars_format::general, 3);
+  double rounded = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), rounded);
+  if (std::abs(rounded) < 1e3 || std::abs(rounded) >= 1e7) return text;
+  return in_format(rounded, std::chars_format::fixed, 0);
+}
+
+std::string ratio(double value) {
+  return in_format(value, std::chars_format::fixed, 2);
+}
+
+std::string of_windows(std::size_t some, std::size_t all) {
+  return std::to_string(some) + " of " + std::to_string(all) + " windows";
+}
+
+std::string from_to(const FigureChange& figure) {
+  return "went from " + number(figure.before->value) + " to " + number(figure.after->value);
+}
+
+std::string spread_text(const FigureChange* spread) {
+  if (spread == nullptr || !spread->change) return "no window on one side has an error.";
+  return "the error's standard deviation " + from_to(*spread) + " (x " +
+         ratio(spread->change->value) + ", 90 % interval " + ratio(spread->change->low) + " to " +
+         ratio(spread->change->high) + ").";
+}
+
+std::string capital(std::string_view word) {
+  std::string text(word);
+  text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
+class Sentence {
+ public:
+  Sentence(const RepairWindows& windows, const RepairJudgement& judgement,
+           const StatementFigures& figures)
+      : windows_(windows), judgement_(judgement), figures_(figures) {
+    if (judgement.fault_before)
+      was_ = words(judgement.fault_before->code);
+    else if (!figures.suspected.empty())
+      was_ = words(figures.suspected);
+  }
+
+  [[nodiscard]] std::string text() const {
+    if (windows_.before.empty())
+      return "Not judged: no usable window lies before this work and after any earlier one.";
+    if (windows_.after.empty()) return not_yet();
+    return what_came_of_it() + spread_text(figures_.spread) + what_is_left() + what_is_back();
+  }
+
+ private:
+  [[nodiscard]] std::string not_yet() const {
+    if (windows_.refused.empty())
+      return "Not judged yet: no window lies wholly after the work and before the next.";
+    return "Not judged yet: the data after the work cannot be used: " + windows_.refused + ".";
+  }
+
+  /// Up to the semicolon behind which the error stands.
+  [[nodiscard]] std::string what_came_of_it() const {
+    const std::string start = capital(name(*judgement_.outcome)) + ": ";
+    if (judgement_.outcome == Outcome::fixed)
+      return start + was_ + ", which " + stood() + " before, is gone; ";
+    if (judgement_.fault_after) return start + is_now() + " " + change_of_fault();
+    if (judgement_.outcome != Outcome::unchanged) return start;
+    return start + "no fault stands" + (was_.empty() ? "" : ", before it was " + was_) + "; ";
+  }
+
+  /// "valve stiction (2 of 2 windows)".
+  [[nodiscard]] std::string is_now() const {
+    return words(judgement_.fault_after->code) + " (" +
+           of_windows(judgement_.fault_after->windows, judgement_.windows_after) + ")";
+  }
+
+  [[nodiscard]] std::string stood() const {
+    if (!judgement_.fault_before) return "was suspected";
+    return "stood in " + of_windows(judgement_.fault_before->windows, judgement_.windows_before);
+  }
+
+  [[nodiscard]] std::string change_of_fault() const {
+    const auto& was = judgement_.fault_before;
+    const Outcome outcome = *judgement_.outcome;
+    if (!was || was->family != judgement_.fault_after->family)
+      return std::string(outcome == Outcome::worse ? "is new" : "stands") +
+             (was_.empty() ? ", before there was no fault; " : ", before it was " + was_ + "; ");
+    const std::string size = figures_.size == nullptr ? ""
+                                                      : "its " + words(figures_.size->kind->name) +
+                                                            " " + from_to(*figures_.size) + "; ";
+    if (outcome == Outcome::improved) return "is left, but less; " + size;
+    if (outcome == Outcome::worse) return "still stands, and more; " + size;
+    return "stands as before; " + size;
+  }
+
+  [[nodiscard]] std::string what_is_left() const {
+    if (judgement_.outcome != Outcome::fixed || !judgement_.fault_after) return "";
+    return " What is left: " + is_now() + ".";
+  }
+
+  /// The comparison ends after six windows; a fault may come back later.
+  [[nodiscard]] std::string what_is_back() const {
+    if (judgement_.outcome != Outcome::fixed || !judgement_.fault_before || !windows_.newest ||
+        windows_.newest->family != judgement_.fault_before->family ||
+        windows_.newest->confidence < windows_.min_confidence)
+      return "";
+    return " It is back in the newest window, of " + windows_.newest->slot_end + " UTC.";
+  }
+
+  const RepairWindows& windows_;
+  const RepairJudgement& judgement_;
+  const StatementFigures& figures_;
+  std::string was_;  ///< the fault before, in words; empty = none stood or was suspected
+};
+
+}  // namespace
+
+std::string repair_statement(const RepairWindows& windows, const RepairJudgement& judgement,
+                             const StatementFigures& figures) {
+  return Sentence(windows, judgement, figures).text();
+}
+
+}  // namespace loopscope::core::repair
