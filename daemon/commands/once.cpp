@@ -10,8 +10,9 @@
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/plant/plant_watch.hpp"
-#include "daemon/service/observe/cost_text.hpp"
 #include "daemon/service/observe/log.hpp"
+#include "daemon/service/observe/stage_timings.hpp"
+#include "daemon/service/observe/work_report.hpp"
 #include "daemon/service/pass.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
 

@@ -1,11 +1,18 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "storage/results/results_database.hpp"
 #include "storage/stage_cost.hpp"
 
 namespace loopscope::daemon {
+
+/// `sum` grown by `more`.
+void add(storage::WriteCount& sum, const storage::WriteCount& more);
+
+/// "24 loops: 20 new, 1 revised, 3 unchanged, 0 failed"
+[[nodiscard]] std::string count_text(const storage::WriteCount& count);
 
 /// Tells the log what a lane did and where its time went: once at the end of its work, and once a
 /// minute while it lasts, so that neither a large plant floods the log nor a long pass is silent.

@@ -1,4 +1,4 @@
-#include "daemon/service/windows/newest_slots.hpp"
+#include "daemon/service/windows/loop_slot.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +84,18 @@ std::vector<LoopSlot> newest_slots(HistorianReader& historian,
     slot.end_us = slot_end(*claim, slot.tags, now_us, settings);
   }
   return slots;
+}
+
+LoopSlot past_slot(const storage::CatalogueEntry& loop, std::int64_t slot_end_us) {
+  LoopSlot slot{&loop, slot_end_us, {}};
+  for (const TagRole& role : kTagRoles) {
+    if ((loop.*role.tag).empty()) continue;
+    TagReading reading;
+    reading.role = role.name;
+    reading.newest_row_us = slot_end_us;
+    slot.tags.push_back(reading);
+  }
+  return slot;
 }
 
 }  // namespace loopscope::daemon

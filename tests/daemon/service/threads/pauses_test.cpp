@@ -1,7 +1,9 @@
-#include "daemon/service/idle_pause.hpp"
+#include "daemon/service/threads/pauses.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <set>
+#include <thread>
 
 namespace loopscope::daemon {
 namespace {
@@ -9,6 +11,48 @@ namespace {
 using testing::AllOf;
 using testing::Ge;
 using testing::Le;
+
+using namespace std::chrono_literals;
+
+TEST(StopSignal, WithoutItAPauseIsWhole) {
+  StopSignal bell;
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(bell.sleep_for(20ms));
+  EXPECT_GE(std::chrono::steady_clock::now() - start, 20ms);
+}
+
+TEST(StopSignal, EndsAPauseAtOnceAndEveryLaterOne) {
+  StopSignal bell;
+  std::jthread ringer([&] {
+    std::this_thread::sleep_for(20ms);
+    bell.ring();
+  });
+  EXPECT_FALSE(bell.sleep_for(1h));
+  EXPECT_FALSE(bell.sleep_for(1h));
+  EXPECT_TRUE(bell.rung());
+}
+
+TEST(RetryPause, DoublesUpToTheLongestWithJitter) {
+  RetryPause pause(2.0);
+  for (const double whole_s : {0.25, 0.5, 1.0, 2.0, 2.0, 2.0}) {
+    const double pause_s = pause.next_s();
+    EXPECT_GE(pause_s, 0.5 * whole_s);
+    EXPECT_LE(pause_s, whole_s);
+  }
+  pause.reset();
+  EXPECT_LE(pause.next_s(), 0.25);
+}
+
+TEST(RetryPause, NeverExceedsAShortPoll) {
+  RetryPause pause(0.1);
+  for (int k = 0; k < 50; ++k) EXPECT_LE(pause.next_s(), 0.1);
+}
+
+TEST(RetryPause, WorkersDoNotComeBackInStep) {
+  std::set<double> pauses_s;
+  for (int worker = 0; worker < 50; ++worker) pauses_s.insert(RetryPause(10.0).next_s());
+  EXPECT_GT(pauses_s.size(), 40u);
+}
 
 constexpr double kPoll_s = 10.0;
 

@@ -1,4 +1,4 @@
-#include "daemon/service/threads/thread_priority.hpp"
+#include "daemon/service/threads/core_gate.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>

@@ -1,10 +1,15 @@
-#include "daemon/service/idle_pause.hpp"
+#include "daemon/service/threads/pauses.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace loopscope::daemon {
 namespace {
+
+constexpr double kFirst_s = 0.25;
+/// Beyond any longest pause; larger exponents would only overflow.
+constexpr int kMostTriesCounted = 20;
 
 /// All lanes of a plant are spread over so much.
 constexpr double kSpread_s = 0.05;
@@ -17,6 +22,13 @@ double spread_s() {
 }
 
 }  // namespace
+
+double RetryPause::next_s() {
+  const double whole_s =
+      std::min(std::ldexp(kFirst_s, std::min(tries_, kMostTriesCounted)), longest_s_);
+  ++tries_;
+  return std::uniform_real_distribution<double>(0.5 * whole_s, whole_s)(random_);
+}
 
 double idle_pause_s(const Look& look, double poll_s, std::optional<double> source_opens_in_s,
                     RetryPause& pause) {
