@@ -12,8 +12,8 @@
 #include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/loop_model.hpp"
 #include "daemon/service/windows/window_reader.hpp"
-#include "storage/analysis_record.hpp"
 #include "storage/catalogue_entry.hpp"
+#include "storage/loop_work.hpp"
 #include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {

@@ -1,4 +1,4 @@
-#include "storage/results/plant/plant_picture_json.hpp"
+#include "storage/results/plant/plant_picture.hpp"
 
 #include <array>
 #include <charconv>
