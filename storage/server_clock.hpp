@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <string>
 
 namespace loopscope::storage {
 
@@ -18,5 +20,9 @@ struct ServerClock {
 /// Told the clock of the results server at the beginning of every transaction that claims or
 /// writes, whose now() it is; throws DatabaseError where that clock is not to be believed.
 using ClockCheck = std::function<void(const ServerClock&)>;
+
+/// By how many seconds each clock was ahead of the results server's (negative: behind) when a
+/// person said that the server's is right; by clock: "host NAME", "historian NAME".
+using AcceptedClocks = std::map<std::string, double>;
 
 }  // namespace loopscope::storage

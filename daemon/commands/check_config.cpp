@@ -11,7 +11,7 @@
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
-#include "storage/finding.hpp"
+#include "storage/check_connection.hpp"
 #include "storage/historian/check_historian.hpp"
 #include "storage/results/schema/check_results.hpp"
 

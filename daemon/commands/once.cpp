@@ -11,8 +11,9 @@
 #include "daemon/commands/commands.hpp"
 #include "daemon/plant/judge_repairs.hpp"
 #include "daemon/plant/plant_watch.hpp"
-#include "daemon/service/observe/cost_text.hpp"
 #include "daemon/service/observe/log.hpp"
+#include "daemon/service/observe/stage_timings.hpp"
+#include "daemon/service/observe/work_report.hpp"
 #include "daemon/service/pass.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
 

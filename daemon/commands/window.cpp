@@ -12,7 +12,7 @@
 #include "daemon/output/window_csv.hpp"
 #include "daemon/output/write_file.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/windows/newest_slots.hpp"
+#include "daemon/service/windows/loop_slot.hpp"
 #include "daemon/service/windows/row_memory.hpp"
 #include "daemon/service/windows/window_reader.hpp"
 #include "daemon/text/failure.hpp"

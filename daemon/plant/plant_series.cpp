@@ -10,9 +10,9 @@
 
 #include "core/signal/microseconds.hpp"
 #include "core/signal/prepare.hpp"
-#include "daemon/service/historians/source_terms.hpp"
+#include "daemon/service/historians/source_gate.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/windows/past_slot.hpp"
+#include "daemon/service/windows/loop_slot.hpp"
 #include "daemon/service/windows/row_memory.hpp"
 #include "daemon/service/windows/window_reader.hpp"
 

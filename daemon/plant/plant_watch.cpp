@@ -8,7 +8,7 @@
 #include "daemon/plant/judge_repairs.hpp"
 #include "daemon/plant/plant_round.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/observe/stopwatch.hpp"
+#include "daemon/service/observe/stage_timings.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "storage/analysis_record.hpp"
+#include "storage/loop_work.hpp"
 
 namespace loopscope::daemon {
 

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include "config/analysis_settings_json.hpp"
-#include "daemon/service/batches/analyse_window.hpp"
+#include "daemon/service/batches/loop_task.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/windows/past_slot.hpp"
+#include "daemon/service/windows/loop_slot.hpp"
 #include "daemon/service/windows/row_memory.hpp"
 #include "daemon/text/failure.hpp"
 

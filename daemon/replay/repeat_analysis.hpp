@@ -1,7 +1,7 @@
 #pragma once
 
 #include "config/settings.hpp"
-#include "storage/analysis_record.hpp"
+#include "storage/loop_work.hpp"
 #include "storage/results/reports/analysis_archive.hpp"
 
 namespace loopscope::daemon {

@@ -15,7 +15,7 @@
 #include "daemon/output/followed_path.hpp"
 #include "daemon/report/folder_lock.hpp"
 #include "daemon/report/report.hpp"
-#include "daemon/service/threads/thread_priority.hpp"
+#include "daemon/service/threads/core_gate.hpp"
 #include "daemon/service/windows/slot.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/time_text.hpp"

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "config/read_settings.hpp"
-#include "daemon/service/batches/batch_cost.hpp"
+#include "daemon/service/batches/batch.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/observe/error_scope.hpp"
-#include "daemon/service/observe/stopwatch.hpp"
+#include "daemon/service/observe/stage_timings.hpp"
+#include "daemon/service/observe/work_report.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
 #include "daemon/text/failure.hpp"
 

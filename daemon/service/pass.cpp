@@ -12,7 +12,8 @@
 
 #include "daemon/service/analysis_worker.hpp"
 #include "daemon/service/heartbeat.hpp"
-#include "daemon/service/observe/stopwatch.hpp"
+#include "daemon/service/observe/stage_timings.hpp"
+#include "daemon/service/observe/work_report.hpp"
 #include "daemon/service/progress_bar.hpp"
 #include "daemon/service/shared/compare_clocks.hpp"
 #include "daemon/service/threads/worker_identity.hpp"

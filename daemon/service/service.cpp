@@ -22,11 +22,11 @@
 #include "daemon/service/analysis_worker.hpp"
 #include "daemon/service/heartbeat.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/idle_pause.hpp"
 #include "daemon/service/observe/log.hpp"
+#include "daemon/service/observe/work_report.hpp"
 #include "daemon/service/service_watch.hpp"
+#include "daemon/service/threads/pauses.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
-#include "daemon/service/work_report.hpp"
 #include "storage/check_connection.hpp"
 
 namespace loopscope::daemon {

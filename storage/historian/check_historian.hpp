@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "storage/check_connection.hpp"
 #include "storage/connection_settings.hpp"
-#include "storage/finding.hpp"
 #include "storage/historian/source_layout.hpp"
 
 namespace loopscope::storage {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "storage/finding.hpp"
+#include "storage/check_connection.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
 

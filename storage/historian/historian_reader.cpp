@@ -10,7 +10,6 @@
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
-#include "storage/historian/run_decoded.hpp"
 #include "storage/historian/scan_reader.hpp"
 #include "storage/historian/scan_rows.hpp"
 #include "storage/historian/scan_statements.hpp"

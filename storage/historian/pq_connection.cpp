@@ -5,7 +5,7 @@
 #include <new>
 #include <poll.h>
 
-#include "storage/patience.hpp"
+#include "storage/connection_settings.hpp"
 #include "storage/utf8.hpp"
 
 namespace loopscope::storage {

@@ -13,6 +13,7 @@
 
 #include "storage/connection_settings.hpp"
 #include "storage/explain_error.hpp"
+#include "storage/historian/binary_array.hpp"
 #include "storage/historian/pq_rows.hpp"
 #include "storage/session_setup.hpp"
 #include "storage/statement.hpp"
@@ -26,7 +27,7 @@ enum class ResultFormat { text = 0, binary = 1 };
 inline constexpr std::size_t kLongestIdentifier = 63;
 
 /// One libpq connection to a historian: binary results, COPY, and a deadline of our own
-/// (patience.hpp), after which the statement is cancelled. Its search path is pg_catalog alone,
+/// (patience()), after which the statement is cancelled. Its search path is pg_catalog alone,
 /// unless `options` in the connection string sets another one. No statement runs in a session that
 /// is not set up (session_setup.hpp).
 class PqConnection {
@@ -95,5 +96,21 @@ class PqConnection {
   Clock::time_point deadline_;
   std::function<void()> told_;
 };
+
+/// Runs `read(rows)` on the answer and turns bytes that make no sense into a database error.
+template <typename Read>
+void run_decoded(PqConnection& connection, const Statement& statement,
+                 const std::vector<std::string>& parameters, Read read) {
+  const PqRows rows = connection.run(statement, parameters, ResultFormat::binary);
+  try {
+    read(rows);
+  } catch (const MalformedArray& error) {
+    throw DatabaseError(
+        std::string(error.what()) + ", statement " + statement.name + ", " + connection.target(),
+        "the server answered in a form that this program does not know: report "
+        "this with the server's version",
+        Remedy::give_up);
+  }
+}
 
 }  // namespace loopscope::storage

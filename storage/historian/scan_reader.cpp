@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "storage/historian/native_time.hpp"
-#include "storage/historian/run_decoded.hpp"
+#include "storage/historian/pq_connection.hpp"
 #include "storage/historian/scan_statements.hpp"
 #include "storage/timestamp.hpp"
 

@@ -3,11 +3,9 @@
 #include <algorithm>
 
 #include "storage/array_literal.hpp"
-#include "storage/results/leases/claim_due.hpp"
+#include "storage/results/leases/claim_loops.hpp"
 #include "storage/results/leases/finish_loops.hpp"
-#include "storage/results/leases/recall_stray.hpp"
-#include "storage/results/rows/schedule_statements.hpp"
-#include "storage/results/rows/statements.hpp"
+#include "storage/results/leases/held_loops.hpp"
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/results_clock.hpp"
 #include "storage/results/session/session.hpp"
@@ -16,22 +14,67 @@
 namespace loopscope::storage {
 namespace {
 
-std::vector<ClaimedLoop> read_claims(const pqxx::result& rows) {
-  std::vector<ClaimedLoop> claimed;
-  claimed.reserve(rows.size());
-  for (const pqxx::row& row : rows) claimed.push_back(read_claim(row));
-  return claimed;
-}
+const Statement kStoredDigests{"stored_digests", R"(
+    SELECT wanted.loop_id, (extract(epoch FROM wanted.slot_end) * 1000000)::bigint AS slot_end_us,
+           analysis.input_digest, analysis.usable, analysis.same_settings,
+           analysis.modelled
+    FROM unnest($1::bigint[], $2::timestamptz[]) AS wanted (loop_id, slot_end)
+    CROSS JOIN LATERAL (
+      SELECT stored.input_digest, stored.settings = $4::jsonb AS same_settings,
+             stored.model IS NOT NULL AS modelled,
+             stored.usable OR 'pv_frozen' = ANY (stored.flags) AS usable
+      FROM loopscope.analysis AS stored
+      WHERE stored.loop_id = wanted.loop_id AND stored.slot_end = wanted.slot_end
+        AND stored.algorithm_revision = $3::integer
+      LIMIT 1) AS analysis)"};
 
-/// The two arrays that name claims.
-std::vector<std::string> claim_keys(std::span<const ClaimedLoop> claimed) {
-  ArrayLiteral loop_id, fence;
-  for (const ClaimedLoop& claim : claimed) {
-    loop_id.add_integer(claim.loop.loop_id);
-    fence.add_integer(claim.fence);
-  }
-  return {loop_id.text(), fence.text()};
-}
+// A value that stands already is not written again: every new connection sets some, and would wait
+// for whoever holds their rows.
+const Statement kSetParameter{"set_parameter", R"(
+    WITH changed AS (
+      UPDATE loopscope.parameter SET value = $2::float8 WHERE name = $1 AND value <> $2::float8)
+    SELECT name FROM loopscope.parameter WHERE name = $1)"};
+
+const Statement kAddStageCost{"add_stage_cost", R"(
+    INSERT INTO loopscope.stage_cost AS kept
+      (hour, host, lane, loops, analysed, modelled, sample_values, claim_s, fetch_s, prepare_s,
+       statistics_s, model_s, decide_s, write_s, wait_s)
+    VALUES (date_trunc('hour', now()), $1, $2::integer, $3::bigint, $4::bigint, $5::bigint,
+            $6::bigint, $7::float8, $8::float8, $9::float8, $10::float8, $11::float8, $12::float8,
+            $13::float8, $14::float8)
+    ON CONFLICT (hour, host, lane) DO UPDATE SET
+      loops = kept.loops + EXCLUDED.loops, analysed = kept.analysed + EXCLUDED.analysed,
+      modelled = kept.modelled + EXCLUDED.modelled,
+      sample_values = kept.sample_values + EXCLUDED.sample_values,
+      claim_s = kept.claim_s + EXCLUDED.claim_s, fetch_s = kept.fetch_s + EXCLUDED.fetch_s,
+      prepare_s = kept.prepare_s + EXCLUDED.prepare_s,
+      statistics_s = kept.statistics_s + EXCLUDED.statistics_s,
+      model_s = kept.model_s + EXCLUDED.model_s, decide_s = kept.decide_s + EXCLUDED.decide_s,
+      write_s = kept.write_s + EXCLUDED.write_s, wait_s = kept.wait_s + EXCLUDED.wait_s)",
+                              Rows::none};
+
+// Of enabled loops, held ones included: then their lease ends.
+const Statement kNextDue{
+    "next_due",
+    "SELECT extract(epoch FROM visible_at - now())::float8 AS due_in_s FROM loopscope.schedule "
+    "WHERE enabled AND visible_at >= (timestamptz 'epoch' + $1::bigint * interval '1 microsecond')"
+    "  AND (visible_at, loop_id) > ((timestamptz 'epoch' + $1::bigint * interval '1 microsecond'), "
+    "$2::bigint)"
+    "  AND visible_at <= now() + $3::float8 * interval '1 second' "
+    "ORDER BY visible_at, loop_id LIMIT 1"};
+
+const Statement kSeeWorker{"see_worker", R"(
+    INSERT INTO loopscope.worker AS kept (worker, program_version, algorithm_revision, held_loops,
+                                          lost_leases)
+    VALUES ($1, $2, $3::integer, $4::integer, $5::bigint)
+    ON CONFLICT (worker) DO UPDATE SET
+      program_version = EXCLUDED.program_version,
+      algorithm_revision = EXCLUDED.algorithm_revision, last_seen = now(),
+      held_loops = EXCLUDED.held_loops, lost_leases = EXCLUDED.lost_leases)",
+                           Rows::none};
+
+const Statement kCountEnabled{"count_enabled_loops",
+                              "SELECT count(*) FROM loopscope.loop WHERE enabled", Rows::one};
 
 }  // namespace
 
@@ -44,11 +87,6 @@ struct ResultsDatabase::Impl {
   template <typename Work>
   auto transact_in_time(Work&& work) {
     return storage::transact_in_time(session, check, std::forward<Work>(work));
-  }
-  std::vector<ClaimedLoop> claim(const Statement& statement,
-                                 const std::vector<std::string>& parameters) {
-    return read_claims(transact_in_time(
-        [&](Transaction& transaction) { return transaction.run(statement, parameters); }));
   }
   Session session;
   ClockCheck check;
@@ -74,17 +112,12 @@ void ResultsDatabase::look_back(const std::vector<std::string>& but_of) {
 }
 
 std::vector<ClaimedLoop> ResultsDatabase::claim_suspect(const std::string& owner, double lease_s) {
-  const std::vector<std::string> parameters{make_storable(owner), number_text(lease_s)};
-  return read_claims(impl_->transact_in_time([&](Transaction& transaction) {
-    transaction.run(statements::kRestSuspects);
-    return transaction.run(statements::kClaimSuspect, parameters);
-  }));
+  return storage::claim_suspect(impl_->session, impl_->check, owner, lease_s);
 }
 
 std::vector<ClaimedLoop> ResultsDatabase::claim_next(const std::string& owner, double lease_s,
                                                      int limit, std::int64_t after) {
-  return impl_->claim(statements::kClaimNext, {make_storable(owner), number_text(lease_s),
-                                               std::to_string(limit), std::to_string(after)});
+  return storage::claim_next(impl_->session, impl_->check, {owner, lease_s, limit, after});
 }
 
 std::vector<StoredDigest> ResultsDatabase::stored_digests(
@@ -96,9 +129,8 @@ std::vector<StoredDigest> ResultsDatabase::stored_digests(
     slot_end.add_time(slot);
   }
   const pqxx::result rows = impl_->session.transact([&](Transaction& transaction) {
-    return transaction.run(
-        statements::kStoredDigests,
-        {loop_id.text(), slot_end.text(), std::to_string(algorithm_revision), settings_json});
+    return transaction.run(kStoredDigests, {loop_id.text(), slot_end.text(),
+                                            std::to_string(algorithm_revision), settings_json});
   });
   std::vector<StoredDigest> digests;
   for (const pqxx::row& row : rows) {
@@ -116,15 +148,13 @@ WriteCount ResultsDatabase::finish(std::span<const CompletedLoop> completed,
 }
 
 void ResultsDatabase::release(std::span<const ClaimedLoop> claimed) {
-  impl_->transact_in_time([&](Transaction& transaction) {
-    transaction.run(statements::kRelease, claim_keys(claimed));
-  });
+  impl_->transact_in_time(
+      [&](Transaction& transaction) { storage::release(transaction, claimed); });
 }
 
 void ResultsDatabase::release_owned(const std::string& owner) {
-  impl_->transact_in_time([&](Transaction& transaction) {
-    transaction.run(statements::kReleaseOwned, {make_storable(owner)});
-  });
+  impl_->transact_in_time(
+      [&](Transaction& transaction) { storage::release_owned(transaction, owner); });
 }
 
 std::size_t ResultsDatabase::recall_stray(double settle_s) {
@@ -134,21 +164,14 @@ std::size_t ResultsDatabase::recall_stray(double settle_s) {
 
 std::vector<ClaimKey> ResultsDatabase::extend(std::span<const ClaimedLoop> claimed,
                                               double lease_s) {
-  const std::vector<std::string> keys = claim_keys(claimed);
-  const pqxx::result rows = impl_->transact_in_time([&](Transaction& transaction) {
-    transaction.run(statements::kExtend, {keys[0], keys[1], number_text(lease_s)});
-    return transaction.run(statements::kLostClaims, keys);
-  });
-  std::vector<ClaimKey> lost;
-  for (const pqxx::row& row : rows)
-    lost.push_back({row["loop_id"].as<std::int64_t>(), row["fence"].as<std::int64_t>()});
-  return lost;
+  return impl_->transact_in_time(
+      [&](Transaction& transaction) { return storage::extend(transaction, claimed, lease_s); });
 }
 
 void ResultsDatabase::see_worker(const WorkerSign& sign) {
   impl_->transact_in_time([&](Transaction& transaction) {
     transaction.run(
-        statements::kSeeWorker,
+        kSeeWorker,
         {make_storable(sign.worker), sign.program_version, std::to_string(sign.algorithm_revision),
          std::to_string(sign.held_loops), std::to_string(sign.lost_leases)});
   });
@@ -158,7 +181,7 @@ std::optional<double> ResultsDatabase::next_due_in_s(double within_s) {
   const DuePlace floor = impl_->floors->of({}).place().value_or(kBeforeAll);
   return impl_->session.transact([&](Transaction& transaction) -> std::optional<double> {
     const pqxx::result rows = transaction.run(
-        statements::kNextDue,
+        kNextDue,
         {std::to_string(floor.due_us), std::to_string(floor.loop_id), number_text(within_s)});
     if (rows.empty()) return std::nullopt;
     return rows[0]["due_in_s"].as<double>();
@@ -167,7 +190,7 @@ std::optional<double> ResultsDatabase::next_due_in_s(double within_s) {
 
 std::size_t ResultsDatabase::count_enabled_loops() {
   return impl_->session.transact([](Transaction& transaction) {
-    return transaction.run(statements::kCountEnabled)[0][0].as<std::size_t>();
+    return transaction.run(kCountEnabled)[0][0].as<std::size_t>();
   });
 }
 
@@ -186,7 +209,7 @@ ScheduleHealth ResultsDatabase::schedule_health() {
 
 void ResultsDatabase::set_parameter(const std::string& name, double value) {
   impl_->session.transact([&](Transaction& transaction) {
-    if (transaction.run(statements::kSetParameter, {name, number_text(value)}).empty()) {
+    if (transaction.run(kSetParameter, {name, number_text(value)}).empty()) {
       throw DatabaseError("no such parameter, loopscope.parameter " + name,
                           "SELECT name, description FROM loopscope.parameter lists them",
                           Remedy::give_up);
@@ -204,7 +227,7 @@ void ResultsDatabase::add_stage_cost(const CostBearer& bearer, const StageCost& 
     parameters.push_back(number_text(seconds));
   }
   impl_->transact_in_time(
-      [&](Transaction& transaction) { transaction.run(statements::kAddStageCost, parameters); });
+      [&](Transaction& transaction) { transaction.run(kAddStageCost, parameters); });
 }
 
 }  // namespace loopscope::storage

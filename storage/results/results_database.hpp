@@ -9,11 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "storage/accepted_clocks.hpp"
-#include "storage/analysis_record.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/connection_settings.hpp"
-#include "storage/data_problem.hpp"
 #include "storage/error.hpp"
 #include "storage/loop_work.hpp"
 #include "storage/results/leases/claim_floor.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "daemon/service/batches/analyse_window.hpp"
+#include "daemon/service/batches/loop_task.hpp"
 #include "tests/effects/window_of.hpp"
 
 namespace loopscope::tests::repairs {

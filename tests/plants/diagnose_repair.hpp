@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "storage/analysis_record.hpp"
 #include "storage/catalogue_entry.hpp"
+#include "storage/loop_work.hpp"
 #include "tests/plants/repair.hpp"
 
 namespace loopscope::tests::repairs {

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "storage/finding.hpp"
+#include "storage/check_connection.hpp"
 #include "storage/historian/check_historian.hpp"
 #include "storage/historian/historian_writer.hpp"
 #include "storage/historian/list_tags.hpp"

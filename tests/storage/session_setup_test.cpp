@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "storage/ask_aside.hpp"
+#include "storage/check_connection.hpp"
 #include "storage/error.hpp"
-#include "storage/finding.hpp"
 #include "storage/historian/check_historian.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/results/schema/check_results.hpp"

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "config/settings.hpp"
-#include "daemon/service/windows/loop_input.hpp"
+#include "daemon/service/windows/window_reader.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/historian/historian_reader.hpp"
 

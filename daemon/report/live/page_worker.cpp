@@ -6,7 +6,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "daemon/service/threads/thread_priority.hpp"
+#include "daemon/service/threads/core_gate.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <exception>
+#include <new>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "daemon/service/batches/loop_task.hpp"
 #include "daemon/service/windows/row_memory.hpp"
 #include "daemon/text/failure.hpp"
+#include "storage/error.hpp"
 #include "storage/results/results_database.hpp"
 #include "storage/stage_cost.hpp"
 
@@ -30,5 +34,38 @@ void set_aside(const storage::ClaimedLoop& claim, const Failure& failure, Batch&
 
 /// Their source is away: the loops wait, without blame.
 void postpone(const Claims& claims, const Failure& failure, double pause_s, Batch& batch);
+
+/// Adds what reading a batch took, first looks included: they are part of preparing.
+void add_reading(double elapsed_s, std::span<const LoopTask> visits, storage::StageCost& cost);
+
+/// Adds what analysing a batch took. What its records do not claim for statistics and model went
+/// into digests, verdicts and their words.
+void add_analyses(double elapsed_s, std::span<const storage::CompletedLoop> completed,
+                  storage::StageCost& cost);
+
+/// Whether a database error comes from the rows of some loop (a value that cannot be read or
+/// stored) and not from the database: then the others of the batch can do without it.
+[[nodiscard]] inline bool is_row_error(const storage::DatabaseError& error) {
+  // SQLSTATE classes: data exception, integrity constraint, program limit (a text too long).
+  for (const char* row_class : {"22", "23", "54"}) {
+    if (error.sqlstate().starts_with(row_class)) return true;
+  }
+  return false;
+}
+
+/// The error as a reason for setting loops aside.
+[[nodiscard]] inline Failure as_failure(const storage::DatabaseError& error) {
+  return {ExitCode::database, error.what(), error.hint()};
+}
+
+[[nodiscard]] inline Failure as_failure(const storage::ClaimedLoop& claim,
+                                        const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+    return {ExitCode::fault, "loop \"" + claim.loop.name + "\": out of memory",
+            "give the program more memory, fewer workers or a smaller window"};
+  }
+  return {ExitCode::fault, "loop \"" + claim.loop.name + "\": " + error.what(),
+          "this is a fault in the program: please report it"};
+}
 
 }  // namespace loopscope::daemon

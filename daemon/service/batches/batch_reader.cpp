@@ -2,21 +2,127 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
 
-#include "daemon/service/batches/batch_cost.hpp"
-#include "daemon/service/batches/data_age.hpp"
-#include "daemon/service/batches/fetch_windows.hpp"
-#include "daemon/service/historians/source_terms.hpp"
+#include "core/signal/microseconds.hpp"
+#include "daemon/service/historians/source_gate.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/observe/error_scope.hpp"
-#include "daemon/service/observe/stopwatch.hpp"
+#include "daemon/service/observe/stage_timings.hpp"
+#include "daemon/service/windows/loop_slot.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 /// SQLSTATE: one loop may fit where a batch did not.
 constexpr const char* kServerOutOfMemory = "53200";
+
+/// Slots before the newest one that are looked at again: those of the horizon that are stored and
+/// were analysed with the settings in force (others keep what they were judged by). Newest first.
+std::vector<std::int64_t> slots_to_check(const storage::ClaimedLoop& claim,
+                                         std::int64_t newest_end_us, const StoredAnalyses& stored,
+                                         int horizon) {
+  std::vector<std::int64_t> ends;
+  for (const std::int64_t end :
+       earlier_slots(newest_end_us, claim.last_slot_end_us, claim.loop.period_s, horizon)) {
+    const storage::StoredDigest* row = stored.find(claim.loop.loop_id, end);
+    if (row != nullptr && row->same_settings) ends.push_back(end);
+  }
+  return ends;
+}
+
+/// Visits claimed loops of ONE historian: reads the newest slot of each, in the order of `claims`.
+/// Throws storage::DatabaseError.
+std::vector<LoopTask> visit_newest(storage::HistorianReader& historian,
+                                   std::span<const storage::ClaimedLoop* const> claims,
+                                   const config::Settings& settings, const SourceTime& time,
+                                   RowMemory& memory, const AnalysisContext& place) {
+  using Milliseconds = std::chrono::duration<double, std::milli>;
+  const auto start = std::chrono::steady_clock::now();
+  const auto slots = newest_slots(
+      historian, claims, {settings.schedule.settle_s, time.rule, settings.schedule.catch_up_slots},
+      time.now_us);
+  std::vector<LoopInput> inputs = read_inputs(historian, slots, settings.analysis, memory, place);
+  double reading_ms = Milliseconds(std::chrono::steady_clock::now() - start).count();
+  for (const LoopInput& input : inputs) reading_ms -= input.first_look_ms;
+  std::vector<LoopTask> visits;
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    visits.push_back(
+        {claims[k], std::move(inputs[k]), {}, reading_ms / static_cast<double>(claims.size())});
+  }
+  return visits;
+}
+
+/// Loop and slot of everything that the visits may find stored: the newest slots and `horizon`
+/// earlier ones of each loop.
+std::vector<std::pair<std::int64_t, std::int64_t>> slots_that_may_be_stored(
+    std::span<const LoopTask> visits, int horizon) {
+  std::vector<std::pair<std::int64_t, std::int64_t>> keys;
+  for (const LoopTask& visit : visits) {
+    const std::int64_t newest = visit.newest.at_slot.slot_end_us;
+    const storage::ClaimedLoop& claim = *visit.claim;
+    keys.emplace_back(claim.loop.loop_id, newest);
+    for (const std::int64_t end :
+         earlier_slots(newest, claim.last_slot_end_us, claim.loop.period_s, horizon)) {
+      keys.emplace_back(claim.loop.loop_id, end);
+    }
+  }
+  return keys;
+}
+
+/// Earlier slots to look at again, all visits in one list; `visit` says whose each is.
+struct EarlierSlots {
+  std::vector<LoopSlot> slots;
+  std::vector<std::size_t> visit;
+};
+
+EarlierSlots earlier_slots_to_check(std::span<const LoopTask> visits, const StoredAnalyses& stored,
+                                    int horizon) {
+  EarlierSlots earlier;
+  for (std::size_t k = 0; k < visits.size(); ++k) {
+    const LoopWindowAtSlot& newest = visits[k].newest.at_slot;
+    const storage::ClaimedLoop& claim = *visits[k].claim;
+    for (const std::int64_t end : slots_to_check(claim, newest.slot_end_us, stored, horizon)) {
+      earlier.slots.push_back({&claim.loop, end, newest.tags, claim.pv_past});
+      earlier.visit.push_back(k);
+    }
+  }
+  return earlier;
+}
+
+/// Reads those slots into their visits. Throws storage::DatabaseError and leaves them as they were.
+void visit_earlier(storage::HistorianReader& historian, const EarlierSlots& earlier,
+                   const config::Settings& settings, RowMemory& memory,
+                   const AnalysisContext& place, std::span<LoopTask> visits) {
+  std::vector<LoopInput> inputs =
+      read_inputs(historian, earlier.slots, settings.analysis, memory, place);
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    visits[earlier.visit[k]].earlier.push_back(std::move(inputs[k]));
+  }
+}
+
+/// Notes for the metrics how old the newest row of these loops' tags is, and how many values had a
+/// quality that no rule explains. All visits are of one source.
+void note_data(const std::string& source, std::span<const LoopTask> visits, Metrics& metrics) {
+  std::optional<std::int64_t> youngest_us;
+  std::size_t unknown = 0;
+  for (const LoopTask& visit : visits) {
+    for (const TagReading& tag : visit.newest.at_slot.tags) {
+      unknown += tag.unknown_rows;
+      if (!tag.newest_row_us) continue;
+      const std::int64_t age_us = tag.asked_us - *tag.newest_row_us;
+      youngest_us = std::min(youngest_us.value_or(age_us), age_us);
+    }
+  }
+  if (youngest_us) {
+    metrics.data_age(source,
+                     static_cast<double>(*youngest_us) / core::signal::kMicrosecondsPerSecond);
+  }
+  if (unknown > 0) metrics.unknown_quality(source, unknown);
+}
 
 }  // namespace
 

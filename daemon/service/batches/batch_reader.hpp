@@ -1,16 +1,23 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "config/settings.hpp"
 #include "daemon/service/batches/batch.hpp"
-#include "daemon/service/batches/fetch_windows.hpp"
 #include "daemon/service/shared/shared_services.hpp"
 #include "daemon/service/windows/slot.hpp"
+#include "storage/historian/historian_reader.hpp"
 
 namespace loopscope::daemon {
+
+/// A historian's time, and how the ends of its slots are found.
+struct SourceTime {
+  std::int64_t now_us = 0;
+  SlotRule rule = SlotRule::clock;
+};
 
 /// Reads what a batch needs out of its historian: the newest windows, what is stored of their
 /// slots, and the earlier slots that late rows may have changed. What is done when that fails is

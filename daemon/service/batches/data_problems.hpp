@@ -6,7 +6,7 @@
 #include "core/diagnosis/diagnose.hpp"
 #include "daemon/service/windows/window_reader.hpp"
 #include "storage/catalogue_entry.hpp"
-#include "storage/data_problem.hpp"
+#include "storage/loop_work.hpp"
 
 namespace loopscope::daemon {
 

@@ -1,16 +1,87 @@
 #include "daemon/service/batches/loop_task.hpp"
 
-#include "daemon/service/batches/analyse_window.hpp"
+#include <cmath>
+#include <fmt/format.h>
+
+#include "core/hos/bicoherence/triple_sums.hpp"
+#include "core/signal/grid.hpp"
+#include "core/signal/microseconds.hpp"
+#include "core/signal/window_digest.hpp"
+#include "daemon/output/analysis_json.hpp"
+#include "daemon/output/model_json.hpp"
 #include "daemon/service/batches/data_problems.hpp"
-#include "daemon/service/batches/model_turns.hpp"
+#include "daemon/service/observe/stage_timings.hpp"
 #include "daemon/service/windows/slot.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
+using core::signal::LoopWindow;
 using storage::AnalysisRecord;
 using storage::CompletedLoop;
 using storage::StoredDigest;
+
+/// Steele, Lea and Flood (2014): every bit of the number reaches every bit of the result.
+std::uint64_t mixed(std::uint64_t number) {
+  number += 0x9E3779B97F4A7C15U;
+  number = (number ^ (number >> 30)) * 0xBF58476D1CE4E5B9U;
+  number = (number ^ (number >> 27)) * 0x94D049BB133111EBU;
+  return number ^ (number >> 31);
+}
+
+/// By lot, not in a fixed order: visits may skip slots in any rhythm, and every loop has to have
+/// its turn all the same.
+bool is_its_turn(const storage::CatalogueEntry& loop, std::int64_t slot_end_us, int every_slots) {
+  const std::int64_t period_us = core::signal::microseconds(loop.period_s);
+  const auto slot = static_cast<std::uint64_t>(slot_end_us / period_us);
+  const std::uint64_t lot = mixed(slot ^ mixed(static_cast<std::uint64_t>(loop.loop_id)));
+  return lot % static_cast<std::uint64_t>(every_slots) == 0;
+}
+
+/// What may be flagged. False discoveries are controlled over all loops at once, which a single
+/// loop cannot know: a tenth of the rate is above where the control ends while fewer than a third
+/// of the loops are at fault.
+core::ModelTrigger may_be_flagged(const config::FlagSettings& flags) {
+  constexpr double kShareOfRate = 0.1;
+  return {kShareOfRate * flags.false_discovery_rate, flags.min_confidence};
+}
+
+/// Nothing was said of the loop for want of data: what was said before may still hold.
+bool was_silent(const storage::LastVerdict& last) {
+  return !shows_a_loop(last.code);
+}
+
+/// core::diagnose(), each stage timed.
+core::Diagnosis timed_diagnosis(const LoopInput& input, const core::AnalysisSettings& settings,
+                                const core::LoopFacts& facts, const ModelPolicy& wish,
+                                storage::AnalysisRecord& record) {
+  // What a first look threw, it throws again.
+  const std::optional<core::FirstLook> again =
+      input.first ? std::nullopt : std::optional(core::first_look(input.at_slot.window, settings));
+  const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
+  Stopwatch watch;
+  core::ModelPlan plan{.cause = wish.cause, .traces = false, .done = {}};
+  plan.done = [&](core::Stage stage) {
+    if (stage == core::Stage::statistics) record.statistics_ms = watch.lap_ms();
+    if (stage == core::Stage::model) record.model_ms = watch.lap_ms();
+  };
+  return core::diagnose(input.first ? *input.first : *again, settings, facts, longer, plan);
+}
+
+std::optional<double> pv_span_of(const storage::CatalogueEntry& loop) {
+  if (!loop.pv_range) return std::nullopt;
+  return loop.pv_range->high - loop.pv_range->low;
+}
+
+void describe_window(const LoopWindowAtSlot& at_slot, storage::AnalysisRecord& record) {
+  const LoopWindow& window = at_slot.window;
+  const core::signal::Grid grid{window.start_us, window.sample_interval_s, window.size()};
+  record.slot_end_us = at_slot.slot_end_us;
+  record.window_start_us = window.size() > 0 ? grid.start_us : at_slot.slot_end_us;
+  record.window_end_us = window.size() > 0 ? grid.time_us(window.size() - 1) : at_slot.slot_end_us;
+  record.samples = window.size();
+  record.sample_interval_s = window.size() > 1 ? window.sample_interval_s : 0.0;
+}
 
 /// The record of a slot whose input is not the stored one; nullopt = the stored analysis holds.
 std::optional<AnalysisRecord> changed_record(const LoopTask& visit, const LoopInput& input,
@@ -42,6 +113,54 @@ void add_problems(const LoopTask& visit, std::size_t max_samples, CompletedLoop&
 
 }  // namespace
 
+ModelPolicy model_wish(const config::Settings& settings, std::size_t enabled_loops,
+                       const storage::ClaimedLoop& claim, std::int64_t slot_end_us) {
+  const config::ScheduleSettings& schedule = settings.schedule;
+  const core::ModelTrigger cause = may_be_flagged(settings.flags);
+  const auto& last = claim.last_verdict;
+  const bool always =
+      enabled_loops <= static_cast<std::size_t>(schedule.model_all_up_to) ||
+      (last && (was_silent(*last) || cause.given_by(last->code, last->confidence, last->p))) ||
+      is_its_turn(claim.loop, slot_end_us, schedule.model_every_slots);
+  return {always ? std::nullopt : std::optional(cause)};
+}
+
+std::string digest_of(const storage::CatalogueEntry& loop, const LoopInput& input,
+                      const std::string& settings_json) {
+  std::string facts = settings_json + loop.loop_type;
+  if (loop.pv_range) facts += fmt::format("{} {}", loop.pv_range->low, loop.pv_range->high);
+  std::string digest = core::signal::window_digest(input.at_slot.window, facts);
+  return input.long_window ? core::signal::window_digest(*input.long_window, digest) : digest;
+}
+
+storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, const LoopInput& input,
+                                       const core::AnalysisSettings& settings,
+                                       const std::string& settings_json, const ModelPolicy& wish) {
+  Stopwatch watch;
+  storage::AnalysisRecord record;
+  describe_window(input.at_slot, record);
+  record.input_digest = digest_of(loop, input, settings_json);
+  // Verdicts are reproducible to the last digit on one processor path only.
+  record.program_version =
+      std::string(LOOPSCOPE_VERSION " ") + std::string(core::hos::processor_path());
+  record.settings_json = settings_json;
+  record.pv_past = input.at_slot.window.pv_past;
+  record.diagnosis = timed_diagnosis(input, settings,
+                                     {.integrating = core::is_integrating_type(loop.loop_type),
+                                      .seed = core::signal::window_seed(input.at_slot.window),
+                                      .pv_span = pv_span_of(loop)},
+                                     wish, record);
+  if (const auto& slow = record.diagnosis.evidence.hos_slow) {
+    record.hos_slow_json = slow_look_json(*slow, record.diagnosis.evidence.tested_on).dump();
+  }
+  if (record.diagnosis.evidence.model) {
+    record.model_json = json_text(model_json(record.diagnosis.evidence.model));
+  }
+  record.prepare_ms = input.first_look_ms;
+  record.analyse_ms = input.first_look_ms + watch.lap_ms();
+  return record;
+}
+
 StoredAnalyses::StoredAnalyses(const std::vector<StoredDigest>& rows) {
   for (const StoredDigest& row : rows) rows_[{row.loop_id, row.slot_end_us}] = row;
 }
@@ -49,18 +168,6 @@ StoredAnalyses::StoredAnalyses(const std::vector<StoredDigest>& rows) {
 const StoredDigest* StoredAnalyses::find(std::int64_t loop_id, std::int64_t slot_end_us) const {
   const auto found = rows_.find({loop_id, slot_end_us});
   return found == rows_.end() ? nullptr : &found->second;
-}
-
-std::vector<std::int64_t> slots_to_check(const storage::ClaimedLoop& claim,
-                                         std::int64_t newest_end_us, const StoredAnalyses& stored,
-                                         int horizon) {
-  std::vector<std::int64_t> ends;
-  for (const std::int64_t end :
-       earlier_slots(newest_end_us, claim.last_slot_end_us, claim.loop.period_s, horizon)) {
-    const StoredDigest* row = stored.find(claim.loop.loop_id, end);
-    if (row != nullptr && row->same_settings) ends.push_back(end);
-  }
-  return ends;
 }
 
 CompletedLoop complete_visit(const LoopTask& visit, const StoredAnalyses& stored,

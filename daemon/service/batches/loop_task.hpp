@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -8,7 +9,11 @@
 #include <vector>
 
 #include "config/settings.hpp"
-#include "daemon/service/windows/loop_input.hpp"
+#include "core/diagnosis/diagnose.hpp"
+#include "core/diagnosis/loop_model.hpp"
+#include "daemon/service/windows/window_reader.hpp"
+#include "storage/catalogue_entry.hpp"
+#include "storage/loop_work.hpp"
 #include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
@@ -24,6 +29,34 @@ struct LoopTask {
   bool by_rows = false;
 };
 
+/// Which windows get a loop model. It costs tens of times what all else costs, so on a large plant
+/// loops that give no cause take turns.
+struct ModelPolicy {
+  /// nullopt: a model whatever the statistics say. Else only where they give this cause.
+  std::optional<core::ModelTrigger> cause;
+};
+
+/// The wish for one slot of a claimed loop. Whatever the statistics say: where the plant is small
+/// enough, where the loop's last verdict was a fault (so that a finding of the model stands or
+/// falls by the model again) or nothing could be said, and where it is the loop's turn. The same
+/// slot has the same turn whenever it is done.
+[[nodiscard]] ModelPolicy model_wish(const config::Settings& settings, std::size_t enabled_loops,
+                                     const storage::ClaimedLoop& claim, std::int64_t slot_end_us);
+
+/// Analyses one loop's input and adds the provenance that is stored with it, and what each stage
+/// took. `settings_json` names the settings in force; it is part of the digest, so that changed
+/// settings make a revision. A model is fitted where the settings allow one and `wish` asks for it.
+[[nodiscard]] storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop,
+                                                     const LoopInput& input,
+                                                     const core::AnalysisSettings& settings,
+                                                     const std::string& settings_json,
+                                                     const ModelPolicy& wish = {});
+
+/// The digest that the record of this input carries: over the window and, where one was read, over
+/// the longer span.
+[[nodiscard]] std::string digest_of(const storage::CatalogueEntry& loop, const LoopInput& input,
+                                    const std::string& settings_json);
+
 /// Analyses that are stored, by loop and slot end.
 class StoredAnalyses {
  public:
@@ -36,12 +69,6 @@ class StoredAnalyses {
  private:
   std::map<std::pair<std::int64_t, std::int64_t>, storage::StoredDigest> rows_;
 };
-
-/// Slots before the newest one that are looked at again: those of the horizon that are stored and
-/// were analysed with the settings in force (others keep what they were judged by). Newest first.
-[[nodiscard]] std::vector<std::int64_t> slots_to_check(const storage::ClaimedLoop& claim,
-                                                       std::int64_t newest_end_us,
-                                                       const StoredAnalyses& stored, int horizon);
 
 /// How loops are to be analysed.
 struct AnalysisOrders {

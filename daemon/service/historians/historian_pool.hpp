@@ -15,13 +15,6 @@
 
 namespace loopscope::daemon {
 
-/// What a user of a source puts up with.
-struct SourceTerms {
-  SourceGate::Duration patience;  ///< longest wait for a free connection
-  SourceGate::Duration pause;     ///< for which a source that failed is left alone
-  double hold_s = 290.0;          ///< of the claims that wait for it: bounds every wait
-};
-
 /// The connections of this process to its historians, shared by all workers: at most
 /// `max_connections` to each, made when they are needed and kept for the next user. Thread-safe.
 class HistorianPool {

@@ -1,6 +1,7 @@
 #include "daemon/service/historians/source_gate.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <fmt/format.h>
 
 namespace loopscope::daemon {
@@ -13,6 +14,19 @@ storage::DatabaseError no_place(const std::string& source, int limit,
                       limit, std::chrono::duration<double>(patience).count(), source),
           "raise max_connections of this historian, or lower /daemon/workers",
           storage::Remedy::retry};
+}
+
+/// Longer than any batch of windows takes to read: whoever has not got a connection by then is
+/// better off with other loops.
+constexpr double kPatience_s = 30.0;
+/// The wait for a connection takes at most this share of what a claim holds: the rest is for the
+/// work.
+constexpr double kPatienceOfHold = 1.0 / 3.0;
+/// Of a source that failed; a poll at most.
+constexpr double kSourcePause_s = 30.0;
+
+SourceGate::Duration gate_duration(double seconds) {
+  return std::chrono::duration_cast<SourceGate::Duration>(std::chrono::duration<double>(seconds));
 }
 
 }  // namespace
@@ -65,6 +79,15 @@ std::optional<SourceGate::Duration> SourceGate::closed_for() {
 int SourceGate::inside() {
   const std::lock_guard lock(mutex_);
   return inside_;
+}
+
+double source_pause_s(const config::ScheduleSettings& schedule) {
+  return std::min(kSourcePause_s, schedule.poll_s);
+}
+
+SourceTerms source_terms(const config::ScheduleSettings& schedule) {
+  return {gate_duration(std::min(kPatience_s, kPatienceOfHold * schedule.hold_s())),
+          gate_duration(source_pause_s(schedule)), schedule.hold_s()};
 }
 
 }  // namespace loopscope::daemon

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "config/settings.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::daemon {
@@ -42,5 +43,19 @@ class SourceGate {
   std::optional<storage::DatabaseError> fault_;
   Clock::time_point try_again_at_;
 };
+
+/// What a user of a source puts up with.
+struct SourceTerms {
+  SourceGate::Duration patience;  ///< longest wait for a free connection
+  SourceGate::Duration pause;     ///< for which a source that failed is left alone
+  double hold_s = 290.0;          ///< of the claims that wait for it: bounds every wait
+};
+
+/// A historian that failed is left alone for so long, so that its loops go on soon after it is
+/// back.
+[[nodiscard]] double source_pause_s(const config::ScheduleSettings& schedule);
+
+/// What a reader of windows puts up with.
+[[nodiscard]] SourceTerms source_terms(const config::ScheduleSettings& schedule);
 
 }  // namespace loopscope::daemon

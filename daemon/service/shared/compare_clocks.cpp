@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/service/historians/source_terms.hpp"
+#include "daemon/service/historians/source_gate.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/accepted_clocks.hpp"
+#include "storage/server_clock.hpp"
 
 namespace loopscope::daemon {
 

@@ -6,8 +6,7 @@
 #include "config/settings.hpp"
 #include "daemon/service/observe/fault_log.hpp"
 #include "daemon/service/shared/known_clocks.hpp"
-#include "daemon/service/threads/retry_pause.hpp"
-#include "daemon/service/threads/stop_signal.hpp"
+#include "daemon/service/threads/pauses.hpp"
 #include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {

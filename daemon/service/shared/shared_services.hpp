@@ -11,8 +11,8 @@
 #include "daemon/service/shared/known_clocks.hpp"
 #include "daemon/service/shared/results_link.hpp"
 #include "daemon/service/threads/core_gate.hpp"
+#include "daemon/service/threads/pauses.hpp"
 #include "daemon/service/threads/progress_board.hpp"
-#include "daemon/service/threads/stop_signal.hpp"
 #include "storage/results/leases/claim_floor.hpp"
 
 namespace loopscope::daemon {

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <semaphore>
 
+#include "daemon/service/threads/progress_board.hpp"
+
 namespace loopscope::daemon {
 
 /// Admits as many lanes to the work on the rows as there are cores to do it; the others fetch and
@@ -26,5 +28,21 @@ class CoreGate {
  private:
   std::counting_semaphore<> free_;
 };
+
+/// Where a lane does its work: the cores that it shares and the desk that shows its progress.
+struct AnalysisContext {
+  CoreGate& cores;
+  ProgressBoard::Entry& desk;
+};
+
+/// Waits for a core, shown as waiting.
+[[nodiscard]] inline CoreGate::Permit take_core(const AnalysisContext& place) {
+  const ProgressBoard::Entry::Wait wait(place.desk);
+  return CoreGate::Permit(place.cores);
+}
+
+/// The scheduler prefers the threads that analyse to this one and to the programs that it starts. A
+/// sandbox may refuse: then it is one thread among others.
+void yield_to_analysis();
 
 }  // namespace loopscope::daemon

@@ -41,29 +41,4 @@ std::string worker_name(std::size_t index) {
   return fmt::format("{}/{}", process_name(), index);
 }
 
-void add(storage::WriteCount& sum, const storage::WriteCount& more) {
-  sum.inserted += more.inserted;
-  sum.revised += more.revised;
-  sum.unchanged += more.unchanged;
-  sum.failed += more.failed;
-  sum.fenced_off += more.fenced_off;
-  sum.not_judged += more.not_judged;
-  sum.revised_earlier += more.revised_earlier;
-}
-
-std::string count_text(const storage::WriteCount& count) {
-  const std::size_t all =
-      count.inserted + count.revised + count.unchanged + count.failed + count.fenced_off;
-  std::string text = fmt::format("{} loops: {} new, {} revised, {} unchanged, {} failed", all,
-                                 count.inserted, count.revised, count.unchanged, count.failed);
-  if (count.not_judged > 0) {
-    text += fmt::format(", {} could not be judged (loopscope.data_problem)", count.not_judged);
-  }
-  if (count.revised_earlier > 0) {
-    text += fmt::format(", {} earlier slots revised", count.revised_earlier);
-  }
-  if (count.fenced_off > 0) text += fmt::format(", {} taken over by others", count.fenced_off);
-  return text;
-}
-
 }  // namespace loopscope::daemon

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "config/settings.hpp"
-#include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
 
@@ -21,11 +20,5 @@ namespace loopscope::daemon {
 [[nodiscard]] std::string process_name();
 /// The name that lane `index` of this process signs its claims with: host/pid/index.
 [[nodiscard]] std::string worker_name(std::size_t index);
-
-/// `sum` grown by `more`.
-void add(storage::WriteCount& sum, const storage::WriteCount& more);
-
-/// "24 loops: 20 new, 1 revised, 3 unchanged, 0 failed"
-[[nodiscard]] std::string count_text(const storage::WriteCount& count);
 
 }  // namespace loopscope::daemon

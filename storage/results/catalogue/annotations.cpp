@@ -1,6 +1,5 @@
 #include "storage/results/catalogue/annotations.hpp"
 
-#include "storage/results/catalogue/annotation_statements.hpp"
 #include "storage/results/rows/loop_row.hpp"
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/session.hpp"
@@ -9,6 +8,41 @@
 
 namespace loopscope::storage {
 namespace {
+
+const Statement kListAnnotations{"list_annotations", R"(
+    SELECT loop_name, kind, code, (extract(epoch FROM until) * 1000000)::bigint AS until_us,
+           reason, author, (extract(epoch FROM entered_at) * 1000000)::bigint AS entered_at_us
+    FROM loopscope.annotation_in_force
+    ORDER BY loop_name, entered_at)"};
+
+// Only withdrawn_at is written: an engineer may change nothing else of what was said. It is asked
+// for again, since another may have taken it back while this one waited for the row.
+const Statement kReplaceAnnotations{"replace_annotations", R"(
+    UPDATE loopscope.annotation AS said SET withdrawn_at = now()
+    FROM loopscope.annotation_in_force AS holds
+    WHERE holds.annotation_id = said.annotation_id AND said.withdrawn_at IS NULL
+      AND holds.loop_name = $1 AND holds.kind = $2
+      AND holds.code IS NOT DISTINCT FROM nullif($3, '')
+    RETURNING said.annotation_id)"};
+
+const Statement kAddAnnotation{"add_annotation", R"(
+    INSERT INTO loopscope.annotation (loop_id, kind, code, until, reason)
+    SELECT loop_id, $2, nullif($3, ''), nullif($4, '')::timestamptz, nullif($5, '')
+    FROM loopscope.loop WHERE name = $1
+    RETURNING annotation_id)"};
+
+const Statement kWithdrawAnnotations{"withdraw_annotations", R"(
+    UPDATE loopscope.annotation AS said SET withdrawn_at = now()
+    FROM loopscope.annotation_in_force AS holds
+    WHERE holds.annotation_id = said.annotation_id AND said.withdrawn_at IS NULL
+      AND holds.loop_name = $1 AND ($2 = '' OR holds.code = $2)
+    RETURNING said.annotation_id)"};
+
+const Statement kNewestCode{"newest_code",
+                            "SELECT code FROM loopscope.own_verdict WHERE loop_name = $1"};
+
+const Statement kFaultCodes{"fault_codes",
+                            "SELECT code FROM loopscope.verdict_kind WHERE is_fault ORDER BY code"};
 
 Annotation read_annotation(const pqxx::row& row) {
   Annotation annotation;
@@ -25,12 +59,10 @@ Annotation read_annotation(const pqxx::row& row) {
 std::optional<std::size_t> replace(Transaction& transaction, const Annotation& annotation) {
   const std::string code = annotation.code.value_or("");
   const std::size_t replaced =
-      transaction
-          .run(statements::kReplaceAnnotations, {annotation.loop_name, annotation.kind, code})
-          .size();
+      transaction.run(kReplaceAnnotations, {annotation.loop_name, annotation.kind, code}).size();
   const std::string until = annotation.until_us ? timestamp_text(*annotation.until_us) : "";
   const pqxx::result added = transaction.run(
-      statements::kAddAnnotation,
+      kAddAnnotation,
       {annotation.loop_name, annotation.kind, code, until, make_storable(annotation.reason)});
   if (added.empty()) return std::nullopt;
   return replaced;
@@ -52,7 +84,7 @@ Annotations::~Annotations() = default;
 std::vector<Annotation> Annotations::in_force() {
   return impl_->session.transact([](Transaction& transaction) {
     std::vector<Annotation> annotations;
-    for (const pqxx::row& row : transaction.run(statements::kListAnnotations)) {
+    for (const pqxx::row& row : transaction.run(kListAnnotations)) {
       annotations.push_back(read_annotation(row));
     }
     return annotations;
@@ -71,14 +103,14 @@ std::size_t Annotations::withdraw(const std::string& loop_name,
   if (!is_storable(loop_name)) return 0;
   return impl_->session.transact([&](Transaction& transaction) {
     return static_cast<std::size_t>(
-        transaction.run(statements::kWithdrawAnnotations, {loop_name, code.value_or("")}).size());
+        transaction.run(kWithdrawAnnotations, {loop_name, code.value_or("")}).size());
   });
 }
 
 std::optional<std::string> Annotations::newest_code(const std::string& loop_name) {
   if (!is_storable(loop_name)) return std::nullopt;
   return impl_->session.transact([&](Transaction& transaction) -> std::optional<std::string> {
-    const pqxx::result rows = transaction.run(statements::kNewestCode, {loop_name});
+    const pqxx::result rows = transaction.run(kNewestCode, {loop_name});
     if (rows.empty()) return std::nullopt;
     return rows[0][0].c_str();
   });
@@ -87,7 +119,7 @@ std::optional<std::string> Annotations::newest_code(const std::string& loop_name
 std::vector<std::string> Annotations::fault_codes() {
   return impl_->session.transact([](Transaction& transaction) {
     std::vector<std::string> codes;
-    for (const pqxx::row& row : transaction.run(statements::kFaultCodes)) {
+    for (const pqxx::row& row : transaction.run(kFaultCodes)) {
       codes.emplace_back(row[0].c_str());
     }
     return codes;

@@ -4,14 +4,56 @@
 
 #include "storage/array_literal.hpp"
 #include "storage/results/rows/loop_row.hpp"
-#include "storage/results/rows/schedule_statements.hpp"
-#include "storage/results/rows/statements.hpp"
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/session.hpp"
 #include "storage/utf8.hpp"
 
 namespace loopscope::storage {
 namespace {
+
+const Statement kListLoops{"list_loops",
+                           "SELECT " LOOPSCOPE_LOOP_COLUMNS " FROM loopscope.loop ORDER BY name"};
+
+const Statement kFindLoop{"find_loop",
+                          "SELECT " LOOPSCOPE_LOOP_COLUMNS " FROM loopscope.loop WHERE name = $1"};
+
+// xmax is 0 in a row that was inserted and the updating transaction in one that was there before.
+const Statement kSaveLoops{"save_loops", R"(
+    INSERT INTO loopscope.loop AS kept (name, source, sp_tag, pv_tag, op_tag, mv_tag, mode_tag,
+                                        interval_s, period_s, op_low, op_high, loop_type,
+                                        importance, enabled, area, unit, description, pv_unit,
+                                        owner, pv_low, pv_high)
+    SELECT name, source, nullif(sp_tag, ''), pv_tag, nullif(op_tag, ''), nullif(mv_tag, ''),
+           nullif(mode_tag, ''), interval_s, period_s, op_low, op_high, nullif(loop_type, ''),
+           importance, enabled, nullif(area, ''), nullif(unit, ''), nullif(description, ''),
+           nullif(pv_unit, ''), nullif(owner, ''), pv_low, pv_high
+    FROM unnest($1::text[], $2::text[], $3::text[], $4::text[], $5::text[], $6::text[], $7::text[],
+                $8::float8[], $9::float8[], $10::float8[], $11::float8[], $12::text[],
+                $13::float8[], $14::boolean[], $15::text[], $16::text[], $17::text[], $18::text[],
+                $19::text[], $20::float8[], $21::float8[])
+      AS entry (name, source, sp_tag, pv_tag, op_tag, mv_tag, mode_tag, interval_s, period_s,
+                op_low, op_high, loop_type, importance, enabled, area, unit, description, pv_unit,
+                owner, pv_low, pv_high)
+    ON CONFLICT (name) DO UPDATE SET
+      source = EXCLUDED.source, sp_tag = EXCLUDED.sp_tag, pv_tag = EXCLUDED.pv_tag,
+      op_tag = EXCLUDED.op_tag, mv_tag = EXCLUDED.mv_tag, mode_tag = EXCLUDED.mode_tag,
+      interval_s = EXCLUDED.interval_s, period_s = EXCLUDED.period_s, op_low = EXCLUDED.op_low,
+      op_high = EXCLUDED.op_high, loop_type = EXCLUDED.loop_type,
+      importance = EXCLUDED.importance, enabled = EXCLUDED.enabled, area = EXCLUDED.area,
+      unit = EXCLUDED.unit, description = EXCLUDED.description, pv_unit = EXCLUDED.pv_unit,
+      owner = EXCLUDED.owner, pv_low = EXCLUDED.pv_low, pv_high = EXCLUDED.pv_high,
+      changed_at = now()
+    RETURNING kept.loop_id, kept.xmax = 0 AS is_new)"};
+
+const Statement kSetEnabled{"set_enabled", R"(
+    UPDATE loopscope.loop SET enabled = $2::boolean, changed_at = now()
+    WHERE name = ANY ($1::text[]) RETURNING loop_id)"};
+
+// A loop that a worker holds becomes due when the worker is done with it.
+const Statement kMakeDue{"make_due", R"(
+    UPDATE loopscope.schedule SET visible_at = now()
+    WHERE loop_id = ANY ($1::bigint[]) AND owner IS NULL)",
+                         Rows::none};
 
 /// What the arrays would silently change or PostgreSQL would refuse in words that name no loop.
 void check_entries(std::span<const CatalogueEntry> entries) {
@@ -86,11 +128,11 @@ std::vector<std::string> entry_parameters(std::span<const CatalogueEntry> entrie
 std::size_t save_all(Transaction& transaction, std::span<const CatalogueEntry> entries) {
   std::size_t created = 0;
   ArrayLiteral loop_id;
-  for (const pqxx::row& row : transaction.run(statements::kSaveLoops, entry_parameters(entries))) {
+  for (const pqxx::row& row : transaction.run(kSaveLoops, entry_parameters(entries))) {
     if (row["is_new"].as<bool>()) ++created;
     loop_id.add_integer(row["loop_id"].as<std::int64_t>());
   }
-  transaction.run(statements::kMakeDue, {loop_id.text()});
+  transaction.run(kMakeDue, {loop_id.text()});
   return created;
 }
 
@@ -110,7 +152,7 @@ Catalogue::~Catalogue() = default;
 std::vector<CatalogueEntry> Catalogue::list() {
   return impl_->session.transact([](Transaction& transaction) {
     std::vector<CatalogueEntry> entries;
-    for (const pqxx::row& row : transaction.run(statements::kListLoops)) {
+    for (const pqxx::row& row : transaction.run(kListLoops)) {
       entries.push_back(read_loop(row));
     }
     return entries;
@@ -121,7 +163,7 @@ std::optional<CatalogueEntry> Catalogue::find(const std::string& name) {
   // A name that PostgreSQL refuses cannot be in the catalogue.
   if (!is_storable(name)) return std::nullopt;
   return impl_->session.transact([&](Transaction& transaction) -> std::optional<CatalogueEntry> {
-    const pqxx::result rows = transaction.run(statements::kFindLoop, {name});
+    const pqxx::result rows = transaction.run(kFindLoop, {name});
     if (rows.empty()) return std::nullopt;
     return read_loop(rows[0]);
   });
@@ -138,7 +180,7 @@ std::size_t Catalogue::set_enabled(std::span<const std::string> names, bool enab
   for (const std::string& name : names) list.add_text(name);
   return impl_->session.transact([&](Transaction& transaction) {
     return static_cast<std::size_t>(
-        transaction.run(statements::kSetEnabled, {list.text(), enabled ? "t" : "f"}).size());
+        transaction.run(kSetEnabled, {list.text(), enabled ? "t" : "f"}).size());
   });
 }
 

@@ -6,12 +6,44 @@
 #include <vector>
 
 #include "storage/array_literal.hpp"
-#include "storage/results/rows/schedule_statements.hpp"
+#include "storage/results/leases/held_loops.hpp"
 #include "storage/results/writes/write_problems.hpp"
 #include "storage/results/writes/write_results.hpp"
 
 namespace loopscope::storage {
 namespace {
+
+// The owner is not asked for: a repeat after a commit in doubt finds it gone and must still count
+// as this worker's, which the fence proves. A slot after now() was noted under a clock ahead: what
+// is done now is newer in truth; one that is done under such a clock has not come yet.
+const Statement kComplete{"complete", R"(
+    UPDATE loopscope.schedule AS s SET
+      owner = NULL, visible_at = done.next_due, attempts = 0, lost_leases = 0,
+      last_error = NULL,
+      last_slot_end = CASE WHEN s.last_slot_end > now() THEN done.slot_end
+                           ELSE greatest(s.last_slot_end, done.slot_end) END,
+      result_slot_end = CASE WHEN s.result_slot_end > now() THEN done.slot_end
+                             WHEN done.has_record THEN greatest(s.result_slot_end, done.slot_end)
+                             ELSE s.result_slot_end END,
+      pv_flat_s = CASE WHEN done.has_record THEN done.pv_flat_s ELSE s.pv_flat_s END,
+      pv_step = CASE WHEN done.has_record THEN done.pv_step ELSE s.pv_step END
+    FROM unnest($1::bigint[], $2::bigint[], $3::timestamptz[], $4::timestamptz[], $5::boolean[],
+                $6::float8[], $7::float8[])
+      AS done (loop_id, fence, slot_end, next_due, has_record, pv_flat_s, pv_step)
+    WHERE s.loop_id = done.loop_id AND s.fence = done.fence AND done.slot_end <= now()
+    RETURNING s.loop_id)"};
+
+// A repeat finds no owner and counts no second failure. The worker lived to tell: no lease is lost.
+const Statement kSetAside{"set_aside", R"(
+    UPDATE loopscope.schedule AS s SET
+      owner = NULL, visible_at = now() + failed.retry_after_s * interval '1 second',
+      attempts = least(s.attempts + (s.owner IS NOT NULL AND failed.at_fault)::integer, 1000000),
+      lost_leases = 0,
+      last_error = failed.error
+    FROM unnest($1::bigint[], $2::bigint[], $3::text[], $4::float8[], $5::boolean[])
+      AS failed (loop_id, fence, error, retry_after_s, at_fault)
+    WHERE s.loop_id = failed.loop_id AND s.fence = failed.fence
+    RETURNING s.loop_id)"};
 
 /// Those whose lease holds but whose slot has not come are due again at once.
 void release_others(Transaction& transaction, std::span<const CompletedLoop> completed,
@@ -22,7 +54,7 @@ void release_others(Transaction& transaction, std::span<const CompletedLoop> com
     loop_id.add_integer(loop.loop_id);
     fence.add_integer(loop.fence);
   }
-  transaction.run(statements::kRelease, {loop_id.text(), fence.text()});
+  release(transaction, {loop_id.text(), fence.text()});
 }
 
 /// Gives the completed loops back and returns those whose lease still held and whose slot has come.
@@ -41,8 +73,8 @@ std::vector<const CompletedLoop*> complete(Transaction& transaction,
     past.step > 0.0 ? pv_step.add_number(past.step) : pv_step.add_null();
   }
   std::unordered_set<std::int64_t> held;
-  for (const pqxx::row& row : transaction.run(
-           statements::kComplete, {loop_id.text(), fence.text(), slot_end.text(), next_due.text(),
+  for (const pqxx::row& row :
+       transaction.run(kComplete, {loop_id.text(), fence.text(), slot_end.text(), next_due.text(),
                                    has_record.text(), pv_flat_s.text(), pv_step.text()})) {
     held.insert(row["loop_id"].as<std::int64_t>());
   }
@@ -66,7 +98,7 @@ std::size_t set_aside(Transaction& transaction, std::span<const FailedLoop> fail
     at_fault.add_boolean(loop.at_fault);
   }
   return transaction
-      .run(statements::kSetAside,
+      .run(kSetAside,
            {loop_id.text(), fence.text(), error.text(), retry_after_s.text(), at_fault.text()})
       .size();
 }

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/results/rows/loop_columns.hpp"
 #include "storage/results/rows/loop_row.hpp"
-#include "storage/results/rows/number_list.hpp"
 #include "storage/results/session/session.hpp"
 #include "storage/timestamp.hpp"
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace loopscope::storage {
@@ -22,5 +24,10 @@ struct PlantTrace {
   std::vector<double> periods_s;  ///< of the spectrum, shortest first
   std::vector<double> power;      ///< there: share of the error's variance per unit of ln(period)
 };
+
+/// As plant_oscillation keeps them: an array of objects, whose keys are the members of the values.
+/// What is not finite is null; values have the five digits that a picture shows.
+[[nodiscard]] std::string leads_json(std::span<const PlantLead> leads);
+[[nodiscard]] std::string traces_json(std::span<const PlantTrace> traces);
 
 }  // namespace loopscope::storage

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "storage/array_literal.hpp"
-#include "storage/results/plant/plant_statements.hpp"
 #include "storage/results/rows/loop_row.hpp"
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/results_clock.hpp"
@@ -12,6 +11,25 @@
 
 namespace loopscope::storage {
 namespace {
+
+// By the database's clock alone. A lease that ends later than it was given for comes of a clock
+// that was ahead, and does not hold; the minute is for one that was put back a little meanwhile.
+const Statement kTakeRound{"take_round", R"(
+    UPDATE loopscope.task_lease SET
+      owner = $1, until = now() + $2::float8 * interval '1 second', hold_s = $2::float8
+    WHERE task = 'plant_round'
+      AND (owner IS NULL OR owner = $1 OR until <= now()
+           OR until > now() + hold_s * interval '1 second' + interval '1 minute')
+    RETURNING owner)"};
+
+const Statement kGiveRoundBack{"give_round_back", R"(
+    UPDATE loopscope.task_lease SET owner = NULL, until = NULL, hold_s = NULL
+    WHERE task = 'plant_round' AND owner = $1)",
+                               Rows::none};
+
+const Statement kRoundHolder{"round_holder", R"(
+    SELECT coalesce(owner, '') AS owner FROM loopscope.task_lease WHERE task = 'plant_round')",
+                             Rows::one};
 
 const Statement kTakeTurn{"take_plant_turn", R"(
     SELECT greatest(0, coalesce($1::float8 - extract(epoch FROM now()
@@ -33,7 +51,7 @@ struct PlantRounds::Impl {
     require_schema_version(session);
   }
   void give_back(Transaction& transaction) {
-    if (!owner.empty()) transaction.run(statements::kGiveRoundBack, {owner});
+    if (!owner.empty()) transaction.run(kGiveRoundBack, {owner});
     owner.clear();
   }
   Session session;
@@ -56,9 +74,8 @@ PlantRounds::~PlantRounds() {
 PlantTurn PlantRounds::take_turn(double every_s, const std::string& owner, double hold_s) {
   return transact_in_time(impl_->session, impl_->check, [&](Transaction& transaction) -> PlantTurn {
     // The turn comes first: whoever waited for it would see the round of the one before.
-    if (transaction.run(statements::kTakeRound, {make_storable(owner), number_text(hold_s)})
-            .empty())
-      return {std::nullopt, transaction.run(statements::kRoundHolder)[0]["owner"].c_str()};
+    if (transaction.run(kTakeRound, {make_storable(owner), number_text(hold_s)}).empty())
+      return {std::nullopt, transaction.run(kRoundHolder)[0]["owner"].c_str()};
     impl_->owner = make_storable(owner);
     const pqxx::row row = transaction.run(kTakeTurn, {number_text(every_s)})[0];
     PlantTurn turn;

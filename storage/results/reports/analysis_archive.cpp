@@ -1,6 +1,5 @@
 #include "storage/results/reports/analysis_archive.hpp"
 
-#include "storage/results/rows/loop_columns.hpp"
 #include "storage/results/rows/loop_row.hpp"
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/session.hpp"

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "storage/analysis_record.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/connection_settings.hpp"
+#include "storage/loop_work.hpp"
 
 namespace loopscope::storage {
 

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "storage/results/rows/loop_row.hpp"
-#include "storage/results/rows/number_list.hpp"
 
 namespace loopscope::storage {
 namespace {

@@ -1,6 +1,7 @@
 #include "storage/results/rows/loop_row.hpp"
 
 #include <string>
+#include <tuple>
 
 namespace loopscope::storage {
 namespace {
@@ -64,6 +65,20 @@ CatalogueEntry read_loop(const pqxx::row& row) {
   loop.enabled = row["enabled"].as<bool>();
   loop.registered_us = row["registered_us"].as<std::int64_t>();
   return loop;
+}
+
+std::vector<std::optional<double>> read_number_list(const pqxx::field& field) {
+  std::vector<std::optional<double>> values;
+  if (field.is_null()) return values;
+  pqxx::array_parser elements = field.as_array();
+  for (auto [what, text] = elements.get_next(); what != pqxx::array_parser::done;
+       std::tie(what, text) = elements.get_next()) {
+    if (what == pqxx::array_parser::string_value)
+      pqxx::from_string(text, values.emplace_back(0.0).value());
+    else if (what == pqxx::array_parser::null_value)
+      values.emplace_back(std::nullopt);
+  }
+  return values;
 }
 
 }  // namespace loopscope::storage

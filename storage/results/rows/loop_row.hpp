@@ -4,8 +4,20 @@
 #include <optional>
 #include <pqxx/pqxx>
 #include <string>
+#include <vector>
 
 #include "storage/catalogue_entry.hpp"
+
+/// What read_loop() takes from a row. Times travel as whole microseconds: extract()
+/// is exact, because it is numeric since PostgreSQL 14. An infinite time of one
+/// loop would stop whoever reads it among others.
+#define LOOPSCOPE_LOOP_COLUMNS                                                                 \
+  "loop.loop_id, loop.name, loop.source, loop.sp_tag, loop.pv_tag, loop.op_tag, loop.mv_tag,"  \
+  " loop.mode_tag, loop.interval_s, loop.period_s, loop.op_low, loop.op_high, loop.loop_type," \
+  " loop.importance, loop.enabled, loop.area, loop.unit, loop.description, loop.pv_unit,"      \
+  " loop.owner, loop.pv_low, loop.pv_high,"                                                    \
+  " (extract(epoch FROM greatest(least(loop.registered_at, '9999-12-31 UTC'), "                \
+  "'4713-01-01 BC')) * 1000000)::bigint AS registered_us"
 
 namespace loopscope::storage {
 
@@ -26,5 +38,8 @@ namespace loopscope::storage {
 
 /// The catalogue entry in a row of the statements that list the loop's columns.
 [[nodiscard]] CatalogueEntry read_loop(const pqxx::row& row);
+
+/// The elements of an array of numbers, "{0.1,NULL,...}", in their places; empty for NULL.
+[[nodiscard]] std::vector<std::optional<double>> read_number_list(const pqxx::field& field);
 
 }  // namespace loopscope::storage

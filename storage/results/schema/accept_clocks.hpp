@@ -1,6 +1,5 @@
 #pragma once
 
-#include "storage/accepted_clocks.hpp"
 #include "storage/connection_settings.hpp"
 #include "storage/server_clock.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "storage/check_connection.hpp"
 #include "storage/connection_settings.hpp"
-#include "storage/finding.hpp"
 
 namespace loopscope::storage {
 

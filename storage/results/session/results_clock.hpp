@@ -1,6 +1,5 @@
 #pragma once
 
-#include "storage/accepted_clocks.hpp"
 #include "storage/results/session/session.hpp"
 #include "storage/server_clock.hpp"
 

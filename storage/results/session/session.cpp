@@ -1,6 +1,6 @@
 #include "storage/results/session/session.hpp"
 
-#include "storage/patience.hpp"
+#include "storage/connection_settings.hpp"
 #include "storage/results/session/schema_owner.hpp"
 
 namespace loopscope::storage {

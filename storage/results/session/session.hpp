@@ -10,12 +10,35 @@
 #include "storage/connection_settings.hpp"
 #include "storage/error.hpp"
 #include "storage/explain_error.hpp"
-#include "storage/results/session/checked_transaction.hpp"
 #include "storage/results/session/socket_deadline.hpp"
 #include "storage/session_setup.hpp"
 #include "storage/statement.hpp"
 
 namespace loopscope::storage {
+
+inline constexpr const char* kReadWrite = "BEGIN";
+inline constexpr const char* kOneMoment = "BEGIN ISOLATION LEVEL REPEATABLE READ, READ ONLY";
+
+/// A transaction that begins, in the same message, with the check of its session: where that fails,
+/// nothing else is done in it. Commits as pqxx::work does.
+class CheckedTransaction : public pqxx::internal::basic_transaction {
+ public:
+  CheckedTransaction(pqxx::connection_base& connection, const char* begin,
+                     const std::string& check_sql)
+      : pqxx::internal::namedclass("transaction"),
+        basic_transaction(connection, "READ COMMITTED", pqxx::read_write),
+        begin_(std::string(begin) + "; " + check_sql) {
+    Begin();
+  }
+  ~CheckedTransaction() override { End(); }
+  CheckedTransaction(const CheckedTransaction&) = delete;
+  CheckedTransaction& operator=(const CheckedTransaction&) = delete;
+
+ private:
+  void do_begin() override { direct_exec(begin_.c_str()); }
+
+  std::string begin_;
+};
 
 /// An open transaction of a Session.
 class Transaction {

@@ -11,7 +11,7 @@
 
 #include "core/diagnosis/odds/combined_odds.hpp"
 #include "storage/array_literal.hpp"
-#include "storage/results/rows/number_list.hpp"
+#include "storage/results/rows/loop_row.hpp"
 #include "storage/statement.hpp"
 #include "storage/timestamp.hpp"
 

@@ -11,12 +11,50 @@
 #include "core/diagnosis/odds/combined_odds.hpp"
 #include "core/signal/grid.hpp"
 #include "storage/array_literal.hpp"
-#include "storage/results/rows/statements.hpp"
 #include "storage/results/writes/analysis_columns.hpp"
 #include "storage/results/writes/write_combined.hpp"
 
 namespace loopscope::storage {
 namespace {
+
+const Statement kInsertVerdicts{"insert_verdicts", R"(
+    INSERT INTO loopscope.verdict (loop_id, slot_end, algorithm_revision, input_revision,
+                                   analysis_id, code, confidence, p, summary, reasons,
+                                   action, cause_probabilities, cause_evidence)
+    SELECT loop_id, slot_end, algorithm_revision, input_revision,
+           analysis_id, code, confidence, p, summary, reasons::text[], action, causes::real[],
+           evidence::real[]
+    FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::integer[],
+                $5::bigint[], $6::text[], $7::float8[], $8::float8[], $9::text[], $10::text[],
+                $11::text[], $12::text[], $13::text[])
+      AS row (loop_id, slot_end, algorithm_revision, input_revision, analysis_id, code, confidence,
+              p, summary, reasons, action, causes, evidence))",
+                                Rows::none};
+
+const Statement kInsertPeaks{"insert_peaks", R"(
+    INSERT INTO loopscope.bicoherence_peak (loop_id, slot_end, algorithm_revision, input_revision,
+                                            rank, f1, f2, bic2, p)
+    SELECT * FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::integer[],
+                         $5::integer[], $6::float8[], $7::float8[], $8::float8[], $9::float8[]))",
+                             Rows::none};
+
+// Figures that are null in JSON become NULL; jsonb keeps every digit of the others.
+const Statement kInsertSteps{"insert_steps", R"(
+    INSERT INTO loopscope.explanation_step (loop_id, slot_end, algorithm_revision, input_revision,
+                                            step, effect, parameters, intervals,
+                                            holdout_error_before, holdout_error_after, evidence, p,
+                                            margin, simulation_ratio, steadiness, statement,
+                                            asked_by)
+    SELECT loop_id, slot_end, algorithm_revision, input_revision,
+           number, taken->>'effect', taken->'parameters', taken->'intervals',
+           (taken->>'holdout_error_before')::float8, (taken->>'holdout_error_after')::float8,
+           (taken->>'evidence')::float8, (taken->>'p')::float8, (taken->>'margin')::float8,
+           (taken->>'simulation_ratio')::float8, (taken->>'steadiness')::float8,
+           taken->>'statement', taken->'asked_by'
+    FROM unnest($1::bigint[], $2::timestamptz[], $3::integer[], $4::integer[], $5::text[])
+      AS row (loop_id, slot_end, algorithm_revision, input_revision, model)
+    CROSS JOIN jsonb_array_elements(model::jsonb->'steps') WITH ORDINALITY AS s (taken, number))",
+                             Rows::none};
 
 /// An analysis row that was written in this transaction.
 struct WrittenAnalysis {
@@ -78,7 +116,7 @@ void insert_verdicts(Transaction& transaction, const std::vector<WrittenAnalysis
     evidence.add_real_list(core::diagnosis::evidence_of(verdict));
   }
   transaction.run(
-      statements::kInsertVerdicts,
+      kInsertVerdicts,
       {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
        key.input_revision.text(), analysis_id.text(), code.text(), confidence.text(), p.text(),
        summary.text(), reasons.text(), action.text(), causes.text(), evidence.text()});
@@ -99,10 +137,9 @@ void insert_peaks(Transaction& transaction, const std::vector<WrittenAnalysis>& 
       p.add_number(peak.p);
     }
   }
-  transaction.run(
-      statements::kInsertPeaks,
-      {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
-       key.input_revision.text(), rank.text(), f1.text(), f2.text(), bic2.text(), p.text()});
+  transaction.run(kInsertPeaks, {key.loop_id.text(), key.slot_end.text(),
+                                 key.algorithm_revision.text(), key.input_revision.text(),
+                                 rank.text(), f1.text(), f2.text(), bic2.text(), p.text()});
 }
 
 /// One row for each effect that a loop model took in.
@@ -114,7 +151,7 @@ void insert_steps(Transaction& transaction, const std::vector<WrittenAnalysis>& 
     key.add(written);
     model.add_text(written.loop->record->model_json);
   }
-  transaction.run(statements::kInsertSteps,
+  transaction.run(kInsertSteps,
                   {key.loop_id.text(), key.slot_end.text(), key.algorithm_revision.text(),
                    key.input_revision.text(), model.text()});
 }

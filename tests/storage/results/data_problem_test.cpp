@@ -1,7 +1,6 @@
-#include "storage/data_problem.hpp"
-
 #include <gmock/gmock.h>
 
+#include "storage/loop_work.hpp"
 #include "tests/storage/results/results_fixture.hpp"
 
 namespace loopscope::storage {

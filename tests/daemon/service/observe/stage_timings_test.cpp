@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "daemon/service/observe/cost_text.hpp"
-
 namespace loopscope::daemon {
 namespace {
 

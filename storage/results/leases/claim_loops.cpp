@@ -1,0 +1,270 @@
+#include "storage/results/leases/claim_loops.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "storage/array_literal.hpp"
+#include "storage/results/rows/loop_row.hpp"
+#include "storage/results/session/results_clock.hpp"
+#include "storage/utf8.hpp"
+
+namespace loopscope::storage {
+namespace {
+
+// A claim is ONE statement. The chosen rows are locked first and then updated by their place in the
+// table (ctid): joined as a subquery they cost a scan of the whole table under an unlucky plan, and
+// by key a look at every version that an old snapshot keeps. A claim that finds an owner takes over
+// from a worker that was lost: that counts as a failure and as a lost lease, so that a loop which
+// kills its workers is noticed. Only the database's clock is used.
+#define LOOPSCOPE_CLAIM(CHOICE)                                                                 \
+  "WITH chosen AS MATERIALIZED (SELECT due.ctid AS place, due.loop_id, due.visible_at " CHOICE  \
+  " FOR UPDATE OF due SKIP LOCKED), claimed AS ("                                               \
+  "  UPDATE loopscope.schedule AS s SET"                                                        \
+  "    owner = $1, fence = s.fence + 1, visible_at = now() + $2::float8 * interval '1 second'," \
+  "    hold_s = $2::float8,"                                                                    \
+  "    attempts = least(s.attempts + (s.owner IS NOT NULL)::integer, 1000000),"                 \
+  "    lost_leases = least(s.lost_leases + (s.owner IS NOT NULL)::integer, 1000000),"           \
+  "    last_error = CASE WHEN s.owner IS NULL THEN s.last_error"                                \
+  "                      ELSE 'the lease of ' || s.owner || ' ended without a result' END"      \
+  "  WHERE s.ctid = ANY (ARRAY(SELECT chosen.place FROM chosen))"                               \
+  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end, s.result_slot_end,"             \
+  "    s.pv_flat_s, s.pv_step) "                                                                \
+  "SELECT " LOOPSCOPE_LOOP_COLUMNS                                                              \
+  ","                                                                                           \
+  "  claimed.fence, claimed.attempts, (extract(epoch FROM now()) * 1000000)::bigint AS now_us," \
+  "  (extract(epoch FROM least(chosen.visible_at, now())) * 1000000)::bigint AS due_us,"        \
+  "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us,"        \
+  "  said.code AS last_code, said.confidence AS last_confidence, said.p AS last_p,"             \
+  "  claimed.pv_flat_s, claimed.pv_step "                                                       \
+  "FROM claimed JOIN chosen USING (loop_id) JOIN loopscope.loop USING (loop_id) "               \
+  "LEFT JOIN LATERAL ("                                                                         \
+  "  SELECT verdict.code, verdict.confidence, verdict.p FROM loopscope.verdict"                 \
+  "  WHERE verdict.loop_id = claimed.loop_id AND verdict.slot_end = claimed.result_slot_end"    \
+  "  ORDER BY verdict.algorithm_revision DESC, verdict.input_revision DESC LIMIT 1"             \
+  ") AS said ON true ORDER BY loop_id"
+
+// A time in microseconds, exactly.
+#define LOOPSCOPE_TIME(PARAMETER) \
+  "(timestamptz 'epoch' + " PARAMETER "::bigint * interval '1 microsecond')"
+
+// What would be the third lost lease in a row makes a loop a suspect: it may be what kills the
+// workers, and is left out of the batches.
+#define LOOPSCOPE_SUSPECT "due.lost_leases + (due.owner IS NOT NULL)::integer >= 3"
+
+// Behind the place that the floor names (claim_floor.hpp); said twice, because the planner expects
+// a third of the table of a comparison of rows, and few of one of times.
+#define LOOPSCOPE_CLAIM_DUE(AND_MORE) \
+  LOOPSCOPE_CLAIM(                                                                              \
+      "FROM loopscope.schedule AS due "                                                         \
+      "WHERE due.enabled AND due.visible_at <= now()"                                           \
+      "  AND due.visible_at >= " LOOPSCOPE_TIME("$4")                                            \
+      "  AND (due.visible_at, due.loop_id) > (" LOOPSCOPE_TIME("$4") ", $5::bigint)"            \
+      "  AND NOT (" LOOPSCOPE_SUSPECT ") " AND_MORE                                             \
+      "ORDER BY due.visible_at, due.loop_id LIMIT $3::bigint")
+
+// A subquery for each row that is looked at: joined, it would read both tables as a whole.
+#define LOOPSCOPE_ELSEWHERE(SOURCES)     \
+  "(SELECT away.source <> ALL (" SOURCES \
+  "::text[]) FROM loopscope.loop AS away WHERE away.loop_id = due.loop_id) "
+
+const Statement kClaimDue{"claim_due", LOOPSCOPE_CLAIM_DUE("")};
+
+const Statement kClaimDueElsewhere{"claim_due_elsewhere",
+                                   LOOPSCOPE_CLAIM_DUE("AND " LOOPSCOPE_ELSEWHERE("$6"))};
+
+// Seconds as the server counts them: what the way there takes says nothing of dead entries. What is
+// locked is being claimed, or would not be claimed.
+const Statement kOldestDue{
+    "oldest_due",
+    "SELECT oldest.due_us, oldest.loop_id,"
+    "  extract(epoch FROM clock_timestamp() - statement_timestamp())::float8 AS took_s "
+    "FROM (SELECT 1) AS always LEFT JOIN LATERAL ("
+    "  SELECT (extract(epoch FROM due.visible_at) * 1000000)::bigint AS due_us, due.loop_id"
+    "  FROM loopscope.schedule AS due "
+    "  WHERE due.enabled AND due.visible_at >= " LOOPSCOPE_TIME("$1")
+    "    AND due.visible_at <= least(" LOOPSCOPE_TIME("$2") ", now())"
+    "    AND (due.visible_at, due.loop_id) <= (least(" LOOPSCOPE_TIME("$2") ", now()), $3::bigint)"
+    "    AND NOT (" LOOPSCOPE_SUSPECT ") AND " LOOPSCOPE_ELSEWHERE("$4")
+    "  ORDER BY due.visible_at, due.loop_id LIMIT 1 FOR UPDATE OF due SKIP LOCKED"
+    ") AS oldest ON true",
+    Rows::one};
+
+// Few loops have lost two leases, and they have an index of their own (schedule_suspect).
+const Statement kClaimSuspect{
+    "claim_suspect",
+    LOOPSCOPE_CLAIM("FROM loopscope.schedule AS due "
+                    "WHERE due.enabled AND due.lost_leases >= 2 AND due.visible_at <= now()"
+                    "  AND " LOOPSCOPE_SUSPECT " ORDER BY due.visible_at LIMIT 1")};
+
+// A suspect that was alone when its worker died is left alone for a minute, then two, up to six
+// hours.
+const Statement kRestSuspects{"rest_suspects", R"(
+    UPDATE loopscope.schedule AS s SET
+      owner = NULL, attempts = least(s.attempts + 1, 1000000),
+      lost_leases = least(s.lost_leases + 1, 1000000),
+      visible_at = now() + least(60 * 2 ^ least(s.lost_leases - 3, 9), 21600) * interval '1 second',
+      last_error = 'the lease of ' || s.owner || ' ended without a result, alone'
+    WHERE s.loop_id = ANY (ARRAY(
+      SELECT due.loop_id FROM loopscope.schedule AS due
+      WHERE due.enabled AND due.lost_leases >= 3 AND due.visible_at <= now()
+        AND due.owner IS NOT NULL
+      FOR UPDATE SKIP LOCKED)))",
+                              Rows::none};
+
+// The row of a loop is the one with its highest fence: looked for from there, the versions that an
+// old snapshot keeps are not passed.
+const Statement kClaimNext{
+    "claim_next",
+    LOOPSCOPE_CLAIM("FROM loopscope.loop CROSS JOIN LATERAL ("
+                    "  SELECT kept.ctid AS place FROM loopscope.schedule AS kept"
+                    "  WHERE kept.loop_id = loop.loop_id ORDER BY kept.fence DESC LIMIT 1"
+                    ") AS newest JOIN loopscope.schedule AS due ON due.ctid = newest.place "
+                    "WHERE due.enabled AND loop.loop_id > $4::bigint"
+                    "  AND (due.owner IS NULL OR due.visible_at <= now())"
+                    "  AND NOT (" LOOPSCOPE_SUSPECT ") "
+                    "ORDER BY loop.loop_id LIMIT $3::bigint")};
+
+/// Seconds of the server's. With nothing dead in the way all of time takes some milliseconds.
+constexpr double kPatience_s = 0.03;
+/// After a stand of days the loops of all of them are due: the first claim is to find the oldest.
+constexpr double kFirstPatience_s = 1.0;
+/// All of time takes sixteen where nothing is dead. Each is a way to the server and back.
+constexpr int kMostSlices = 32;
+constexpr int kMostSlicesFirst = 1000;
+
+std::string text_of(const std::vector<std::string>& but_of) {
+  ArrayLiteral sources;
+  for (const std::string& source : but_of) sources.add_text(source);
+  return sources.text();
+}
+
+std::optional<LastVerdict> read_last_verdict(const pqxx::row& row) {
+  const auto code = core::diagnosis::verdict_code(read_text(row["last_code"]));
+  if (!code) return std::nullopt;
+  return LastVerdict{*code, row["last_confidence"].as<double>(), read_number(row["last_p"])};
+}
+
+ClaimedLoop read_claim(const pqxx::row& row) {
+  return {read_loop(row),
+          row["fence"].as<std::int64_t>(),
+          row["attempts"].as<int>(),
+          row["now_us"].as<std::int64_t>(),
+          read_integer(row["last_slot_end_us"]),
+          read_last_verdict(row),
+          read_pv_past(row)};
+}
+
+std::vector<ClaimedLoop> read_claims(const pqxx::result& rows) {
+  std::vector<ClaimedLoop> claimed;
+  claimed.reserve(rows.size());
+  for (const pqxx::row& row : rows) claimed.push_back(read_claim(row));
+  return claimed;
+}
+
+DuePlace read_place(const pqxx::row& row) {
+  return {row["due_us"].as<std::int64_t>(), row["loop_id"].as<std::int64_t>()};
+}
+
+/// What a claim has taken, and how far everything is taken now.
+struct Found {
+  ClaimFloor::Start start;
+  std::vector<ClaimedLoop> loops;
+  DuePlace last;
+};
+
+Found claim_from_floor(Transaction& transaction, std::int64_t now_us, const DueClaim& claim,
+                       ClaimFloor& floor) {
+  const ClaimFloor::Start start = floor.start(now_us);
+  Found found{start, {}, start.place};
+  std::vector<std::string> parameters{
+      make_storable(claim.owner), number_text(claim.lease_s), std::to_string(claim.limit),
+      std::to_string(found.start.place.due_us), std::to_string(found.start.place.loop_id)};
+  if (!claim.but_of.empty()) parameters.push_back(text_of(claim.but_of));
+  const pqxx::result rows =
+      transaction.run(claim.but_of.empty() ? kClaimDue : kClaimDueElsewhere, parameters);
+  found.loops.reserve(rows.size());
+  for (const pqxx::row& row : rows) {
+    found.loops.push_back(read_claim(row));
+    found.last = std::max(found.last, read_place(row));
+  }
+  if (std::cmp_less(found.loops.size(), claim.limit)) found.last = behind(now_us);
+  return found;
+}
+
+/// A look back: what it has spent, by the server's clock, and whether it found anything.
+struct Look {
+  double spent_s = 0.0;
+  bool found = false;
+};
+
+/// Seconds that the slice took.
+double look_through(Transaction& transaction, const std::string& but_of, ClaimFloor& floor,
+                    const ClaimFloor::Slice& slice, Look& look) {
+  const pqxx::row row =
+      transaction.run(kOldestDue, {std::to_string(slice.from_us), std::to_string(slice.to.due_us),
+                                   std::to_string(slice.to.loop_id), but_of})[0];
+  if (!row["loop_id"].is_null()) {
+    floor.lower(read_place(row));
+    look.found = true;
+  }
+  const double took_s = row["took_s"].as<double>();
+  look.spent_s += took_s;
+  return took_s;
+}
+
+}  // namespace
+
+std::vector<ClaimedLoop> claim_due(Session& session, const ClockCheck& check, const DueClaim& claim,
+                                   ClaimFloor& floor) {
+  const auto once = [&] {
+    Found found = session.transact([&](Transaction& transaction) {
+      const std::int64_t now_us = checked_clock(transaction, check).now_us;
+      return claim_from_floor(transaction, now_us, claim, floor);
+    });
+    floor.passed(found.start, found.last);  // not before the claim is committed
+    return std::move(found.loops);
+  };
+  if (!floor.place()) look_back(session, claim.but_of, floor);
+  std::vector<ClaimedLoop> claimed = once();
+  if (claimed.empty() && look_back(session, claim.but_of, floor)) claimed = once();
+  return claimed;
+}
+
+std::vector<ClaimedLoop> claim_suspect(Session& session, const ClockCheck& check,
+                                       const std::string& owner, double lease_s) {
+  return read_claims(transact_in_time(session, check, [&](Transaction& transaction) {
+    transaction.run(kRestSuspects);
+    return transaction.run(kClaimSuspect, {make_storable(owner), number_text(lease_s)});
+  }));
+}
+
+std::vector<ClaimedLoop> claim_next(Session& session, const ClockCheck& check,
+                                    const NextClaim& claim) {
+  const std::vector<std::string> parameters{make_storable(claim.owner), number_text(claim.lease_s),
+                                            std::to_string(claim.limit),
+                                            std::to_string(claim.after)};
+  return read_claims(transact_in_time(session, check, [&](Transaction& transaction) {
+    return transaction.run(kClaimNext, parameters);
+  }));
+}
+
+bool look_back(Session& session, const std::vector<std::string>& but_of, ClaimFloor& floor) {
+  const bool is_first = !floor.place();
+  const double patience_s = is_first ? kFirstPatience_s : kPatience_s;
+  const std::string sources = text_of(but_of);
+  Look look;
+  session.transact([&](Transaction& transaction) {
+    static_cast<void>(floor.start(transaction_clock(transaction).now_us));
+    const ClaimFloor::Slice nearest = floor.nearest();
+    look_through(transaction, sources, floor, nearest, look);
+    floor.looked_nearest(nearest);
+    for (int slices = is_first ? kMostSlicesFirst : kMostSlices;
+         slices > 0 && look.spent_s < patience_s; --slices) {
+      const ClaimFloor::Slice slice = floor.next();
+      if (floor.looked(slice, look_through(transaction, sources, floor, slice, look))) break;
+    }
+  });
+  return look.found;
+}
+
+}  // namespace loopscope::storage
