@@ -11,7 +11,8 @@
 namespace loopscope::tests::repairs {
 
 /// Writes loops, analyses and events as catalogue, worker and command line do, judges the repairs
-/// as the daemon does, and returns what the view shows of each, in their order. The database has the schema.
+/// as the daemon does, and returns what the view shows of each, in their order. The database has
+/// the schema.
 [[nodiscard]] std::vector<storage::MaintenanceRow> store_repairs(
     const storage::ConnectionSettings& database, std::span<const DiagnosedRepair> repairs);
 

@@ -1,6 +1,6 @@
 #include "storage/results/reports/export_view.hpp"
 
-#include "storage/results/rows/text_list.hpp"
+#include "storage/results/rows/loop_row.hpp"
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/snapshot.hpp"
 #include "storage/timestamp.hpp"

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "storage/results/rows/loop_row.hpp"
-#include "storage/results/rows/text_list.hpp"
 
 namespace loopscope::storage {
 namespace {

@@ -42,4 +42,7 @@ namespace loopscope::storage {
 /// The elements of an array of numbers, "{0.1,NULL,...}", in their places; empty for NULL.
 [[nodiscard]] std::vector<std::optional<double>> read_number_list(const pqxx::field& field);
 
+/// The elements of a text[]; those that are null are left out.
+[[nodiscard]] std::vector<std::string> read_text_list(const pqxx::field& field);
+
 }  // namespace loopscope::storage

@@ -99,7 +99,8 @@ TEST(LoopSection, TheTableHasErrorsBeforeAndAfterAndTheFloor) {
 TEST(LoopSection, AModelThatClaimsNothingSaysSo) {
   core::model::Explanation silent;
   silent.excitation = "op hardly moves";
-  EXPECT_THAT(explanation_table(silent), HasSubstr("The process could not be identified: op hardly moves"));
+  EXPECT_THAT(explanation_table(silent),
+              HasSubstr("The process could not be identified: op hardly moves"));
 }
 
 TEST(LoopSection, NoHostileNameChangesTheMarkup) {
