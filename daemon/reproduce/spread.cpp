@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/hos/numeric/sample_quantile.hpp"
+#include "core/hos/numeric/quantile.hpp"
 
 namespace loopscope::daemon {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "config/settings.hpp"
-#include "core/diagnosis/loop_model.hpp"
+#include "core/diagnosis/diagnose.hpp"
 #include "storage/results/results_database.hpp"
 
 namespace loopscope::daemon {
