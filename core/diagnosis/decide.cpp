@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnosis/action.hpp"
 #include "core/diagnosis/disturbance_words.hpp"
 #include "core/diagnosis/evidence/nonlinearity.hpp"
 #include "core/diagnosis/evidence/structure.hpp"

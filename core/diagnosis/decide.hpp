@@ -3,7 +3,6 @@
 #include "core/diagnosis/evidence/evidence.hpp"
 #include "core/diagnosis/odds/cause_odds.hpp"
 #include "core/diagnosis/odds/combined_odds.hpp"
-#include "core/diagnosis/verdicts/decision_settings.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
 #include "core/hos/transforms/settings.hpp"
 

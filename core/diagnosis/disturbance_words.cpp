@@ -6,7 +6,7 @@
 
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/verdicts/number_words.hpp"
-#include "core/model/residual_tests/nominations.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/diagnosis/verdicts/verdict.hpp"
-#include "core/model/results/effect_kind.hpp"
 #include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::diagnosis {

@@ -7,8 +7,23 @@
 #include "core/diagnosis/evidence/nonlinearity.hpp"
 #include "core/diagnosis/odds/cause_odds.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::diagnosis {
+
+/// One step in a sentence: what it is, its figures, the held-out error before and after, p.
+[[nodiscard]] std::string step_text(const model::Step& step);
+
+/// What the model leaves, in a sentence.
+[[nodiscard]] std::string unexplained_text(const model::Explanation& explanation);
+
+/// The implied closed loop in a sentence: sensitivity, damping, period, settling time.
+[[nodiscard]] std::string closed_loop_text(const model::ClosedLoop& loop);
+
+/// What to do about a verdict, beside what else is probable: tuning waits while a valve or a sensor
+/// is to be repaired, which is as probable as `line` or is the verdict itself.
+[[nodiscard]] std::string action_for(VerdictCode code, const Evidence& evidence,
+                                     const Causes& causes, double line);
 
 /// A cause with its probability and the parts that weighed most, in words with their numbers.
 [[nodiscard]] CauseReport report_of(const WeighedCause& cause);

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnosis/action.hpp"
 #include "core/diagnosis/evidence/nonlinearity.hpp"
 #include "core/diagnosis/odds/cause_odds.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"

@@ -2,7 +2,6 @@
 
 #include "core/diagnosis/evidence/evidence.hpp"
 #include "core/diagnosis/loop_state.hpp"
-#include "core/diagnosis/verdicts/decision_settings.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
 #include "core/hos/transforms/settings.hpp"
 

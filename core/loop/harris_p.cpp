@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/loop/real_transform.hpp"
-#include "core/loop/variance_ratio.hpp"
+#include "core/loop/variance_error.hpp"
 
 namespace loopscope::core::loop {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/loop/if_finite.hpp"
 #include "core/loop/valve_work.hpp"
 #include "core/loop/variance_error.hpp"
-#include "core/signal/mode_counts.hpp"
+#include "core/signal/control_state.hpp"
 #include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::loop {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/loop/variance_ratio.hpp"
+#include "core/loop/variance_error.hpp"
 
 namespace loopscope::core::loop {
 namespace {

@@ -12,7 +12,6 @@
 #include "core/model/fit/noise_floor.hpp"
 #include "core/model/fit/process_report.hpp"
 #include "core/model/limit_cycle/apply_limit_cycle_evidence.hpp"
-#include "core/model/residual_tests/nominations.hpp"
 #include "core/model/residual_tests/run_residual_tests.hpp"
 #include "core/model/selection/step_report.hpp"
 #include "core/model/selection/steps_after_moves.hpp"

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/model/record/model_input.hpp"
-#include "core/model/residual_tests/test_residual.hpp"
+#include "core/model/record/loop_data.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 #include "core/model/results/explanation.hpp"
 #include "core/model/selection/stepwise_model.hpp"
 
@@ -14,7 +14,7 @@ struct BaselineAnalysis {
   ModelInput recorded;  ///< a value for each sample
   ModelInput at_rows;   ///< a value for each row; the same, unless the sensor is held
   StepwiseModel story;  ///< the linear baseline; no effect sought before select_and_report()
-  std::vector<TestOutcome> answers;             ///< that the story starts from (test_residual.hpp)
+  std::vector<TestOutcome> answers;  ///< that the story starts from (run_residual_tests.hpp)
   [[nodiscard]] double baseline_error() const;  ///< held out, pv units squared
   /// The same over the rows of both kinds, each as unseen by the fit to the other: half as many are
   /// few where the sensor is held.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/model/limit_cycle/op_turns.hpp"
+#include "core/model/valve_law/op_turns.hpp"
 #include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::model {

@@ -2,8 +2,9 @@
 
 #include <optional>
 
-#include "core/model/record/model_input.hpp"
+#include "core/model/record/loop_data.hpp"
 #include "core/model/results/explanation.hpp"
+#include "core/model/selection/stepwise_model.hpp"
 
 namespace loopscope::core::model {
 
@@ -22,5 +23,17 @@ namespace loopscope::core::model {
 ///   is taken for what could be explained. Where the errors are simulation errors no floor is known
 ///   (NaN), and the fraction is what the valve leaves of the linear error: an upper bound.
 [[nodiscard]] std::optional<Explanation> explain(const ModelInput& input);
+
+/// An explanation with the fits that it was read off.
+struct FittedLoop {
+  Explanation explanation;
+  /// Every sample a row. Without chapters where `renewals` has them.
+  StepwiseModel samples;
+  /// Of a held sensor that is renewed often enough: the same on the rows of its renewals.
+  std::optional<StepwiseModel> renewals;
+};
+
+/// explain(), and what it keeps to itself.
+[[nodiscard]] std::optional<FittedLoop> fit_loop_model(const ModelInput& input);
 
 }  // namespace loopscope::core::model

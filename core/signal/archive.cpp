@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/signal/between_rows.hpp"
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 #include "core/signal/order/sort_values.hpp"
 #include "core/signal/order/spread.hpp"
 

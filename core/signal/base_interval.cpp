@@ -9,7 +9,7 @@
 
 #include "core/signal/grid.hpp"
 #include "core/signal/microseconds.hpp"
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 
 namespace loopscope::core::signal {
 namespace {

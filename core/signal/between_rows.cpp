@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 #include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::signal {

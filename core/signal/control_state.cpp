@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <vector>
 
 #include "core/signal/flat_run.hpp"
-#include "core/signal/lasting_error.hpp"
 #include "core/signal/op_scale.hpp"
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 #include "core/signal/order/spread.hpp"
 #include "core/signal/read_back.hpp"
 
 namespace loopscope::core::signal {
 namespace {
+
+/// Noise crosses zero now and then even where the mean error is one and a third of its standard
+/// deviations.
+constexpr double kSameSide = 0.9;
 
 /// With the loop open for most of the window there is no control to judge.
 constexpr double kMostOfWindow = 0.5;
@@ -154,6 +158,33 @@ std::optional<double> wound_up_percent(const ControlRecord& record) {
 }
 
 }  // namespace
+
+ModeCounts count_modes(std::span<const ControlMode> mode) {
+  ModeCounts counts;
+  for (const ControlMode sample : mode) {
+    if (sample == ControlMode::manual)
+      ++counts.manual;
+    else if (sample == ControlMode::unknown)
+      ++counts.unknown;
+    else
+      ++counts.automatic;
+  }
+  return counts;
+}
+
+bool keeps_its_sign(std::span<const double> error, double least) {
+  std::size_t above = 0;
+  std::size_t below = 0;
+  std::size_t recorded = 0;
+  for (const double value : error) {
+    if (!std::isfinite(value)) continue;
+    ++recorded;
+    above += value > least ? 1 : 0;
+    below += value < -least ? 1 : 0;
+  }
+  const double enough = kSameSide * static_cast<double>(recorded);
+  return recorded > 0 && static_cast<double>(std::max(above, below)) >= enough;
+}
 
 bool ControlState::controlling() const {
   return acting_fraction.value_or(1.0) > kMostOfWindow;

@@ -9,6 +9,19 @@
 
 namespace loopscope::core::signal {
 
+/// How many samples the controller was run in which way.
+struct ModeCounts {
+  std::size_t manual = 0;
+  std::size_t automatic = 0;  ///< or cascade
+  std::size_t unknown = 0;
+  [[nodiscard]] std::size_t known() const { return manual + automatic; }
+};
+[[nodiscard]] ModeCounts count_modes(std::span<const ControlMode> mode);
+
+/// Whether nine in ten of the recorded samples lie beyond `least` on one and the same side of 0.
+/// False where none is recorded.
+[[nodiscard]] bool keeps_its_sign(std::span<const double> error, double least = 0.0);
+
 /// Why no controller acts.
 enum class NotActing {
   none,             ///< one does

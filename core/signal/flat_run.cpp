@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/signal/archive.hpp"
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 
 namespace loopscope::core::signal {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/signal/microseconds.hpp"
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 
 namespace loopscope::core::signal {
 namespace {

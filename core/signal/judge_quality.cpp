@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "core/signal/control_state.hpp"
 #include "core/signal/gaps.hpp"
-#include "core/signal/mode_counts.hpp"
 #include "core/signal/order/spread.hpp"
 #include "core/signal/setpoint_moves.hpp"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/signal/data_quality.hpp"
 #include "core/signal/prepared_loop.hpp"
 
 namespace loopscope::core::signal {

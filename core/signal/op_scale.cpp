@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/signal/control_state.hpp"
 #include "core/signal/flat_run.hpp"
-#include "core/signal/lasting_error.hpp"
 #include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::signal {

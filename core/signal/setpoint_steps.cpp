@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/signal/gaps.hpp"
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 #include "core/signal/order/spread.hpp"
 #include "core/signal/setpoint_moves.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "core/signal/loop_prediction.hpp"
 #include "core/signal/neighbour_errors.hpp"
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 #include "core/signal/order/spread.hpp"
 #include "core/signal/tail_law.hpp"
 

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/signal/lasting_error.hpp"
-#include "core/signal/mode_counts.hpp"
+#include "core/signal/control_state.hpp"
 #include "core/signal/op_scale.hpp"
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 #include "core/signal/order/spread.hpp"
 #include "core/signal/setpoint_moves.hpp"
 

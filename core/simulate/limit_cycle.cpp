@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/simulate/random.hpp"
-#include "core/simulate/uniform_source.hpp"
 
 namespace loopscope::core::simulate {
 namespace {

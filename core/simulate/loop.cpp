@@ -8,7 +8,6 @@
 #include "core/simulate/random.hpp"
 
 namespace loopscope::core::simulate {
-
 namespace {
 
 void check_settings(const LoopSettings& settings) {
@@ -91,6 +90,13 @@ void append(LoopRecord& record, const Sample& sample) {
 }
 
 }  // namespace
+
+double PiController::next(double error) {
+  const double move = settings_.gain * (error - previous_error_) + settings_.integral * error;
+  previous_error_ = error;
+  op_percent_ = std::clamp(op_percent_ + move, 0.0, 100.0);
+  return op_percent_;
+}
 
 LoopRecord simulate_loop(const LoopSettings& settings, std::uint64_t seed) {
   check_settings(settings);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/simulate/uniform_source.hpp"
+#include "core/simulate/random.hpp"
 
 namespace loopscope::core::simulate {
 namespace {

@@ -7,7 +7,6 @@
 #include "core/hos/analyse.hpp"
 #include "core/hos/literature/fackrell.hpp"
 #include "core/hos/literature/hinich.hpp"
-#include "core/hos/literature/independent_segments.hpp"
 #include "daemon/calibrate/cpu_time.hpp"
 
 namespace loopscope::daemon {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/diagnosis/model_words.hpp"
+#include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "daemon/output/text_line.hpp"

@@ -6,7 +6,7 @@
 #include <spdlog/spdlog.h>
 #include <utility>
 
-#include "core/diagnosis/plant_member.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/plant/loop_records.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/error.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/diagnosis/diagnose.hpp"
 #include "core/hos/analyse.hpp"
-#include "core/hos/numeric/sample_quantile.hpp"
+#include "core/hos/numeric/quantile.hpp"
 #include "core/hos/transforms/window.hpp"
 #include "core/simulate/scenario.hpp"
 #include "daemon/reproduce/bifrequency.hpp"

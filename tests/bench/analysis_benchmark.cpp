@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/diagnosis/decide.hpp"
+#include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/gather_evidence.hpp"
 #include "core/signal/window_digest.hpp"
 #include "core/simulate/scenario.hpp"

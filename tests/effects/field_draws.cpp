@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/diagnosis/analysis_settings.hpp"
 #include "core/diagnosis/diagnose.hpp"
-#include "core/diagnosis/loop_facts.hpp"
 #include "tests/core/model/field_families.hpp"
 #include "tests/core/model/field_recordings.hpp"
 #include "tests/support/command_words.hpp"

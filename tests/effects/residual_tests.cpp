@@ -5,9 +5,8 @@
 #include <span>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "core/diagnosis/loop_model.hpp"
 #include "core/model/baseline_analysis.hpp"
-#include "core/model/residual_tests/nominations.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 #include "tests/effects/window_of.hpp"
 #include "tests/support/in_threads.hpp"
 

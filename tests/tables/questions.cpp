@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "core/model/residual_tests/test_residual.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 #include "core/model/residual_tests/tests/coupling.hpp"
 #include "tests/core/model/residual_tests/pass_rates.hpp"
 #include "tests/tables/table.hpp"

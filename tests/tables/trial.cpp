@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/model/effects/effect_catalogue.hpp"
-#include "core/model/results/effect_kind.hpp"
+#include "core/model/results/explanation.hpp"
 #include "tests/core/model/trial_records.hpp"
 #include "tests/tables/table.hpp"
 

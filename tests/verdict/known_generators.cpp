@@ -7,7 +7,7 @@
 
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
-#include "core/model/results/effect_kind.hpp"
+#include "core/model/results/explanation.hpp"
 #include "tests/core/model/field_families.hpp"
 #include "tests/effects/generator.hpp"
 #include "tests/effects/random.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnosis/loop_facts.hpp"
+#include "core/diagnosis/analysis_settings.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
 #include "core/signal/loop_window.hpp"
 

@@ -3,7 +3,7 @@
 #include "core/diagnosis/evidence/evidence.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
-#include "core/model/results/effect_kind.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::tests::verdict {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <set>
 
+#include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/evidence/figure.hpp"
 #include "core/diagnosis/evidence/step_figures.hpp"
 #include "core/diagnosis/gather_evidence.hpp"
-#include "core/diagnosis/loop_model.hpp"
 #include "tests/verdict/as_recorded.hpp"
 
 namespace loopscope::tests::verdict {

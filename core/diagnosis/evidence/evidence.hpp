@@ -17,7 +17,7 @@
 #include "core/model/limit_cycle/slow_travel.hpp"
 #include "core/model/results/explanation.hpp"
 #include "core/signal/control_state.hpp"
-#include "core/signal/data_quality.hpp"
+#include "core/signal/prepared_loop.hpp"
 #include "core/signal/stand_still.hpp"
 
 namespace loopscope::core {

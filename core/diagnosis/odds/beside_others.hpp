@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/diagnosis/odds/curve.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/diagnosis/odds/beside_others.hpp"
-#include "core/diagnosis/odds/curve.hpp"
+#include "core/diagnosis/odds/log_odds.hpp"
 
 namespace loopscope::core::diagnosis {
 

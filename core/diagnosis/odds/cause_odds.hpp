@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/diagnosis/evidence/evidence.hpp"
-#include "core/diagnosis/verdicts/decision_settings.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -34,6 +33,9 @@ using Causes = std::vector<WeighedCause>;
 
 /// 0 where the cause was not weighed.
 [[nodiscard]] double probability_in(const Causes& causes, VerdictCode code);
+
+/// @throws std::invalid_argument a probability is not from 0 to 1, or a prior is 1
+void check(const DecisionSettings& settings);
 
 /// Of each cause: what the settings say, else its share in the fit.
 [[nodiscard]] PerCause priors_of(const DecisionSettings& settings);

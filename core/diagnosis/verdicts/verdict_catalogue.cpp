@@ -84,6 +84,14 @@ constexpr bool in_order() {
 }
 static_assert(in_order());
 
+/// That one of the causes is there which tell neighbours so.
+double probability_of(plant::Fault blamed, const Verdict& verdict) {
+  double none = 1.0;
+  for (const CauseReport& cause : verdict.causes)
+    if (catalogue_entry(cause.code).blames == blamed) none *= 1.0 - cause.probability;
+  return 1.0 - none;
+}
+
 }  // namespace
 
 std::span<const CatalogueEntry> catalogue() {
@@ -97,6 +105,12 @@ const CatalogueEntry& catalogue_entry(VerdictCode code) {
 Verdict verdict_with(VerdictCode code, double confidence) {
   const CatalogueEntry& entry = catalogue_entry(code);
   return {code, confidence, std::string(entry.summary), {}, std::string(entry.action)};
+}
+
+plant::OwnFindings own_findings(const Verdict& verdict) {
+  return {catalogue_entry(verdict.code).blames, verdict.confidence,
+          probability_of(plant::Fault::friction, verdict),
+          probability_of(plant::Fault::disturbance, verdict)};
 }
 
 }  // namespace loopscope::core::diagnosis

@@ -32,4 +32,7 @@ struct CatalogueEntry {
 /// A verdict in the catalogue's words, without reasons. `confidence` from 0 to 1.
 [[nodiscard]] Verdict verdict_with(VerdictCode code, double confidence);
 
+/// What the loop's own diagnosis tells the plant.
+[[nodiscard]] plant::OwnFindings own_findings(const Verdict& verdict);
+
 }  // namespace loopscope::core::diagnosis

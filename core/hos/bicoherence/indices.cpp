@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/hos/numeric/normal_quantile.hpp"
+#include "core/hos/numeric/quantile.hpp"
 
 namespace loopscope::core::hos {
 namespace {

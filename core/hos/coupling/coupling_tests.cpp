@@ -4,7 +4,6 @@
 #include <array>
 
 #include "core/hos/coupling/combine_p.hpp"
-#include "core/hos/coupling/nli_p.hpp"
 #include "core/hos/coupling/null_laws.hpp"
 #include "core/hos/coupling/quadratic_test.hpp"
 
@@ -17,6 +16,13 @@ namespace {
 constexpr double kMeasuredOverNominal = 0.87;
 
 }  // namespace
+
+double nli_p(const QuadraticTest& test, const QuadraticStatistics& found,
+             const std::optional<HarmonicStatistics>& harmonics) {
+  const double cells = test.largest_p(found);
+  if (!harmonics) return cells;
+  return combine_p(std::array{cells, p_of_evidence(harmonics->quadratic_evidence)});
+}
 
 double CouplingTests::smallest() const {
   return std::min({mean_p, nli_p, cubic_p.value_or(1.0)});

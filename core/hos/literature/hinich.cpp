@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/hos/numeric/sample_quantile.hpp"
+#include "core/hos/numeric/quantile.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -54,6 +54,18 @@ void test_linearity(const std::vector<double>& values, HinichTest& test) {
 }
 
 }  // namespace
+
+Settings independent_segments(std::size_t samples) {
+  constexpr std::size_t kShortest = 16;
+  constexpr std::size_t kLongest = 4096;
+  const auto root = static_cast<std::size_t>(std::sqrt(static_cast<double>(samples)));
+  Settings settings;
+  settings.segment_length = std::clamp(root - root % 2, kShortest, kLongest);
+  settings.dft_length = settings.segment_length;
+  settings.overlap = 0.0;
+  settings.window = WindowShape::rectangular;
+  return settings;
+}
 
 HinichTest hinich(std::span<const double> bic2, std::size_t segments) {
   if (bic2.size() < 4 || segments < 2) {

@@ -5,8 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/hos/numeric/uniform_draw.hpp"
-
 namespace loopscope::core::hos {
 namespace {
 

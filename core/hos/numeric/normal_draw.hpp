@@ -4,6 +4,12 @@
 
 namespace loopscope::core::hos {
 
+/// 53 random bits to [0, 1): the same numbers on every platform, unlike the standard library's
+/// distributions.
+[[nodiscard]] inline double uniform_draw(std::mt19937_64& random) {
+  return static_cast<double>(random() >> 11U) * 0x1.0p-53;
+}
+
 /// One standard normal number (Marsaglia's polar method), the same on every platform.
 [[nodiscard]] double normal_draw(std::mt19937_64& random);
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/hos/numeric/uniform_draw.hpp"
+#include "core/hos/numeric/normal_draw.hpp"
 
 namespace loopscope::core::hos {
 

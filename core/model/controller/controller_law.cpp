@@ -7,8 +7,8 @@
 
 #include "core/model/controller/controller_moves.hpp"
 #include "core/model/controller/move_fit.hpp"
-#include "core/model/results/sentence.hpp"
-#include "core/signal/order/median.hpp"
+#include "core/model/results/phrases.hpp"
+#include "core/signal/order/order_statistic.hpp"
 
 namespace loopscope::core::model {
 namespace {

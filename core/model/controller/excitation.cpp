@@ -7,7 +7,7 @@
 
 #include "core/model/controller/octave_power.hpp"
 #include "core/model/controller/shared_moves.hpp"
-#include "core/model/results/sentence.hpp"
+#include "core/model/results/phrases.hpp"
 #include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::model {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/controller/octave_power.hpp"
-#include "core/model/results/sentence.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/model/controller/closed_loop.hpp"
 #include "core/model/controller/simc.hpp"
-#include "core/model/results/sentence.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

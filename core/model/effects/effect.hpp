@@ -10,7 +10,6 @@
 
 #include "core/model/record/loop_data.hpp"
 #include "core/model/response/process_shape.hpp"
-#include "core/model/results/effect_kind.hpp"
 #include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {

@@ -8,11 +8,20 @@
 #include "core/model/effects/gain_change.hpp"
 #include "core/model/effects/load_step.hpp"
 #include "core/model/effects/saturation.hpp"
-#include "core/model/effects/sensor.hpp"
 #include "core/model/effects/valve.hpp"
 
 namespace loopscope::core::model {
 namespace {
+
+/// What the sensor does is found by its residual tests alone (sensor_steps.hpp).
+constexpr EffectTraits kCoarseGrid{.kind = EffectKind::sensor_quantisation,
+                                   .word = "sensor_quantisation",
+                                   .cause = EffectKind::sensor_hold,
+                                   .place = Place::sensor};
+constexpr EffectTraits kHeldValue{.kind = EffectKind::sensor_hold,
+                                  .word = "sensor_hold",
+                                  .cause = EffectKind::sensor_hold,
+                                  .place = Place::sensor};
 
 /// A line for each kind, in the order of EffectKind.
 constexpr std::array kCatalogue = {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "core/model/results/effect_kind.hpp"
+#include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {
 

@@ -19,7 +19,7 @@ constexpr double kLongestLag = 0.97;
 constexpr double kShortestOwn = 0.3;
 constexpr double kLongestOwn = 30.0;
 /// Where the search for it begins, so that it finds any of them by halves and doubles.
-constexpr std::array kOwnLags = {1.5, 5.0, 15.0};
+constexpr std::array kFirstLags = {1.5, 5.0, 15.0};
 /// From the process's lag to one of its own only while places are far apart.
 constexpr double kCoarse = 0.5;
 
@@ -57,7 +57,7 @@ std::vector<EffectPtr> LoadStep::neighbours(double scale) const {
     for (const double lag_samples : {lag_samples_ * factor, lag_samples_ / factor})
       result.push_back(moved(at_, std::clamp(lag_samples, kShortestOwn, kLongestOwn)));
   } else if (scale >= kCoarse) {
-    for (const double lag_samples : kOwnLags) result.push_back(moved(at_, lag_samples));
+    for (const double lag_samples : kFirstLags) result.push_back(moved(at_, lag_samples));
   }
   return result;
 }

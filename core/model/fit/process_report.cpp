@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/model/results/sentence.hpp"
+#include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {

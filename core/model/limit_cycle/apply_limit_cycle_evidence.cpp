@@ -8,7 +8,7 @@
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/limit_cycle/cycle_valve.hpp"
 #include "core/model/limit_cycle/hysteresis_from_limit_cycle.hpp"
-#include "core/model/residual_tests/nominations.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/model/record/model_input.hpp"
-#include "core/model/residual_tests/test_residual.hpp"
+#include "core/model/record/loop_data.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 #include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "core/hos/numeric/sample_quantile.hpp"
+#include "core/hos/numeric/quantile.hpp"
 #include "core/hos/slow/period.hpp"
-#include "core/model/limit_cycle/op_turns.hpp"
+#include "core/model/valve_law/op_turns.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "core/model/limit_cycle/cycle_band.hpp"
 #include "core/model/limit_cycle/cycle_evidence.hpp"
-#include "core/model/limit_cycle/op_turns.hpp"
 #include "core/model/limit_cycle/simulation_fit.hpp"
+#include "core/model/valve_law/op_turns.hpp"
 
 namespace loopscope::core::model {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/effects/effect_catalogue.hpp"
-#include "core/model/limit_cycle/driven_cycle.hpp"
+#include "core/model/limit_cycle/limit_cycle_cause.hpp"
 #include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/model/limit_cycle/limit_cycle_cause.hpp"
-#include "core/model/record/model_input.hpp"
+#include "core/model/record/loop_data.hpp"
 #include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {

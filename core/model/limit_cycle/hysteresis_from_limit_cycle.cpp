@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/model/effects/valve.hpp"
-#include "core/model/limit_cycle/driven_cycle.hpp"
 #include "core/model/limit_cycle/limit_cycle_cause.hpp"
 #include "core/model/limit_cycle/slow_travel.hpp"
 #include "core/model/results/phrases.hpp"

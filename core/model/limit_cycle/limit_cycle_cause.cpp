@@ -12,11 +12,13 @@
 #include "core/model/limit_cycle/cycle_evidence.hpp"
 #include "core/model/limit_cycle/cycle_pace.hpp"
 #include "core/model/limit_cycle/cycle_recording.hpp"
+#include "core/model/valve_law/op_turns.hpp"
+#include "core/signal/order/spread.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-constexpr double kFewestCycles = 5.0;
+constexpr double kFewestJudged = 5.0;
 /// Means of what the score reads; the process is that of the part whose law fits best.
 CycleEvidence combine(const std::vector<CycleEvidence>& parts) {
   CycleEvidence result = *std::ranges::min_element(parts, {}, &CycleEvidence::error_law);
@@ -89,6 +91,10 @@ std::string reason_for(const CycleEvidence& e) {
          " (0 sine, 0.11 triangle); wave shape index of pv " + figure(e.pv_triangle) + ".";
 }
 
+constexpr double kRestingSetpoint = 0.1;
+/// Between one, where op follows the setpoint, and two.
+constexpr double kFaster = 1.5;
+
 }  // namespace
 
 double CycleEvidence::process_lag() const {
@@ -110,7 +116,7 @@ CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double>
   cause.evidence = *best;
   cause.score = score_of(cause.evidence);
   cause.reason = reason_for(cause.evidence);
-  if (cause.evidence.cycles < kFewestCycles) return cause;
+  if (cause.evidence.cycles < kFewestJudged) return cause;
   cause.decision =
       cause.score >= 0.5 ? CycleCause::Decision::sticks : CycleCause::Decision::does_not_stick;
   return cause;
@@ -119,6 +125,19 @@ CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double>
 CycleCause cycle_of(const ModelInput& input) {
   return input.cycle ? *input.cycle
                      : judge_limit_cycle(input.pv, input.op, input.sp, input.without);
+}
+
+bool setpoint_moves(const ModelInput& input) {
+  const auto sp = signal::measure_spread(input.sp);
+  const auto pv = signal::measure_spread(input.pv);
+  return sp && pv && sp->std > kRestingSetpoint * pv->std;
+}
+
+bool driven_by_setpoint(const ModelInput& input, const CycleEvidence& cycle) {
+  if (!setpoint_moves(input)) return false;
+  const double sp_std = signal::measure_spread(input.sp)->std;
+  const double cycles = 0.5 * static_cast<double>(find_op_turns(input.sp, sp_std).size());
+  return cycle.cycles <= kFaster * cycles;
 }
 
 }  // namespace loopscope::core::model

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/model/record/model_input.hpp"
+#include "core/model/record/loop_data.hpp"
 #include "core/model/results/mechanism.hpp"
 
 namespace loopscope::core::model {
@@ -56,5 +56,12 @@ struct CycleCause {
 
 /// The same of what a model is given, which may have been judged before.
 [[nodiscard]] CycleCause cycle_of(const ModelInput& input);
+
+/// Whether the setpoint moves enough to drive the loop: a tenth of pv's standard deviation.
+[[nodiscard]] bool setpoint_moves(const ModelInput& input);
+
+/// Whether op cycles no more often than such a setpoint turns: then its moves make the cycle, and
+/// its shape is theirs. A loop that cycles by itself turns more often.
+[[nodiscard]] bool driven_by_setpoint(const ModelInput& input, const CycleEvidence& cycle);
 
 }  // namespace loopscope::core::model

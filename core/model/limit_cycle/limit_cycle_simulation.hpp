@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/model/record/model_input.hpp"
+#include "core/model/record/loop_data.hpp"
 #include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {

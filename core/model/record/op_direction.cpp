@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/signal/order/median.hpp"
+#include "core/signal/order/order_statistic.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/residual_tests/nominations.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 #include "core/model/results/phrases.hpp"
 
 namespace loopscope::core::model {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/model/residual_tests/test_residual.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 #include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {

@@ -14,7 +14,7 @@ enum class Mechanism {
   cheap_look,     ///< at effects that no residual test asked for
   stem_search,    ///< valves that move between the samples (stiction_search.hpp)
   play_net,       ///< play, and what sticks about it, by its law alone (hysteresis_grid_search.hpp)
-  bands_scanned,  ///< bands and jumps about a valve that was found (fit_candidate.cpp)
+  bands_scanned,  ///< bands and jumps about a valve that was found (candidate_fit.cpp)
   hysteresis_by_cycle,     ///< valves that no one-step error shows (apply_limit_cycle_evidence.hpp)
   cycle_score,             ///< the shape of the loop's cycle (limit_cycle_cause.hpp)
   second_period,           ///< the period at which op turns, beside that of most power
@@ -28,7 +28,7 @@ enum class Mechanism {
   plainer_refuted,   ///< a change of gain against a load at its moment
   fair_comparison,   ///< against the model without the effect, polished anew
   settled_effect,    ///< the process once more with the effect in its place
-  multi_step,        ///< what an effect explains further ahead (multi_step_error.hpp)
+  multi_step,        ///< what an effect explains further ahead (candidate_fit.hpp)
   share_left,        ///< what the tests that asked for an effect still see (stepwise_model.cpp)
   outdone_skipped,   ///< effects that promise little beside one tried before (selection_round.cpp)
 };

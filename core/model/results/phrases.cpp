@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace loopscope::core::model {
-
 namespace {
 
 std::string general(double value, int digits) {

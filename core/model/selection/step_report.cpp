@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/effects/effect_catalogue.hpp"
-#include "core/model/residual_tests/nominations.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 
 namespace loopscope::core::model {
 namespace {

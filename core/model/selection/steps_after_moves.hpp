@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "core/model/record/model_input.hpp"
+#include "core/model/record/loop_data.hpp"
 #include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {

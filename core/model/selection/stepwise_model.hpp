@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/model/fit/trial.hpp"
 #include "core/model/residual_tests/statistics/test_outcome.hpp"
+#include "core/model/selection/candidate_fit.hpp"
 
 namespace loopscope::core::model {
 
@@ -55,5 +58,37 @@ using ResidualTests = std::function<std::vector<TestOutcome>(const LoopData&, co
 [[nodiscard]] std::vector<TestOutcome> select_effects(StepwiseModel& story,
                                                       std::vector<TestOutcome> answers,
                                                       const ResidualTests& tests);
+
+/// A valve that has entered, but that the tests which asked for it still see: its needle was missed
+/// (stiction_search.hpp). It is looked for again between the samples, behind the process of
+/// `settled`, which it showed well enough for the right one to show. One that acts at the samples
+/// is looked for by either law, between them the two move so differently that the one which leads
+/// is right.
+///
+/// `settled` ends with that valve; each `attempt` has first guesses of its own. nullopt where
+/// nothing is found that is worth more.
+[[nodiscard]] std::optional<CandidateFit> refine_valve(const CandidateFit& entered,
+                                                       const Fit& settled, std::size_t attempt);
+
+/// What a round's trials are taken in by.
+struct IntakeTerms {
+  const LoopData& original;                 ///< before any effect placed its rows
+  const ResidualTests& tests;               ///< put to what is left once an effect is in
+  const std::vector<TestOutcome>& answers;  ///< what they said before
+  std::optional<EffectKind> outdone_by = std::nullopt;  ///< SelectionOutcome::outdone_by
+  double passed_over = 0.0;                             ///< SelectionOutcome::passed_over
+};
+
+/// The first of the trials that enters, explains something further ahead as well (`foresees`) and
+/// answers the tests that asked for it becomes a chapter; they come the most probable first.
+/// Whether there was one. Nothing enters behind a trial that let others be passed over and is
+/// refused.
+///
+/// A valve's law is a needle, and the search for it is one of chance: a valve that goes between the
+/// samples, or that does not foresee what it should, is looked for once more before it is weighed,
+/// and again as long as a test that asked for it still speaks with it in the model
+/// (refine_valve()).
+[[nodiscard]] bool take_in(std::vector<CandidateFit> trials, const IntakeTerms& terms,
+                           StepwiseModel& story);
 
 }  // namespace loopscope::core::model

@@ -6,7 +6,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/model/valve_law/op_step.hpp"
 #include "core/model/valve_law/valve_between_samples.hpp"
 #include "core/model/valve_law/valve_lanes.hpp"
 

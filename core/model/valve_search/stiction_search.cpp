@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/hos/numeric/uniform_draw.hpp"
+#include "core/hos/numeric/normal_draw.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/fit/fit_variants.hpp"
 #include "core/model/valve_search/valve_guess.hpp"

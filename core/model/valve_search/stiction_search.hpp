@@ -28,7 +28,7 @@ namespace loopscope::core::model {
                                    ValveLaw law, std::size_t attempt = 0);
 
 /// Guesses that the searches for one valve look at, about: by both laws and in three closer looks
-/// (refine_valve.hpp) 9000 each. What they find has been chosen from these.
+/// (refine_valve()) 9000 each. What they find has been chosen from these.
 inline constexpr std::size_t kStemGuesses = 45000;
 
 }  // namespace loopscope::core::model

@@ -64,4 +64,8 @@ double order_statistic(std::span<const double> values, std::size_t rank) {
   return select(std::move(inside), rank - below);
 }
 
+double median(std::span<const double> values) {
+  return order_statistic(values, values.size() / 2);
+}
+
 }  // namespace loopscope::core::signal

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "core/diagnosis/model_words.hpp"
+#include "core/diagnosis/reasons.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/results/phrases.hpp"
 #include "daemon/report/sections/cause_bars.hpp"

@@ -10,7 +10,6 @@
 
 #include "config/settings.hpp"
 #include "core/diagnosis/diagnose.hpp"
-#include "core/diagnosis/loop_model.hpp"
 #include "daemon/service/windows/window_reader.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/loop_work.hpp"

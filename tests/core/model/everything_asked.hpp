@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/model/effects/effect_catalogue.hpp"
-#include "core/model/residual_tests/nominations.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 
 namespace loopscope::core::model::tests {
 

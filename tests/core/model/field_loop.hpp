@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/simulate/random.hpp"
-#include "core/simulate/uniform_source.hpp"
 
 namespace loopscope::tests::model {
 

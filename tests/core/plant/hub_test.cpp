@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "core/hos/numeric/uniform_draw.hpp"
+#include "core/hos/numeric/normal_draw.hpp"
 
 namespace loopscope::core::plant {
 namespace {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/hos/numeric/normal_draw.hpp"
-#include "core/hos/numeric/uniform_draw.hpp"
 #include "tests/support/numbers.hpp"
 
 namespace loopscope::core::plant::tests {

@@ -7,7 +7,6 @@
 #include "core/signal/order/spread.hpp"
 #include "core/signal/prepare.hpp"
 #include "core/simulate/random.hpp"
-#include "core/simulate/uniform_source.hpp"
 #include "tests/support/long_run.hpp"
 
 namespace loopscope::core::signal {

@@ -4,7 +4,7 @@
 
 #include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/evidence/nonlinearity.hpp"
-#include "core/diagnosis/plant_member.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "tests/effects/window_of.hpp"
 

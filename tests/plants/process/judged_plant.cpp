@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/diagnosis/diagnose.hpp"
-#include "core/diagnosis/plant_member.hpp"
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/plant/shared_oscillation.hpp"
 #include "tests/plants/process/evidence_lines.hpp"
 #include "tests/plants/process/names.hpp"

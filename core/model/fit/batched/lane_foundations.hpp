@@ -6,7 +6,6 @@
 #include "core/model/record/loop_data.hpp"
 #include "core/model/response/noise_model.hpp"
 #include "core/model/response/process_shape.hpp"
-#include "core/model/valve_law/op_step.hpp"
 #include "core/model/valve_law/stem_friction.hpp"
 #include "core/model/valve_law/valve_law.hpp"
 #include "core/model/vectors/lane_basis.hpp"

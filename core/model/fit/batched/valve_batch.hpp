@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/model/valve_law/op_step.hpp"
 #include "core/model/valve_law/stem_lanes.hpp"
 #include "core/model/valve_law/valve_lanes.hpp"
 #include "core/model/valve_law/valve_law.hpp"

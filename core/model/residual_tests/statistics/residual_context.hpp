@@ -3,14 +3,35 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/model/residual_tests/statistics/centred.hpp"
 #include "core/model/residual_tests/statistics/linear_span.hpp"
-#include "core/model/residual_tests/statistics/residual_view.hpp"
 #include "core/model/residual_tests/statistics/value_grid.hpp"
 
 namespace loopscope::core::model {
+
+/// What a fitted loop model leaves, beside what it was fitted to. All spans have one length; NaN is
+/// a missing sample. A span of the right length full of NaN stands for a signal that nobody has.
+struct ResidualView {
+  /// r(k) = pv(k) - its one-step prediction, pv units; white when the model is right.
+  std::span<const double> innovation;
+  std::span<const double> op_percent;
+  /// Sign of op's last motion beyond its noise, known at k: +1 or -1; 0 = it has not moved yet.
+  std::span<const double> op_direction;
+  /// x(k): the deterministic output of the model, driven by op before k, pv units.
+  std::span<const double> response;
+  std::span<const double> pv;
+  double sample_interval_s = 1.0;  ///< > 0
+  /// pv less the waves and loads that the model has; empty = it has none.
+  std::span<const double> pv_undisturbed{};
+};
+
+/// How much pv varies from one sample to the next, pv units: the larger of the standard deviations
+/// of its increments over sqrt(2) and of the innovations, each without its largest fiftieth
+/// (setpoint and load steps). 0 when nothing varies.
+[[nodiscard]] double fast_noise_std(const ResidualView& view);
 
 /// What several questions need of one residual, worked out once.
 struct ResidualContext {
@@ -20,7 +41,7 @@ struct ResidualContext {
   std::optional<Centred> response;  ///< nullopt = missing or constant
   std::optional<Centred> pv;        ///< nullopt = missing or constant
   std::vector<double> op_sorted;    ///< recorded values, ascending
-  double fast_noise_std = 0.0;      ///< pv units, see fast_noise.hpp
+  double fast_noise_std = 0.0;      ///< pv units, see fast_noise_std()
   ValueGrid grid;                   ///< of pv
   Eigen::ArrayXd recorded;          ///< 1 where the residual is, else 0
   /// A constant, and the constant with the residual's own past and op's.

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/results/effect_kind.hpp"
 #include "core/model/results/explanation.hpp"
 
 namespace loopscope::core::model {

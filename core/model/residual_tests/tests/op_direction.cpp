@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "core/hos/numeric/sample_quantile.hpp"
-#include "core/model/residual_tests/statistics/play.hpp"
+#include "core/hos/numeric/quantile.hpp"
 #include "core/model/residual_tests/statistics/score_test.hpp"
 #include "core/model/results/phrases.hpp"
 
@@ -47,6 +47,19 @@ std::string statement_of(const ResidualContext& context, double width_percent) {
 }
 
 }  // namespace
+
+std::vector<double> lag_of_play(std::span<const double> op_percent, double width_percent) {
+  const double half = 0.5 * width_percent;
+  std::vector<double> lag(op_percent.size(), std::numeric_limits<double>::quiet_NaN());
+  double position = lag.empty() ? 0.0 : lag.front();
+  for (std::size_t k = 0; k < lag.size(); ++k) {
+    const double op = op_percent[k];
+    if (!std::isfinite(op)) continue;
+    position = std::isnan(position) ? op : std::clamp(position, op - half, op + half);
+    lag[k] = position - op;
+  }
+  return lag;
+}
 
 std::optional<TestOutcome> test_op_direction(const ResidualContext& context) {
   if (!context.op) return std::nullopt;

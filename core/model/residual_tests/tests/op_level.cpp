@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/hos/coupling/combine_p.hpp"
-#include "core/hos/numeric/sample_quantile.hpp"
+#include "core/hos/numeric/quantile.hpp"
 #include "core/model/residual_tests/statistics/score_test.hpp"
 #include "core/model/results/phrases.hpp"
 

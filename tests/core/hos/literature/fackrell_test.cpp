@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 
-#include "core/hos/literature/independent_segments.hpp"
+#include "core/hos/literature/hinich.hpp"
 #include "core/simulate/paper_signals.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/signals.hpp"

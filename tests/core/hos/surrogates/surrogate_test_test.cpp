@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "core/hos/numeric/uniform_draw.hpp"
+#include "core/hos/numeric/normal_draw.hpp"
 #include "tests/core/hos/rejections.hpp"
 #include "tests/core/hos/uniformity.hpp"
 #include "tests/support/chance.hpp"

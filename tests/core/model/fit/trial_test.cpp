@@ -11,7 +11,7 @@
 #include "core/model/effects/gain_change.hpp"
 #include "core/model/effects/load_step.hpp"
 #include "core/model/effects/saturation.hpp"
-#include "core/model/selection/fit_candidate.hpp"
+#include "core/model/selection/candidate_fit.hpp"
 #include "tests/core/model/model_records.hpp"
 #include "tests/core/model/trial_records.hpp"
 

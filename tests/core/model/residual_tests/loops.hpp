@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/residual_tests/statistics/residual_view.hpp"
+#include "core/model/residual_tests/statistics/residual_context.hpp"
 #include "core/model/residual_tests/statistics/test_outcome.hpp"
 #include "core/simulate/loop.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/model/residual_tests/test_residual.hpp"
+#include "core/model/residual_tests/run_residual_tests.hpp"
 #include "core/simulate/scenario.hpp"
 
 namespace loopscope::core::model::tests {

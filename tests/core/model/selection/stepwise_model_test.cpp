@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <memory>
+#include <span>
 #include <tuple>
 
 #include "core/model/effects/effect_catalogue.hpp"
+#include "core/model/effects/valve.hpp"
 #include "core/model/fit/baseline.hpp"
-#include "core/model/residual_tests/nominations.hpp"
 #include "core/model/residual_tests/run_residual_tests.hpp"
+#include "core/model/selection/selection_round.hpp"
 #include "core/simulate/scenario.hpp"
+#include "tests/core/model/everything_asked.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/numbers.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -119,6 +124,84 @@ TEST(StepwiseModel, TheEvidenceIsTheEffectsOwn) {
     EXPECT_GT(own_evidence(story), 13.8)
         << scenario << " " << seed << ", said to be " << story.chapters[0].comparison.evidence;
   }
+}
+
+using loopscope::tests::kWindow;
+
+/// A valve that sticks, S 4 and J 2.5 % of op, behind which play was found.
+CandidateFit play_for_sticking(std::uint64_t seed) {
+  const tests::Series op =
+      tests::sum(tests::stepping_op(kWindow, seed, 3.0),
+                 tests::coloured_noise({1, {0.95, 0, 0}, {}}, kWindow, seed + 100, 0.5));
+  tests::Series mv(kWindow);
+  run_valve({ValveLaw::he, 4.0, 2.5, 1.0, {0.2, 0.0, 0.0}}, op, mv);
+  const tests::Series pv = tests::process_record(tests::one_lag(0.8, 3), 1.5, mv,
+                                                 tests::white_noise(kWindow, seed + 200, 0.3));
+  const LoopData data = make_loop_data(pv, op, 1.0);
+  Fit linear = search_process(data, {});
+  Structure play = linear.structure;
+  play.effects = {std::make_shared<ValveEffect>(Valve{ValveLaw::he, 4.4, 0.0, 1.0})};
+  return scored({{}, {}, data, cross_fit(data, std::move(linear)), 0.0}, search_process(data, play),
+                10);
+}
+
+TEST(CloserLook, FindsWhatSticksBehindPlay) {
+  const CandidateFit entered = play_for_sticking(1);
+  ASSERT_EQ(entered.kind(), EffectKind::valve_deadband);
+  const std::optional<CandidateFit> closer = refine_valve(entered, entered.fit.fit, 1);
+  ASSERT_TRUE(closer);
+  EXPECT_EQ(closer->kind(), EffectKind::valve_stiction);
+  EXPECT_GT(closer->worth(), entered.worth());
+  EXPECT_GT(closer->price, entered.price) << "it was chosen from more guesses";
+}
+
+TEST(CloserLook, FindsNothingWhereTheSearchIsLeftOut) {
+  CandidateFit entered = play_for_sticking(1);
+  entered.rows.without.leave_out(Mechanism::stem_search);
+  EXPECT_FALSE(refine_valve(entered, entered.fit.fit, 1));
+}
+
+/// Curved valve or curved process: both fit, and the test that asked for the better one says that
+/// nothing has changed.
+class IntakeOfTrials : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Nominations asked = tests::everything_asked();
+    trials = run_selection_round({story.data, story.data, story.last(), asked, false, Reach::asked})
+                 .trials;
+    ASSERT_GE(trials.size(), 2U);
+    ASSERT_TRUE(trials[1].enters());
+    leader = trials.front().kind();
+    said = {{{"a test", 1e-30, "saw something"}, {{.effect = leader, .p = 1e-30}}}};
+  }
+  bool take(std::optional<EffectKind> outdone_by, double passed_over = 0.0) {
+    const ResidualTests tests = [&](const LoopData&, const Fit&) { return said; };
+    return take_in(trials, {original, tests, said, outdone_by, passed_over}, story);
+  }
+
+  const simulate::LoopRecord record = simulate::simulate_scenario("worn_valve", {}, 1);
+  const LoopData original = make_loop_data(record.pv, record.op, record.sample_interval_s);
+  StepwiseModel story = start_selection(original);
+  std::vector<CandidateFit> trials;
+  EffectKind leader = EffectKind::load_step;
+  std::vector<TestOutcome> said;
+};
+
+TEST_F(IntakeOfTrials, BehindARefusedTrialTheNextOneEnters) {
+  EXPECT_TRUE(take(std::nullopt));
+  ASSERT_EQ(story.chapters.size(), 1U);
+  EXPECT_NE(story.chapters.front().kind(), leader);
+}
+
+TEST_F(IntakeOfTrials, ButNotWhereTheRefusedOneLetOthersBePassedOver) {
+  EXPECT_FALSE(take(leader));
+  EXPECT_TRUE(story.chapters.empty());
+}
+
+TEST_F(IntakeOfTrials, WhatWasPassedOverIsARivalByItsPromise) {
+  const double promise = trials[1].comparison.evidence;
+  ASSERT_TRUE(take(std::nullopt, promise));
+  EXPECT_GE(story.chapters.front().rival_evidence, promise);
 }
 
 }  // namespace

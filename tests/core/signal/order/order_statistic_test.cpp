@@ -1,8 +1,11 @@
 #include "core/signal/order/order_statistic.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
+#include <vector>
 
 #include "tests/core/signal/mixed_values.hpp"
 
@@ -28,6 +31,20 @@ TEST(OrderStatistic, OfEqualValuesAndOfInfiniteOnes) {
   values[4] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(order_statistic(values, 250), 3.0);
   EXPECT_EQ(order_statistic(values, 499), std::numeric_limits<double>::infinity());
+}
+
+TEST(Median, IsTheMiddleWhateverTheOrder) {
+  EXPECT_EQ(median(std::vector<double>{3.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(median(std::vector<double>{7.0}), 7.0);
+  EXPECT_EQ(median(std::vector<double>{4.0, 1.0, 3.0, 2.0}), 3.0);
+}
+
+TEST(Median, DeviationGivesTheSpreadOfGaussianValues) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal(0.0, 2.0);
+  std::vector<double> distances(100000);
+  for (double& d : distances) d = std::abs(normal(random));
+  EXPECT_NEAR(kMadToSigma * median(distances), 2.0, 0.03);
 }
 
 }  // namespace
