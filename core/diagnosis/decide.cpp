@@ -11,6 +11,7 @@
 #include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/loop_state.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
+#include "core/diagnosis/plain_evidence.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/state_verdict.hpp"
 #include "core/diagnosis/verdict_p.hpp"
@@ -132,6 +133,8 @@ Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearit
                                                 : reasons_for(*own, evidence, nonlinearity);
   if (combined)
     verdict.reasons.insert(verdict.reasons.begin(), windows_text(confidence_in(code, alone)));
+  const std::vector<std::string> plain = plain_evidence(code, evidence);
+  verdict.reasons.insert(verdict.reasons.begin(), plain.begin(), plain.end());
   verdict.action = action_for(code, evidence, causes, decision.line);
   verdict.p = p_of_verdict(code, evidence);
   note_slowness(evidence, causes, verdict);

@@ -1,8 +1,11 @@
 #include "daemon/report/sections/loop_section.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
+#include <span>
 
+#include "core/diagnosis/plain_evidence.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/results/phrases.hpp"
@@ -63,13 +66,32 @@ std::string heading(const LoopReport& story) {
       html(status), utc(row.since_us), utc(row.slot_end_us));
 }
 
+/// How many sentences come before the figures: none in rows of a program before these sentences.
+std::size_t plain_sentences(const std::vector<std::string>& reasons) {
+  const std::size_t most = std::min(reasons.size(), core::diagnosis::kPlainSentences);
+  for (std::size_t k = 0; k < most; ++k)
+    if (reasons[k].starts_with("For: ") || reasons[k].starts_with("Against: ")) return k;
+  return most;
+}
+
+std::string list_items(std::span<const std::string> reasons) {
+  std::string text;
+  for (const std::string& reason : reasons) text += "<li>" + html(reason) + "</li>\n";
+  return text;
+}
+
+/// Plain sentences first, figures behind a fold.
 std::string evidence_list(const FlaggedRow& row) {
-  std::string text = "<ul>\n";
-  for (const std::string& reason : row.reasons) text += "<li>" + html(reason) + "</li>\n";
+  const std::size_t plain = plain_sentences(row.reasons);
+  std::string figures = list_items(std::span(row.reasons).subspan(plain));
   if (row.p)
-    text += "<li>Chance of evidence as strong as this in a loop without that fault: p " +
-            html(p_text(row.p)) + ".</li>\n";
-  return text + "</ul>";
+    figures += "<li>Chance of evidence as strong as this in a loop without that fault: p " +
+               html(p_text(row.p)) + ".</li>\n";
+  if (plain == 0) return "<ul>\n" + figures + "</ul>";
+  const std::string lead = "<ul>\n" + list_items(std::span(row.reasons).first(plain)) + "</ul>";
+  if (figures.empty()) return lead;
+  return lead + "\n<details class=\"figures\"><summary>Figures</summary><ul>\n" + figures +
+         "</ul></details>";
 }
 
 std::string source_words(const FlaggedRow& row) {

@@ -5,14 +5,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/diagnosis/plain_evidence.hpp"
 #include "tests/core/diagnosis/explanations.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
 
 using Code = VerdictCode;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 struct Given {
   VerdictCode code;
@@ -180,13 +183,18 @@ DecisionSettings expecting_disturbances() {
   return decision;
 }
 
-TEST(Decide, PartsForAndAgainstStandFirstAmongTheReasons) {
+TEST(Decide, PlainSentencesStandFirstThenPartsForAndAgainst) {
   const Evidence evidence =
       evidence_with(explanation_of({clear_step(model::EffectKind::load_step)}));
   const Verdict verdict = decide(evidence, {}, expecting_disturbances());
   EXPECT_EQ(verdict.code, Code::external_disturbance);
-  EXPECT_THAT(verdict.reasons.front(), HasSubstr("For: "));
-  EXPECT_THAT(verdict.reasons.front(), HasSubstr("(odds times "));
+  const auto plain =
+      static_cast<std::ptrdiff_t>(plain_evidence(Code::external_disturbance, evidence).size());
+  ASSERT_GT(plain, 0);
+  for (auto reason = verdict.reasons.begin(); reason != verdict.reasons.begin() + plain; ++reason)
+    EXPECT_THAT(*reason, Not(HasSubstr("odds")));
+  EXPECT_THAT(verdict.reasons.at(static_cast<std::size_t>(plain)),
+              AllOf(HasSubstr("For: "), HasSubstr("(odds times ")));
   EXPECT_THAT(verdict.reasons,
               Contains(HasSubstr("One-step prediction error on held-out samples: 1 -> 0.5")));
 }
