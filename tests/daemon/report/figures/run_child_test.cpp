@@ -47,7 +47,7 @@ TEST(RunChild, EndsWhatTakesTooLongWithAllItHasStarted) {
 
 TEST(RunChild, EndsAtOnceWhenToldToStop) {
   std::stop_source source;
-  std::jthread bell([&] {
+  std::jthread stopper([&] {
     std::this_thread::sleep_for(milliseconds(100));
     source.request_stop();
   });
