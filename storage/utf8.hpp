@@ -6,9 +6,14 @@
 
 namespace loopscope::storage {
 
-/// Bytes of the valid character of UTF-8 that `text` (not empty) starts with; 0 = none, or a zero
-/// byte.
-[[nodiscard]] std::size_t character_length(std::string_view text);
+/// A character of UTF-8.
+struct Character {
+  std::size_t length = 0;  ///< bytes; 0 = none
+  char32_t code = 0;
+};
+
+/// The valid character that `text` starts with; none where it is empty or starts with a zero byte.
+[[nodiscard]] Character first_character(std::string_view text);
 
 /// Whether PostgreSQL takes `text` as it is: valid UTF-8 without a zero byte.
 [[nodiscard]] bool is_storable(std::string_view text);

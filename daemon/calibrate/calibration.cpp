@@ -1,7 +1,9 @@
 #include "daemon/calibrate/calibration.hpp"
 
+#include <boost/math/distributions/binomial.hpp>
 #include <memory>
 #include <mutex>
+#include <stdexcept>
 
 #include "daemon/calibrate/in_threads.hpp"
 #include "daemon/calibrate/record_seed.hpp"
@@ -41,6 +43,18 @@ std::vector<FamilyTally> tally_families(std::span<const core::simulate::Calibrat
     };
   });
   return tallies;
+}
+
+BinomialShare binomial_share(std::size_t successes, std::size_t trials) {
+  if (trials == 0 || successes > trials) {
+    throw std::invalid_argument("binomial share: more successes than trials, or no trial");
+  }
+  using Law = boost::math::binomial;
+  constexpr double kEachSide = 0.025;
+  const auto found = static_cast<double>(successes);
+  const auto all = static_cast<double>(trials);
+  return {found / all, Law::find_lower_bound_on_p(all, found, kEachSide),
+          Law::find_upper_bound_on_p(all, found, kEachSide)};
 }
 
 }  // namespace loopscope::daemon

@@ -21,6 +21,16 @@ struct TestTally {
   std::array<std::size_t, kLevels.size()> rejected{};  ///< of them, per level
 };
 
+/// A share of trials and what it says of the probability behind it.
+struct BinomialShare {
+  double share = 0.0;  ///< successes / trials
+  double low = 0.0;    ///< Clopper-Pearson limits: they hold the probability in at least 95 % of
+  double high = 1.0;   ///< samples, whatever it is
+};
+
+/// `successes` of `trials`; throws std::invalid_argument unless 0 < trials and successes <= trials.
+[[nodiscard]] BinomialShare binomial_share(std::size_t successes, std::size_t trials);
+
 /// All tests on one family.
 struct FamilyTally {
   core::simulate::CalibrationFamily family;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "daemon/calibrate/binomial_share.hpp"
+#include "daemon/calibrate/calibration.hpp"
 #include "daemon/calibrate/cost.hpp"
 
 namespace loopscope::daemon {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include "core/hos/analyse.hpp"
 #include "core/hos/literature/fackrell.hpp"
 #include "core/hos/literature/hinich.hpp"
-#include "daemon/calibrate/cpu_time.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -101,6 +101,13 @@ void RecordTester::add_analysis(std::span<const double> signal, RecordOutcome& o
   outcome.p[kNli] = result->nli_p;
   outcome.p[kCubic] = result->cubic_p;
   outcome.p[kNonlinear] = result->nonlinear_p;
+}
+
+double thread_cpu_s() {
+  constexpr double kNanosecond_s = 1e-9;
+  std::timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + kNanosecond_s * static_cast<double>(time.tv_nsec);
 }
 
 }  // namespace loopscope::daemon

@@ -4,7 +4,7 @@
 #include <set>
 #include <tuple>
 
-#include "daemon/catalogue/tag_roles.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {

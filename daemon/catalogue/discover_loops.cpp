@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "daemon/catalogue/tag_roles.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
 
 namespace loopscope::daemon {
 namespace {

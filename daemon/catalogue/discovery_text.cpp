@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "daemon/catalogue/tag_roles.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {

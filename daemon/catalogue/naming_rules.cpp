@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "daemon/catalogue/tag_roles.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/text/cells.hpp"
 #include "daemon/text/failure.hpp"
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <string>
+
 namespace CLI {
 class App;
 }
@@ -26,5 +29,10 @@ void add_export(CLI::App& program);
 void add_migrate(CLI::App& program);
 void add_maintain(CLI::App& program);
 void add_check_config(CLI::App& program);
+
+/// Actions of `loopscope loops` with options of their own; `config` names the settings file once
+/// the command line was read.
+void add_discover(CLI::App& loops, const std::shared_ptr<const std::string>& config);
+void add_check(CLI::App& loops, const std::shared_ptr<const std::string>& config);
 
 }  // namespace loopscope::daemon

@@ -12,7 +12,6 @@
 #include "core/signal/base_interval.hpp"
 #include "core/signal/microseconds.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
-#include "daemon/catalogue/tag_roles.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
 #include "daemon/recording/recording.hpp"

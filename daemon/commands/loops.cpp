@@ -10,7 +10,6 @@
 #include "daemon/catalogue/catalogue_csv.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/commands/loops_actions.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"

@@ -9,7 +9,7 @@
 #include "daemon/catalogue/check_tags.hpp"
 #include "daemon/catalogue/discovery_text.hpp"
 #include "daemon/catalogue/read_values.hpp"
-#include "daemon/commands/loops_actions.hpp"
+#include "daemon/commands/commands.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"

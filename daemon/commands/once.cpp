@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <spdlog/spdlog.h>
+#include <stop_token>
 #include <string>
 
 #include "config/read_settings.hpp"
@@ -39,8 +40,9 @@ void once(const std::string& config_file) {
       std::make_shared<const config::Settings>(config::read_settings(config_file));
   set_up_log(settings->daemon);
   // Of the whole command: what the pass learns of the clocks holds for the round after it.
-  SharedServices tools(worker_count(settings->daemon), RetryLimit::one_lease);
-  const PassResult pass = run_pass(settings, tools);
+  const std::stop_source stop;
+  SharedServices tools(worker_count(settings->daemon), RetryLimit::one_lease, stop.get_token());
+  const PassResult pass = run_pass(settings, tools, stop);
   std::cout << pass_text(pass) << std::endl;
   if (pass.cost.loops > 0) {
     spdlog::info("{:.1f} s, {:.0f} loops/s; {}", pass.elapsed_s,

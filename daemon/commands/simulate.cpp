@@ -10,10 +10,10 @@
 
 #include "core/simulate/scenario.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/output/write_file.hpp"
+#include "daemon/output/output_file.hpp"
+#include "daemon/output/recording_csv.hpp"
 #include "daemon/simulate/effect_text.hpp"
 #include "daemon/simulate/number_text.hpp"
-#include "daemon/simulate/record_csv.hpp"
 #include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {

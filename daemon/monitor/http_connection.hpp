@@ -12,7 +12,6 @@
 
 #include "daemon/monitor/host_names.hpp"
 #include "daemon/monitor/http_answer.hpp"
-#include "daemon/monitor/http_reply.hpp"
 #include "daemon/monitor/http_routes.hpp"
 
 namespace loopscope::daemon {

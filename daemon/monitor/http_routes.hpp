@@ -5,7 +5,6 @@
 #include <string>
 
 #include "daemon/monitor/http_answer.hpp"
-#include "daemon/monitor/http_reply.hpp"
 #include "daemon/monitor/http_request.hpp"
 
 namespace loopscope::daemon {

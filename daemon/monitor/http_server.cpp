@@ -63,7 +63,7 @@ struct HttpServer::Impl {
   tcp::acceptor acceptor{*io};
   asio::steady_timer pause{*io};
   ConnectionTable connections;
-  bool stopping = false;  ///< the thread's
+  bool stopping = false;  ///< the thread's own: nothing waits for it, what is pending is cancelled
   std::thread thread;
 };
 

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "daemon/monitor/labelled_family.hpp"
-#include "daemon/monitor/oldest_snapshot.hpp"
 
 namespace loopscope::daemon {
 namespace {

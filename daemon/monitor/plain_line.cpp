@@ -13,10 +13,6 @@ bool is_control(char byte) {
   return code < ' ' || code == kDelete;
 }
 
-bool continues_character(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-}
-
 }  // namespace
 
 std::string plain_line(std::string_view text, std::size_t most_bytes) {
@@ -25,9 +21,9 @@ std::string plain_line(std::string_view text, std::size_t most_bytes) {
     if (is_control(byte)) byte = ' ';
   }
   if (line.size() <= most_bytes) return line;
-  std::size_t end = most_bytes - kCut.size();
-  while (end > 0 && continues_character(line[end])) --end;
-  return line.substr(0, end).append(kCut);
+  line.resize(most_bytes - kCut.size());
+  while (!storage::is_storable(line)) line.pop_back();  // the beginning of a character
+  return line.append(kCut);
 }
 
 }  // namespace loopscope::daemon

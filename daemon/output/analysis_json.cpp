@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "daemon/output/json_number.hpp"
 #include "daemon/output/model_json.hpp"
 
 namespace loopscope::daemon {

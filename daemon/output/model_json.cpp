@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/model/effects/effect_catalogue.hpp"
-#include "daemon/output/json_number.hpp"
 
 namespace loopscope::daemon {
 namespace {

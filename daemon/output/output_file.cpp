@@ -66,4 +66,10 @@ void OutputFile::finish() {
   });
 }
 
+void write_file(const std::filesystem::path& file, const std::string& content) {
+  OutputFile output(file);
+  output.write(content);
+  output.finish();
+}
+
 }  // namespace loopscope::daemon

@@ -36,4 +36,7 @@ class OutputFile {
   std::string pending_;                 ///< not written yet
 };
 
+/// Writes `content` to `file` whole or not at all, as OutputFile does. Throws as it does.
+void write_file(const std::filesystem::path& file, const std::string& content);
+
 }  // namespace loopscope::daemon

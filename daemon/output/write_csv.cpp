@@ -5,8 +5,8 @@
 #include <iostream>
 #include <string_view>
 
+#include "daemon/output/output_file.hpp"
 #include "daemon/output/standard_output.hpp"
-#include "daemon/output/write_file.hpp"
 #include "daemon/text/cells.hpp"
 #include "daemon/text/csv_table.hpp"
 

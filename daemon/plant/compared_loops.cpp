@@ -74,7 +74,7 @@ bool ComparedLoops::read_errors() {
   std::vector<std::size_t> all(loops_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   auto series = read_plant_series(candidates_, all, {}, settings_, tools_);
-  if (tools_.bell.rung()) return false;
+  if (tools_.stop.stop_requested()) return false;
   for (const std::size_t k : all) show(k, std::move(series[k]));
   return true;
 }
@@ -95,7 +95,7 @@ bool ComparedLoops::read_longer() {
                  printable(error.hint()));
     return true;
   }
-  if (tools_.bell.rung()) return false;
+  if (tools_.stop.stop_requested()) return false;
   for (std::size_t k = 0; k < slow.size(); ++k) {
     const PlantSeries& one = longer_[slow[k]] = std::move(series[k]);
     loops_[slow[k]].longer = {one.sample_interval_s, one.start_us, one.error};
@@ -124,7 +124,7 @@ bool ComparedLoops::read_members(std::span<const core::plant::Event> events) {
 bool ComparedLoops::read_members(std::span<const std::size_t> members, std::size_t windows) {
   auto series = read_plant_series(candidates_, members, {.windows = windows, .error_only = false},
                                   settings_, tools_);
-  if (tools_.bell.rung()) return false;
+  if (tools_.stop.stop_requested()) return false;
   for (std::size_t k = 0; k < members.size(); ++k)
     if (!series[k].error.empty()) show(members[k], std::move(series[k]));
   return true;

@@ -27,7 +27,7 @@ std::size_t judge_some_repairs(storage::RepairJudgements& judgements) {
 void judge_repairs(const config::Settings& settings, SharedServices& tools) {
   storage::RepairJudgements judgements(results_connection(settings));
   std::size_t count = 0;
-  while (!tools.bell.rung()) {
+  while (!tools.stop.stop_requested()) {
     const std::size_t some = judge_some_repairs(judgements);
     if (some == 0) break;
     count += some;

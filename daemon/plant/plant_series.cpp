@@ -112,7 +112,7 @@ std::vector<PlantSeries> read_plant_series(Candidates candidates,
   for (const auto& [source, numbers] : sources) {
     const config::HistorianSettings& historian = find_historian(settings, source);
     for (std::size_t done = 0; done < numbers.size(); done += most) {
-      if (tools.bell.rung()) return {};
+      if (tools.stop.stop_requested()) return {};
       const auto part = std::span(numbers).subspan(done, std::min(most, numbers.size() - done));
       tools.historians.with_reader(historian, source_terms(settings.schedule),
                                    [&](storage::HistorianReader& reader) {

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <fmt/format.h>
 
-#include "daemon/report/figures/find_program.hpp"
 #include "daemon/report/figures/run_child.hpp"
 #include "daemon/text/failure.hpp"
 

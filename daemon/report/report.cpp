@@ -11,7 +11,7 @@
 
 #include "daemon/calibrate/in_threads.hpp"
 #include "daemon/output/followed_path.hpp"
-#include "daemon/output/write_file.hpp"
+#include "daemon/output/output_file.hpp"
 #include "daemon/report/evidence/window_source.hpp"
 #include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/loop_report.hpp"

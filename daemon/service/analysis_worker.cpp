@@ -33,7 +33,7 @@ AnalysisWorker::AnalysisWorker(std::shared_ptr<const config::Settings> settings,
       owner_(worker_name(index)),
       tools_(tools),
       desk_(tools.progress.desk()),
-      results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.bell, tools.floors),
+      results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.stop, tools.floors),
       reader_(settings_, settings_json_, slot_rule, tools, desk_, results_) {}
 
 template <typename Claim>
@@ -227,7 +227,7 @@ void AnalysisWorker::give_back(const std::string& reason) {
   }
   try {
     results_.with([&](storage::ResultsDatabase& database) {
-      tools_.bell.rung() ? database.release(held) : void(database.finish({}, failed));
+      tools_.stop.stop_requested() ? database.release(held) : void(database.finish({}, failed));
       return true;
     });
   } catch (const storage::DatabaseError& error) {

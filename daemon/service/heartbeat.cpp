@@ -54,7 +54,7 @@ double Heartbeat::beat() {
     settings = settings_;
   }
   if (settings != linked_with_) {
-    link_.emplace(settings, tools_.faults, tools_.metrics, tools_.clocks, tools_.bell,
+    link_.emplace(settings, tools_.faults, tools_.metrics, tools_.clocks, tools_.stop,
                   tools_.floors);
     linked_with_ = settings;
     pause_ = RetryPause(settings->schedule.poll_s);

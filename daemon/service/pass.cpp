@@ -8,6 +8,7 @@
 #include <csignal>
 #include <exception>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "daemon/service/analysis_worker.hpp"
@@ -25,16 +26,18 @@ namespace {
 /// thread's io_context alone.
 class Pass {
  public:
-  Pass(std::shared_ptr<const config::Settings> settings, SharedServices& tools)
+  Pass(std::shared_ptr<const config::Settings> settings, SharedServices& tools,
+       std::stop_source stop)
       : settings_(std::move(settings)),
         tools_(tools),
+        stop_(std::move(stop)),
         signals_(context_, SIGINT, SIGTERM),
         lanes_left_(lane_count(settings_->daemon)),
         walking_lanes_(lanes_left_),
         pool_(lanes_left_) {}
 
   PassResult run() {
-    ResultsLink results(settings_, tools_.faults, tools_.metrics, tools_.clocks, tools_.bell,
+    ResultsLink results(settings_, tools_.faults, tools_.metrics, tools_.clocks, tools_.stop,
                         tools_.floors);
     if (const auto refusal = compare_clocks(*settings_, tools_, results)) throw *refusal;
     result_.enabled = results.with(
@@ -44,8 +47,7 @@ class Pass {
     bar_ = &bar;
     signals_.async_wait([this](const auto& error, int signal) {
       if (error) return;
-      stopping_ = true;
-      tools_.bell.ring();
+      stop_.request_stop();
       result_.signal = signal;
     });
     Stopwatch watch;
@@ -75,7 +77,7 @@ class Pass {
         storage::add(result_.cost, cost);
       });
     } catch (...) {
-      stopping_ = true;
+      failed_ = true;
       asio::post(context_, [this, error = std::current_exception()] {
         if (!error_) error_ = error;
       });
@@ -84,6 +86,8 @@ class Pass {
       if (--lanes_left_ == 0) signals_.cancel();
     });
   }
+
+  [[nodiscard]] bool claims_have_ended() const { return failed_ || stop_.stop_requested(); }
 
   /// Until there is nothing to claim.
   template <typename Claim>
@@ -97,14 +101,14 @@ class Pass {
   /// Each at most once, since one that is done is none any more. Those that rest are left out: they
   /// have killed a process that had nothing else in hand.
   std::vector<storage::ClaimedLoop> next_suspect(AnalysisWorker& lane) {
-    if (stopping_) return {};
+    if (claims_have_ended()) return {};
     return lane.claim_suspect();
   }
 
   /// Claims are taken one lane at a time, so that all walk through the catalogue together.
   std::vector<storage::ClaimedLoop> next_claims(AnalysisWorker& lane) {
     const std::lock_guard lock(cursor_mutex_);
-    if (stopping_) return {};
+    if (claims_have_ended()) return {};
     auto claims = lane.claim_next(cursor_);
     for (const storage::ClaimedLoop& claim : claims) {
       cursor_ = std::max(cursor_, claim.loop.loop_id);
@@ -120,6 +124,7 @@ class Pass {
 
   std::shared_ptr<const config::Settings> settings_;
   SharedServices& tools_;
+  std::stop_source stop_;
   asio::io_context context_;
   asio::signal_set signals_;
   std::size_t lanes_left_;
@@ -127,7 +132,8 @@ class Pass {
   asio::thread_pool pool_;
   std::mutex cursor_mutex_;
   std::int64_t cursor_ = 0;
-  std::atomic<bool> stopping_ = false;
+  /// A lane has. No stop: what the others have in hand is tried again as long as ever.
+  std::atomic<bool> failed_ = false;
   PassResult result_;
   std::exception_ptr error_;
   ProgressBar* bar_ = nullptr;
@@ -135,9 +141,9 @@ class Pass {
 
 }  // namespace
 
-PassResult run_pass(const std::shared_ptr<const config::Settings>& settings,
-                    SharedServices& tools) {
-  return Pass(settings, tools).run();
+PassResult run_pass(const std::shared_ptr<const config::Settings>& settings, SharedServices& tools,
+                    std::stop_source stop) {
+  return Pass(settings, tools, std::move(stop)).run();
 }
 
 }  // namespace loopscope::daemon

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include "config/settings.hpp"
 #include "daemon/service/shared/shared_services.hpp"
@@ -25,9 +26,10 @@ struct PassResult {
 
 /// One full pass over all enabled loops on all cores, with a progress bar on a terminal. Loops
 /// that another worker holds are left to it; suspects, which may be what kills the process, come
-/// one by one at the end. SIGTERM or SIGINT finishes what is in hand and ends early. Throws the
-/// first storage::DatabaseError of the results database after every worker has stopped.
+/// one by one at the end. SIGTERM or SIGINT requests `stop`, whose token `tools` have: what is
+/// in hand is finished, and the pass ends early. Throws the first storage::DatabaseError of the
+/// results database after every worker has stopped.
 [[nodiscard]] PassResult run_pass(const std::shared_ptr<const config::Settings>& settings,
-                                  SharedServices& tools);
+                                  SharedServices& tools, std::stop_source stop);
 
 }  // namespace loopscope::daemon

@@ -13,6 +13,7 @@
 #include <deque>
 #include <optional>
 #include <spdlog/spdlog.h>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -43,7 +44,7 @@ class Service {
   explicit Service(std::filesystem::path file)
       : file_(std::move(file)),
         settings_(std::make_shared<config::Settings>(config::read_settings(file_))),
-        tools_(worker_count(settings_->daemon), RetryLimit::endless),
+        tools_(worker_count(settings_->daemon), RetryLimit::endless, stop_.get_token()),
         signals_(context_, SIGINT, SIGTERM, SIGHUP),
         pulse_timer_(context_),
         pool_(lane_count(settings_->daemon)),
@@ -92,7 +93,7 @@ class Service {
       await_signal();
       if (signal == SIGHUP) {
         reload();
-      } else if (stopping_) {
+      } else if (stop_.stop_requested()) {
         end_at_once(signal);
       } else {
         stop();
@@ -102,9 +103,8 @@ class Service {
 
   void stop() {
     spdlog::info("stopping: finishing what is in hand");
-    stopping_ = true;
+    stop_.request_stop();
     watch_->stopping();
-    tools_.bell.ring();
     for (WorkerSlot& seat : seats_) seat.timer.cancel();
     end_when_idle();
   }
@@ -116,7 +116,7 @@ class Service {
   }
 
   void end_when_idle() {
-    if (!stopping_ || busy_ > 0) return;
+    if (!stop_.stop_requested() || busy_ > 0) return;
     signals_.cancel();
     pulse_timer_.cancel();
   }
@@ -208,14 +208,14 @@ class Service {
   void rest(std::size_t index, const DrainResult& drained) {
     --busy_;
     add(sum_, drained.count);
-    if (stopping_) return end_when_idle();
+    if (stop_.stop_requested()) return end_when_idle();
     WorkerSlot& seat = seats_[index];
     if (seat.lane->settings() != settings_) return dispatch(index);
     seat.timer.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
         std::chrono::duration<double>(
             idle_pause_s(drained, settings_->schedule.poll_s, source_opens_in_s(), seat.pause))));
     seat.timer.async_wait([this, index](const auto& error) {
-      if (!error && !stopping_) dispatch(index);
+      if (!error && !stop_.stop_requested()) dispatch(index);
     });
   }
 
@@ -259,7 +259,7 @@ class Service {
 
   /// Suspects come after all others, but not never.
   std::vector<storage::ClaimedLoop> next_claims(AnalysisWorker& lane, int round) {
-    if (stopping_) return {};
+    if (stop_.stop_requested()) return {};
     const bool suspect_first = round % kSuspectEvery == 0;
     auto claims = suspect_first ? lane.claim_suspect() : lane.claim_due();
     if (!claims.empty()) return claims;
@@ -268,6 +268,7 @@ class Service {
 
   std::filesystem::path file_;
   std::shared_ptr<const config::Settings> settings_;
+  std::stop_source stop_;  ///< requested by the first SIGTERM or SIGINT
   SharedServices tools_;
   asio::io_context context_;
   asio::signal_set signals_;
@@ -275,7 +276,6 @@ class Service {
   std::deque<WorkerSlot> seats_;
   std::size_t busy_ = 0;  ///< lanes on the pool
   asio::thread_pool pool_;
-  std::atomic<bool> stopping_ = false;
   std::atomic<const config::Settings*> in_force_;  ///< settings_, for lanes at work to compare
   std::optional<Heartbeat> heartbeat_;
   std::optional<ServiceWatch> watch_;

@@ -99,13 +99,12 @@ void ServiceWatch::pulse() {
   }
   if (!health_.live().well) return;
   ServiceManager::feed_watchdog();
-  if (stopping_ && Clock::now() - stopping_since_ < kLongestStopping)
+  if (tools_.stop.stop_requested() && Clock::now() - stopping_since_ < kLongestStopping)
     ServiceManager::extend_timeout(kStoppingPatience);
 }
 
 void ServiceWatch::stopping() {
   stopping_since_ = Clock::now();
-  stopping_ = true;
   ServiceManager::stopping("finishing what is in hand");
 }
 
@@ -138,7 +137,7 @@ void ServiceWatch::run(const std::stop_token& stop) {
     const auto now_in_force = settings();
     if (linked_with != now_in_force) {
       linked_with = now_in_force;
-      link.emplace(linked_with, tools_.faults, tools_.metrics, tools_.clocks, tools_.bell,
+      link.emplace(linked_with, tools_.faults, tools_.metrics, tools_.clocks, tools_.stop,
                    tools_.floors);
     }
     look(*link, *linked_with);
@@ -162,14 +161,15 @@ void ServiceWatch::look(ResultsLink& link, const config::Settings& settings) {
     health_.set(schedule);
     tools_.faults.recovered("monitor");
     if (!refusal) recall_stray(link, settings.schedule.settle_s);
-    if (stopping_) return;
+    if (tools_.stop.stop_requested()) return;
     ServiceManager::status(fmt::format("{} loops, {} overdue by {:.0f} s at most, {} failing",
                                        schedule.enabled_loops, schedule.overdue_loops,
                                        schedule.lag_s, schedule.failing_loops));
   } catch (const storage::DatabaseError& error) {
     link.say(error);
     if (is_schema_error(error)) health_.schema_refused(error.what());
-    if (!stopping_) ServiceManager::status("the results database is not reachable");
+    if (!tools_.stop.stop_requested())
+      ServiceManager::status("the results database is not reachable");
   } catch (const std::exception& error) {
     tools_.faults.fault("monitor", error.what());
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <memory>
@@ -36,7 +35,8 @@ class ServiceWatch {
   void use(std::shared_ptr<const config::Settings> settings);
   /// The scheduling thread is at work: once a second.
   void pulse();
-  /// From now on what is in hand is finished: systemd is asked for patience at every pulse.
+  /// A stop was requested, and what is in hand is finished: systemd is asked for patience at every
+  /// pulse.
   void stopping();
 
  private:
@@ -54,7 +54,6 @@ class ServiceWatch {
   std::shared_ptr<const config::Settings> settings_;
   Clock::time_point pulsed_at_ = Clock::now();
   Clock::time_point stopping_since_;  ///< the scheduling thread's
-  std::atomic<bool> stopping_ = false;
   std::condition_variable_any changed_;
   Health health_;
   LivePages pages_;

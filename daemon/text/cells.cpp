@@ -8,8 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "daemon/text/mode_words.hpp"
-
 namespace loopscope::daemon {
 namespace {
 

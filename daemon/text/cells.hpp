@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "core/signal/loop_window.hpp"
 
@@ -16,8 +18,28 @@ namespace loopscope::daemon {
 /// A number cell: empty, NaN and infinity give NaN; nullopt when the text is no number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view cell);
 
-/// A mode cell: a word of mode_words.hpp, or 0 manual, 1 automatic, 2 cascade;
-/// anything else is unknown.
+/// What plants write into a mode tag, case aside; those of FOUNDATION Fieldbus among them. Whoever
+/// tracks, is out of service or has its output set from elsewhere does not control. No word that a
+/// tag of another kind may hold.
+inline constexpr std::array kModeWords{
+    std::pair{std::string_view{"MAN"}, core::signal::ControlMode::manual},
+    std::pair{std::string_view{"MANUAL"}, core::signal::ControlMode::manual},
+    std::pair{std::string_view{"TRACK"}, core::signal::ControlMode::manual},
+    std::pair{std::string_view{"TRACKING"}, core::signal::ControlMode::manual},
+    std::pair{std::string_view{"TRK"}, core::signal::ControlMode::manual},
+    std::pair{std::string_view{"OOS"}, core::signal::ControlMode::manual},
+    std::pair{std::string_view{"OUT OF SERVICE"}, core::signal::ControlMode::manual},
+    std::pair{std::string_view{"IMAN"}, core::signal::ControlMode::manual},
+    std::pair{std::string_view{"ROUT"}, core::signal::ControlMode::manual},
+    std::pair{std::string_view{"AUTO"}, core::signal::ControlMode::automatic},
+    std::pair{std::string_view{"AUTOMATIC"}, core::signal::ControlMode::automatic},
+    std::pair{std::string_view{"CAS"}, core::signal::ControlMode::cascade},
+    std::pair{std::string_view{"CASCADE"}, core::signal::ControlMode::cascade},
+    std::pair{std::string_view{"RCAS"}, core::signal::ControlMode::cascade},
+};
+
+/// A mode cell: a word of kModeWords, or 0 manual, 1 automatic, 2 cascade; anything else is
+/// unknown.
 [[nodiscard]] core::signal::ControlMode parse_mode(std::string_view cell);
 
 /// A quality cell: GOOD, or a number after OPC DA ((q & 0xC0) = 0xC0); an empty cell is good.

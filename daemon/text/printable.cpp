@@ -11,8 +11,8 @@ namespace loopscope::daemon {
 namespace {
 
 struct Range {
-  std::uint32_t first;
-  std::uint32_t last;
+  char32_t first;
+  char32_t last;
 };
 
 /// Characters without a picture of their own that steer the terminal or the text around them. The
@@ -32,16 +32,7 @@ constexpr std::array<Range, 12> kSteering{{
     {0xE0000, 0xE0FFF},  // tags, variations
 }};
 
-std::uint32_t code_point(std::string_view character) {
-  const auto byte = [&](std::size_t k) { return static_cast<std::uint8_t>(character[k]); };
-  if (character.size() == 1) return byte(0);
-  // Of a lead byte 7 - length bits count, of every other one six.
-  std::uint32_t code = byte(0) & ((1U << (7U - character.size())) - 1U);
-  for (std::size_t k = 1; k < character.size(); ++k) code = (code << 6U) | (byte(k) & 0x3FU);
-  return code;
-}
-
-bool steers(std::uint32_t code) {
+bool steers(char32_t code) {
   return std::ranges::any_of(
       kSteering, [code](const Range& range) { return code >= range.first && code <= range.last; });
 }
@@ -49,8 +40,8 @@ bool steers(std::uint32_t code) {
 }  // namespace
 
 std::size_t printable_length(std::string_view text) {
-  const std::size_t length = storage::character_length(text);
-  return length == 0 || steers(code_point(text.substr(0, length))) ? 0 : length;
+  const storage::Character first = storage::first_character(text);
+  return steers(first.code) ? 0 : first.length;
 }
 
 std::string escaped_byte(char byte) {

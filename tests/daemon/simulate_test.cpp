@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "core/simulate/scenario.hpp"
+#include "daemon/output/recording_csv.hpp"
 #include "daemon/recording/recording.hpp"
 #include "daemon/simulate/effect_text.hpp"
 #include "daemon/simulate/number_text.hpp"
-#include "daemon/simulate/record_csv.hpp"
 #include "daemon/text/failure.hpp"
 #include "tests/support/source_dir.hpp"
 

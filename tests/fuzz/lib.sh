@@ -25,7 +25,7 @@ is_fuzz_target() {
 fuzz_sources() {
   case $1 in
     settings) printf '%s\n' config daemon/service/historians/storage_settings.cpp ;;
-    recording) printf '%s\n' daemon/recording daemon/output/window_csv.cpp core/signal/{assemble,base_interval,grid,window_digest}.cpp ;;
+    recording) printf '%s\n' daemon/recording daemon/output/recording_csv.cpp core/signal/{assemble,base_interval,grid,window_digest}.cpp ;;
     catalogue) printf '%s\n' daemon/catalogue/{catalogue_csv,entry_fields}.cpp daemon/text/csv_table.cpp ;;
     discovery) printf '%s\n' daemon/catalogue/{discover_loops,naming_rules,tag_pattern}.cpp ;;
     binary_array) printf '%s\n' storage/historian/binary_array.cpp ;;

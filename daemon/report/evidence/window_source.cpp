@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "daemon/catalogue/tag_roles.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
 

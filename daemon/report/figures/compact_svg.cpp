@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "daemon/report/text/html_text.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
@@ -112,6 +114,13 @@ std::string svg_uri(std::string_view svg) {
       uri += c;
   }
   return uri;
+}
+
+std::string picture_html(const Picture& picture) {
+  return fmt::format(
+      "<figure><figcaption>{}</figcaption><img src=\"{}\" width=\"{}\" height=\"{}\" "
+      "alt=\"{}\"></figure>\n",
+      html(picture.title), svg_uri(picture.svg), picture.width, picture.height, html(picture.alt));
 }
 
 }  // namespace loopscope::daemon

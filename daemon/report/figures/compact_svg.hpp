@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "daemon/report/figures/figure.hpp"
+
 namespace loopscope::daemon {
 
 /// A picture of gnuplot's svg terminal as a page takes it in: the root element alone, without marks
@@ -14,5 +16,8 @@ namespace loopscope::daemon {
 /// An SVG as the value of an attribute in double quotes: a data URI with as few escapes as there
 /// can be, which is a quarter shorter than base64.
 [[nodiscard]] std::string svg_uri(std::string_view svg);
+
+/// A picture with its title above it.
+[[nodiscard]] std::string picture_html(const Picture& picture);
 
 }  // namespace loopscope::daemon

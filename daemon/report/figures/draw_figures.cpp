@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "daemon/report/figures/compact_svg.hpp"
-#include "daemon/report/figures/find_program.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
 #include "daemon/report/figures/run_child.hpp"
 #include "daemon/text/failure.hpp"

@@ -14,7 +14,7 @@
 #include "core/signal/grid.hpp"
 #include "core/signal/order/spread.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
-#include "daemon/report/text/verdict_words.hpp"
+#include "daemon/report/text/page_text.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -196,6 +197,21 @@ class Child {
 
 ChildResult run_child(const ChildCommand& command, const std::stop_token& stop) {
   return Child(command, stop).run();
+}
+
+std::optional<std::filesystem::path> find_program(std::string_view name,
+                                                  std::string_view search_path) {
+  for (std::size_t begin = 0; begin <= search_path.size();) {
+    const std::size_t end = std::min(search_path.find(':', begin), search_path.size());
+    const std::filesystem::path folder = search_path.substr(begin, end - begin);
+    const std::filesystem::path program = folder / name;
+    std::error_code unseen;  // a folder that may not be entered has no program for us
+    if (folder.is_absolute() && std::filesystem::is_regular_file(program, unseen) &&
+        ::access(program.c_str(), X_OK) == 0)
+      return program;
+    begin = end + 1;
+  }
+  return std::nullopt;
 }
 
 }  // namespace loopscope::daemon

@@ -2,12 +2,18 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace loopscope::daemon {
+
+/// The first executable file of that name in the folders of `search_path` (as the variable PATH);
+/// nullopt = none. Empty folders, which would mean the current one, are left out.
+[[nodiscard]] std::optional<std::filesystem::path> find_program(std::string_view name,
+                                                                std::string_view search_path);
 
 /// A program to run: found by path, no shell between.
 struct ChildCommand {

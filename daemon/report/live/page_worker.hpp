@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "daemon/monitor/http_reply.hpp"
+#include "daemon/monitor/http_answer.hpp"
 
 namespace loopscope::daemon {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "daemon/report/text/html_text.hpp"
-#include "daemon/report/text/verdict_words.hpp"
+#include "daemon/report/text/page_text.hpp"
 
 namespace loopscope::daemon {
 namespace {

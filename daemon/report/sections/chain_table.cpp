@@ -8,7 +8,6 @@
 #include "daemon/report/figures/compact_svg.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
-#include "daemon/report/text/verdict_words.hpp"
 
 namespace loopscope::daemon {
 namespace {

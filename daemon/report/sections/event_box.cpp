@@ -8,12 +8,10 @@
 #include <vector>
 
 #include "core/model/results/phrases.hpp"
+#include "daemon/report/figures/compact_svg.hpp"
 #include "daemon/report/sections/follow_map.hpp"
-#include "daemon/report/sections/picture_html.hpp"
-#include "daemon/report/text/event_words.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
-#include "daemon/report/text/verdict_words.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "daemon/report/figures/figure.hpp"
-#include "daemon/report/sections/loop_link.hpp"
+#include "daemon/report/text/html_text.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {

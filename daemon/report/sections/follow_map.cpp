@@ -8,8 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "daemon/report/text/event_words.hpp"
+#include "core/model/results/phrases.hpp"
 #include "daemon/report/text/html_text.hpp"
+#include "daemon/report/text/page_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -169,6 +170,18 @@ std::string follow_map(const PlantOscillationRow& event) {
       "foretells it most, the thicker the more; the eight strongest members are "
       "compared.</p></figure>\n",
       kWidth, height, drawing(event, boxes, arrows));
+}
+
+std::string lag_words(const storage::PlantOscillationRow::Member& member,
+                      const storage::PlantOscillationRow& event) {
+  if (!event.source_name || member.role == "source") return {};
+  return core::model::in_time(std::abs(member.lag_s)) + (member.lag_s < 0.0 ? " ahead" : " behind");
+}
+
+std::string role_and_lag(const storage::PlantOscillationRow::Member& member,
+                         const storage::PlantOscillationRow& event) {
+  const std::string lag = lag_words(member, event);
+  return in_words(member.role) + (lag.empty() ? "" : ", " + lag);
 }
 
 }  // namespace loopscope::daemon

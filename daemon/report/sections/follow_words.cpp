@@ -6,7 +6,6 @@
 #include "core/model/results/phrases.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
-#include "daemon/report/text/verdict_words.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "daemon/report/sections/loop_link.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
-#include "daemon/report/text/verdict_words.hpp"
 
 namespace loopscope::daemon {
 namespace {

@@ -9,15 +9,14 @@
 #include "core/diagnosis/reasons.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/results/phrases.hpp"
+#include "daemon/report/figures/compact_svg.hpp"
 #include "daemon/report/sections/cause_bars.hpp"
 #include "daemon/report/sections/data_section.hpp"
 #include "daemon/report/sections/follow_words.hpp"
 #include "daemon/report/sections/hidden_words.hpp"
-#include "daemon/report/sections/picture_html.hpp"
 #include "daemon/report/sections/repairs_table.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
-#include "daemon/report/text/verdict_words.hpp"
 
 namespace loopscope::daemon {
 namespace {

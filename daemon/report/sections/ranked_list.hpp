@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "daemon/report/sections/loop_link.hpp"
+#include "daemon/report/text/html_text.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -7,12 +8,19 @@ namespace loopscope::daemon {
 
 /// `text` as HTML shows it, safe between tags and inside an attribute in double quotes: & < > " '
 /// become references, and what steers a terminal or the direction of writing becomes \xNN
-/// (output/printable). Every text of a page that is not a literal of this program goes through
+/// (text/printable). Every text of a page that is not a literal of this program goes through
 /// here; a browser and a PDF engine then see names as text, whatever somebody typed into a control
 /// system.
 [[nodiscard]] std::string html(std::string_view text);
 
 /// `text` as the value of a query: everything but letters, digits and - . _ ~ as %XX (RFC 3986).
 [[nodiscard]] std::string url_value(std::string_view text);
+
+/// Where a loop's name leads: to its section of the same page, or to a page of its own.
+enum class LoopLinks { sections, pages };
+
+/// Address of a loop's section or page, ready for an attribute.
+[[nodiscard]] std::string loop_link(LoopLinks links, std::int64_t loop_id,
+                                    const std::string& loop_name);
 
 }  // namespace loopscope::daemon

@@ -1,5 +1,6 @@
 #include "daemon/report/text/page_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -39,6 +40,19 @@ std::string p_text(const std::optional<double>& p) {
 
 std::string counted(std::int64_t number, const std::string& singular, const std::string& plural) {
   return fmt::format("{} {}", number, number == 1 ? singular : plural);
+}
+
+std::string in_words(std::string_view code) {
+  std::string words(code);
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+std::string as_heading(std::string_view code) {
+  std::string words = in_words(code);
+  if (!words.empty() && words.front() >= 'a' && words.front() <= 'z')
+    words.front() = static_cast<char>(words.front() - 'a' + 'A');
+  return words;
 }
 
 }  // namespace loopscope::daemon

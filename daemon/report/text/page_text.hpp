@@ -3,8 +3,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace loopscope::daemon {
+
+/// A code of the results as people write it: "valve_stiction" is "valve stiction".
+[[nodiscard]] std::string in_words(std::string_view code);
+/// The same as a heading: "Valve stiction".
+[[nodiscard]] std::string as_heading(std::string_view code);
 
 /// "2026-03-01 12:00 UTC": to the minute, as a report says times.
 [[nodiscard]] std::string utc(std::int64_t time_us);

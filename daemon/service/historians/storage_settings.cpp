@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "daemon/text/cells.hpp"
 #include "daemon/text/failure.hpp"
-#include "daemon/text/mode_words.hpp"
 
 namespace loopscope::daemon {
 namespace {

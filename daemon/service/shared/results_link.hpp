@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
+#include <utility>
 
 #include "config/settings.hpp"
 #include "daemon/service/observe/fault_log.hpp"
@@ -22,12 +24,13 @@ enum class RetryLimit {
 class ResultsLink {
  public:
   ResultsLink(std::shared_ptr<const config::Settings> settings, FaultLog& faults, Metrics& metrics,
-              KnownClocks& clocks, StopSignal& bell, std::shared_ptr<storage::ClaimFloors> floors)
+              KnownClocks& clocks, std::stop_token stop,
+              std::shared_ptr<storage::ClaimFloors> floors)
       : settings_(std::move(settings)),
         faults_(faults),
         metrics_(metrics),
         clocks_(clocks),
-        bell_(bell),
+        stop_(std::move(stop)),
         floors_(std::move(floors)) {}
   ~ResultsLink() { faults_.leave(kSubject, this); }
   ResultsLink(const ResultsLink&) = delete;
@@ -49,7 +52,7 @@ class ResultsLink {
   }
 
   /// Calls `use` until it works: a database that is away or full comes back, and the work is done
-  /// already. What a repeat cannot mend is thrown, as is everything after the bell has rung or
+  /// already. What a repeat cannot mend is thrown, as is everything after a stop was requested or
   /// perseverance has ended. `step()` is called at each try.
   template <typename Use, typename Step>
   auto with_retry(RetryLimit perseverance, Use use, Step step) {
@@ -62,7 +65,7 @@ class ResultsLink {
         if (!may_pass(error) || waited_s > patience_s(perseverance)) throw;
         say(error);
         const double pause_s = pause.next_s();
-        if (!bell_.sleep_for(std::chrono::duration<double>(pause_s))) throw;
+        if (!sleep_for(stop_, std::chrono::duration<double>(pause_s))) throw;
         waited_s += pause_s;
       }
     }
@@ -94,7 +97,7 @@ class ResultsLink {
   FaultLog& faults_;
   Metrics& metrics_;
   KnownClocks& clocks_;
-  StopSignal& bell_;
+  std::stop_token stop_;
   std::shared_ptr<storage::ClaimFloors> floors_;
   std::optional<storage::ResultsDatabase> database_;
 };

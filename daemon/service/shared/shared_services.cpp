@@ -1,14 +1,17 @@
 #include "daemon/service/shared/shared_services.hpp"
 
 #include <string>
+#include <utility>
 
 #include "core/diagnosis/diagnose.hpp"
 #include "core/hos/bicoherence/triple_sums.hpp"
 
 namespace loopscope::daemon {
 
-SharedServices::SharedServices(std::size_t workers, RetryLimit how_long)
-    : metrics(
+SharedServices::SharedServices(std::size_t workers, RetryLimit how_long,
+                               std::stop_token stop_requested)
+    : stop(std::move(stop_requested)),
+      metrics(
           {LOOPSCOPE_VERSION, core::kAlgorithmRevision, std::string(core::hos::processor_path())}),
       cores(workers),
       perseverance(how_long) {}

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,6 @@
 #include "daemon/service/shared/known_clocks.hpp"
 #include "daemon/service/shared/results_link.hpp"
 #include "daemon/service/threads/core_gate.hpp"
-#include "daemon/service/threads/pauses.hpp"
 #include "daemon/service/threads/progress_board.hpp"
 #include "storage/results/leases/claim_floor.hpp"
 
@@ -19,10 +19,14 @@ namespace loopscope::daemon {
 
 /// What all lanes of the process share. Thread-safe.
 struct SharedServices {
-  SharedServices(std::size_t workers, RetryLimit how_long);
+  SharedServices(std::size_t workers, RetryLimit how_long, std::stop_token stop = {});
   /// Whose loops nobody claims just now.
   [[nodiscard]] std::vector<std::string> sources_away();
-  StopSignal bell;
+  /// Requested by whoever decides on the end of the process: nothing new is begun from then on, and
+  /// no pause is waited for. The threads of Heartbeat, PlantWatch and ServiceWatch (with its pages
+  /// and reports) do not end by it but by the tokens of their own, after the last lane: until then
+  /// leases have to be extended and watchers to be answered.
+  const std::stop_token stop;
   Metrics metrics;
   FaultLog faults{metrics};
   HistorianPool historians{metrics};

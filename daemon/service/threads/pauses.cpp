@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <condition_variable>
+#include <mutex>
 
 namespace loopscope::daemon {
 namespace {
@@ -22,6 +23,14 @@ double spread_s() {
 }
 
 }  // namespace
+
+bool sleep_for(const std::stop_token& stop, std::chrono::duration<double> pause) {
+  std::mutex mutex;
+  std::condition_variable_any never;  // only the stop ends the wait before its time
+  std::unique_lock lock(mutex);
+  never.wait_for(lock, stop, pause, [] { return false; });
+  return !stop.stop_requested();
+}
 
 double RetryPause::next_s() {
   const double whole_s =

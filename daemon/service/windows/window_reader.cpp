@@ -10,7 +10,7 @@
 #include "core/signal/assemble.hpp"
 #include "core/signal/base_interval.hpp"
 #include "core/signal/microseconds.hpp"
-#include "daemon/catalogue/tag_roles.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
 
 namespace loopscope::daemon {
 namespace {

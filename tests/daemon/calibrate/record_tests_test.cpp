@@ -1,9 +1,11 @@
 #include "daemon/calibrate/record_tests.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <set>
+#include <thread>
 
 #include "core/hos/analyse.hpp"
 #include "core/simulate/paper_signals.hpp"
@@ -55,6 +57,16 @@ TEST(RecordTests, WhatCannotBeAnalysedHasNoP) {
   const std::vector<double> missing(4096, std::numeric_limits<double>::quiet_NaN());
   for (const auto& p : RecordTester({}).test(missing).p) EXPECT_FALSE(p);
   for (const auto& p : RecordTester({}).test(std::vector<double>(4096, 5.0)).p) EXPECT_FALSE(p);
+}
+
+TEST(CpuTime, CountsWorkAndNotWaiting) {
+  const double start_s = thread_cpu_s();
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  const double slept_s = thread_cpu_s() - start_s;
+  EXPECT_LT(slept_s, 0.1);
+  while (thread_cpu_s() - start_s < slept_s + 0.01) {
+  }
+  EXPECT_GE(thread_cpu_s() - start_s, slept_s + 0.01);
 }
 
 }  // namespace

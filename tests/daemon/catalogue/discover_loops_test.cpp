@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/catalogue/discovery_text.hpp"
-#include "daemon/catalogue/tag_roles.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/text/failure.hpp"
 #include "tests/support/sanitized.hpp"
 

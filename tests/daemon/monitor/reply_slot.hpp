@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "daemon/monitor/http_reply.hpp"
+#include "daemon/monitor/http_answer.hpp"
 
 namespace loopscope::daemon {
 

@@ -11,7 +11,7 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-#include "daemon/output/write_file.hpp"
+#include "daemon/output/output_file.hpp"
 #include "daemon/text/failure.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/source_dir.hpp"

@@ -1,5 +1,3 @@
-#include "daemon/output/write_file.hpp"
-
 #include <algorithm>
 #include <csignal>
 #include <fcntl.h>
@@ -11,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "daemon/output/output_file.hpp"
 #include "daemon/text/failure.hpp"
 #include "tests/support/source_dir.hpp"
 

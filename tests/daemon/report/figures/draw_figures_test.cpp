@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "daemon/report/figures/find_program.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
 #include "daemon/report/figures/history_figures.hpp"
+#include "daemon/report/figures/run_child.hpp"
 #include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {

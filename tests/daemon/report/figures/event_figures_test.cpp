@@ -6,7 +6,7 @@
 
 #include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/figures/event_pictures.hpp"
-#include "daemon/report/figures/find_program.hpp"
+#include "daemon/report/figures/run_child.hpp"
 #include "tests/daemon/report/event_rows.hpp"
 #include "tests/support/hostile_names.hpp"
 

@@ -47,7 +47,7 @@ TEST(RunChild, EndsWhatTakesTooLongWithAllItHasStarted) {
 
 TEST(RunChild, EndsAtOnceWhenToldToStop) {
   std::stop_source source;
-  std::jthread bell([&] {
+  std::jthread stopper([&] {
     std::this_thread::sleep_for(milliseconds(100));
     source.request_stop();
   });
@@ -68,6 +68,23 @@ TEST(RunChild, InheritsNoVariableAndNoDescriptor) {
 
 TEST(RunChild, SaysWhatCannotBeStarted) {
   EXPECT_THROW((void)run_child({"/nonexistent/program", {}, ""}), std::system_error);
+}
+
+TEST(FindProgram, LooksThroughThePathAndOnlyThere) {
+  EXPECT_EQ(find_program("sh", "/nonexistent:/bin"), "/bin/sh");
+  EXPECT_EQ(find_program("sh", ""), std::nullopt);
+  EXPECT_EQ(find_program("sh", ":."), std::nullopt);
+  EXPECT_EQ(find_program("no-such-program", "/bin:/usr/bin"), std::nullopt);
+}
+
+// As a service that was started with root's PATH meets one. A link to itself cannot be looked into
+// by root either.
+TEST(FindProgram, AFolderThatCannotBeLookedIntoHasNone) {
+  const tests::TemporaryFolder folder;
+  const std::string closed = folder.path() / "closed";
+  std::filesystem::create_symlink("closed", closed);
+  EXPECT_EQ(find_program("sh", closed + ":/bin"), "/bin/sh");
+  EXPECT_EQ(find_program("sh", closed), std::nullopt);
 }
 
 }  // namespace

@@ -14,22 +14,23 @@ using testing::Le;
 
 using namespace std::chrono_literals;
 
-TEST(StopSignal, WithoutItAPauseIsWhole) {
-  StopSignal bell;
+TEST(SleepFor, WithoutAStopAPauseIsWhole) {
+  const std::stop_source source;
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_TRUE(bell.sleep_for(20ms));
-  EXPECT_GE(std::chrono::steady_clock::now() - start, 20ms);
+  EXPECT_TRUE(sleep_for(source.get_token(), 20ms));
+  EXPECT_TRUE(sleep_for({}, 20ms)) << "where nobody can request one";
+  EXPECT_GE(std::chrono::steady_clock::now() - start, 40ms);
 }
 
-TEST(StopSignal, EndsAPauseAtOnceAndEveryLaterOne) {
-  StopSignal bell;
-  std::jthread ringer([&] {
+TEST(SleepFor, AStopEndsEveryPauseAtOnceAndEveryLaterOne) {
+  std::stop_source source;
+  const std::jthread other([&] { EXPECT_FALSE(sleep_for(source.get_token(), 1h)); });
+  const std::jthread stopper([&] {
     std::this_thread::sleep_for(20ms);
-    bell.ring();
+    source.request_stop();
   });
-  EXPECT_FALSE(bell.sleep_for(1h));
-  EXPECT_FALSE(bell.sleep_for(1h));
-  EXPECT_TRUE(bell.rung());
+  EXPECT_FALSE(sleep_for(source.get_token(), 1h));
+  EXPECT_FALSE(sleep_for(source.get_token(), 1h));
 }
 
 TEST(RetryPause, DoublesUpToTheLongestWithJitter) {
