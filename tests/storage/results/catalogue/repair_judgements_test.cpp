@@ -192,6 +192,7 @@ TEST_F(RepairUpgradeTest, WorkOfSchema27IsJudgedAsItsViewDid) {
       " WHERE figure <> 'nonlinear_p' ORDER BY loop_id, figure";
   const TextRows by_view = other.rows(shown), figures_by_view = other.rows(figures);
   EXPECT_EQ(by_view.at(0).at(1), "fixed");
+  other.execute("SET ROLE loopscope_owner;" + former_script(27, former_chain().size()));
   migrate(settings_for(other, login));
   EXPECT_EQ(other.value("SELECT count(word) FROM loopscope.before_after_maintenance"), "0");
   RepairJudgements judgements(settings_for(other, other.make_login("loopscope_worker")));
