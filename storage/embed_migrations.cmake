@@ -1,7 +1,8 @@
-# Writes OUTPUT, a source file that holds the migrations FILES in the order of their numbers.
+# Writes OUTPUT, a source file that holds the migrations FILES in the order of their numbers, which
+# begin at 101: the numbers below are those of the former chain (storage/results/schema/former_chain).
 list(SORT FILES)
 set(entries "")
-set(expected 1)
+set(expected 101)
 foreach(file IN LISTS FILES)
   get_filename_component(name ${file} NAME_WE)
   if(NOT name MATCHES "^([0-9][0-9][0-9][0-9])_")

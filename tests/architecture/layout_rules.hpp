@@ -17,7 +17,8 @@ namespace loopscope::tests::architecture {
 /// C++ files of core/ that stand in none of its rooms.
 [[nodiscard]] std::vector<Violation> check_rooms(std::span<const SourceFile> files);
 
-/// Files of more than 300 lines, READMEs of more than 150: what a person reads before the code.
+/// Files of more than 300 lines, READMEs of more than 150 (what a person reads before the code),
+/// migrations of more than 900 lines or of a line of more than 120 characters.
 [[nodiscard]] std::vector<Violation> check_lengths(std::span<const SourceFile> files);
 
 }  // namespace loopscope::tests::architecture

@@ -63,6 +63,19 @@ TEST(LayoutRules, LongFileIsCaught) {
             "a.hpp:301: has 301 lines, at most 300 are allowed\n");
   EXPECT_EQ(listing(check_lengths(std::vector<SourceFile>{{"core/README.md", text}})),
             "core/README.md:300: has 300 lines, at most 150 are allowed\n");
+  const std::string three = text + text + text;
+  EXPECT_EQ(listing(check_lengths(std::vector<SourceFile>{{"storage/migrations/a.sql", three}})),
+            "");
+  EXPECT_EQ(
+      listing(check_lengths(std::vector<SourceFile>{{"storage/migrations/a.sql", three + "\n"}})),
+      "storage/migrations/a.sql:901: has 901 lines, at most 900 are allowed\n");
+}
+
+TEST(LayoutRules, WideMigrationIsCaught) {
+  const std::string line(120, '-');
+  EXPECT_EQ(listing(check_lengths(std::vector<SourceFile>{
+                {"storage/migrations/a.sql", line + "\n" + line + "-\n"}, {"b.sql", line + "-"}})),
+            "storage/migrations/a.sql:2: is 121 characters wide, at most 120 are allowed\n");
 }
 
 }  // namespace

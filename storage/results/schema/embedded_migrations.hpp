@@ -6,7 +6,7 @@ namespace loopscope::storage {
 
 /// One file of storage/migrations/, compiled in.
 struct Migration {
-  int number;          ///< 1, 2, 3, ... without gaps
+  int number;          ///< 101, 102, 103, ... without gaps
   const char* name;    ///< file name without its ending
   const char* sha256;  ///< of its text, 64 hexadecimal digits
   const char* sql;

@@ -5,6 +5,7 @@
 #include "storage/results/schema/brief_locks.hpp"
 #include "storage/results/schema/embedded_migrations.hpp"
 #include "storage/results/schema/schema_version.hpp"
+#include "storage/results/schema/take_over.hpp"
 #include "storage/results/session/results_clock.hpp"
 #include "storage/results/session/schema_owner.hpp"
 #include "storage/results/session/schema_statements.hpp"
@@ -28,22 +29,20 @@ ConnectionSettings without_time_limit(ConnectionSettings settings) {
   return settings;
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& hint) {
-  throw DatabaseError(what + ", schema loopscope", hint, Remedy::give_up);
-}
-
 /// Whether the recorded migrations are the first ones of this program's.
 void check_applied(const pqxx::result& applied) {
   const auto compiled_in = embedded_migrations();
   for (const pqxx::row& row : applied) {
     const std::string name = row["name"].c_str();
-    const auto number = row["version"].as<std::size_t>();
-    if (number > compiled_in.size()) {
-      refuse("migration " + name + " is not known to this program", "install the newer program");
+    const int number = row["version"].as<int>();
+    if (number > compiled_in.back().number) {
+      refuse_schema("migration " + name + " is not known to this program",
+                    "install the newer program");
     }
-    const Migration& known = compiled_in[number - 1];
+    const Migration& known =
+        compiled_in[static_cast<std::size_t>(number - compiled_in.front().number)];
     if (name != known.name || row["sha256"].c_str() != std::string(known.sha256)) {
-      refuse(
+      refuse_schema(
           "migration " + name + " was applied with another text than this program's " + known.name,
           "use the program that made the schema, or start with an empty database");
     }
@@ -75,12 +74,18 @@ std::vector<std::string> migrate_all(Transaction& transaction) {
   if (find_schema_owner(transaction).owner.empty()) transaction.run(statements::kMakeSchema);
   transaction.run(statements::kLockSchema);
   std::size_t applied = 0;
+  std::vector<std::string> names;
   if (transaction.run(statements::kHasSchema)[0][0].as<bool>()) {
     const pqxx::result rows = transaction.run(statements::kAppliedMigrations);
-    check_applied(rows);
-    applied = rows.size();
+    if (made_by_former_chain(rows)) {
+      names = take_over(transaction, rows);
+      applied = names.size();
+    } else {
+      check_applied(rows);
+      applied = rows.size();
+    }
   }
-  std::vector<std::string> names = apply_pending(transaction, applied);
+  for (std::string& name : apply_pending(transaction, applied)) names.push_back(std::move(name));
   make_partitions(transaction);
   transaction.run(statements::kGrantRights);
   return names;
@@ -109,10 +114,11 @@ void refuse_many(const std::vector<std::string>& partitions) {
     months.insert(name.substr(name.size() - std::string("YYYY_MM").size()));
   }
   if (months.size() <= kMostMonthsAtOnce) return;
-  refuse(std::to_string(months.size()) + " months of results would be dropped at once, " +
-             *months.begin() + " to " + *months.rbegin(),
-         "look at the clock of the results server and at retention_months; if both are right: "
-         "loopscope maintain --config F --accept-clock");
+  refuse_schema(
+      std::to_string(months.size()) + " months of results would be dropped at once, " +
+          *months.begin() + " to " + *months.rbegin(),
+      "look at the clock of the results server and at retention_months; if both are right: "
+      "loopscope maintain --config F --accept-clock");
 }
 
 /// Each partition in its own transaction: its parent is locked only for that moment.

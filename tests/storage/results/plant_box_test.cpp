@@ -122,7 +122,8 @@ TEST_F(PlantBoxTest, ListsThatAreNoneAreRefused) {
 
 using PlantBoxUpgradeTest = UpgradeTest;
 
-/// A filled schema 26 with an event: the row stays as it is, claims nothing new, and is shown.
+/// A filled schema 26 with an event, brought to the end of the chain: the row stays as it is,
+/// claims nothing new, and is shown.
 TEST_F(PlantBoxUpgradeTest, EventsOfSchema26StayAndAreFollowed) {
   tests::TestDatabase other;
   const std::string login = fill_former_schema(other, 26);
@@ -139,6 +140,7 @@ TEST_F(PlantBoxUpgradeTest, EventsOfSchema26StayAndAreFollowed) {
       "SELECT row(slot_end, number, period_s, loop_ids, strengths, lags_s, source_loop_id,"
       " statement, roles, scores, p, found_at)::text FROM loopscope.plant_oscillation";
   const TextRows before_it = other.rows(row);
+  other.execute("SET ROLE loopscope_owner;" + former_script(26, former_chain().size()));
   migrate(settings_for(other, login));
   EXPECT_EQ(other.rows(row), before_it);
   EXPECT_EQ(other.rows("SELECT num_nonnulls(outside, reasons, leads, traces)"

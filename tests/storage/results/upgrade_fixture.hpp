@@ -5,17 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "storage/results/schema/embedded_migrations.hpp"
+#include "storage/results/schema/former_chain.hpp"
 #include "tests/storage/results/results_fixture.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/source_dir.hpp"
 
 namespace loopscope::storage {
 
-/// A schema of an earlier version, in use: what a later migration changes is changed under rows,
-/// partitions and rights that are there.
+/// A schema of the former chain, in use: what is taken over has rows, partitions and rights.
 class UpgradeTest : public testing::Test {
  protected:
-  explicit UpgradeTest(int from = 15) : former(from) {}
-
   void SetUp() override {
     if (!tests::test_server()) GTEST_SKIP() << tests::kNoServer;
     database = std::make_unique<tests::TestDatabase>();
@@ -23,10 +22,11 @@ class UpgradeTest : public testing::Test {
     owner = database->make_login("loopscope_owner");
     worker = database->make_login("loopscope_worker");
     reader = database->make_login("loopscope_reader");
-    make_former_schema(*database, "loopscope_owner", former);
+    make_former_schema(*database, "loopscope_owner");
     database->execute(kRows);
-    for (const char* table : {"loop", "schedule", "analysis", "verdict", "annotation",
-                              "plant_round", "parameter", "explanation_step"})
+    for (const char* table :
+         {"loop", "schedule", "analysis", "verdict", "annotation", "plant_round", "parameter",
+          "explanation_step", "flag_notice", "standing_problem", "data_problem_kind", "task_lease"})
       selects.push_back(database->value(
           std::string(
               "SELECT 'SELECT row(' || string_agg(attname, ', ' ORDER BY attnum) || ')::text"
@@ -36,29 +36,35 @@ class UpgradeTest : public testing::Test {
     before = contents();
   }
 
-  /// As `migrate` of that version left it.
+  /// As `migrate` of that version left it; the last one where none is given.
   static void make_former_schema(const tests::TestDatabase& made, const std::string& by,
-                                 int version) {
-    std::string script = "SET ROLE " + by + ";";
-    for (const Migration& migration :
-         embedded_migrations().first(static_cast<std::size_t>(version))) {
-      script += migration.sql;
-      script += "INSERT INTO loopscope.schema_migration VALUES (" +
-                std::to_string(migration.number) + ", '" + migration.name + "', '" +
-                migration.sha256 + "');";
-    }
-    made.execute(script +
+                                 std::size_t version = former_chain().size()) {
+    made.execute("SET ROLE " + by + ";" + former_script(0, version) +
                  "SELECT loopscope.make_partitions(now(), 4); SELECT loopscope.grant_rights();"
-                 // By `maintain`, which granted nothing.
+                 // By `maintain`, which grants nothing.
                  "SELECT loopscope.make_partitions('2026-01-01', 1)");
   }
 
   /// The same with kRows, and the login that migrates it.
-  static std::string fill_former_schema(tests::TestDatabase& made, int version) {
+  static std::string fill_former_schema(tests::TestDatabase& made,
+                                        std::size_t version = former_chain().size()) {
     made.make_roles();
     make_former_schema(made, "loopscope_owner", version);
     made.execute(kRows);
     return made.make_login("loopscope_owner");
+  }
+
+  /// The migrations of the chain after `from` up to `to`, as the programs of then ran them.
+  [[nodiscard]] static std::string former_script(std::size_t from, std::size_t to) {
+    std::string script;
+    for (std::size_t i = from; i < to; ++i) {
+      const FormerMigration& migration = former_chain()[i];
+      script += tests::content_of(tests::source_dir() / "tests/storage/results/former_schema" /
+                                  (std::string(migration.name) + ".sql"));
+      script += "INSERT INTO loopscope.schema_migration VALUES (" + std::to_string(i + 1) + ", '" +
+                migration.name + "', '" + migration.sha256 + "');";
+    }
+    return script;
   }
 
   /// Two loops, one held by a worker, with a verdict, and an annotation of each state.
@@ -99,7 +105,7 @@ class UpgradeTest : public testing::Test {
       SELECT loop_id, code, true, slot_end, slot_end, 'watch', 0.9, 1, 0.5, 'sticks' FROM loopscope.verdict
       WHERE loop_id = (SELECT loop_id FROM loopscope.loop WHERE name = 'a'))";
 
-  /// In the columns that there were.
+  /// Every column.
   [[nodiscard]] TextRows contents() const {
     TextRows rows;
     for (const std::string& select : selects) {
@@ -108,7 +114,6 @@ class UpgradeTest : public testing::Test {
     return rows;
   }
 
-  int former;
   std::unique_ptr<tests::TestDatabase> database;
   std::string owner, worker, reader;
   std::vector<std::string> selects;

@@ -1,99 +1,83 @@
 #include <gmock/gmock.h>
 
 #include "storage/results/plant/plant_rounds.hpp"
+#include "storage/results/schema/embedded_migrations.hpp"
 #include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/upgrade_fixture.hpp"
-#include "tests/support/run_program.hpp"
-#include "tests/support/source_dir.hpp"
 
+/// What becomes of a database of the former chain of migrations.
 namespace loopscope::storage {
 namespace {
 
+using testing::AllOf;
+using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 
-/// list_false_share, of schema 22; list_leave_share and list_enough_windows, of 24;
-/// list_least_probability, of 25; list_leave_probability, of 26. Schemas 27 and 28 have none.
-std::size_t new_parameters(int former) {
-  if (former < 22) return 5;
-  if (former < 24) return 4;
-  if (former < 25) return 2;
-  return former < 26 ? 1 : 0;
+constexpr const char* kRecorded =
+    "SELECT version, name, sha256 FROM loopscope.schema_migration ORDER BY version";
+
+std::string refusal_of(const ConnectionSettings& as_owner) {
+  try {
+    migrate(as_owner);
+  } catch (const DatabaseError& error) {
+    EXPECT_EQ(error.remedy(), Remedy::give_up);
+    return std::string(error.what()) + " HINT: " + error.hint();
+  }
+  return "";
 }
 
-/// From each version that a program was given out with.
-class UpgradeFromTest : public UpgradeTest, public testing::WithParamInterface<int> {
- protected:
-  UpgradeFromTest() : UpgradeTest(GetParam()) {}
-};
-INSTANTIATE_TEST_SUITE_P(Versions, UpgradeFromTest,
-                         testing::Values(15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27));
-
-TEST_P(UpgradeFromTest, KeepsEveryRowAndServesTheNewProgram) {
+TEST_F(UpgradeTest, KeepsEveryRowAndServesTheNewProgram) {
+  database->execute(kStay);
+  before = contents();
+  const std::string listed = "SELECT row(list.*)::text FROM loopscope.flagged_loop AS list";
+  const std::string hidden = "SELECT row(loop.*)::text FROM loopscope.hidden_loop AS loop";
+  const TextRows list = database->rows(listed), off_the_list = database->rows(hidden);
+  EXPECT_THAT(list, SizeIs(2));
   const ConnectionSettings as_owner = settings_for(*database, owner);
-  EXPECT_EQ(static_cast<int>(migrate(as_owner).size()), required_schema_version() - former);
-  const TextRows after = contents();
-  EXPECT_THAT(after, testing::IsSupersetOf(before));
-  EXPECT_EQ(after.size(), before.size() + new_parameters(former));
+  EXPECT_THAT(migrate(as_owner), SizeIs(embedded_migrations().size()));
+  EXPECT_EQ(contents(), before);
+  EXPECT_EQ(database->rows(listed), list);
+  EXPECT_EQ(database->rows(hidden), off_the_list);
   EXPECT_THAT(migrate(as_owner), IsEmpty());
   ResultsDatabase results(settings_for(*database, worker));
   EXPECT_EQ(results.claim_due("host/2/0", 60, 10).size(), 2U);
   EXPECT_EQ(PlantRounds(settings_for(*database, worker)).take_turn(0, "host/2", 60).wait_s, 0.0);
-  EXPECT_NO_THROW(static_cast<void>(maintain(as_owner, {})));
+  EXPECT_NO_THROW(static_cast<void>(maintain(as_owner, {.retention_months = 12})));
 }
 
-/// Of a step that was stored before nobody knows what asked for it: null, which is not "none did".
-TEST_P(UpgradeFromTest, StepsOfBeforeClaimNothingOfWhatAskedForThem) {
+TEST_F(UpgradeTest, ItsRowsOfTheChainAreExchanged) {
   migrate(settings_for(*database, owner));
-  EXPECT_EQ(database->rows("SELECT count(*), count(asked_by) FROM loopscope.explanation_step"),
-            (TextRows{{"4", "0"}}));
-  EXPECT_EQ(database->rows("SELECT count(*), count(asked_by) FROM loopscope.explanation"),
-            (TextRows{{"2", "0"}}));
-  EXPECT_THAT(
-      database->value("SELECT string_agg(DISTINCT left(col_description(attrelid, attnum), 14), '|')"
-                      " FROM pg_attribute WHERE attname = 'asked_by' AND attrelid IN (SELECT"
-                      " inhrelid FROM pg_inherits WHERE inhparent ="
-                      " 'loopscope.explanation_step'::regclass)"),
-      testing::StrEq("Residual tests"))
-      << "in every partition";
-}
-
-/// Nobody weighed causes before: no row, and none of the verdicts is touched.
-TEST_P(UpgradeFromTest, VerdictsOfBeforeHaveNoCauses) {
-  migrate(settings_for(*database, owner));
-  EXPECT_EQ(database->rows("SELECT count(*), count(cause_probabilities) FROM loopscope.verdict"),
-            (TextRows{{"2", "0"}}));
-  EXPECT_EQ(database->value("SELECT count(*) FROM loopscope.verdict_cause"), "0");
-}
-
-/// Before, each of these values stopped every claim.
-TEST_F(UpgradeTest, RowsThatSomebodyHasSpoiltAreMended) {
-  for (const char* const spoilt :
-       {"fence = 9223372036854775807", "fence = -5", "attempts = 2147483647", "lost_leases = -1",
-        "last_slot_end = 'infinity'", "result_slot_end = '294276-12-31'"}) {
-    database->execute("UPDATE loopscope.schedule SET " + std::string(spoilt) +
-                      " WHERE loop_id = (SELECT loop_id FROM loopscope.loop WHERE name = 'b')");
-  }
-  migrate(settings_for(*database, owner));
-  ResultsDatabase results(settings_for(*database, worker));
-  EXPECT_EQ(results.claim_due("host/2/0", 60, 10).size(), 2U);
-  EXPECT_EQ(database->rows("SELECT attempts, lost_leases, last_slot_end, result_slot_end"
-                           " FROM loopscope.schedule JOIN loopscope.loop USING (loop_id)"
-                           " WHERE name = 'b'"),
-            (TextRows{{"1000000", "0", "NULL", "NULL"}}));
+  TextRows expected;
+  for (const Migration& migration : embedded_migrations())
+    expected.push_back({std::to_string(migration.number), migration.name, migration.sha256});
+  EXPECT_EQ(database->rows(kRecorded), expected);
 }
 
 TEST_F(UpgradeTest, MonthsThatMaintainHadMadeCanBeReadAfterwards) {
-  const std::string month = "SELECT count(*) FROM loopscope.analysis_2026_01";
-  const tests::SqlConnection session(database->conninfo(reader));
-  EXPECT_THROW(session.run(month), std::runtime_error);
   migrate(settings_for(*database, owner));
-  EXPECT_EQ(tests::SqlConnection(database->conninfo(reader)).run(month), (TextRows{{"2"}}));
+  EXPECT_EQ(tests::SqlConnection(database->conninfo(reader))
+                .run("SELECT count(*) FROM loopscope.analysis_2026_01"),
+            (TextRows{{"2"}}));
+}
+
+/// A site's own view on ours, and a right that was given to a person, stay.
+TEST_F(UpgradeTest, ViewsOfASiteAndRightsOfPersonsStay) {
+  tests::TestDatabase& made = *database;
+  const std::string person = made.make_login("");
+  made.execute("CREATE VIEW public.ours AS SELECT loop_name, code FROM loopscope.latest_verdict");
+  made.execute("GRANT SELECT ON loopscope.flagged_loop TO " + person);
+  migrate(settings_for(made, owner));
+  EXPECT_EQ(made.value("SELECT count(*) FROM public.ours"), "1");
+  EXPECT_EQ(made.value("SELECT has_table_privilege('" + person +
+                       "', 'loopscope.flagged_loop', 'SELECT')"),
+            "t");
 }
 
 /// A superuser was given as owner, and nobody had run roles.sql.
 TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
   const tests::TestDatabase other;
-  make_former_schema(other, "postgres", former);
+  make_former_schema(other, "postgres");
   EXPECT_THROW(migrate(settings_for(other, "postgres")), DatabaseError);
   other.make_roles();
   const std::string runbook = tests::content_of(tests::source_dir() / "deploy" / "RUNBOOK.md");
@@ -102,8 +86,7 @@ TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
   ASSERT_NE(at, std::string::npos);
   const std::size_t from = at + begin.size();
   other.execute(runbook.substr(from, runbook.find("\nSQL\n", from) - from));
-  EXPECT_EQ(static_cast<int>(migrate(settings_for(other, owner)).size()),
-            required_schema_version() - former);
+  EXPECT_THAT(migrate(settings_for(other, owner)), SizeIs(embedded_migrations().size()));
   EXPECT_THAT(other.rows("SELECT oid::regclass::text FROM pg_class WHERE relnamespace ="
                          " 'loopscope'::regnamespace AND relowner <> 'loopscope_owner'::regrole"
                          " UNION ALL SELECT oid::regproc::text FROM pg_proc WHERE pronamespace ="
@@ -117,14 +100,50 @@ TEST_F(UpgradeTest, ASuperusersSchemaIsGivenToTheGroupAsTheRunbookSays) {
 TEST_F(UpgradeTest, TheFormerProgramsStatementsStillWork) {
   migrate(settings_for(*database, owner));
   const tests::SqlConnection session(database->conninfo(worker));
-  EXPECT_EQ(session.run("SELECT loopscope.oldest_program() <= 15")[0][0], "t");
+  EXPECT_EQ(session.run("SELECT loopscope.oldest_program() <= 27")[0][0], "t");
   EXPECT_EQ(session.run("UPDATE loopscope.parameter SET value = 0.5 WHERE name = 'min_confidence'"
                         " RETURNING name"),
             (TextRows{{"min_confidence"}}));
-  EXPECT_EQ(session.run("SELECT pg_try_advisory_lock(1819242352, 1)"), (TextRows{{"t"}}));
   EXPECT_EQ(session.run("INSERT INTO loopscope.plant_round (slot_end, algorithm_revision, loops,"
                         " oscillating, events) VALUES ('2026-01-02', 1, 2, 0, 0) RETURNING loops"),
             (TextRows{{"2"}}));
+  const tests::SqlConnection keeper(database->conninfo(owner));
+  EXPECT_EQ(keeper.run("SELECT loopscope.delete_old_rows('-infinity')"), (TextRows{{""}}));
+  EXPECT_EQ(keeper.run("SELECT loopscope.expired_partitions('-infinity')"), TextRows{});
+}
+
+TEST_F(UpgradeTest, AChainOfOtherWordsIsRefused) {
+  database->execute("UPDATE loopscope.schema_migration SET sha256 = 'other' WHERE version = 2");
+  EXPECT_THAT(refusal_of(settings_for(*database, owner)),
+              HasSubstr("migration 0002_results was applied with another text"));
+}
+
+TEST_F(UpgradeTest, AChainThatWentOnIsRefused) {
+  database->execute("INSERT INTO loopscope.schema_migration VALUES (28, '0028_other', 'x')");
+  EXPECT_THAT(refusal_of(settings_for(*database, owner)),
+              HasSubstr("migration 0028_other is not known to this program"));
+}
+
+/// From a version that the chain went through: refused, and left as it is.
+class EarlierChainTest : public UpgradeTest, public testing::WithParamInterface<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Versions, EarlierChainTest, testing::Values(15, 26));
+
+TEST_P(EarlierChainTest, IsRefusedWithTheWayToGo) {
+  tests::TestDatabase other;
+  const std::string login = fill_former_schema(other, GetParam());
+  const std::string objects =
+      "SELECT string_agg(md5(pg_describe_object(classid, objid, 0)), ' ' ORDER BY objid)"
+      " FROM pg_depend WHERE refobjid = 'loopscope'::regnamespace";
+  const std::string rows = "SELECT row(schedule.*)::text FROM loopscope.schedule ORDER BY 1";
+  const TextRows chain = other.rows(kRecorded), made = other.rows(objects), was = other.rows(rows);
+  EXPECT_THAT(refusal_of(settings_for(other, login)),
+              AllOf(HasSubstr("the schema has version " + std::to_string(GetParam()) +
+                              ", and this program takes over version 27 only"),
+                    HasSubstr("HINT: run `loopscope migrate --config F` of a program of schema"
+                              " version 27 first")));
+  EXPECT_EQ(other.rows(kRecorded), chain);
+  EXPECT_EQ(other.rows(objects), made);
+  EXPECT_EQ(other.rows(rows), was);
 }
 
 }  // namespace
