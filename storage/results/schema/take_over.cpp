@@ -66,8 +66,7 @@ std::vector<std::string> take_over(Transaction& transaction, const pqxx::result&
   std::vector<std::string> names;
   for (const Migration& migration : embedded_migrations()) {
     if (migration.number > kLastOfTheSame) break;
-    if (migration.number >= kFirstMadeAnew)
-      transaction.run_script(migration.name, migration.sql);
+    if (migration.number >= kFirstMadeAnew) transaction.run_script(migration.name, migration.sql);
     transaction.run(statements::kRecordMigration,
                     {std::to_string(migration.number), migration.name, migration.sha256});
     names.emplace_back(migration.name);

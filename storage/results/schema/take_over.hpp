@@ -13,8 +13,8 @@ namespace loopscope::storage {
 /// Takes a schema over that the whole former chain has made: what holds no rows (views, functions)
 /// is made anew in the words of today, what only the chain needed goes, and its rows of
 /// schema_migration become those of the migrations that stand for it. No table that holds
-/// rows is touched. Returns the names of those migrations. Refuses (DatabaseError) a chain that ends
-/// earlier, and one of other words.
+/// rows is touched. Returns the names of those migrations. Refuses (DatabaseError) a chain that
+/// ends earlier, and one of other words.
 std::vector<std::string> take_over(Transaction& transaction, const pqxx::result& applied);
 
 /// Throws the refusal of a schema: DatabaseError with Remedy::give_up.
