@@ -133,7 +133,8 @@ Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearit
                                                 : reasons_for(*own, evidence, nonlinearity);
   if (combined)
     verdict.reasons.insert(verdict.reasons.begin(), windows_text(confidence_in(code, alone)));
-  const std::vector<std::string> plain = plain_evidence(code, evidence);
+  std::vector<std::string> plain = plain_evidence(code, evidence);
+  if (!plain.empty()) plain.emplace_back(kFiguresFollow);
   verdict.reasons.insert(verdict.reasons.begin(), plain.begin(), plain.end());
   verdict.action = action_for(code, evidence, causes, decision.line);
   verdict.p = p_of_verdict(code, evidence);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnosis/evidence/evidence.hpp"
@@ -8,11 +9,12 @@
 
 namespace loopscope::core::diagnosis {
 
-/// At most so many sentences come before the figures.
-inline constexpr std::size_t kPlainSentences = 3;
+/// The entry of a verdict's reasons that ends the plain sentences, where there are any.
+inline constexpr std::string_view kFiguresFollow = "Figures:";
 
-/// The evidence as one would tell it on the plant: what the loop does that the verdict names, what
-/// that costs beside the best controller, and whether the loop oscillates. No statistics: they
+/// The evidence as one would tell it on the plant, in three sentences at most: what the loop does
+/// that the verdict names, how much larger the error is than the best controller could make it, and
+/// whether the loop oscillates. No statistics: they
 /// follow in the other reasons. Empty where nothing was measured.
 [[nodiscard]] std::vector<std::string> plain_evidence(VerdictCode code, const Evidence& evidence);
 

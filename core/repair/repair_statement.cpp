@@ -23,6 +23,13 @@ std::string in_format(double value, std::chars_format format, int digits) {
   return {text.data(), end.ptr};
 }
 
+/// A verdict as something that stands or is gone.
+std::string fault(std::string_view code) {
+  if (code == "unexplained") return "a fault without a known cause";
+  if (code == "nonlinear_unexplained") return "a nonlinearity without a known cause";
+  return words(code);
+}
+
 /// Three significant digits, with an exponent only where nobody would read the number off a
 /// display: 12300, not 1.23e+04.
 std::string number(double value) {
@@ -64,9 +71,9 @@ class Sentence {
            const StatementFigures& figures)
       : windows_(windows), judgement_(judgement), figures_(figures) {
     if (judgement.fault_before)
-      was_ = words(judgement.fault_before->code);
+      was_ = fault(judgement.fault_before->code);
     else if (!figures.suspected.empty())
-      was_ = words(figures.suspected);
+      was_ = fault(figures.suspected);
   }
 
   [[nodiscard]] std::string text() const {
@@ -83,19 +90,40 @@ class Sentence {
     return "Not judged yet: the data after the work cannot be used: " + windows_.refused + ".";
   }
 
-  /// Up to the semicolon behind which the error stands.
+  /// Up to the words behind which the error stands.
   [[nodiscard]] std::string what_came_of_it() const {
     const std::string start = capital(name(*judgement_.outcome)) + ": ";
-    if (judgement_.outcome == Outcome::fixed)
-      return start + was_ + ", which " + stood() + " before, is gone; ";
+    const bool gone = judgement_.fault_before && !judgement_.fault_after;
+    if (judgement_.outcome == Outcome::fixed) return start + was_and(stood()) + gone_words() + "; ";
     if (judgement_.fault_after) return start + is_now() + " " + change_of_fault();
+    if (judgement_.outcome == Outcome::worse && gone)
+      return start + was_and(stood()) + gone_words() + ", but ";
     if (judgement_.outcome != Outcome::unchanged) return start;
-    return start + "no fault stands" + (was_.empty() ? "" : ", before it was " + was_) + "; ";
+    return start + "no fault stands" + (was_.empty() ? "" : ", before " + before_words()) + "; ";
+  }
+
+  [[nodiscard]] std::string was_and(const std::string& stood) const {
+    return was_ + ", which " + stood + " before, ";
+  }
+
+  /// Gone, or no longer what most windows say.
+  [[nodiscard]] std::string gone_words() const {
+    if (!judgement_.fault_before) return "is gone";
+    const std::size_t naming =
+        windows_naming(windows_.after, judgement_.fault_before->family, windows_.min_confidence);
+    if (naming == 0) return "is gone";
+    return "no longer stands, though " + of_windows(naming, judgement_.windows_after) +
+           " after name it";
+  }
+
+  /// "it was tight tuning", "valve stiction was suspected".
+  [[nodiscard]] std::string before_words() const {
+    return judgement_.fault_before ? "it was " + was_ : was_ + " was suspected";
   }
 
   /// "valve stiction (2 of 2 windows)".
   [[nodiscard]] std::string is_now() const {
-    return words(judgement_.fault_after->code) + " (" +
+    return fault(judgement_.fault_after->code) + " (" +
            of_windows(judgement_.fault_after->windows, judgement_.windows_after) + ")";
   }
 
@@ -108,8 +136,8 @@ class Sentence {
     const auto& was = judgement_.fault_before;
     const Outcome outcome = *judgement_.outcome;
     if (!was || was->family != judgement_.fault_after->family)
-      return std::string(outcome == Outcome::worse ? "is new" : "stands") +
-             (was_.empty() ? ", before there was no fault; " : ", before it was " + was_ + "; ");
+      return std::string(outcome == Outcome::worse && was_.empty() ? "is new" : "stands") +
+             (was_.empty() ? ", before there was no fault; " : ", before " + before_words() + "; ");
     const std::string size = figures_.size == nullptr ? ""
                                                       : "its " + words(figures_.size->kind->name) +
                                                             " " + from_to(*figures_.size) + "; ";

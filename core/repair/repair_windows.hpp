@@ -2,14 +2,13 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace loopscope::core::repair {
 
 /// A parameter of an effect that the loop model found in a window, in the order of its steps.
 struct EffectParameter {
-  std::string effect;     ///< valve_stiction, sensor_hold, ... (core/model/results/effect_kind)
+  std::string effect;     ///< valve_stiction, sensor_hold, ... (core/model/results/explanation.hpp)
   std::string parameter;  ///< S, width, curvature, ...
   double value = 0.0;     ///< in the parameter's unit
 };
@@ -48,9 +47,5 @@ struct RepairWindows {
   std::string refused;  ///< why the newest window after the work is unusable; empty = none is
   std::optional<NewestWindow> newest;
 };
-
-/// Whether a fault of the family lies in valve or sensor, or in a curve that hardware has: what
-/// is repaired, not tuned.
-[[nodiscard]] bool names_hardware(std::string_view family);
 
 }  // namespace loopscope::core::repair

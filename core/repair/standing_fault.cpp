@@ -61,6 +61,13 @@ bool names_hardware(std::string_view family) {
   return std::ranges::find(kHardware, family) != kHardware.end();
 }
 
+std::size_t windows_naming(std::span<const RepairWindow> windows, std::string_view family,
+                           double min_confidence) {
+  return static_cast<std::size_t>(std::ranges::count_if(windows, [&](const RepairWindow& window) {
+    return window.family == family && window.confidence >= min_confidence;
+  }));
+}
+
 SideVerdict side_verdict(std::span<const RepairWindow> windows, double min_confidence) {
   const std::optional<StandingFault> fault = leading(families_of(windows, min_confidence));
   if (!fault) return {};

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/repair/repair_windows.hpp"
 
@@ -23,6 +24,14 @@ struct SideVerdict {
   std::optional<StandingFault> stands;  ///< faults have half of all confidence there
   std::string suspected;  ///< code that comes nearest where none stands; empty = none at all
 };
+
+/// Whether a fault of the family lies in valve or sensor, or in a curve that hardware has: what
+/// is repaired, not tuned.
+[[nodiscard]] bool names_hardware(std::string_view family);
+
+/// Of the windows, those that name a fault of this family surely enough.
+[[nodiscard]] std::size_t windows_naming(std::span<const RepairWindow> windows,
+                                         std::string_view family, double min_confidence);
 
 /// Verdicts below `min_confidence`, and those without a fault, count against a fault.
 [[nodiscard]] SideVerdict side_verdict(std::span<const RepairWindow> windows,

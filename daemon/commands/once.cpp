@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
+#include <exception>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
@@ -53,8 +54,14 @@ void once(const std::string& config_file) {
     std::signal(pass.signal, SIG_DFL);
     std::raise(pass.signal);
   }
-  judge_repairs(*settings, tools);
+  std::exception_ptr unjudged;  // the comparison does not wait for it
+  try {
+    judge_repairs(*settings, tools);
+  } catch (...) {
+    unjudged = std::current_exception();
+  }
   compare_all_loops(*settings, tools);
+  if (unjudged) std::rethrow_exception(unjudged);
   if (!pass.first_failure) return;
   throw Failure(pass.first_failure->exit_code(),
                 fmt::format("{} loops failed and are tried again later, the first because: {}",

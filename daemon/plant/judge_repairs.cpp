@@ -9,28 +9,28 @@
 namespace loopscope::daemon {
 namespace {
 
-/// So many keep a transaction well below a second.
+/// So many take some tens of milliseconds to read.
 constexpr std::size_t kRepairsAtOnce = 100;
 
 }  // namespace
 
-std::size_t judge_some_repairs(storage::RepairJudgements& judgements) {
+JudgedBatch judge_some_repairs(storage::RepairJudgements& judgements, std::int64_t behind) {
   std::vector<storage::JudgedRepair> judged;
-  for (storage::DueRepair& due : judgements.due(kRepairsAtOnce)) {
+  for (storage::DueRepair& due : judgements.due(kRepairsAtOnce, behind)) {
     core::repair::RepairJudgement judgement = core::repair::judge_repair(due.windows);
     judged.push_back({std::move(due), std::move(judgement)});
   }
-  if (!judged.empty()) judgements.store(judged);
-  return judged.size();
+  if (judged.empty()) return {0, behind};
+  judgements.store(judged);
+  return {judged.size(), judged.back().repair.maintenance_event_id};
 }
 
 void judge_repairs(const config::Settings& settings, SharedServices& tools) {
   storage::RepairJudgements judgements(results_connection(settings));
   std::size_t count = 0;
-  while (!tools.stop.stop_requested()) {
-    const std::size_t some = judge_some_repairs(judgements);
-    if (some == 0) break;
-    count += some;
+  for (JudgedBatch batch; !tools.stop.stop_requested(); count += batch.count) {
+    batch = judge_some_repairs(judgements, batch.last);
+    if (batch.count == 0) break;
   }
   if (count > 0) spdlog::info("repairs: {} judged", count);
 }

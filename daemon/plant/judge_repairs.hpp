@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "config/settings.hpp"
 #include "daemon/service/shared/shared_services.hpp"
@@ -8,12 +9,20 @@
 
 namespace loopscope::daemon {
 
-/// Judges whether work on loops helped (core/repair), wherever a loop has newer windows than at
-/// the last time, and stores it; says in the log how much it was. Stops early when the process
-/// shall end. Throws storage::DatabaseError; what was judged before it is stored.
+/// Judges whether work on loops helped (core/repair) where it was not judged yet, or where windows
+/// or work have changed since, each piece once, and stores it; says in the log how much it was.
+/// Stops early when the process shall end. Throws storage::DatabaseError; what was judged before it
+/// is stored.
 void judge_repairs(const config::Settings& settings, SharedServices& tools);
 
-/// One batch of it, a transaction to read and one to write; how many were judged, 0 = none is due.
-std::size_t judge_some_repairs(storage::RepairJudgements& judgements);
+/// So many pieces of work, the last of this number.
+struct JudgedBatch {
+  std::size_t count = 0;
+  std::int64_t last = 0;
+};
+
+/// One batch of it, behind the piece of this number: a transaction to read and one to write. None =
+/// nothing more is due.
+JudgedBatch judge_some_repairs(storage::RepairJudgements& judgements, std::int64_t behind);
 
 }  // namespace loopscope::daemon

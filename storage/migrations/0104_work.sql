@@ -472,8 +472,9 @@ COMMENT ON COLUMN loopscope.maintenance_job.next_at IS 'When the next one began;
 CREATE OR REPLACE VIEW loopscope.maintenance_window AS
   WITH event AS (
     SELECT maintenance_event_id, loop_id, begins_at, ends_at,
-           greatest(previous_at, begins_at - interval '1 year') AS from_at,
-           least(next_at, ends_at + interval '1 year') AS to_at
+           -- Somebody may enter a year that has no year before or after it.
+           greatest(previous_at, greatest(begins_at, '1900-01-01') - interval '1 year') AS from_at,
+           least(next_at, least(ends_at, '9999-01-01') + interval '1 year') AS to_at
     FROM loopscope.maintenance_job
   ), chosen AS (
     SELECT event.maintenance_event_id, event.loop_id, near.*
@@ -512,7 +513,8 @@ CREATE OR REPLACE VIEW loopscope.maintenance_window AS
          chosen.slot_end, chosen.algorithm_revision, analysis.input_revision, analysis.analysis_id,
          analysis.window_start, analysis.window_end, verdict.code, verdict.confidence,
          CASE WHEN verdict.confidence >= setting.min_confidence THEN kin.family END AS family,
-         analysis.error_std, analysis.error_log_variance_se, sqrt(analysis.harris_low * analysis.harris_high) AS harris,
+         analysis.error_std, analysis.error_log_variance_se,
+         sqrt(analysis.harris_low) * sqrt(analysis.harris_high) AS harris,
          analysis.ngi, analysis.nli, analysis.nonlinear_p, analysis.oscillating, analysis.oscillation_period_s,
          analysis.oscillation_amplitude, analysis.valve_travel_per_h,
          CASE WHEN pi.fit > 0.9 THEN abs(pi.gain) END AS controller_gain,
@@ -606,6 +608,7 @@ CREATE TABLE loopscope.repair_judgement (
   judged_at            timestamptz NOT NULL DEFAULT now(),
   newest_slot_end      timestamptz,
   min_confidence       double precision NOT NULL,
+  works                text NOT NULL,
   word                 text CHECK (word IN ('fixed', 'improved', 'unchanged', 'worse')),
   statement            text NOT NULL,
   windows_before       integer NOT NULL CHECK (windows_before >= 0),
@@ -626,6 +629,8 @@ COMMENT ON COLUMN loopscope.repair_judgement.newest_slot_end IS
   'Newest slot of the loop at that time; with another one it is judged again';
 COMMENT ON COLUMN loopscope.repair_judgement.min_confidence IS
   'Confidence below which verdicts counted as none (parameter)';
+COMMENT ON COLUMN loopscope.repair_judgement.works IS
+  'Digest of all work on the loop at that time (numbers and times); with other work it is judged again';
 COMMENT ON COLUMN loopscope.repair_judgement.word IS
   'fixed, improved, unchanged or worse; null = cannot be said, statement says why';
 COMMENT ON COLUMN loopscope.repair_judgement.statement IS
@@ -656,7 +661,7 @@ CREATE OR REPLACE VIEW loopscope.before_after_maintenance AS
          before.valve_travel_per_h AS valve_travel_per_h_before,
          after.valve_travel_per_h AS valve_travel_per_h_after,
          judged.word,
-         coalesce(judged.statement, 'Not judged yet: a running service judges it within a minute, '
+         coalesce(judged.statement, 'Not judged yet: a running service judges it with its next comparison, '
                                     'a single pass (once) at its end.') AS statement,
          coalesce(judged.windows_before, 0) AS windows_before,
          coalesce(judged.windows_after, 0) AS windows_after,
@@ -715,7 +720,7 @@ COMMENT ON COLUMN loopscope.before_after_maintenance.valve_travel_per_h_before I
 COMMENT ON COLUMN loopscope.before_after_maintenance.valve_travel_per_h_after IS
   'Sum of op movements after, % of range per hour';
 COMMENT ON COLUMN loopscope.before_after_maintenance.word IS
-  'fixed, improved, unchanged or worse (storage/README.md defines them); null = cannot be said, statement says why';
+  'fixed, improved, unchanged or worse (core/repair/README.md defines them); null = cannot be said, statement says why';
 COMMENT ON COLUMN loopscope.before_after_maintenance.statement IS
   'The word in a sentence or two with its figures; without a word, why there is none';
 COMMENT ON COLUMN loopscope.before_after_maintenance.windows_before IS

@@ -56,8 +56,9 @@ std::vector<storage::MaintenanceRow> store_repairs(const storage::ConnectionSett
   storage::MaintenanceLog log(database);
   if (!log.add(work).empty()) throw std::runtime_error("the log of work refused a repair");
   storage::RepairJudgements judgements(database);
-  while (daemon::judge_some_repairs(judgements) > 0) {
-  }
+  daemon::JudgedBatch batch;
+  do batch = daemon::judge_some_repairs(judgements, batch.last);
+  while (batch.count > 0);
   std::map<std::string, storage::MaintenanceRow> by_name;
   for (storage::MaintenanceRow& row : log.list()) by_name[row.entry.loop_name] = std::move(row);
   std::vector<storage::MaintenanceRow> rows;

@@ -65,31 +65,25 @@ std::string heading(const LoopReport& story) {
       html(status), utc(row.since_us), utc(row.slot_end_us));
 }
 
-/// How many sentences come before the figures: none in rows of a program before these sentences.
-std::size_t plain_sentences(const std::vector<std::string>& reasons) {
-  const std::size_t most = std::min(reasons.size(), core::diagnosis::kPlainSentences);
-  for (std::size_t k = 0; k < most; ++k)
-    if (reasons[k].starts_with("For: ") || reasons[k].starts_with("Against: ")) return k;
-  return most;
-}
-
 std::string list_items(std::span<const std::string> reasons) {
   std::string text;
   for (const std::string& reason : reasons) text += "<li>" + html(reason) + "</li>\n";
   return text;
 }
 
-/// Plain sentences first, figures behind a fold.
+/// Plain sentences first, figures behind a fold; rows of a program before have figures alone.
 std::string evidence_list(const FlaggedRow& row) {
-  const std::size_t plain = plain_sentences(row.reasons);
-  std::string figures = list_items(std::span(row.reasons).subspan(plain));
+  const std::span<const std::string> reasons = row.reasons;
+  const auto mark = std::ranges::find(reasons, core::diagnosis::kFiguresFollow);
+  const bool folded = mark != reasons.end();
+  const auto plain = folded ? static_cast<std::size_t>(mark - reasons.begin()) : 0;
+  std::string figures = list_items(reasons.subspan(folded ? plain + 1 : 0));
   if (row.p)
     figures += "<li>Chance of evidence as strong as this in a loop without that fault: p " +
                html(p_text(row.p)) + ".</li>\n";
-  if (plain == 0) return "<ul>\n" + figures + "</ul>";
-  const std::string lead = "<ul>\n" + list_items(std::span(row.reasons).first(plain)) + "</ul>";
-  if (figures.empty()) return lead;
-  return lead + "\n<details class=\"figures\"><summary>Figures</summary><ul>\n" + figures +
+  if (!folded) return "<ul>\n" + figures + "</ul>";
+  return "<ul>\n" + list_items(reasons.first(plain)) +
+         "</ul>\n<details class=\"figures\"><summary>Figures</summary><ul>\n" + figures +
          "</ul></details>";
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/repair/judge_repair.hpp"
@@ -14,11 +15,12 @@
 namespace loopscope::storage {
 
 /// A piece of work that is to be judged: for the first time, or again because the loop has a newer
-/// slot, other work was entered for it, or min_confidence or the program has changed.
+/// slot, its work was entered, moved or deleted, or min_confidence or the program has changed.
 struct DueRepair {
   std::int64_t maintenance_event_id = 0;
   core::repair::RepairWindows windows;
   std::optional<std::int64_t> newest_slot_end_us;  ///< of the loop, when this was read
+  std::string works;  ///< digest of all work on the loop, when this was read
 };
 
 /// What is to be stored of it.
@@ -27,18 +29,19 @@ struct JudgedRepair {
   core::repair::RepairJudgement judgement;
 };
 
-/// The table repair_judgement, which the view before_after_maintenance shows. Work that was done
-/// more than a year ago is judged once and no more: no window of it can be new. Every function is
-/// one transaction and throws DatabaseError; two programs that judge the same work at once store
-/// the same.
+/// The table repair_judgement, which the view before_after_maintenance shows. Where a loop's
+/// last work is more than a year ago nothing is judged again for a newer slot: no window is new.
+/// Every function is one transaction and throws DatabaseError; two programs that judge the same
+/// work at once store the same.
 class RepairJudgements {
  public:
   /// Connects and checks that the schema has the version this program was built for.
   explicit RepairJudgements(const ConnectionSettings& settings);
   ~RepairJudgements();
 
-  /// At most `limit` pieces of work, those that were entered first.
-  [[nodiscard]] std::vector<DueRepair> due(std::size_t limit);
+  /// At most `limit` pieces of work whose number is larger than `behind`, by number: who goes on
+  /// behind the last one comes to an end, whatever happens meanwhile.
+  [[nodiscard]] std::vector<DueRepair> due(std::size_t limit, std::int64_t behind = 0);
   /// An outcome stays when its windows have been deleted since (retention). Work that was deleted
   /// meanwhile is left out.
   void store(std::span<const JudgedRepair> judged);

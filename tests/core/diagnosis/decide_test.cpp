@@ -184,8 +184,9 @@ DecisionSettings expecting_disturbances() {
 }
 
 TEST(Decide, PlainSentencesStandFirstThenPartsForAndAgainst) {
-  const Evidence evidence =
-      evidence_with(explanation_of({clear_step(model::EffectKind::load_step)}));
+  model::Step step = clear_step(model::EffectKind::load_step);
+  step.statement = "The load moved.";
+  const Evidence evidence = evidence_with(explanation_of({step}));
   const Verdict verdict = decide(evidence, {}, expecting_disturbances());
   EXPECT_EQ(verdict.code, Code::external_disturbance);
   const auto plain =
@@ -193,7 +194,8 @@ TEST(Decide, PlainSentencesStandFirstThenPartsForAndAgainst) {
   ASSERT_GT(plain, 0);
   for (auto reason = verdict.reasons.begin(); reason != verdict.reasons.begin() + plain; ++reason)
     EXPECT_THAT(*reason, Not(HasSubstr("odds")));
-  EXPECT_THAT(verdict.reasons.at(static_cast<std::size_t>(plain)),
+  EXPECT_EQ(verdict.reasons.at(static_cast<std::size_t>(plain)), kFiguresFollow);
+  EXPECT_THAT(verdict.reasons.at(static_cast<std::size_t>(plain) + 1),
               AllOf(HasSubstr("For: "), HasSubstr("(odds times ")));
   EXPECT_THAT(verdict.reasons,
               Contains(HasSubstr("One-step prediction error on held-out samples: 1 -> 0.5")));

@@ -8,6 +8,7 @@ namespace loopscope::core::diagnosis {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
 using testing::StartsWith;
 
 model::Step step_of(model::EffectKind effect, double before, double after,
@@ -40,18 +41,43 @@ TEST(PlainEvidence, TellsWhatTheNamedEffectDoes) {
       step_of(model::EffectKind::valve_stiction, 2.0, 1.5, "It sticks a little."),
       step_of(model::EffectKind::valve_stiction, 1.5, 0.5, "It sticks.")};
   EXPECT_THAT(plain_evidence(VerdictCode::valve_stiction, evidence),
-              ElementsAre("It sticks.", kLarger, kNoWave));
+              ElementsAre("It sticks.", kLarger));
+  EXPECT_THAT(plain_evidence(VerdictCode::valve_deadband, evidence),
+              ElementsAre("It sticks.", kLarger))
+      << "the diagnosis takes one for the other";
   EXPECT_THAT(plain_evidence(VerdictCode::external_disturbance, evidence),
-              ElementsAre("The load moved.", kLarger, kNoWave));
-  EXPECT_THAT(plain_evidence(VerdictCode::sensor_fault, evidence), ElementsAre(kLarger, kNoWave))
+              ElementsAre("The load moved."))
+      << "no better controller is called for";
+  EXPECT_THAT(plain_evidence(VerdictCode::tight_tuning, evidence), ElementsAre(kLarger));
+  EXPECT_THAT(plain_evidence(VerdictCode::sensor_fault, evidence), ElementsAre(kLarger))
       << "the model has no such effect";
+}
+
+TEST(PlainEvidence, AStepThatTheCycleTurnedIsToldOfEither) {
+  Evidence evidence = measured();
+  evidence.model->steps = {
+      step_of(model::EffectKind::valve_deadband, 2.0, 1.0, "The valve has dead band.")};
+  evidence.model->steps[0].cycle_indicates_stiction = true;
+  for (const VerdictCode code : {VerdictCode::valve_deadband, VerdictCode::valve_stiction})
+    EXPECT_EQ(plain_evidence(code, evidence).front(), "The valve has dead band.");
+}
+
+TEST(PlainEvidence, OfSeveralThingsFromOutsideNoneIsToldAlone) {
+  Evidence evidence = measured();
+  evidence.model->steps = {step_of(model::EffectKind::load_step, 4.0, 2.0, "The load moved."),
+                           step_of(model::EffectKind::external_oscillation, 2.0, 1.0, "A wave.")};
+  evidence.oscillation.present = true;
+  evidence.oscillation.period_s = 20.0;
+  evidence.oscillation.amplitude = 1.0;
+  EXPECT_THAT(plain_evidence(VerdictCode::external_disturbance, evidence),
+              ElementsAre("The error oscillates with a period of 20 s."));
 }
 
 TEST(PlainEvidence, AnEffectThatCannotBeConfirmedIsNotTold) {
   Evidence evidence = measured();
   evidence.model->excited = false;
   evidence.model->steps = {step_of(model::EffectKind::valve_stiction, 2.0, 1.0, "It sticks.")};
-  EXPECT_THAT(plain_evidence(VerdictCode::valve_stiction, evidence), ElementsAre(kLarger, kNoWave));
+  EXPECT_THAT(plain_evidence(VerdictCode::valve_stiction, evidence), ElementsAre(kLarger));
 }
 
 TEST(PlainEvidence, TellsHowALoopSettlesWhoseTuningIsBlamed) {
@@ -60,40 +86,50 @@ TEST(PlainEvidence, TellsHowALoopSettlesWhoseTuningIsBlamed) {
   loop.peak_sensitivity = 3.0;
   loop.settling_s = 320.0;
   loop.period_s = 9.5;
+  loop.damping = 0.2154;  // a decay ratio of a quarter
+  const std::string start = "With these settings of the controller ";
   EXPECT_EQ(plain_evidence(VerdictCode::tight_tuning, evidence).front(),
-            "With these settings of the controller a disturbance takes 5.33 min to settle, and "
-            "oscillates with a period of 9.5 s meanwhile.");
+            start +
+                "the loop swings with a period of 9.5 s after a disturbance, each swing 25 % of "
+                "the one before.");
   loop.period_s = 0.0;
   EXPECT_EQ(plain_evidence(VerdictCode::sluggish_tuning, evidence).front(),
-            "With these settings of the controller a disturbance takes 5.33 min to settle, without "
-            "oscillation.");
+            start + "a disturbance takes 5.33 min to settle, without oscillation.");
   loop.peak_sensitivity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(plain_evidence(VerdictCode::tight_tuning, evidence).front(),
-            "With these settings of the controller the fitted loop is unstable.");
-  EXPECT_THAT(plain_evidence(VerdictCode::valve_stiction, evidence), ElementsAre(kLarger, kNoWave));
+            start + "the fitted loop is unstable.");
+  EXPECT_THAT(plain_evidence(VerdictCode::valve_stiction, evidence), ElementsAre(kLarger));
 }
 
-TEST(PlainEvidence, TellsThatNothingIsNeeded) {
+TEST(PlainEvidence, TellsThatNothingIsNeededWhereALinearLoopExplainsTheRecord) {
   Evidence evidence = measured();
-  EXPECT_THAT(plain_evidence(VerdictCode::healthy, evidence).front(),
-              StartsWith("A linear loop with noise explains what was recorded"));
+  const std::string linear = "A linear loop with noise explains what was recorded";
+  EXPECT_THAT(plain_evidence(VerdictCode::healthy, evidence),
+              ElementsAre(StartsWith(linear), kLarger, kNoWave));
+  evidence.model->unexplained.fraction = 0.5;
+  EXPECT_THAT(plain_evidence(VerdictCode::healthy, evidence), ElementsAre(kLarger, kNoWave));
+  evidence.model->unexplained.fraction = 0.0;
   evidence.model->steps = {step_of(model::EffectKind::load_step, 4.0, 2.0, "The load moved.")};
   EXPECT_THAT(plain_evidence(VerdictCode::healthy, evidence), ElementsAre(kLarger, kNoWave));
 }
 
-TEST(PlainEvidence, TellsWhatTheErrorCostsAndItsPeriod) {
-  Evidence evidence = measured();
-  evidence.performance.harris_low = 0.9;
-  evidence.performance.harris_high = 0.95;
-  evidence.oscillation.present = true;
-  evidence.oscillation.period_s = 56.3;
-  evidence.oscillation.amplitude = 1.0;
-  evidence.performance.error_std = 1.0;
-  EXPECT_THAT(plain_evidence(VerdictCode::unexplained, evidence),
-              ElementsAre("The error is about as small as any controller could make it.",
-                          "The error oscillates with a period of 56.3 s."));
-  evidence.performance.harris_high = std::nullopt;
-  EXPECT_EQ(plain_evidence(VerdictCode::unexplained, evidence).size(), 1U);
+TEST(PlainEvidence, TellsHowMuchLargerTheErrorIsWhereAControllerCouldHelp) {
+  const auto said = [](double low, double high) {
+    Evidence evidence = measured();
+    evidence.performance.harris_low = low;
+    evidence.performance.harris_high = high;
+    return plain_evidence(VerdictCode::unexplained, evidence).front();
+  };
+  const std::string best = " times as large as the best controller could make it.";
+  EXPECT_EQ(said(0.9, 0.95), "The error is about as small as any controller could make it.");
+  EXPECT_EQ(said(0.82, 0.99), "The error is about as small as any controller could make it.");
+  EXPECT_EQ(said(0.25, 0.99), "The error is up to 2" + best);
+  EXPECT_EQ(said(0.25, 0.2501), "The error is 2" + best);
+  EXPECT_EQ(said(0.25, 0.64), kLarger);
+  Evidence level = measured();
+  level.integrating = true;
+  EXPECT_THAT(plain_evidence(VerdictCode::unexplained, level), IsEmpty());
+  EXPECT_THAT(plain_evidence(VerdictCode::valve_saturation, measured()), IsEmpty());
 }
 
 }  // namespace

@@ -31,13 +31,37 @@ TEST(RepairStatement, SaysWhatIsNew) {
   EXPECT_EQ(said(repair_between(kSound, kSticks)).substr(0, 76),
             "Worse: valve stiction (2 of 2 windows) is new, before there was no fault; th");
   EXPECT_EQ(said(repair_between(kTight, kSticks)).substr(0, 76),
-            "Worse: valve stiction (2 of 2 windows) is new, before it was tight tuning; t");
+            "Worse: valve stiction (2 of 2 windows) stands, before it was tight tuning; t");
 }
 
 TEST(RepairStatement, SaysThatNothingStandsAndWhatDid) {
   EXPECT_EQ(said(repair_between(kSound, kSound)).substr(0, 31), "Unchanged: no fault stands; the");
   EXPECT_EQ(said(repair_between(with_confidence(kTight, 0.5), kSound)).substr(0, 55),
             "Unchanged: no fault stands, before it was tight tuning;");
+}
+
+TEST(RepairStatement, SaysWhatWasOnlySuspected) {
+  EXPECT_EQ(said(repair_between(with_confidence(kSticks, 0.2), kSticks)).substr(0, 80),
+            "Worse: valve stiction (2 of 2 windows) stands, before valve stiction was suspect");
+}
+
+TEST(RepairStatement, SaysThatWindowsAfterStillNameTheFault) {
+  RepairWindows windows = repair_between(kSticks, with_confidence(kSound, 0.95));
+  windows.after.push_back(windows.before.front());
+  EXPECT_EQ(said(windows).substr(0, 115),
+            "Fixed: valve stiction, which stood in 2 of 2 windows before, no longer stands, though "
+            "1 of 3 windows after name it;");
+}
+
+TEST(RepairStatement, SaysThatTheFaultIsGoneWhereTheErrorIsWorse) {
+  EXPECT_EQ(said(repair_between(kSticks, with_error(kSound, 3.0, 0.3))).substr(0, 104),
+            "Worse: valve stiction, which stood in 2 of 2 windows before, is gone, but " +
+                kError.substr(0, 30));
+}
+
+TEST(RepairStatement, AFaultWithoutANameIsCalledThat) {
+  EXPECT_EQ(said(repair_between({"unexplained", "unknown"}, kSound)).substr(0, 44),
+            "Fixed: a fault without a known cause, which ");
 }
 
 TEST(RepairStatement, SaysThatAFaultIsBack) {

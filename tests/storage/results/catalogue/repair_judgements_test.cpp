@@ -67,6 +67,59 @@ TEST_F(RepairJudgementsTest, OtherWorkOnTheLoopMakesItDueAgain) {
   EXPECT_THAT(due(), IsEmpty());
 }
 
+/// Times of entry do not count: clocks are set, and transactions commit later than they began.
+TEST_F(RepairJudgementsTest, WorkOfAnotherTimeOrThatIsGoneMakesItDueAgain) {
+  work_at("now() - interval '1 day'", "packing again");
+  judge_due();
+  database->execute("UPDATE loopscope.maintenance_event SET entered_at = now() + interval '1 day'");
+  EXPECT_THAT(due(), IsEmpty());
+  database->execute(
+      "UPDATE loopscope.maintenance_event SET done_at = done_at - interval '1 hour'"
+      " WHERE description = 'packing'");
+  EXPECT_THAT(due(), SizeIs(2));
+  judge_due();
+  database->execute("DELETE FROM loopscope.maintenance_event WHERE description = 'packing again'");
+  EXPECT_THAT(due(), SizeIs(1));
+}
+
+TEST_F(RepairJudgementsTest, WorkOfAnyYearIsJudged) {
+  for (const char* year : {"'4713-01-01 BC'", "'294276-01-01'", "'0001-01-01'"})
+    work_at(year, "any year");
+  EXPECT_THAT(due(), SizeIs(4));
+  judge_due();
+  EXPECT_THAT(due(), IsEmpty());
+}
+
+TEST_F(RepairJudgementsTest, FiguresOfADamagedRowAreLeftOut) {
+  database->execute("DELETE FROM loopscope.maintenance_event");
+  work_at("'2026-01-01 05:00+00'");
+  tell({{.loop = "a", .slot_hours = 2}});
+  database->execute(
+      "INSERT INTO loopscope.explanation_step (loop_id, slot_end, algorithm_revision,"
+      " input_revision, step, effect, parameters, intervals, statement) SELECT loop_id, slot_end,"
+      " algorithm_revision, input_revision, 1, 'valve_stiction',"
+      R"( '{"S": 1e400, "J": [1], "x": null, "y": "1", "z": 2}', '{}', '' FROM loopscope.analysis;)"
+      "UPDATE loopscope.analysis SET harris_low = 1e-200, harris_high = 1e-200");
+  ASSERT_THAT(due(), SizeIs(1));
+  ASSERT_THAT(due()[0].windows.before, SizeIs(1));
+  ASSERT_THAT(due()[0].windows.before[0].effects, SizeIs(1));
+  EXPECT_EQ(due()[0].windows.before[0].effects[0].value, 2.0);
+}
+
+/// The windows of some are found without those of all.
+TEST_F(RepairJudgementsTest, ABatchAsksForItsOwnWindowsAlone) {
+  database->execute(
+      "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description) SELECT"
+      " loop_id, now() - number * interval '1 h', 'valve', 'x' FROM loopscope.loop"
+      " CROSS JOIN generate_series(1, 300) AS number");
+  const std::vector<DueRepair> first = RepairJudgements(settings_for(*database)).due(100);
+  ASSERT_THAT(first, SizeIs(100));
+  const auto second =
+      RepairJudgements(settings_for(*database)).due(100, first.back().maintenance_event_id);
+  ASSERT_THAT(second, SizeIs(100));
+  EXPECT_GT(second.front().maintenance_event_id, first.back().maintenance_event_id);
+}
+
 TEST_F(RepairJudgementsTest, AnotherThresholdOrRevisionMakesItDueAgain) {
   judge_due();
   database->execute("UPDATE loopscope.parameter SET value = 0.7 WHERE name = 'min_confidence'");
@@ -101,6 +154,8 @@ TEST_F(RepairJudgementsTest, AnOutcomeStaysWhenItsWindowsAreDeleted) {
   judgements.store(std::vector{JudgedRepair{repair, without}});
   EXPECT_EQ(words(), "fixed");
   work_at("'2026-01-01 01:30+00'", "other work");
+  repair = judgements.due(1).at(0);
+  repair.windows.before.clear();
   judgements.store(std::vector{JudgedRepair{repair, without}});
   EXPECT_EQ(value("SELECT count(word) FROM loopscope.repair_judgement"), "0")
       << "other work takes the windows away";
