@@ -45,8 +45,9 @@ TEST(PlantSection, AMemberSwingsAheadOfTheSourceOrBehindIt) {
 TEST(PlantSection, WorkThatNothingCanBeSaidOf) {
   PlantFacts facts = plant_facts("FIC101");
   facts.repairs[0].word.reset();
+  facts.repairs[0].statement = "Not judged: no usable window lies before this work.";
   EXPECT_THAT(plant_section(facts, LoopLinks::sections), HasSubstr("unknown\">not judged<"));
-  facts.repairs[0].windows_before = 2;
+  facts.repairs[0].statement = "Not judged yet: no window lies wholly after the work.";
   EXPECT_THAT(plant_section(facts, LoopLinks::sections), HasSubstr("unknown\">too early<"));
 }
 
