@@ -33,7 +33,7 @@ std::string fault(std::string_view code) {
 /// Three significant digits, with an exponent only where nobody would read the number off a
 /// display: 12300, not 1.23e+04.
 std::string number(double value) {
-  const std::string text = in_format(value, std::chars_format::general, 3);
+  std::string text = in_format(value, std::chars_format::general, 3);
   double rounded = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), rounded);
   if (std::abs(rounded) < 1e3 || std::abs(rounded) >= 1e7) return text;
@@ -92,7 +92,7 @@ class Sentence {
 
   /// Up to the words behind which the error stands.
   [[nodiscard]] std::string what_came_of_it() const {
-    const std::string start = capital(name(*judgement_.outcome)) + ": ";
+    std::string start = capital(name(*judgement_.outcome)) + ": ";
     const bool gone = judgement_.fault_before && !judgement_.fault_after;
     if (judgement_.outcome == Outcome::fixed) return start + was_and(stood()) + gone_words() + "; ";
     if (judgement_.fault_after) return start + is_now() + " " + change_of_fault();
