@@ -207,7 +207,7 @@ double look_through(Transaction& transaction, const std::string& but_of, ClaimFl
     floor.lower(read_place(row));
     look.found = true;
   }
-  const double took_s = row["took_s"].as<double>();
+  const auto took_s = row["took_s"].as<double>();
   look.spent_s += took_s;
   return took_s;
 }
