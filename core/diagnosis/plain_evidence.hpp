@@ -13,9 +13,9 @@ namespace loopscope::core::diagnosis {
 inline constexpr std::string_view kFiguresFollow = "Figures:";
 
 /// The evidence as one would tell it on the plant, in three sentences at most: what the loop does
-/// that the verdict names, how much larger the error is than the best controller could make it, and
-/// whether the loop oscillates. No statistics: they
-/// follow in the other reasons. Empty where nothing was measured.
+/// that the verdict names, how much larger the error is than the least that process and noise
+/// allow, and whether the loop oscillates. No statistics: they follow in the other reasons. Empty
+/// where nothing was measured.
 [[nodiscard]] std::vector<std::string> plain_evidence(VerdictCode code, const Evidence& evidence);
 
 }  // namespace loopscope::core::diagnosis

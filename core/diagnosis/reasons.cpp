@@ -147,10 +147,8 @@ void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
                       number(evidence.data_quality.compression_factor.value_or(1.0)) +
                       " samples on average.");
   }
-  constexpr double kShownAsPercent = 0.005;
-  if (const auto share = evidence.data_quality.saturated_fraction;
-      share >= kShownAsPercent && !held)
-    reasons.push_back("op is at a limit of its range in " + percent(*share) + " of the samples.");
+  const std::string at_limit = output_at_limit_text(evidence);
+  if (!at_limit.empty() && !held) reasons.push_back(at_limit);
   if (!evidence.op_range_doubt.empty())
     reasons.push_back(
         "The range of op in the catalogue cannot be right: " + evidence.op_range_doubt + ".");
@@ -163,6 +161,14 @@ std::string step_text(const model::Step& step) {
          " One-step prediction error on held-out samples: " + number(step.holdout_error_before) +
          " -> " + number(step.holdout_error_after) + " (evidence " + number(step.evidence) +
          ", p " + p_text(step.p) + ").";
+}
+
+std::string output_at_limit_text(const Evidence& evidence) {
+  constexpr double kShownAsPercent = 0.005;  // less would read 0 %
+  const double share = evidence.data_quality.saturated_fraction.value_or(0.0);
+  if (share < kShownAsPercent) return {};
+  return "The controller output is at a limit of its range in " + percent(share) +
+         " of the samples.";
 }
 
 std::string unexplained_text(const model::Explanation& explanation) {

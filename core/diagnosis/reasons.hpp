@@ -17,6 +17,9 @@ namespace loopscope::core::diagnosis {
 /// What the model leaves, in a sentence.
 [[nodiscard]] std::string unexplained_text(const model::Explanation& explanation);
 
+/// How often op is at a limit of its range; empty where that is hardly ever.
+[[nodiscard]] std::string output_at_limit_text(const Evidence& evidence);
+
 /// The implied closed loop in a sentence: sensitivity, damping, period, settling time.
 [[nodiscard]] std::string closed_loop_text(const model::ClosedLoop& loop);
 

@@ -68,7 +68,7 @@ constexpr std::array kFitted{
 
 /// What is ordinary for a figure counts as much as so many windows (storage/DECISIONS.md).
 constexpr double kPriorFreedom = 4.0;
-/// Evidence below 1e-30 is no different from none at all.
+/// p below it is no stronger evidence: the tails that it rests on say nothing there.
 constexpr double kLeastP = 1e-30;
 
 std::optional<double> cost_of(const RepairWindow& window) {
@@ -98,18 +98,28 @@ std::optional<double> fitted(const RepairWindow& window, const FigureKind& kind)
   return std::nullopt;
 }
 
+/// A figure of the window itself, beside those of fitted effects.
+struct WindowFigure {
+  std::string_view name;
+  std::optional<double> (*value)(const RepairWindow&);
+};
+
+constexpr std::array kOfWindow{
+    WindowFigure{"controller_gain", [](const RepairWindow& w) { return w.controller_gain; }},
+    WindowFigure{"cost", cost_of},
+    WindowFigure{"error_std", [](const RepairWindow& w) { return w.error_std; }},
+    WindowFigure{"harris", [](const RepairWindow& w) { return w.harris; }},
+    WindowFigure{"integral_time_s", [](const RepairWindow& w) { return w.integral_time_s; }},
+    WindowFigure{"ngi", [](const RepairWindow& w) { return w.ngi; }},
+    WindowFigure{"nli", [](const RepairWindow& w) { return w.nli; }},
+    WindowFigure{"nonlinear_p", nonlinearity_evidence},
+    WindowFigure{"oscillation_share", oscillation_share},
+    WindowFigure{"valve_travel_per_h", [](const RepairWindow& w) { return w.valve_travel_per_h; }},
+};
+
 std::optional<double> value_of(const RepairWindow& window, const FigureKind& kind) {
-  if (kind.name == "error_std") return window.error_std;
-  if (kind.name == "cost") return cost_of(window);
-  if (kind.name == "harris") return window.harris;
-  if (kind.name == "ngi") return window.ngi;
-  if (kind.name == "nli") return window.nli;
-  if (kind.name == "nonlinear_p") return nonlinearity_evidence(window);
-  if (kind.name == "oscillation_share") return oscillation_share(window);
-  if (kind.name == "valve_travel_per_h") return window.valve_travel_per_h;
-  if (kind.name == "controller_gain") return window.controller_gain;
-  if (kind.name == "integral_time_s") return window.integral_time_s;
-  return fitted(window, kind);
+  const auto* found = std::ranges::find(kOfWindow, kind.name, &WindowFigure::name);
+  return found == kOfWindow.end() ? fitted(window, kind) : found->value(window);
 }
 
 /// Standard error of the figure in one window, where it is known: of ln(error_std).

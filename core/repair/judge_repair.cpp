@@ -24,7 +24,7 @@ struct Evidence {
   double retuned = 0.0;        ///< largest change of the controller, as |ln|
   double tighter = 0.0;        ///< ln of the gain less half of ln of the integral time
   std::optional<double> size;  ///< of the family that stands on both sides
-  bool detuned = false;        ///< the controller went the way that its fault asks against
+  bool detuned = false;        ///< the controller was set further towards its own fault
 };
 
 const FigureChange* find(const std::vector<FigureChange>& figures, std::string_view name) {

@@ -16,9 +16,9 @@ struct EffectParameter {
 /// What one analysed window says that a repair may change. Figures that a window does not have,
 /// or that an earlier program did not compute, are empty.
 struct RepairWindow {
-  std::string code;         ///< of its verdict
-  std::string family;       ///< faults that one repair mends (verdict catalogue); empty = no fault
-  double confidence = 0.0;  ///< of the verdict, 0 to 1
+  std::string code;    ///< of its verdict
+  std::string family;  ///< faults that one repair removes (verdict catalogue); empty = no fault
+  double confidence = 0.0;                      ///< of the verdict, 0 to 1
   std::optional<double> error_std;              ///< pv units
   std::optional<double> error_log_variance_se;  ///< standard error of ln(error_std^2)
   std::optional<double> harris;                 ///< Harris index, middle of the plausible delays

@@ -663,8 +663,7 @@ CREATE OR REPLACE VIEW loopscope.before_after_maintenance AS
          judged.word,
          coalesce(judged.statement, 'Not judged yet: a running service judges it with its next comparison, '
                                     'a single pass (once) at its end.') AS statement,
-         coalesce(judged.windows_before, 0) AS windows_before,
-         coalesce(judged.windows_after, 0) AS windows_after,
+         judged.windows_before, judged.windows_after,
          judged.fault_before, judged.fault_after, judged.variance_ratio,
          judged.variance_ratio_low, judged.variance_ratio_high, judged.figures
   FROM loopscope.maintenance_event AS work
@@ -724,9 +723,9 @@ COMMENT ON COLUMN loopscope.before_after_maintenance.word IS
 COMMENT ON COLUMN loopscope.before_after_maintenance.statement IS
   'The word in a sentence or two with its figures; without a word, why there is none';
 COMMENT ON COLUMN loopscope.before_after_maintenance.windows_before IS
-  'Windows before the work that were compared (maintenance_window)';
+  'Windows before the work that were compared (maintenance_window); null = not judged yet';
 COMMENT ON COLUMN loopscope.before_after_maintenance.windows_after IS
-  'Windows after the work that were compared (maintenance_window)';
+  'Windows after the work that were compared (maintenance_window); null = not judged yet';
 COMMENT ON COLUMN loopscope.before_after_maintenance.fault_before IS
   'Fault that stands in the windows before: the family with most confidence, where faults have half of all '
   'confidence; null = none';

@@ -91,7 +91,8 @@ constexpr std::array kAll = {
                   },
                   [](Evidence& e, Verdict& v) {
                     e.op_in_percent = false;
-                    v.reasons.emplace_back("op is at a limit of its range in 12 % of the samples.");
+                    v.reasons.emplace_back(
+                        "The controller output is at a limit of its range in 12 % of the samples.");
                   }},
     Contradiction{"op at its limit, and op never rests",
                   [](const Evidence& e, const Verdict& v) {

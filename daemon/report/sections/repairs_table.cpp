@@ -31,8 +31,8 @@ std::string figure_rows(const RepairRow& repair) {
 }
 
 std::string repair_row(const RepairRow& repair) {
-  const std::string word = repair.word.value_or(
-      repair.statement.starts_with("Not judged:") ? "not judged" : "too early");
+  const std::string word =
+      repair.word.value_or(repair.windows_before == 0 ? "not judged" : "too early");
   return fmt::format(
       "<tr><td data-label=\"Loop\"><bdi>{}</bdi></td><td class=\"when\" data-label=\"Done\" "
       "data-sort=\"{}\">{}</td><td data-label=\"Work\">{}: <bdi>{}</bdi></td><td "

@@ -34,8 +34,8 @@ RepairRow read_repair(const pqxx::row& row) {
           maybe_text(row["code_before"]),
           maybe_text(row["code_after"]),
           {},
-          read_integer(row["windows_before"]).value_or(0),
-          read_integer(row["windows_after"]).value_or(0)};
+          read_integer(row["windows_before"]),
+          read_integer(row["windows_after"])};
 }
 
 }  // namespace

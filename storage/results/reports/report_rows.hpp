@@ -113,7 +113,8 @@ struct RepairRow {
   std::string statement;  ///< why that word
   std::optional<std::string> code_before, code_after;  ///< of the nearest windows
   std::vector<RepairFigure> figures;                   ///< by name; empty = none can be compared
-  std::int64_t windows_before = 0, windows_after = 0;  ///< that were compared
+  /// That were compared; nullopt = not judged yet.
+  std::optional<std::int64_t> windows_before = std::nullopt, windows_after = std::nullopt;
 };
 
 /// One oscillation that loops share, of the newest plant round; the one with most loops first.

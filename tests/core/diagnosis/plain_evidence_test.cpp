@@ -30,8 +30,7 @@ Evidence measured() {
 }
 
 const std::string kLarger =
-    "The error is 1.3 to 2 times as large as the best controller could "
-    "make it.";
+    "The error is 1.3 to 2 times the least that this process and its noise allow.";
 const std::string kNoWave = "The error does not oscillate regularly.";
 
 TEST(PlainEvidence, TellsWhatTheNamedEffectDoes) {
@@ -47,10 +46,10 @@ TEST(PlainEvidence, TellsWhatTheNamedEffectDoes) {
       << "the diagnosis takes one for the other";
   EXPECT_THAT(plain_evidence(VerdictCode::external_disturbance, evidence),
               ElementsAre("The load moved."))
-      << "no better controller is called for";
+      << "no tuning is called for";
   EXPECT_THAT(plain_evidence(VerdictCode::tight_tuning, evidence), ElementsAre(kLarger));
-  EXPECT_THAT(plain_evidence(VerdictCode::sensor_fault, evidence), ElementsAre(kLarger))
-      << "the model has no such effect";
+  EXPECT_THAT(plain_evidence(VerdictCode::sensor_fault, evidence), IsEmpty())
+      << "the model has no such effect, and pv cannot be trusted";
 }
 
 TEST(PlainEvidence, AStepThatTheCycleTurnedIsToldOfEither) {
@@ -62,15 +61,39 @@ TEST(PlainEvidence, AStepThatTheCycleTurnedIsToldOfEither) {
     EXPECT_EQ(plain_evidence(code, evidence).front(), "The valve has dead band.");
 }
 
-TEST(PlainEvidence, OfSeveralThingsFromOutsideNoneIsToldAlone) {
+TEST(PlainEvidence, ThreeThingsFromOutsideAreTold) {
   Evidence evidence = measured();
   evidence.model->steps = {step_of(model::EffectKind::load_step, 4.0, 2.0, "The load moved."),
-                           step_of(model::EffectKind::external_oscillation, 2.0, 1.0, "A wave.")};
+                           step_of(model::EffectKind::external_oscillation, 2.0, 0.5, "A wave."),
+                           step_of(model::EffectKind::load_step, 0.5, 0.49, "It moved a little."),
+                           step_of(model::EffectKind::load_step, 0.49, 0.3, "It moved back.")};
   evidence.oscillation.present = true;
   evidence.oscillation.period_s = 20.0;
   evidence.oscillation.amplitude = 1.0;
   EXPECT_THAT(plain_evidence(VerdictCode::external_disturbance, evidence),
-              ElementsAre("The error oscillates with a period of 20 s."));
+              ElementsAre("A wave.", "The load moved.", "It moved back."));
+}
+
+TEST(PlainEvidence, WithoutAStepItTellsThatNothingInTheLoopAccountsForTheError) {
+  Evidence evidence = measured();
+  EXPECT_THAT(plain_evidence(VerdictCode::external_disturbance, evidence), IsEmpty());
+  evidence.model->unexplained.fraction = 0.7;
+  EXPECT_THAT(plain_evidence(VerdictCode::external_disturbance, evidence),
+              ElementsAre("Nothing found in valve, process or sensor accounts for 70 % of the "
+                          "error that could be foreseen."));
+}
+
+TEST(PlainEvidence, TellsHowLongTheOutputIsAtItsLimit) {
+  Evidence evidence;
+  EXPECT_THAT(plain_evidence(VerdictCode::valve_saturation, evidence), IsEmpty());
+  evidence.op_rest.emplace().share = 0.2;
+  EXPECT_THAT(plain_evidence(VerdictCode::valve_saturation, evidence),
+              ElementsAre("The controller output rests at an end of its travel in 20 % of the "
+                          "samples."));
+  evidence.data_quality.saturated_fraction = 0.1;
+  EXPECT_THAT(plain_evidence(VerdictCode::valve_saturation, evidence),
+              ElementsAre("The controller output is at a limit of its range in 10 % of the "
+                          "samples."));
 }
 
 TEST(PlainEvidence, AnEffectThatCannotBeConfirmedIsNotTold) {
@@ -113,16 +136,16 @@ TEST(PlainEvidence, TellsThatNothingIsNeededWhereALinearLoopExplainsTheRecord) {
   EXPECT_THAT(plain_evidence(VerdictCode::healthy, evidence), ElementsAre(kLarger, kNoWave));
 }
 
-TEST(PlainEvidence, TellsHowMuchLargerTheErrorIsWhereAControllerCouldHelp) {
+TEST(PlainEvidence, TellsHowMuchLargerTheErrorIsThanItsLeast) {
   const auto said = [](double low, double high) {
     Evidence evidence = measured();
     evidence.performance.harris_low = low;
     evidence.performance.harris_high = high;
     return plain_evidence(VerdictCode::unexplained, evidence).front();
   };
-  const std::string best = " times as large as the best controller could make it.";
-  EXPECT_EQ(said(0.9, 0.95), "The error is about as small as any controller could make it.");
-  EXPECT_EQ(said(0.82, 0.99), "The error is about as small as any controller could make it.");
+  const std::string best = " times the least that this process and its noise allow.";
+  EXPECT_EQ(said(0.9, 0.95), "The error is about as small as this process and its noise allow.");
+  EXPECT_EQ(said(0.82, 0.99), "The error is about as small as this process and its noise allow.");
   EXPECT_EQ(said(0.25, 0.99), "The error is up to 2" + best);
   EXPECT_EQ(said(0.25, 0.2501), "The error is 2" + best);
   EXPECT_EQ(said(0.25, 0.64), kLarger);

@@ -144,15 +144,17 @@ std::vector<ClaimedLoop> ResultsTest::claim_all(ResultsDatabase& results, double
   return results.claim_due("worker", lease_s, 1000);
 }
 
+void judge_due_repairs(const ConnectionSettings& settings) {
+  RepairJudgements judgements(settings);
+  std::vector<JudgedRepair> judged;
+  for (const DueRepair& due : judgements.due(1000))
+    judged.push_back({due, core::repair::judge_repair(due.windows)});
+  judgements.store(judged);
+}
+
 void ResultsTest::judge_repairs() const {
   database->execute("DELETE FROM loopscope.repair_judgement");
-  RepairJudgements judgements(settings_for(*database));
-  std::vector<JudgedRepair> judged;
-  for (DueRepair& due : judgements.due(1000)) {
-    auto judgement = core::repair::judge_repair(due.windows);
-    judged.push_back({std::move(due), std::move(judgement)});
-  }
-  judgements.store(judged);
+  judge_due_repairs(settings_for(*database));
 }
 
 }  // namespace loopscope::storage

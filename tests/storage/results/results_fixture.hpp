@@ -24,6 +24,9 @@ using tests::TextRows;
 /// 2026-01-01 00:00:00 UTC plus so many hours, in microseconds: a slot's end.
 [[nodiscard]] std::int64_t slot(int hours);
 
+/// Judges the repairs that are due, as the daemon does.
+void judge_due_repairs(const ConnectionSettings& settings);
+
 /// A loop that needs nothing but a name.
 [[nodiscard]] CatalogueEntry loop_named(const std::string& name);
 

@@ -45,10 +45,12 @@ TEST(PlantSection, AMemberSwingsAheadOfTheSourceOrBehindIt) {
 TEST(PlantSection, WorkThatNothingCanBeSaidOf) {
   PlantFacts facts = plant_facts("FIC101");
   facts.repairs[0].word.reset();
-  facts.repairs[0].statement = "Not judged: no usable window lies before this work.";
+  facts.repairs[0].windows_before = 0;
   EXPECT_THAT(plant_section(facts, LoopLinks::sections), HasSubstr("unknown\">not judged<"));
-  facts.repairs[0].statement = "Not judged yet: no window lies wholly after the work.";
-  EXPECT_THAT(plant_section(facts, LoopLinks::sections), HasSubstr("unknown\">too early<"));
+  for (const std::optional<std::int64_t> windows : {std::optional<std::int64_t>(2), {}}) {
+    facts.repairs[0].windows_before = windows;
+    EXPECT_THAT(plant_section(facts, LoopLinks::sections), HasSubstr("unknown\">too early<"));
+  }
 }
 
 TEST(PlantSection, LinksToPagesByNameWhereTheyAreLive) {

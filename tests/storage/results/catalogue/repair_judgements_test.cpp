@@ -32,13 +32,7 @@ class RepairJudgementsTest : public ViewsTest {
     return RepairJudgements(settings_for(*database, user)).due(100);
   }
   void judge_due(const std::string& user = "") const {
-    RepairJudgements judgements(settings_for(*database, user));
-    std::vector<JudgedRepair> judged;
-    for (DueRepair& repair : judgements.due(100)) {
-      auto judgement = core::repair::judge_repair(repair.windows);
-      judged.push_back({std::move(repair), std::move(judgement)});
-    }
-    judgements.store(judged);
+    judge_due_repairs(settings_for(*database, user));
   }
   [[nodiscard]] std::string words() const {
     return value(
@@ -249,11 +243,7 @@ TEST_F(RepairUpgradeTest, WorkOfSchema27IsJudgedAsItsViewDid) {
   EXPECT_EQ(by_view.at(0).at(1), "fixed");
   migrate(settings_for(other, login));
   EXPECT_EQ(other.value("SELECT count(word) FROM loopscope.before_after_maintenance"), "0");
-  RepairJudgements judgements(settings_for(other, other.make_login("loopscope_worker")));
-  std::vector<JudgedRepair> judged;
-  for (const DueRepair& repair : judgements.due(100))
-    judged.push_back({repair, core::repair::judge_repair(repair.windows)});
-  judgements.store(judged);
+  judge_due_repairs(settings_for(other, other.make_login("loopscope_worker")));
   EXPECT_EQ(other.rows(shown), by_view);
   EXPECT_EQ(other.rows(figures), figures_by_view);
 }
