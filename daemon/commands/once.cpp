@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
-#include <exception>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
@@ -11,7 +10,6 @@
 
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
-#include "daemon/plant/judge_repairs.hpp"
 #include "daemon/plant/plant_watch.hpp"
 #include "daemon/service/observe/log.hpp"
 #include "daemon/service/observe/stage_timings.hpp"
@@ -54,14 +52,7 @@ void once(const std::string& config_file) {
     std::signal(pass.signal, SIG_DFL);
     std::raise(pass.signal);
   }
-  std::exception_ptr unjudged;  // the comparison does not wait for it
-  try {
-    judge_repairs(*settings, tools);
-  } catch (...) {
-    unjudged = std::current_exception();
-  }
   compare_all_loops(*settings, tools);
-  if (unjudged) std::rethrow_exception(unjudged);
   if (!pass.first_failure) return;
   throw Failure(pass.first_failure->exit_code(),
                 fmt::format("{} loops failed and are tried again later, the first because: {}",

@@ -1,6 +1,7 @@
 #include "daemon/plant/plant_watch.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <utility>
@@ -147,6 +148,15 @@ double PlantWatch::look_at_plant(const config::Settings& settings) {
 }
 
 void compare_all_loops(const config::Settings& settings, SharedServices& tools) {
+  std::exception_ptr unjudged;  // the comparison does not wait for it
+  goes_well(tools.faults, kRepairsSubject, [&] {
+    try {
+      judge_repairs(settings, tools);
+    } catch (...) {
+      unjudged = std::current_exception();
+      throw;
+    }
+  });
   storage::PlantRounds rounds(results_connection(settings), tools.clocks.check());
   if (settings.plant.round_s > 0.0) {
     const storage::PlantTurn turn = round_when_due(rounds, 0.0, settings, tools);
@@ -154,6 +164,7 @@ void compare_all_loops(const config::Settings& settings, SharedServices& tools) 
       spdlog::info("plant round: left to {}, who has the turn", printable(turn.holder));
   }
   if (settings.plant.notice_s > 0.0) announce(rounds);
+  if (unjudged) std::rethrow_exception(unjudged);
 }
 
 }  // namespace loopscope::daemon

@@ -47,9 +47,10 @@ class PlantWatch {
   std::jthread thread_;  // last: it ends before what it uses
 };
 
-/// One comparison of all loops now, and the notices that follow, for a single pass; says in the log
-/// what it found. Another worker that is at it is left alone. Throws storage::DatabaseError and
-/// Failure.
+/// What is to be said of all loops together, now, for a single pass: repairs judged, one comparison
+/// of all loops, and the notices that follow; says in the log what it found. Another worker that is
+/// at the comparison is left alone. Repairs that could not be judged are said in the log and thrown
+/// behind the rest. Throws storage::DatabaseError and Failure.
 void compare_all_loops(const config::Settings& settings, SharedServices& tools);
 
 }  // namespace loopscope::daemon

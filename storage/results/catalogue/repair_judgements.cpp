@@ -23,22 +23,23 @@ const Statement kDueRepairs{"due_repairs", R"(
     WITH setting AS (
       SELECT coalesce(max(value), 0) AS min_confidence
       FROM loopscope.parameter WHERE name = 'min_confidence'
-    ), worked_on AS (
-      SELECT loop_id, max(done_at) AS last_done_at,
-             md5(string_agg(maintenance_event_id || ' ' || extract(epoch FROM done_at), ','
-                            ORDER BY maintenance_event_id)) AS works
-      FROM loopscope.maintenance_event GROUP BY loop_id
+    ), work AS MATERIALIZED (
+      SELECT maintenance_event_id, loop_id, max(done_at) OVER of_loop AS last_done_at,
+             md5(string_agg(maintenance_event_id || ' ' || extract(epoch FROM done_at), ',')
+                   OVER of_loop) AS works
+      FROM loopscope.maintenance_event
+      WINDOW of_loop AS (PARTITION BY loop_id ORDER BY maintenance_event_id
+                         ROWS BETWEEN UNBOUNDED PRECEDING AND UNBOUNDED FOLLOWING)
     ), due AS MATERIALIZED (
-      SELECT work.maintenance_event_id, work.loop_id, schedule.result_slot_end, worked_on.works
-      FROM loopscope.maintenance_event AS work
-      JOIN worked_on USING (loop_id)
+      SELECT work.maintenance_event_id, work.loop_id, schedule.result_slot_end, work.works
+      FROM work
       JOIN loopscope.schedule USING (loop_id)
       CROSS JOIN setting
       LEFT JOIN loopscope.repair_judgement AS known USING (maintenance_event_id)
       WHERE work.maintenance_event_id > $2::bigint
         AND (known.maintenance_event_id IS NULL
-             OR known.works <> worked_on.works
-             OR (worked_on.last_done_at > now() - interval '1 year'
+             OR known.works <> work.works
+             OR (work.last_done_at > now() - interval '1 year'
                  AND (known.newest_slot_end IS DISTINCT FROM schedule.result_slot_end
                       OR known.algorithm_revision < $1::integer
                       OR known.min_confidence <> setting.min_confidence)))
