@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/hos/numeric/distributions.hpp"
 #include "core/loop/real_transform.hpp"
-#include "core/loop/variance_error.hpp"
 
 namespace loopscope::core::loop {
 namespace {
@@ -45,7 +45,7 @@ double harris_p(double middle, const ArModel& model, std::size_t delay, double s
   const double slow = degrees_of_freedom(psi.subspan(delay), samples);
   const double fast = degrees_of_freedom(psi.first(delay), samples);
   const double ratio = odds_of_slow(middle) / odds_of_slow(kWellTunedHarris);
-  const double p = upper_normal_tail(variance_ratio_deviate(ratio, slow, fast));
+  const double p = hos::f_upper(ratio, slow, fast);
   return std::isfinite(p) ? p : 1.0;
 }
 

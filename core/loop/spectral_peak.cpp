@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/loop/variance_error.hpp"
+#include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::loop {
 namespace {
@@ -88,7 +88,7 @@ std::optional<SpectralPeak> find_spectral_peak(const RecordSpectrum& spectrum, B
     const BandPower peak = sums.mean(f / kPeakFactor, f * kPeakFactor);
     const BandPower around = background(sums, f);
     const double ratio = (peak.mean + sums.floor()) / around.mean;
-    const Candidate candidate{{f, variance_ratio_deviate(ratio, peak.freedom, around.freedom)},
+    const Candidate candidate{{f, hos::f_deviate(ratio, peak.freedom, around.freedom)},
                               (peak.mean - around.mean) * peak.bins};
     if (!best || is_better(candidate, *best)) best = candidate;
   }

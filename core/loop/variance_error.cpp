@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
 
 #include "core/loop/correlation.hpp"
@@ -54,17 +53,6 @@ std::optional<double> log_variance_error(std::span<const double> error) {
   if (rho.empty()) return std::nullopt;
   const double relative = of_squares->std / of_squares->mean;
   return if_finite(relative * std::sqrt(2.0 * integrated_time(rho) / recorded));
-}
-
-double variance_ratio_deviate(double ratio, double freedom_1, double freedom_2) {
-  const double a = 2.0 / (9.0 * freedom_1);
-  const double b = 2.0 / (9.0 * freedom_2);
-  const double root = std::cbrt(ratio);
-  return ((1.0 - b) * root - (1.0 - a)) / std::sqrt(b * root * root + a);
-}
-
-double upper_normal_tail(double deviate) {
-  return 0.5 * std::erfc(deviate / std::numbers::sqrt2);
 }
 
 }  // namespace loopscope::core::loop

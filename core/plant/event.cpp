@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <tuple>
 
+#include "core/hos/numeric/distributions.hpp"
 #include "core/plant/common_course.hpp"
 #include "core/plant/false_discovery.hpp"
 #include "core/plant/following.hpp"
@@ -251,7 +251,7 @@ class Search {
     const double most = *std::ranges::max_element(sums);
     const double groups = static_cast<double>(records_.size()) / count;
     return records_[centre.index].bands(centre.line.frequency_hz) * groups *
-           boost::math::gamma_q(count, most);
+           hos::gamma_upper(most, count);
   }
 
   /// A loop that follows several courses is told of with the one that shakes it most.

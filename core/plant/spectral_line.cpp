@@ -1,9 +1,9 @@
 #include "core/plant/spectral_line.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
+#include "core/hos/numeric/distributions.hpp"
 #include "core/plant/envelope.hpp"
 #include "core/plant/periodogram.hpp"
 
@@ -20,10 +20,6 @@ constexpr std::size_t kMostLines = 4;
 constexpr double kClearLine = 0.01;
 /// By kResonance; the most bands that ever make up a peak are not significant below.
 constexpr double kLeastHeight = 1.1;
-
-/// Twice the speed of the default, which counts in long double; 1e-14 is enough for a p.
-using FisherF = boost::math::fisher_f_distribution<
-    double, boost::math::policies::policy<boost::math::policies::promote_double<false>>>;
 
 /// Half width of the peak's band and where its surroundings begin and end, as shares of its
 /// frequency. Narrow and wide lines need different surroundings.
@@ -89,9 +85,8 @@ LineSpectrum::Peak LineSpectrum::measure(double place, std::size_t shape_number)
   const double around = std::exp(weight * std::log(below.mean) + rest * std::log(above.mean));
   Peak peak{place, 1.0, inside.mean / around, 0.0, half};
   if (!(peak.height > kLeastHeight * kResonance)) return peak;
-  const FisherF law(inside.freedom,
-                    1.0 / (weight * weight / below.freedom + rest * rest / above.freedom));
-  peak.p = boost::math::cdf(boost::math::complement(law, peak.height / kResonance));
+  const double freedom = 1.0 / (weight * weight / below.freedom + rest * rest / above.freedom);
+  peak.p = hos::f_upper(peak.height / kResonance, inside.freedom, freedom);
   peak.share = inside.share * (1.0 - 1.0 / peak.height);
   return peak;
 }

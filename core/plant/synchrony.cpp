@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/plant/distributions.hpp"
+#include "core/plant/correlation.hpp"
 #include "core/plant/prewhitening.hpp"
 #include "core/signal/loop_window.hpp"
 
@@ -17,6 +17,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr std::size_t kFewestKnown = 8;
+/// A degree of freedom has gone to the own past of each of two series.
+constexpr double kOwnPasts = 2.0;
 /// Controllers that are tuned by one rule may cycle at the same frequency by more than chance.
 constexpr double kLeastFrequencyP = 0.02;
 
@@ -104,7 +106,7 @@ double moves_together_p(const Wander& a, const std::vector<double>& one, const W
     x.push_back(one[k]);
     y.push_back(value);
   }
-  return correlation_p(x, y);
+  return correlation_p(x, y, kOwnPasts);
 }
 
 double together_p(const Wander& a, const Wander& b, std::vector<double> Wander::*part) {
@@ -132,7 +134,8 @@ Synchrony compare(const Wander& one, const Wander& other) {
   result.frequency_p = std::clamp(slowest_turn(products), kLeastFrequencyP, 1.0);
   result.phase_p = together_p(one, other, &Wander::phase);
   result.amplitude_p = together_p(one, other, &Wander::amplitude);
-  const double all = fisher_p(std::array{result.frequency_p, result.phase_p, result.amplitude_p});
+  const double all =
+      fisher_combined_p(std::array{result.frequency_p, result.phase_p, result.amplitude_p});
   result.p = std::min(1.0, 2.0 * std::min(all, result.frequency_p));
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 namespace loopscope::core::repair {
@@ -149,9 +150,9 @@ Side side_of(std::span<const RepairWindow> windows, const FigureKind& kind) {
   return side;
 }
 
-/// The 95 % point of Student's t: the first terms of Cornish and Fisher's series in 1 / freedom.
+/// The 95 % point of Student's t.
 double student_95(double freedom) {
-  return 1.645 + 1.524 / freedom + 1.42 / (freedom * freedom);
+  return boost::math::quantile(boost::math::students_t(freedom), 0.95);
 }
 
 Interval interval(double middle, double half, bool is_ratio) {

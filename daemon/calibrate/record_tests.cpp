@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <numbers>
 
 #include "core/hos/analyse.hpp"
 #include "core/hos/literature/fackrell.hpp"
 #include "core/hos/literature/hinich.hpp"
+#include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -73,7 +73,7 @@ double published_p(double mean_bic2, double threshold, std::size_t segments,
   // eq. 11 solved for c: mean - threshold exceeds (c + sqrt(4L - 1))^2 / (4KL) up to this c.
   const double excess = std::max(0.0, mean_bic2 - threshold);
   const double deviate = std::sqrt(4.0 * k * l * excess) - std::sqrt(4.0 * l - 1.0);
-  return 0.5 * std::erfc(deviate / std::numbers::sqrt2);
+  return core::hos::normal_upper(deviate);
 }
 
 RecordTester::RecordTester(const core::hos::Settings& settings)

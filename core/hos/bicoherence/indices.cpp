@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/hos/numeric/quantile.hpp"
+#include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -45,7 +45,7 @@ Totals totals(std::span<const double> values, const Function& f) {
 double critical_mean_bic2(std::size_t segments, std::size_t bifrequencies, double alpha) {
   const auto k = static_cast<double>(segments);
   const auto l = static_cast<double>(bifrequencies);
-  const double root = upper_normal_quantile(alpha) + std::sqrt(4.0 * l - 1.0);
+  const double root = normal_upper_quantile(alpha) + std::sqrt(4.0 * l - 1.0);
   return root * root / (4.0 * k * l);
 }
 

@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
+
+#include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::hos {
 namespace {
 
 double upper_tail(double z) {
-  return std::max(0.5 * std::erfc(z / std::numbers::sqrt2), std::numeric_limits<double>::min());
+  return std::max(normal_upper(z), std::numeric_limits<double>::min());
 }
 
 /// Kurtosis of normal values over the local scale that they enter themselves: those of three blocks

@@ -4,11 +4,11 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
+#include "core/hos/numeric/distributions.hpp"
 #include "core/hos/numeric/quantile.hpp"
 
 namespace loopscope::core::hos {
@@ -50,7 +50,7 @@ void test_linearity(const std::vector<double>& values, HinichTest& test) {
     set_expected_iqr(boost::math::chi_squared(2.0), count, test);
   }
   const double deviate = std::abs(test.iqr - test.expected_iqr) / test.iqr_std;
-  test.linearity_p = std::erfc(deviate / std::numbers::sqrt2);
+  test.linearity_p = 2.0 * normal_upper(deviate);
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kLeastShare = 1e-12;
 constexpr int kHalvings = 50;
 
 double below(double x) {
-  return 0.5 * std::erfc(-x / std::numbers::sqrt2);
+  return normal_upper(-x);
 }
 
 /// From the limit that is nearer to the mean outwards.

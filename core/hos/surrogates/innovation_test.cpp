@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
+
+#include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -97,7 +98,7 @@ double score_p(const Eigen::VectorXd& u, const Eigen::VectorXd& g) {
   const double spread = std::sqrt((u.array() * g.array()).square().sum());
   if (!(spread > 0.0)) return 1.0;
   const double z = std::abs(u.dot(g)) / spread;
-  return std::max(std::erfc(z / std::numbers::sqrt2), std::numeric_limits<double>::min());
+  return std::max(2.0 * normal_upper(z), std::numeric_limits<double>::min());
 }
 
 double smallest_p(const Columns& columns, Eigen::Index first) {

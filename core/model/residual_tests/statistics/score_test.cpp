@@ -71,7 +71,7 @@ Score quadratic_form(const ScoreSums& sums, double free) {
     statistic += along * along / value;
     ++result.freedom;
   }
-  if (result.freedom > 0) result.p = chi_square_upper(statistic, result.freedom);
+  if (result.freedom > 0) result.p = chi_square_p(statistic, result.freedom);
   return result;
 }
 

@@ -4,14 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/hos/numeric/distributions.hpp"
+
 namespace loopscope::core::model {
 namespace {
-
-/// std::lgamma leaves the sign in a variable that all threads share.
-double log_gamma(double x) {
-  int sign = 0;
-  return ::lgamma_r(x, &sign);
-}
 
 /// As in core/hos: a p of 0 would call chance impossible and has no logarithm.
 double as_probability(double p) {
@@ -20,15 +16,8 @@ double as_probability(double p) {
 
 }  // namespace
 
-double chi_square_upper(double value, std::size_t freedom) {
-  if (!(value > 0.0)) return 1.0;
-  // Q(a + 1, x) = Q(a, x) + x^a exp(-x) / Gamma(a + 1), from Q(1/2) or Q(1): positive terms only.
-  const double x = 0.5 * value;
-  double a = freedom % 2 == 1 ? 0.5 : 1.0;
-  double upper = freedom % 2 == 1 ? std::erfc(std::sqrt(x)) : std::exp(-x);
-  for (; a + 0.5 < 0.5 * static_cast<double>(freedom); a += 1.0)
-    upper += std::exp(a * std::log(x) - x - log_gamma(a + 1.0));
-  return as_probability(upper);
+double chi_square_p(double value, std::size_t freedom) {
+  return as_probability(hos::chi_square_upper(value, static_cast<double>(freedom)));
 }
 
 double bridge_upper(double value) {

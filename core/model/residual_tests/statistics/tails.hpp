@@ -5,7 +5,7 @@
 namespace loopscope::core::model {
 
 /// Probability that a chi-square variable with `freedom` degrees (>= 1) exceeds `value`.
-[[nodiscard]] double chi_square_upper(double value, std::size_t freedom);
+[[nodiscard]] double chi_square_p(double value, std::size_t freedom);
 
 /// Probability that the largest distance of a Brownian bridge from 0 exceeds `value` (Kolmogorov).
 [[nodiscard]] double bridge_upper(double value);

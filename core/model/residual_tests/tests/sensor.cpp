@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/hos/numeric/distributions.hpp"
 #include "core/model/residual_tests/statistics/renewals.hpp"
 #include "core/model/residual_tests/statistics/tails.hpp"
 #include "core/model/residual_tests/statistics/value_grid.hpp"
@@ -37,7 +38,7 @@ Hold by_repeats(const std::vector<FlatRun>& runs, double grid_step, double noise
   const double repeats = samples - static_cast<double>(runs.size());
   const double expected = kRepeatsByGrid * samples;
   const double z = (repeats - expected) / std::sqrt(expected * (1.0 - kRepeatsByGrid));
-  const double p = 0.5 * std::erfc(z / std::sqrt(2.0));
+  const double p = hos::normal_upper(z);
   return {p, samples / static_cast<double>(runs.size()), std::nullopt,
           "pv is renewed every so many samples only: "};
 }

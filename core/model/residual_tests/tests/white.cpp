@@ -56,7 +56,7 @@ TestOutcome test_white(const ResidualContext& context) {
     strongest = t;
     strongest_lag = lag;
   }
-  TestOutcome answer{{"white", chi_square_upper(sum, kPortmanteauLags), {}}, {}};
+  TestOutcome answer{{"white", chi_square_p(sum, kPortmanteauLags), {}}, {}};
   if (answer.question.p <= kSignificant)
     answer.question.statement =
         "The residual is autocorrelated, most at " +

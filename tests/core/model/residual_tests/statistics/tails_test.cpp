@@ -7,13 +7,13 @@ namespace loopscope::core::model {
 namespace {
 
 TEST(Tails, ChiSquareHasItsClosedForms) {
-  EXPECT_NEAR(chi_square_upper(3.841458821, 1), 0.05, 1e-9);
-  EXPECT_DOUBLE_EQ(chi_square_upper(7.0, 2), std::exp(-3.5));
-  EXPECT_NEAR(chi_square_upper(7.0, 4), std::exp(-3.5) * (1.0 + 3.5), 1e-15);
-  EXPECT_NEAR(chi_square_upper(7.814727903, 3), 0.05, 1e-9);
-  EXPECT_NEAR(chi_square_upper(37.65248413, 25), 0.05, 1e-9);
-  EXPECT_EQ(chi_square_upper(0.0, 5), 1.0);
-  EXPECT_GT(chi_square_upper(1e6, 5), 0.0);
+  EXPECT_NEAR(chi_square_p(3.841458821, 1), 0.05, 1e-9);
+  EXPECT_DOUBLE_EQ(chi_square_p(7.0, 2), std::exp(-3.5));
+  EXPECT_NEAR(chi_square_p(7.0, 4), std::exp(-3.5) * (1.0 + 3.5), 1e-15);
+  EXPECT_NEAR(chi_square_p(7.814727903, 3), 0.05, 1e-9);
+  EXPECT_NEAR(chi_square_p(37.65248413, 25), 0.05, 1e-9);
+  EXPECT_EQ(chi_square_p(0.0, 5), 1.0);
+  EXPECT_GT(chi_square_p(1e6, 5), 0.0);
 }
 
 TEST(Tails, BridgeIsKolmogorovs) {
