@@ -1,7 +1,23 @@
+#include <array>
+
+#include "daemon/commands/commands.hpp"
 #include "daemon/commands/memory.hpp"
 #include "daemon/commands/program.hpp"
+#include "daemon/lab/commands/commands.hpp"
+
+namespace {
+
+using namespace loopscope::daemon;
+
+/// In the order of `loopscope --help`.
+constexpr std::array<AddCommand, 17> kCommands = {
+    add_run,      add_once,   add_analyze,     add_reproduce, add_calibrate,   add_simulate,
+    add_import,   add_loops,  add_maintenance, add_window,    add_report,      add_replay,
+    add_annotate, add_export, add_migrate,     add_maintain,  add_check_config};
+
+}  // namespace
 
 int main(int argc, char** argv) {
-  loopscope::daemon::keep_freed_memory();
-  return loopscope::daemon::run_program(argc, argv);
+  keep_freed_memory();
+  return run_program(argc, argv, kCommands);
 }

@@ -15,9 +15,6 @@ namespace loopscope::daemon {
 void add_run(CLI::App& program);
 void add_once(CLI::App& program);
 void add_analyze(CLI::App& program);
-void add_reproduce(CLI::App& program);
-void add_calibrate(CLI::App& program);
-void add_simulate(CLI::App& program);
 void add_import(CLI::App& program);
 void add_loops(CLI::App& program);
 void add_maintenance(CLI::App& program);

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "config/read_settings.hpp"
-#include "daemon/commands/commands.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/error.hpp"
@@ -51,33 +50,13 @@ void require_written_output() {
                 "check the disk or the program behind the pipe");
 }
 
-void add_commands(CLI::App& program) {
-  add_run(program);
-  add_once(program);
-  add_analyze(program);
-  add_reproduce(program);
-  add_calibrate(program);
-  add_simulate(program);
-  add_import(program);
-  add_loops(program);
-  add_maintenance(program);
-  add_window(program);
-  add_report(program);
-  add_replay(program);
-  add_annotate(program);
-  add_export(program);
-  add_migrate(program);
-  add_maintain(program);
-  add_check_config(program);
-}
-
 }  // namespace
 
-int run_program(int argc, const char* const* argv) {
+int run_program(int argc, const char* const* argv, std::span<const AddCommand> commands) {
   CLI::App program{"Loopscope tells a plant why its control loops perform poorly.", "loopscope"};
   program.set_version_flag("--version", "loopscope " LOOPSCOPE_VERSION);
   program.require_subcommand(1);
-  add_commands(program);
+  for (const AddCommand add : commands) add(program);
   try {
     program.parse(argc, argv);
     require_written_output();

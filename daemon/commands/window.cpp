@@ -10,7 +10,7 @@
 #include "core/signal/microseconds.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/output_file.hpp"
-#include "daemon/output/recording_csv.hpp"
+#include "daemon/output/window_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/windows/loop_slot.hpp"
 #include "daemon/service/windows/row_memory.hpp"

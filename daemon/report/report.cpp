@@ -9,7 +9,6 @@
 #include <thread>
 #include <utility>
 
-#include "daemon/calibrate/in_threads.hpp"
 #include "daemon/output/followed_path.hpp"
 #include "daemon/output/output_file.hpp"
 #include "daemon/report/evidence/window_source.hpp"
@@ -20,6 +19,7 @@
 #include "daemon/report/sections/plant_section.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/service/threads/in_threads.hpp"
 #include "daemon/text/failure.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 #include "storage/results/reports/report_database.hpp"

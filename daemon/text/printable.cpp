@@ -10,14 +10,14 @@
 namespace loopscope::daemon {
 namespace {
 
-struct Range {
+struct CodePoints {
   char32_t first;
   char32_t last;
 };
 
 /// Characters without a picture of their own that steer the terminal or the text around them. The
 /// joiners U+200C and U+200D stay: Persian and Indian writing needs them.
-constexpr std::array<Range, 12> kSteering{{
+constexpr std::array<CodePoints, 12> kSteering{{
     {0x0000, 0x001F},    // line breaks, tabs, ESC
     {0x007F, 0x009F},    // DEL and what terminals take for ESC and a letter
     {0x061C, 0x061C},    // Arabic letter mark
@@ -33,8 +33,9 @@ constexpr std::array<Range, 12> kSteering{{
 }};
 
 bool steers(char32_t code) {
-  return std::ranges::any_of(
-      kSteering, [code](const Range& range) { return code >= range.first && code <= range.last; });
+  return std::ranges::any_of(kSteering, [code](const CodePoints& range) {
+    return code >= range.first && code <= range.last;
+  });
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 6> kTopLevel = {"config", "core",    "dae
 /// One header serves the variants of a kernel for different processors.
 constexpr std::array<std::string_view, 3> kProcessorSuffixes = {"_avx2", "_avx512", "_portable"};
 
-constexpr std::string_view kCommands = "daemon/commands/";
+constexpr std::string_view kCommands = "/commands/";
 
 /// The headers that may declare what a source file defines; one of them has to exist.
 std::vector<std::string> possible_headers(const std::string& source) {
@@ -37,7 +37,8 @@ std::vector<std::string> possible_headers(const std::string& source) {
     if (stem.ends_with(suffix))
       headers.push_back(stem.substr(0, stem.size() - suffix.size()) + ".hpp");
   // Each command is one function, and one header lists them all.
-  if (source.starts_with(kCommands)) headers.push_back(std::string(kCommands) + "commands.hpp");
+  const std::string folder = source.substr(0, source.rfind('/') + 1);
+  if (folder.ends_with(kCommands)) headers.push_back(folder + "commands.hpp");
   return headers;
 }
 

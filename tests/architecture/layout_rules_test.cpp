@@ -39,15 +39,20 @@ TEST(LayoutRules, ForeignFolderIsCaught) {
 }
 
 TEST(LayoutRules, MissingHeaderIsCaught) {
-  const std::vector<SourceFile> files = {
-      {"core/hos/a.cpp", ""},        {"core/hos/b.cpp", ""},
-      {"core/hos/b.hpp", ""},        {"core/hos/b_avx2.cpp", ""},
-      {"core/hos/c_avx2.cpp", ""},   {"daemon/main.cpp", ""},
-      {"daemon/commands/x.cpp", ""}, {"daemon/commands/commands.hpp", ""},
-      {"tests/core/d_test.cpp", ""}};
+  const std::vector<SourceFile> files = {{"core/hos/a.cpp", ""},
+                                         {"core/hos/b.cpp", ""},
+                                         {"core/hos/b.hpp", ""},
+                                         {"core/hos/b_avx2.cpp", ""},
+                                         {"core/hos/c_avx2.cpp", ""},
+                                         {"daemon/main.cpp", ""},
+                                         {"daemon/commands/x.cpp", ""},
+                                         {"daemon/commands/commands.hpp", ""},
+                                         {"daemon/lab/commands/y.cpp", ""},
+                                         {"tests/core/d_test.cpp", ""}};
   EXPECT_EQ(listing(check_headers(files)),
             "core/hos/a.cpp: has no header core/hos/a.hpp\n"
-            "core/hos/c_avx2.cpp: has no header core/hos/c_avx2.hpp\n");
+            "core/hos/c_avx2.cpp: has no header core/hos/c_avx2.hpp\n"
+            "daemon/lab/commands/y.cpp: has no header daemon/lab/commands/y.hpp\n");
 }
 
 TEST(LayoutRules, FileOutsideOfTheRoomsIsCaught) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/signal/window_digest.hpp"
-#include "daemon/output/recording_csv.hpp"
+#include "daemon/output/window_csv.hpp"
 #include "daemon/recording/recording.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
