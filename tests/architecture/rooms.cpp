@@ -19,9 +19,9 @@ const std::vector<std::string_view> kBelowTheDaemon = {
 
 const std::array kRooms = {
     Room{"core/signal", {}, {}, true},
-    Room{"core/hos", {}, {"FFTW", "Eigen", "Boost.Math"}, true},
+    Room{"core/hos", {}, {"FFTW", "Eigen", "Highway", "Boost.Math"}, true},
     Room{"core/loop", {"core/signal", "core/hos"}, {"Eigen"}, true},
-    Room{"core/model", {"core/signal", "core/hos"}, {"Eigen"}, true},
+    Room{"core/model", {"core/signal", "core/hos"}, {"Eigen", "Highway"}, true},
     Room{"core/repair", {}, {"Boost.Math"}, true},
     Room{"core/plant", {"core/signal", "core/hos", "core/loop", "core/model"}, {"Eigen"}, true},
     Room{"core/diagnosis",
@@ -55,6 +55,7 @@ constexpr std::array kLibraries = {
     Library{"Eigen", "unsupported/Eigen/"},
     Library{"NLopt", "nlopt."},
     Library{"Boost.Math", "boost/math/"},
+    Library{"Highway", "hwy/"},
     Library{"nlohmann-json", "nlohmann/"},
     Library{"libpqxx", "pqxx/"},
     Library{"libpq", "libpq-fe.h"},
@@ -102,8 +103,6 @@ constexpr std::array kExceptions = {
               "what is an address, and of the loopback, the system's own reader says"},
     Exception{"daemon/main.cpp", "daemon/lab/commands/commands.hpp",
               "the program has all commands; the daemon's library knows nothing of the lab"},
-    Exception{"core/hos/kernels/triple_tile_avx2.cpp", "immintrin.h", "vector instructions"},
-    Exception{"core/hos/kernels/triple_tile_avx512.cpp", "immintrin.h", "vector instructions"},
 };
 
 }  // namespace

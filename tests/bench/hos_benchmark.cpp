@@ -18,6 +18,7 @@
 #include "core/hos/transforms/segments.hpp"
 #include "core/simulate/calibration_families.hpp"
 #include "tests/bench/multiply_add_floor.hpp"
+#include "tests/core/hos/runnable_kernels.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -144,7 +145,7 @@ benchmark::internal::Benchmark* add(const char* stage, Job job, const Kernels& k
 const bool kRegistered = [] {
   // Three times round, so that every record has the same weight.
   const auto turns = static_cast<benchmark::IterationCount>(3 * healthy_records().size());
-  for (const Kernels* kernels : runnable_kernels()) {
+  for (const Kernels* kernels : tests::runnable_kernels()) {
     add("kernel", kernel, *kernels);
     benchmark::RegisterBenchmark(("floor/" + std::string(kernels->name)).c_str(),
                                  bench::multiply_add_floor, bench::peak_loop(kernels->name))

@@ -31,8 +31,8 @@ struct PeakLoop {
 ///       2  zero frequency and half the sampling rate
 ///     130  powers
 ///
-/// The estimate itself needs 7 where the definition has 9 (triple_tile.inc), so that it could in
-/// principle go below this floor.
+/// The estimate itself needs 7 where the definition has 9 (triple_tile-inl.hpp), so that it could
+/// in principle go below this floor.
 inline constexpr double kSegments = 127.0;
 inline constexpr double kMultiplyAdds = kSegments * (9.0 * 1024.0 + 1464.0);
 

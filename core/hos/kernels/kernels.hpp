@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "core/hos/kernels/record_sums.hpp"
 #include "core/hos/kernels/segment_dft.hpp"
@@ -23,7 +22,7 @@ struct Rows {
 /// and lanes change the order of sums, so that results of different kernels differ by rounding; one
 /// kernel gives the same digits whatever was computed before and in any number of threads.
 struct Kernels {
-  std::string_view name;  ///< "avx512", "avx2" or "portable"
+  std::string_view name;  ///< "avx512", "avx2", "sse4", "neon", or "portable": the compiler's own
   /// largest_magnitude() and whether every sample is finite, in one look.
   MagnitudeScan (*scan)(std::span<const double> signal);
   /// The spectra of up to kLanes segments; `dft` must be made for their length.
@@ -51,17 +50,7 @@ struct Kernels {
   void (*weigh_rows)(const Rows& rows, const double* weights, double* sums);
 };
 
-/// Runs everywhere; multiplies and adds round separately.
-extern const Kernels kPortableKernels;
-#if defined(__x86_64__)
-extern const Kernels kAvx2Kernels;    ///< needs AVX2 with FMA
-extern const Kernels kAvx512Kernels;  ///< needs AVX-512F
-#endif
-
-/// Those that this processor can run, the fastest last; at least one.
-[[nodiscard]] const std::vector<const Kernels*>& runnable_kernels();
-
-/// The fastest of them.
+/// The fastest that this processor can run.
 [[nodiscard]] const Kernels& best_kernels();
 
 }  // namespace loopscope::core::hos

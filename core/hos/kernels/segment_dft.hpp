@@ -9,7 +9,7 @@
 namespace loopscope::core::hos {
 
 /// What a DFT of real segments padded with as many zeros needs to know; the arithmetic is in
-/// segment_dft.inc, one segment per vector lane.
+/// segment_dft-inl.hpp, one segment per vector lane.
 ///
 /// A real sequence x of length n has its odd bins, X(4 j + 1), in one complex DFT of length n / 4
 /// (the others follow by X(n - k) = X*(k)), and its even bins in the real sequence x(i) + x(i +

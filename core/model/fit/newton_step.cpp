@@ -6,7 +6,7 @@
 
 #include "core/model/response/whitening.hpp"
 #include "core/model/vectors/number_pair.hpp"
-#include "core/model/vectors/recursion.hpp"
+#include "core/model/vectors/recursion-inl.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/model/vectors/number_pair.hpp"
-#include "core/model/vectors/recursion.hpp"
+#include "core/model/vectors/recursion-inl.hpp"
 
 namespace loopscope::core::model {
 namespace {

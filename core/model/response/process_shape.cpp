@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model/vectors/recursion.hpp"
+#include "core/model/vectors/recursion-inl.hpp"
 
 namespace loopscope::core::model {
 namespace {

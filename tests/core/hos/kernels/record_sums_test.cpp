@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/hos/kernels/kernels.hpp"
+#include "tests/core/hos/runnable_kernels.hpp"
 #include "tests/core/hos/signals.hpp"
 #include "tests/support/numbers.hpp"
 
@@ -19,7 +20,7 @@ using loopscope::tests::kNaN;
 /// Records of every length up to `most`, some samples missing.
 template <class Check>
 void for_each_record(std::size_t most, const Check& check) {
-  for (const Kernels* kernels : runnable_kernels()) {
+  for (const Kernels* kernels : tests::runnable_kernels()) {
     for (std::size_t length = 0; length <= most; ++length) {
       std::vector<double> record = tests::white_noise(length + 1, length);
       if (length > 9) record[length / 2] = kNaN;
@@ -116,7 +117,7 @@ TEST(HosRecordSums, PairsAndPredictionsByTheDefinition) {
   const std::vector<double> f = tests::white_noise(1, 61);
   const std::vector<double> b = tests::white_noise(2, 61);
   const std::vector<double> a = {0.5, -0.25, 0.125};
-  for (const Kernels* kernels : runnable_kernels()) {
+  for (const Kernels* kernels : tests::runnable_kernels()) {
     for (std::size_t count = 0; count <= f.size(); ++count) {
       PairSums expected;
       std::vector<double> new_f = f;
@@ -149,7 +150,7 @@ TEST(HosRecordSums, TapsAndWeightedRowsByTheDefinition) {
   const std::vector<double> columns = tests::white_noise(4, 50 * FilterTaps::kColumns);
   const AlignedVector rows(5 * 24, 0.5);
   const std::vector<double> weights = {1.0, -2.0, 3.0, 0.5, 4.0};
-  for (const Kernels* kernels : runnable_kernels()) {
+  for (const Kernels* kernels : tests::runnable_kernels()) {
     for (std::size_t length = 0; length <= x.size(); ++length) {
       std::vector<double> found(FilterTaps::kColumns);
       kernels->apply_taps({columns.data(), length}, x.data(), found.data());

@@ -6,6 +6,7 @@
 
 #include "core/hos/kernels/kernels.hpp"
 #include "core/hos/transforms/paired_spectra.hpp"
+#include "tests/core/hos/runnable_kernels.hpp"
 #include "tests/core/hos/signals.hpp"
 
 namespace loopscope::core::hos {
@@ -40,7 +41,7 @@ TEST(HosSegmentDft, AgreesWithFftwOnEveryPath) {
   for (const std::size_t length : {32U, 64U, 128U, 256U, 512U, 2048U, 8192U}) {
     Batch expected(length);
     PairedSpectra(length / 2, length).transform(expected.view());
-    for (const Kernels* kernels : runnable_kernels()) {
+    for (const Kernels* kernels : tests::runnable_kernels()) {
       Batch found(length);
       kernels->transform(SegmentDft::of_length(length), found.view());
       // Of the size of the largest bin.
@@ -56,7 +57,7 @@ TEST(HosSegmentDft, AgreesWithFftwOnEveryPath) {
 }
 
 TEST(HosSegmentDft, AConstantLeavesExactZeros) {
-  for (const Kernels* kernels : runnable_kernels()) {
+  for (const Kernels* kernels : tests::runnable_kernels()) {
     Batch batch(128);
     for (double& sample : batch.signal) sample = 0.1;
     kernels->transform(SegmentDft::of_length(128), batch.view());

@@ -1,8 +1,7 @@
-#include "core/model/valve_law/stem_lanes.hpp"
-
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "core/model/valve_law/stem_lanes-inl.hpp"
 #include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {

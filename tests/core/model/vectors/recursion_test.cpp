@@ -1,10 +1,9 @@
-#include "core/model/vectors/recursion.hpp"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "core/model/vectors/number_pair.hpp"
+#include "core/model/vectors/recursion-inl.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -4,22 +4,17 @@
 #include <array>
 #include <gtest/gtest.h>
 
-#include "core/model/vectors/processor_choice.hpp"
 #include "tests/core/model/model_records.hpp"
+#include "tests/support/each_processor.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
 constexpr std::size_t kLaneSamples = 1500;
 
-/// The kernels that this processor can run beside the portable one.
-std::vector<const LaneKernel*> others() {
-  std::vector<const LaneKernel*> kernels;
-#if defined(__x86_64__)
-  if (processor_kind() != ProcessorKind::portable) kernels.push_back(&kAvx2Lanes);
-  if (processor_kind() == ProcessorKind::avx512) kernels.push_back(&kAvx512Lanes);
-#endif
-  return kernels;
+/// Those that this processor can run, the fastest last; the first runs everywhere.
+std::vector<const LaneKernel*> runnable_lane_kernels() {
+  return loopscope::tests::on_each_processor([] { return &best_lane_kernel(); });
 }
 
 /// op about its mean, what pv answers, whitened columns, one of them silent at both ends, and rows
@@ -42,9 +37,9 @@ struct LaneSetting {
 };
 
 TEST(LaneKernel, TheBestOneIsAmongThem) {
-  const std::vector<const LaneKernel*> kernels = others();
-  const LaneKernel* best = kernels.empty() ? &kPortableLanes : kernels.back();
-  EXPECT_EQ(best_lane_kernel().name, best->name);
+  const std::vector<const LaneKernel*> kernels = runnable_lane_kernels();
+  ASSERT_FALSE(kernels.empty());
+  EXPECT_EQ(&best_lane_kernel(), kernels.back());
 }
 
 /// As many lane_valves as leave some lanes idle, of every law, at the samples and between them.
@@ -70,9 +65,10 @@ TEST(LaneKernel, AnswersOfValvesAreTheSame) {
   const ProcessShape process = tests::two_lags(0.9, 0.5, 4);
   std::vector<ValveAndProcess> pairs;
   for (const ValveEffect& valve : all) pairs.push_back({&valve, &process});
-  const auto single = kPortableLanes.single_answers(task, pairs);
-  const auto full = kPortableLanes.full_answers(task, pairs);
-  for (const LaneKernel* kernel : others()) {
+  const std::vector<const LaneKernel*> kernels = runnable_lane_kernels();
+  const auto single = kernels.front()->single_answers(task, pairs);
+  const auto full = kernels.front()->full_answers(task, pairs);
+  for (const LaneKernel* kernel : kernels) {
     EXPECT_EQ(kernel->single_answers(task, pairs), single) << kernel->name;
     EXPECT_EQ(kernel->full_answers(task, pairs), full) << kernel->name;
   }

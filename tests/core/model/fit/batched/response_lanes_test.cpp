@@ -1,7 +1,6 @@
-#include "core/model/fit/batched/response_lanes.hpp"
-
 #include <gtest/gtest.h>
 
+#include "core/model/fit/batched/response_lanes-inl.hpp"
 #include "tests/core/model/model_records.hpp"
 
 namespace loopscope::core::model {

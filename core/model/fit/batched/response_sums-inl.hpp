@@ -1,11 +1,26 @@
-#pragma once
+// Compiled once for each kind of processor: number_pair.hpp.
+#if defined(LOOPSCOPE_MODEL_RESPONSE_SUMS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_MODEL_RESPONSE_SUMS_INL
+#undef LOOPSCOPE_MODEL_RESPONSE_SUMS_INL
+#else
+#define LOOPSCOPE_MODEL_RESPONSE_SUMS_INL
+#endif
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <hwy/highway.h>
+#include <span>
+#include <vector>
 
 #include "core/model/record/loop_data.hpp"
-#include "core/model/valve_law/valve_lanes.hpp"
-#include "core/model/vectors/lane_basis.hpp"
+#include "core/model/valve_law/valve_lanes-inl.hpp"
+#include "core/model/vectors/number_pair.hpp"
 
+HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model {
-inline namespace LOOPSCOPE_PATH {
+inline namespace HWY_NAMESPACE {
 
 /// Sums over the rows of a fit of whitened answers, side by side, with columns that they share and
 /// with themselves, while the answers come by in stretches. Rows are added up in the digits of
@@ -96,5 +111,8 @@ class AnswerSums {
   std::size_t range_ = 0;
 };
 
-}  // namespace LOOPSCOPE_PATH
+}  // namespace HWY_NAMESPACE
 }  // namespace loopscope::core::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_MODEL_RESPONSE_SUMS_INL

@@ -1,10 +1,21 @@
-#pragma once
+// Compiled once for each kind of processor: number_pair.hpp.
+#if defined(LOOPSCOPE_MODEL_VALVE_LANES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_MODEL_VALVE_LANES_INL
+#undef LOOPSCOPE_MODEL_VALVE_LANES_INL
+#else
+#define LOOPSCOPE_MODEL_VALVE_LANES_INL
+#endif
+
+#include <array>
+#include <cstddef>
+#include <hwy/highway.h>
 
 #include "core/model/valve_law/valve_law.hpp"
-#include "core/model/vectors/lane_basis.hpp"
+#include "core/model/vectors/number_pair.hpp"
 
+HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model {
-inline namespace LOOPSCOPE_PATH {
+inline namespace HWY_NAMESPACE {
 
 /// Half widths: where the resting valve breaks loose, and how far a moving one lags behind op. Of
 /// one valve (an Element), or of as many as a Number has (see put()).
@@ -102,18 +113,8 @@ struct ValveLanes {
   }
 };
 
-/// Calls f with the law as a constant of the compiler: f.template operator()<law>().
-template <typename Function>
-void with_law(ValveLaw law, Function&& f) {
-  switch (law) {
-    case ValveLaw::choudhury:
-      return f.template operator()<ValveLaw::choudhury>();
-    case ValveLaw::kano:
-      return f.template operator()<ValveLaw::kano>();
-    case ValveLaw::he:
-      return f.template operator()<ValveLaw::he>();
-  }
-}
-
-}  // namespace LOOPSCOPE_PATH
+}  // namespace HWY_NAMESPACE
 }  // namespace loopscope::core::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_MODEL_VALVE_LANES_INL

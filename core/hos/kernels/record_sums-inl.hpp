@@ -1,9 +1,29 @@
-// Sums along records; see lanes.inc for what the including file provides and record_sums.hpp for
-// what is summed.
+// Sums along records: record_sums.hpp says what is summed.
+//
+// Compiled once for each kind of processor, like lanes-inl.hpp.
+#if defined(LOOPSCOPE_HOS_RECORD_SUMS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_HOS_RECORD_SUMS_INL
+#undef LOOPSCOPE_HOS_RECORD_SUMS_INL
+#else
+#define LOOPSCOPE_HOS_RECORD_SUMS_INL
+#endif
 
-LOOPSCOPE_INLINE Vector zero_unless(Vector value, Vector test, double limit) {
-  const Vector size = test > -test ? test : -test;
-  return size <= broadcast(limit) ? value : Vector{};
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <hwy/highway.h>
+#include <limits>
+#include <numbers>
+#include <span>
+
+#include "core/hos/kernels/lanes-inl.hpp"
+#include "core/hos/kernels/record_sums.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace loopscope::core::hos::HWY_NAMESPACE {
+
+HWY_INLINE Vector zero_unless(Vector value, Vector test, double limit) {
+  return hn::IfThenElseZero(hn::Abs(test) <= broadcast(limit), value);
 }
 
 struct PowerLanes {
@@ -14,7 +34,7 @@ struct PowerLanes {
   Vector fourth{};
 };
 
-LOOPSCOPE_INLINE void add(PowerLanes& sums, Vector sample, const Centring& centring) {
+HWY_INLINE void add(PowerLanes& sums, Vector sample, const Centring& centring) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   const Vector less_first = sample * broadcast(centring.factor) - broadcast(centring.first);
   const Vector y = zero_unless(less_first - broadcast(centring.centre), sample, kLargest);
@@ -26,7 +46,7 @@ LOOPSCOPE_INLINE void add(PowerLanes& sums, Vector sample, const Centring& centr
   sums.fourth = multiply_add(square, square, sums.fourth);
 }
 
-LOOPSCOPE_TARGET PowerSums sum_powers(std::span<const double> signal, const Centring& centring) {
+PowerSums sum_powers(std::span<const double> signal, const Centring& centring) {
   PowerLanes even;
   PowerLanes odd;
   std::size_t n = 0;
@@ -51,21 +71,21 @@ LOOPSCOPE_TARGET PowerSums sum_powers(std::span<const double> signal, const Cent
 /// samples, counted from its middle.
 class PlacedSamples {
  public:
-  LOOPSCOPE_INLINE explicit PlacedSamples(std::span<const double> signal) : signal_(signal) {
+  HWY_INLINE explicit PlacedSamples(std::span<const double> signal) : signal_(signal) {
     alignas(kAlignment) double first[kWidth];
     for (std::size_t i = 0; i < kWidth; ++i) {
       first[i] = static_cast<double>(i) - (static_cast<double>(signal.size()) - 1.0) / 2.0;
     }
     place = load(first);
   }
-  LOOPSCOPE_INLINE Vector at(std::size_t n) const {
+  HWY_INLINE Vector at(std::size_t n) const {
     if (n + kWidth <= signal_.size()) return load_anywhere(signal_.data() + n);
     alignas(kAlignment) double rest[kWidth];
     std::fill_n(rest, kWidth, std::numeric_limits<double>::quiet_NaN());
     std::copy(signal_.begin() + static_cast<std::ptrdiff_t>(n), signal_.end(), rest);
     return load(rest);
   }
-  LOOPSCOPE_INLINE void advance() { place += broadcast(static_cast<double>(kWidth)); }
+  HWY_INLINE void advance() { place += broadcast(static_cast<double>(kWidth)); }
 
   Vector place;
 
@@ -73,7 +93,7 @@ class PlacedSamples {
   std::span<const double> signal_;
 };
 
-LOOPSCOPE_TARGET TrendSums sum_trend(std::span<const double> signal, const Centring& centring) {
+TrendSums sum_trend(std::span<const double> signal, const Centring& centring) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   Vectors<5> sums{};
   PlacedSamples samples(signal);
@@ -97,7 +117,7 @@ LOOPSCOPE_TARGET TrendSums sum_trend(std::span<const double> signal, const Centr
 /// for each of 4096 samples would take longer than their transform.
 class TurnAlong {
  public:
-  LOOPSCOPE_INLINE explicit TurnAlong(double count) {
+  HWY_INLINE explicit TurnAlong(double count) {
     alignas(kAlignment) double cosine[kWidth];
     alignas(kAlignment) double sine[kWidth];
     const double step = 2.0 * std::numbers::pi / count;
@@ -110,8 +130,8 @@ class TurnAlong {
     step_cosine_ = broadcast(std::cos(static_cast<double>(kWidth) * step));
     step_sine_ = broadcast(std::sin(static_cast<double>(kWidth) * step));
   }
-  LOOPSCOPE_INLINE Vector cosine() const { return cosine_; }
-  LOOPSCOPE_INLINE void advance() {
+  HWY_INLINE Vector cosine() const { return cosine_; }
+  HWY_INLINE void advance() {
     const Vector before = cosine_;
     cosine_ = subtract_product(sine_, step_sine_, before * step_cosine_);
     sine_ = multiply_add(before, step_sine_, sine_ * step_cosine_);
@@ -124,8 +144,7 @@ class TurnAlong {
   Vector step_sine_;
 };
 
-LOOPSCOPE_TARGET void taper_record(std::span<const double> signal, const Centring& centring,
-                                   double* tapered) {
+void taper_record(std::span<const double> signal, const Centring& centring, double* tapered) {
   PlacedSamples samples(signal);
   TurnAlong turn(static_cast<double>(signal.size()));
   for (std::size_t n = 0; n < signal.size(); n += kWidth, samples.advance(), turn.advance()) {
@@ -146,17 +165,17 @@ LOOPSCOPE_TARGET void taper_record(std::span<const double> signal, const Centrin
   }
 }
 
-LOOPSCOPE_INLINE PairSums pair_sums(Vector product, Vector power) {
+HWY_INLINE PairSums pair_sums(Vector product, Vector power) {
   alignas(kAlignment) double sums[2 + kWidth];
   sum_lanes(Vectors<2>{product, power}, sums);
   return {sums[0], sums[1]};
 }
 
 /// Of the differences and the differences before them; those that miss a sample left out.
-LOOPSCOPE_TARGET PairSums sum_differences(std::span<const double> signal) {
+PairSums sum_differences(std::span<const double> signal) {
   constexpr double kLargest = std::numeric_limits<double>::max();
-  Vector product{};
-  Vector power{};
+  Vector product = hn::Zero(Tag());
+  Vector power = hn::Zero(Tag());
   std::size_t n = 2;
   for (; n + kWidth <= signal.size(); n += kWidth) {
     const double* const x = signal.data() + n;
@@ -178,7 +197,7 @@ LOOPSCOPE_TARGET PairSums sum_differences(std::span<const double> signal) {
   return sums;
 }
 
-LOOPSCOPE_TARGET PairSums sum_pairs(const double* f, const double* b, std::size_t count) {
+PairSums sum_pairs(const double* f, const double* b, std::size_t count) {
   Vector product[2] = {};
   Vector power[2] = {};
   std::size_t n = 0;
@@ -199,7 +218,7 @@ LOOPSCOPE_TARGET PairSums sum_pairs(const double* f, const double* b, std::size_
 }
 
 /// f - k b to f, and b - k f to b.
-LOOPSCOPE_TARGET void predict_each_other(double* f, double* b, std::size_t count, double k) {
+void predict_each_other(double* f, double* b, std::size_t count, double k) {
   const Vector factor = broadcast(k);
   std::size_t n = 0;
   for (; n + kWidth <= count; n += kWidth) {
@@ -216,8 +235,8 @@ LOOPSCOPE_TARGET void predict_each_other(double* f, double* b, std::size_t count
 }
 
 /// x(n) - a_1 x(n - 1) - ... - a_order x(n - order), n = 0 .. count - 1; x(-order) is readable.
-LOOPSCOPE_TARGET void subtract_predictions(const double* x, std::size_t count,
-                                           std::span<const double> a, double* errors) {
+void subtract_predictions(const double* x, std::size_t count, std::span<const double> a,
+                          double* errors) {
   std::size_t n = 0;
   for (; n + kWidth <= count; n += kWidth) {
     Vector error = load_anywhere(x + n);
@@ -232,7 +251,7 @@ LOOPSCOPE_TARGET void subtract_predictions(const double* x, std::size_t count,
   }
 }
 
-LOOPSCOPE_TARGET void apply_taps(const FilterTaps& taps, const double* x, double* outputs) {
+void apply_taps(const FilterTaps& taps, const double* x, double* outputs) {
   constexpr std::size_t kColumns = FilterTaps::kColumns;
   Vectors<kColumns> partial{};
   std::size_t n = 0;
@@ -254,10 +273,10 @@ LOOPSCOPE_TARGET void apply_taps(const FilterTaps& taps, const double* x, double
 }
 
 /// sums[s] = sum over rows of weights[row] times the row's value at s.
-LOOPSCOPE_TARGET void weigh_rows(const Rows& rows, const double* weights, double* sums) {
+void weigh_rows(const Rows& rows, const double* weights, double* sums) {
   for (std::size_t s = 0; s < rows.length; s += kWidth) {
-    Vector even{};
-    Vector odd{};
+    Vector even = hn::Zero(Tag());
+    Vector odd = hn::Zero(Tag());
     const double* row = rows.first + s;
     std::size_t k = 0;
     for (; k + 2 <= rows.count; k += 2, row += 2 * rows.stride) {
@@ -268,3 +287,8 @@ LOOPSCOPE_TARGET void weigh_rows(const Rows& rows, const double* weights, double
     store_anywhere(sums + s, even + odd);
   }
 }
+
+}  // namespace loopscope::core::hos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_HOS_RECORD_SUMS_INL

@@ -1,9 +1,17 @@
-#pragma once
+// Compiled once for each kind of processor: number_pair.hpp.
+#if defined(LOOPSCOPE_MODEL_RECURSION_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_MODEL_RECURSION_INL
+#undef LOOPSCOPE_MODEL_RECURSION_INL
+#else
+#define LOOPSCOPE_MODEL_RECURSION_INL
+#endif
 
-#include "core/model/vectors/lane_basis.hpp"
+#include <cstddef>
+#include <hwy/highway.h>
 
+HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model {
-inline namespace LOOPSCOPE_PATH {
+inline namespace HWY_NAMESPACE {
 
 /// y(k) = root y(k-1) + x(k), y(-1) = `before`. Number is double, or some of them: recursions
 /// side by side. `read(k)` gives x(k) and is asked once for each k, in order, before `write(k, y)`.
@@ -33,5 +41,8 @@ inline void run_recursion(Number root, Number before, std::size_t count, Read re
   }
 }
 
-}  // namespace LOOPSCOPE_PATH
+}  // namespace HWY_NAMESPACE
 }  // namespace loopscope::core::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_MODEL_RECURSION_INL

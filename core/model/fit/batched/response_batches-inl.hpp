@@ -1,12 +1,28 @@
-#pragma once
+// Compiled once for each kind of processor: number_pair.hpp.
+#if defined(LOOPSCOPE_MODEL_RESPONSE_BATCHES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_MODEL_RESPONSE_BATCHES_INL
+#undef LOOPSCOPE_MODEL_RESPONSE_BATCHES_INL
+#else
+#define LOOPSCOPE_MODEL_RESPONSE_BATCHES_INL
+#endif
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <hwy/highway.h>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/model/fit/batched/lane_kernel.hpp"
-#include "core/model/fit/batched/response_batch.hpp"
+#include "core/model/fit/batched/response_batch-inl.hpp"
 #include "core/model/valve_law/valve_law.hpp"
-#include "core/model/vectors/lane_basis.hpp"
+#include "core/model/vectors/number_pair.hpp"
 
+HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model {
-inline namespace LOOPSCOPE_PATH {
+inline namespace HWY_NAMESPACE {
 
 template <typename Element>
 std::vector<OpStep<Element>> steps_of(std::span<const double> op, double direction) {
@@ -134,5 +150,8 @@ std::vector<Eigen::MatrixXd> products_in(const ResponseTask& task,
   return Batches<Number>(std::move(shared), task.op, valves).run();
 }
 
-}  // namespace LOOPSCOPE_PATH
+}  // namespace HWY_NAMESPACE
 }  // namespace loopscope::core::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_MODEL_RESPONSE_BATCHES_INL

@@ -1,6 +1,4 @@
-// Sums of triple products over the whole principal domain, tile by tile; see lanes.inc for what the
-// including file provides. Besides that it defines
-//   kTileWide, kPowerTileWide  bifrequencies along k1 in a tile of triple products, of powers
+// Sums of triple products over the whole principal domain, tile by tile.
 //
 // A complex product takes three multiplications instead of four (Gauss), here for a b and again for
 // (a b) c*; with fused multiply-adds that is six and a few additions per bifrequency and segment
@@ -11,7 +9,33 @@
 //                                      Im = both - sum P_r (c_r + c_i)
 //
 // Three bifrequencies along k2 share their rows of k1, and those of one k1 + k2 their rows of it.
+//
+// Compiled once for each kind of processor, like lanes-inl.hpp.
+#if defined(LOOPSCOPE_HOS_TRIPLE_TILE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_HOS_TRIPLE_TILE_INL
+#undef LOOPSCOPE_HOS_TRIPLE_TILE_INL
+#else
+#define LOOPSCOPE_HOS_TRIPLE_TILE_INL
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <hwy/highway.h>
+
+#include "core/hos/kernels/lanes-inl.hpp"
+#include "core/hos/kernels/principal_domain.hpp"
+#include "core/hos/kernels/triple_tile.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace loopscope::core::hos::HWY_NAMESPACE {
+
 constexpr std::size_t kTileHigh = 3;
+
+/// Bifrequencies along k1 in a tile of triple products, of powers: as many running sums and
+/// operands as the registers hold, of which AVX-512 and NEON have 32 and the others 16.
+constexpr bool kManyRegisters = HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON;
+constexpr std::size_t kTileWide = kManyRegisters ? 2 : 1;
+constexpr std::size_t kPowerTileWide = kManyRegisters ? 4 : 3;
 
 /// Height of the tile at (k1, k2) that holds every bifrequency of the domain in `wide` columns.
 inline std::size_t tile_height(const PrincipalDomain& domain, Bifrequency at, std::size_t wide,
@@ -30,7 +54,7 @@ struct PartialSum {
 };
 
 template <std::size_t wide, std::size_t high>
-LOOPSCOPE_TARGET void sum_triple_tile(const SpectrumRows& rows, Bifrequency at, double* sums) {
+void sum_triple_tile(const SpectrumRows& rows, Bifrequency at, double* sums) {
   const std::size_t pitch = rows.pitch;
   const std::size_t stride = rows.stride();
   const double* const first = rows.real(at.k1);
@@ -78,7 +102,7 @@ LOOPSCOPE_TARGET void sum_triple_tile(const SpectrumRows& rows, Bifrequency at, 
 }
 
 template <std::size_t wide, std::size_t high>
-LOOPSCOPE_TARGET void sum_power_tile(const SpectrumRows& rows, Bifrequency at, double* sums) {
+void sum_power_tile(const SpectrumRows& rows, Bifrequency at, double* sums) {
   const std::size_t stride = rows.stride();
   const double* const first = rows.real(at.k1) + 2 * rows.pitch;
   const double* const second = rows.real(at.k2) + 2 * rows.pitch;
@@ -135,3 +159,8 @@ inline void sum_all_triples(const SpectrumRows& rows, const TripleOutputs& outpu
     outputs.power12[at] = sums[i];
   });
 }
+
+}  // namespace loopscope::core::hos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_HOS_TRIPLE_TILE_INL

@@ -1,12 +1,25 @@
-#pragma once
+// Compiled once for each kind of processor: number_pair.hpp.
+#if defined(LOOPSCOPE_MODEL_VALVE_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_MODEL_VALVE_BATCH_INL
+#undef LOOPSCOPE_MODEL_VALVE_BATCH_INL
+#else
+#define LOOPSCOPE_MODEL_VALVE_BATCH_INL
+#endif
 
-#include "core/model/valve_law/stem_lanes.hpp"
-#include "core/model/valve_law/valve_lanes.hpp"
+#include <array>
+#include <cstddef>
+#include <hwy/highway.h>
+#include <span>
+#include <vector>
+
+#include "core/model/valve_law/stem_lanes-inl.hpp"
+#include "core/model/valve_law/valve_lanes-inl.hpp"
 #include "core/model/valve_law/valve_law.hpp"
-#include "core/model/vectors/lane_basis.hpp"
+#include "core/model/vectors/number_pair.hpp"
 
+HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model {
-inline namespace LOOPSCOPE_PATH {
+inline namespace HWY_NAMESPACE {
 
 /// op as all valves see it, in the digits of their numbers.
 template <typename Element>
@@ -89,5 +102,8 @@ class StemBatch final : public ValveBatch<NumberRow<Number, count>> {
   StemLanes<Number, count> stems_;
 };
 
-}  // namespace LOOPSCOPE_PATH
+}  // namespace HWY_NAMESPACE
 }  // namespace loopscope::core::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_MODEL_VALVE_BATCH_INL

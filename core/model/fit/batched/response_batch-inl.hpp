@@ -1,15 +1,30 @@
-#pragma once
+// Compiled once for each kind of processor: number_pair.hpp.
+#if defined(LOOPSCOPE_MODEL_RESPONSE_BATCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_MODEL_RESPONSE_BATCH_INL
+#undef LOOPSCOPE_MODEL_RESPONSE_BATCH_INL
+#else
+#define LOOPSCOPE_MODEL_RESPONSE_BATCH_INL
+#endif
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <hwy/highway.h>
+#include <span>
+#include <vector>
 
 #include "core/model/fit/batched/lane_kernel.hpp"
-#include "core/model/fit/batched/response_lanes.hpp"
-#include "core/model/fit/batched/response_sums.hpp"
-#include "core/model/fit/batched/valve_batch.hpp"
+#include "core/model/fit/batched/response_lanes-inl.hpp"
+#include "core/model/fit/batched/response_sums-inl.hpp"
+#include "core/model/fit/batched/valve_batch-inl.hpp"
 #include "core/model/record/loop_data.hpp"
 #include "core/model/response/noise_model.hpp"
-#include "core/model/vectors/lane_basis.hpp"
+#include "core/model/vectors/number_pair.hpp"
 
+HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model {
-inline namespace LOOPSCOPE_PATH {
+inline namespace HWY_NAMESPACE {
 
 /// Numbers side by side: they hide what each of them waits for. Of 2, 3 and 4 the last is fastest.
 inline constexpr std::size_t kVectorsAtOnce = 4;
@@ -95,5 +110,8 @@ class ResponseBatch {
   std::size_t now_ = 0;
 };
 
-}  // namespace LOOPSCOPE_PATH
+}  // namespace HWY_NAMESPACE
 }  // namespace loopscope::core::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_MODEL_RESPONSE_BATCH_INL

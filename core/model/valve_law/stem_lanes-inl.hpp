@@ -1,11 +1,25 @@
-#pragma once
+// Compiled once for each kind of processor: number_pair.hpp.
+#if defined(LOOPSCOPE_MODEL_STEM_LANES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_MODEL_STEM_LANES_INL
+#undef LOOPSCOPE_MODEL_STEM_LANES_INL
+#else
+#define LOOPSCOPE_MODEL_STEM_LANES_INL
+#endif
 
-#include "core/model/valve_law/stems.hpp"
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <hwy/highway.h>
+#include <limits>
+#include <span>
+
+#include "core/model/valve_law/stems-inl.hpp"
 #include "core/model/valve_law/valve_law.hpp"
-#include "core/model/vectors/lane_basis.hpp"
+#include "core/model/vectors/number_pair.hpp"
 
+HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model {
-inline namespace LOOPSCOPE_PATH {
+inline namespace HWY_NAMESPACE {
 
 /// `count` Numbers of stems side by side, a stretch of op at a time. A guess of a stem rests nine
 /// samples of ten, and as long as op stays where it moves none of them only the pressures pass on.
@@ -73,5 +87,8 @@ class StemLanes {
   Element lowest_ = 0, highest_ = 0;  ///< op that leaves all of them at rest
 };
 
-}  // namespace LOOPSCOPE_PATH
+}  // namespace HWY_NAMESPACE
 }  // namespace loopscope::core::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_MODEL_STEM_LANES_INL

@@ -1,11 +1,25 @@
-#pragma once
+// Compiled once for each kind of processor: number_pair.hpp.
+#if defined(LOOPSCOPE_MODEL_STEMS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_MODEL_STEMS_INL
+#undef LOOPSCOPE_MODEL_STEMS_INL
+#else
+#define LOOPSCOPE_MODEL_STEMS_INL
+#endif
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <hwy/highway.h>
+#include <limits>
+#include <type_traits>
 
 #include "core/model/valve_law/stem_friction.hpp"
 #include "core/model/valve_law/valve_law.hpp"
-#include "core/model/vectors/lane_basis.hpp"
+#include "core/model/vectors/number_pair.hpp"
 
+HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model {
-inline namespace LOOPSCOPE_PATH {
+inline namespace HWY_NAMESPACE {
 
 template <std::size_t bytes>
 struct LongsOf {
@@ -179,5 +193,8 @@ class alignas(sizeof(Number)) Stems {
   Number direction_{};  ///< of a moving stem; 0 = it rests
 };
 
-}  // namespace LOOPSCOPE_PATH
+}  // namespace HWY_NAMESPACE
 }  // namespace loopscope::core::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_MODEL_STEMS_INL

@@ -1,45 +1,63 @@
-// Spectra of kWidth segments at once, one per lane; how is said at SegmentDft. See lanes.inc for
-// what the including file provides.
+// Spectra of kWidth segments at once, one per lane; how is said at SegmentDft.
+//
+// Compiled once for each kind of processor, like lanes-inl.hpp.
+#if defined(LOOPSCOPE_HOS_SEGMENT_DFT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_HOS_SEGMENT_DFT_INL
+#undef LOOPSCOPE_HOS_SEGMENT_DFT_INL
+#else
+#define LOOPSCOPE_HOS_SEGMENT_DFT_INL
+#endif
+
+#include <cstddef>
+#include <hwy/highway.h>
+#include <vector>
+
+#include "core/hos/kernels/lanes-inl.hpp"
+#include "core/hos/kernels/segment_dft.hpp"
+#include "core/hos/kernels/triple_tile.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace loopscope::core::hos::HWY_NAMESPACE {
 
 struct Complex {
   Vector re;
   Vector im;
 };
 
-LOOPSCOPE_INLINE Complex operator+(Complex a, Complex b) {
+HWY_INLINE Complex operator+(Complex a, Complex b) {
   return {a.re + b.re, a.im + b.im};
 }
-LOOPSCOPE_INLINE Complex operator-(Complex a, Complex b) {
+HWY_INLINE Complex operator-(Complex a, Complex b) {
   return {a.re - b.re, a.im - b.im};
 }
 /// -i a.
-LOOPSCOPE_INLINE Complex turned_back(Complex a) {
-  return {a.im, -a.re};
+HWY_INLINE Complex turned_back(Complex a) {
+  return {a.im, hn::Neg(a.re)};
 }
 /// a (cosine - i sine).
-LOOPSCOPE_INLINE Complex turned(Complex a, const SegmentDft::Turn& turn) {
+HWY_INLINE Complex turned(Complex a, const SegmentDft::Turn& turn) {
   const Vector cosine = broadcast(turn.cosine);
   const Vector sine = broadcast(turn.sine);
   return {multiply_add(a.im, sine, a.re * cosine), subtract_product(a.re, sine, a.im * cosine)};
 }
-LOOPSCOPE_INLINE Complex load_complex(const double* z, std::size_t i) {
+HWY_INLINE Complex load_complex(const double* z, std::size_t i) {
   return {load(z + 2 * i * kWidth), load(z + (2 * i + 1) * kWidth)};
 }
-LOOPSCOPE_INLINE void store_complex(double* z, std::size_t i, Complex value) {
+HWY_INLINE void store_complex(double* z, std::size_t i, Complex value) {
   store(z + 2 * i * kWidth, value.re);
   store(z + (2 * i + 1) * kWidth, value.im);
 }
 
 /// DFTs of 2, 4 and 8 values in place, the outputs in their natural order.
-LOOPSCOPE_INLINE void dft(Complex (&z)[1]) {
+HWY_INLINE void dft(Complex (&z)[1]) {
   static_cast<void>(z);
 }
-LOOPSCOPE_INLINE void dft(Complex (&z)[2]) {
+HWY_INLINE void dft(Complex (&z)[2]) {
   const Complex sum = z[0] + z[1];
   z[1] = z[0] - z[1];
   z[0] = sum;
 }
-LOOPSCOPE_INLINE void dft(Complex (&z)[4]) {
+HWY_INLINE void dft(Complex (&z)[4]) {
   const Complex even = z[0] + z[2];
   const Complex odd = z[1] + z[3];
   const Complex even_less = z[0] - z[2];
@@ -49,7 +67,7 @@ LOOPSCOPE_INLINE void dft(Complex (&z)[4]) {
   z[2] = even - odd;
   z[3] = even_less - odd_less;
 }
-LOOPSCOPE_INLINE void dft(Complex (&z)[8]) {
+HWY_INLINE void dft(Complex (&z)[8]) {
   constexpr SegmentDft::Turn kEighth{0.70710678118654752440, 0.70710678118654752440};
   Complex even[4] = {z[0], z[2], z[4], z[6]};
   Complex odd[4] = {z[1], z[3], z[5], z[7]};
@@ -67,10 +85,10 @@ LOOPSCOPE_INLINE void dft(Complex (&z)[8]) {
 
 /// Samples of kWidth segments into lanes, each about its own first sample, so that a constant
 /// leaves exact zeros; returns the mean of what is left.
-LOOPSCOPE_INLINE Vector load_segments(const SegmentBatch& batch, std::size_t lane,
-                                      std::size_t length, double* x) {
+HWY_INLINE Vector load_segments(const SegmentBatch& batch, std::size_t lane, std::size_t length,
+                                double* x) {
   const Vector factor = broadcast(batch.factor);
-  Vector first{};
+  Vector first = hn::Zero(Tag());
   Vector sums[4] = {};
   for (std::size_t n = 0; n < length; n += kWidth) {
     Vectors<kWidth> block;
@@ -91,8 +109,8 @@ LOOPSCOPE_INLINE Vector load_segments(const SegmentBatch& batch, std::size_t lan
 
 /// The first two levels at once, on samples less their mean, tapered on the way: the upper half of
 /// the padded sequence is zero, so that the first level leaves the sequence as it is.
-LOOPSCOPE_INLINE void take_first_levels(double* x, Vector mean, const double* window,
-                                        const SegmentDft& dft, double* z0, double* z1) {
+HWY_INLINE void take_first_levels(double* x, Vector mean, const double* window,
+                                  const SegmentDft& dft, double* z0, double* z1) {
   const SegmentDft::Level& first = dft.levels()[0];
   const SegmentDft::Level& second = dft.levels()[1];
   const std::size_t quarter = second.length;
@@ -102,8 +120,8 @@ LOOPSCOPE_INLINE void take_first_levels(double* x, Vector mean, const double* wi
       const std::size_t n = i + q * quarter;
       y[q] = (load(x + n * kWidth) - mean) * broadcast(window[n]);
     }
-    store_complex(z0, i, turned({y[0], -y[2]}, first.input_turns[i]));
-    store_complex(z0, i + quarter, turned({y[1], -y[3]}, first.input_turns[i + quarter]));
+    store_complex(z0, i, turned({y[0], hn::Neg(y[2])}, first.input_turns[i]));
+    store_complex(z0, i + quarter, turned({y[1], hn::Neg(y[3])}, first.input_turns[i + quarter]));
     store_complex(z1, i, turned({y[0] - y[2], y[3] - y[1]}, second.input_turns[i]));
     store(x + i * kWidth, y[0] + y[2]);
     store(x + (i + quarter) * kWidth, y[1] + y[3]);
@@ -111,7 +129,7 @@ LOOPSCOPE_INLINE void take_first_levels(double* x, Vector mean, const double* wi
 }
 
 /// Takes the differences to z and leaves the sums in x.
-LOOPSCOPE_INLINE void take_level(double* x, const SegmentDft::Level& level, double* z) {
+HWY_INLINE void take_level(double* x, const SegmentDft::Level& level, double* z) {
   const std::size_t half = 2 * level.length * kWidth;
   for (std::size_t i = 0; i < level.length; ++i) {
     double* const near = x + i * kWidth;
@@ -126,8 +144,8 @@ LOOPSCOPE_INLINE void take_level(double* x, const SegmentDft::Level& level, doub
   }
 }
 
-LOOPSCOPE_INLINE void radix_4_step(double* z, std::size_t length, std::size_t block,
-                                   const SegmentDft::Turn* turns) {
+HWY_INLINE void radix_4_step(double* z, std::size_t length, std::size_t block,
+                             const SegmentDft::Turn* turns) {
   const std::size_t quarter = block / 4;
   for (std::size_t start = 0; start < length; start += block) {
     for (std::size_t i = 0; i < quarter; ++i) {
@@ -142,8 +160,8 @@ LOOPSCOPE_INLINE void radix_4_step(double* z, std::size_t length, std::size_t bl
   }
 }
 
-LOOPSCOPE_INLINE void store_bin(const SegmentBatch& batch, std::size_t lane,
-                                SegmentDft::Place place, Complex value) {
+HWY_INLINE void store_bin(const SegmentBatch& batch, std::size_t lane, SegmentDft::Place place,
+                          Complex value) {
   double* const row = batch.rows + place.bin * SpectrumRows::kRows * batch.pitch + lane;
   store(row, value.re);
   store(row + batch.pitch, value.im * broadcast(place.sign));
@@ -151,8 +169,8 @@ LOOPSCOPE_INLINE void store_bin(const SegmentBatch& batch, std::size_t lane,
 }
 
 template <std::size_t radix>
-LOOPSCOPE_INLINE void last_step(const double* z, const SegmentDft::Level& level,
-                                const SegmentBatch& batch, std::size_t lane) {
+HWY_INLINE void last_step(const double* z, const SegmentDft::Level& level,
+                          const SegmentBatch& batch, std::size_t lane) {
   for (std::size_t start = 0; start < level.length; start += radix) {
     Complex values[radix];
     for (std::size_t t = 0; t < radix; ++t) values[t] = load_complex(z, start + t);
@@ -163,8 +181,8 @@ LOOPSCOPE_INLINE void last_step(const double* z, const SegmentDft::Level& level,
   }
 }
 
-LOOPSCOPE_TARGET void finish_level(double* z, const SegmentDft::Level& level,
-                                   const SegmentBatch& batch, std::size_t lane) {
+void finish_level(double* z, const SegmentDft::Level& level, const SegmentBatch& batch,
+                  std::size_t lane) {
   std::size_t block = level.length;
   for (const std::vector<SegmentDft::Turn>& turns : level.steps) {
     radix_4_step(z, level.length, block, turns.data());
@@ -182,7 +200,7 @@ LOOPSCOPE_TARGET void finish_level(double* z, const SegmentDft::Level& level,
   }
 }
 
-LOOPSCOPE_TARGET void transform_segments(const SegmentDft& dft, const SegmentBatch& batch) {
+void transform_segments(const SegmentDft& dft, const SegmentBatch& batch) {
   double* const x = batch.scratch;
   double* const z0 = x + dft.segment_length() * kWidth;
   double* const z1 = z0 + dft.segment_length() * kWidth;
@@ -197,7 +215,12 @@ LOOPSCOPE_TARGET void transform_segments(const SegmentDft& dft, const SegmentBat
     }
     const Vector even = load(x);
     const Vector odd = load(x + kWidth);
-    store_bin(batch, lane, {0, 1.0}, {even + odd, Vector{}});
-    store_bin(batch, lane, {dft.dft_length() / 2, 1.0}, {even - odd, Vector{}});
+    store_bin(batch, lane, {0, 1.0}, {even + odd, hn::Zero(Tag())});
+    store_bin(batch, lane, {dft.dft_length() / 2, 1.0}, {even - odd, hn::Zero(Tag())});
   }
 }
+
+}  // namespace loopscope::core::hos::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_HOS_SEGMENT_DFT_INL

@@ -1,12 +1,23 @@
-#pragma once
+// Compiled once for each kind of processor: number_pair.hpp.
+#if defined(LOOPSCOPE_MODEL_RESPONSE_LANES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LOOPSCOPE_MODEL_RESPONSE_LANES_INL
+#undef LOOPSCOPE_MODEL_RESPONSE_LANES_INL
+#else
+#define LOOPSCOPE_MODEL_RESPONSE_LANES_INL
+#endif
+
+#include <array>
+#include <cstddef>
+#include <hwy/highway.h>
 
 #include "core/model/response/noise_model.hpp"
 #include "core/model/response/process_shape.hpp"
-#include "core/model/valve_law/valve_lanes.hpp"
-#include "core/model/vectors/lane_basis.hpp"
+#include "core/model/valve_law/valve_lanes-inl.hpp"
+#include "core/model/vectors/number_pair.hpp"
 
+HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::model {
-inline namespace LOOPSCOPE_PATH {
+inline namespace HWY_NAMESPACE {
 
 /// Poles of processes side by side, that of an integrator 1.
 template <typename Number, std::size_t count>
@@ -135,5 +146,8 @@ class AnswerLanes {
   bool begun_ = false;
 };
 
-}  // namespace LOOPSCOPE_PATH
+}  // namespace HWY_NAMESPACE
 }  // namespace loopscope::core::model
+HWY_AFTER_NAMESPACE();
+
+#endif  // LOOPSCOPE_MODEL_RESPONSE_LANES_INL
