@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/hos/transforms/settings.hpp"
+
 namespace loopscope::config {
 
 /// What kind of value a setting takes.
@@ -36,6 +38,12 @@ struct Limits {
 }
 [[nodiscard]] constexpr Limits even_range(double low, double high, std::string_view unit) {
   return {Form::number, low, high, unit, true, {}};
+}
+[[nodiscard]] constexpr Limits range(core::hos::Bounds bounds, std::string_view unit = {}) {
+  return range(bounds.least, bounds.largest, unit);
+}
+[[nodiscard]] constexpr Limits even_range(core::hos::Bounds bounds, std::string_view unit) {
+  return even_range(bounds.least, bounds.largest, unit);
 }
 [[nodiscard]] constexpr Limits any(Form form) {
   return {form, 0.0, 0.0, {}, false, {}};

@@ -17,6 +17,7 @@ using core::loop::OscillationSettings;
 using core::loop::PerformanceSettings;
 using core::signal::PrepareSettings;
 using Hos = core::hos::Settings;
+namespace bounds = core::hos::bounds;
 
 /// The slot that is reached from Settings over a chain of members.
 template <auto... members>
@@ -76,102 +77,99 @@ constexpr auto kPrior = range(0, 0.99);
 
 constexpr std::array kOtherSettings = {
     Setting{"/results/connection", in_results<&ResultsSettings::connection>, any(Form::connection),
-            "database of results, catalogue and schedule, as the worker"},
-    Setting{
-        "/results/owner_connection", in_results<&ResultsSettings::owner_connection>,
-        any(Form::optional_connection),
-        "the same as the schema's owner (`migrate`, `maintain`, `loops`, `maintenance`, `import`); "
-        "empty = `connection`"},
+            "database of results, catalogue and schedule; login of the worker"},
+    Setting{"/results/owner_connection", in_results<&ResultsSettings::owner_connection>,
+            any(Form::optional_connection),
+            "the same database; login of the schema's owner (`migrate`, `maintain`, `loops`, "
+            "`maintenance`, `import`); empty = `connection`"},
     Setting{"/results/retention_months", in_results<&ResultsSettings::retention_months>,
             range(0, 1200, "months"),
-            "results older than this are dropped by `maintain`; 0 = none"},
+            "age from which `maintain` deletes results; 0 = kept for ever"},
 
     Setting{"/schedule/poll_s", in_schedule<&ScheduleSettings::poll_s>, range(0.1, 3600, "s"),
             "interval between two polls for due loops"},
     Setting{"/schedule/settle_s", in_schedule<&ScheduleSettings::settle_s>, range(0, 86400, "s"),
-            "rows newer than this are left to settle"},
+            "time that late rows are waited for: newer rows are not analysed yet"},
     Setting{"/schedule/lease_s", in_schedule<&ScheduleSettings::lease_s>, range(10, 86400, "s"),
-            "within which others have the loops of a worker that was lost; at least 3 `poll_s`"},
+            "time after which other workers take over the loops of a worker that stopped; at least "
+            "3 `poll_s`"},
     Setting{"/schedule/batch_loops", in_schedule<&ScheduleSettings::batch_loops>,
-            range(1, 256, "loops"), "claimed, read and written together"},
-    Setting{"/schedule/default_period_s", in_schedule<&ScheduleSettings::default_period_s>,
-            range(1, 2592000, "s"),
-            "between two analyses of a loop that is added without a period; at least `poll_s`"},
-    Setting{"/schedule/revise_slots", in_schedule<&ScheduleSettings::revise_slots>,
-            range(0, 48, "slots"),
-            "before the newest one that are checked for late rows at each visit of a loop"},
+            range(1, 256, "loops"), "number of loops that are claimed, read and written together"},
     Setting{
-        "/schedule/catch_up_slots", in_schedule<&ScheduleSettings::catch_up_slots>,
-        range(0, 1000, "slots"),
-        "that passed while nobody worked and are made up for by `run`, oldest first; older ones "
-        "are left out"},
+        "/schedule/default_period_s", in_schedule<&ScheduleSettings::default_period_s>,
+        range(1, 2592000, "s"),
+        "time between two analyses of a loop that is added without a period; at least `poll_s`"},
+    Setting{"/schedule/revise_slots", in_schedule<&ScheduleSettings::revise_slots>,
+            range(0, 48, "windows"),
+            "number of earlier windows of a loop that are checked for late rows at each analysis"},
+    Setting{"/schedule/catch_up_slots", in_schedule<&ScheduleSettings::catch_up_slots>,
+            range(0, 1000, "windows"),
+            "largest number of missed windows of a loop that `run` makes up for after an outage, "
+            "oldest first; older ones are left out"},
     Setting{"/schedule/model_all_up_to", in_schedule<&ScheduleSettings::model_all_up_to>,
             range(0, 1e6, "loops"),
-            "enabled, up to which every loop gets a loop model in every slot"},
-    Setting{
-        "/schedule/model_every_slots", in_schedule<&ScheduleSettings::model_every_slots>,
-        range(1, 1000, "slots"),
-        "with more loops: how often one that would not be flagged, neither by its statistics nor "
-        "by its last verdict, gets a loop model; the others always do"},
+            "number of enabled loops up to which a loop model is fitted to every window"},
+    Setting{"/schedule/model_every_slots", in_schedule<&ScheduleSettings::model_every_slots>,
+            range(1, 1000, "windows"),
+            "with more loops: interval between loop models of a loop that neither its statistics "
+            "nor its last verdict would flag; the others get one every time"},
 
     Setting{"/daemon/workers", in_daemon<&DaemonSettings::workers>, range(0, 256, "threads"),
-            "that analyse; 0 = one per core"},
-    Setting{
-        "/daemon/batches_in_flight", in_daemon<&DaemonSettings::batches_in_flight>,
-        range(0, 1024, "batches"),
-        "that are fetched, analysed or written at a time, so that no core waits for a database; "
-        "each holds a connection to the results; 0 = two for each worker, eight at most"},
+            "number of worker threads; 0 = one per core"},
+    Setting{"/daemon/batches_in_flight", in_daemon<&DaemonSettings::batches_in_flight>,
+            range(0, 1024, "batches"),
+            "number of batches that are fetched, analysed or written at a time, so that no core "
+            "waits for a database; each holds a connection to the results; 0 = two for each "
+            "worker, eight at most"},
     Setting{"/daemon/log_level", in_daemon<&DaemonSettings::log_level>, one_of(kLogLevels),
             "least severe messages that are logged"},
     Setting{"/daemon/log_format", in_daemon<&DaemonSettings::log_format>, one_of(kLogFormats),
-            "lines for people or for machines"},
+            "form of a log line, for people or for machines"},
     Setting{"/daemon/http_address", in_daemon<&DaemonSettings::http_address>,
             any(Form::optional_text),
-            "of `/livez`, `/readyz`, `/metrics` and the pages for people: `127.0.0.1:PORT` or "
-            "`[::1]:PORT`; addresses, "
-            "no names; port 0 = any free one; empty = none"},
+            "address of `/livez`, `/readyz`, `/metrics` and the pages for people: `127.0.0.1:PORT` "
+            "or `[::1]:PORT`, no host names; port 0 = any free one; empty = none"},
     Setting{"/daemon/http_names", in_daemon<&DaemonSettings::http_names>, any(Form::texts),
-            "of this host, under which it may be asked there beside addresses and `localhost`; a "
-            "request that calls it otherwise is refused (421)"},
+            "host names under which that address may be requested, beside addresses and "
+            "`localhost`; other requests are refused (421)"},
     Setting{"/daemon/max_lag_s", in_daemon<&DaemonSettings::max_lag_s>, range(1, 2592000, "s"),
-            "that the most overdue loop may be late before `/readyz` says no"},
+            "delay of the most overdue loop beyond which `/readyz` says no"},
 
     Setting{"/flags/list_false_share", in_flags<&FlagSettings::list_false_share>, range(0, 0.5),
-            "share of loops without a fault that is expected on the list: the mean of 1 less the "
+            "expected share of loops without a fault on the list: the mean of 1 less the "
             "probability of a fault"},
-    Setting{
-        "/flags/list_leave_share", in_flags<&FlagSettings::list_leave_share>, range(0, 0.5),
-        "the same of the loops that stay: a loop leaves the list when it would be exceeded, not "
-        "below `list_false_share`"},
+    Setting{"/flags/list_leave_share", in_flags<&FlagSettings::list_leave_share>, range(0, 0.5),
+            "the same share for loops that are on the list already: one leaves when it would be "
+            "exceeded; not below `list_false_share`"},
     Setting{"/flags/list_least_probability", in_flags<&FlagSettings::list_least_probability>,
             range(0.5, 1),
-            "probability of a fault that a loop enters the list with, at least: sure faults lend a "
-            "doubtful one no place"},
+            "least probability of a fault with which a loop enters the list, however sure the "
+            "other loops are"},
     Setting{"/flags/list_leave_probability", in_flags<&FlagSettings::list_leave_probability>,
             range(0, 1),
-            "probability of a fault below which a loop leaves the list: sure faults keep none that "
-            "is mended; not above `list_least_probability`"},
-    Setting{
-        "/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
-        range(0.0001, 1),
-        "share of the flags that may be false by the p-values that they rest on; 1 = odds alone "
-        "decide"},
+            "probability of a fault below which a loop leaves the list, however sure the other "
+            "loops are; not above `list_least_probability`"},
+    Setting{"/flags/false_discovery_rate", in_flags<&FlagSettings::false_discovery_rate>,
+            range(0.0001, 1),
+            "share of the flags that may be false by the p-values that they rest on; 1 = "
+            "probabilities alone decide"},
     Setting{"/flags/false_discovery_dependence",
             in_flags<&FlagSettings::false_discovery_dependence>, one_of(kDependences),
-            "of the tests of different loops; `arbitrary` is safe whatever they share, and costs "
-            "power"},
+            "dependence between the tests of different loops; `arbitrary` is safe whatever they "
+            "share, and costs power"},
     Setting{"/flags/min_confidence", in_flags<&FlagSettings::min_confidence>, range(0, 1),
-            "verdicts below are not flagged"},
+            "least confidence of a verdict that is flagged"},
 
     Setting{"/plant/round_s", in_plant<&PlantSettings::round_s>, range(0, 604800, "s"),
-            "between two comparisons of all loops with each other (shared oscillations); 0 = none"},
+            "interval between two comparisons of all loops with each other (plant-wide "
+            "oscillations); 0 = none"},
     Setting{
         "/plant/notice_s", in_plant<&PlantSettings::notice_s>, range(0, 86400, "s"),
         "interval between two checks for newly flagged loops, which NOTIFY announces; 0 = none"},
 
     Setting{"/discovery/patterns", in_discovery<&DiscoverySettings::patterns>, any(Form::text),
-            "of the tags of a loop, between semicolons, the first that fits counts; `*` is a part "
-            "of a name, `[./]` one of these characters"},
+            "patterns of the tags of a loop, between semicolons; the first that fits counts; `*` "
+            "is a part of a name, `[./]` one of these characters"},
     Setting{"/discovery/sp_words", in_discovery<&DiscoverySettings::sp_words>, any(Form::text),
             "words for the set point, between commas, the preferred one first"},
     Setting{"/discovery/pv_words", in_discovery<&DiscoverySettings::pv_words>, any(Form::text),
@@ -187,53 +185,58 @@ constexpr std::array kOtherSettings = {
     Setting{"/report/plant", in_report<&ReportSettings::plant>, any(Form::optional_text),
             "name of the plant in the titles of reports and pages"},
     Setting{"/report/folder", in_report<&ReportSettings::folder>, any(Form::optional_text),
-            "into which `run` writes a report every so often, an absolute path; empty = none"},
-    Setting{"/report/every_s", in_report<&ReportSettings::every_s>, range(60, 31622400, "s"),
-            "between two reports; counted from midnight UTC of 1970, so that a day is a day"},
+            "folder in which `run` writes reports, an absolute path; empty = none"},
+    Setting{
+        "/report/every_s", in_report<&ReportSettings::every_s>, range(60, 31622400, "s"),
+        "interval between two reports, counted from midnight UTC of 1970, so that a day is a day"},
     Setting{"/report/pdf", in_report<&ReportSettings::pdf>, any(Form::toggle),
-            "whether a PDF is made beside the page; wants WeasyPrint"},
+            "whether a PDF is made beside the page; needs WeasyPrint"},
     Setting{"/report/keep", in_report<&ReportSettings::keep>, range(1, 10000, "reports"),
-            "that stay in the folder; older ones are removed"},
+            "number of reports that are kept in the folder; older ones are removed"},
 
     Setting{"/analysis/window_samples", in_prepare<&PrepareSettings::window_samples>,
-            range(kFewestSamples, kMostSamples, "samples"), "that are analysed: the last ones"},
+            range(kFewestSamples, kMostSamples, "samples"),
+            "length of a window: the last samples before its end"},
     Setting{"/analysis/min_usable_samples", in_prepare<&PrepareSettings::min_usable_samples>,
-            range(kFewestSamples, kMostSamples, "samples"), "with fewer a window is not judged"},
+            range(kFewestSamples, kMostSamples, "samples"),
+            "fewest usable samples with which a window is judged"},
     Setting{"/analysis/max_missing_fraction", in_prepare<&PrepareSettings::max_missing_fraction>,
-            range(0, 0.9), "with more missing a window is not judged"},
+            range(0, 0.9), "largest share of missing samples with which a window is judged"},
     Setting{"/analysis/max_filled_gap", in_prepare<&PrepareSettings::max_filled_gap>,
-            range(0, 100, "samples"), "longest gap that a line may bridge"},
+            range(0, 100, "samples"), "longest gap that is filled by a straight line"},
     Setting{"/analysis/slow_span_windows", in_prepare<&PrepareSettings::slow_span_windows>,
             range(1, 16, "windows"),
-            "that are read at most for a slow oscillation; 1 = never more than the window"},
+            "longest history that is read for a slow oscillation; 1 = never more than the window"},
     Setting{"/analysis/fit_model", in_analysis<&AnalysisSettings::fit_model>, any(Form::toggle),
             "whether a loop model is fitted; false = statistics and shapes only"},
 
     Setting{"/analysis/hos/segment_length", in_hos<&Hos::segment_length>,
-            even_range(16, 4096, "samples"), "segment of the averaged estimates"},
-    Setting{"/analysis/hos/overlap", in_hos<&Hos::overlap>, range(0, 0.9),
+            even_range(bounds::kSegmentLength, "samples"),
+            "length of a segment of the averaged estimates"},
+    Setting{"/analysis/hos/overlap", in_hos<&Hos::overlap>, range(bounds::kOverlap),
             "share of a segment that the next one repeats; whole samples"},
     Setting{"/analysis/hos/window", in_hos<&Hos::window>, one_of(kWindowNames),
             "taper of a segment; `hann` is the paper's"},
-    Setting{"/analysis/hos/dft_length", in_hos<&Hos::dft_length>, even_range(16, 8192, "samples"),
-            "segments are padded to this; at least one segment"},
-    Setting{"/analysis/hos/alpha", in_hos<&Hos::alpha>, range(0.0001, 0.5),
-            "significance of the critical bicoherence"},
-    Setting{"/analysis/hos/ngi_threshold", in_hos<&Hos::ngi_threshold>, range(0, 1),
-            "NGI up to this counts as Gaussian"},
-    Setting{"/analysis/hos/nli_threshold", in_hos<&Hos::nli_threshold>, range(0, 1),
-            "NLI up to this counts as linear"},
-    Setting{"/analysis/hos/max_peaks", in_hos<&Hos::max_peaks>, range(0, 50, "peaks"),
-            "strongest distinct peaks to report"},
+    Setting{"/analysis/hos/dft_length", in_hos<&Hos::dft_length>,
+            even_range(bounds::kDftLength, "samples"),
+            "length to which segments are padded; at least one segment"},
+    Setting{"/analysis/hos/alpha", in_hos<&Hos::alpha>, range(bounds::kAlpha),
+            "significance level of the critical bicoherence"},
+    Setting{"/analysis/hos/ngi_threshold", in_hos<&Hos::ngi_threshold>, range(bounds::kThreshold),
+            "largest NGI that counts as Gaussian"},
+    Setting{"/analysis/hos/nli_threshold", in_hos<&Hos::nli_threshold>, range(bounds::kThreshold),
+            "largest NLI that counts as linear"},
+    Setting{"/analysis/hos/max_peaks", in_hos<&Hos::max_peaks>, range(bounds::kMaxPeaks, "peaks"),
+            "number of strongest distinct peaks that are reported"},
 
     Setting{"/analysis/oscillation/min_regularity",
             in_oscillation<&OscillationSettings::min_regularity>, range(0.1, 100),
-            "an oscillation is at least this regular: mean / (3 std) of its half periods"},
+            "least regularity of an oscillation: mean / (3 std) of its half periods"},
     Setting{"/analysis/oscillation/min_half_period_samples",
             in_oscillation<&OscillationSettings::min_half_period_samples>,
-            range(1, 1000, "samples"), "shorter half periods are noise"},
+            range(1, 1000, "samples"), "shortest half period that is not noise"},
     Setting{"/analysis/oscillation/min_cycles", in_oscillation<&OscillationSettings::min_cycles>,
-            range(1, 1000, "cycles"), "that the window has to hold"},
+            range(1, 1000, "cycles"), "fewest cycles of an oscillation within the window"},
 
     Setting{"/analysis/performance/min_delay_samples",
             in_performance<&PerformanceSettings::min_delay_samples>, range(1, 1000, "samples"),
@@ -247,34 +250,31 @@ constexpr std::array kOtherSettings = {
     Setting{"/analysis/decision/line", in_decision<&DecisionSettings::line>, range(0, 1),
             "least probability of a cause that is named"},
     Setting{"/analysis/priors/healthy", in_priors<&Priors::healthy>, kPrior,
-            "share of loops in which nothing is wrong; 0 = as in the loops of the fit"},
+            "share of loops in which nothing is wrong; 0 = that of the fit"},
     Setting{"/analysis/priors/valve_stiction", in_priors<&Priors::valve_stiction>, kPrior,
-            "share of loops in which the valve sticks; 0 = as in the loops of the fit"},
+            "share of loops in which the valve sticks; 0 = that of the fit"},
     Setting{"/analysis/priors/valve_deadband", in_priors<&Priors::valve_deadband>, kPrior,
-            "share of loops in which the valve has dead band; 0 = as in the loops of the fit"},
+            "share of loops in which the valve has dead band; 0 = that of the fit"},
     Setting{"/analysis/priors/valve_saturation", in_priors<&Priors::valve_saturation>, kPrior,
-            "share of loops in which the output meets a limit; 0 = as in the loops of the fit"},
+            "share of loops in which the output meets a limit; 0 = that of the fit"},
     Setting{"/analysis/priors/valve_characteristic", in_priors<&Priors::valve_characteristic>,
             kPrior,
-            "share of loops in which the valve's characteristic is curved; 0 = as in the loops of "
-            "the fit"},
+            "share of loops in which the valve's characteristic is curved; 0 = that of the fit"},
     Setting{"/analysis/priors/valve_oversized", in_priors<&Priors::valve_oversized>, kPrior,
-            "share of loops in which the valve is too large; 0 = as in the loops of the fit"},
+            "share of loops in which the valve is too large; 0 = that of the fit"},
     Setting{"/analysis/priors/process_nonlinearity", in_priors<&Priors::process_nonlinearity>,
-            kPrior,
-            "share of loops in which the process is nonlinear; 0 = as in the loops of the fit"},
+            kPrior, "share of loops in which the process is nonlinear; 0 = that of the fit"},
     Setting{"/analysis/priors/external_disturbance", in_priors<&Priors::external_disturbance>,
             kPrior,
-            "share of loops in which something reaches the loop from outside; 0 = as in the loops "
-            "of the fit"},
+            "share of loops in which something reaches the loop from outside; 0 = that of the fit"},
     Setting{"/analysis/priors/process_change", in_priors<&Priors::process_change>, kPrior,
-            "share of loops in which the process changes; 0 = as in the loops of the fit"},
+            "share of loops in which the process changes; 0 = that of the fit"},
     Setting{"/analysis/priors/sensor_fault", in_priors<&Priors::sensor_fault>, kPrior,
-            "share of loops in which the measurement is faulty; 0 = as in the loops of the fit"},
+            "share of loops in which the measurement is faulty; 0 = that of the fit"},
     Setting{"/analysis/priors/tight_tuning", in_priors<&Priors::tight_tuning>, kPrior,
-            "share of loops in which the controller is too tight; 0 = as in the loops of the fit"},
+            "share of loops in which the controller is too tight; 0 = that of the fit"},
     Setting{"/analysis/priors/sluggish_tuning", in_priors<&Priors::sluggish_tuning>, kPrior,
-            "share of loops in which the controller is too slow; 0 = as in the loops of the fit"},
+            "share of loops in which the controller is too slow; 0 = that of the fit"},
 };
 
 /// In the order of the documentation: the historians stand after the results.

@@ -1,20 +1,29 @@
 #include "core/hos/transforms/settings.hpp"
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace loopscope::core::hos {
 namespace {
 
-void require(bool in_range, const char* what) {
-  if (!in_range) {
-    throw std::invalid_argument(std::string("higher-order statistics: ") + what);
-  }
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument("higher-order statistics: " + what);
 }
 
-// Written so that NaN is out of every range.
-bool within(double value, double low, double high) {
-  return value >= low && value <= high;
+std::string text(double number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+void require_within(const Bounds& bounds, double value, const std::string& setting) {
+  require(bounds.hold(value),
+          setting + " must lie within " + text(bounds.least) + " to " + text(bounds.largest));
+}
+
+void require_even(std::size_t value, const std::string& setting) {
+  require(value % 2 == 0, setting + " must be even");
 }
 
 }  // namespace
@@ -34,17 +43,19 @@ std::string_view name(WindowShape shape) {
 }
 
 void validate(const Settings& settings) {
-  const std::size_t segment = settings.segment_length;
-  const std::size_t dft = settings.dft_length;
-  require(segment >= 16 && segment <= 4096 && segment % 2 == 0,
-          "segment_length must be even and lie within 16 to 4096 samples");
-  require(within(settings.overlap, 0.0, 0.9), "overlap must lie within 0 to 0.9");
-  require(dft >= segment && dft <= 8192 && dft % 2 == 0,
-          "dft_length must be even and lie within segment_length to 8192");
-  require(within(settings.alpha, 0.0001, 0.5), "alpha must lie within 0.0001 to 0.5");
-  require(within(settings.ngi_threshold, 0.0, 1.0), "ngi_threshold must lie within 0 to 1");
-  require(within(settings.nli_threshold, 0.0, 1.0), "nli_threshold must lie within 0 to 1");
-  require(settings.max_peaks <= 50, "max_peaks must lie within 0 to 50");
+  require_within(bounds::kSegmentLength, static_cast<double>(settings.segment_length),
+                 "segment_length (samples)");
+  require_even(settings.segment_length, "segment_length");
+  require_within(bounds::kOverlap, settings.overlap, "overlap");
+  require_within(bounds::kDftLength, static_cast<double>(settings.dft_length),
+                 "dft_length (samples)");
+  require_even(settings.dft_length, "dft_length");
+  require(settings.dft_length >= settings.segment_length,
+          "dft_length must not be less than segment_length");
+  require_within(bounds::kAlpha, settings.alpha, "alpha");
+  require_within(bounds::kThreshold, settings.ngi_threshold, "ngi_threshold");
+  require_within(bounds::kThreshold, settings.nli_threshold, "nli_threshold");
+  require_within(bounds::kMaxPeaks, static_cast<double>(settings.max_peaks), "max_peaks");
 }
 
 }  // namespace loopscope::core::hos
