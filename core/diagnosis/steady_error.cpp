@@ -8,7 +8,7 @@
 #include "core/hos/linear/draw_missing.hpp"
 #include "core/hos/linear/stationary_stretch.hpp"
 #include "core/hos/transforms/segments.hpp"
-#include "core/loop/setpoint_answer.hpp"
+#include "core/loop/setpoint_response.hpp"
 #include "core/signal/setpoint_steps.hpp"
 
 namespace loopscope::core {
@@ -30,7 +30,7 @@ SteadyError without_steps(const signal::PreparedLoop& loop, const hos::Settings&
   }
   SteadyError moving =
       of(loop.drawable.error.empty() ? loop.error : loop.drawable.error, "sp_moving");
-  moving.residual = loop::without_setpoint_answer(moving.error, loop.sp);
+  moving.residual = loop::without_setpoint_response(moving.error, loop.sp);
   return moving;
 }
 
@@ -78,7 +78,7 @@ SteadyError steady_error(const signal::PreparedLoop& loop, const hos::Settings& 
   if (!loop.drawable.low.empty()) {
     steady.error = hos::draw_missing(steady.error, {loop.drawable.low, loop.drawable.high}, seed);
     if (!steady.residual.empty())
-      steady.residual = loop::without_setpoint_answer(steady.error, loop.sp);
+      steady.residual = loop::without_setpoint_response(steady.error, loop.sp);
   }
   keep_stationary(settings, steady);
   refuse_unanswered(steady);

@@ -17,7 +17,7 @@ inline constexpr std::size_t kMinSegments = 15;
 struct SteadyError {
   signal::Samples error;
   /// The error less the loop's linear answer to its setpoint, where that moves too often to be left
-  /// out (core/loop/setpoint_answer.hpp): what the tests are made on. Empty = `error`.
+  /// out (core/loop/setpoint_response.hpp): what the tests are made on. Empty = `error`.
   signal::Samples residual;
   const char* flag = nullptr;  ///< sp_steps_masked or sp_moving; nullptr = sp makes no steps
   bool stationary = true;      ///< false: see stretch, or refusal

@@ -10,9 +10,9 @@
 #include "core/model/effects/external_oscillation.hpp"
 #include "core/model/effects/gain_change.hpp"
 #include "core/model/effects/load_step.hpp"
-#include "core/model/effects/root_outflow.hpp"
 #include "core/model/effects/saturation.hpp"
-#include "core/model/fit/load_marks.hpp"
+#include "core/model/effects/square_root_outflow.hpp"
+#include "core/model/fit/load_signatures.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -116,7 +116,7 @@ std::vector<EffectPtr> nominate_static(EffectKind kind, const LoopData& data) {
     if (!data.without.keeps(Mechanism::root_outflow)) return result;
     // A shallow vessel and a deep one; deeper ones are straight.
     for (const double reaches : {1.0, 2.5})
-      result.push_back(std::make_shared<RootOutflow>(reaches * reach_of(data)));
+      result.push_back(std::make_shared<SquareRootOutflow>(reaches * reach_of(data)));
   }
   return result;
 }
@@ -144,8 +144,8 @@ std::vector<EffectPtr> nominate_gain_changes(const LoopData& data, const Fit& fi
   }
   result.push_back(std::make_shared<GainChange>(0, n));
   result.push_back(std::make_shared<GainChange>(n / 4, 3 * n / 4));
-  for (const LoadMark& mark : {input_load_mark(fit.structure, data.grid),
-                               output_load_mark(fit.structure.noise, data.grid)}) {
+  for (const LoadSignature& mark : {input_load_signature(fit.structure, data.grid),
+                                    output_load_signature(fit.structure.noise, data.grid)}) {
     for (const std::size_t row : places_of(mark, fit.innovations, data.grid)) {
       const std::size_t at = data.grid.sample_of(row);
       if (at >= GainChange::kEarliest) result.push_back(std::make_shared<GainChange>(at, at));
@@ -155,7 +155,7 @@ std::vector<EffectPtr> nominate_gain_changes(const LoopData& data, const Fit& fi
 }
 
 std::vector<EffectPtr> nominate_load_steps(const LoopData& data, const Fit& fit) {
-  const LoadMark mark = output_load_mark(fit.structure.noise, data.grid);
+  const LoadSignature mark = output_load_signature(fit.structure.noise, data.grid);
   std::vector<EffectPtr> result;
   const std::size_t earliest = rows_under_the_past(data, fit);
   for (const std::size_t row : places_of(mark, fit.innovations, data.grid, earliest)) {

@@ -8,11 +8,11 @@ namespace loopscope::core::model {
 /// both rise with the level.
 ///
 ///     T dx/dt = f - 2 D (sqrt(1 + x / D) - 1)
-class RootOutflow final : public Effect {
+class SquareRootOutflow final : public Effect {
  public:
   /// `depth_percent` D: the level over the empty vessel, as the flow (% of op) that would raise it
   /// so far at the slope it has at rest; negative = gain and time constant fall with the level.
-  explicit RootOutflow(double depth_percent) : depth_(depth_percent) {}
+  explicit SquareRootOutflow(double depth_percent) : depth_(depth_percent) {}
 
   [[nodiscard]] EffectKind kind() const override { return EffectKind::process_nonlinearity; }
   [[nodiscard]] std::size_t column_count() const override { return 1; }

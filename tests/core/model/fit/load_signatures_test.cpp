@@ -1,4 +1,4 @@
-#include "core/model/fit/load_marks.hpp"
+#include "core/model/fit/load_signatures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ Structure lagged() {
 }
 
 /// White noise of deviation one with the mark of a load of eight at each of the places.
-tests::Series marked(const LoadMark& mark, const std::vector<std::size_t>& places) {
+tests::Series marked(const LoadSignature& mark, const std::vector<std::size_t>& places) {
   tests::Series innovations = tests::white_noise(2000, 3);
   for (const std::size_t at : places) {
     for (std::size_t j = 0; j < mark.size(); ++j) innovations[at + j] += 8.0 * mark[j];
@@ -24,15 +24,16 @@ tests::Series marked(const LoadMark& mark, const std::vector<std::size_t>& place
   return innovations;
 }
 
-TEST(LoadMarks, StartAtTheLoadsOwnSample) {
-  EXPECT_EQ(output_load_mark(kNoise).front(), 1.0);
+TEST(LoadSignatures, StartAtTheLoadsOwnSample) {
+  EXPECT_EQ(output_load_signature(kNoise).front(), 1.0);
   // One lag of pole 0.8 lets a fifth of it through at once.
-  EXPECT_NEAR(input_load_mark(lagged()).front(), 0.2, 1e-12);
+  EXPECT_NEAR(input_load_signature(lagged()).front(), 0.2, 1e-12);
 }
 
-TEST(LoadMarks, AreFoundWhereTheyAre) {
+TEST(LoadSignatures, AreFoundWhereTheyAre) {
   const std::vector<std::size_t> truth = {300, 900, 1500};
-  for (const LoadMark& mark : {output_load_mark(kNoise), input_load_mark(lagged())}) {
+  for (const LoadSignature& mark :
+       {output_load_signature(kNoise), input_load_signature(lagged())}) {
     std::vector<std::size_t> found = places_of(mark, marked(mark, truth));
     std::ranges::sort(found);
     ASSERT_EQ(found.size(), truth.size());
@@ -41,10 +42,10 @@ TEST(LoadMarks, AreFoundWhereTheyAre) {
   }
 }
 
-TEST(LoadMarks, NothingIsFoundInNothing) {
-  EXPECT_TRUE(places_of(output_load_mark(kNoise), tests::Series(500, 0.0)).empty());
-  EXPECT_TRUE(places_of(output_load_mark(kNoise), {}).empty());
-  EXPECT_TRUE(places_of(output_load_mark(kNoise), tests::Series(30, 1.0)).empty());
+TEST(LoadSignatures, NothingIsFoundInNothing) {
+  EXPECT_TRUE(places_of(output_load_signature(kNoise), tests::Series(500, 0.0)).empty());
+  EXPECT_TRUE(places_of(output_load_signature(kNoise), {}).empty());
+  EXPECT_TRUE(places_of(output_load_signature(kNoise), tests::Series(30, 1.0)).empty());
 }
 
 }  // namespace

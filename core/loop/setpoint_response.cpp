@@ -1,4 +1,4 @@
-#include "core/loop/setpoint_answer.hpp"
+#include "core/loop/setpoint_response.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -106,7 +106,7 @@ Eigen::VectorXd find_answer(const Series& series) {
 
 }  // namespace
 
-signal::Samples without_setpoint_answer(const signal::Samples& error, const signal::Samples& sp) {
+signal::Samples without_setpoint_response(const signal::Samples& error, const signal::Samples& sp) {
   if (sp.size() != error.size()) return {};
   const Series series = series_of(error, sp);
   if (std::ssize(series.usable) < kFewestPerColumn * kColumns) return {};

@@ -15,7 +15,7 @@ namespace loopscope::core::loop {
 ///
 /// Empty when the setpoint does not move, when too little is recorded in one piece, or when no
 /// answer makes the error smaller.
-[[nodiscard]] signal::Samples without_setpoint_answer(const signal::Samples& error,
-                                                      const signal::Samples& sp);
+[[nodiscard]] signal::Samples without_setpoint_response(const signal::Samples& error,
+                                                        const signal::Samples& sp);
 
 }  // namespace loopscope::core::loop

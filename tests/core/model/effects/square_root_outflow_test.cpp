@@ -1,4 +1,4 @@
-#include "core/model/effects/root_outflow.hpp"
+#include "core/model/effects/square_root_outflow.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -31,35 +31,35 @@ Structure structure(std::vector<EffectPtr> effects) {
   return tests::structure_of(tests::one_lag(std::exp(-1.0 / kTimeConstant), 1), effects);
 }
 
-TEST(RootOutflow, LowersTheErrorOfAVessel) {
+TEST(SquareRootOutflow, LowersTheErrorOfAVessel) {
   const LoopData data = vessel(60.0);
   const double straight = evaluate(data, structure({})).score_error;
-  const Fit fit = evaluate(data, structure({std::make_shared<RootOutflow>(60.0)}));
+  const Fit fit = evaluate(data, structure({std::make_shared<SquareRootOutflow>(60.0)}));
   EXPECT_LT(fit.score_error, 0.01 * straight);
 }
 
-TEST(RootOutflow, RefiningFindsTheCurvature) {
+TEST(SquareRootOutflow, RefiningFindsTheCurvature) {
   const LoopData data = vessel(60.0);
   const Fit fit =
-      refine_last(data, evaluate(data, structure({std::make_shared<RootOutflow>(40.0)})));
+      refine_last(data, evaluate(data, structure({std::make_shared<SquareRootOutflow>(40.0)})));
   // x = f + f^2 / (4 D), and c / 50 = 1 / (4 D) at gain 1.
   EXPECT_NEAR(tests::value_of(tests::last_parameters(data, fit), "curvature"), 50.0 / 240.0, 0.03);
 }
 
-TEST(RootOutflow, ADeepVesselIsStraight) {
+TEST(SquareRootOutflow, ADeepVesselIsStraight) {
   const ProcessShape shape = tests::one_lag(0.9, 2);
   const tests::Series flow = tests::sum(tests::stepping_op(500, 1), tests::Series(500, -50.0));
   const tests::Series response = answer(shape, flow);
   std::vector<Column> columns;
-  RootOutflow(1e8).add_columns({flow, response, shape}, columns);
+  SquareRootOutflow(1e8).add_columns({flow, response, shape}, columns);
   for (const double value : columns.front()) EXPECT_NEAR(value, 0.0, 1e-4);
 }
 
-TEST(RootOutflow, ColumnsNeighboursAndWords) {
-  tests::expect_columns(RootOutflow(50.0));
-  tests::expect_columns(RootOutflow(5.0));
-  tests::expect_neighbours(RootOutflow(50.0));
-  tests::expect_words(RootOutflow(50.0), {{"curvature", "", 0.4, {}, {}}});
+TEST(SquareRootOutflow, ColumnsNeighboursAndWords) {
+  tests::expect_columns(SquareRootOutflow(50.0));
+  tests::expect_columns(SquareRootOutflow(5.0));
+  tests::expect_neighbours(SquareRootOutflow(50.0));
+  tests::expect_words(SquareRootOutflow(50.0), {{"curvature", "", 0.4, {}, {}}});
 }
 
 }  // namespace

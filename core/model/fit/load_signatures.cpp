@@ -1,4 +1,4 @@
-#include "core/model/fit/load_marks.hpp"
+#include "core/model/fit/load_signatures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ std::vector<double> step_of(std::size_t length) {
   return step;
 }
 
-LoadMark whitened(const NoiseModel& noise, std::vector<double> load) {
+LoadSignature whitened(const NoiseModel& noise, std::vector<double> load) {
   whiten(noise, load, load);
   load.erase(load.begin());
   return load;
@@ -31,7 +31,7 @@ LoadMark whitened(const NoiseModel& noise, std::vector<double> load) {
 
 /// The size of the product at every row at which the whole mark has room. Before the first ones the
 /// innovations still know of the start of the record.
-std::vector<double> match_of(const LoadMark& mark, const std::vector<double>& innovations,
+std::vector<double> match_of(const LoadSignature& mark, const std::vector<double>& innovations,
                              std::size_t first) {
   std::vector<double> match(innovations.size(), 0.0);
   for (std::size_t k = first; k + mark.size() < innovations.size(); ++k) {
@@ -44,11 +44,11 @@ std::vector<double> match_of(const LoadMark& mark, const std::vector<double>& in
 
 }  // namespace
 
-LoadMark output_load_mark(const NoiseModel& noise, const RowGrid& grid) {
+LoadSignature output_load_signature(const NoiseModel& noise, const RowGrid& grid) {
   return whitened(noise, step_of(rows_of_mark(grid, kOutputLength)));
 }
 
-LoadMark input_load_mark(const Structure& structure, const RowGrid& grid) {
+LoadSignature input_load_signature(const Structure& structure, const RowGrid& grid) {
   ProcessShape undelayed = structure.process;
   undelayed.delay_samples = 0;
   const std::size_t samples = rows_of_mark(grid, kInputLength) * grid.samples_per_row;
@@ -56,8 +56,9 @@ LoadMark input_load_mark(const Structure& structure, const RowGrid& grid) {
                   at_rows({grid.samples_per_row, 0}, answer(undelayed, step_of(samples))));
 }
 
-std::vector<std::size_t> places_of(const LoadMark& mark, const std::vector<double>& innovations,
-                                   const RowGrid& grid, std::size_t earliest_row) {
+std::vector<std::size_t> places_of(const LoadSignature& mark,
+                                   const std::vector<double>& innovations, const RowGrid& grid,
+                                   std::size_t earliest_row) {
   constexpr std::size_t kPlaces = 3;
   constexpr std::ptrdiff_t kApart = 20;
   const std::size_t warm_up = warm_up_rows(grid, innovations.size());

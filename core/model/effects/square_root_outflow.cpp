@@ -1,4 +1,4 @@
-#include "core/model/effects/root_outflow.hpp"
+#include "core/model/effects/square_root_outflow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ double filled(double level, double inflow, double depth, double rate) {
 
 }  // namespace
 
-void RootOutflow::add_columns(const Signals& signals, std::vector<Column>& columns) const {
+void SquareRootOutflow::add_columns(const Signals& signals, std::vector<Column>& columns) const {
   Column column = inflow(signals.process, signals.flow);
   const double pole = vessel_pole(signals.process);
   const double rate = -std::log(std::max(pole, 1e-6));
@@ -55,15 +55,15 @@ void RootOutflow::add_columns(const Signals& signals, std::vector<Column>& colum
   columns.push_back(std::move(column));
 }
 
-std::vector<EffectPtr> RootOutflow::neighbours(double scale) const {
+std::vector<EffectPtr> SquareRootOutflow::neighbours(double scale) const {
   constexpr double kMove = 0.5;  // of the logarithm
-  return {std::make_shared<RootOutflow>(depth_ * std::exp(kMove * scale)),
-          std::make_shared<RootOutflow>(depth_ * std::exp(-kMove * scale))};
+  return {std::make_shared<SquareRootOutflow>(depth_ * std::exp(kMove * scale)),
+          std::make_shared<SquareRootOutflow>(depth_ * std::exp(-kMove * scale))};
 }
 
-std::vector<Parameter> RootOutflow::parameters(const LoopData& data,
-                                               std::span<const double> coefficients,
-                                               double gain) const {
+std::vector<Parameter> SquareRootOutflow::parameters(const LoopData& data,
+                                                     std::span<const double> coefficients,
+                                                     double gain) const {
   // At rest x = f + f^2 / (4 D): as in curvature.cpp, c / 50 = s / g^2.
   const double square = coefficients[0] / (4.0 * depth_) * data.pv_scale;
   const double real_gain = gain * data.pv_scale;
@@ -71,7 +71,7 @@ std::vector<Parameter> RootOutflow::parameters(const LoopData& data,
   return {{"curvature", "", curvature, {}, {}}};
 }
 
-std::string RootOutflow::words(std::span<const Parameter> parameters) const {
+std::string SquareRootOutflow::words(std::span<const Parameter> parameters) const {
   return "The process behaves as a vessel whose outflow grows with the square root of its level: "
          "curvature " +
          in_digits(parameters[0].value) +

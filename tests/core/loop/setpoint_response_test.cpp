@@ -1,4 +1,4 @@
-#include "core/loop/setpoint_answer.hpp"
+#include "core/loop/setpoint_response.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -41,12 +41,12 @@ double mean_square(const signal::Samples& values) {
   return sum / count;
 }
 
-TEST(SetpointAnswer, WhatIsLeftIsTheErrorOfTheLoopAtRest) {
+TEST(SetpointResponse, WhatIsLeftIsTheErrorOfTheLoopAtRest) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const auto moved = moved_loop(20, 3.0, seed);
     const auto rested = simulate::control_error(moved_loop(0, 0.0, seed));
     const auto error = simulate::control_error(moved);
-    auto left = without_setpoint_answer(error, moved.sp);
+    auto left = without_setpoint_response(error, moved.sp);
     ASSERT_EQ(left.size(), error.size());
     EXPECT_GT(mean_square(error), 8.0 * mean_square(rested));
     for (std::size_t t = 0; t < left.size(); ++t) left[t] -= rested[t];
@@ -57,7 +57,7 @@ TEST(SetpointAnswer, WhatIsLeftIsTheErrorOfTheLoopAtRest) {
 
 /// Tests of the error itself find 7 of 10 well tuned loops nonlinear that are moved every 20
 /// samples.
-TEST(SetpointAnswer, TestsOfWhatIsLeftHoldTheirLevel) {
+TEST(SetpointResponse, TestsOfWhatIsLeftHoldTheirLevel) {
   const auto records = static_cast<std::uint64_t>(loopscope::tests::records(100));
   for (const auto& loop : {simulate::well_tuned_loop(), simulate::excessive_integral_loop()}) {
     for (const std::size_t every : {20U, 70U}) {
@@ -66,7 +66,7 @@ TEST(SetpointAnswer, TestsOfWhatIsLeftHoldTheirLevel) {
       for (std::uint64_t seed = 1; seed <= records; ++seed) {
         const auto moved = moved_loop(every, 3.0, seed, loop);
         const auto error = simulate::control_error(moved);
-        const auto left = without_setpoint_answer(error, moved.sp);
+        const auto left = without_setpoint_response(error, moved.sp);
         ASSERT_FALSE(left.empty());
         found += *hos::analyse(error, left, {}, seed)->nonlinear_p <= 0.05 ? 1.0 : 0.0;
         if (seed <= 10) of_error += *hos::analyse(error, {}, seed)->nonlinear_p <= 0.05 ? 1.0 : 0.0;
@@ -79,28 +79,28 @@ TEST(SetpointAnswer, TestsOfWhatIsLeftHoldTheirLevel) {
   }
 }
 
-TEST(SetpointAnswer, GapsAreLeftOut) {
+TEST(SetpointResponse, GapsAreLeftOut) {
   auto moved = moved_loop(20, 3.0, 4);
   auto error = simulate::control_error(moved);
   for (std::size_t t = 1000; t < 1300; ++t) {
     error[t] = std::numeric_limits<double>::quiet_NaN();
     moved.sp[t] = std::numeric_limits<double>::quiet_NaN();
   }
-  const auto left = without_setpoint_answer(error, moved.sp);
+  const auto left = without_setpoint_response(error, moved.sp);
   ASSERT_EQ(left.size(), error.size());
   EXPECT_TRUE(std::isnan(left[1100]));
   EXPECT_LT(mean_square(left), 0.3 * mean_square(error));
 }
 
-TEST(SetpointAnswer, WithoutMovesOrSetpointThereIsNone) {
+TEST(SetpointResponse, WithoutMovesOrSetpointThereIsNone) {
   const auto rested = moved_loop(0, 0.0, 5);
   const auto error = simulate::control_error(rested);
-  EXPECT_TRUE(without_setpoint_answer(error, rested.sp).empty());
-  EXPECT_TRUE(without_setpoint_answer(error, {}).empty());
+  EXPECT_TRUE(without_setpoint_response(error, rested.sp).empty());
+  EXPECT_TRUE(without_setpoint_response(error, {}).empty());
   const auto moved = moved_loop(20, 3.0, 5);
   const signal::Samples short_error(error.begin(), error.begin() + 300);
   const signal::Samples short_sp(moved.sp.begin(), moved.sp.begin() + 300);
-  EXPECT_TRUE(without_setpoint_answer(short_error, short_sp).empty()) << "too short for the fit";
+  EXPECT_TRUE(without_setpoint_response(short_error, short_sp).empty()) << "too short for the fit";
 }
 
 }  // namespace
