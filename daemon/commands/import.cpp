@@ -190,7 +190,7 @@ void add_import(CLI::App& program) {
       ->check(CLI::PositiveNumber);
   command.add_option(
       "--end", options->end,
-      "Time of the last sample of a file with t_s (default: the loop's newest slot)");
+      "Time of the last sample of a file with t_s (default: the end of the loop's newest window)");
   command.add_flag("--create-table", options->create_table,
                    "Create the historian's table if missing");
   command.add_flag("--replace", options->replace, "Replace rows of the same tags and times");

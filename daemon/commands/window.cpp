@@ -89,7 +89,7 @@ void add_window(CLI::App& program) {
   command.add_option("--config", options->config, "Settings file")->required();
   command.add_option("--loop", options->loop, "Loop of the catalogue")->required();
   command.add_option("--end", options->end,
-                     "A time in the slot that ends before it (default: the newest slot)");
+                     "Time before which the window ends (default: the newest window)");
   command.add_option("--out", options->out, "File to write (default: standard output)");
   command.callback([options] { write_window(*options); });
 }

@@ -53,7 +53,7 @@ struct Metrics::Impl {
   Family<Counter>& loops =
       counters(registry, "loopscope_loops_total", "Loops brought to their end, by what came of it");
   Family<Counter>& stages = counters(registry, "loopscope_stage_seconds_total",
-                                     "Time of the lanes by stage, summed over lanes");
+                                     "Time of the worker threads by stage, summed over threads");
   Family<Histogram>& batches =
       histograms(registry, "loopscope_batch_seconds", "Time from the claim of a batch to its end");
   Family<Counter>& values =
@@ -67,7 +67,7 @@ struct Metrics::Impl {
   Family<Gauge>& lag =
       gauges(registry, "loopscope_lag_seconds", "Age of the most overdue loop; 0 = none is");
   Family<Gauge>& failing =
-      gauges(registry, "loopscope_failing_loops", "Enabled loops whose last visit failed");
+      gauges(registry, "loopscope_failing_loops", "Enabled loops whose last analysis failed");
   Family<Gauge>& months = gauges(registry, "loopscope_partition_months_ahead",
                                  "Months after the running one that have their partitions");
   Family<Gauge>& default_rows =

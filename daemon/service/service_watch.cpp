@@ -180,7 +180,7 @@ void ServiceWatch::recall_stray(ResultsLink& link, double settle_s) {
       [&](storage::ResultsDatabase& database) { return database.recall_stray(settle_s); });
   if (count > 0)
     spdlog::warn(
-        "{} loops were put off beyond their period, or had slots in the future: the clock of the "
+        "{} loops were put off beyond their period, or had windows in the future: the clock of the "
         "results database was ahead, or a period has become shorter; they go on now",
         count);
 }

@@ -89,8 +89,8 @@ std::vector<Figure> history_figures(History history) {
               (k + 1 == count ? time_axis(from, to) : silent_time_axis(from, to)) +
               value_axis(0.0, top_of(history, shown), shown.label) + plot(shown);
   }
-  Figure figure{"Indices over time, one point a slot",
-                "NGI, NLI, Harris index and spread of the error of past slots",
+  Figure figure{"Indices over time, one point per window",
+                "NGI, NLI, Harris index and spread of the error in past windows",
                 script + "unset multiplot\n"};
   figure.height = kHeight;
   return {figure};

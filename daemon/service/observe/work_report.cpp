@@ -32,7 +32,7 @@ std::string count_text(const storage::WriteCount& count) {
     text += fmt::format(", {} could not be judged (loopscope.data_problem)", count.not_judged);
   }
   if (count.revised_earlier > 0) {
-    text += fmt::format(", {} earlier slots revised", count.revised_earlier);
+    text += fmt::format(", {} earlier windows revised", count.revised_earlier);
   }
   if (count.fenced_off > 0) text += fmt::format(", {} taken over by others", count.fenced_off);
   return text;

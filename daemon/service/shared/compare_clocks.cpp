@@ -44,7 +44,7 @@ void tell(const KnownClocks::State& state, SharedServices& tools) {
                                    {"host", state.host.ahead_s, judgement.host_is_wrong}};
   for (const ClockReading& historian : state.historians) {
     const bool is_wrong = is_among(historian, judgement.wrong_historians);
-    tell(historian, is_wrong, "its slots end at its newest rows", tools);
+    tell(historian, is_wrong, "its windows end at its newest rows", tools);
     figures.push_back({historian.clock, historian.ahead_s, is_wrong});
   }
   tools.metrics.set_clocks(figures);
