@@ -128,13 +128,11 @@ std::string title_of(const std::string& plant) {
 
 std::string page_of(const Content& content) {
   const PlantFacts& facts = content.facts;
-  std::string text = plant_section(facts, LoopLinks::sections);
-  for (const LoopReport& story : content.stories) text += loop_section(story);
-  return page(
-      {title_of(facts.plant),
-       fmt::format("Loopscope report, {} to {}", utc(facts.since_us), utc(facts.counts.now_us)),
-       ""},
-      text);
+  std::vector<Markup> sections = {plant_section(facts, LoopLinks::sections)};
+  for (const LoopReport& story : content.stories) sections.push_back(loop_section(story));
+  return page({title_of(facts.plant), fmt::format("Loopscope report, {} to {}", utc(facts.since_us),
+                                                  utc(facts.counts.now_us))},
+              sections);
 }
 
 void make_folder(const std::filesystem::path& folder) {

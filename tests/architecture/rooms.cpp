@@ -39,7 +39,7 @@ const std::array kRooms = {
     Room{"daemon",
          kBelowTheDaemon,
          {"Asio", "spdlog", "fmt", "CLI11", "nlohmann-json", "date", "Boost.Beast",
-          "prometheus-cpp", "zlib", "libsystemd"},
+          "prometheus-cpp", "zlib", "libsystemd", "mustache"},
          false,
          true},
 };
@@ -70,6 +70,7 @@ constexpr std::array kLibraries = {
     Library{"Boost.Beast", "boost/asio/buffer.hpp"},  // what its parser reads from
     Library{"zlib", "zlib.h"},
     Library{"libsystemd", "systemd/"},
+    Library{"mustache", "kainjow/"},
     Library{"GoogleTest", "gtest/"},
     Library{"GoogleTest", "gmock/"},
 };

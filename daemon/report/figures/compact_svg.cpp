@@ -4,8 +4,7 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <iterator>
-
-#include "daemon/report/text/html_text.hpp"
+#include <utility>
 
 namespace loopscope::daemon {
 namespace {
@@ -103,7 +102,7 @@ std::string compact_svg(std::string_view document) {
   return with_short_paths(svg);
 }
 
-std::string svg_uri(std::string_view svg) {
+Markup svg_uri(std::string_view svg) {
   std::string uri = "data:image/svg+xml,";
   for (const char c : svg) {
     if (c == '"')
@@ -113,14 +112,7 @@ std::string svg_uri(std::string_view svg) {
     else
       uri += c;
   }
-  return uri;
-}
-
-std::string picture_html(const Picture& picture) {
-  return fmt::format(
-      "<figure><figcaption>{}</figcaption><img src=\"{}\" width=\"{}\" height=\"{}\" "
-      "alt=\"{}\"></figure>\n",
-      html(picture.title), svg_uri(picture.svg), picture.width, picture.height, html(picture.alt));
+  return Markup(std::move(uri));
 }
 
 }  // namespace loopscope::daemon

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/report/figures/figure.hpp"
+#include "daemon/report/page/fields.hpp"
 
 namespace loopscope::daemon {
 
@@ -15,9 +15,6 @@ namespace loopscope::daemon {
 
 /// An SVG as the value of an attribute in double quotes: a data URI with as few escapes as there
 /// can be, which is a quarter shorter than base64.
-[[nodiscard]] std::string svg_uri(std::string_view svg);
-
-/// A picture with its title above it.
-[[nodiscard]] std::string picture_html(const Picture& picture);
+[[nodiscard]] Markup svg_uri(std::string_view svg);
 
 }  // namespace loopscope::daemon

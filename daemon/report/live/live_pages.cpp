@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "daemon/report/page/page_frame.hpp"
+#include "daemon/report/page/template.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::daemon {
@@ -18,10 +19,8 @@ HttpAnswer page_answer(int status, std::string text) {
 
 /// Which server, and what it said, is the log's to tell: a page may be read by many.
 HttpAnswer away() {
-  HttpAnswer answer = page_answer(
-      503, page({"Loopscope", "the results database does not answer", ""},
-                "<p class=\"trouble\">The results database does not answer: nothing can be shown "
-                "before it does. The log and <a href=\"/readyz\">/readyz</a> say more.</p>\n"));
+  HttpAnswer answer = page_answer(503, page({"Loopscope", "the results database does not answer"},
+                                            {render("results_away", {})}));
   answer.headers.emplace("Retry-After", "10");
   return answer;
 }

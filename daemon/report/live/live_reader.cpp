@@ -5,9 +5,9 @@
 #include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/loop_report.hpp"
 #include "daemon/report/page/page_frame.hpp"
+#include "daemon/report/page/template.hpp"
 #include "daemon/report/sections/loop_list.hpp"
 #include "daemon/report/sections/plant_section.hpp"
-#include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
@@ -19,18 +19,13 @@ namespace {
 /// What is new on a page without a beginning of its own.
 constexpr std::int64_t kNewWithinUs = std::int64_t{7} * 86'400 * 1'000'000;
 constexpr std::size_t kMostSeen = 8;
-constexpr const char* kNavigation =
-    "<nav><a href=\"/\">Plant</a><a href=\"/loops\">All loops</a></nav>";
 
 std::string titled(const std::string& plant, const std::string& words) {
   return plant.empty() ? words : plant + ": " + words;
 }
 
 LivePage no_such_loop(const std::string& name) {
-  return {page({"No such loop", "", kNavigation},
-               "<p class=\"trouble\">The catalogue has no loop named <bdi>" + html(name) +
-                   "</bdi>, or it was never analysed.</p>\n"),
-          false};
+  return {page({"No such loop", "", true}, {render("no_such_loop", {{"name", name}})}), false};
 }
 
 }  // namespace
@@ -61,17 +56,17 @@ PlantFacts LiveReader::plant_facts() const {
 LivePage LiveReader::plant(const std::stop_token& stop) {
   PlantFacts facts = plant_facts();
   draw_events(facts, stop);
-  return {page({titled(facts.plant, "Control loops"), "as of " + utc(facts.since_us + kNewWithinUs),
-                kNavigation},
-               plant_section(facts, LoopLinks::pages))};
+  return {page(
+      {titled(facts.plant, "Control loops"), "as of " + utc(facts.since_us + kNewWithinUs), true},
+      {plant_section(facts, LoopLinks::pages)})};
 }
 
 LivePage LiveReader::loops() {
   storage::ReportDatabase database(results_connection(*settings_));
   const auto rows = database.loops();
   return {page({titled(settings_->report.plant, "All loops"),
-                counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), kNavigation},
-               loop_list(rows))};
+                counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), true},
+               {loop_list(rows)})};
 }
 
 const LiveReader::Seen* LiveReader::seen(const storage::FlaggedRow& row) const {
@@ -111,9 +106,9 @@ LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) 
     story = read_story(database, *row);
   }
   look(story, stop);
-  return {page({titled(settings_->report.plant, name), "window until " + utc(story.row.slot_end_us),
-                kNavigation},
-               loop_section(story))};
+  return {page(
+      {titled(settings_->report.plant, name), "window until " + utc(story.row.slot_end_us), true},
+      {loop_section(story)})};
 }
 
 }  // namespace loopscope::daemon

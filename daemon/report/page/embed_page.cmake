@@ -1,23 +1,47 @@
 # Writes OUTPUT, a source file that holds page.css and page.js of FOLDER with their digests, which a
-# page's Content-Security-Policy names.
-function(read_asset file)
-  file(READ ${FOLDER}/${file} text)
-  file(SHA256 ${FOLDER}/${file} digest)
-  # A raw string ends where its delimiter stands.
+# page's Content-Security-Policy names, and the templates of FOLDER/templates.
+
+# `text` as a raw string, which ends where its delimiter stands.
+function(raw_string result file text)
   string(FIND "${text}" ")page_asset\"" ending)
   if(NOT ending EQUAL -1)
     message(FATAL_ERROR "${file} holds the delimiter of the string that it is put into")
   endif()
-  set(asset "{R\"page_asset(${text})page_asset\", \"${digest}\"}" PARENT_SCOPE)
+  set(${result} "R\"page_asset(${text})page_asset\"" PARENT_SCOPE)
 endfunction()
 
-read_asset(page.css)
-set(style "${asset}")
-read_asset(page.js)
-set(script "${asset}")
+function(read_asset result file)
+  file(READ ${FOLDER}/${file} text)
+  file(SHA256 ${FOLDER}/${file} digest)
+  raw_string(string ${file} "${text}")
+  set(${result} "{${string}, \"${digest}\"}" PARENT_SCOPE)
+endfunction()
+
+function(read_template result file)
+  file(READ ${file} text)
+  raw_string(string ${file} "${text}")
+  get_filename_component(name ${file} NAME_WE)
+  set(${result} "    {\"${name}\", ${string}},\n" PARENT_SCOPE)
+endfunction()
+
+read_asset(style page.css)
+read_asset(script page.js)
+set(templates "")
+file(GLOB files ${FOLDER}/templates/*.html)
+foreach(file IN LISTS files)
+  read_template(template ${file})
+  string(APPEND templates "${template}")
+endforeach()
+
 file(WRITE ${OUTPUT} "#include \"daemon/report/page/page_assets.hpp\"
 
 namespace loopscope::daemon {
+namespace {
+
+constexpr PageTemplate kTemplates[] = {
+${templates}};
+
+}  // namespace
 
 PageAsset page_style() {
   return ${style};
@@ -25,6 +49,10 @@ PageAsset page_style() {
 
 PageAsset page_script() {
   return ${script};
+}
+
+std::span<const PageTemplate> page_templates() {
+  return kTemplates;
 }
 
 }  // namespace loopscope::daemon

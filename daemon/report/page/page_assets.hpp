@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 namespace loopscope::daemon {
 
 /// A file of this folder that stands in every page, compiled in by embed_page.cmake.
@@ -10,5 +12,13 @@ struct PageAsset {
 
 [[nodiscard]] PageAsset page_style();
 [[nodiscard]] PageAsset page_script();
+
+/// A file of templates/, compiled in by embed_page.cmake.
+struct PageTemplate {
+  const char* name;  ///< of the file, without ending
+  const char* text;
+};
+
+[[nodiscard]] std::span<const PageTemplate> page_templates();
 
 }  // namespace loopscope::daemon

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "daemon/report/page/page_assets.hpp"
+#include "daemon/report/page/template.hpp"
 #include "daemon/report/text/base64.hpp"
-#include "daemon/report/text/html_text.hpp"
 
 namespace loopscope::daemon {
 
@@ -16,21 +16,17 @@ const std::string& content_security_policy() {
   return policy;
 }
 
-std::string page(const PageFrame& frame, const std::string& content) {
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"referrer\" content=\"no-referrer\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n",
-      content_security_policy(), html(frame.title));
-  text += std::string("<style>") + page_style().text + "</style>\n</head>\n<body>\n";
-  text += fmt::format("<header class=\"top\"><h1><bdi>{}</bdi></h1><p>{}</p>{}</header>\n<main>\n",
-                      html(frame.title), html(frame.subtitle), frame.navigation);
-  text += content;
-  text += "</main>\n<footer><p>Loopscope " LOOPSCOPE_VERSION
-          ". All times are UTC. Colours: Okabe and Ito; viridis.</p></footer>\n";
-  return text + "<script>" + page_script().text + "</script>\n</body>\n</html>\n";
+std::string page(const PageFrame& frame, const std::vector<Markup>& sections) {
+  // Policy, style and script are the program's own; the digests are of the bytes as they are.
+  const Markup whole = render("page", {{"policy", Markup(content_security_policy())},
+                                       {"title", frame.title},
+                                       {"style", Markup(page_style().text)},
+                                       {"subtitle", frame.subtitle},
+                                       {"navigation", frame.navigation},
+                                       {"sections", sections},
+                                       {"version", LOOPSCOPE_VERSION},
+                                       {"script", Markup(page_script().text)}});
+  return whole.html + "\n";
 }
 
 }  // namespace loopscope::daemon

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "daemon/report/page/fields.hpp"
 
 namespace loopscope::daemon {
 
@@ -10,12 +13,12 @@ namespace loopscope::daemon {
 
 /// What stands around the content of a page.
 struct PageFrame {
-  std::string title;       ///< plain text
-  std::string subtitle;    ///< plain text: time span and zone
-  std::string navigation;  ///< HTML; empty = none
+  std::string title;
+  std::string subtitle;     ///< time span and zone
+  bool navigation = false;  ///< with links to the live pages
 };
 
-/// A whole page in one file: head with its policy, style and script, `content` (HTML), foot.
-[[nodiscard]] std::string page(const PageFrame& frame, const std::string& content);
+/// A whole page in one file: head with its policy, style and script, `sections`, foot.
+[[nodiscard]] std::string page(const PageFrame& frame, const std::vector<Markup>& sections);
 
 }  // namespace loopscope::daemon

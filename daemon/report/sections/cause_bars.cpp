@@ -2,10 +2,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <fmt/format.h>
-#include <vector>
 
-#include "daemon/report/text/html_text.hpp"
+#include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
 
 namespace loopscope::daemon {
@@ -24,38 +22,28 @@ bool is_shown(const CauseReport& cause, VerdictCode verdict) {
   return cause.probability >= kLeast;
 }
 
-std::string parts(const char* title, const std::vector<std::string>& texts) {
-  if (texts.empty()) return {};
-  std::string list = fmt::format("<p>{}</p><ul>", title);
-  for (const std::string& text : texts) list += "<li>" + html(text) + "</li>";
-  return list + "</ul>";
-}
-
-std::string bar(const CauseReport& cause) {
+Fields bar(const CauseReport& cause) {
   const std::string code(core::diagnosis::name(cause.code));
-  const long percent = std::lround(100.0 * cause.probability);
-  return fmt::format(
-      "<details class=\"cause\"><summary><span class=\"label\">{}</span>"
-      "<svg class=\"bar\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" aria-hidden=\"true\">"
-      "<rect class=\"{}\" width=\"{}\" height=\"8\"/></svg>"
-      "<span class=\"share\">{} %</span></summary>{}{}</details>\n",
-      html(in_words(code)), html(code), percent, percent, parts("For", cause.in_favour),
-      parts("Against", cause.against));
+  return {{"words", in_words(code)},
+          {"code", code},
+          {"percent", std::lround(100.0 * cause.probability)},
+          {"weights", weights(cause.in_favour, cause.against)}};
 }
 
 }  // namespace
 
-std::string cause_bars(const core::diagnosis::Verdict& verdict) {
-  std::string text;
-  std::size_t shown = 0;
-  for (const CauseReport& cause : verdict.causes) {
-    if (!is_shown(cause, verdict.code) || shown++ >= kMost) continue;
-    text += bar(cause);
-  }
-  if (text.empty()) return text;
-  return "<dt>Probable findings</dt><dd class=\"causes\">" + text +
-         "<p class=\"note\">Of the newest window. Several may be true at once: the shares need not "
-         "add up.</p></dd>\n";
+Markup cause_bars(const core::diagnosis::Verdict& verdict) {
+  List bars;
+  for (const CauseReport& cause : verdict.causes)
+    if (is_shown(cause, verdict.code) && bars.size() < kMost) bars.push_back(bar(cause));
+  return bars.empty() ? Markup() : render("cause_bars", {{"causes", bars}});
+}
+
+List weights(const std::vector<std::string>& in_favour, const std::vector<std::string>& against) {
+  List parts;
+  if (!in_favour.empty()) parts.emplace_back(Fields{{"title", "For"}, {"reasons", in_favour}});
+  if (!against.empty()) parts.emplace_back(Fields{{"title", "Against"}, {"reasons", against}});
+  return parts;
 }
 
 }  // namespace loopscope::daemon

@@ -6,6 +6,7 @@
 
 #include "core/model/results/explanation.hpp"
 #include "daemon/report/figures/figure.hpp"
+#include "daemon/report/page/fields.hpp"
 
 namespace loopscope::daemon {
 
@@ -19,8 +20,8 @@ struct StepPictures {
 /// What led the model to each of its effects, a row a step: what was left, the residual test that
 /// spoke, the effect, what is left then. A step without pictures has the errors alone. Empty for a
 /// model that claims nothing or took nothing in.
-[[nodiscard]] std::string chain_table(const core::model::Explanation& explanation,
-                                      std::span<const StepPictures> pictures);
+[[nodiscard]] Markup chain_table(const core::model::Explanation& explanation,
+                                 std::span<const StepPictures> pictures);
 
 /// Fitted figures of a step with their intervals, plain text: "S 5 % (4.5 to 5.5); law kano".
 [[nodiscard]] std::string parameters_text(const core::model::Step& step);

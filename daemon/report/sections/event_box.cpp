@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <functional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/model/results/phrases.hpp"
-#include "daemon/report/figures/compact_svg.hpp"
+#include "daemon/report/page/template.hpp"
+#include "daemon/report/sections/cause_bars.hpp"
 #include "daemon/report/sections/follow_map.hpp"
+#include "daemon/report/sections/picture_rows.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
 
@@ -28,58 +30,46 @@ constexpr std::size_t kMostRowsOfBox = 16;
 constexpr std::string_view kAgainst = "Against it: ";
 
 /// A victim has no section of its own in a report: it is not in the work list.
-std::string linked(const Member& member, std::span<const storage::FlaggedRow> flagged,
-                   LoopLinks links) {
-  std::string name = "<bdi>" + html(member.loop_name) + "</bdi>";
+std::string link_to(const Member& member, std::span<const storage::FlaggedRow> flagged,
+                    LoopLinks links) {
   const bool listed =
       std::ranges::find(flagged, member.loop_id, &storage::FlaggedRow::loop_id) != flagged.end();
-  if (links == LoopLinks::sections && !listed) return name;
-  return fmt::format("<a href=\"{}\">{}</a>", loop_link(links, member.loop_id, member.loop_name),
-                     name);
+  if (links == LoopLinks::sections && !listed) return {};
+  return loop_link(links, member.loop_id, member.loop_name);
 }
 
 /// The colour stands in the drawing: WeasyPrint 57 gives those in a page no style of the page.
-std::string odds_bar(double probability, std::string_view colour) {
-  return fmt::format(
-      "<svg class=\"bar\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" "
-      "aria-hidden=\"true\"><rect fill=\"{}\" width=\"{}\" height=\"8\"/></svg><span "
-      "class=\"share\">{}</span>",
-      colour, std::lround(100.0 * probability), core::model::in_percent(probability));
+Fields odds_fields(double probability, const char* colour) {
+  return {{"colour", colour},
+          {"width", std::lround(100.0 * probability)},
+          {"share", core::model::in_percent(probability)}};
 }
 
-std::string reasons_list(const char* title, const std::vector<std::string>& reasons) {
-  if (reasons.empty()) return {};
-  std::string text = fmt::format("<p>{}</p><ul>", title);
-  for (const std::string& reason : reasons) text += "<li>" + html(as_heading(reason)) + "</li>";
-  return text + "</ul>";
-}
-
-std::string for_and_against(const Member& member) {
+List for_and_against(const Member& member) {
   std::vector<std::string> in_favour, against;
   for (const std::string& reason : member.reasons) {
     if (reason.starts_with(kAgainst))
-      against.push_back(reason.substr(kAgainst.size()));
+      against.push_back(as_heading(reason.substr(kAgainst.size())));
     else
-      in_favour.push_back(reason);
+      in_favour.push_back(as_heading(reason));
   }
-  return reasons_list("For", in_favour) + reasons_list("Against", against);
+  return weights(in_favour, against);
 }
 
 /// What speaks for the first one is open to see.
-std::string candidate(const Member& member, bool open) {
-  return fmt::format(
-      "<details class=\"cause\"{}><summary><span class=\"label\"><bdi>{}</bdi></span>{}</summary>"
-      "{}</details>\n",
-      open ? " open" : "", html(member.loop_name), odds_bar(*member.score, "#b34700"),
-      for_and_against(member));
+Fields candidate(const Member& member, bool open) {
+  Fields fields = odds_fields(*member.score, "#b34700");
+  fields.insert(fields.end(), {{"outside", false},
+                               {"open", open},
+                               {"name", member.loop_name},
+                               {"weights", for_and_against(member)}});
+  return fields;
 }
 
-std::string outside_row(double probability) {
-  return fmt::format(
-      "<details class=\"cause outside\"><summary><span class=\"label\">outside the recorded "
-      "loops</span>{}</summary><p>A common supply, a neighbouring unit, a loop that is not "
-      "recorded, or the members together.</p></details>\n",
-      odds_bar(probability, "#57606a"));
+Fields the_outside(double probability) {
+  Fields fields = odds_fields(probability, "#57606a");
+  fields.insert(fields.end(), {{"outside", true}, {"open", false}, {"weights", false}});
+  return fields;
 }
 
 std::vector<const Member*> likeliest(const PlantOscillationRow& event) {
@@ -94,90 +84,61 @@ std::vector<const Member*> likeliest(const PlantOscillationRow& event) {
 }
 
 /// Scores of a program that did not weigh the outside are no probabilities.
-std::string odds(const PlantOscillationRow& event) {
+List odds(const PlantOscillationRow& event) {
   if (!event.outside) return {};
-  std::string text;
+  List shares;
   bool outside_told = false;
   const std::vector<const Member*> members = likeliest(event);
   for (const Member* member : members) {
     if (!outside_told && *event.outside > *member->score) {
-      text += outside_row(*event.outside);
+      shares.push_back(the_outside(*event.outside));
       outside_told = true;
     }
-    text += candidate(*member, member == members.front());
+    shares.push_back(candidate(*member, member == members.front()));
   }
-  if (!outside_told) text += outside_row(*event.outside);
-  return "<div class=\"odds\"><h4>Where it comes from, probability</h4>\n" + text + "</div>\n";
+  if (!outside_told) shares.push_back(the_outside(*event.outside));
+  return shares;
 }
 
-std::string member_row(const Member& member, std::size_t number, const PlantOscillationRow& event,
-                       const std::string& name) {
+Fields member_fields(const Member& member, const PlantOscillationRow& event, std::string link) {
   const std::string lag = lag_words(member, event);
-  return fmt::format(
-      "<tr><td class=\"number\" data-label=\"No.\">{}</td><td class=\"loop-name\" "
-      "data-label=\"Loop\">{}</td><td data-label=\"Role\"><span class=\"role\">{}</span></td>"
-      "<td class=\"number\" data-label=\"Share\">{}</td><td class=\"number\" "
-      "data-label=\"Lag\">{}</td><td class=\"number\" data-label=\"Source?\">{}</td></tr>\n",
-      number, name, html(in_words(member.role)), core::model::in_percent(member.strength),
-      lag.empty() ? "\u2013" : lag,
-      event.outside && member.score ? core::model::in_percent(*member.score) : "\u2013");
-}
-
-std::string the_rest(const PlantOscillationRow& event, std::span<const storage::FlaggedRow> flagged,
-                     LoopLinks links) {
-  if (event.members.size() <= kMostRowsOfBox) return {};
-  const auto members = std::span<const Member>(event.members).subspan(kMostRowsOfBox);
-  std::string text =
-      fmt::format("<details><summary>{} with a smaller share</summary><ul class=\"members\">\n",
-                  counted(static_cast<std::int64_t>(members.size()), "loop", "loops"));
-  for (const Member& member : members)
-    text += fmt::format("<li>{} <span class=\"role\">{}</span> {} of the error</li>\n",
-                        linked(member, flagged, links), html(in_words(member.role)),
-                        core::model::in_percent(member.strength));
-  return text + "</ul></details>\n";
-}
-
-std::string member_table(const PlantOscillationRow& event,
-                         std::span<const storage::FlaggedRow> flagged, LoopLinks links) {
-  std::string text =
-      "<table class=\"sharing\"><thead><tr><th class=\"number\">No.</th><th>Loop</th><th>Role</th>"
-      "<th class=\"number\">Share of its error</th><th class=\"number\">Lag</th>"
-      "<th class=\"number\">Probable source</th></tr></thead><tbody>\n";
-  const std::span<const Member> members(event.members);
-  const std::size_t shown = std::min(kMostRowsOfBox, members.size());
-  for (std::size_t k = 0; k < shown; ++k)
-    text += member_row(members[k], k + 1, event, linked(members[k], flagged, links));
-  return text + "</tbody></table>\n";
-}
-
-/// The list stands beside the map: its numbers are those of the pictures.
-std::string drawn(const PlantOscillationRow& event, std::span<const Picture> pictures,
-                  const std::string& list) {
-  std::string text;
-  for (const Picture& picture : pictures) text += picture_html(picture);
-  text += follow_map(event);
-  if (text.empty()) return list;
-  return "<div class=\"pictures\">\n" + text + "<div class=\"who\">\n" + list + "</div></div>\n";
-}
-
-std::string source_line(const PlantOscillationRow& event) {
-  if (!event.source_name) return "unknown, or outside of the loops";
-  return "<b><bdi>" + html(*event.source_name) + "</bdi></b>";
+  const bool weighed = event.outside && member.score;
+  return {{"place", &member - event.members.data() + 1},
+          {"link", std::move(link)},
+          {"name", member.loop_name},
+          {"role", in_words(member.role)},
+          {"share", core::model::in_percent(member.strength)},
+          {"lag", lag.empty() ? kUnknown : lag},
+          {"probability", weighed ? core::model::in_percent(*member.score) : kUnknown}};
 }
 
 }  // namespace
 
-std::string event_box(const PlantOscillationRow& event, std::span<const Picture> pictures,
-                      std::span<const storage::FlaggedRow> flagged, LoopLinks links) {
-  return fmt::format(
-             "<article class=\"event\" id=\"oscillation-{0}\"><h3>Plant-wide oscillation {0}: "
-             "period {1}, {2}</h3>\n<p>Source: {3}. {4}</p>\n<p class=\"note\">Found in windows "
-             "until {5}.</p>\n",
-             event.number, core::model::in_time(event.period_s),
-             counted(static_cast<std::int64_t>(event.members.size()), "loop", "loops"),
-             source_line(event), html(event.statement), utc(event.slot_end_us)) +
-         odds(event) + drawn(event, pictures, member_table(event, flagged, links)) +
-         the_rest(event, flagged, links) + "</article>\n";
+Markup event_box(const PlantOscillationRow& event, std::span<const Picture> pictures,
+                 std::span<const storage::FlaggedRow> flagged, LoopLinks links) {
+  const auto fields = [&](const Member& member) {
+    return member_fields(member, event, link_to(member, flagged, links));
+  };
+  const std::span<const Member> members(event.members);
+  const std::size_t shown = std::min(kMostRowsOfBox, members.size());
+  const auto others = static_cast<std::int64_t>(members.size() - shown);
+  const Markup map = follow_map(event);
+  // The list stands beside map and pictures: its numbers are theirs.
+  return render("event_box",
+                {{"number", event.number},
+                 {"period", core::model::in_time(event.period_s)},
+                 {"loops", counted(static_cast<std::int64_t>(members.size()), "loop", "loops")},
+                 {"source", event.source_name.value_or("")},
+                 {"statement", event.statement},
+                 {"until", utc(event.slot_end_us)},
+                 {"any_odds", event.outside.has_value()},
+                 {"odds", odds(event)},
+                 {"any_drawn", !pictures.empty() || !map.html.empty()},
+                 {"pictures", picture_rows(pictures)},
+                 {"map", map},
+                 {"members", rows(members.first(shown), fields)},
+                 {"others", others == 0 ? "" : counted(others, "loop", "loops")},
+                 {"smaller", rows(members.subspan(shown), fields)}});
 }
 
 }  // namespace loopscope::daemon

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include "daemon/report/figures/figure.hpp"
+#include "daemon/report/page/fields.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
@@ -13,8 +13,8 @@ namespace loopscope::daemon {
 /// One oscillation that loops share, as one box: period, odds of the source with what speaks for
 /// and against, pictures, who follows whom, members. `flagged` = the work list: in a report only
 /// its loops have a section to link to. Without pictures, or of a program of before, what there is.
-[[nodiscard]] std::string event_box(const storage::PlantOscillationRow& event,
-                                    std::span<const Picture> pictures,
-                                    std::span<const storage::FlaggedRow> flagged, LoopLinks links);
+[[nodiscard]] Markup event_box(const storage::PlantOscillationRow& event,
+                               std::span<const Picture> pictures,
+                               std::span<const storage::FlaggedRow> flagged, LoopLinks links);
 
 }  // namespace loopscope::daemon

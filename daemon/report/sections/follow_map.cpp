@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/model/results/phrases.hpp"
-#include "daemon/report/text/html_text.hpp"
+#include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
 
 namespace loopscope::daemon {
@@ -25,7 +25,6 @@ constexpr double kBoxHeight = 36.0;
 constexpr double kPitch = 46.0;  // from one row to the next
 constexpr double kMargin = 4.0;
 constexpr std::size_t kNameLength = 16;  // characters that fit into a box
-constexpr const char* kArrowColour = "#57606a";
 
 struct Box {
   const PlantOscillationRow::Member* member = nullptr;
@@ -86,6 +85,11 @@ struct Corner {
   double top = 0.0;
 };
 
+/// In pixels of the drawing.
+std::string tenths(double length) {
+  return fmt::format("{:.1f}", length);
+}
+
 class Stairs {
  public:
   explicit Stairs(std::size_t count)
@@ -99,19 +103,19 @@ class Stairs {
 
   /// Down from a box and to the right into a later one; up and to the left into an earlier one. No
   /// line crosses a box.
-  [[nodiscard]] std::string arrow(const Arrow& arrow, double share) const {
+  [[nodiscard]] Fields arrow(const Arrow& arrow, double share) const {
     const Corner from = corner(arrow.from), to = corner(arrow.to);
     const bool down = arrow.to > arrow.from;
     const double aside = std::min(14.0, 0.5 * step_);
-    const double x = down ? from.left + aside : from.left + kBoxWidth - aside;
-    const double begin = down ? from.top + kBoxHeight : from.top;
-    const double y = to.top + 0.5 * kBoxHeight + (down ? 5.0 : -5.0);
     const double end = down ? to.left : to.left + kBoxWidth;
-    const double back = down ? -7.0 : 7.0;
-    return fmt::format(
-        "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}H{3:.1f}\" fill=\"none\" stroke=\"{4}\" "
-        "stroke-width=\"{5:.1f}\"/><path d=\"M{6:.1f} {2:.1f}l{7:.0f} -4v8z\" fill=\"{4}\"/>\n",
-        x, begin, y, end + back, kArrowColour, 1.0 + 2.0 * share, end, back);
+    const int back = down ? -7 : 7;
+    return {{"x", tenths(down ? from.left + aside : from.left + kBoxWidth - aside)},
+            {"begin", tenths(down ? from.top + kBoxHeight : from.top)},
+            {"y", tenths(to.top + 0.5 * kBoxHeight + (down ? 5.0 : -5.0))},
+            {"shaft_end", tenths(end + back)},
+            {"thickness", tenths(1.0 + 2.0 * share)},
+            {"end", tenths(end)},
+            {"back", back}};
   }
 
  private:
@@ -128,48 +132,49 @@ std::string shortened(const std::string& name) {
   return at < name.size() ? name.substr(0, at) + "\u2026" : name;
 }
 
-std::string box(const Box& box, const Corner& corner, const PlantOscillationRow& event) {
+Fields box_fields(const Box& box, const Corner& corner, const PlantOscillationRow& event) {
   const bool source = box.member->role == "source";
-  return fmt::format(
-      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" rx=\"3\" fill=\"{}\" "
-      "stroke=\"{}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"13\" font-weight=\"bold\" "
-      "fill=\"#1b1f24\">{} {}</text><text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"11\" "
-      "fill=\"#57606a\">{}</text>\n",
-      corner.left, corner.top, kBoxWidth, kBoxHeight, source ? "#fbeee6" : "#ffffff",
-      source ? "#b34700" : "#a9b4c0", corner.left + 7.0, corner.top + 15.0, box.number,
-      html(shortened(box.member->loop_name)), corner.left + 7.0, corner.top + 29.0,
-      html(role_and_lag(*box.member, event)));
+  return {{"left", tenths(corner.left)},
+          {"top", tenths(corner.top)},
+          {"box_width", fmt::to_string(kBoxWidth)},
+          {"box_height", fmt::to_string(kBoxHeight)},
+          {"fill", source ? "#fbeee6" : "#ffffff"},
+          {"stroke", source ? "#b34700" : "#a9b4c0"},
+          {"text_left", tenths(corner.left + 7.0)},
+          {"name_base", tenths(corner.top + 15.0)},
+          {"number", static_cast<std::int64_t>(box.number)},
+          {"name", shortened(box.member->loop_name)},
+          {"words_base", tenths(corner.top + 29.0)},
+          {"words", role_and_lag(*box.member, event)}};
 }
 
-std::string drawing(const PlantOscillationRow& event, const std::vector<Box>& boxes,
-                    const std::vector<Arrow>& arrows) {
-  const Stairs stairs(boxes.size());
+List arrow_rows(const std::vector<Arrow>& arrows, const Stairs& stairs) {
   const double most = arrows.empty() ? 1.0 : std::ranges::max(arrows, {}, &Arrow::gain).gain;
-  std::string text;
-  for (const Arrow& arrow : arrows) text += stairs.arrow(arrow, arrow.gain / most);
-  for (std::size_t k = 0; k < boxes.size(); ++k) text += box(boxes[k], stairs.corner(k), event);
-  return text;
+  return rows(arrows, [&](const Arrow& arrow) { return stairs.arrow(arrow, arrow.gain / most); });
+}
+
+List box_rows(const std::vector<Box>& boxes, const Stairs& stairs,
+              const PlantOscillationRow& event) {
+  List made;
+  for (std::size_t k = 0; k < boxes.size(); ++k)
+    made.push_back(box_fields(boxes[k], stairs.corner(k), event));
+  return made;
 }
 
 }  // namespace
 
-std::string follow_map(const PlantOscillationRow& event) {
+Markup follow_map(const PlantOscillationRow& event) {
   if (event.leads.empty()) return {};
   const std::vector<Box> boxes = boxes_of(event);
+  const Stairs stairs(boxes.size());
   std::vector<Arrow> arrows;
   for (std::size_t to = 0; to < boxes.size(); ++to)
     if (const auto arrow = strongest_to(event, boxes, to)) arrows.push_back(*arrow);
   const double height = 2.0 * kMargin + kPitch * static_cast<double>(boxes.size() - 1) + kBoxHeight;
-  return fmt::format(
-      "<figure class=\"follow-map\"><figcaption>Who follows whom</figcaption>"
-      "<svg viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" "
-      "aria-label=\"loops in the order of their lag; an arrow leads to each loop from the one "
-      "whose past foretells it most\" font-family=\"Arial,Liberation Sans,DejaVu Sans,"
-      "sans-serif\">\n{2}</svg><p class=\"note\">The source first, then by lag (a gain of the "
-      "other sign looks like half a period). An arrow leads to a loop from the one whose past "
-      "foretells it most, the thicker the more; the eight strongest members are "
-      "compared.</p></figure>\n",
-      kWidth, height, drawing(event, boxes, arrows));
+  return render("follow_map", {{"width", fmt::format("{:g}", kWidth)},
+                               {"height", fmt::format("{:g}", height)},
+                               {"arrows", arrow_rows(arrows, stairs)},
+                               {"boxes", box_rows(boxes, stairs, event)}});
 }
 
 std::string lag_words(const storage::PlantOscillationRow::Member& member,

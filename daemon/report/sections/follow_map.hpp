@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "daemon/report/page/fields.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -10,7 +11,7 @@ namespace loopscope::daemon {
 /// the order of their lag, twelve loops at most, and an arrow from each loop's strongest leader to
 /// it. Drawn without a plotting program, since the boxes hold names. Empty where the round did not
 /// keep who foretells whom.
-[[nodiscard]] std::string follow_map(const storage::PlantOscillationRow& event);
+[[nodiscard]] Markup follow_map(const storage::PlantOscillationRow& event);
 
 /// "30 s behind", "2 min ahead", within half a period of the source's swing; empty for the source,
 /// and where none is named. Plain text.

@@ -1,8 +1,6 @@
 #include "daemon/report/sections/hidden_words.hpp"
 
-#include <fmt/format.h>
-
-#include "daemon/report/text/html_text.hpp"
+#include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
 
 namespace loopscope::daemon {
@@ -10,42 +8,45 @@ namespace {
 
 using storage::HiddenRow;
 
-std::string by_an_oscillation(const HiddenRow& row) {
-  const std::string number =
-      fmt::format("plant-wide oscillation {}", *row.plant_oscillation_number);
-  if (!row.source_name) return "A victim of " + number + ", whose source is not known.";
-  const std::string source = "<bdi>" + html(*row.source_name) + "</bdi>";
-  return fmt::format("A victim of {}: repair its source {} first, then check again.", number,
-                     source);
+Fields by_an_oscillation(const HiddenRow& row) {
+  return {{"oscillation", *row.plant_oscillation_number},
+          {"source", row.source_name.value_or("")},
+          {"by_the_list", false},
+          {"entered", false}};
 }
 
 /// The list itself asks for more.
-std::string by_the_list(const HiddenRow& row) {
-  return as_heading(row.reason) + ".";
+Fields by_the_list(const HiddenRow& row) {
+  return {{"oscillation", false},
+          {"by_the_list", true},
+          {"why", as_heading(row.reason)},
+          {"entered", false}};
 }
 
 bool is_by_the_list(const HiddenRow& row) {
   return row.hidden_by == "probability" || row.hidden_by == "chance";
 }
 
-std::string by_somebody(const HiddenRow& row) {
-  std::string text = fmt::format("{} by <bdi>{}</bdi>, {}", as_heading(row.hidden_by),
-                                 html(row.author), utc(row.entered_us));
-  if (row.until_us) text += ", until " + utc(*row.until_us);
-  return text + (row.reason.empty() ? "." : ": <bdi>" + html(row.reason) + "</bdi>");
+Fields by_somebody(const HiddenRow& row) {
+  return {{"oscillation", false},
+          {"by_the_list", false},
+          {"deed", as_heading(row.hidden_by)},
+          {"author", row.author},
+          {"entered", utc(row.entered_us)},
+          {"until", row.until_us ? utc(*row.until_us) : ""},
+          {"reason", row.reason}};
+}
+
+Fields hidden_fields(const HiddenRow& row) {
+  if (row.plant_oscillation_number) return by_an_oscillation(row);
+  return is_by_the_list(row) ? by_the_list(row) : by_somebody(row);
 }
 
 }  // namespace
 
-std::string hidden_words(const std::vector<HiddenRow>& hidden) {
-  std::string text;
-  for (const HiddenRow& row : hidden)
-    text += "<dt>Not on the list</dt><dd>" +
-            (row.plant_oscillation_number ? by_an_oscillation(row)
-             : is_by_the_list(row)        ? by_the_list(row)
-                                          : by_somebody(row)) +
-            "</dd>\n";
-  return text;
+Markup hidden_words(const std::vector<HiddenRow>& hidden) {
+  if (hidden.empty()) return {};
+  return render("hidden_words", {{"hidden", rows(hidden, hidden_fields)}});
 }
 
 }  // namespace loopscope::daemon

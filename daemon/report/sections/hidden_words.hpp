@@ -1,14 +1,14 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "daemon/report/page/fields.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
 
 /// Why a loop with a fault is not on the list, and what to do instead: entries of its list of
 /// findings, HTML. "" = nothing hides it.
-[[nodiscard]] std::string hidden_words(const std::vector<storage::HiddenRow>& hidden);
+[[nodiscard]] Markup hidden_words(const std::vector<storage::HiddenRow>& hidden);
 
 }  // namespace loopscope::daemon

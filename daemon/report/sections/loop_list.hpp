@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "daemon/report/page/fields.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -10,6 +10,6 @@ namespace loopscope::daemon {
 /// Every loop of the catalogue as a table that can be sorted and filtered, each with a link to its
 /// page: verdict, confidence, whether it is flagged and, if not, what hides it, and whether the
 /// monitor does its work there.
-[[nodiscard]] std::string loop_list(const std::vector<storage::LoopRow>& rows);
+[[nodiscard]] Markup loop_list(const std::vector<storage::LoopRow>& loops);
 
 }  // namespace loopscope::daemon

@@ -6,6 +6,7 @@
 
 #include "daemon/report/evidence/loop_evidence.hpp"
 #include "daemon/report/figures/figure.hpp"
+#include "daemon/report/page/fields.hpp"
 #include "daemon/report/sections/chain_table.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
@@ -27,9 +28,9 @@ struct LoopReport {
 
 /// One loop as HTML: cause, action, evidence, pictures, what led to the explanation and its errors,
 /// data, repairs.
-[[nodiscard]] std::string loop_section(const LoopReport& story);
+[[nodiscard]] Markup loop_section(const LoopReport& story);
 
 /// The table of the model's errors before and after each effect, and what is left.
-[[nodiscard]] std::string explanation_table(const core::model::Explanation& explanation);
+[[nodiscard]] Markup explanation_table(const core::model::Explanation& explanation);
 
 }  // namespace loopscope::daemon

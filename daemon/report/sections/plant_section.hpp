@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "daemon/report/figures/event_pictures.hpp"
+#include "daemon/report/page/fields.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
@@ -24,6 +25,6 @@ struct PlantFacts {
 
 /// The first screen as HTML: counts, why loops cannot be judged, oscillations that loops share, the
 /// ranked list with its factors, repairs with their words.
-[[nodiscard]] std::string plant_section(const PlantFacts& facts, LoopLinks links);
+[[nodiscard]] Markup plant_section(const PlantFacts& facts, LoopLinks links);
 
 }  // namespace loopscope::daemon

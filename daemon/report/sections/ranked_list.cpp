@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "daemon/report/page/template.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
 
@@ -10,63 +11,42 @@ namespace {
 
 using storage::FlaggedRow;
 
-std::string number_cell(const char* label, double value, const std::string& shown) {
-  return fmt::format("<td class=\"number\" data-label=\"{}\" data-sort=\"{:.9g}\">{}</td>", label,
-                     value, shown);
+/// By which the page's script sorts.
+std::string sort_key(double value) {
+  return fmt::format("{:.9g}", value);
 }
 
-std::string name_cell(const FlaggedRow& row, LoopLinks links) {
-  const std::string type = row.loop_type ? "<small>" + html(*row.loop_type) + "</small>" : "";
-  const std::string source =
-      row.plant_oscillation_number
-          ? fmt::format("<small class=\"role\">source of oscillation {}</small>",
-                        *row.plant_oscillation_number)
-          : "";
-  return fmt::format(
-      "<td class=\"loop-name\" data-label=\"Loop\"><a href=\"{}\"><bdi>{}</bdi></a>{}{}</td>",
-      loop_link(links, row.loop_id, row.loop_name), html(row.loop_name), type, source);
-}
-
-std::string ranked_row(const FlaggedRow& row, std::int64_t since_us, LoopLinks links) {
-  const bool is_new = row.since_us > since_us;
-  std::string text = fmt::format("<tr data-verdict=\"{}\" data-status=\"{}\">",
-                                 html(as_heading(row.code)), html(row.status));
-  text += number_cell("Rank", static_cast<double>(row.rank), std::to_string(row.rank));
-  text += name_cell(row, links);
-  text += fmt::format("<td data-label=\"Verdict\"><span class=\"verdict {}\">{}</span></td>",
-                      html(row.code), html(as_heading(row.code)));
-  text += number_cell("Confidence", row.believed(), two_decimals(row.believed()));
-  text += fmt::format("<td data-label=\"Status\"><span class=\"status {0}\">{0}</span></td>",
-                      html(row.status));
-  text += fmt::format("<td class=\"when\" data-label=\"Since\" data-sort=\"{}\">{}{}</td>",
-                      row.since_us, minute(row.since_us),
-                      is_new ? " <span class=\"fresh\">new</span>" : "");
-  text += number_cell("Severity", row.severity, two_decimals(row.severity));
-  text += number_cell("Importance", row.importance, digits(row.importance));
-  text += number_cell("Kind", row.kind_weight, two_decimals(row.kind_weight));
-  text += number_cell("Score", row.score, fmt::format("<b>{}</b>", digits(row.score)));
-  return text +
-         fmt::format("<td class=\"action\" data-label=\"Action\">{}</td></tr>\n", html(row.action));
+Fields ranked_fields(const FlaggedRow& row, std::int64_t since_us, LoopLinks links) {
+  return {{"rank", row.rank},
+          {"verdict", as_heading(row.code)},
+          {"code", row.code},
+          {"status", row.status},
+          {"link", loop_link(links, row.loop_id, row.loop_name)},
+          {"name", row.loop_name},
+          {"type", row.loop_type.value_or("")},
+          {"oscillation", number_text(row.plant_oscillation_number)},
+          {"confidence_sort", sort_key(row.believed())},
+          {"confidence", two_decimals(row.believed())},
+          {"since_us", row.since_us},
+          {"since", minute(row.since_us)},
+          {"is_new", row.since_us > since_us},
+          {"severity_sort", sort_key(row.severity)},
+          {"severity", two_decimals(row.severity)},
+          {"importance_sort", sort_key(row.importance)},
+          {"importance", digits(row.importance)},
+          {"kind_sort", sort_key(row.kind_weight)},
+          {"kind", two_decimals(row.kind_weight)},
+          {"score_sort", sort_key(row.score)},
+          {"score", digits(row.score)},
+          {"action", row.action}};
 }
 
 }  // namespace
 
-std::string ranked_list(const std::vector<FlaggedRow>& flagged, std::int64_t since_us,
-                        LoopLinks links) {
-  if (flagged.empty()) return "<h2>Work list</h2>\n<p>No loop is flagged: nothing to act on.</p>\n";
-  std::string text =
-      "<h2>Work list</h2>\n"
-      "<p class=\"note\">Dead measurements first, then by score = severity (1 less the middle of "
-      "the Harris index) \u00d7 importance of the loop \u00d7 weight of the kind of fault \u00d7 "
-      "confidence. Status: <i>watch</i> until a second window that shares no sample with the first "
-      "says the same.</p>\n"
-      "<table class=\"ranking sortable filterable\"><thead><tr><th class=\"number\">Rank</th>"
-      "<th>Loop</th><th>Verdict</th><th class=\"number\">Confidence</th><th>Status</th>"
-      "<th>Since (UTC)</th><th class=\"number\">Severity</th><th class=\"number\">Impor\u00adtance"
-      "</th><th class=\"number\">Kind</th><th class=\"number\">Score</th><th>Action</th></tr>"
-      "</thead><tbody>\n";
-  for (const FlaggedRow& row : flagged) text += ranked_row(row, since_us, links);
-  return text + "</tbody></table>\n";
+Markup ranked_list(const std::vector<FlaggedRow>& flagged, std::int64_t since_us, LoopLinks links) {
+  const auto fields = [&](const FlaggedRow& row) { return ranked_fields(row, since_us, links); };
+  return render("ranked_list",
+                {{"any_flagged", !flagged.empty()}, {"flagged", rows(flagged, fields)}});
 }
 
 }  // namespace loopscope::daemon

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "daemon/report/page/fields.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
@@ -11,7 +11,7 @@ namespace loopscope::daemon {
 
 /// The work list as a table, with every factor of the score; runs that began after `since_us` are
 /// marked as new.
-[[nodiscard]] std::string ranked_list(const std::vector<storage::FlaggedRow>& flagged,
-                                      std::int64_t since_us, LoopLinks links);
+[[nodiscard]] Markup ranked_list(const std::vector<storage::FlaggedRow>& flagged,
+                                 std::int64_t since_us, LoopLinks links);
 
 }  // namespace loopscope::daemon

@@ -1,5 +1,6 @@
 #include "daemon/report/text/html_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <iterator>
@@ -10,9 +11,10 @@
 namespace loopscope::daemon {
 namespace {
 
-constexpr std::array kReferences{std::pair{'&', "&amp;"}, std::pair{'<', "&lt;"},
-                                 std::pair{'>', "&gt;"}, std::pair{'"', "&quot;"},
-                                 std::pair{'\'', "&#39;"}};
+using Reference = std::pair<char, const char*>;
+constexpr std::array kReferences{Reference{'&', "&amp;"}, Reference{'<', "&lt;"},
+                                 Reference{'>', "&gt;"}, Reference{'"', "&quot;"},
+                                 Reference{'\'', "&#39;"}};
 
 void append(std::string& shown, char character) {
   for (const auto& [special, reference] : kReferences) {
@@ -21,6 +23,12 @@ void append(std::string& shown, char character) {
     return;
   }
   shown += character;
+}
+
+/// What most texts are made of, which then need no look at each character's code.
+bool shows_itself(char character) {
+  return character >= ' ' && character <= '~' &&
+         std::ranges::find(kReferences, character, &Reference::first) == kReferences.end();
 }
 
 bool stands_for_itself(char character) {
@@ -32,6 +40,7 @@ bool stands_for_itself(char character) {
 }  // namespace
 
 std::string html(std::string_view text) {
+  if (std::ranges::all_of(text, shows_itself)) return std::string(text);
   std::string shown;
   for (const char character : printable(text)) append(shown, character);
   return shown;

@@ -9,11 +9,6 @@
 #include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
-namespace {
-
-constexpr const char* kUnknown = "\u2013";
-
-}  // namespace
 
 std::string minute(std::int64_t time_us) {
   const std::string text = format_time(time_us);
@@ -36,6 +31,10 @@ std::string digits(const std::optional<double>& value) {
 
 std::string p_text(const std::optional<double>& p) {
   return p && std::isfinite(*p) ? core::diagnosis::p_text(*p) : kUnknown;
+}
+
+std::string number_text(const std::optional<std::int64_t>& number) {
+  return number ? std::to_string(*number) : "";
 }
 
 std::string counted(std::int64_t number, const std::string& singular, const std::string& plural) {

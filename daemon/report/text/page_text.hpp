@@ -7,6 +7,9 @@
 
 namespace loopscope::daemon {
 
+/// Stands where a figure is not known: a dash.
+inline constexpr const char* kUnknown = "\u2013";
+
 /// A code of the results as people write it: "valve_stiction" is "valve stiction".
 [[nodiscard]] std::string in_words(std::string_view code);
 /// The same as a heading: "Valve stiction".
@@ -21,12 +24,15 @@ namespace loopscope::daemon {
 /// Two decimals, for shares and weights.
 [[nodiscard]] std::string two_decimals(double value);
 
-/// Three significant digits; a dash for what is unknown.
+/// Three significant digits; kUnknown for what is.
 [[nodiscard]] std::string digits(const std::optional<double>& value);
 
-/// A p-value as sentences say it, core::diagnosis::p_text(), plain text: "0.03", "< 1e-12"; a dash
-/// for what is unknown.
+/// A p-value as sentences say it, core::diagnosis::p_text(), plain text: "0.03", "< 1e-12";
+/// kUnknown for what is.
 [[nodiscard]] std::string p_text(const std::optional<double>& p);
+
+/// The number; empty = there is none.
+[[nodiscard]] std::string number_text(const std::optional<std::int64_t>& number);
 
 /// "1 loop", "3 loops".
 [[nodiscard]] std::string counted(std::int64_t number, const std::string& singular,

@@ -31,7 +31,7 @@ TEST(CompactSvg, WhatIsNoPictureStaysEmpty) {
 }
 
 TEST(SvgUri, FitsIntoAnAttributeInDoubleQuotes) {
-  EXPECT_EQ(svg_uri("<g a=\"#1\">5% & x</g>"),
+  EXPECT_EQ(svg_uri("<g a=\"#1\">5% & x</g>").html,
             "data:image/svg+xml,%3Cg%20a='%231'%3E5%25%20%26%20x%3C/g%3E");
 }
 

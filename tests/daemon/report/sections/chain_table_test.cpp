@@ -37,7 +37,7 @@ std::vector<StepPictures> of_the_second() {
 }
 
 TEST(ChainTable, LeadsFromTheTestThatSpokeToWhatItSaysAfterwards) {
-  const std::string table = chain_table(two_steps("It depends on op's last turn."), {});
+  const std::string table = chain_table(two_steps("It depends on op's last turn."), {}).html;
   EXPECT_THAT(table, HasSubstr("<b>op direction</b> p &lt; 1e-12<small>It depends on op"));
   EXPECT_THAT(table, HasSubstr("<b>op level</b> p = 0.004</p>"));
   EXPECT_THAT(table, HasSubstr("<b>valve stiction</b><small>S 5 % (4.5 to 5.5); law kano"));
@@ -48,11 +48,12 @@ TEST(ChainTable, LeadsFromTheTestThatSpokeToWhatItSaysAfterwards) {
 }
 
 TEST(ChainTable, AStepThatNoTestAskedForSaysSo) {
-  EXPECT_THAT(chain_table(two_steps(""), {}), HasSubstr("no residual test: a first screening"));
+  EXPECT_THAT(chain_table(two_steps(""), {}).html,
+              HasSubstr("no residual test: a first screening"));
 }
 
 TEST(ChainTable, PicturesStandInTheRowOfTheirStep) {
-  const std::string table = chain_table(two_steps(""), of_the_second());
+  const std::string table = chain_table(two_steps(""), of_the_second()).html;
   const std::size_t second = table.find("external oscillation");
   ASSERT_NE(second, std::string::npos);
   EXPECT_GT(table.find("<img"), table.find("valve stiction")) << "the first step has none";
@@ -64,16 +65,16 @@ TEST(ChainTable, PicturesStandInTheRowOfTheirStep) {
 TEST(ChainTable, NothingTakenInIsNoTable) {
   core::model::Explanation told = two_steps("");
   told.excited = false;
-  EXPECT_EQ(chain_table(told, {}), "");
+  EXPECT_EQ(chain_table(told, {}).html, "");
   told.excited = true;
   told.steps.clear();
-  EXPECT_EQ(chain_table(told, {}), "");
+  EXPECT_EQ(chain_table(told, {}).html, "");
 }
 
 TEST(ChainTable, NoHostileWordsChangeTheMarkup) {
-  const auto plain = tags_of(chain_table(two_steps("words"), of_the_second()));
+  const auto plain = tags_of(chain_table(two_steps("words"), of_the_second()).html);
   for (const auto& [about, name] : tests::hostile_names())
-    EXPECT_EQ(tags_of(chain_table(two_steps(name), of_the_second())), plain)
+    EXPECT_EQ(tags_of(chain_table(two_steps(name), of_the_second()).html), plain)
         << about << ": " << name;
 }
 

@@ -27,7 +27,7 @@ LoopReport healthy_story() {
 TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
   LoopReport story = healthy_story();
   story.followed = {3, 40.0, "FIC1", "victim", 0.62, "external_disturbance"};
-  const std::string text = loop_section(story);
+  const std::string text = loop_section(story).html;
   EXPECT_THAT(text, HasSubstr("<span class=\"verdict external_disturbance\">External disturbance"));
   EXPECT_THAT(text,
               HasSubstr("62 % of its error follows plant-wide oscillation 3 of <bdi>FIC1</bdi>"
@@ -36,25 +36,25 @@ TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
   EXPECT_THAT(text, HasSubstr("Repair the source <bdi>FIC1</bdi> first"));
   EXPECT_THAT(text, Not(HasSubstr("Nothing to do.")));
   story.followed->source_name.reset();
-  EXPECT_THAT(loop_section(story), HasSubstr("whose source is not known"));
+  EXPECT_THAT(loop_section(story).html, HasSubstr("whose source is not known"));
 }
 
 TEST(FollowWords, OneThatIsHardlyTouchedStaysHealthyAndSaysSo) {
   LoopReport story = healthy_story();
   story.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
-  const std::string text = loop_section(story);
+  const std::string text = loop_section(story).html;
   EXPECT_THAT(text, HasSubstr("<span class=\"verdict healthy\">"));
   EXPECT_THAT(text, HasSubstr("Nothing to do."));
   EXPECT_THAT(text, HasSubstr("<dt>Follows</dt><dd>10 % of its error follows"));
   story.followed.reset();
-  EXPECT_THAT(loop_section(story), Not(HasSubstr("Follows")));
+  EXPECT_THAT(loop_section(story).html, Not(HasSubstr("Follows")));
 }
 
 TEST(FollowWords, AStayOnTheListKeepsItsFaultWhateverTheNewestWindowSays) {
   LoopReport story = healthy_story();
   story.row.code = "valve_stiction";
   story.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
-  const std::string text = loop_section(story);
+  const std::string text = loop_section(story).html;
   EXPECT_THAT(text, HasSubstr("Valve stiction"));
   EXPECT_THAT(text, Not(HasSubstr("By itself the loop is sound")));
 }
@@ -65,7 +65,7 @@ TEST(FollowWords, TheListOfAllLoopsSaysWhose) {
   row.code = "healthy";
   row.shown_code = "external_disturbance";
   row.follows = "62 % of its error follows the plant-wide oscillation 3 of FIC1 (period 40 s)";
-  const std::string text = loop_list({row});
+  const std::string text = loop_list({row}).html;
   EXPECT_THAT(text, HasSubstr(*row.follows));
   EXPECT_THAT(text, HasSubstr("data-verdict=\"External disturbance\""));
   EXPECT_THAT(text, HasSubstr("<small>by itself healthy</small>"));

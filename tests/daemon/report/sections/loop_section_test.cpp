@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "daemon/report/page/page_frame.hpp"
+#include "daemon/report/text/html_text.hpp"
 #include "tests/daemon/report/markup.hpp"
 #include "tests/daemon/report/sample_rows.hpp"
 #include "tests/support/hostile_names.hpp"
@@ -43,7 +44,7 @@ core::model::Explanation explanation() {
 }
 
 TEST(LoopSection, TellsCauseActionEvidenceAndShowsPictures) {
-  const std::string text = loop_section(story("FIC101"));
+  const std::string text = loop_section(story("FIC101")).html;
   EXPECT_THAT(text, HasSubstr("id=\"loop-7\""));
   EXPECT_THAT(text, HasSubstr("<dt>Cause</dt>"));
   EXPECT_THAT(text, HasSubstr("<dt>Action</dt>"));
@@ -57,12 +58,12 @@ TEST(LoopSection, PlainSentencesComeFirstAndFiguresBehindAFold) {
   LoopReport told = story("FIC101");
   told.row.reasons = {"It sticks.", "The error is large.", "It oscillates.",
                       "Figures:",   "For: a figure.",      "NGI"};
-  EXPECT_THAT(loop_section(told),
+  EXPECT_THAT(loop_section(told).html,
               HasSubstr("<ul>\n<li>It sticks.</li>\n<li>The error is large.</li>\n<li>It "
                         "oscillates.</li>\n</ul>\n<details class=\"figures\"><summary>Figures"
                         "</summary><ul>\n<li>For: a figure.</li>\n<li>NGI</li>\n"));
   told.row.reasons = {"For: a figure.", "NGI"};
-  EXPECT_THAT(loop_section(told), HasSubstr("<ul>\n<li>For: a figure.</li>\n<li>NGI</li>\n"))
+  EXPECT_THAT(loop_section(told).html, HasSubstr("<ul>\n<li>For: a figure.</li>\n<li>NGI</li>\n"))
       << "a row of a program of before";
 }
 
@@ -70,25 +71,26 @@ TEST(LoopSection, WithoutPicturesItSaysWhy) {
   LoopReport told = story("FIC101");
   told.pictures.clear();
   told.trouble = "the historian <is> away";
-  EXPECT_THAT(loop_section(told), HasSubstr("the window: the historian &lt;is&gt; away"));
-  EXPECT_THAT(loop_section(told), Not(HasSubstr("class=\"pictures\"")));
+  EXPECT_THAT(loop_section(told).html, HasSubstr("the window: the historian &lt;is&gt; away"));
+  EXPECT_THAT(loop_section(told).html, Not(HasSubstr("class=\"pictures\"")));
 }
 
 TEST(LoopSection, BesidePicturesOfThePastItSaysWhyTheWindowHasNone) {
   LoopReport told = story("FIC101");
   told.trouble = "the historian is away";
-  EXPECT_THAT(loop_section(told), HasSubstr("No pictures of the window: the historian is away"));
-  EXPECT_THAT(loop_section(told), HasSubstr("class=\"pictures\""));
+  EXPECT_THAT(loop_section(told).html,
+              HasSubstr("No pictures of the window: the historian is away"));
+  EXPECT_THAT(loop_section(told).html, HasSubstr("class=\"pictures\""));
 }
 
 TEST(LoopSection, AHiddenLoopSaysWhyAndWhatToDoFirst) {
   LoopReport told = story("TIC7");
-  EXPECT_THAT(loop_section(told), Not(HasSubstr("Not on the list")));
+  EXPECT_THAT(loop_section(told).html, Not(HasSubstr("Not on the list")));
   told.hidden = {
       {"victim", "FIC1 leads", "", 0, std::nullopt, 3, "FIC1"},
       {"victim", "", "", 0, std::nullopt, 4, std::nullopt},
       {"suppressed", "shut <down>", "eve", 0, 86'400'000'000, std::nullopt, std::nullopt}};
-  const std::string text = loop_section(told);
+  const std::string text = loop_section(told).html;
   EXPECT_THAT(text, HasSubstr("A victim of plant-wide oscillation 3: repair its source "
                               "<bdi>FIC1</bdi> first, then check again."));
   EXPECT_THAT(text, HasSubstr("oscillation 4, whose source is not known."));
@@ -99,7 +101,7 @@ TEST(LoopSection, AHiddenLoopSaysWhyAndWhatToDoFirst) {
 }
 
 TEST(LoopSection, TheTableHasErrorsBeforeAndAfterAndTheFloor) {
-  const std::string table = explanation_table(explanation());
+  const std::string table = explanation_table(explanation()).html;
   EXPECT_THAT(table, HasSubstr("+ valve stiction"));
   EXPECT_THAT(table, HasSubstr("S 5 % (4.5 to 5.5); J 2 %; law kano"));
   EXPECT_THAT(table, HasSubstr(">0.125</td>"));
@@ -112,15 +114,45 @@ TEST(LoopSection, TheTableHasErrorsBeforeAndAfterAndTheFloor) {
 TEST(LoopSection, AModelThatClaimsNothingSaysSo) {
   core::model::Explanation silent;
   silent.excitation = "op hardly moves";
-  EXPECT_THAT(explanation_table(silent),
+  EXPECT_THAT(explanation_table(silent).html,
               HasSubstr("The process could not be identified: op hardly moves"));
 }
 
 TEST(LoopSection, NoHostileNameChangesTheMarkup) {
-  const auto plain = tags_of(page({"FIC101", "FIC101", ""}, loop_section(story("FIC101"))));
+  const auto plain = tags_of(page({"FIC101", "FIC101"}, {loop_section(story("FIC101"))}));
   for (const auto& [about, name] : tests::hostile_names())
-    EXPECT_EQ(tags_of(page({name, name, ""}, loop_section(story(name)))), plain)
+    EXPECT_EQ(tags_of(page({name, name}, {loop_section(story(name))})), plain)
         << about << ": " << name;
+}
+
+/// One whose window was read again, and one that is only shaken: every sentence of theirs.
+std::string judged_again(const std::string& text) {
+  LoopReport told = story(text);
+  LoopEvidence evidence;
+  evidence.diagnosis.evidence.model = explanation();
+  evidence.diagnosis.evidence.model->process_doubt = text;
+  evidence.diagnosis.evidence.model->baseline.description = text;
+  evidence.diagnosis.evidence.data_quality.refusals = {text};
+  evidence.diagnosis.evidence.data_quality.flags = {text};
+  told.row.code = told.row.status = text;
+  told.row.reasons = {text, "Figures:", text};
+  told.evidence = evidence;
+  told.trouble = text;
+  LoopReport shaken = story(text);
+  shaken.row.code = "healthy";
+  shaken.followed->shown_code = "external_disturbance";
+  shaken.hidden = {{"probability", text, "", 0, std::nullopt, std::nullopt, std::nullopt},
+                   {"victim", text, "", 0, std::nullopt, 3, text},
+                   {text, text, text, 0, std::nullopt, std::nullopt, std::nullopt}};
+  return loop_section(told).html + loop_section(shaken).html;
+}
+
+TEST(LoopSection, NoHostileWordsOfAWindowChangeTheMarkup) {
+  const auto plain = tags_of(judged_again("words"));
+  for (const auto& [about, name] : tests::hostile_names()) {
+    EXPECT_EQ(tags_of(judged_again(name)), plain) << about << ": " << name;
+    EXPECT_THAT(judged_again(name), HasSubstr("<li>" + html(name) + "</li>")) << about;
+  }
 }
 
 TEST(Page, NamesItsStyleAndItsScriptAndNothingElse) {
@@ -128,7 +160,7 @@ TEST(Page, NamesItsStyleAndItsScriptAndNothingElse) {
   EXPECT_THAT(policy, HasSubstr("default-src 'none'"));
   EXPECT_THAT(policy, HasSubstr("script-src 'sha256-"));
   EXPECT_EQ(policy.find("unsafe"), std::string::npos);
-  const std::string text = page({"t", "s", ""}, "");
+  const std::string text = page({"t", "s"}, {});
   EXPECT_EQ(text.find("http:"), std::string::npos);
   EXPECT_EQ(text.find("https:"), std::string::npos);
   EXPECT_EQ(text.find("style=\""), std::string::npos);
