@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 namespace loopscope::core::repair {
@@ -150,9 +149,10 @@ Side side_of(std::span<const RepairWindow> windows, const FigureKind& kind) {
   return side;
 }
 
-/// The 95 % point of Student's t.
+/// The 95 % point of Student's t: the first terms of Cornish and Fisher's series in 1 / freedom,
+/// 0.8 % short at four and less above. Judgements that were stored rest on it.
 double student_95(double freedom) {
-  return boost::math::quantile(boost::math::students_t(freedom), 0.95);
+  return 1.645 + 1.524 / freedom + 1.42 / (freedom * freedom);
 }
 
 Interval interval(double middle, double half, bool is_ratio) {

@@ -21,8 +21,8 @@ TEST(RepairFigures, OneWindowHasTheOrdinaryScatter) {
   one.windows = 1;
   const FigureChange error =
       find(compare_figures(repair_between(one, with_error(one, 2.0, 0.5))), "error_std");
-  // Four windows' worth of freedom.
-  const double t = 2.131846786326649, ordinary = 0.07, apart = 0.12;
+  // Four windows' worth of freedom: t = 1.645 + 1.524 / 4 + 1.42 / 16.
+  const double t = 2.11475, ordinary = 0.07, apart = 0.12;
   ASSERT_TRUE(error.change);
   EXPECT_NEAR(error.change->value, 2.0, 1e-12);
   EXPECT_NEAR(std::log(error.change->high / 2.0),
