@@ -50,9 +50,9 @@ ClosedLoop implied_loop(const LoopData& data, const Fit& fit, const ProcessFit& 
 }
 
 /// Excitation and closed loop; returns the turns of op.
-std::size_t judge_loop(const BaselineAnalysis& look, const Fit& fit, Explanation& explanation) {
-  const LoopData& data = look.story.data;
-  const ModelInput& rows = look.at_rows;
+std::size_t judge_loop(const BaselineAnalysis& analysis, const Fit& fit, Explanation& explanation) {
+  const LoopData& data = analysis.stepwise.data;
+  const ModelInput& rows = analysis.at_rows;
   const std::vector<double> response = response_of(data, fit);
   const Excitation excitation = judge_excitation({rows.op, rows.pv, rows.op_in_percent, response});
   explanation.excited = excitation.sufficient;
@@ -61,7 +61,7 @@ std::size_t judge_loop(const BaselineAnalysis& look, const Fit& fit, Explanation
     explanation.excited = true;
     explanation.excitation = "Excited: the effects found show that op moves pv.";
   }
-  const ModelInput& input = look.recorded;
+  const ModelInput& input = analysis.recorded;
   if (input.error.empty()) return excitation.reversals;
   const ControllerLaw law =
       find_controller_law({input.error, input.sp, input.op, input.op_in_percent});
@@ -79,12 +79,12 @@ std::size_t judge_loop(const BaselineAnalysis& look, const Fit& fit, Explanation
   return excitation.reversals;
 }
 
-/// What the model cannot explain, where the story has come so far.
-void report_rest(const StepwiseModel& story, const std::vector<TestOutcome>& answers,
+/// What the model cannot explain, where the model has come so far.
+void report_rest(const StepwiseModel& stepwise, const std::vector<TestOutcome>& answers,
                  Explanation& explanation) {
-  const double square = story.data.pv_scale * story.data.pv_scale;
-  const double after = story.last().fit.score_error * square;
-  explanation.noise_floor = noise_floor(story.data, story.last().fit) * square;
+  const double square = stepwise.data.pv_scale * stepwise.data.pv_scale;
+  const double after = stepwise.last().fit.score_error * square;
+  explanation.noise_floor = noise_floor(stepwise.data, stepwise.last().fit) * square;
   const double explainable = std::max(explanation.baseline.holdout_error - explanation.noise_floor,
                                       kLeastExplainable * explanation.baseline.holdout_error);
   Unexplained& rest = explanation.unexplained;
@@ -102,70 +102,72 @@ void report_rest(const StepwiseModel& story, const std::vector<TestOutcome>& ans
 }  // namespace
 
 double BaselineAnalysis::baseline_error() const {
-  return story.baseline.fit.score_error * story.data.pv_scale * story.data.pv_scale;
+  return stepwise.baseline.fit.score_error * stepwise.data.pv_scale * stepwise.data.pv_scale;
 }
 
 double BaselineAnalysis::error_of_both_halves() const {
-  return compare(story.data, story.baseline, story.baseline).after * story.data.pv_scale *
-         story.data.pv_scale;
+  return compare(stepwise.data, stepwise.baseline, stepwise.baseline).after *
+         stepwise.data.pv_scale * stepwise.data.pv_scale;
 }
 
 BaselineAnalysis analyse_baseline(const ModelInput& recorded, const ModelInput& at_rows,
                                   const RowGrid& grid) {
   LoopData data = make_loop_data(recorded.pv, recorded.op, recorded.sample_interval_s, grid);
   data.without = recorded.without;
-  BaselineAnalysis look{recorded, at_rows, start_selection(data), {}};
-  look.answers = run_residual_tests(at_rows, look.story.data, look.story.baseline.fit);
-  return look;
+  BaselineAnalysis analysis{recorded, at_rows, start_selection(data), {}};
+  analysis.answers =
+      run_residual_tests(at_rows, analysis.stepwise.data, analysis.stepwise.baseline.fit);
+  return analysis;
 }
 
 BaselineAnalysis analyse_baseline(const ModelInput& recorded) {
   return analyse_baseline(recorded, recorded, {});
 }
 
-void report_linear_rest(const BaselineAnalysis& look, Explanation& explanation) {
-  report_rest(look.story, look.answers, explanation);
+void report_linear_rest(const BaselineAnalysis& analysis, Explanation& explanation) {
+  report_rest(analysis.stepwise, analysis.answers, explanation);
 }
 
-Explanation begin_explanation(const BaselineAnalysis& look) {
-  const LoopData& data = look.story.data;
-  const Fit& linear = look.story.baseline.fit;
+Explanation begin_explanation(const BaselineAnalysis& analysis) {
+  const LoopData& data = analysis.stepwise.data;
+  const Fit& linear = analysis.stepwise.baseline.fit;
   Explanation explanation;
-  explanation.baseline = {describe(data, linear), look.baseline_error(),
+  explanation.baseline = {describe(data, linear), analysis.baseline_error(),
                           report_process(data, linear)};
   return explanation;
 }
 
-Explanation select_and_report(BaselineAnalysis& look) {
-  Explanation explanation = begin_explanation(look);
-  StepwiseModel& story = look.story;
-  explanation.asked = asked_effects(look.answers);
-  const std::vector<TestOutcome>* others = look.recorded.without.others();
+Explanation select_and_report(BaselineAnalysis& analysis) {
+  Explanation explanation = begin_explanation(analysis);
+  StepwiseModel& stepwise = analysis.stepwise;
+  explanation.asked = asked_effects(analysis.answers);
+  const std::vector<TestOutcome>* others = analysis.recorded.without.others();
   std::vector<TestOutcome> left = select_effects(
-      story, others ? *others : look.answers, [&](const LoopData& data, const Fit& fit) {
-        return others ? *others : run_residual_tests(look.at_rows, data, fit);
+      stepwise, others ? *others : analysis.answers, [&](const LoopData& data, const Fit& fit) {
+        return others ? *others : run_residual_tests(analysis.at_rows, data, fit);
       });
-  explanation.steps = report_steps(story);
-  const Fit& last = story.last().fit;
-  const bool changed = !story.chapters.empty();
-  if (changed) explanation.baseline.process = report_process(story.data, last);
-  for (TestOutcome& answer : run_coupling_tests(story.data, last, look.at_rows.seed))
+  explanation.steps = report_steps(stepwise);
+  const Fit& last = stepwise.last().fit;
+  const bool changed = !stepwise.selected.empty();
+  if (changed) explanation.baseline.process = report_process(stepwise.data, last);
+  for (TestOutcome& answer : run_coupling_tests(stepwise.data, last, analysis.at_rows.seed))
     left.push_back(std::move(answer));
-  const std::size_t op_turns = judge_loop(look, last, explanation);
-  report_rest(story, left, explanation);
+  const std::size_t op_turns = judge_loop(analysis, last, explanation);
+  report_rest(stepwise, left, explanation);
   // Behind a held sensor the shape of a cycle proves nothing: there it accused the valves of 5 in
   // 640 healthy loops, and none of 40 that stick and were not found without it.
-  if (story.data.grid.every_sample() && look.recorded.without.keeps(Mechanism::hysteresis_by_cycle))
-    apply_limit_cycle_evidence(look.recorded, look.answers, left, op_turns, explanation);
-  if (look.recorded.without.keeps(Mechanism::steps_after_moves))
-    find_steps_after_moves(look.recorded, story.data.grid.samples_per_row, explanation);
+  if (stepwise.data.grid.every_sample() &&
+      analysis.recorded.without.keeps(Mechanism::hysteresis_by_cycle))
+    apply_limit_cycle_evidence(analysis.recorded, analysis.answers, left, op_turns, explanation);
+  if (analysis.recorded.without.keeps(Mechanism::steps_after_moves))
+    find_steps_after_moves(analysis.recorded, stepwise.data.grid.samples_per_row, explanation);
   return explanation;
 }
 
-Explanation report_linear_model(const BaselineAnalysis& look) {
-  Explanation explanation = begin_explanation(look);
-  judge_loop(look, look.story.baseline.fit, explanation);
-  report_linear_rest(look, explanation);
+Explanation report_linear_model(const BaselineAnalysis& analysis) {
+  Explanation explanation = begin_explanation(analysis);
+  judge_loop(analysis, analysis.stepwise.baseline.fit, explanation);
+  report_linear_rest(analysis, explanation);
   return explanation;
 }
 

@@ -51,8 +51,8 @@ bool rests(std::span<const double> pv) {
 }
 
 /// `fewest` rows of each kind.
-bool has_rows(const BaselineAnalysis& look, std::size_t fewest) {
-  const Rows& rows = look.story.data.rows;
+bool has_rows(const BaselineAnalysis& analysis, std::size_t fewest) {
+  const Rows& rows = analysis.stepwise.data.rows;
   return rows.fit_count() >= fewest && rows.score_count() >= fewest;
 }
 
@@ -70,7 +70,7 @@ void spread_over(Explanation& explanation, double share) {
   }
 }
 
-/// Of a held sensor only the renewals say anything of pv: the story is told on them, with op as it
+/// Of a held sensor only the renewals say anything of pv: the model is told on them, with op as it
 /// was recorded. nullopt where too few are left to fit.
 std::optional<FittedLoop> tell_renewals(const ModelInput& input, BaselineAnalysis& samples,
                                         Step hold, std::size_t hold_samples) {
@@ -82,32 +82,33 @@ std::optional<FittedLoop> tell_renewals(const ModelInput& input, BaselineAnalysi
       renewed.pv,          renewed.op, renewed.sp,   renewed.error, input.sample_interval_s / share,
       input.op_in_percent, input.seed, input.without};
   if (!varies(renewed.pv)) return std::nullopt;
-  BaselineAnalysis look = analyse_baseline(input, at_rows, renewed.grid);
-  if (!has_rows(look, kFewestRenewals)) return std::nullopt;
-  const double error = look.error_of_both_halves();
-  Explanation explanation = select_and_report(look);
+  BaselineAnalysis analysis = analyse_baseline(input, at_rows, renewed.grid);
+  if (!has_rows(analysis, kFewestRenewals)) return std::nullopt;
+  const double error = analysis.error_of_both_halves();
+  Explanation explanation = select_and_report(analysis);
   explanation.baseline.holdout_error = error;
   spread_over(explanation, share);
   hold.holdout_error_after = explanation.baseline.holdout_error;
   explanation.noise_floor = std::min(explanation.noise_floor, hold.holdout_error_after);
   explanation.baseline.holdout_error = hold.holdout_error_before;
   add_first(hold, explanation);
-  return FittedLoop{std::move(explanation), std::move(samples.story), std::move(look.story)};
+  return FittedLoop{std::move(explanation), std::move(samples.stepwise),
+                    std::move(analysis.stepwise)};
 }
 
 /// pv is a function of op up to rounding: one of the two was computed from the other.
-bool too_good(const BaselineAnalysis& look) {
+bool too_good(const BaselineAnalysis& analysis) {
   constexpr double kRounding = 1e-8;  // of pv's variance
-  return look.story.baseline.fit.score_error < kRounding;
+  return analysis.stepwise.baseline.fit.score_error < kRounding;
 }
 
-Explanation refused(const BaselineAnalysis& look) {
-  Explanation explanation = begin_explanation(look);
-  explanation.noise_floor = look.baseline_error();
+Explanation refused(const BaselineAnalysis& analysis) {
+  Explanation explanation = begin_explanation(analysis);
+  explanation.noise_floor = analysis.baseline_error();
   explanation.excitation =
       "Not excited: op predicts pv up to rounding, as the controller run backwards does.";
   explanation.process_doubt = explanation.excitation;
-  report_linear_rest(look, explanation);
+  report_linear_rest(analysis, explanation);
   return explanation;
 }
 
@@ -122,18 +123,20 @@ std::optional<Explanation> explain(const ModelInput& input) {
 std::optional<FittedLoop> fit_loop_model(const ModelInput& input) {
   constexpr std::size_t kFewestRows = 100;
   if (!fittable(input)) return std::nullopt;
-  BaselineAnalysis look = analyse_baseline(input);
-  if (!has_rows(look, kFewestRows)) return std::nullopt;
-  if (too_good(look)) return FittedLoop{refused(look), std::move(look.story), std::nullopt};
-  const SensorFinding sensor = find_sensor_steps(look.baseline_error(), look.answers);
+  BaselineAnalysis analysis = analyse_baseline(input);
+  if (!has_rows(analysis, kFewestRows)) return std::nullopt;
+  if (too_good(analysis))
+    return FittedLoop{refused(analysis), std::move(analysis.stepwise), std::nullopt};
+  const SensorFinding sensor = find_sensor_steps(analysis.baseline_error(), analysis.answers);
   std::optional<FittedLoop> told;
-  if (sensor.renewed()) told = tell_renewals(input, look, *sensor.hold, sensor.hold_samples);
+  if (sensor.renewed()) told = tell_renewals(input, analysis, *sensor.hold, sensor.hold_samples);
   if (!told) {
     // Of a held sensor with few renewals nothing but the hold is claimed: samples in between follow
     // no loop.
     const bool linear_only = sensor.renewed() || rests(input.pv);
-    Explanation explanation = linear_only ? report_linear_model(look) : select_and_report(look);
-    told = FittedLoop{std::move(explanation), std::move(look.story), std::nullopt};
+    Explanation explanation =
+        linear_only ? report_linear_model(analysis) : select_and_report(analysis);
+    told = FittedLoop{std::move(explanation), std::move(analysis.stepwise), std::nullopt};
     if (sensor.hold) add_first(*sensor.hold, told->explanation);
   }
   if (sensor.quantisation) add_first(*sensor.quantisation, told->explanation);

@@ -27,7 +27,7 @@ namespace loopscope::core::model {
 /// An explanation with the fits that it was read off.
 struct FittedLoop {
   Explanation explanation;
-  /// Every sample a row. Without chapters where `renewals` has them.
+  /// Every sample a row. Without selected effects where `renewals` has them.
   StepwiseModel samples;
   /// Of a held sensor that is renewed often enough: the same on the rows of its renewals.
   std::optional<StepwiseModel> renewals;

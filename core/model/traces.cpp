@@ -130,7 +130,7 @@ void put_simulation(std::span<const double> measured, std::vector<double> simula
 class Stages {
  public:
   Stages(const ModelInput& input, const FittedLoop& told)
-      : input_(input), told_(told), story_(told.renewals ? *told.renewals : told.samples) {
+      : input_(input), told_(told), stepwise_(told.renewals ? *told.renewals : told.samples) {
     stages_.push_back(baseline(told.samples, true));
     const bool by_witness = told.explanation.error_kind == ErrorKind::simulation;
     if (by_witness) witness_ = simulate_limit_cycle(input, told.explanation.steps.back());
@@ -141,8 +141,8 @@ class Stages {
   [[nodiscard]] std::vector<TraceStage> take() { return std::move(stages_); }
 
  private:
-  [[nodiscard]] TraceStage baseline(const StepwiseModel& story, bool once) const {
-    return judged_stage(input_.pv, story.data, {story.baseline, story.first_rows, once});
+  [[nodiscard]] TraceStage baseline(const StepwiseModel& stepwise, bool once) const {
+    return judged_stage(input_.pv, stepwise.data, {stepwise.baseline, stepwise.first_rows, once});
   }
 
   [[nodiscard]] TraceStage after(const Step& step, bool by_witness) {
@@ -150,7 +150,7 @@ class Stages {
     if (held && told_.renewals) return baseline(*told_.renewals, false);
     if (is_of_the_sensor(step.effect)) return stages_.back();
     if (by_witness) return seen_by_witness();
-    return judged_stage(input_.pv, story_.data, story_.chapters[next_++].judged);
+    return judged_stage(input_.pv, stepwise_.data, stepwise_.selected[next_++].judged);
   }
 
   [[nodiscard]] TraceStage seen_by_witness() const {
@@ -162,7 +162,7 @@ class Stages {
 
   const ModelInput& input_;
   const FittedLoop& told_;
-  const StepwiseModel& story_;  ///< the one with chapters
+  const StepwiseModel& stepwise_;  ///< the one with selected effects
   std::optional<WitnessSimulation> witness_;
   std::vector<TraceStage> stages_;
   std::size_t next_ = 0;

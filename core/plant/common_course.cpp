@@ -86,8 +86,9 @@ Follower CommonCourse::follow(std::size_t index, bool own_line) const {
   const bool in_core = own != core_.end();
   const Envelope others = in_core ? course_without(&*own) : Envelope{};
   const Envelope& course = in_core ? others : whole_;
-  const double p = own_line ? compare(measure_wander(course), measure_wander(envelopes_[index])).p
-                            : plant::follow(envelopes_[index], course).p;
+  const double p =
+      own_line ? compare(measure_increments(course), measure_increments(envelopes_[index])).p
+               : plant::follow(envelopes_[index], course).p;
   // Of the course of all: without the clearest loop it is noisy, and noise hides what follows it.
   // An envelope is half the amplitude: a cosine of variance 1/2 has |z|^2 = 1/4.
   return {index, p, 2.0 * plant::follow(envelopes_[index], whole_).followed};

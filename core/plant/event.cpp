@@ -149,13 +149,13 @@ class Search {
 
   void look_about(const Centre& centre) {
     const std::vector<Envelope>& envelopes = envelopes_at(centre.step);
-    const Hub star = star_about(centre, envelopes);
-    const double star_p = star.p * static_cast<double>(centres_.size());
-    if (star.rays.empty() || star_p > settings_.event_p) return;
-    std::vector<std::size_t> core{star.centre};
-    core.insert(core.end(), star.rays.begin(), star.rays.end());
+    const Hub hub = hub_about(centre, envelopes);
+    const double hub_p = hub.p * static_cast<double>(centres_.size());
+    if (hub.neighbours.empty() || hub_p > settings_.event_p) return;
+    std::vector<std::size_t> core{hub.centre};
+    core.insert(core.end(), hub.neighbours.begin(), hub.neighbours.end());
     const CommonCourse course(envelopes, core);
-    Event event{course.frequency_hz(), star_p,
+    Event event{course.frequency_hz(), hub_p,
                 members_of(course, envelopes, centre.line.frequency_hz)};
     if (event.members.size() < 2) return;
     event.p = std::max(event.p, shared_line_p(centre, event.members));
@@ -168,24 +168,24 @@ class Search {
 
   /// Loops with a line of their own here have to keep step, the others to follow: two families, of
   /// which the one that says less may still join.
-  [[nodiscard]] Hub star_about(const Centre& centre, const std::vector<Envelope>& envelopes) const {
+  [[nodiscard]] Hub hub_about(const Centre& centre, const std::vector<Envelope>& envelopes) const {
     std::vector<Neighbour> lines, others;
     const Envelope& own = envelopes[centre.index];
-    const Wander wander = measure_wander(own);
+    const Increments increments = measure_increments(own);
     for (std::size_t i = 0; i < envelopes.size(); ++i) {
       if (i == centre.index || envelopes[i].points.empty()) continue;
       if (has_line(i, centre.line.frequency_hz))
-        lines.push_back({i, compare(wander, measure_wander(envelopes[i])).p});
+        lines.push_back({i, compare(increments, measure_increments(envelopes[i])).p});
       else
         others.push_back({i, follow(envelopes[i], own).p});
     }
-    Hub star = find_star(centre.index, std::move(lines));
-    const Hub other = find_star(centre.index, std::move(others));
-    if (other.p < star.p && other.p > settings_.event_p) star.rays.clear();
-    if (other.p <= std::max(star.p, settings_.event_p))
-      star.rays.insert(star.rays.end(), other.rays.begin(), other.rays.end());
-    star.p = std::min(1.0, 2.0 * std::min(star.p, other.p));
-    return star;
+    Hub hub = find_hub(centre.index, std::move(lines));
+    const Hub other = find_hub(centre.index, std::move(others));
+    if (other.p < hub.p && other.p > settings_.event_p) hub.neighbours.clear();
+    if (other.p <= std::max(hub.p, settings_.event_p))
+      hub.neighbours.insert(hub.neighbours.end(), other.neighbours.begin(), other.neighbours.end());
+    hub.p = std::min(1.0, 2.0 * std::min(hub.p, other.p));
+    return hub;
   }
 
   /// Who follows the course, by false-discovery control among the loops with a line here and among

@@ -25,9 +25,9 @@ struct Event {
 /// Every event of the plant, strongest evidence first.
 ///
 /// 1. Lines: every loop's spectral lines, faint ones too (spectral_line.hpp), strongest first.
-/// 2. Who follows it: all loops against the line's loop at its frequency (following.hpp); the star
+/// 2. Who follows it: all loops against the line's loop at its frequency (following.hpp); the hub
 ///    that independent loops show least often (hub.hpp) has to be rarer than event_p.
-/// 3. Members: who follows the common course of the star, by false-discovery control.
+/// 3. Members: who follows the common course of the hub, by false-discovery control.
 /// 4. The line of all: loops of one process go together at rest as well, but over broad bands.
 ///    Their evidence for a line is added by Fisher's rule and has to be rarer than event_p as well.
 /// A line that lies in an event of its loop, or at a harmonic of it, begins no other one; events of

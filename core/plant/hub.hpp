@@ -15,13 +15,13 @@ struct Neighbour {
 /// One loop and those that follow its oscillation.
 struct Hub {
   std::size_t centre = 0;
-  std::vector<std::size_t> rays;  ///< best first; empty = nothing was found
-  /// That independent loops show such a star: the chance of so many of the neighbours below the
-  /// worst p of the star, times the sizes that were looked at.
+  std::vector<std::size_t> neighbours;  ///< best first; empty = nothing was found
+  /// That independent loops show such a hub: the chance of so many of the neighbours below the
+  /// worst p of the hub, times the sizes that were looked at.
   double p = 1.0;
 };
 
 /// The least likely of the stars about one centre.
-[[nodiscard]] Hub find_star(std::size_t centre, std::vector<Neighbour> around);
+[[nodiscard]] Hub find_hub(std::size_t centre, std::vector<Neighbour> around);
 
 }  // namespace loopscope::core::plant

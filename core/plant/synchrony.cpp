@@ -94,7 +94,7 @@ double slowest_turn(const Products& products) {
 }
 
 /// One-sided p of the correlation of `one` with `other` so many points later.
-double moves_together_p(const Wander& a, const std::vector<double>& one, const Wander& b,
+double moves_together_p(const Increments& a, const std::vector<double>& one, const Increments& b,
                         const std::vector<double>& other, std::int64_t later) {
   std::vector<double> x, y;
   for (std::size_t k = 0; k < one.size(); ++k) {
@@ -109,7 +109,7 @@ double moves_together_p(const Wander& a, const std::vector<double>& one, const W
   return correlation_p(x, y, kOwnPasts);
 }
 
-double together_p(const Wander& a, const Wander& b, std::vector<double> Wander::*part) {
+double together_p(const Increments& a, const Increments& b, std::vector<double> Increments::*part) {
   double best = 1.0;
   for (const std::int64_t later : {-1, 0, 1})
     best = std::min(best, moves_together_p(a, a.*part, b, b.*part, later));
@@ -118,22 +118,22 @@ double together_p(const Wander& a, const Wander& b, std::vector<double> Wander::
 
 }  // namespace
 
-Wander measure_wander(Envelope envelope) {
-  Wander wander;
-  wander.phase = without_own_past(phase_steps(envelope));
-  wander.amplitude = without_own_past(magnitudes(envelope));
-  wander.envelope = std::move(envelope);
-  return wander;
+Increments measure_increments(Envelope envelope) {
+  Increments increments;
+  increments.phase = without_own_past(phase_steps(envelope));
+  increments.amplitude = without_own_past(magnitudes(envelope));
+  increments.envelope = std::move(envelope);
+  return increments;
 }
 
-Synchrony compare(const Wander& one, const Wander& other) {
+Synchrony compare(const Increments& one, const Increments& other) {
   Synchrony result;
   const Products products = multiply(one.envelope, other.envelope);
   result.points = products.at.size();
   if (result.points < kFewestKnown) return result;
   result.frequency_p = std::clamp(slowest_turn(products), kLeastFrequencyP, 1.0);
-  result.phase_p = together_p(one, other, &Wander::phase);
-  result.amplitude_p = together_p(one, other, &Wander::amplitude);
+  result.phase_p = together_p(one, other, &Increments::phase);
+  result.amplitude_p = together_p(one, other, &Increments::amplitude);
   const double all =
       fisher_combined_p(std::array{result.frequency_p, result.phase_p, result.amplitude_p});
   result.p = std::min(1.0, 2.0 * std::min(all, result.frequency_p));

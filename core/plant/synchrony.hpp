@@ -8,12 +8,12 @@ namespace loopscope::core::plant {
 
 /// How one oscillation wanders about its own mean course, ready to be compared: what is left of the
 /// phase's steps and of the amplitude when their own past has been taken off.
-struct Wander {
+struct Increments {
   Envelope envelope;
   std::vector<double> phase;      ///< white; NaN where unknown; entry k belongs to point k
   std::vector<double> amplitude;  ///< likewise
 };
-[[nodiscard]] Wander measure_wander(Envelope envelope);
+[[nodiscard]] Increments measure_increments(Envelope envelope);
 
 /// Whether two oscillations keep step.
 struct Synchrony {
@@ -35,6 +35,6 @@ struct Synchrony {
 /// Perfect lines show the first only: p is twice the smaller of that alone and of all three by
 /// Fisher's rule. So two of them are never joined, several are.
 /// p = 1 with fewer than eight points in common.
-[[nodiscard]] Synchrony compare(const Wander& one, const Wander& other);
+[[nodiscard]] Synchrony compare(const Increments& one, const Increments& other);
 
 }  // namespace loopscope::core::plant

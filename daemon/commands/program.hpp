@@ -1,10 +1,7 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <span>
-
-namespace CLI {
-class App;
-}
 
 namespace loopscope::daemon {
 

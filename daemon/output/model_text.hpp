@@ -6,7 +6,7 @@
 
 namespace loopscope::daemon {
 
-/// The story of the loop model for a terminal: baseline, each step with the error before and after
+/// The report of the loop model for a terminal: baseline, each step with the error before and after
 /// and the residual tests that asked for it, what is left, and the closed loop that the records
 /// imply.
 [[nodiscard]] std::string model_text(const core::model::Explanation& explanation);

@@ -22,7 +22,7 @@ LoopInput read_input(const config::Settings& settings, const storage::StoredAnal
   RowMemory memory;
   CoreGate cores(1);
   ProgressBoard board;
-  return std::move(read_inputs(historian, slots, analysis, memory, {cores, board.desk()}).front());
+  return std::move(read_inputs(historian, slots, analysis, memory, {cores, board.entry()}).front());
 }
 
 }  // namespace

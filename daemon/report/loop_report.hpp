@@ -19,13 +19,13 @@ inline constexpr std::int64_t kHistoryReachUs = std::int64_t{90} * 86'400 * 1'00
 [[nodiscard]] LoopReport read_story(storage::ReportDatabase& database,
                                     const storage::FlaggedRow& row);
 
-/// The figures of a story but those of the model's steps; those of its window only when it was
+/// The figures of a report but those of the model's steps; those of its window only when it was
 /// looked at again.
-[[nodiscard]] std::vector<Figure> figures_of(const LoopReport& story);
+[[nodiscard]] std::vector<Figure> figures_of(const LoopReport& loop_report);
 
-/// Looks at the window again and draws the pictures. What cannot be had is said in the story's
+/// Looks at the window again and draws the pictures. What cannot be had is said in the report's
 /// `trouble`: the other loops of a report are told of all the same.
-void add_figures(LoopReport& story, const storage::CatalogueEntry& loop,
+void add_figures(LoopReport& loop_report, const storage::CatalogueEntry& loop,
                  const WindowSource::Reading& reading, const core::AnalysisSettings& settings,
                  const std::filesystem::path& gnuplot, const std::stop_token& stop = {});
 

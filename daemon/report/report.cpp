@@ -33,7 +33,7 @@ constexpr std::size_t kMostPictured = 100;
 
 struct Content {
   PlantFacts facts;
-  std::vector<LoopReport> stories;
+  std::vector<LoopReport> loop_reports;
 };
 
 using LoopsById = std::map<std::int64_t, storage::CatalogueEntry>;
@@ -55,7 +55,7 @@ Content read_content(const config::Settings& settings, std::int64_t since_us) {
                    database.counts(since_us),     database.flagged(),
                    database.plant_oscillations(), database.repairs(since_us)};
   for (const storage::FlaggedRow& row : content.facts.flagged)
-    content.stories.push_back(read_story(database, row));
+    content.loop_reports.push_back(read_story(database, row));
   return content;
 }
 
@@ -70,27 +70,27 @@ storage::CatalogueEntry entry_of(const LoopsById& loops, const storage::FlaggedR
 }
 
 /// Windows are read one after the other, looked at and drawn on all cores.
-void illustrate_all(const config::Settings& settings, std::span<LoopReport> stories,
+void illustrate_all(const config::Settings& settings, std::span<LoopReport> loop_reports,
                     const std::stop_token& stop) {
   const std::filesystem::path gnuplot = find_gnuplot();
   const LoopsById loops = catalogue_of(settings);
   WindowSource windows(settings);
   std::vector<WindowSource::Reading> readings;
   std::vector<storage::CatalogueEntry> entries;
-  for (const LoopReport& story : stories) {
-    entries.push_back(entry_of(loops, story.row));
-    readings.push_back(windows.read(entries.back(), story.row.slot_end_us));
+  for (const LoopReport& loop_report : loop_reports) {
+    entries.push_back(entry_of(loops, loop_report.row));
+    readings.push_back(windows.read(entries.back(), loop_report.row.slot_end_us));
   }
   const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-  in_threads(stories.size(), threads, [&]() -> IndexedTask {
+  in_threads(loop_reports.size(), threads, [&]() -> IndexedTask {
     return [&](std::size_t k) {
-      add_figures(stories[k], entries[k], readings[k], settings.analysis, gnuplot, stop);
+      add_figures(loop_reports[k], entries[k], readings[k], settings.analysis, gnuplot, stop);
     };
   });
 }
 
-void leave_without_pictures(std::span<LoopReport> stories, const std::string& why) {
-  for (LoopReport& story : stories) story.trouble = why;
+void leave_without_pictures(std::span<LoopReport> loop_reports, const std::string& why) {
+  for (LoopReport& loop_report : loop_reports) loop_report.trouble = why;
 }
 
 void add_event_pictures(PlantFacts& facts, bool wanted, const std::stop_token& stop) {
@@ -109,10 +109,10 @@ void add_event_pictures(PlantFacts& facts, bool wanted, const std::stop_token& s
   }
 }
 
-void add_pictures(const config::Settings& settings, bool wanted, std::vector<LoopReport>& stories,
-                  const std::stop_token& stop) {
-  const std::size_t pictured = wanted ? std::min(stories.size(), kMostPictured) : 0;
-  const std::span<LoopReport> all(stories);
+void add_pictures(const config::Settings& settings, bool wanted,
+                  std::vector<LoopReport>& loop_reports, const std::stop_token& stop) {
+  const std::size_t pictured = wanted ? std::min(loop_reports.size(), kMostPictured) : 0;
+  const std::span<LoopReport> all(loop_reports);
   if (pictured > 0) illustrate_all(settings, all.first(pictured), stop);
   leave_without_pictures(
       all.subspan(pictured),
@@ -129,7 +129,8 @@ std::string title_of(const std::string& plant) {
 std::string page_of(const Content& content) {
   const PlantFacts& facts = content.facts;
   std::vector<Markup> sections = {plant_section(facts, LoopLinks::sections)};
-  for (const LoopReport& story : content.stories) sections.push_back(loop_section(story));
+  for (const LoopReport& loop_report : content.loop_reports)
+    sections.push_back(loop_section(loop_report));
   return page({title_of(facts.plant), fmt::format("Loopscope report, {} to {}", utc(facts.since_us),
                                                   utc(facts.counts.now_us))},
               sections);
@@ -152,7 +153,7 @@ ReportResult write_report(const config::Settings& settings, const ReportOptions&
                           const std::stop_token& stop) {
   const auto engine = options.pdf ? std::optional(find_pdf_engine()) : std::nullopt;
   Content content = read_content(settings, options.since_us);
-  add_pictures(settings, options.pictures, content.stories, stop);
+  add_pictures(settings, options.pictures, content.loop_reports, stop);
   add_event_pictures(content.facts, options.pictures, stop);
   if (stop.stop_requested())
     throw Failure(ExitCode::fault, "stopped before the report was made", "make it again");
@@ -167,10 +168,10 @@ ReportResult write_report(const config::Settings& settings, const ReportOptions&
   // The page last: a report whose page is there is complete, and the daemon makes no other.
   if (options.pdf) write(".pdf", pdf);
   write(".html", page);
-  result.flagged = content.stories.size();
-  for (const LoopReport& story : content.stories) {
-    if (story.trouble.empty()) continue;
-    if (result.unpictured++ == 0) result.first_trouble = story.trouble;
+  result.flagged = content.loop_reports.size();
+  for (const LoopReport& loop_report : content.loop_reports) {
+    if (loop_report.trouble.empty()) continue;
+    if (result.unpictured++ == 0) result.first_trouble = loop_report.trouble;
   }
   return result;
 }

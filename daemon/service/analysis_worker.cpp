@@ -32,9 +32,9 @@ AnalysisWorker::AnalysisWorker(std::shared_ptr<const config::Settings> settings,
       index_(index),
       owner_(worker_name(index)),
       tools_(tools),
-      desk_(tools.progress.desk()),
+      progress_(tools.progress.entry()),
       results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.stop, tools.floors),
-      reader_(settings_, settings_json_, slot_rule, tools, desk_, results_) {}
+      reader_(settings_, settings_json_, slot_rule, tools, progress_, results_) {}
 
 template <typename Claim>
 std::vector<ClaimedLoop> AnalysisWorker::timed_claim(Claim claim) {
@@ -45,7 +45,7 @@ std::vector<ClaimedLoop> AnalysisWorker::timed_claim(Claim claim) {
     in_doubt_ = false;
     return claimed;
   });
-  if (!claims.empty()) desk_.hold(claims);
+  if (!claims.empty()) progress_.hold(claims);
   const storage::StageCost cost{.claim_s = watch.lap_s()};
   if (!claims.empty()) {
     costs_.add(cost);
@@ -106,10 +106,10 @@ std::vector<std::pair<std::string, Claims>> AnalysisWorker::by_source(
 storage::WriteCount AnalysisWorker::process(const std::vector<ClaimedLoop>& claims) {
   /// Whatever happens, nothing is held afterwards.
   struct Clear {
-    AnalysisWorker& lane;
+    AnalysisWorker& worker;
     ~Clear() {
-      lane.desk_.drop();
-      lane.suspect_turn_ = {};
+      worker.progress_.drop();
+      worker.suspect_turn_ = {};
     }
   } const clear{*this};
   Stopwatch watch;
@@ -146,27 +146,27 @@ storage::WriteCount AnalysisWorker::process_source(const std::string& source,
 std::size_t AnalysisWorker::analyse(Batch& batch) {
   const AnalysisOrders orders{*settings_, settings_json_, enabled_loops()};
   Stopwatch watch;
-  const CoreGate::Permit core = take_core({tools_.cores, desk_});
+  const CoreGate::Permit core = take_core({tools_.cores, progress_});
   batch.cost.wait_s += watch.lap_s();
   std::size_t lost = 0;
-  for (const LoopTask& visit : batch.visits) {
-    if (desk_.lost(visit.claim->loop.loop_id)) {
+  for (const LoopTask& task : batch.tasks) {
+    if (progress_.lost(task.claim->loop.loop_id)) {
       ++lost;
     } else {
-      complete(visit, orders, batch);
+      complete(task, orders, batch);
     }
-    desk_.step();
+    progress_.step();
   }
-  batch.visits.clear();
+  batch.tasks.clear();
   add_analyses(watch.lap_s(), batch.completed, batch.cost);
   return lost;
 }
 
-void AnalysisWorker::complete(const LoopTask& visit, const AnalysisOrders& orders, Batch& batch) {
+void AnalysisWorker::complete(const LoopTask& task, const AnalysisOrders& orders, Batch& batch) {
   try {
-    batch.completed.push_back(complete_visit(visit, batch.stored, orders));
+    batch.completed.push_back(complete_task(task, batch.stored, orders));
   } catch (const std::exception& error) {
-    set_aside(*visit.claim, as_failure(*visit.claim, error), batch);
+    set_aside(*task.claim, as_failure(*task.claim, error), batch);
   }
 }
 
@@ -210,7 +210,7 @@ storage::WriteCount AnalysisWorker::finish(const std::vector<storage::CompletedL
   given_back.reserve(completed.size() + failed.size());
   for (const storage::CompletedLoop& loop : completed) given_back.push_back(loop.loop_id);
   for (const storage::FailedLoop& loop : failed) given_back.push_back(loop.loop_id);
-  desk_.done(given_back);
+  progress_.done(given_back);
   return count;
 }
 
@@ -218,7 +218,7 @@ storage::WriteCount AnalysisWorker::finish(const std::vector<storage::CompletedL
 /// fault that is not the loops': at once when the process stops, else after a pause. Where that
 /// fails too they go back before the next claim, or the claims run out.
 void AnalysisWorker::give_back(const std::string& reason) {
-  const std::vector<ClaimedLoop> held = desk_.held();
+  const std::vector<ClaimedLoop> held = progress_.held();
   if (held.empty()) return;
   std::vector<storage::FailedLoop> failed;
   failed.reserve(held.size());

@@ -20,17 +20,17 @@
 
 namespace loopscope::daemon {
 
-/// One lane of work: claims a batch of loops, fetches their windows, analyses them and writes the
-/// results back, then the next batch. There are more lanes than cores, so that some fetch and write
-/// while others analyse; as many as there are cores analyse at a time (CoreGate), and memory holds
-/// one batch a lane, whatever the number of loops.
+/// A worker: claims a batch of loops, fetches their windows, analyses them and writes the
+/// results back, then the next batch. There are more workers than cores, so that some fetch and
+/// write while others analyse; as many as there are cores analyse at a time (CoreGate), and memory
+/// holds one batch a worker, whatever the number of loops.
 ///
 /// Each has its own connection to the results, used by one thread at a time; those to the
 /// historians are lent by a pool. A fault of one loop or one historian sets those loops aside and
 /// stops nothing else; work that is done is kept until the results database takes it.
 class AnalysisWorker {
  public:
-  /// `index` tells the lanes of a process apart.
+  /// `index` tells the workers of a process apart.
   AnalysisWorker(std::shared_ptr<const config::Settings> settings, std::size_t index,
                  SlotRule slot_rule, SharedServices& tools);
   AnalysisWorker(const AnalysisWorker&) = delete;  // its parts refer to each other
@@ -38,7 +38,7 @@ class AnalysisWorker {
 
   /// Claims loops that are due. Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
-  /// Claims one loop that may be what kills the workers, if no other lane has one in hand.
+  /// Claims one loop that may be what kills the workers, if no other worker has one in hand.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_suspect();
   /// Claims the next loops after `after` in the order of the catalogue; no suspects.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_next(std::int64_t after);
@@ -51,9 +51,9 @@ class AnalysisWorker {
   [[nodiscard]] const std::shared_ptr<const config::Settings>& settings() const {
     return settings_;
   }
-  /// Where the time went since this lane was made.
+  /// Where the time went since this worker was made.
   [[nodiscard]] const storage::StageCost& cost() const { return costs_.sum(); }
-  /// Logs that the results database failed this lane, until it works for it.
+  /// Logs that the results database failed this worker, until it works for it.
   void say(const storage::DatabaseError& error) { results_.say(error); }
   /// Stores what of that is not stored yet; a database that fails is a fault for the log.
   void store_cost();
@@ -69,13 +69,13 @@ class AnalysisWorker {
   std::vector<storage::ClaimedLoop> timed_claim(Claim claim);
   template <typename Use>
   auto with_retry(Use use) {
-    return results_.with_retry(tools_.perseverance, use, [this] { desk_.step(); });
+    return results_.with_retry(tools_.perseverance, use, [this] { progress_.step(); });
   }
   storage::WriteCount process_source(const std::string& source, const Claims& claims);
   [[nodiscard]] std::size_t enabled_loops();
   /// Returns how many were left out because others have claimed them since.
   std::size_t analyse(Batch& batch);
-  void complete(const LoopTask& visit, const AnalysisOrders& orders, Batch& batch);
+  void complete(const LoopTask& task, const AnalysisOrders& orders, Batch& batch);
   storage::WriteCount write(const Claims& claims, Batch& batch);
   storage::WriteCount write_one_by_one(const Claims& claims, Batch& batch);
   storage::WriteCount finish(const std::vector<storage::CompletedLoop>& completed,
@@ -88,10 +88,10 @@ class AnalysisWorker {
   std::size_t index_;
   std::string owner_;
   SharedServices& tools_;
-  ProgressBoard::Entry& desk_;
+  ProgressBoard::Entry& progress_;
   ResultsLink results_;
   BatchReader reader_;
-  bool in_doubt_ = false;  ///< the lane may hold loops that it does not know of
+  bool in_doubt_ = false;  ///< the worker may hold loops that it does not know of
   std::unique_lock<std::mutex> suspect_turn_;
   std::optional<Failure> first_failure_;
   StageTimings costs_;

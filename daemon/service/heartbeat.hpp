@@ -14,10 +14,10 @@
 
 namespace loopscope::daemon {
 
-/// Extends the leases of what the lanes hold, three times while a claim holds, on a thread and a
-/// connection of its own; only of lanes that got on since (ProgressBoard). So a batch that takes
-/// long keeps its loops, while a lane that hangs loses them to others. Lanes learn which loops were
-/// lost meanwhile. Signs the process in loopscope.worker.
+/// Extends the leases of what the workers hold, three times while a claim holds, on a thread and a
+/// connection of its own; only of workers that got on since (ProgressBoard). So a batch that takes
+/// long keeps its loops, while a worker that hangs loses them to others. Workers learn which loops
+/// were lost meanwhile. Signs the process in loopscope.worker.
 class Heartbeat {
  public:
   using Clock = std::chrono::steady_clock;

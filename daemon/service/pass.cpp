@@ -22,7 +22,7 @@
 namespace loopscope::daemon {
 namespace {
 
-/// Lanes run on a thread pool; everything that is shared (bar, sum, end) is touched by the main
+/// Workers run on a thread pool; everything that is shared (bar, sum, end) is touched by the main
 /// thread's io_context alone.
 class Pass {
  public:
@@ -33,7 +33,7 @@ class Pass {
         stop_(std::move(stop)),
         signals_(context_, SIGINT, SIGTERM),
         lanes_left_(lane_count(settings_->daemon)),
-        walking_lanes_(lanes_left_),
+        walking_workers_(lanes_left_),
         pool_(lanes_left_) {}
 
   PassResult run() {
@@ -56,7 +56,7 @@ class Pass {
     }
     context_.run();
     pool_.join();
-    // After a signal the context may have run out of work before the lanes' last words.
+    // After a signal the context may have run out of work before the workers' last words.
     context_.restart();
     context_.run();
     if (error_) std::rethrow_exception(error_);
@@ -67,12 +67,12 @@ class Pass {
  private:
   void work(std::size_t index) {
     try {
-      AnalysisWorker lane(settings_, index, SlotRule::newest_sample, tools_);
-      process_all(lane, [&] { return next_claims(lane); });
-      // The last lane, so that a suspect which kills the process takes nothing with it.
-      if (--walking_lanes_ == 0) process_all(lane, [&] { return next_suspect(lane); });
-      lane.store_cost();
-      asio::post(context_, [this, failure = lane.first_failure(), cost = lane.cost()] {
+      AnalysisWorker worker(settings_, index, SlotRule::newest_sample, tools_);
+      process_all(worker, [&] { return next_claims(worker); });
+      // The last worker, so that a suspect which kills the process takes nothing with it.
+      if (--walking_workers_ == 0) process_all(worker, [&] { return next_suspect(worker); });
+      worker.store_cost();
+      asio::post(context_, [this, failure = worker.first_failure(), cost = worker.cost()] {
         if (!result_.first_failure) result_.first_failure = failure;
         storage::add(result_.cost, cost);
       });
@@ -91,25 +91,25 @@ class Pass {
 
   /// Until there is nothing to claim.
   template <typename Claim>
-  void process_all(AnalysisWorker& lane, Claim claim) {
+  void process_all(AnalysisWorker& worker, Claim claim) {
     for (auto claims = claim(); !claims.empty(); claims = claim()) {
-      const storage::WriteCount count = lane.process(claims);
+      const storage::WriteCount count = worker.process(claims);
       asio::post(context_, [this, count, loops = claims.size()] { account(count, loops); });
     }
   }
 
   /// Each at most once, since one that is done is none any more. Those that rest are left out: they
   /// have killed a process that had nothing else in hand.
-  std::vector<storage::ClaimedLoop> next_suspect(AnalysisWorker& lane) {
+  std::vector<storage::ClaimedLoop> next_suspect(AnalysisWorker& worker) {
     if (claims_have_ended()) return {};
-    return lane.claim_suspect();
+    return worker.claim_suspect();
   }
 
-  /// Claims are taken one lane at a time, so that all walk through the catalogue together.
-  std::vector<storage::ClaimedLoop> next_claims(AnalysisWorker& lane) {
+  /// Claims are taken one worker at a time, so that all walk through the catalogue together.
+  std::vector<storage::ClaimedLoop> next_claims(AnalysisWorker& worker) {
     const std::lock_guard lock(cursor_mutex_);
     if (claims_have_ended()) return {};
-    auto claims = lane.claim_next(cursor_);
+    auto claims = worker.claim_next(cursor_);
     for (const storage::ClaimedLoop& claim : claims) {
       cursor_ = std::max(cursor_, claim.loop.loop_id);
     }
@@ -128,11 +128,11 @@ class Pass {
   asio::io_context context_;
   asio::signal_set signals_;
   std::size_t lanes_left_;
-  std::atomic<std::size_t> walking_lanes_;  ///< that may still find a batch
+  std::atomic<std::size_t> walking_workers_;  ///< that may still find a batch
   asio::thread_pool pool_;
   std::mutex cursor_mutex_;
   std::int64_t cursor_ = 0;
-  /// A lane has. No stop: what the others have in hand is tried again as long as ever.
+  /// A worker has. No stop: what the others have in hand is tried again as long as ever.
   std::atomic<bool> failed_ = false;
   PassResult result_;
   std::exception_ptr error_;

@@ -20,7 +20,7 @@ struct PassResult {
   std::size_t enabled = 0;               ///< in the catalogue when it began
   int signal = 0;                        ///< SIGTERM or SIGINT that ended it early; 0 = none
   std::optional<Failure> first_failure;  ///< why loops were set aside; nullopt = none was
-  storage::StageCost cost;               ///< summed over the lanes
+  storage::StageCost cost;               ///< summed over the workers
   double elapsed_s = 0.0;                ///< from the first claim to the last write
 };
 

@@ -34,10 +34,10 @@ namespace loopscope::daemon {
 namespace {
 
 constexpr std::chrono::seconds kPulseEvery{1};
-/// One in so many of a lane's looks in a row begins with the suspects.
+/// One in so many of a worker's looks in a row begins with the suspects.
 constexpr int kSuspectEvery = 16;
 
-/// State is touched by the io_context's thread alone; a busy lane belongs to its pool thread
+/// State is touched by the io_context's thread alone; a busy worker belongs to its pool thread
 /// until that posts it back.
 class Service {
  public:
@@ -66,7 +66,7 @@ class Service {
     await_signal();
     pulse();
     for (std::size_t index = 0; index < seats_.size(); ++index) dispatch(index);
-    // Until the lanes have said their last words: a second signal is awaited as long.
+    // Until the workers have said their last words: a second signal is awaited as long.
     context_.run();
     pool_.join();
     plant_.reset();
@@ -76,10 +76,10 @@ class Service {
   }
 
  private:
-  /// A lane and when it looks again.
+  /// A worker and when it looks again.
   struct WorkerSlot {
     WorkerSlot(asio::io_context& context, double poll_s) : timer(context), pause(poll_s) {}
-    std::optional<AnalysisWorker> lane;
+    std::optional<AnalysisWorker> worker;
     asio::steady_timer timer;
     RetryPause pause;
   };
@@ -191,15 +191,15 @@ class Service {
            before.http_address != now.http_address;
   }
 
-  /// Sends an idle lane to look for due loops.
+  /// Sends an idle worker to look for due loops.
   void dispatch(std::size_t index) {
     WorkerSlot& seat = seats_[index];
-    if (!seat.lane || seat.lane->settings() != settings_) {
-      seat.lane.emplace(settings_, index, SlotRule::clock, tools_);
+    if (!seat.worker || seat.worker->settings() != settings_) {
+      seat.worker.emplace(settings_, index, SlotRule::clock, tools_);
     }
     ++busy_;
     asio::post(pool_, [this, index, &seat] {
-      const DrainResult drained = drain(*seat.lane);
+      const DrainResult drained = drain(*seat.worker);
       asio::post(context_, [this, index, drained] { rest(index, drained); });
     });
   }
@@ -210,7 +210,7 @@ class Service {
     add(sum_, drained.count);
     if (stop_.stop_requested()) return end_when_idle();
     WorkerSlot& seat = seats_[index];
-    if (seat.lane->settings() != settings_) return dispatch(index);
+    if (seat.worker->settings() != settings_) return dispatch(index);
     seat.timer.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
         std::chrono::duration<double>(
             idle_pause_s(drained, settings_->schedule.poll_s, source_opens_in_s(), seat.pause))));
@@ -230,40 +230,40 @@ class Service {
   }
 
   /// Works until nothing is due. Runs on a pool thread.
-  DrainResult drain(AnalysisWorker& lane) {
+  DrainResult drain(AnalysisWorker& worker) {
     DrainResult drained;
     try {
-      WorkReport report(lane.cost());
-      for (int round = 1; lane.settings().get() == in_force_; ++round) {
-        const auto claims = next_claims(lane, round);
+      WorkReport report(worker.cost());
+      for (int round = 1; worker.settings().get() == in_force_; ++round) {
+        const auto claims = next_claims(worker, round);
         if (claims.empty()) break;
-        const storage::WriteCount count = lane.process(claims);
+        const storage::WriteCount count = worker.process(claims);
         drained.worked = true;
-        report.add(count, lane.cost());
+        report.add(count, worker.cost());
         add(drained.count, count);
       }
-      lane.store_cost();
+      worker.store_cost();
       report.say();
       drained.next_due_in_s =
-          std::max(lane.next_due_in_s().value_or(lane.settings()->schedule.poll_s), 0.0);
-      tools_.faults.recovered("worker", &lane);
+          std::max(worker.next_due_in_s().value_or(worker.settings()->schedule.poll_s), 0.0);
+      tools_.faults.recovered("worker", &worker);
     } catch (const storage::DatabaseError& error) {
       drained.failed = true;
-      lane.say(error);
+      worker.say(error);
     } catch (const std::exception& error) {
       drained.failed = true;
-      tools_.faults.fault("worker", error.what(), &lane);
+      tools_.faults.fault("worker", error.what(), &worker);
     }
     return drained;
   }
 
   /// Suspects come after all others, but not never.
-  std::vector<storage::ClaimedLoop> next_claims(AnalysisWorker& lane, int round) {
+  std::vector<storage::ClaimedLoop> next_claims(AnalysisWorker& worker, int round) {
     if (stop_.stop_requested()) return {};
     const bool suspect_first = round % kSuspectEvery == 0;
-    auto claims = suspect_first ? lane.claim_suspect() : lane.claim_due();
+    auto claims = suspect_first ? worker.claim_suspect() : worker.claim_due();
     if (!claims.empty()) return claims;
-    return suspect_first ? lane.claim_due() : lane.claim_suspect();
+    return suspect_first ? worker.claim_due() : worker.claim_suspect();
   }
 
   std::filesystem::path file_;
@@ -274,9 +274,9 @@ class Service {
   asio::signal_set signals_;
   asio::steady_timer pulse_timer_;
   std::deque<WorkerSlot> seats_;
-  std::size_t busy_ = 0;  ///< lanes on the pool
+  std::size_t busy_ = 0;  ///< workers on the pool
   asio::thread_pool pool_;
-  std::atomic<const config::Settings*> in_force_;  ///< settings_, for lanes at work to compare
+  std::atomic<const config::Settings*> in_force_;  ///< settings_, for workers at work to compare
   std::optional<Heartbeat> heartbeat_;
   std::optional<ServiceWatch> watch_;
   std::optional<PlantWatch> plant_;

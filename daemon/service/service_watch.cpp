@@ -17,8 +17,8 @@ using std::chrono::duration;
 
 /// The scheduling thread never waits for anything.
 constexpr double kPulseLimit_s = 30.0;
-/// A lane or the heartbeat waits for databases, but no longer than a lease (storage_settings.cpp);
-/// a short lease is no reason to restart a process that is connecting.
+/// A worker or the heartbeat waits for databases, but no longer than a lease
+/// (storage_settings.cpp); a short lease is no reason to restart a process that is connecting.
 constexpr double kLeastLimit_s = 60.0;
 /// No statement takes longer than a minute and no analysis nearly as long, whatever the lease.
 constexpr double kMostLimit_s = 300.0;

@@ -21,8 +21,8 @@ namespace loopscope::daemon {
 
 /// What others see of the daemon: its HTTP pages and reports, its state for systemd, and the state
 /// of the schedule, asked for once a poll on a thread and a connection of its own. The watchdog is
-/// fed by pulse() alone, which the scheduling thread calls, and only while heartbeat and lanes get
-/// on.
+/// fed by pulse() alone, which the scheduling thread calls, and only while heartbeat and workers
+/// get on.
 class ServiceWatch {
  public:
   using Clock = std::chrono::steady_clock;

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/diagnosis/odds/beside_others.hpp"
+#include "core/diagnosis/odds/explaining_away.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -21,7 +21,7 @@ struct CauseCurves {
   std::string_view cause;  ///< code of the verdict
   double share = 0.0;      ///< of the loops of the fit: its prior
   double log_odds = 0.0;   ///< where all figures say nothing
-  BesideOthers beside;
+  ExplainingAway beside;
   std::vector<FigureCurve> curves;
 };
 

@@ -98,11 +98,11 @@ void shift(WeighedCause& cause, const Priors& priors) {
 
 /// `result`, by its own figures, beside the others, as probable as they are in this plant.
 WeighedCause beside_all(WeighedCause result, std::size_t place, std::span<const OwnOdds> all) {
-  const BesideOthers& beside = *all[place].beside;
+  const ExplainingAway& beside = *all[place].beside;
   for (Part& part : result.parts) part.weight *= beside.scale;
   for (const OthersPart& part : parts_of_others(place, all))
     result.parts.push_back({std::nullopt, part.probability, part.weight, part.first});
-  result.log_odds = beside_others(result.log_odds, place, all);
+  result.log_odds = explaining_away(result.log_odds, place, all);
   return result;
 }
 

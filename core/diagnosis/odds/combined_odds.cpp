@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnosis/odds/beside_others.hpp"
 #include "core/diagnosis/odds/cause_curves.hpp"
+#include "core/diagnosis/odds/explaining_away.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
 
@@ -133,7 +133,7 @@ PerCause probabilities_of(const CombinedOdds& combined, const PerCause& priors) 
   PerCause result(combined.evidence.size());
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (!at(combined.evidence, all[k].code)) continue;
-    const double by_fit = beside_others(all[k].log_odds - shifts[k], k, all);
+    const double by_fit = explaining_away(all[k].log_odds - shifts[k], k, all);
     set_cause(result, all[k].code, probability_of(shifts[k] + by_fit));
   }
   return result;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/diagnosis/odds/beside_others.hpp"
+#include "core/diagnosis/odds/explaining_away.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -12,7 +12,7 @@ namespace loopscope::core::diagnosis {
 /// What a cause is beside the others, after several windows.
 struct SeveralWindows {
   std::string_view cause;  ///< code of the verdict
-  BesideOthers beside;
+  ExplainingAway beside;
 };
 
 /// The fitted table (several_windows.inc, written by tests/verdict/windows), of every cause that
@@ -48,7 +48,7 @@ struct CombinedOdds {
 ///     n           = sum of w exp(-age / kMemoryWindows), age in lengths of the window
 ///     mean m      = weighted mean of the windows' log odds beyond the prior
 ///     log odds    = prior + m
-///     then beside the others (beside_others.hpp), once, after all windows
+///     then beside the others (explaining_away.hpp), once, after all windows
 ///
 /// Windows of one loop are wrong together, because their loop is of one kind: more of them make
 /// nobody surer of a cause than one does, and their mean is what they are worth. Mean and n of the

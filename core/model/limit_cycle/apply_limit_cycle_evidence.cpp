@@ -35,7 +35,7 @@ double explained(const std::vector<Step>& steps, bool (*counts)(const Step&)) {
 }
 
 /// A law was found for a few of the valve's slips, and the others passed for jumps: as many as a
-/// story takes in, which explain more than the law does, and nothing else but what they leave of
+/// model takes in, which explain more than the law does, and nothing else but what they leave of
 /// a gain that seems to change.
 bool most_slips_pass_for_jumps(const std::vector<Step>& steps) {
   constexpr std::ptrdiff_t kMostSlips = 3;
@@ -49,7 +49,7 @@ bool most_slips_pass_for_jumps(const std::vector<Step>& steps) {
 /// Nine to one, in the units of `margin`.
 constexpr double kClear = 22.0;
 
-/// Whether what the story found speaks against the valve that the three witnesses see.
+/// Whether what the model found speaks against the valve that the three witnesses see.
 bool others_stand(const std::vector<Step>& steps, const std::vector<TestOutcome>& left,
                   const Step& valve) {
   constexpr double kStillThere = 0.05;

@@ -136,7 +136,7 @@ struct ClosedLoop {
   double integral_per_s = 0.0;
 };
 
-/// The story of one loop, from the linear model to what is left.
+/// The explanation of one loop, from the linear model to what is left.
 struct Explanation {
   bool excited = false;       ///< op moves enough for claims; else nothing below claims anything
   std::string excitation;     ///< why not, or how much op moves

@@ -55,8 +55,8 @@ void add_spread(const LoopData& data, const Fit& fit, std::vector<Parameter>& pa
   }
 }
 
-Step report(const LoopData& data, const SelectedEffect& chapter) {
-  const Fit& fit = chapter.fit.fit;
+Step report(const LoopData& data, const SelectedEffect& entered) {
+  const Fit& fit = entered.fit.fit;
   const Effect& effect = *fit.structure.effects.back();
   const double square = data.pv_scale * data.pv_scale;
   Step step;
@@ -64,24 +64,25 @@ Step report(const LoopData& data, const SelectedEffect& chapter) {
   step.parameters = parameters_of(data, fit, fit.structure.effects.size() - 1);
   if (!traits_of(step.effect).everywhere) add_spread(data, fit, step.parameters);
   step.law = effect.law();
-  step.holdout_error_before = chapter.comparison.before * square;
-  step.holdout_error_after = chapter.comparison.after * square;
-  step.evidence = chapter.comparison.evidence;
-  step.p = chapter.comparison.p;
-  step.margin = step.evidence - chapter.rival_evidence;
-  step.simulation_ratio = chapter.simulation_ratio;
-  step.steadiness = chapter.comparison.steadiness;
+  step.holdout_error_before = entered.comparison.before * square;
+  step.holdout_error_after = entered.comparison.after * square;
+  step.evidence = entered.comparison.evidence;
+  step.p = entered.comparison.p;
+  step.margin = step.evidence - entered.rival_evidence;
+  step.simulation_ratio = entered.simulation_ratio;
+  step.steadiness = entered.comparison.steadiness;
   step.statement = effect.words(step.parameters);
-  step.asked_by = asked_by(step.effect, chapter.asked_for, chapter.left);
-  step.promise_rank = chapter.promise_rank;
+  step.asked_by = asked_by(step.effect, entered.asked_for, entered.left);
+  step.promise_rank = entered.promise_rank;
   return step;
 }
 
 }  // namespace
 
-std::vector<Step> report_steps(const StepwiseModel& story) {
+std::vector<Step> report_steps(const StepwiseModel& stepwise) {
   std::vector<Step> steps;
-  for (const SelectedEffect& chapter : story.chapters) steps.push_back(report(story.data, chapter));
+  for (const SelectedEffect& entered : stepwise.selected)
+    steps.push_back(report(stepwise.data, entered));
   return steps;
 }
 

@@ -5,7 +5,7 @@
 
 namespace loopscope::core::model {
 
-/// The steps of a story in the results' words: parameters with their spread, errors in pv units.
-[[nodiscard]] std::vector<Step> report_steps(const StepwiseModel& story);
+/// The steps of a model in the results' words: parameters with their spread, errors in pv units.
+[[nodiscard]] std::vector<Step> report_steps(const StepwiseModel& stepwise);
 
 }  // namespace loopscope::core::model

@@ -42,39 +42,39 @@ double rival_evidence(const std::vector<CandidateFit>& trials, double passed_ove
 }
 
 /// All but its fit.
-SelectedEffect chapter_of(const std::vector<CandidateFit>& trials, double passed_over) {
+SelectedEffect selected_effect(const std::vector<CandidateFit>& trials, double passed_over) {
   const CandidateFit& winner = trials.front();
-  SelectedEffect chapter;
-  chapter.comparison = winner.comparison;
-  chapter.rival_evidence = rival_evidence(trials, passed_over);
-  chapter.simulation_ratio = simulation_error(winner.rows, winner.fit.fit) /
+  SelectedEffect entered;
+  entered.comparison = winner.comparison;
+  entered.rival_evidence = rival_evidence(trials, passed_over);
+  entered.simulation_ratio = simulation_error(winner.rows, winner.fit.fit) /
                              simulation_error(winner.rows, winner.before.fit);
-  chapter.judged = {winner.fit, winner.rows.rows, winner.scored_once()};
-  return chapter;
+  entered.judged = {winner.fit, winner.rows.rows, winner.scored_once()};
+  return entered;
 }
 
 /// The process once more with the effect in its place: process and noise may have been bent by its
 /// absence, so that they are also sought from a plain noise.
-void settle_chapter(const LoopData& rows, SelectedEffect& chapter) {
+void settle(const LoopData& rows, SelectedEffect& entered) {
   if (!rows.without.keeps(Mechanism::settled_effect)) return;
-  Structure plain = chapter.fit.fit.structure;
+  Structure plain = entered.fit.fit.structure;
   plain.noise = NoiseModel{};
-  for (const Structure& start : {chapter.fit.fit.structure, plain}) {
+  for (const Structure& start : {entered.fit.fit.structure, plain}) {
     Fit again = search_process(rows, start);
-    if (again.fit_error < chapter.fit.fit.fit_error && is_plausible(again))
-      chapter.fit = cross_fit(rows, std::move(again));
+    if (again.fit_error < entered.fit.fit.fit_error && is_plausible(again))
+      entered.fit = cross_fit(rows, std::move(again));
   }
 }
 
-void add_chapter(const IntakeTerms& terms, std::vector<CandidateFit>& trials,
-                 StepwiseModel& story) {
+void add_selected(const IntakeTerms& terms, std::vector<CandidateFit>& trials,
+                  StepwiseModel& stepwise) {
   complete(trials.front());
-  SelectedEffect chapter = chapter_of(trials, terms.passed_over);
-  const CrossFit& judged = chapter.judged.fit;
-  story.data = judged_on(terms.original, judged.fit.structure);
-  chapter.fit = reevaluated(story.data, judged);
-  settle_chapter(story.data, chapter);
-  story.chapters.push_back(std::move(chapter));
+  SelectedEffect entered = selected_effect(trials, terms.passed_over);
+  const CrossFit& judged = entered.judged.fit;
+  stepwise.data = judged_on(terms.original, judged.fit.structure);
+  entered.fit = reevaluated(stepwise.data, judged);
+  settle(stepwise.data, entered);
+  stepwise.selected.push_back(std::move(entered));
 }
 
 /// What an effect has to explain beyond chance where the tests that asked for it still see the
@@ -91,27 +91,27 @@ bool comes_alone(EffectKind kind) {
   return !is_from_outside(kind);
 }
 
-bool answers_its_tests(const CandidateFit& trial, const SelectedEffect& chapter) {
-  const EffectKind kind = chapter.kind();
+bool answers_its_tests(const CandidateFit& trial, const SelectedEffect& entered) {
+  const EffectKind kind = entered.kind();
   if (!comes_alone(kind) || !trial.rows.without.keeps(Mechanism::share_left)) return true;
-  const double left = share_left(asked_by(kind, chapter.asked_for, chapter.left));
+  const double left = share_left(asked_by(kind, entered.asked_for, entered.left));
   return std::exp(-0.5 * (trial.worth() - price_of_share_left(left))) <= kEnters;
 }
 
 /// Whether a test that asked for a valve still sees what it saw.
-bool is_still_asked_for(const SelectedEffect& chapter) {
-  const EffectKind kind = chapter.kind();
+bool is_still_asked_for(const SelectedEffect& entered) {
+  const EffectKind kind = entered.kind();
   return is_valve_hysteresis(kind) &&
          std::ranges::any_of(
-             asked_by(kind, chapter.asked_for, chapter.left),
+             asked_by(kind, entered.asked_for, entered.left),
              [](const AskedBy& test) { return test.p_after.value_or(1.0) <= kNominates; });
 }
 
-/// One round's trials on their way into the story.
+/// One round's trials on their way into the model.
 class Intake {
  public:
-  Intake(std::vector<CandidateFit> trials, const IntakeTerms& terms, StepwiseModel& story)
-      : trials_(std::move(trials)), terms_(terms), story_(story), before_(story.data) {}
+  Intake(std::vector<CandidateFit> trials, const IntakeTerms& terms, StepwiseModel& stepwise)
+      : trials_(std::move(trials)), terms_(terms), stepwise_(stepwise), before_(stepwise.data) {}
 
   bool run() {
     for (; !trials_.empty() && trials_.front().enters(); trials_.erase(trials_.begin())) {
@@ -126,12 +126,12 @@ class Intake {
   bool comes_in() {
     if (!can_come_in()) return false;
     put_in();
-    while (looks_ < kMostLooks && is_still_asked_for(story_.chapters.back())) {
-      if (!look_again(story_.last().fit)) continue;
+    while (looks_ < kMostLooks && is_still_asked_for(stepwise_.selected.back())) {
+      if (!look_again(stepwise_.last().fit)) continue;
       take_out();
       put_in();
     }
-    if (answers_its_tests(trials_.front(), story_.chapters.back())) return true;
+    if (answers_its_tests(trials_.front(), stepwise_.selected.back())) return true;
     take_out();
     return false;
   }
@@ -152,15 +152,15 @@ class Intake {
   }
 
   void put_in() {
-    add_chapter(terms_, trials_, story_);
-    SelectedEffect& chapter = story_.chapters.back();
-    chapter.asked_for = terms_.answers;
-    chapter.left = terms_.tests(story_.data, chapter.fit.fit);
+    add_selected(terms_, trials_, stepwise_);
+    SelectedEffect& entered = stepwise_.selected.back();
+    entered.asked_for = terms_.answers;
+    entered.left = terms_.tests(stepwise_.data, entered.fit.fit);
   }
 
   void take_out() {
-    story_.chapters.pop_back();
-    story_.data = before_;
+    stepwise_.selected.pop_back();
+    stepwise_.data = before_;
   }
 
   /// Whether that found a better valve, which the first trial is then.
@@ -173,7 +173,7 @@ class Intake {
 
   std::vector<CandidateFit> trials_;
   const IntakeTerms& terms_;
-  StepwiseModel& story_;
+  StepwiseModel& stepwise_;
   const LoopData before_;
   std::size_t looks_ = 0;
 };
@@ -184,19 +184,19 @@ StepwiseModel start_selection(const LoopData& data) {
   return {data, cross_fit(data, search_process(data, {})), {}};
 }
 
-std::vector<TestOutcome> select_effects(StepwiseModel& story, std::vector<TestOutcome> answers,
+std::vector<TestOutcome> select_effects(StepwiseModel& stepwise, std::vector<TestOutcome> answers,
                                         const ResidualTests& tests) {
-  const LoopData original = story.data;
+  const LoopData original = stepwise.data;
   bool after_a_step = false;
-  while (story.chapters.size() < kMostEffects) {
+  while (stepwise.selected.size() < kMostEffects) {
     const Nominations asked(answers);
     bool passed_over = false;
     const auto seek = [&](Reach reach) {
-      const Round round{original, story.data, story.last(), asked, after_a_step, reach};
+      const Round round{original, stepwise.data, stepwise.last(), asked, after_a_step, reach};
       SelectionOutcome contest = run_selection_round(round);
       passed_over = contest.outdone_by.has_value();
       return take_in(std::move(contest.trials),
-                     {original, tests, answers, contest.outdone_by, contest.passed_over}, story);
+                     {original, tests, answers, contest.outdone_by, contest.passed_over}, stepwise);
     };
     bool found = seek(Reach::promising);
     if (!found && passed_over) found = seek(Reach::asked);
@@ -204,10 +204,10 @@ std::vector<TestOutcome> select_effects(StepwiseModel& story, std::vector<TestOu
       found = seek(Reach::unasked);
     if (!found && !after_a_step) break;
     if (found) {
-      story.chapters.back().promise_rank = asked.rank(story.chapters.back().kind());
-      answers = story.chapters.back().left;
+      stepwise.selected.back().promise_rank = asked.rank(stepwise.selected.back().kind());
+      answers = stepwise.selected.back().left;
     }
-    after_a_step = found && story.chapters.back().kind() == EffectKind::load_step;
+    after_a_step = found && stepwise.selected.back().kind() == EffectKind::load_step;
   }
   return answers;
 }
@@ -224,8 +224,8 @@ std::optional<CandidateFit> refine_valve(const CandidateFit& entered, const Fit&
   return closer.worth() > entered.worth() ? std::optional(std::move(closer)) : std::nullopt;
 }
 
-bool take_in(std::vector<CandidateFit> trials, const IntakeTerms& terms, StepwiseModel& story) {
-  return Intake(std::move(trials), terms, story).run();
+bool take_in(std::vector<CandidateFit> trials, const IntakeTerms& terms, StepwiseModel& stepwise) {
+  return Intake(std::move(trials), terms, stepwise).run();
 }
 
 }  // namespace loopscope::core::model

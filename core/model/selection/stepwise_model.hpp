@@ -37,10 +37,10 @@ struct SelectedEffect {
 struct StepwiseModel {
   LoopData data;  ///< with the rows on which the last fit is judged
   CrossFit baseline;
-  std::vector<SelectedEffect> chapters;
+  std::vector<SelectedEffect> selected;
   Rows first_rows = data.rows;  ///< on which the baseline is judged
   [[nodiscard]] const CrossFit& last() const {
-    return chapters.empty() ? baseline : chapters.back().fit;
+    return selected.empty() ? baseline : selected.back().fit;
   }
 };
 
@@ -55,7 +55,7 @@ using ResidualTests = std::function<std::vector<TestOutcome>(const LoopData&, co
 /// The residual tests lead: what they ask for is tried, and what nobody asked for gets a cheap look
 /// once nothing else enters. `answers` to the linear loop's residual; returns those to the last
 /// one's.
-[[nodiscard]] std::vector<TestOutcome> select_effects(StepwiseModel& story,
+[[nodiscard]] std::vector<TestOutcome> select_effects(StepwiseModel& stepwise,
                                                       std::vector<TestOutcome> answers,
                                                       const ResidualTests& tests);
 
@@ -80,15 +80,15 @@ struct IntakeTerms {
 };
 
 /// The first of the trials that enters, explains something further ahead as well (`foresees`) and
-/// answers the tests that asked for it becomes a chapter; they come the most probable first.
-/// Whether there was one. Nothing enters behind a trial that let others be passed over and is
-/// refused.
+/// answers the tests that asked for it becomes a selected effect; they come the most probable
+/// first. Whether there was one. Nothing enters behind a trial that let others be passed over and
+/// is refused.
 ///
 /// A valve's law is a needle, and the search for it is one of chance: a valve that goes between the
 /// samples, or that does not foresee what it should, is looked for once more before it is weighed,
 /// and again as long as a test that asked for it still speaks with it in the model
 /// (refine_valve()).
 [[nodiscard]] bool take_in(std::vector<CandidateFit> trials, const IntakeTerms& terms,
-                           StepwiseModel& story);
+                           StepwiseModel& stepwise);
 
 }  // namespace loopscope::core::model

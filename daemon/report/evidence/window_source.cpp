@@ -37,13 +37,13 @@ storage::HistorianReader& WindowSource::historian_of(const std::string& source) 
 }
 
 LoopInput WindowSource::read_input(const storage::CatalogueEntry& loop, std::int64_t slot_end_us) {
-  // Read by nobody else: a gate and a desk of its own.
+  // Read by nobody else: a gate and a progress entry of its own.
   CoreGate gate(1);
   ProgressBoard board;
   RowMemory memory;
   const std::vector<LoopSlot> slots{slot_of(loop, slot_end_us)};
   std::vector<LoopInput> inputs = read_inputs(historian_of(loop.source), slots, settings_.analysis,
-                                              memory, {gate, board.desk()});
+                                              memory, {gate, board.entry()});
   return std::move(inputs.at(0));
 }
 

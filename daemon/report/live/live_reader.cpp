@@ -76,39 +76,40 @@ const LiveReader::Seen* LiveReader::seen(const storage::FlaggedRow& row) const {
   return nullptr;
 }
 
-void LiveReader::look(LoopReport& story, const std::stop_token& stop) {
-  if (const Seen* before = seen(story.row)) {
-    story.evidence = before->story.evidence;
-    story.pictures = before->story.pictures;
+void LiveReader::look(LoopReport& loop_report, const std::stop_token& stop) {
+  if (const Seen* before = seen(loop_report.row)) {
+    loop_report.evidence = before->loop_report.evidence;
+    loop_report.pictures = before->loop_report.pictures;
     return;
   }
-  const auto entry = storage::Catalogue(results_connection(*settings_)).find(story.row.loop_name);
+  const auto entry =
+      storage::Catalogue(results_connection(*settings_)).find(loop_report.row.loop_name);
   if (!entry) return;
   try {
     const std::filesystem::path gnuplot = find_gnuplot();
-    add_figures(story, *entry, windows_.read(*entry, story.row.slot_end_us), settings_->analysis,
-                gnuplot, stop);
+    add_figures(loop_report, *entry, windows_.read(*entry, loop_report.row.slot_end_us),
+                settings_->analysis, gnuplot, stop);
   } catch (const Failure& failure) {
-    story.trouble = failure.what();
+    loop_report.trouble = failure.what();
   }
   // What failed is tried again when the page is asked for again.
-  if (!story.evidence || !story.trouble.empty()) return;
-  seen_.push_front({story.row.analysis_id, story.row.input_revision, story});
+  if (!loop_report.evidence || !loop_report.trouble.empty()) return;
+  seen_.push_front({loop_report.row.analysis_id, loop_report.row.input_revision, loop_report});
   if (seen_.size() > kMostSeen) seen_.pop_back();
 }
 
 LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) {
-  LoopReport story;
+  LoopReport loop_report;
   {
     storage::ReportDatabase database(results_connection(*settings_));
     const auto row = database.latest(name);
     if (!row) return no_such_loop(name);
-    story = read_story(database, *row);
+    loop_report = read_story(database, *row);
   }
-  look(story, stop);
-  return {page(
-      {titled(settings_->report.plant, name), "window until " + utc(story.row.slot_end_us), true},
-      {loop_section(story)})};
+  look(loop_report, stop);
+  return {page({titled(settings_->report.plant, name),
+                "window until " + utc(loop_report.row.slot_end_us), true},
+               {loop_section(loop_report)})};
 }
 
 }  // namespace loopscope::daemon

@@ -36,18 +36,18 @@ class LiveReader {
   [[nodiscard]] LivePage loop(const std::string& name, const std::stop_token& stop);
 
  private:
-  /// The costly part of a story, by the analysis that it belongs to.
+  /// The costly part of a report, by the analysis that it belongs to.
   struct Seen {
     std::int64_t analysis_id = 0;
     int input_revision = 0;
-    LoopReport story;
+    LoopReport loop_report;
   };
 
   /// What the first screen tells but its pictures; the view of the results is let go with it.
   [[nodiscard]] PlantFacts plant_facts() const;
   /// Once for each round: a page is asked for more often than a round is made.
   void draw_events(PlantFacts& facts, const std::stop_token& stop);
-  void look(LoopReport& story, const std::stop_token& stop);
+  void look(LoopReport& loop_report, const std::stop_token& stop);
   [[nodiscard]] const Seen* seen(const storage::FlaggedRow& row) const;
 
   std::shared_ptr<const config::Settings> settings_;

@@ -49,11 +49,11 @@ std::vector<std::string> refusals(const LoopEvidence& evidence) {
 
 }  // namespace
 
-Markup data_section(const LoopReport& story) {
-  const std::optional<LoopEvidence>& evidence = story.evidence;
+Markup data_section(const LoopReport& loop_report) {
+  const std::optional<LoopEvidence>& evidence = loop_report.evidence;
   return render("data_section",
-                {{"any_problem", !story.problems.empty()},
-                 {"problems", rows(story.problems, problem_fields)},
+                {{"any_problem", !loop_report.problems.empty()},
+                 {"problems", rows(loop_report.problems, problem_fields)},
                  {"refusals", evidence ? refusals(*evidence) : std::vector<std::string>()},
                  {"figures", evidence ? window_figures(*evidence) : ""}});
 }

@@ -7,6 +7,6 @@ namespace loopscope::daemon {
 
 /// What the loop's data are worth: what is wrong with them and what mends it, and the figures of
 /// the window.
-[[nodiscard]] Markup data_section(const LoopReport& story);
+[[nodiscard]] Markup data_section(const LoopReport& loop_report);
 
 }  // namespace loopscope::daemon

@@ -4,13 +4,14 @@
 #include "daemon/report/page/template.hpp"
 
 namespace loopscope::daemon {
-bool is_only_shaken(const LoopReport& story) {
+bool is_only_shaken(const LoopReport& loop_report) {
   // A stay on the list is headed by its last fault, whatever the newest window says.
-  return story.followed && story.row.code == "healthy" && story.followed->shown_code != "healthy";
+  return loop_report.followed && loop_report.row.code == "healthy" &&
+         loop_report.followed->shown_code != "healthy";
 }
 
-std::string shown_code(const LoopReport& story) {
-  return is_only_shaken(story) ? story.followed->shown_code : story.row.code;
+std::string shown_code(const LoopReport& loop_report) {
+  return is_only_shaken(loop_report) ? loop_report.followed->shown_code : loop_report.row.code;
 }
 
 Markup follow_sentence(const storage::FollowedRow& followed) {

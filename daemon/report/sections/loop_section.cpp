@@ -15,9 +15,9 @@
 #include "daemon/report/sections/cause_bars.hpp"
 #include "daemon/report/sections/data_section.hpp"
 #include "daemon/report/sections/follow_words.hpp"
-#include "daemon/report/sections/hidden_words.hpp"
 #include "daemon/report/sections/picture_rows.hpp"
 #include "daemon/report/sections/repairs_table.hpp"
+#include "daemon/report/sections/why_not_listed.hpp"
 #include "daemon/report/text/page_text.hpp"
 
 namespace loopscope::daemon {
@@ -41,8 +41,8 @@ std::string believed_otherwise(const FlaggedRow& row) {
   return believed == two_decimals(row.confidence) ? "" : believed;
 }
 
-Fields heading(const LoopReport& story) {
-  const FlaggedRow& row = story.row;
+Fields heading(const LoopReport& loop_report) {
+  const FlaggedRow& row = loop_report.row;
   const bool listed = row.rank > 0;
   return {{"id", row.loop_id},
           {"rank", listed ? std::to_string(row.rank) : ""},
@@ -50,8 +50,8 @@ Fields heading(const LoopReport& story) {
           {"type", row.loop_type ? *row.loop_type + " loop" : "loop"},
           {"source", row.source},
           {"score", score_words(row)},
-          {"code", shown_code(story)},
-          {"verdict", as_heading(shown_code(story))},
+          {"code", shown_code(loop_report)},
+          {"verdict", as_heading(shown_code(loop_report))},
           {"confidence", two_decimals(row.confidence)},
           {"believed", believed_otherwise(row)},
           {"any_fault", row.fault_probability ? two_decimals(*row.fault_probability) : ""},
@@ -62,27 +62,27 @@ Fields heading(const LoopReport& story) {
 }
 
 /// What a loop follows: instead of its verdict where it is only shaken, else besides.
-Fields following(const LoopReport& story) {
-  const bool shaken = is_only_shaken(story);
-  const auto& followed = story.followed;
+Fields following(const LoopReport& loop_report) {
+  const bool shaken = is_only_shaken(loop_report);
+  const auto& followed = loop_report.followed;
   return {{"shaken", shaken},
           {"shaken_by", shaken ? followed->source_name.value_or("") : ""},
-          {"own_verdict", in_words(story.row.code)},
+          {"own_verdict", in_words(loop_report.row.code)},
           {"follows", followed ? follow_sentence(*followed) : Markup()},
           {"follows_too", followed && !shaken}};
 }
 
 /// Of the window as the historian gives it now.
-Markup causes_of(const LoopReport& story) {
-  return story.evidence ? cause_bars(story.evidence->diagnosis.verdict) : Markup();
+Markup causes_of(const LoopReport& loop_report) {
+  return loop_report.evidence ? cause_bars(loop_report.evidence->diagnosis.verdict) : Markup();
 }
 
-Fields findings(const LoopReport& story) {
-  return {{"summary", story.row.summary},
-          {"source_of", number_text(story.row.plant_oscillation_number)},
-          {"hidden", hidden_words(story.hidden)},
-          {"action", story.row.action},
-          {"causes", causes_of(story)}};
+Fields findings(const LoopReport& loop_report) {
+  return {{"summary", loop_report.row.summary},
+          {"source_of", number_text(loop_report.row.plant_oscillation_number)},
+          {"hidden", why_not_listed(loop_report.hidden)},
+          {"action", loop_report.row.action},
+          {"causes", causes_of(loop_report)}};
 }
 
 /// Plain sentences first, figures behind a fold; rows of a program before have figures alone.
@@ -98,27 +98,27 @@ Fields reasons(const FlaggedRow& row) {
 }
 
 /// The verdict that the pictures show may be another than the stored one: late rows, settings.
-std::string judged_now(const LoopReport& story) {
-  if (!story.evidence) return {};
-  const std::string now(core::diagnosis::name(story.evidence->diagnosis.verdict.code));
-  return now == story.row.code ? "" : in_words(now);
+std::string judged_now(const LoopReport& loop_report) {
+  if (!loop_report.evidence) return {};
+  const std::string now(core::diagnosis::name(loop_report.evidence->diagnosis.verdict.code));
+  return now == loop_report.row.code ? "" : in_words(now);
 }
 
-const std::optional<Explanation>& model_of(const LoopReport& story) {
+const std::optional<Explanation>& model_of(const LoopReport& loop_report) {
   static const std::optional<Explanation> none;
-  return story.evidence ? story.evidence->diagnosis.evidence.model : none;
+  return loop_report.evidence ? loop_report.evidence->diagnosis.evidence.model : none;
 }
 
-Fields parts(const LoopReport& story) {
-  const std::optional<Explanation>& model = model_of(story);
-  return {{"judged_now", judged_now(story)},
-          {"trouble", story.trouble},
-          {"any_picture", !story.pictures.empty()},
-          {"pictures", picture_rows(story.pictures)},
-          {"chain", model ? chain_table(*model, story.chain) : Markup()},
+Fields parts(const LoopReport& loop_report) {
+  const std::optional<Explanation>& model = model_of(loop_report);
+  return {{"judged_now", judged_now(loop_report)},
+          {"trouble", loop_report.trouble},
+          {"any_picture", !loop_report.pictures.empty()},
+          {"pictures", picture_rows(loop_report.pictures)},
+          {"chain", model ? chain_table(*model, loop_report.chain) : Markup()},
           {"explanation", model ? explanation_table(*model) : Markup()},
-          {"repairs", repairs_table(story.repairs)},
-          {"data", data_section(story)}};
+          {"repairs", repairs_table(loop_report.repairs)},
+          {"data", data_section(loop_report)}};
 }
 
 Fields stage(const std::string& words, const std::string& figures, const std::string& before,
@@ -157,10 +157,11 @@ Markup explanation_table(const Explanation& explanation) {
                                       {"rest", rest_texts(explanation)}});
 }
 
-Markup loop_section(const LoopReport& story) {
+Markup loop_section(const LoopReport& loop_report) {
   Fields fields;
-  for (Fields& part : std::array{heading(story), following(story), findings(story),
-                                 reasons(story.row), parts(story)})
+  for (Fields& part :
+       std::array{heading(loop_report), following(loop_report), findings(loop_report),
+                  reasons(loop_report.row), parts(loop_report)})
     std::ranges::move(part, std::back_inserter(fields));
   return render("loop_section", std::move(fields));
 }

@@ -28,7 +28,7 @@ struct LoopReport {
 
 /// One loop as HTML: cause, action, evidence, pictures, what led to the explanation and its errors,
 /// data, repairs.
-[[nodiscard]] Markup loop_section(const LoopReport& story);
+[[nodiscard]] Markup loop_section(const LoopReport& loop_report);
 
 /// The table of the model's errors before and after each effect, and what is left.
 [[nodiscard]] Markup explanation_table(const core::model::Explanation& explanation);

@@ -40,11 +40,11 @@ void postpone(const Claims& claims, const Failure& failure, double pause_s, Batc
   }
 }
 
-void add_reading(double elapsed_s, std::span<const LoopTask> visits, storage::StageCost& cost) {
+void add_reading(double elapsed_s, std::span<const LoopTask> tasks, storage::StageCost& cost) {
   const double prepared_s = cost.prepare_s;
-  for (const LoopTask& visit : visits) {
-    add_input(visit.newest, cost);
-    for (const LoopInput& input : visit.earlier) add_input(input, cost);
+  for (const LoopTask& task : tasks) {
+    add_input(task.newest, cost);
+    for (const LoopInput& input : task.earlier) add_input(input, cost);
   }
   cost.fetch_s += elapsed_s - (cost.prepare_s - prepared_s);
 }

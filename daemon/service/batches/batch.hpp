@@ -15,12 +15,12 @@
 
 namespace loopscope::daemon {
 
-/// Loops of one historian that a lane has claimed.
+/// Loops of one historian that a worker has claimed.
 using Claims = std::vector<const storage::ClaimedLoop*>;
 
-/// Claimed loops on their way through a lane: what was read, what has come of it, what it cost.
+/// Claimed loops on their way through a worker: what was read, what has come of it, what it cost.
 struct Batch {
-  std::vector<LoopTask> visits;
+  std::vector<LoopTask> tasks;
   RowMemory rows;
   StoredAnalyses stored;
   std::vector<storage::CompletedLoop> completed;
@@ -36,7 +36,7 @@ void set_aside(const storage::ClaimedLoop& claim, const Failure& failure, Batch&
 void postpone(const Claims& claims, const Failure& failure, double pause_s, Batch& batch);
 
 /// Adds what reading a batch took, first looks included: they are part of preparing.
-void add_reading(double elapsed_s, std::span<const LoopTask> visits, storage::StageCost& cost);
+void add_reading(double elapsed_s, std::span<const LoopTask> tasks, storage::StageCost& cost);
 
 /// Adds what analysing a batch took. What its records do not claim for statistics and model went
 /// into digests, verdicts and their words.

@@ -34,12 +34,12 @@ std::vector<std::int64_t> slots_to_check(const storage::ClaimedLoop& claim,
   return ends;
 }
 
-/// Visits claimed loops of ONE historian: reads the newest slot of each, in the order of `claims`.
+/// Claimed loops of ONE historian: reads the newest slot of each, in the order of `claims`.
 /// Throws storage::DatabaseError.
-std::vector<LoopTask> visit_newest(storage::HistorianReader& historian,
-                                   std::span<const storage::ClaimedLoop* const> claims,
-                                   const config::Settings& settings, const SourceTime& time,
-                                   RowMemory& memory, const AnalysisContext& place) {
+std::vector<LoopTask> tasks_of(storage::HistorianReader& historian,
+                               std::span<const storage::ClaimedLoop* const> claims,
+                               const config::Settings& settings, const SourceTime& time,
+                               RowMemory& memory, const AnalysisContext& place) {
   using Milliseconds = std::chrono::duration<double, std::milli>;
   const auto start = std::chrono::steady_clock::now();
   const auto slots = newest_slots(
@@ -48,22 +48,22 @@ std::vector<LoopTask> visit_newest(storage::HistorianReader& historian,
   std::vector<LoopInput> inputs = read_inputs(historian, slots, settings.analysis, memory, place);
   double reading_ms = Milliseconds(std::chrono::steady_clock::now() - start).count();
   for (const LoopInput& input : inputs) reading_ms -= input.first_look_ms;
-  std::vector<LoopTask> visits;
+  std::vector<LoopTask> tasks;
   for (std::size_t k = 0; k < claims.size(); ++k) {
-    visits.push_back(
+    tasks.push_back(
         {claims[k], std::move(inputs[k]), {}, reading_ms / static_cast<double>(claims.size())});
   }
-  return visits;
+  return tasks;
 }
 
-/// Loop and slot of everything that the visits may find stored: the newest slots and `horizon`
+/// Loop and slot of everything that the tasks may find stored: the newest slots and `horizon`
 /// earlier ones of each loop.
 std::vector<std::pair<std::int64_t, std::int64_t>> slots_that_may_be_stored(
-    std::span<const LoopTask> visits, int horizon) {
+    std::span<const LoopTask> tasks, int horizon) {
   std::vector<std::pair<std::int64_t, std::int64_t>> keys;
-  for (const LoopTask& visit : visits) {
-    const std::int64_t newest = visit.newest.at_slot.slot_end_us;
-    const storage::ClaimedLoop& claim = *visit.claim;
+  for (const LoopTask& task : tasks) {
+    const std::int64_t newest = task.newest.at_slot.slot_end_us;
+    const storage::ClaimedLoop& claim = *task.claim;
     keys.emplace_back(claim.loop.loop_id, newest);
     for (const std::int64_t end :
          earlier_slots(newest, claim.last_slot_end_us, claim.loop.period_s, horizon)) {
@@ -73,44 +73,44 @@ std::vector<std::pair<std::int64_t, std::int64_t>> slots_that_may_be_stored(
   return keys;
 }
 
-/// Earlier slots to look at again, all visits in one list; `visit` says whose each is.
+/// Earlier slots to look at again, all tasks in one list; `task` says whose each is.
 struct EarlierSlots {
   std::vector<LoopSlot> slots;
-  std::vector<std::size_t> visit;
+  std::vector<std::size_t> task;
 };
 
-EarlierSlots earlier_slots_to_check(std::span<const LoopTask> visits, const StoredAnalyses& stored,
+EarlierSlots earlier_slots_to_check(std::span<const LoopTask> tasks, const StoredAnalyses& stored,
                                     int horizon) {
   EarlierSlots earlier;
-  for (std::size_t k = 0; k < visits.size(); ++k) {
-    const LoopWindowAtSlot& newest = visits[k].newest.at_slot;
-    const storage::ClaimedLoop& claim = *visits[k].claim;
+  for (std::size_t k = 0; k < tasks.size(); ++k) {
+    const LoopWindowAtSlot& newest = tasks[k].newest.at_slot;
+    const storage::ClaimedLoop& claim = *tasks[k].claim;
     for (const std::int64_t end : slots_to_check(claim, newest.slot_end_us, stored, horizon)) {
       earlier.slots.push_back({&claim.loop, end, newest.tags, claim.pv_past});
-      earlier.visit.push_back(k);
+      earlier.task.push_back(k);
     }
   }
   return earlier;
 }
 
-/// Reads those slots into their visits. Throws storage::DatabaseError and leaves them as they were.
-void visit_earlier(storage::HistorianReader& historian, const EarlierSlots& earlier,
-                   const config::Settings& settings, RowMemory& memory,
-                   const AnalysisContext& place, std::span<LoopTask> visits) {
+/// Reads those slots into their tasks. Throws storage::DatabaseError and leaves them as they were.
+void add_earlier(storage::HistorianReader& historian, const EarlierSlots& earlier,
+                 const config::Settings& settings, RowMemory& memory, const AnalysisContext& place,
+                 std::span<LoopTask> tasks) {
   std::vector<LoopInput> inputs =
       read_inputs(historian, earlier.slots, settings.analysis, memory, place);
   for (std::size_t k = 0; k < inputs.size(); ++k) {
-    visits[earlier.visit[k]].earlier.push_back(std::move(inputs[k]));
+    tasks[earlier.task[k]].earlier.push_back(std::move(inputs[k]));
   }
 }
 
 /// Notes for the metrics how old the newest row of these loops' tags is, and how many values had a
-/// quality that no rule explains. All visits are of one source.
-void note_data(const std::string& source, std::span<const LoopTask> visits, Metrics& metrics) {
+/// quality that no rule explains. All tasks are of one source.
+void note_data(const std::string& source, std::span<const LoopTask> tasks, Metrics& metrics) {
   std::optional<std::int64_t> youngest_us;
   std::size_t unknown = 0;
-  for (const LoopTask& visit : visits) {
-    for (const TagReading& tag : visit.newest.at_slot.tags) {
+  for (const LoopTask& task : tasks) {
+    for (const TagReading& tag : task.newest.at_slot.tags) {
       unknown += tag.unknown_rows;
       if (!tag.newest_row_us) continue;
       const std::int64_t age_us = tag.asked_us - *tag.newest_row_us;
@@ -128,12 +128,13 @@ void note_data(const std::string& source, std::span<const LoopTask> visits, Metr
 
 BatchReader::BatchReader(std::shared_ptr<const config::Settings> settings,
                          const std::string& settings_json, SlotRule slot_rule,
-                         SharedServices& tools, ProgressBoard::Entry& desk, ResultsLink& results)
+                         SharedServices& tools, ProgressBoard::Entry& progress,
+                         ResultsLink& results)
     : settings_(std::move(settings)),
       settings_json_(settings_json),
       slot_rule_(slot_rule),
       tools_(tools),
-      desk_(desk),
+      progress_(progress),
       results_(results) {}
 
 BatchReader::Read BatchReader::read(const std::string& source, const Claims& claims, Batch& batch) {
@@ -141,26 +142,26 @@ BatchReader::Read BatchReader::read(const std::string& source, const Claims& cla
   Read done = read_newest(source, claims, batch);
   double reading_s = watch.lap_s();
   if (done == Read::all) {
-    batch.stored = stored_analyses(batch.visits);
+    batch.stored = stored_analyses(batch.tasks);
     batch.cost.claim_s += watch.lap_s();
     done = read_earlier(source, claims, batch);
     reading_s += watch.lap_s();
   }
   batch.rows = {};  // the windows hold what is needed of them
-  add_reading(reading_s, batch.visits, batch.cost);
+  add_reading(reading_s, batch.tasks, batch.cost);
   return done;
 }
 
-template <typename Visit>
+template <typename Use>
 BatchReader::Read BatchReader::with_source(const std::string& source, const Claims& claims,
-                                           Batch& batch, Visit visit) {
+                                           Batch& batch, Use use) {
   const auto counted_read = [&](storage::HistorianReader& historian) {
-    historian.on_statement([&desk = desk_] { desk.step(); });
-    return visit(historian);
+    historian.on_statement([&progress = progress_] { progress.step(); });
+    return use(historian);
   };
   try {
     const config::HistorianSettings& settings = find_historian(*settings_, source);
-    batch.visits =
+    batch.tasks =
         tools_.historians.with_reader(settings, source_terms(settings_->schedule), counted_read);
     tools_.faults.recovered("historian " + source);
     return Read::all;
@@ -186,12 +187,12 @@ BatchReader::Read BatchReader::read_newest(const std::string& source, const Clai
                                            Batch& batch) {
   const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
     const SourceTime time = time_of(source, historian);
-    std::vector<LoopTask> visits =
-        visit_newest(historian, claims, *settings_, time, batch.rows, {tools_.cores, desk_});
-    for (LoopTask& visit : visits) visit.by_rows = time.rule != slot_rule_;
-    return visits;
+    std::vector<LoopTask> tasks =
+        tasks_of(historian, claims, *settings_, time, batch.rows, {tools_.cores, progress_});
+    for (LoopTask& task : tasks) task.by_rows = time.rule != slot_rule_;
+    return tasks;
   });
-  if (done == Read::all) note_data(source, batch.visits, tools_.metrics);
+  if (done == Read::all) note_data(source, batch.tasks, tools_.metrics);
   return done;
 }
 
@@ -203,24 +204,25 @@ SourceTime BatchReader::time_of(const std::string& source, storage::HistorianRea
 }
 
 /// Rows that came late for a slot that is stored change its window: a few earlier slots of each
-/// loop are looked at again with every visit.
+/// loop are looked at again with every analysis.
 BatchReader::Read BatchReader::read_earlier(const std::string& source, const Claims& claims,
                                             Batch& batch) {
   const int horizon = settings_->schedule.revise_slots;
-  const EarlierSlots earlier = earlier_slots_to_check(batch.visits, batch.stored, horizon);
+  const EarlierSlots earlier = earlier_slots_to_check(batch.tasks, batch.stored, horizon);
   if (earlier.slots.empty()) return Read::all;
   return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    visit_earlier(historian, earlier, *settings_, batch.rows, {tools_.cores, desk_}, batch.visits);
-    return std::move(batch.visits);
+    add_earlier(historian, earlier, *settings_, batch.rows, {tools_.cores, progress_}, batch.tasks);
+    return std::move(batch.tasks);
   });
 }
 
-StoredAnalyses BatchReader::stored_analyses(const std::vector<LoopTask>& visits) {
-  const auto keys = slots_that_may_be_stored(visits, settings_->schedule.revise_slots);
+StoredAnalyses BatchReader::stored_analyses(const std::vector<LoopTask>& tasks) {
+  const auto keys = slots_that_may_be_stored(tasks, settings_->schedule.revise_slots);
   const auto ask = [&](storage::ResultsDatabase& database) {
     return database.stored_digests(keys, core::kAlgorithmRevision, settings_json_);
   };
-  return StoredAnalyses(results_.with_retry(tools_.perseverance, ask, [this] { desk_.step(); }));
+  return StoredAnalyses(
+      results_.with_retry(tools_.perseverance, ask, [this] { progress_.step(); }));
 }
 
 void BatchReader::source_is_away(const std::string& source, const Failure& failure,

@@ -32,20 +32,20 @@ class BatchReader {
 
   /// `settings_json` is the provenance of every analysis. What is passed has to outlive this.
   BatchReader(std::shared_ptr<const config::Settings> settings, const std::string& settings_json,
-              SlotRule slot_rule, SharedServices& tools, ProgressBoard::Entry& desk,
+              SlotRule slot_rule, SharedServices& tools, ProgressBoard::Entry& progress,
               ResultsLink& results);
 
   /// Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] Read read(const std::string& source, const Claims& claims, Batch& batch);
 
  private:
-  /// Runs `visit` on a connection to the source.
-  template <typename Visit>
-  Read with_source(const std::string& source, const Claims& claims, Batch& batch, Visit visit);
+  /// Runs `use` on a connection to the source.
+  template <typename Use>
+  Read with_source(const std::string& source, const Claims& claims, Batch& batch, Use use);
   [[nodiscard]] SourceTime time_of(const std::string& source, storage::HistorianReader& historian);
   Read read_newest(const std::string& source, const Claims& claims, Batch& batch);
   Read read_earlier(const std::string& source, const Claims& claims, Batch& batch);
-  [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopTask>& visits);
+  [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopTask>& tasks);
   void source_is_away(const std::string& source, const Failure& failure, const Claims& claims,
                       Batch& batch);
 
@@ -53,7 +53,7 @@ class BatchReader {
   const std::string& settings_json_;
   SlotRule slot_rule_;
   SharedServices& tools_;
-  ProgressBoard::Entry& desk_;
+  ProgressBoard::Entry& progress_;
   ResultsLink& results_;
 };
 

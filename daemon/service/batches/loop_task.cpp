@@ -29,7 +29,7 @@ std::uint64_t mixed(std::uint64_t number) {
   return number ^ (number >> 31);
 }
 
-/// By lot, not in a fixed order: visits may skip slots in any rhythm, and every loop has to have
+/// By lot, not in a fixed order: tasks may skip slots in any rhythm, and every loop has to have
 /// its turn all the same.
 bool is_its_turn(const storage::CatalogueEntry& loop, std::int64_t slot_end_us, int every_slots) {
   const std::int64_t period_us = core::signal::microseconds(loop.period_s);
@@ -84,10 +84,10 @@ void describe_window(const LoopWindowAtSlot& at_slot, storage::AnalysisRecord& r
 }
 
 /// The record of a slot whose input is not the stored one; nullopt = the stored analysis holds.
-std::optional<AnalysisRecord> changed_record(const LoopTask& visit, const LoopInput& input,
+std::optional<AnalysisRecord> changed_record(const LoopTask& task, const LoopInput& input,
                                              const StoredDigest* stored,
                                              const AnalysisOrders& orders) {
-  const storage::CatalogueEntry& loop = visit.claim->loop;
+  const storage::CatalogueEntry& loop = task.claim->loop;
   if (stored != nullptr && digest_of(loop, input, orders.settings_json) == stored->input_digest) {
     return std::nullopt;
   }
@@ -96,15 +96,15 @@ std::optional<AnalysisRecord> changed_record(const LoopTask& visit, const LoopIn
   const ModelPolicy wish =
       stored != nullptr && stored->modelled
           ? ModelPolicy{}
-          : model_wish(settings, orders.enabled_loops, *visit.claim, input.at_slot.slot_end_us);
+          : model_wish(settings, orders.enabled_loops, *task.claim, input.at_slot.slot_end_us);
   AnalysisRecord record =
       analyse_window(loop, input, settings.analysis, orders.settings_json, wish);
-  record.fetch_ms = visit.fetch_ms;
+  record.fetch_ms = task.fetch_ms;
   return record;
 }
 
-void add_problems(const LoopTask& visit, std::size_t max_samples, CompletedLoop& completed) {
-  completed.problems = tag_problems(visit.claim->loop, visit.newest.at_slot, max_samples);
+void add_problems(const LoopTask& task, std::size_t max_samples, CompletedLoop& completed) {
+  completed.problems = tag_problems(task.claim->loop, task.newest.at_slot, max_samples);
   if (!completed.record) return;
   for (storage::DataProblem& problem : flag_problems(completed.record->diagnosis)) {
     completed.problems.push_back(std::move(problem));
@@ -170,27 +170,27 @@ const StoredDigest* StoredAnalyses::find(std::int64_t loop_id, std::int64_t slot
   return found == rows_.end() ? nullptr : &found->second;
 }
 
-CompletedLoop complete_visit(const LoopTask& visit, const StoredAnalyses& stored,
-                             const AnalysisOrders& orders) {
+CompletedLoop complete_task(const LoopTask& task, const StoredAnalyses& stored,
+                            const AnalysisOrders& orders) {
   const config::Settings& settings = orders.settings;
-  const storage::ClaimedLoop& claim = *visit.claim;
-  const std::int64_t slot_end_us = visit.newest.at_slot.slot_end_us;
+  const storage::ClaimedLoop& claim = *task.claim;
+  const std::int64_t slot_end_us = task.newest.at_slot.slot_end_us;
   const StoredDigest* known = stored.find(claim.loop.loop_id, slot_end_us);
   const double period_s = claim.loop.period_s, settle_s = settings.schedule.settle_s;
   CompletedLoop completed{
       claim.loop.loop_id, claim.fence, slot_end_us,
-      visit.by_rows ? next_due_by_rows(slot_end_us, claim.database_now_us, period_s, settle_s)
-                    : next_due(slot_end_us, period_s, settle_s),
-      changed_record(visit, visit.newest, known, orders)};
+      task.by_rows ? next_due_by_rows(slot_end_us, claim.database_now_us, period_s, settle_s)
+                   : next_due(slot_end_us, period_s, settle_s),
+      changed_record(task, task.newest, known, orders)};
   completed.judged = completed.record ? shows_a_loop(completed.record->diagnosis.verdict.code)
                                       : known != nullptr && known->usable;
   if (claim.last_slot_end_us && *claim.last_slot_end_us < slot_end_us) {
     completed.previous_slot_end_us = claim.last_slot_end_us;
   }
-  add_problems(visit, settings.analysis.prepare.window_samples, completed);
-  for (const LoopInput& input : visit.earlier) {
+  add_problems(task, settings.analysis.prepare.window_samples, completed);
+  for (const LoopInput& input : task.earlier) {
     const StoredDigest* row = stored.find(claim.loop.loop_id, input.at_slot.slot_end_us);
-    auto record = changed_record(visit, input, row, orders);
+    auto record = changed_record(task, input, row, orders);
     if (record) completed.revised.push_back(std::move(*record));
   }
   return completed;

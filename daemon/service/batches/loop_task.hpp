@@ -76,10 +76,10 @@ struct AnalysisOrders {
   std::size_t enabled_loops = 0;     ///< in the catalogue: decides whether models take turns
 };
 
-/// Analyses every slot of the visit whose digest is not the stored one and says what to write.
+/// Analyses every slot of the task whose digest is not the stored one and says what to write.
 /// Throws what core/ throws.
-[[nodiscard]] storage::CompletedLoop complete_visit(const LoopTask& visit,
-                                                    const StoredAnalyses& stored,
-                                                    const AnalysisOrders& orders);
+[[nodiscard]] storage::CompletedLoop complete_task(const LoopTask& task,
+                                                   const StoredAnalyses& stored,
+                                                   const AnalysisOrders& orders);
 
 }  // namespace loopscope::daemon

@@ -10,7 +10,7 @@
 namespace loopscope::daemon {
 
 /// Says a lasting fault once and its end once, whatever the number of times and threads it is met
-/// in, and in however many words: lanes that are at different statements meet the same outage
+/// in, and in however many words: workers that are at different statements meet the same outage
 /// with different messages. A database that can be read but not written to works for one user and
 /// fails another: a fault stands as long as it does for anybody. Thread-safe.
 class FaultLog {

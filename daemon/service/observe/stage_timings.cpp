@@ -6,7 +6,8 @@
 namespace loopscope::daemon {
 namespace {
 
-/// A crash loses no more than this of the record of costs, and a lane rewrites its row no oftener.
+/// A crash loses no more than this of the record of costs, and a worker rewrites its row no
+/// oftener.
 constexpr std::chrono::minutes kStoreEvery{1};
 
 constexpr double kMillisecondsPerSecond = 1e3;

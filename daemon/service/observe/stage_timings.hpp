@@ -24,7 +24,7 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Where the time of one lane went: the sum, and the part that is not stored yet.
+/// Where the time of one worker went: the sum, and the part that is not stored yet.
 class StageTimings {
  public:
   void add(const storage::StageCost& cost);

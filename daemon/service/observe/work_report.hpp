@@ -14,13 +14,13 @@ void add(storage::WriteCount& sum, const storage::WriteCount& more);
 /// "24 loops: 20 new, 1 revised, 3 unchanged, 0 failed"
 [[nodiscard]] std::string count_text(const storage::WriteCount& count);
 
-/// Tells the log what a lane did and where its time went: once at the end of its work, and once a
+/// Tells the log what a worker did and where its time went: once at the end of its work, and once a
 /// minute while it lasts, so that neither a large plant floods the log nor a long pass is silent.
 class WorkReport {
  public:
-  /// `cost` is the lane's so far: what it did before is not told again.
+  /// `cost` is the worker's so far: what it did before is not told again.
   explicit WorkReport(const storage::StageCost& cost) : told_(cost), cost_(cost) {}
-  /// A batch is done; `cost` is the lane's sum since.
+  /// A batch is done; `cost` is the worker's sum since.
   void add(const storage::WriteCount& count, const storage::StageCost& cost);
   /// Tells what was not told yet, if there is any.
   void say();

@@ -13,7 +13,7 @@
 
 namespace loopscope::daemon {
 
-/// How long a lane tries to bring its work to the results database.
+/// How long a worker tries to bring its work to the results database.
 enum class RetryLimit {
   one_lease,  ///< once: whoever called wants to know
   endless,    ///< run: until it works or the process shall stop

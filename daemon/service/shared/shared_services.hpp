@@ -17,15 +17,15 @@
 
 namespace loopscope::daemon {
 
-/// What all lanes of the process share. Thread-safe.
+/// What all workers of the process share. Thread-safe.
 struct SharedServices {
   SharedServices(std::size_t workers, RetryLimit how_long, std::stop_token stop = {});
   /// Whose loops nobody claims just now.
   [[nodiscard]] std::vector<std::string> sources_away();
   /// Requested by whoever decides on the end of the process: nothing new is begun from then on, and
   /// no pause is waited for. The threads of Heartbeat, PlantWatch and ServiceWatch (with its pages
-  /// and reports) do not end by it but by the tokens of their own, after the last lane: until then
-  /// leases have to be extended and watchers to be answered.
+  /// and reports) do not end by it but by the tokens of their own, after the last worker: until
+  /// then leases have to be extended and watchers to be answered.
   const std::stop_token stop;
   Metrics metrics;
   FaultLog faults{metrics};
@@ -34,7 +34,8 @@ struct SharedServices {
   KnownClocks clocks;
   ProgressBoard progress;
   const std::shared_ptr<storage::ClaimFloors> floors = std::make_shared<storage::ClaimFloors>();
-  /// Held by the one lane that works on a suspect: two that kill their worker cannot be told apart.
+  /// Held by the one worker that works on a suspect: two that kill their worker cannot be told
+  /// apart.
   std::mutex suspect_turn;
   const RetryLimit perseverance;
 };

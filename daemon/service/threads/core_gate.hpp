@@ -7,7 +7,7 @@
 
 namespace loopscope::daemon {
 
-/// Admits as many lanes to the work on the rows as there are cores to do it; the others fetch and
+/// Admits as many workers to the work on the rows as there are cores to do it; the others fetch and
 /// write meanwhile. Whoever is inside waits for nothing else, so nothing can lock up. Thread-safe.
 class CoreGate {
  public:
@@ -29,15 +29,16 @@ class CoreGate {
   std::counting_semaphore<> free_;
 };
 
-/// Where a lane does its work: the cores that it shares and the desk that shows its progress.
+/// Where a worker does its work: the cores that it shares and the progress entry that shows its
+/// progress.
 struct AnalysisContext {
   CoreGate& cores;
-  ProgressBoard::Entry& desk;
+  ProgressBoard::Entry& progress;
 };
 
 /// Waits for a core, shown as waiting.
 [[nodiscard]] inline CoreGate::Permit take_core(const AnalysisContext& place) {
-  const ProgressBoard::Entry::Wait wait(place.desk);
+  const ProgressBoard::Entry::Wait wait(place.progress);
   return CoreGate::Permit(place.cores);
 }
 

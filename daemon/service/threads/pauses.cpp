@@ -12,7 +12,7 @@ constexpr double kFirst_s = 0.25;
 /// Beyond any longest pause; larger exponents would only overflow.
 constexpr int kMostTriesCounted = 20;
 
-/// All lanes of a plant are spread over so much.
+/// All workers of a plant are spread over so much.
 constexpr double kSpread_s = 0.05;
 /// A source that may be tried again now is tried by whoever was first.
 constexpr double kLeastPause_s = 0.1;

@@ -29,7 +29,7 @@ class RetryPause {
   std::minstd_rand random_{std::random_device{}()};
 };
 
-/// How a lane's look for work has ended.
+/// How a worker's look for work has ended.
 struct Look {
   bool failed = false;  ///< the results database did
   bool worked = false;  ///< at least one batch was brought to its end
@@ -37,8 +37,8 @@ struct Look {
   double next_due_in_s = 0.0;
 };
 
-/// Seconds until the lane looks again: when the next loop falls due, but after a poll at the
-/// latest, since other loops may be added; a little later at random, so that not all lanes of a
+/// Seconds until the worker looks again: when the next loop falls due, but after a poll at the
+/// latest, since other loops may be added; a little later at random, so that not all workers of a
 /// plant come at once. Where something is due that cannot be claimed (others have it in hand, a
 /// lock is held, its source is away) and after a fault `pause` grows from look to look, up to a
 /// poll and to when a source that is away may be tried again.

@@ -15,19 +15,19 @@
 
 namespace loopscope::daemon {
 
-/// Where the lanes show that they get on, and what they hold: the heartbeat extends the leases of
+/// Where the workers show that they get on, and what they hold: the heartbeat extends the leases of
 /// those that do, the watchdog and /livez look for those that do not. A step is shown after each
-/// thing that may take long (a statement, an analysis), so a lane that hangs shows none, however
+/// thing that may take long (a statement, an analysis), so a worker that hangs shows none, however
 /// well its process is otherwise. Who waits for a core gets on as long as anybody who works does.
 /// Thread-safe.
 class ProgressBoard {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// One lane's place. Lives as long as the board.
+  /// One worker's place. Lives as long as the board.
   class Entry {
    public:
-    /// The lane has claimed these loops.
+    /// The worker has claimed these loops.
     void hold(const std::vector<storage::ClaimedLoop>& claims);
     /// All are given back.
     void drop();
@@ -35,21 +35,21 @@ class ProgressBoard {
     void done(std::span<const std::int64_t> loop_ids);
     /// What is held and, as far as is known, not lost.
     [[nodiscard]] std::vector<storage::ClaimedLoop> held();
-    /// The lane got on.
+    /// The worker got on.
     void step();
     /// The claim is outdated, others have the loop: work on it would be refused.
     [[nodiscard]] bool lost(std::int64_t loop_id);
 
-    /// The lane waits for its turn as long as this lives.
+    /// The worker waits for its turn as long as this lives.
     class Wait {
      public:
-      explicit Wait(Entry& desk) : desk_(desk) { desk_.wait(true); }
-      ~Wait() { desk_.wait(false); }
+      explicit Wait(Entry& progress) : progress_(progress) { progress_.wait(true); }
+      ~Wait() { progress_.wait(false); }
       Wait(const Wait&) = delete;
       Wait& operator=(const Wait&) = delete;
 
      private:
-      Entry& desk_;
+      Entry& progress_;
     };
 
     explicit Entry(ProgressBoard& board) : board_(board) {}
@@ -65,9 +65,9 @@ class ProgressBoard {
   };
 
   /// A place of its own.
-  [[nodiscard]] Entry& desk();
+  [[nodiscard]] Entry& entry();
 
-  /// Claims of all lanes that got on since renewed() was called last.
+  /// Claims of all workers that got on since renewed() was called last.
   [[nodiscard]] std::vector<storage::ClaimedLoop> proven_claims();
   /// Leases were extended for all that had got on by `seen`.
   void renewed(Clock::time_point seen);
@@ -75,11 +75,12 @@ class ProgressBoard {
   std::size_t lose(std::span<const storage::ClaimKey> claims);
   [[nodiscard]] std::size_t held_loops();
 
-  /// Why the process should not be trusted to work any more: a lane that holds loops and has shown
-  /// nothing for longer than `limit`; nullopt = all is well.
+  /// Why the process should not be trusted to work any more: a worker that holds loops and has
+  /// shown nothing for longer than `limit`; nullopt = all is well.
   [[nodiscard]] std::optional<std::string> standstill(Clock::duration limit,
                                                       Clock::time_point now = Clock::now());
-  /// Since the lane that is longest without a step, of those that hold loops, showed its last one.
+  /// Since the worker that is longest without a step, of those that hold loops, showed its last
+  /// one.
   [[nodiscard]] Clock::duration longest_silence(Clock::time_point now = Clock::now());
 
  private:

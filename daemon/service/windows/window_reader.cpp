@@ -207,7 +207,7 @@ std::vector<LoopInput> read_inputs(storage::HistorianReader& historian,
     const CoreGate::Permit core = take_core(place);
     for (LoopInput& input : inputs) {
       look_first(input, settings);
-      place.desk.step();
+      place.progress.step();
     }
   }
   read_long_windows(historian, slots, memory, inputs);

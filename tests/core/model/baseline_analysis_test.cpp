@@ -21,22 +21,22 @@ struct MovingLoop {
 
 TEST(BaselineAnalysis, TheLinearLoopAloneHasNoSteps) {
   const MovingLoop recorded;
-  const BaselineAnalysis look = analyse_baseline(recorded.input());
-  const Explanation linear = report_linear_model(look);
+  const BaselineAnalysis analysis = analyse_baseline(recorded.input());
+  const Explanation linear = report_linear_model(analysis);
   EXPECT_TRUE(linear.steps.empty());
-  EXPECT_EQ(linear.baseline.holdout_error, look.baseline_error());
+  EXPECT_EQ(linear.baseline.holdout_error, analysis.baseline_error());
   EXPECT_TRUE(linear.excited);
   ASSERT_TRUE(linear.closed_loop);
 }
 
 TEST(BaselineAnalysis, BothHalvesAreScored) {
   const MovingLoop recorded;
-  const BaselineAnalysis look = analyse_baseline(recorded.input());
-  const double square = look.story.data.pv_scale * look.story.data.pv_scale;
-  const double one = look.baseline_error();
-  const double other = look.story.baseline.other_fold.score_error * square;
-  EXPECT_GE(look.error_of_both_halves(), std::min(one, other));
-  EXPECT_LE(look.error_of_both_halves(), std::max(one, other));
+  const BaselineAnalysis analysis = analyse_baseline(recorded.input());
+  const double square = analysis.stepwise.data.pv_scale * analysis.stepwise.data.pv_scale;
+  const double one = analysis.baseline_error();
+  const double other = analysis.stepwise.baseline.other_fold.score_error * square;
+  EXPECT_GE(analysis.error_of_both_halves(), std::min(one, other));
+  EXPECT_LE(analysis.error_of_both_halves(), std::max(one, other));
 }
 
 /// The controller waits for a held sensor by half a hold in the mean, which makes the same process
@@ -57,11 +57,11 @@ TEST(BaselineAnalysis, AHeldSensorDelaysTheImpliedLoop) {
 /// reported where there is none.
 TEST(BaselineAnalysis, TheLinearReportIsWhatTheTestsSaid) {
   const MovingLoop recorded;
-  const BaselineAnalysis look = analyse_baseline(recorded.input());
-  const Explanation linear = report_linear_model(look);
-  ASSERT_EQ(linear.questions.size(), look.answers.size());
+  const BaselineAnalysis analysis = analyse_baseline(recorded.input());
+  const Explanation linear = report_linear_model(analysis);
+  ASSERT_EQ(linear.questions.size(), analysis.answers.size());
   for (const Question& question : linear.questions)
-    EXPECT_EQ(question.p, p_of(look.answers, question.name)) << question.name;
+    EXPECT_EQ(question.p, p_of(analysis.answers, question.name)) << question.name;
 }
 
 }  // namespace

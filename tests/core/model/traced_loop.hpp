@@ -22,7 +22,7 @@ struct TracedLoop {
 [[nodiscard]] TracedLoop traced(simulate::LoopRecord record);
 [[nodiscard]] TracedLoop traced(std::string_view scenario, std::uint64_t seed = 1);
 
-/// Where in the story an effect entered; 0 = nowhere.
+/// Where in the model an effect entered; 0 = nowhere.
 [[nodiscard]] std::size_t stage_of(const ExplanationTraces& traces, EffectKind effect);
 /// Of the residual, where it counts.
 [[nodiscard]] double mean_square(const TraceStage& stage);

@@ -33,8 +33,8 @@ TEST(Event, IndependentLoopsOfNearEqualPeriodsAreNotJoined) {
     const double period = std::exp(uniform(std::log(15.0), std::log(200.0), random));
     for (int k = 0; k < 12; ++k) {
       const double own = period * uniform(0.98, 1.02, random);
-      const double wander = std::exp(uniform(std::log(0.02), std::log(0.8), random));
-      plant.add(draw_course(kWindow + 600, own, wander, random), own, random);
+      const double increments = std::exp(uniform(std::log(0.02), std::log(0.8), random));
+      plant.add(draw_course(kWindow + 600, own, increments, random), own, random);
     }
     plant.finish();
     false_events += find_events(plant.loops, {}).empty() ? 0 : 1;

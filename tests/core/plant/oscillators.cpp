@@ -15,14 +15,14 @@ double uniform(double low, double high, std::mt19937_64& random) {
   return low + (high - low) * hos::uniform_draw(random);
 }
 
-Course draw_course(std::size_t samples, double period, double wander, std::mt19937_64& random) {
+Course draw_course(std::size_t samples, double period, double increments, std::mt19937_64& random) {
   Course course;
   double phase = uniform(0.0, 2.0 * std::numbers::pi, random);
   double size = 0.0;
   const double keep = std::exp(-0.5 / period);
-  const double fresh = std::sqrt(1.0 - keep * keep) * std::min(0.3, wander);
+  const double fresh = std::sqrt(1.0 - keep * keep) * std::min(0.3, increments);
   for (std::size_t k = 0; k < samples; ++k) {
-    phase += wander / std::sqrt(period) * normal_draw(random);
+    phase += increments / std::sqrt(period) * normal_draw(random);
     size = keep * size + fresh * normal_draw(random);
     course.phase.push_back(phase);
     course.amplitude.push_back(std::exp(size));

@@ -16,7 +16,7 @@ struct Course {
 };
 
 /// `wander` = standard deviation of the phase's step over one period, radians; 0 = a perfect line.
-[[nodiscard]] Course draw_course(std::size_t samples, double period, double wander,
+[[nodiscard]] Course draw_course(std::size_t samples, double period, double increments,
                                  std::mt19937_64& random);
 
 /// One loop's error: the course `lag` samples late at the given period (samples), with coloured

@@ -18,7 +18,7 @@ using loopscope::tests::kWindow;
 
 struct Draw {
   double period = 0.0;
-  double wander = 0.0;
+  double increments = 0.0;
 };
 
 Draw draw(std::mt19937_64& random) {
@@ -26,8 +26,8 @@ Draw draw(std::mt19937_64& random) {
           std::exp(uniform(std::log(0.02), std::log(1.0), random))};
 }
 
-Wander wander_of(const std::vector<double>& error, double frequency) {
-  return measure_wander(make_envelope(tests::oscillating_loop(1, error), frequency));
+Increments wander_of(const std::vector<double>& error, double frequency) {
+  return measure_increments(make_envelope(tests::oscillating_loop(1, error), frequency));
 }
 
 /// Two oscillators of one wander law: of one course, or each of its own with periods up to 2 %
@@ -36,9 +36,9 @@ Synchrony draw_pair(bool shared, std::mt19937_64& random) {
   const Draw one = draw(random);
   const Draw two = shared ? one : draw(random);
   const double other_period = shared ? one.period : one.period * uniform(0.98, 1.02, random);
-  const Course first = draw_course(kWindow + 600, one.period, one.wander, random);
+  const Course first = draw_course(kWindow + 600, one.period, one.increments, random);
   const Course second =
-      shared ? first : draw_course(kWindow + 600, other_period, two.wander, random);
+      shared ? first : draw_course(kWindow + 600, other_period, two.increments, random);
   const auto lag = static_cast<std::size_t>(uniform(0.0, one.period, random));
   const double noise = uniform(0.1, 1.0, random);
   const auto a = draw_error(first, one.period, 0, noise, kWindow, random);
@@ -84,7 +84,7 @@ TEST(Synchrony, ATimeThatIsNotSharedSaysNothing) {
   std::mt19937_64 random(14);
   const Course course = draw_course(kWindow, 40.0, 0.3, random);
   const auto error = draw_error(course, 40.0, 0, 0.2, kWindow, random);
-  Wander later = wander_of(error, 1.0 / 40.0);
+  Increments later = wander_of(error, 1.0 / 40.0);
   later.envelope.first += 10'000;
   const Synchrony found = compare(wander_of(error, 1.0 / 40.0), later);
   EXPECT_EQ(found.points, 0U);

@@ -20,9 +20,9 @@ using Singles __attribute__((vector_size(kVectorBytes))) = float;
 using Doubles __attribute__((vector_size(kVectorBytes))) = double;
 
 const LaneKernel* lane_kernel() {
-  static const LaneKernel kKernel{hwy::TargetName(HWY_TARGET), products_in<Singles>,
-                                  products_in<Doubles>};
-  return &kKernel;
+  static const LaneKernel kernel{hwy::TargetName(HWY_TARGET), products_in<Singles>,
+                                 products_in<Doubles>};
+  return &kernel;
 }
 
 }  // namespace HWY_NAMESPACE

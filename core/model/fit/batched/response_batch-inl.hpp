@@ -69,7 +69,7 @@ class ResponseBatch {
     move_on(1, &start);
     AnswerLanes<Number, vectors> answers(poles_, shared_.noise, start);
     // The sample before a stretch stands in front of it: the second tap is a sample later.
-    std::array<Numbers, kStretch + 1> x;
+    std::array<Numbers, kStretch + 1> x{};
     for (std::size_t first = 0; first < shared_.samples(); first += kStretch) {
       const std::size_t count = std::min(kStretch, shared_.samples() - first);
       // The dead time: until then the valves are where they began.

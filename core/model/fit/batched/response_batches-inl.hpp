@@ -39,7 +39,7 @@ std::vector<OpStep<Element>> steps_of(std::span<const double> op, double directi
 }
 
 /// What valves have in common that go side by side, and what they had better have.
-struct Company {
+struct BatchKey {
   bool sampled;
   ValveLaw law;
   double
@@ -47,17 +47,17 @@ struct Company {
   std::size_t delay_samples;
   double band;  ///< stems of about the same one rest together
 
-  explicit Company(const ValveAndProcess& one)
+  explicit BatchKey(const ValveAndProcess& one)
       : sampled(one.valve->valve().acts_at_samples()),
         law(one.valve->valve().law),
         direction(sampled ? one.valve->valve().start_direction : 0.0),
         delay_samples(one.process->delay_samples),
         band(sampled ? 0.0 : one.valve->valve().stickband_percent) {}
-  [[nodiscard]] bool goes_with(const Company& other) const {
+  [[nodiscard]] bool same_batch(const BatchKey& other) const {
     return sampled == other.sampled && law == other.law && direction == other.direction &&
            delay_samples == other.delay_samples;
   }
-  [[nodiscard]] bool operator<(const Company& other) const {
+  [[nodiscard]] bool operator<(const BatchKey& other) const {
     return std::tie(delay_samples, band, sampled, law, direction) <
            std::tie(other.delay_samples, other.band, other.sampled, other.law, other.direction);
   }
@@ -75,12 +75,12 @@ class Batches {
 
   std::vector<Eigen::MatrixXd> run() {
     std::vector<Place> places;
-    for (std::size_t i = 0; i < valves_.size(); ++i) places.emplace_back(Company(valves_[i]), i);
+    for (std::size_t i = 0; i < valves_.size(); ++i) places.emplace_back(BatchKey(valves_[i]), i);
     std::ranges::sort(places);
     for (std::size_t at = 0; at < places.size();) {
       std::size_t count = 1;
       while (count < kLanes<Number> && at + count < places.size() &&
-             places[at + count].first.goes_with(places[at].first))
+             places[at + count].first.same_batch(places[at].first))
         ++count;
       run_together(std::span(places).subspan(at, count));
       at += count;
@@ -89,7 +89,7 @@ class Batches {
   }
 
  private:
-  using Place = std::pair<Company, std::size_t>;  ///< of a valve among all
+  using Place = std::pair<BatchKey, std::size_t>;  ///< of a valve among all
 
   void run_together(std::span<const Place> places) {
     const Valve& valve = valves_[places.front().second].valve->valve();

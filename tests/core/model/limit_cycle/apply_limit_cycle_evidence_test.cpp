@@ -22,7 +22,7 @@ Step step_of(EffectKind effect, double before, double after) {
   return step;
 }
 
-/// What becomes of a story of these steps on a record of that scenario, op following its direction.
+/// What becomes of a model of these steps on a record of that scenario, op following its direction.
 Explanation preferred(const char* scenario, std::vector<Step> steps) {
   const auto record = simulate::simulate_scenario(scenario, {}, 1);
   const ModelInput input{record.pv, record.op, record.sp, {}, record.sample_interval_s, true, 1};

@@ -51,9 +51,9 @@ tests::Series through_process(const tests::Series& op, std::uint64_t seed) {
 }
 
 std::vector<CandidateFit> contest(const tests::Series& pv, const tests::Series& op) {
-  const StepwiseModel story = start_selection(make_loop_data(pv, op, 1.0));
+  const StepwiseModel stepwise = start_selection(make_loop_data(pv, op, 1.0));
   const Nominations asked = tests::everything_asked();
-  return run_selection_round({story.data, story.data, story.last(), asked}).trials;
+  return run_selection_round({stepwise.data, stepwise.data, stepwise.last(), asked}).trials;
 }
 
 template <class Make>

@@ -20,7 +20,7 @@ LoopData linear_loop() {
 
 class Candidates : public testing::Test {
  protected:
-  StepwiseModel story = start_selection(linear_loop());
+  StepwiseModel stepwise = start_selection(linear_loop());
 };
 
 TEST_F(Candidates, WhatPromisesMostIsFirst) {
@@ -28,7 +28,7 @@ TEST_F(Candidates, WhatPromisesMostIsFirst) {
       {.effect = EffectKind::valve_deadband, .p = 1e-20},
       {.effect = EffectKind::process_nonlinearity, .p = 1e-30}};
   const Nominations asked{std::span<const Nomination>(nominations)};
-  const Round round{story.data, story.data, story.last(), asked};
+  const Round round{stepwise.data, stepwise.data, stepwise.last(), asked};
   const CandidateSearch found(round);
   ASSERT_EQ(found.kinds().size(), 2U);
   EXPECT_EQ(found.kinds()[0].kind, EffectKind::process_nonlinearity);
@@ -38,7 +38,8 @@ TEST_F(Candidates, WhatPromisesMostIsFirst) {
 
 TEST_F(Candidates, UnaskedKindsAreThoseThatNobodyAskedFor) {
   const Nominations everything = tests::everything_asked();  // but waves
-  const Round round{story.data, story.data, story.last(), everything, false, Reach::unasked};
+  const Round round{stepwise.data, stepwise.data, stepwise.last(),
+                    everything,    false,         Reach::unasked};
   const CandidateSearch found(round);
   ASSERT_EQ(found.kinds().size(), 1U);
   EXPECT_EQ(found.kinds().front().kind, EffectKind::external_oscillation);
@@ -47,13 +48,13 @@ TEST_F(Candidates, UnaskedKindsAreThoseThatNobodyAskedFor) {
 TEST_F(Candidates, WhatHasNoPlaceToStartFromIsNotTried) {
   const std::vector<Nomination> held = {{.effect = EffectKind::sensor_hold, .p = 1e-30}};
   const Nominations asked{std::span<const Nomination>(held)};
-  const Round round{story.data, story.data, story.last(), asked};
+  const Round round{stepwise.data, stepwise.data, stepwise.last(), asked};
   EXPECT_TRUE(CandidateSearch(round).kinds().empty());
 }
 
 TEST_F(Candidates, AfterALoadStepNothingElseIsLookedAt) {
   const Nominations everything = tests::everything_asked();
-  const Round round{story.data, story.data, story.last(), everything, true};
+  const Round round{stepwise.data, stepwise.data, stepwise.last(), everything, true};
   const CandidateSearch found(round);
   ASSERT_EQ(found.kinds().size(), 1U);
   EXPECT_EQ(found.kinds().front().kind, EffectKind::load_step);
@@ -74,9 +75,9 @@ LoopData changed(double level, double part, std::uint64_t seed) {
 }
 
 SelectionOutcome first_contest(const LoopData& data, Reach reach = Reach::promising) {
-  const StepwiseModel story = start_selection(data);
+  const StepwiseModel stepwise = start_selection(data);
   const Nominations asked = tests::everything_asked();
-  return run_selection_round({story.data, story.data, story.last(), asked, false, reach});
+  return run_selection_round({stepwise.data, stepwise.data, stepwise.last(), asked, false, reach});
 }
 
 bool among(const std::vector<CandidateFit>& entries, EffectKind kind) {

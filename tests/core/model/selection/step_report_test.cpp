@@ -18,7 +18,8 @@ namespace {
 /// The effect to start from; limits count from the mean of op.
 using Start = std::function<EffectPtr(const LoopData&)>;
 
-/// A story with one chapter: that effect in the flow loop, noise and load as in the scenarios.
+/// A model with one selected effect: that effect in the flow loop, noise and load as in the
+/// scenarios.
 StepwiseModel told(const simulate::Effect& truth, double move, const Start& start,
                    std::uint64_t seed) {
   simulate::LoopSettings loop = simulate::scenario_loop("healthy_flow");
@@ -28,20 +29,20 @@ StepwiseModel told(const simulate::Effect& truth, double move, const Start& star
     loop.setpoint_moves.push_back({.at_sample = 1000 + 103 * i, .size = move * pattern[i % 4]});
   }
   const simulate::LoopRecord record = simulate::simulate_loop(loop, seed);
-  StepwiseModel story{make_loop_data(record.pv, record.op, 1.0), {}, {}};
+  StepwiseModel stepwise{make_loop_data(record.pv, record.op, 1.0), {}, {}};
   Structure structure = tests::structure_of(tests::noiseless_process());
   structure.noise = {1, {0.98, 0.0, 0.0}, {-0.4, 0.0, 0.0}};
-  story.baseline = cross_fit(story.data, evaluate(story.data, structure));
-  structure.effects = {start(story.data)};
-  const Fit fit =
-      polish(story.data, refine_last(story.data, evaluate(story.data, structure)).structure, 4);
-  SelectedEffect chapter;
-  chapter.fit = cross_fit(story.data, fit);
-  chapter.comparison = compare(story.data, story.baseline, chapter.fit);
-  chapter.rival_evidence = 12.0;
-  chapter.simulation_ratio = 0.5;
-  story.chapters = {chapter};
-  return story;
+  stepwise.baseline = cross_fit(stepwise.data, evaluate(stepwise.data, structure));
+  structure.effects = {start(stepwise.data)};
+  const Fit fit = polish(
+      stepwise.data, refine_last(stepwise.data, evaluate(stepwise.data, structure)).structure, 4);
+  SelectedEffect entered;
+  entered.fit = cross_fit(stepwise.data, fit);
+  entered.comparison = compare(stepwise.data, stepwise.baseline, entered.fit);
+  entered.rival_evidence = 12.0;
+  entered.simulation_ratio = 0.5;
+  stepwise.selected = {entered};
+  return stepwise;
 }
 
 StepwiseModel saturated(std::uint64_t seed) {
@@ -52,11 +53,11 @@ StepwiseModel saturated(std::uint64_t seed) {
 }
 
 TEST(StepReport, IsTheComparisonInPvUnits) {
-  const StepwiseModel story = saturated(1);
-  const auto steps = report_steps(story);
+  const StepwiseModel stepwise = saturated(1);
+  const auto steps = report_steps(stepwise);
   ASSERT_EQ(steps.size(), 1U);
-  const Comparison& comparison = story.chapters[0].comparison;
-  const double square = story.data.pv_scale * story.data.pv_scale;
+  const Comparison& comparison = stepwise.selected[0].comparison;
+  const double square = stepwise.data.pv_scale * stepwise.data.pv_scale;
   EXPECT_EQ(steps[0].effect, EffectKind::valve_saturation);
   EXPECT_NEAR(steps[0].holdout_error_before, comparison.before * square, 1e-12);
   EXPECT_NEAR(steps[0].holdout_error_after, comparison.after * square, 1e-12);
@@ -68,18 +69,18 @@ TEST(StepReport, IsTheComparisonInPvUnits) {
 }
 
 TEST(StepReport, AStoryWithoutChaptersHasNoSteps) {
-  StepwiseModel story = saturated(1);
-  story.chapters.clear();
-  EXPECT_TRUE(report_steps(story).empty());
+  StepwiseModel stepwise = saturated(1);
+  stepwise.selected.clear();
+  EXPECT_TRUE(report_steps(stepwise).empty());
 }
 
 struct Coverage {
   int covered = 0, reported = 0;
 };
 
-void count(const StepwiseModel& story, std::string_view parameter, double truth,
+void count(const StepwiseModel& stepwise, std::string_view parameter, double truth,
            Coverage& coverage) {
-  for (const Step& step : report_steps(story)) {
+  for (const Step& step : report_steps(stepwise)) {
     for (const Parameter& found : step.parameters) {
       if (found.name != parameter) continue;
       // None where a quarter of the record takes the valve for play, which has other parameters.
@@ -133,10 +134,10 @@ INSTANTIATE_TEST_SUITE_P(Parameters, StepIntervals, testing::Values("high", "cur
 
 /// What sits at one place has no parts to be fitted again on.
 TEST(StepReport, ALoadStepHasNoInterval) {
-  const StepwiseModel story = told(
+  const StepwiseModel stepwise = told(
       simulate::LoadStep{.at_s = 2000.0, .size = 8.0}, 0.0,
       [](const LoopData&) { return std::make_shared<LoadStep>(2000); }, 1);
-  const std::vector<Step> steps = report_steps(story);
+  const std::vector<Step> steps = report_steps(stepwise);
   for (const Parameter& found : steps.front().parameters) {
     EXPECT_FALSE(found.low || found.high) << found.name;
   }

@@ -20,35 +20,35 @@
 namespace loopscope::core::model {
 namespace {
 
-StepwiseModel story_of(std::string_view scenario, std::uint64_t seed) {
+StepwiseModel model_of(std::string_view scenario, std::uint64_t seed) {
   const simulate::LoopRecord record = simulate::simulate_scenario(scenario, {}, seed);
   const ModelInput input{record.pv, record.op, {}, {}, record.sample_interval_s};
-  StepwiseModel story =
+  StepwiseModel stepwise =
       start_selection(make_loop_data(record.pv, record.op, record.sample_interval_s));
   const ResidualTests tests = [&](const LoopData& data, const Fit& fit) {
     return run_residual_tests(input, data, fit);
   };
-  std::ignore = select_effects(story, tests(story.data, story.baseline.fit), tests);
-  return story;
+  std::ignore = select_effects(stepwise, tests(stepwise.data, stepwise.baseline.fit), tests);
+  return stepwise;
 }
 
 TEST(StepwiseModel, BeginsWithTheLinearLoop) {
   const simulate::LoopRecord record = simulate::simulate_scenario("sticking_valve", {}, 1);
-  const StepwiseModel story = start_selection(make_loop_data(record.pv, record.op, 1.0));
-  EXPECT_TRUE(story.chapters.empty());
-  EXPECT_TRUE(story.baseline.fit.structure.effects.empty());
-  EXPECT_EQ(&story.last(), &story.baseline);
+  const StepwiseModel stepwise = start_selection(make_loop_data(record.pv, record.op, 1.0));
+  EXPECT_TRUE(stepwise.selected.empty());
+  EXPECT_TRUE(stepwise.baseline.fit.structure.effects.empty());
+  EXPECT_EQ(&stepwise.last(), &stepwise.baseline);
 }
 
 TEST(StepwiseModel, EveryChapterAddsOneEffectAndIsSignificant) {
   for (const char* scenario :
        {"load_upsets", "sticking_valve", "outside_oscillation", "worn_valve"}) {
-    const StepwiseModel story = story_of(scenario, 3);
-    ASSERT_FALSE(story.chapters.empty()) << scenario;
-    for (std::size_t i = 0; i < story.chapters.size(); ++i) {
-      EXPECT_EQ(story.chapters[i].fit.fit.structure.effects.size(), i + 1) << scenario;
-      EXPECT_LE(story.chapters[i].comparison.p, 1e-3) << scenario;
-      EXPECT_LE(story.chapters[i].rival_evidence, story.chapters[i].comparison.evidence)
+    const StepwiseModel stepwise = model_of(scenario, 3);
+    ASSERT_FALSE(stepwise.selected.empty()) << scenario;
+    for (std::size_t i = 0; i < stepwise.selected.size(); ++i) {
+      EXPECT_EQ(stepwise.selected[i].fit.fit.structure.effects.size(), i + 1) << scenario;
+      EXPECT_LE(stepwise.selected[i].comparison.p, 1e-3) << scenario;
+      EXPECT_LE(stepwise.selected[i].rival_evidence, stepwise.selected[i].comparison.evidence)
           << scenario;
     }
   }
@@ -57,21 +57,21 @@ TEST(StepwiseModel, EveryChapterAddsOneEffectAndIsSignificant) {
 /// Of what no test asks for only waves and changes of gain are looked at.
 TEST(StepwiseModel, WhatNoTestAsksForIsNotTried) {
   const simulate::LoopRecord record = simulate::simulate_scenario("sticking_valve", {}, 1);
-  StepwiseModel story = start_selection(make_loop_data(record.pv, record.op, 1.0));
+  StepwiseModel stepwise = start_selection(make_loop_data(record.pv, record.op, 1.0));
   std::ignore = select_effects(
-      story, {}, [](const LoopData&, const Fit&) { return std::vector<TestOutcome>(); });
-  for (const SelectedEffect& chapter : story.chapters) {
-    const EffectKind kind = chapter.fit.fit.structure.effects.back()->kind();
+      stepwise, {}, [](const LoopData&, const Fit&) { return std::vector<TestOutcome>(); });
+  for (const SelectedEffect& entered : stepwise.selected) {
+    const EffectKind kind = entered.fit.fit.structure.effects.back()->kind();
     EXPECT_TRUE(kind == EffectKind::external_oscillation || kind == EffectKind::gain_change);
   }
 }
 
 TEST(StepwiseModel, AChapterKeepsWhoAskedForItAndWhatIsSaidAfterIt) {
-  const StepwiseModel story = story_of("sticking_valve", 1);
-  ASSERT_FALSE(story.chapters.empty());
-  const SelectedEffect& chapter = story.chapters.front();
-  EXPECT_EQ(chapter.promise_rank, 1U);
-  const auto asked = asked_by(EffectKind::valve_deadband, chapter.asked_for, chapter.left);
+  const StepwiseModel stepwise = model_of("sticking_valve", 1);
+  ASSERT_FALSE(stepwise.selected.empty());
+  const SelectedEffect& entered = stepwise.selected.front();
+  EXPECT_EQ(entered.promise_rank, 1U);
+  const auto asked = asked_by(EffectKind::valve_deadband, entered.asked_for, entered.left);
   ASSERT_FALSE(asked.empty());
   EXPECT_EQ(asked.front().test, "op_direction");
   EXPECT_LE(asked.front().p, kNominates);
@@ -82,14 +82,15 @@ TEST(StepwiseModel, AChapterKeepsWhoAskedForItAndWhatIsSaidAfterIt) {
 TEST(StepwiseModel, AnEffectThatLeavesItsTestsAsTheyWereDoesNotEnter) {
   const simulate::LoopRecord record = simulate::simulate_scenario("worn_valve", {}, 1);
   const ModelInput input{record.pv, record.op, {}, {}, record.sample_interval_s};
-  StepwiseModel story =
+  StepwiseModel stepwise =
       start_selection(make_loop_data(record.pv, record.op, record.sample_interval_s));
-  const std::vector<TestOutcome> first = run_residual_tests(input, story.data, story.baseline.fit);
-  std::ignore = select_effects(story, first, [&](const LoopData&, const Fit&) { return first; });
-  for (const SelectedEffect& chapter : story.chapters) {
-    const EffectKind kind = chapter.fit.fit.structure.effects.back()->kind();
+  const std::vector<TestOutcome> first =
+      run_residual_tests(input, stepwise.data, stepwise.baseline.fit);
+  std::ignore = select_effects(stepwise, first, [&](const LoopData&, const Fit&) { return first; });
+  for (const SelectedEffect& entered : stepwise.selected) {
+    const EffectKind kind = entered.fit.fit.structure.effects.back()->kind();
     const bool outside = same_cause(kind, EffectKind::load_step);
-    EXPECT_TRUE(outside || chapter.comparison.evidence > 400.0) << name(kind);
+    EXPECT_TRUE(outside || entered.comparison.evidence > 400.0) << name(kind);
   }
 }
 
@@ -98,15 +99,15 @@ bool sits_where_it_was_fitted(EffectKind kind) {
 }
 
 /// Evidence of the first effect over the same process and noise without it, fitted anew.
-double own_evidence(const StepwiseModel& story) {
-  const CrossFit& with = story.chapters.front().fit;
+double own_evidence(const StepwiseModel& stepwise) {
+  const CrossFit& with = stepwise.selected.front().fit;
   Structure structure = with.fit.structure;
   const EffectKind kind = structure.effects.back()->kind();
   structure.effects.clear();
-  const CrossFit without = cross_fit(story.data, polish(story.data, structure, 20));
-  const CrossFit again{evaluate(story.data, with.fit.structure),
-                       evaluate(on_other_fold(story.data), with.other_fold.structure)};
-  return compare(story.data, without, again, sits_where_it_was_fitted(kind)).evidence;
+  const CrossFit without = cross_fit(stepwise.data, polish(stepwise.data, structure, 20));
+  const CrossFit again{evaluate(stepwise.data, with.fit.structure),
+                       evaluate(on_other_fold(stepwise.data), with.other_fold.structure)};
+  return compare(stepwise.data, without, again, sits_where_it_was_fitted(kind)).evidence;
 }
 
 /// An effect is fitted with a search of process and noise, which may leave a poor baseline by
@@ -118,11 +119,11 @@ TEST(StepwiseModel, TheEvidenceIsTheEffectsOwn) {
                                        {"level_loop", 3U},
                                        {"level_loop", 102U},
                                        {"level_loop", 117U}}) {
-    StepwiseModel story = story_of(scenario, seed);
-    if (story.chapters.empty()) continue;
-    story.chapters.resize(1);
-    EXPECT_GT(own_evidence(story), 13.8)
-        << scenario << " " << seed << ", said to be " << story.chapters[0].comparison.evidence;
+    StepwiseModel stepwise = model_of(scenario, seed);
+    if (stepwise.selected.empty()) continue;
+    stepwise.selected.resize(1);
+    EXPECT_GT(own_evidence(stepwise), 13.8)
+        << scenario << " " << seed << ", said to be " << stepwise.selected[0].comparison.evidence;
   }
 }
 
@@ -167,7 +168,8 @@ class IntakeOfTrials : public testing::Test {
  protected:
   void SetUp() override {
     const Nominations asked = tests::everything_asked();
-    trials = run_selection_round({story.data, story.data, story.last(), asked, false, Reach::asked})
+    trials = run_selection_round(
+                 {stepwise.data, stepwise.data, stepwise.last(), asked, false, Reach::asked})
                  .trials;
     ASSERT_GE(trials.size(), 2U);
     ASSERT_TRUE(trials[1].enters());
@@ -176,12 +178,12 @@ class IntakeOfTrials : public testing::Test {
   }
   bool take(std::optional<EffectKind> outdone_by, double passed_over = 0.0) {
     const ResidualTests tests = [&](const LoopData&, const Fit&) { return said; };
-    return take_in(trials, {original, tests, said, outdone_by, passed_over}, story);
+    return take_in(trials, {original, tests, said, outdone_by, passed_over}, stepwise);
   }
 
   const simulate::LoopRecord record = simulate::simulate_scenario("worn_valve", {}, 1);
   const LoopData original = make_loop_data(record.pv, record.op, record.sample_interval_s);
-  StepwiseModel story = start_selection(original);
+  StepwiseModel stepwise = start_selection(original);
   std::vector<CandidateFit> trials;
   EffectKind leader = EffectKind::load_step;
   std::vector<TestOutcome> said;
@@ -189,19 +191,19 @@ class IntakeOfTrials : public testing::Test {
 
 TEST_F(IntakeOfTrials, BehindARefusedTrialTheNextOneEnters) {
   EXPECT_TRUE(take(std::nullopt));
-  ASSERT_EQ(story.chapters.size(), 1U);
-  EXPECT_NE(story.chapters.front().kind(), leader);
+  ASSERT_EQ(stepwise.selected.size(), 1U);
+  EXPECT_NE(stepwise.selected.front().kind(), leader);
 }
 
 TEST_F(IntakeOfTrials, ButNotWhereTheRefusedOneLetOthersBePassedOver) {
   EXPECT_FALSE(take(leader));
-  EXPECT_TRUE(story.chapters.empty());
+  EXPECT_TRUE(stepwise.selected.empty());
 }
 
 TEST_F(IntakeOfTrials, WhatWasPassedOverIsARivalByItsPromise) {
   const double promise = trials[1].comparison.evidence;
   ASSERT_TRUE(take(std::nullopt, promise));
-  EXPECT_GE(story.chapters.front().rival_evidence, promise);
+  EXPECT_GE(stepwise.selected.front().rival_evidence, promise);
 }
 
 }  // namespace

@@ -13,21 +13,21 @@ using testing::HasSubstr;
 using testing::Not;
 
 LoopReport healthy_story() {
-  LoopReport story;
-  story.row = flagged_row(1, "TIC2");
-  story.row.rank = 0;
-  story.row.code = "healthy";
-  story.row.confidence = 0.93;
-  story.row.summary = "Nothing is wrong.";
-  story.row.action = "Nothing to do.";
-  story.row.plant_oscillation_number.reset();
-  return story;
+  LoopReport loop_report;
+  loop_report.row = flagged_row(1, "TIC2");
+  loop_report.row.rank = 0;
+  loop_report.row.code = "healthy";
+  loop_report.row.confidence = 0.93;
+  loop_report.row.summary = "Nothing is wrong.";
+  loop_report.row.action = "Nothing to do.";
+  loop_report.row.plant_oscillation_number.reset();
+  return loop_report;
 }
 
 TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
-  LoopReport story = healthy_story();
-  story.followed = {3, 40.0, "FIC1", "victim", 0.62, "external_disturbance"};
-  const std::string text = loop_section(story).html;
+  LoopReport loop_report = healthy_story();
+  loop_report.followed = {3, 40.0, "FIC1", "victim", 0.62, "external_disturbance"};
+  const std::string text = loop_section(loop_report).html;
   EXPECT_THAT(text, HasSubstr("<span class=\"verdict external_disturbance\">External disturbance"));
   EXPECT_THAT(text,
               HasSubstr("62 % of its error follows plant-wide oscillation 3 of <bdi>FIC1</bdi>"
@@ -35,26 +35,26 @@ TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
                         "0.93): Nothing is wrong."));
   EXPECT_THAT(text, HasSubstr("Repair the source <bdi>FIC1</bdi> first"));
   EXPECT_THAT(text, Not(HasSubstr("Nothing to do.")));
-  story.followed->source_name.reset();
-  EXPECT_THAT(loop_section(story).html, HasSubstr("whose source is not known"));
+  loop_report.followed->source_name.reset();
+  EXPECT_THAT(loop_section(loop_report).html, HasSubstr("whose source is not known"));
 }
 
 TEST(FollowWords, OneThatIsHardlyTouchedStaysHealthyAndSaysSo) {
-  LoopReport story = healthy_story();
-  story.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
-  const std::string text = loop_section(story).html;
+  LoopReport loop_report = healthy_story();
+  loop_report.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
+  const std::string text = loop_section(loop_report).html;
   EXPECT_THAT(text, HasSubstr("<span class=\"verdict healthy\">"));
   EXPECT_THAT(text, HasSubstr("Nothing to do."));
   EXPECT_THAT(text, HasSubstr("<dt>Follows</dt><dd>10 % of its error follows"));
-  story.followed.reset();
-  EXPECT_THAT(loop_section(story).html, Not(HasSubstr("Follows")));
+  loop_report.followed.reset();
+  EXPECT_THAT(loop_section(loop_report).html, Not(HasSubstr("Follows")));
 }
 
 TEST(FollowWords, AStayOnTheListKeepsItsFaultWhateverTheNewestWindowSays) {
-  LoopReport story = healthy_story();
-  story.row.code = "valve_stiction";
-  story.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
-  const std::string text = loop_section(story).html;
+  LoopReport loop_report = healthy_story();
+  loop_report.row.code = "valve_stiction";
+  loop_report.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
+  const std::string text = loop_section(loop_report).html;
   EXPECT_THAT(text, HasSubstr("Valve stiction"));
   EXPECT_THAT(text, Not(HasSubstr("By itself the loop is sound")));
 }

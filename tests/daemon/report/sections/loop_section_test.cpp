@@ -16,7 +16,7 @@ using core::model::EffectKind;
 using testing::HasSubstr;
 using testing::Not;
 
-LoopReport story(const std::string& text) {
+LoopReport loop_report(const std::string& text) {
   LoopReport told;
   told.row = flagged_row(7, text);
   told.problems = {{"no_rows", "op", text, text, text, told.row.since_us, true}};
@@ -44,7 +44,7 @@ core::model::Explanation explanation() {
 }
 
 TEST(LoopSection, TellsCauseActionEvidenceAndShowsPictures) {
-  const std::string text = loop_section(story("FIC101")).html;
+  const std::string text = loop_section(loop_report("FIC101")).html;
   EXPECT_THAT(text, HasSubstr("id=\"loop-7\""));
   EXPECT_THAT(text, HasSubstr("<dt>Cause</dt>"));
   EXPECT_THAT(text, HasSubstr("<dt>Action</dt>"));
@@ -55,7 +55,7 @@ TEST(LoopSection, TellsCauseActionEvidenceAndShowsPictures) {
 }
 
 TEST(LoopSection, PlainSentencesComeFirstAndFiguresBehindAFold) {
-  LoopReport told = story("FIC101");
+  LoopReport told = loop_report("FIC101");
   told.row.reasons = {"It sticks.", "The error is large.", "It oscillates.",
                       "Figures:",   "For: a figure.",      "NGI"};
   EXPECT_THAT(loop_section(told).html,
@@ -68,7 +68,7 @@ TEST(LoopSection, PlainSentencesComeFirstAndFiguresBehindAFold) {
 }
 
 TEST(LoopSection, WithoutPicturesItSaysWhy) {
-  LoopReport told = story("FIC101");
+  LoopReport told = loop_report("FIC101");
   told.pictures.clear();
   told.trouble = "the historian <is> away";
   EXPECT_THAT(loop_section(told).html, HasSubstr("the window: the historian &lt;is&gt; away"));
@@ -76,7 +76,7 @@ TEST(LoopSection, WithoutPicturesItSaysWhy) {
 }
 
 TEST(LoopSection, BesidePicturesOfThePastItSaysWhyTheWindowHasNone) {
-  LoopReport told = story("FIC101");
+  LoopReport told = loop_report("FIC101");
   told.trouble = "the historian is away";
   EXPECT_THAT(loop_section(told).html,
               HasSubstr("No pictures of the window: the historian is away"));
@@ -84,7 +84,7 @@ TEST(LoopSection, BesidePicturesOfThePastItSaysWhyTheWindowHasNone) {
 }
 
 TEST(LoopSection, AHiddenLoopSaysWhyAndWhatToDoFirst) {
-  LoopReport told = story("TIC7");
+  LoopReport told = loop_report("TIC7");
   EXPECT_THAT(loop_section(told).html, Not(HasSubstr("Not on the list")));
   told.hidden = {
       {"victim", "FIC1 leads", "", 0, std::nullopt, 3, "FIC1"},
@@ -119,15 +119,15 @@ TEST(LoopSection, AModelThatClaimsNothingSaysSo) {
 }
 
 TEST(LoopSection, NoHostileNameChangesTheMarkup) {
-  const auto plain = tags_of(page({"FIC101", "FIC101"}, {loop_section(story("FIC101"))}));
+  const auto plain = tags_of(page({"FIC101", "FIC101"}, {loop_section(loop_report("FIC101"))}));
   for (const auto& [about, name] : tests::hostile_names())
-    EXPECT_EQ(tags_of(page({name, name}, {loop_section(story(name))})), plain)
+    EXPECT_EQ(tags_of(page({name, name}, {loop_section(loop_report(name))})), plain)
         << about << ": " << name;
 }
 
 /// One whose window was read again, and one that is only shaken: every sentence of theirs.
 std::string judged_again(const std::string& text) {
-  LoopReport told = story(text);
+  LoopReport told = loop_report(text);
   LoopEvidence evidence;
   evidence.diagnosis.evidence.model = explanation();
   evidence.diagnosis.evidence.model->process_doubt = text;
@@ -138,7 +138,7 @@ std::string judged_again(const std::string& text) {
   told.row.reasons = {text, "Figures:", text};
   told.evidence = evidence;
   told.trouble = text;
-  LoopReport shaken = story(text);
+  LoopReport shaken = loop_report(text);
   shaken.row.code = "healthy";
   shaken.followed->shown_code = "external_disturbance";
   shaken.hidden = {{"probability", text, "", 0, std::nullopt, std::nullopt, std::nullopt},

@@ -15,9 +15,9 @@ TEST(CoreGate, AdmitsAsManyAsThereAreCores) {
   std::atomic<int> inside = 0;
   std::atomic<int> most = 0;
   {
-    std::vector<std::jthread> lanes;
-    for (int lane = 0; lane < 6; ++lane) {
-      lanes.emplace_back([&] {
+    std::vector<std::jthread> workers;
+    for (int worker = 0; worker < 6; ++worker) {
+      workers.emplace_back([&] {
         for (int round = 0; round < 20; ++round) {
           const CoreGate::Permit permit(gate);
           const int now = ++inside;

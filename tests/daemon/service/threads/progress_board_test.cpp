@@ -30,8 +30,8 @@ std::vector<std::int64_t> proven(ProgressBoard& board) {
 
 TEST(ProgressBoard, OnlyWhoGotOnSinceKeepsItsClaims) {
   ProgressBoard board;
-  ProgressBoard::Entry& busy = board.desk();
-  ProgressBoard::Entry& hanging = board.desk();
+  ProgressBoard::Entry& busy = board.entry();
+  ProgressBoard::Entry& hanging = board.entry();
   busy.hold(claims({1, 2}));
   hanging.hold(claims({3}));
   EXPECT_THAT(proven(board), UnorderedElementsAre(1, 2, 3)) << "all are new";
@@ -46,18 +46,18 @@ TEST(ProgressBoard, OnlyWhoGotOnSinceKeepsItsClaims) {
 
 TEST(ProgressBoard, AStepDuringTheRenewalCountsForTheNext) {
   ProgressBoard board;
-  ProgressBoard::Entry& desk = board.desk();
-  desk.hold(claims({1}));
+  ProgressBoard::Entry& progress = board.entry();
+  progress.hold(claims({1}));
   const Clock::time_point seen = Clock::now();
-  desk.step();
+  progress.step();
   board.renewed(seen);
   EXPECT_THAT(proven(board), ElementsAre(1));
 }
 
 TEST(ProgressBoard, WhoWaitsForACoreGetsOnAsLongAsAnybodyDoes) {
   ProgressBoard board;
-  ProgressBoard::Entry& waiting = board.desk();
-  ProgressBoard::Entry& busy = board.desk();
+  ProgressBoard::Entry& waiting = board.entry();
+  ProgressBoard::Entry& busy = board.entry();
   waiting.hold(claims({1}));
   busy.hold(claims({2}));
   const ProgressBoard::Entry::Wait wait(waiting);
@@ -69,21 +69,21 @@ TEST(ProgressBoard, WhoWaitsForACoreGetsOnAsLongAsAnybodyDoes) {
 
 TEST(ProgressBoard, WhatIsLostIsToldAndNotAskedForAgain) {
   ProgressBoard board;
-  ProgressBoard::Entry& desk = board.desk();
-  desk.hold(claims({1, 2}));
+  ProgressBoard::Entry& progress = board.entry();
+  progress.hold(claims({1, 2}));
   EXPECT_EQ(board.lose(keys({{2, 0}, {7, 0}})), 1u);
   EXPECT_EQ(board.lose(keys({{2, 0}})), 0u);
-  EXPECT_TRUE(desk.lost(2));
-  EXPECT_FALSE(desk.lost(1));
+  EXPECT_TRUE(progress.lost(2));
+  EXPECT_FALSE(progress.lost(1));
   EXPECT_THAT(proven(board), ElementsAre(1));
-  desk.hold(claims({2}));
-  EXPECT_FALSE(desk.lost(2)) << "claimed anew";
+  progress.hold(claims({2}));
+  EXPECT_FALSE(progress.lost(2)) << "claimed anew";
 }
 
 TEST(ProgressBoard, AnOutdatedClaimSaysNothingOfANewOne) {
   ProgressBoard board;
-  ProgressBoard::Entry& former = board.desk();
-  ProgressBoard::Entry& present = board.desk();
+  ProgressBoard::Entry& former = board.entry();
+  ProgressBoard::Entry& present = board.entry();
   auto claimed = claims({1});
   claimed[0].fence = 7;
   former.hold(claimed);
@@ -96,20 +96,20 @@ TEST(ProgressBoard, AnOutdatedClaimSaysNothingOfANewOne) {
 
 TEST(ProgressBoard, WhatIsGivenBackIsHeldNoLonger) {
   ProgressBoard board;
-  ProgressBoard::Entry& desk = board.desk();
-  desk.hold(claims({1, 2, 3}));
-  desk.done(std::vector<std::int64_t>{2});
+  ProgressBoard::Entry& progress = board.entry();
+  progress.hold(claims({1, 2, 3}));
+  progress.done(std::vector<std::int64_t>{2});
   EXPECT_THAT(proven(board), ElementsAre(1, 3));
   board.lose(keys({{3, 0}}));
-  ASSERT_EQ(desk.held().size(), 1u);
-  EXPECT_EQ(desk.held()[0].loop.loop_id, 1);
+  ASSERT_EQ(progress.held().size(), 1u);
+  EXPECT_EQ(progress.held()[0].loop.loop_id, 1);
 }
 
 TEST(ProgressBoard, AnIdleLaneProvesNothingForThoseThatWait) {
   ProgressBoard board;
-  ProgressBoard::Entry& waiting = board.desk();
-  ProgressBoard::Entry& hanging = board.desk();
-  ProgressBoard::Entry& idle = board.desk();
+  ProgressBoard::Entry& waiting = board.entry();
+  ProgressBoard::Entry& hanging = board.entry();
+  ProgressBoard::Entry& idle = board.entry();
   waiting.hold(claims({1}));
   hanging.hold(claims({2}));
   const ProgressBoard::Entry::Wait wait(waiting);
@@ -120,15 +120,15 @@ TEST(ProgressBoard, AnIdleLaneProvesNothingForThoseThatWait) {
 
 TEST(ProgressBoard, SaysWhenABatchStandsStill) {
   ProgressBoard board;
-  ProgressBoard::Entry& desk = board.desk();
+  ProgressBoard::Entry& progress = board.entry();
   const Clock::time_point later = Clock::now() + 100s;
   EXPECT_FALSE(board.standstill(60s, later)) << "an idle lane has nothing to show";
-  desk.hold(claims({1}));
+  progress.hold(claims({1}));
   EXPECT_FALSE(board.standstill(120s, later));
   EXPECT_THAT(board.standstill(60s, later).value_or(""),
               testing::StartsWith("a batch of loops has made no progress for"));
   {
-    const ProgressBoard::Entry::Wait wait(desk);
+    const ProgressBoard::Entry::Wait wait(progress);
     EXPECT_FALSE(board.standstill(60s, later)) << "whoever has the core answers for it";
   }
   EXPECT_EQ(board.held_loops(), 1u);

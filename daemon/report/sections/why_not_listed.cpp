@@ -1,4 +1,4 @@
-#include "daemon/report/sections/hidden_words.hpp"
+#include "daemon/report/sections/why_not_listed.hpp"
 
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
@@ -44,9 +44,9 @@ Fields hidden_fields(const HiddenRow& row) {
 
 }  // namespace
 
-Markup hidden_words(const std::vector<HiddenRow>& hidden) {
+Markup why_not_listed(const std::vector<HiddenRow>& hidden) {
   if (hidden.empty()) return {};
-  return render("hidden_words", {{"hidden", rows(hidden, hidden_fields)}});
+  return render("why_not_listed", {{"hidden", rows(hidden, hidden_fields)}});
 }
 
 }  // namespace loopscope::daemon

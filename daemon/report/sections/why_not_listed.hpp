@@ -9,6 +9,6 @@ namespace loopscope::daemon {
 
 /// Why a loop with a fault is not on the list, and what to do instead: entries of its list of
 /// findings, HTML. "" = nothing hides it.
-[[nodiscard]] Markup hidden_words(const std::vector<storage::HiddenRow>& hidden);
+[[nodiscard]] Markup why_not_listed(const std::vector<storage::HiddenRow>& hidden);
 
 }  // namespace loopscope::daemon

@@ -1,4 +1,4 @@
-#include "core/diagnosis/odds/beside_others.hpp"
+#include "core/diagnosis/odds/explaining_away.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ std::optional<OthersPart> rivals_of(std::size_t place, std::span<const OwnOdds> 
 }  // namespace
 
 std::vector<OthersPart> parts_of_others(std::size_t place, std::span<const OwnOdds> all) {
-  const BesideOthers& beside = *all[place].beside;
+  const ExplainingAway& beside = *all[place].beside;
   if (beside.rival.empty()) return {};
   std::vector<OthersPart> parts;
   if (const auto rivals = rivals_of(place, all)) parts.push_back(*rivals);
@@ -41,8 +41,8 @@ std::vector<OthersPart> parts_of_others(std::size_t place, std::span<const OwnOd
   return parts;
 }
 
-double beside_others(double log_odds, std::size_t place, std::span<const OwnOdds> all) {
-  const BesideOthers& beside = *all[place].beside;
+double explaining_away(double log_odds, std::size_t place, std::span<const OwnOdds> all) {
+  const ExplainingAway& beside = *all[place].beside;
   double result = beside.scale * log_odds + beside.offset;
   for (const OthersPart& part : parts_of_others(place, all)) result += part.weight;
   return result;

@@ -12,7 +12,7 @@ namespace loopscope::core::diagnosis {
 /// that `rival` has at the log odds that any other cause is there + that of `nonlinear` at the log
 /// odds that valve or process is nonlinear at all. What another cause explains needs no second one,
 /// and what is nonlinear needs a cause that is (explaining away; Wellman and Henrion 1993).
-struct BesideOthers {
+struct ExplainingAway {
   double scale = 1.0;
   double offset = 0.0;
   std::vector<CurvePoint> rival;      ///< empty = this one stands alone, and is nobody's rival
@@ -23,7 +23,7 @@ struct BesideOthers {
 struct OwnOdds {
   VerdictCode code = VerdictCode::healthy;
   double log_odds = 0.0;  ///< by the plant's prior
-  const BesideOthers* beside = nullptr;
+  const ExplainingAway* beside = nullptr;
 };
 
 /// What others add to the log odds of a cause.
@@ -39,7 +39,7 @@ struct OthersPart {
                                                       std::span<const OwnOdds> all);
 
 /// `log_odds`: of the cause at `place`, by the prior of the fit.
-[[nodiscard]] double beside_others(double log_odds, std::size_t place,
-                                   std::span<const OwnOdds> all);
+[[nodiscard]] double explaining_away(double log_odds, std::size_t place,
+                                     std::span<const OwnOdds> all);
 
 }  // namespace loopscope::core::diagnosis
