@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "core/hos/linear/draw_missing.hpp"
 #include "core/hos/linear/innovations.hpp"
+#include "core/hos/numeric/distributions.hpp"
 #include "core/hos/surrogates/surrogates.hpp"
 #include "core/signal/archive.hpp"
 #include "core/signal/holes.hpp"
@@ -27,7 +27,7 @@ constexpr Tests kTests = {&hos::Result::ngi_p, &hos::Result::nli_p, &hos::Result
                           &hos::Result::nonlinear_p};
 
 double evidence_of(double p) {
-  return -std::log(std::max(p, std::numeric_limits<double>::min()));
+  return -std::log(hos::above_zero(p));
 }
 
 /// What is seen of a record behind a door of this half width.

@@ -79,7 +79,7 @@ std::size_t judge_loop(const BaselineAnalysis& analysis, const Fit& fit, Explana
   return excitation.reversals;
 }
 
-/// What the model cannot explain, where the model has come so far.
+/// What the effects that were selected so far leave unexplained.
 void report_rest(const StepwiseModel& stepwise, const std::vector<TestOutcome>& answers,
                  Explanation& explanation) {
   const double square = stepwise.data.pv_scale * stepwise.data.pv_scale;

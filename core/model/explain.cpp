@@ -70,8 +70,8 @@ void spread_over(Explanation& explanation, double share) {
   }
 }
 
-/// Of a held sensor only the renewals say anything of pv: the model is told on them, with op as it
-/// was recorded. nullopt where too few are left to fit.
+/// Of a held sensor only the renewals say anything of pv: the model is fitted to them, with op as
+/// it was recorded. nullopt where too few are left to fit.
 std::optional<FittedLoop> tell_renewals(const ModelInput& input, BaselineAnalysis& samples,
                                         Step hold, std::size_t hold_samples) {
   constexpr std::size_t kFewestRenewals = 60;  // of each kind: eight for each parameter of a model

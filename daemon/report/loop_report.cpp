@@ -69,7 +69,8 @@ std::vector<Figure> figures_of(const LoopReport& loop_report) {
     const LoopEvidence& evidence = *loop_report.evidence;
     std::vector<Figure> trends = trend_figures(evidence);
     std::vector<Figure> explained = explanation_figures(evidence);
-    // The first row tells the report: a few cycles, the valve, the model beside what was measured.
+    // The first row shows what matters: a few cycles, the valve, the model beside what was
+    // measured.
     if (trends.size() > 1) figures.push_back(std::move(trends[1]));
     append(figures, valve_figures(evidence));
     if (!explained.empty()) figures.push_back(std::move(explained[0]));

@@ -38,7 +38,7 @@ class AnalysisWorker {
 
   /// Claims loops that are due. Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
-  /// Claims one loop that may be what kills the workers, if no other worker has one in hand.
+  /// Claims one loop that may be what kills processes, if no other worker has one in hand.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_suspect();
   /// Claims the next loops after `after` in the order of the catalogue; no suspects.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_next(std::int64_t after);

@@ -4,7 +4,8 @@
 #include <boost/math/distributions/gamma.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
-#include <limits>
+
+#include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -12,10 +13,6 @@ namespace {
 /// Skewness of the mean in units of its relative standard deviation, measured; a sum of squared
 /// normal deviates, which a gamma distribution describes, would have 2.
 constexpr double kRelativeSkewness = 2.9;
-
-double above_zero(double p) {
-  return std::max(p, std::numeric_limits<double>::min());
-}
 
 }  // namespace
 

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::hos {
 namespace {
-
-double upper_tail(double z) {
-  return std::max(normal_upper(z), std::numeric_limits<double>::min());
-}
 
 /// Kurtosis of normal values over the local scale that they enter themselves: those of three blocks
 /// and the prior's share the square, 3 m / (m + 2) for m of them.
@@ -68,10 +63,10 @@ void judge_tails(const std::vector<double>& values, const Kernels& kernels, Nois
   const double kurtosis = 3.0 / kNormalKurtosis * sums.fourth / (n * variance * variance);
   const double deviate = kurtosis_deviate(kurtosis, n);
   shape.excess_kurtosis = kurtosis - 3.0;
-  shape.tails_p = upper_tail(deviate);
-  shape.light_tails_p = upper_tail(-deviate);
+  shape.tails_p = above_zero(normal_upper(deviate));
+  shape.light_tails_p = above_zero(normal_upper(-deviate));
   const double skewness = sums.third / (n * variance * std::sqrt(variance));
-  shape.skewness_p = 2.0 * upper_tail(std::abs(skewness) * std::sqrt(n / 6.0));
+  shape.skewness_p = 2.0 * above_zero(normal_upper(std::abs(skewness) * std::sqrt(n / 6.0)));
 }
 
 double median_of(std::vector<double> values) {
@@ -114,7 +109,7 @@ double scatter_p(const std::vector<double>& means, std::size_t length, const Mea
   const double freedom = static_cast<double>(means.size()) - 1.0;
   const double ratio = squares * static_cast<double>(length) / (all.variance * freedom);
   const double unit = 2.0 / (9.0 * freedom);
-  return upper_tail((std::cbrt(ratio) - (1.0 - unit)) / std::sqrt(unit));
+  return above_zero(normal_upper((std::cbrt(ratio) - (1.0 - unit)) / std::sqrt(unit)));
 }
 
 void judge_variance(const std::vector<double>& magnitudes, NoiseShape& shape) {

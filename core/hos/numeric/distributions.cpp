@@ -7,6 +7,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace loopscope::core::hos {
@@ -32,6 +33,10 @@ using Binomial = math::binomial_distribution<double, Policy>;
 constexpr double kLeastTail = 1e-300;
 
 }  // namespace
+
+double above_zero(double p) {
+  return std::max(p, std::numeric_limits<double>::min());
+}
 
 double normal_upper(double deviate) {
   return 0.5 * std::erfc(deviate / std::numbers::sqrt2);

@@ -7,6 +7,9 @@
 /// double it is 0. An argument that is NaN gives NaN.
 namespace loopscope::core::hos {
 
+/// At least the smallest normal double: a p of 0 would call chance impossible and has no logarithm.
+[[nodiscard]] double above_zero(double p);
+
 [[nodiscard]] double normal_upper(double deviate);
 
 /// The deviate that is exceeded with `probability`, 1e-300 to 1: 1.6448536... for 0.05.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "core/hos/numeric/distributions.hpp"
@@ -98,7 +97,7 @@ double score_p(const Eigen::VectorXd& u, const Eigen::VectorXd& g) {
   const double spread = std::sqrt((u.array() * g.array()).square().sum());
   if (!(spread > 0.0)) return 1.0;
   const double z = std::abs(u.dot(g)) / spread;
-  return std::max(2.0 * normal_upper(z), std::numeric_limits<double>::min());
+  return above_zero(2.0 * normal_upper(z));
 }
 
 double smallest_p(const Columns& columns, Eigen::Index first) {

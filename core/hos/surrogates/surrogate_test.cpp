@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+
+#include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::hos {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 constexpr std::size_t kEnough = 2;
 
 double evidence_of(double p) {
-  return -std::log(std::max(p, std::numeric_limits<double>::min()));
+  return -std::log(above_zero(p));
 }
 
 /// One of the statistics, where it is to be looked at.
@@ -56,7 +57,7 @@ double SurrogateP::p() const {
   const auto count = static_cast<double>(draws_.size());
   const double share = static_cast<double>(exceeding_) / count;
   const double p = draws_.size() < kMost || exceeding_ >= kEnough ? share : tail_p();
-  return std::max({p, first_pass_p_, std::numeric_limits<double>::min()});
+  return above_zero(std::max(p, first_pass_p_));
 }
 
 CouplingTests against_surrogates(const CouplingTests& found, double unclear,

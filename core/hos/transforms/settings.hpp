@@ -42,10 +42,9 @@ struct Settings {
   WindowShape window = WindowShape::hann;
   std::size_t dft_length = 128;  ///< samples, even, >= segment_length, kDftLength
   double alpha = 0.05;           ///< significance of the critical value (eq. 10), kAlpha
-  double ngi_threshold =
-      0.001;                    ///< the paper's beta: NGI up to this counts as Gaussian, kThreshold
-  double nli_threshold = 0.01;  ///< NLI up to this counts as linear, kThreshold
-  std::size_t max_peaks = 5;    ///< strongest distinct peaks to report, kMaxPeaks
+  double ngi_threshold = 0.001;  ///< the paper's beta: largest NGI that is Gaussian, kThreshold
+  double nli_threshold = 0.01;   ///< largest NLI that is linear, kThreshold
+  std::size_t max_peaks = 5;     ///< strongest distinct peaks to report, kMaxPeaks
 };
 
 /// Throws std::invalid_argument that names the first setting out of its range and the range.

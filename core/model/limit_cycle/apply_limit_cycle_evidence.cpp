@@ -49,7 +49,7 @@ bool most_slips_pass_for_jumps(const std::vector<Step>& steps) {
 /// Nine to one, in the units of `margin`.
 constexpr double kClear = 22.0;
 
-/// Whether what the model found speaks against the valve that the three witnesses see.
+/// Whether the effects that were selected speak against the valve that the three witnesses see.
 bool others_stand(const std::vector<Step>& steps, const std::vector<TestOutcome>& left,
                   const Step& valve) {
   constexpr double kStillThere = 0.05;

@@ -13,7 +13,7 @@ namespace loopscope::core::model {
 /// its slips pass for, and the errors of the whole explanation into simulation errors. Other
 /// effects stand where the shape of the cycle is not clear beyond doubt and an outside oscillation
 /// is among them, or what they leave no longer follows op's direction. A valve among the steps is
-/// weighed by the cycle instead (cycle_valve.hpp), unless jumps lead the model that may be its
+/// weighed by the cycle instead (cycle_valve.hpp), unless jumps come first that may be its
 /// slips and the shape of the cycle is clear beyond doubt. Where op made a few strokes only nothing
 /// of that stands. `first`: asked of the linear loop's residual; `left`: of the last model's.
 void apply_limit_cycle_evidence(const ModelInput& input, const std::vector<TestOutcome>& first,

@@ -16,7 +16,7 @@ enum class Reach {
   unasked,    ///< what nobody asked for
 };
 
-/// One round of a model: what is to be explained, and on which rows.
+/// One round of the forward selection: what is to be explained, and on which rows.
 struct Round {
   const LoopData& original;  ///< rows as laid out, before any step was seen by fit and score alike
   const LoopData& data;      ///< rows on which `now` is judged

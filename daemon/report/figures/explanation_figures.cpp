@@ -20,7 +20,7 @@ using core::model::ExplanationTraces;
 using core::model::TraceStage;
 using Series = std::vector<double>;
 
-/// More stages than this are rare; the first and the last ones tell the report.
+/// More stages than this are rare; the first and the last ones show what matters.
 constexpr std::size_t kMostStages = 5;
 constexpr int kPanelHeight = 108;
 constexpr int kAxisHeight = 70;

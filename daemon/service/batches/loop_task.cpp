@@ -29,7 +29,7 @@ std::uint64_t mixed(std::uint64_t number) {
   return number ^ (number >> 31);
 }
 
-/// By lot, not in a fixed order: tasks may skip slots in any rhythm, and every loop has to have
+/// By lot, not in a fixed order: analyses may skip slots in any rhythm, and every loop has to have
 /// its turn all the same.
 bool is_its_turn(const storage::CatalogueEntry& loop, std::int64_t slot_end_us, int every_slots) {
   const std::int64_t period_us = core::signal::microseconds(loop.period_s);

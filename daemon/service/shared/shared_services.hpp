@@ -34,7 +34,7 @@ struct SharedServices {
   KnownClocks clocks;
   ProgressBoard progress;
   const std::shared_ptr<storage::ClaimFloors> floors = std::make_shared<storage::ClaimFloors>();
-  /// Held by the one worker that works on a suspect: two that kill their worker cannot be told
+  /// Held by the one worker that works on a suspect: two that kill the process cannot be told
   /// apart.
   std::mutex suspect_turn;
   const RetryLimit perseverance;

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
+
+#include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -71,7 +72,7 @@ Clock find_clock(std::span<const FlatRun> runs) {
     const double p =
         chance(hits, tries, static_cast<double>(period)) * static_cast<double>(candidates.size());
     if (p >= clock.p) continue;
-    clock = {std::max(p, std::numeric_limits<double>::min()), period};
+    clock = {hos::above_zero(p), period};
   }
   return clock;
 }

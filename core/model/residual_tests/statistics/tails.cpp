@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/hos/numeric/distributions.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
-/// As in core/hos: a p of 0 would call chance impossible and has no logarithm.
 double as_probability(double p) {
-  return std::clamp(p, std::numeric_limits<double>::min(), 1.0);
+  return std::min(1.0, hos::above_zero(p));
 }
 
 }  // namespace
