@@ -52,7 +52,7 @@ void draw(LoopReport& loop_report, const std::filesystem::path& gnuplot,
 
 }  // namespace
 
-LoopReport read_story(storage::ReportDatabase& database, const storage::FlaggedRow& row) {
+LoopReport read_loop_report(storage::ReportDatabase& database, const storage::FlaggedRow& row) {
   LoopReport loop_report;
   loop_report.row = row;
   loop_report.history = database.history(row.loop_id, row.slot_end_us - kHistoryReachUs);

@@ -16,8 +16,8 @@ namespace loopscope::daemon {
 inline constexpr std::int64_t kHistoryReachUs = std::int64_t{90} * 86'400 * 1'000'000;
 
 /// What the results know of a loop whose newest verdict is `row`. Throws storage::DatabaseError.
-[[nodiscard]] LoopReport read_story(storage::ReportDatabase& database,
-                                    const storage::FlaggedRow& row);
+[[nodiscard]] LoopReport read_loop_report(storage::ReportDatabase& database,
+                                          const storage::FlaggedRow& row);
 
 /// The figures of a report but those of the model's steps; those of its window only when it was
 /// looked at again.

@@ -55,7 +55,7 @@ Content read_content(const config::Settings& settings, std::int64_t since_us) {
                    database.counts(since_us),     database.flagged(),
                    database.plant_oscillations(), database.repairs(since_us)};
   for (const storage::FlaggedRow& row : content.facts.flagged)
-    content.loop_reports.push_back(read_story(database, row));
+    content.loop_reports.push_back(read_loop_report(database, row));
   return content;
 }
 

@@ -104,7 +104,7 @@ LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) 
     storage::ReportDatabase database(results_connection(*settings_));
     const auto row = database.latest(name);
     if (!row) return no_such_loop(name);
-    loop_report = read_story(database, *row);
+    loop_report = read_loop_report(database, *row);
   }
   look(loop_report, stop);
   return {page({titled(settings_->report.plant, name),

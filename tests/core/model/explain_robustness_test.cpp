@@ -135,7 +135,8 @@ TEST(ExplainRobustness, PvWithoutNoise) {
 }
 
 /// Effects, their order, and evidence: rounding moves the search by little.
-void expect_same_story(const Explanation& one, const Explanation& other, const std::string& where) {
+void expect_same_explanation(const Explanation& one, const Explanation& other,
+                             const std::string& where) {
   ASSERT_EQ(one.steps.size(), other.steps.size()) << where;
   for (std::size_t i = 0; i < one.steps.size(); ++i) {
     EXPECT_EQ(one.steps[i].effect, other.steps[i].effect) << where;
@@ -156,7 +157,7 @@ TEST(ExplainRobustness, PvInAnyUnit) {
       const auto same = tests::explain_record(other);
       ASSERT_TRUE(same);
       const std::string where = std::string(scenario) + " times " + std::to_string(unit);
-      expect_same_story(*plain, *same, where);
+      expect_same_explanation(*plain, *same, where);
       EXPECT_NEAR(same->noise_floor / (unit * unit) / plain->noise_floor, 1.0, 0.01) << where;
       EXPECT_NEAR(same->baseline.holdout_error / (unit * unit) / plain->baseline.holdout_error, 1.0,
                   0.01)

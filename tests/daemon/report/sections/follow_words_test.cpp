@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-LoopReport healthy_story() {
+LoopReport healthy_loop_report() {
   LoopReport loop_report;
   loop_report.row = flagged_row(1, "TIC2");
   loop_report.row.rank = 0;
@@ -25,7 +25,7 @@ LoopReport healthy_story() {
 }
 
 TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
-  LoopReport loop_report = healthy_story();
+  LoopReport loop_report = healthy_loop_report();
   loop_report.followed = {3, 40.0, "FIC1", "victim", 0.62, "external_disturbance"};
   const std::string text = loop_section(loop_report).html;
   EXPECT_THAT(text, HasSubstr("<span class=\"verdict external_disturbance\">External disturbance"));
@@ -40,7 +40,7 @@ TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
 }
 
 TEST(FollowWords, OneThatIsHardlyTouchedStaysHealthyAndSaysSo) {
-  LoopReport loop_report = healthy_story();
+  LoopReport loop_report = healthy_loop_report();
   loop_report.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
   const std::string text = loop_section(loop_report).html;
   EXPECT_THAT(text, HasSubstr("<span class=\"verdict healthy\">"));
@@ -51,7 +51,7 @@ TEST(FollowWords, OneThatIsHardlyTouchedStaysHealthyAndSaysSo) {
 }
 
 TEST(FollowWords, AStayOnTheListKeepsItsFaultWhateverTheNewestWindowSays) {
-  LoopReport loop_report = healthy_story();
+  LoopReport loop_report = healthy_loop_report();
   loop_report.row.code = "valve_stiction";
   loop_report.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};
   const std::string text = loop_section(loop_report).html;
