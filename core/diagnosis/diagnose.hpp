@@ -1,34 +1,18 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <optional>
 
 #include "core/diagnosis/analysis_settings.hpp"
 #include "core/diagnosis/evidence/evidence.hpp"
+#include "core/diagnosis/first_look.hpp"
 #include "core/diagnosis/verdicts/verdict.hpp"
-#include "core/loop/oscillation.hpp"
 #include "core/model/record/loop_data.hpp"
 #include "core/model/results/explanation.hpp"
 #include "core/model/traces.hpp"
 #include "core/signal/loop_window.hpp"
-#include "core/signal/prepared_loop.hpp"
 
 namespace loopscope::core {
-
-/// A window made ready, and what has to be known of it before more of the history is asked for.
-struct FirstLook {
-  signal::PreparedLoop loop;
-  loop::Oscillation oscillation;      ///< of the error; empty when the data are not usable
-  std::size_t slow_span_samples = 0;  ///< as in Evidence
-
-  /// Period of the oscillation in samples; nullopt when none is present.
-  [[nodiscard]] std::optional<double> period_samples() const;
-};
-
-/// The part of diagnose() that comes before all other figures. Throws as diagnose() does.
-[[nodiscard]] FirstLook first_look(const signal::LoopWindow& window,
-                                   const AnalysisSettings& settings);
 
 /// Whether the data allow a loop model. What the archive did to pv reads as load steps and bends
 /// where little of it was stored. A slow sensor is an effect that the model knows.

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/diagnosis/archive_null.hpp"
-#include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/steady_error.hpp"
 #include "core/hos/slow/period.hpp"
 #include "core/signal/order/spread.hpp"

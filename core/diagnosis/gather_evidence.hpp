@@ -2,11 +2,10 @@
 
 #include "core/diagnosis/analysis_settings.hpp"
 #include "core/diagnosis/evidence/evidence.hpp"
+#include "core/diagnosis/first_look.hpp"
 #include "core/signal/loop_window.hpp"
 
 namespace loopscope::core {
-
-struct FirstLook;
 
 /// Everything that is measured on a window, but for the loop model: statistics of the error, wave
 /// shapes, performance. The segments may make a window unusable that the first look let pass

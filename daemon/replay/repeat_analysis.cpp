@@ -1,28 +1,23 @@
 #include "daemon/replay/repeat_analysis.hpp"
 
-#include <array>
 #include <fmt/format.h>
 
 #include "config/analysis_settings_json.hpp"
 #include "daemon/service/batches/loop_task.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/windows/loop_slot.hpp"
-#include "daemon/service/windows/row_memory.hpp"
+#include "daemon/service/windows/loop_input.hpp"
 #include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-LoopInput read_input(const config::Settings& settings, const storage::StoredAnalysis& stored,
-                     const core::AnalysisSettings& analysis) {
+LoopInput read_stored(const config::Settings& settings, const storage::StoredAnalysis& stored,
+                      const core::AnalysisSettings& analysis) {
   const config::HistorianSettings& source = find_historian(settings, stored.loop.source);
   storage::HistorianReader historian(historian_connection(source), historian_layout(source));
-  std::array slots{past_slot(stored.loop, stored.slot_end_us)};
-  slots[0].pv_past = stored.pv_past;
-  RowMemory memory;
-  CoreGate cores(1);
-  ProgressBoard board;
-  return std::move(read_inputs(historian, slots, analysis, memory, {cores, board.entry()}).front());
+  LoopSlot slot = past_slot(stored.loop, stored.slot_end_us);
+  slot.pv_past = stored.pv_past;
+  return read_input(historian, slot, analysis);
 }
 
 }  // namespace
@@ -31,7 +26,7 @@ storage::AnalysisRecord repeat_analysis(const config::Settings& settings,
                                         const storage::StoredAnalysis& stored) {
   core::AnalysisSettings analysis = config::parse_analysis_settings(stored.settings_json);
   const std::string words = config::analysis_settings_json(analysis);
-  const LoopInput input = read_input(settings, stored, analysis);
+  const LoopInput input = read_stored(settings, stored, analysis);
   if (input.at_slot.window.size() == 0) {
     throw Failure(ExitCode::unusable_data,
                   fmt::format("the historian {} has no row of {} in that window any more",
@@ -39,7 +34,8 @@ storage::AnalysisRecord repeat_analysis(const config::Settings& settings,
                   "only what the historian still keeps can be done again");
   }
   analysis.fit_model = stored.modelled;
-  return analyse_window(stored.loop, input, analysis, words);
+  StageDriver driver;
+  return analyse_window(stored.loop, input, analysis, words, driver);
 }
 
 }  // namespace loopscope::daemon

@@ -33,25 +33,30 @@ AnalysisWorker::AnalysisWorker(std::shared_ptr<const config::Settings> settings,
       owner_(worker_name(index)),
       tools_(tools),
       progress_(tools.progress.entry()),
+      driver_([this] { progress_.step(); }),
       results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.stop, tools.floors),
-      reader_(settings_, settings_json_, slot_rule, tools, progress_, results_) {}
+      reader_(settings_, settings_json_, slot_rule, tools, progress_, results_, driver_) {}
 
 template <typename Claim>
 std::vector<ClaimedLoop> AnalysisWorker::timed_claim(Claim claim) {
-  Stopwatch watch;
-  std::vector<ClaimedLoop> claims = results_.with([&](storage::ResultsDatabase& database) {
+  const auto ask = [&](storage::ResultsDatabase& database) {
     if (std::exchange(in_doubt_, true)) database.release_owned(owner_);
     std::vector<ClaimedLoop> claimed = claim(database);
     in_doubt_ = false;
     return claimed;
-  });
-  if (!claims.empty()) progress_.hold(claims);
-  const storage::StageCost cost{.claim_s = watch.lap_s()};
-  if (!claims.empty()) {
-    costs_.add(cost);
-    tools_.metrics.add(cost);
-  }
+  };
+  std::vector<ClaimedLoop> claims =
+      driver_.run(&storage::StageCost::claim_s, [&] { return results_.with(ask); });
+  const storage::StageCost cost = driver_.take();
+  if (claims.empty()) return claims;  // what a look without a find takes is idling
+  progress_.hold(claims);
+  account(cost);
   return claims;
+}
+
+void AnalysisWorker::account(const storage::StageCost& cost) {
+  costs_.add(cost);
+  tools_.metrics.add(cost);
 }
 
 std::vector<ClaimedLoop> AnalysisWorker::claim_due() {
@@ -129,7 +134,6 @@ storage::WriteCount AnalysisWorker::process(const std::vector<ClaimedLoop>& clai
 storage::WriteCount AnalysisWorker::process_source(const std::string& source,
                                                    const Claims& claims) {
   Batch batch;
-  batch.cost.loops = claims.size();
   const BatchReader::Read read = reader_.read(source, claims, batch);
   if (read == BatchReader::Read::apart) {
     storage::WriteCount sum;
@@ -137,7 +141,10 @@ storage::WriteCount AnalysisWorker::process_source(const std::string& source,
     return sum;
   }
   const std::size_t lost = read == BatchReader::Read::all ? analyse(batch) : 0;
-  storage::WriteCount count = write(claims, batch);
+  storage::WriteCount count =
+      driver_.run(&storage::StageCost::write_s, [&] { return write(claims, batch); });
+  driver_.cost().loops = claims.size();
+  account(driver_.take());
   if (!first_failure_) first_failure_ = batch.first_failure;
   count.fenced_off += lost;
   return count;
@@ -145,9 +152,8 @@ storage::WriteCount AnalysisWorker::process_source(const std::string& source,
 
 std::size_t AnalysisWorker::analyse(Batch& batch) {
   const AnalysisOrders orders{*settings_, settings_json_, enabled_loops()};
-  Stopwatch watch;
-  const CoreGate::Permit core = take_core({tools_.cores, progress_});
-  batch.cost.wait_s += watch.lap_s();
+  const CoreGate::Permit core =
+      driver_.run(&storage::StageCost::wait_s, [&] { return take_core(tools_.cores, progress_); });
   std::size_t lost = 0;
   for (const LoopTask& task : batch.tasks) {
     if (progress_.lost(task.claim->loop.loop_id)) {
@@ -155,34 +161,28 @@ std::size_t AnalysisWorker::analyse(Batch& batch) {
     } else {
       complete(task, orders, batch);
     }
-    progress_.step();
   }
   batch.tasks.clear();
-  add_analyses(watch.lap_s(), batch.completed, batch.cost);
   return lost;
 }
 
 void AnalysisWorker::complete(const LoopTask& task, const AnalysisOrders& orders, Batch& batch) {
   try {
-    batch.completed.push_back(complete_task(task, batch.stored, orders));
+    batch.completed.push_back(driver_.run(&storage::StageCost::decide_s, [&] {
+      return complete_task(task, batch.stored, orders, driver_);
+    }));
   } catch (const std::exception& error) {
     set_aside(*task.claim, as_failure(*task.claim, error), batch);
   }
 }
 
 storage::WriteCount AnalysisWorker::write(const Claims& claims, Batch& batch) {
-  Stopwatch watch;
-  storage::WriteCount count;
   try {
-    count = finish(batch.completed, batch.failed);
+    return finish(batch.completed, batch.failed);
   } catch (const storage::DatabaseError& error) {
     if (!is_row_error(error)) throw;
-    count = write_one_by_one(claims, batch);
+    return write_one_by_one(claims, batch);
   }
-  batch.cost.write_s += watch.lap_s();
-  costs_.add(batch.cost);
-  tools_.metrics.add(batch.cost);
-  return count;
 }
 
 /// One loop's row is refused, and with it the whole transaction: the others do without it.

@@ -11,6 +11,7 @@
 
 #include "config/settings.hpp"
 #include "daemon/service/batches/batch_reader.hpp"
+#include "daemon/service/observe/stage_driver.hpp"
 #include "daemon/service/observe/stage_timings.hpp"
 #include "daemon/service/shared/shared_services.hpp"
 #include "daemon/service/windows/slot.hpp"
@@ -81,6 +82,8 @@ class AnalysisWorker {
   storage::WriteCount finish(const std::vector<storage::CompletedLoop>& completed,
                              const std::vector<storage::FailedLoop>& failed);
   void give_back(const std::string& reason);
+  /// Adds to what this worker and the process have taken so far.
+  void account(const storage::StageCost& cost);
   void store_cost(const std::optional<storage::StageCost>& cost);
 
   std::shared_ptr<const config::Settings> settings_;
@@ -89,6 +92,7 @@ class AnalysisWorker {
   std::string owner_;
   SharedServices& tools_;
   ProgressBoard::Entry& progress_;
+  StageDriver driver_;
   ResultsLink results_;
   BatchReader reader_;
   bool in_doubt_ = false;  ///< the worker may hold loops that it does not know of

@@ -25,52 +25,48 @@ std::optional<BicoherenceMap> map_of(const core::signal::Samples& error,
 }
 
 /// The signal that the slow look has seen.
-core::signal::Samples slow_error(const LoopInput& input, const core::FirstLook& first,
-                                 const AnalysisSettings& settings, std::uint64_t seed) {
-  if (!input.long_window) return core::steady_error(first.loop, settings.hos, seed).error;
+core::signal::Samples slow_error(const LoopInput& input, const AnalysisSettings& settings,
+                                 std::uint64_t seed) {
+  if (!input.long_window) return core::steady_error(input.first.loop, settings.hos, seed).error;
   core::signal::PrepareSettings prepare = settings.prepare;
   prepare.window_samples = input.long_window->size();
   return core::steady_error(core::signal::prepare(*input.long_window, prepare), settings.hos, seed)
       .error;
 }
 
-std::optional<BicoherenceMap> slow_map(const LoopInput& input, const core::FirstLook& first,
-                                       const core::hos::SlowLook& look,
+std::optional<BicoherenceMap> slow_map(const LoopInput& input, const core::hos::SlowLook& look,
                                        const AnalysisSettings& settings, std::uint64_t seed) {
-  const auto error = core::hos::decimate(slow_error(input, first, settings, seed), look.decimation);
+  const auto error = core::hos::decimate(slow_error(input, settings, seed), look.decimation);
   auto map = map_of(error, core::hos::slow_settings(settings.hos),
-                    first.loop.sample_interval_s * static_cast<double>(look.decimation),
+                    input.first.loop.sample_interval_s * static_cast<double>(look.decimation),
                     look.result.peaks);
   if (map) map->slow = true;
   return map;
 }
 
 /// Where a slow oscillation wanted a second look, that one is what was judged by.
-std::optional<BicoherenceMap> find_map(const LoopInput& input, const core::FirstLook& first,
-                                       const core::Evidence& evidence,
+std::optional<BicoherenceMap> find_map(const LoopInput& input, const core::Evidence& evidence,
                                        const AnalysisSettings& settings, std::uint64_t seed) {
   if (!evidence.hos) return std::nullopt;
   if (evidence.hos_slow) {
-    if (auto slow = slow_map(input, first, *evidence.hos_slow, settings, seed)) return slow;
+    if (auto slow = slow_map(input, *evidence.hos_slow, settings, seed)) return slow;
   }
-  return map_of(core::steady_error(first.loop, settings.hos, seed).error, settings.hos,
-                first.loop.sample_interval_s, evidence.hos->peaks);
+  return map_of(core::steady_error(input.first.loop, settings.hos, seed).error, settings.hos,
+                input.first.loop.sample_interval_s, evidence.hos->peaks);
 }
 
 }  // namespace
 
 LoopEvidence rediagnose(const storage::CatalogueEntry& loop, const LoopInput& input,
                         const AnalysisSettings& settings) {
-  const core::FirstLook first =
-      input.first ? *input.first : core::first_look(input.at_slot.window, settings);
   const core::LoopFacts facts{.integrating = core::is_integrating_type(loop.loop_type),
                               .seed = core::signal::window_seed(input.at_slot.window)};
   const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
-  LoopEvidence seen{loop, input.at_slot, first.loop, {}, std::nullopt, std::nullopt};
-  seen.diagnosis =
-      core::diagnose(first, settings, facts, longer, {.cause = {}, .traces = true, .done = {}});
+  LoopEvidence seen{loop, input.at_slot, input.first.loop, {}, std::nullopt, std::nullopt};
+  seen.diagnosis = core::diagnose(input.first, settings, facts, longer,
+                                  {.cause = {}, .traces = true, .done = {}});
   seen.traces = std::move(seen.diagnosis.traces);
-  seen.map = find_map(input, first, seen.diagnosis.evidence, settings, facts.seed);
+  seen.map = find_map(input, seen.diagnosis.evidence, settings, facts.seed);
   return seen;
 }
 

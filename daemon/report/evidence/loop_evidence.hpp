@@ -7,7 +7,7 @@
 #include "core/diagnosis/diagnose.hpp"
 #include "core/hos/analyse.hpp"
 #include "core/model/traces.hpp"
-#include "daemon/service/windows/window_reader.hpp"
+#include "daemon/service/windows/loop_input.hpp"
 #include "storage/catalogue_entry.hpp"
 
 namespace loopscope::daemon {

@@ -2,9 +2,7 @@
 
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
 
@@ -13,17 +11,6 @@ namespace {
 
 const std::string kTrouble = "the window could not be read again: ";
 constexpr std::chrono::seconds kPause{30};
-
-LoopSlot slot_of(const storage::CatalogueEntry& loop, std::int64_t slot_end_us) {
-  LoopSlot slot{&loop, slot_end_us, {}};
-  for (const TagRole& role : kTagRoles) {
-    if ((loop.*role.tag).empty()) continue;
-    TagReading& reading = slot.tags.emplace_back();
-    reading.role = role.name;
-    reading.newest_row_us = slot_end_us;  // it had rows then; reading tells whether it still has
-  }
-  return slot;
-}
 
 }  // namespace
 
@@ -36,20 +23,10 @@ storage::HistorianReader& WindowSource::historian_of(const std::string& source) 
   return historians_.emplace(source, std::move(reader)).first->second;
 }
 
-LoopInput WindowSource::read_input(const storage::CatalogueEntry& loop, std::int64_t slot_end_us) {
-  // Read by nobody else: a gate and a progress entry of its own.
-  CoreGate gate(1);
-  ProgressBoard board;
-  RowMemory memory;
-  const std::vector<LoopSlot> slots{slot_of(loop, slot_end_us)};
-  std::vector<LoopInput> inputs = read_inputs(historian_of(loop.source), slots, settings_.analysis,
-                                              memory, {gate, board.entry()});
-  return std::move(inputs.at(0));
-}
-
 WindowSource::Reading WindowSource::try_once(const storage::CatalogueEntry& loop,
                                              std::int64_t slot_end_us) {
-  LoopInput input = read_input(loop, slot_end_us);
+  LoopInput input =
+      read_input(historian_of(loop.source), past_slot(loop, slot_end_us), settings_.analysis);
   if (input.at_slot.window.size() > 0) return input;
   return "the historian holds no row of the loop's pv tag in that window any more.";
 }

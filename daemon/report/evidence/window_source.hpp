@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "config/settings.hpp"
-#include "daemon/service/windows/window_reader.hpp"
+#include "daemon/service/windows/loop_input.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/historian/historian_reader.hpp"
 
@@ -36,7 +36,6 @@ class WindowSource {
 
   storage::HistorianReader& historian_of(const std::string& source);
   Reading try_once(const storage::CatalogueEntry& loop, std::int64_t slot_end_us);
-  LoopInput read_input(const storage::CatalogueEntry& loop, std::int64_t slot_end_us);
 
   const config::Settings& settings_;
   std::map<std::string, storage::HistorianReader> historians_;

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "daemon/service/batches/loop_task.hpp"
@@ -11,14 +11,13 @@
 #include "daemon/text/failure.hpp"
 #include "storage/error.hpp"
 #include "storage/results/results_database.hpp"
-#include "storage/stage_cost.hpp"
 
 namespace loopscope::daemon {
 
 /// Loops of one historian that a worker has claimed.
 using Claims = std::vector<const storage::ClaimedLoop*>;
 
-/// Claimed loops on their way through a worker: what was read, what has come of it, what it cost.
+/// Claimed loops on their way through a worker: what was read, and what has come of it.
 struct Batch {
   std::vector<LoopTask> tasks;
   RowMemory rows;
@@ -26,22 +25,15 @@ struct Batch {
   std::vector<storage::CompletedLoop> completed;
   std::vector<storage::FailedLoop> failed;
   std::optional<Failure> first_failure;  ///< why loops stand in `failed`, the first of the reasons
-  storage::StageCost cost = {};
 };
 
 /// The loop cannot be brought to its end: it waits, longer each time.
 void set_aside(const storage::ClaimedLoop& claim, const Failure& failure, Batch& batch);
 
+[[nodiscard]] bool is_set_aside(std::int64_t loop_id, const Batch& batch);
+
 /// Their source is away: the loops wait, without blame.
 void postpone(const Claims& claims, const Failure& failure, double pause_s, Batch& batch);
-
-/// Adds what reading a batch took, first looks included: they are part of preparing.
-void add_reading(double elapsed_s, std::span<const LoopTask> tasks, storage::StageCost& cost);
-
-/// Adds what analysing a batch took. What its records do not claim for statistics and model went
-/// into digests, verdicts and their words.
-void add_analyses(double elapsed_s, std::span<const storage::CompletedLoop> completed,
-                  storage::StageCost& cost);
 
 /// Whether a database error comes from the rows of some loop (a value that cannot be read or
 /// stored) and not from the database: then the others of the batch can do without it.

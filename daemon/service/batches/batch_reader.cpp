@@ -1,7 +1,6 @@
 #include "daemon/service/batches/batch_reader.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -11,7 +10,6 @@
 #include "core/signal/microseconds.hpp"
 #include "daemon/service/historians/source_gate.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/service/observe/stage_timings.hpp"
 #include "daemon/service/windows/loop_slot.hpp"
 
 namespace loopscope::daemon {
@@ -34,28 +32,6 @@ std::vector<std::int64_t> slots_to_check(const storage::ClaimedLoop& claim,
   return ends;
 }
 
-/// Claimed loops of ONE historian: reads the newest slot of each, in the order of `claims`.
-/// Throws storage::DatabaseError.
-std::vector<LoopTask> tasks_of(storage::HistorianReader& historian,
-                               std::span<const storage::ClaimedLoop* const> claims,
-                               const config::Settings& settings, const SourceTime& time,
-                               RowMemory& memory, const AnalysisContext& place) {
-  using Milliseconds = std::chrono::duration<double, std::milli>;
-  const auto start = std::chrono::steady_clock::now();
-  const auto slots = newest_slots(
-      historian, claims, {settings.schedule.settle_s, time.rule, settings.schedule.catch_up_slots},
-      time.now_us);
-  std::vector<LoopInput> inputs = read_inputs(historian, slots, settings.analysis, memory, place);
-  double reading_ms = Milliseconds(std::chrono::steady_clock::now() - start).count();
-  for (const LoopInput& input : inputs) reading_ms -= input.first_look_ms;
-  std::vector<LoopTask> tasks;
-  for (std::size_t k = 0; k < claims.size(); ++k) {
-    tasks.push_back(
-        {claims[k], std::move(inputs[k]), {}, reading_ms / static_cast<double>(claims.size())});
-  }
-  return tasks;
-}
-
 /// Loop and slot of everything that the tasks may find stored: the newest slots and `horizon`
 /// earlier ones of each loop.
 std::vector<std::pair<std::int64_t, std::int64_t>> slots_that_may_be_stored(
@@ -73,44 +49,41 @@ std::vector<std::pair<std::int64_t, std::int64_t>> slots_that_may_be_stored(
   return keys;
 }
 
-/// Earlier slots to look at again, all tasks in one list; `task` says whose each is.
+/// Earlier slots to look at again, all tasks in one list; `claims` says whose each is.
 struct EarlierSlots {
   std::vector<LoopSlot> slots;
-  std::vector<std::size_t> task;
+  Claims claims;
 };
 
 EarlierSlots earlier_slots_to_check(std::span<const LoopTask> tasks, const StoredAnalyses& stored,
                                     int horizon) {
   EarlierSlots earlier;
-  for (std::size_t k = 0; k < tasks.size(); ++k) {
-    const LoopWindowAtSlot& newest = tasks[k].newest.at_slot;
-    const storage::ClaimedLoop& claim = *tasks[k].claim;
+  for (const LoopTask& task : tasks) {
+    const LoopWindowAtSlot& newest = task.newest.at_slot;
+    const storage::ClaimedLoop& claim = *task.claim;
     for (const std::int64_t end : slots_to_check(claim, newest.slot_end_us, stored, horizon)) {
       earlier.slots.push_back({&claim.loop, end, newest.tags, claim.pv_past});
-      earlier.task.push_back(k);
+      earlier.claims.push_back(task.claim);
     }
   }
   return earlier;
 }
 
-/// Reads those slots into their tasks. Throws storage::DatabaseError and leaves them as they were.
-void add_earlier(storage::HistorianReader& historian, const EarlierSlots& earlier,
-                 const config::Settings& settings, RowMemory& memory, const AnalysisContext& place,
-                 std::span<LoopTask> tasks) {
-  std::vector<LoopInput> inputs =
-      read_inputs(historian, earlier.slots, settings.analysis, memory, place);
-  for (std::size_t k = 0; k < inputs.size(); ++k) {
-    tasks[earlier.task[k]].earlier.push_back(std::move(inputs[k]));
+void count_values(std::span<const LoopWindowAtSlot> windows, storage::StageCost& cost) {
+  for (const LoopWindowAtSlot& at_slot : windows) {
+    const core::signal::LoopWindow& window = at_slot.window;
+    cost.values += window.sp.size() + window.pv.size() + window.op.size() + window.mv.size();
   }
 }
 
 /// Notes for the metrics how old the newest row of these loops' tags is, and how many values had a
-/// quality that no rule explains. All tasks are of one source.
-void note_data(const std::string& source, std::span<const LoopTask> tasks, Metrics& metrics) {
+/// quality that no rule explains. All are of one source.
+void note_data(const std::string& source, std::span<const LoopWindowAtSlot> newest,
+               Metrics& metrics) {
   std::optional<std::int64_t> youngest_us;
   std::size_t unknown = 0;
-  for (const LoopTask& task : tasks) {
-    for (const TagReading& tag : task.newest.at_slot.tags) {
+  for (const LoopWindowAtSlot& at_slot : newest) {
+    for (const TagReading& tag : at_slot.tags) {
       unknown += tag.unknown_rows;
       if (!tag.newest_row_us) continue;
       const std::int64_t age_us = tag.asked_us - *tag.newest_row_us;
@@ -124,45 +97,54 @@ void note_data(const std::string& source, std::span<const LoopTask> tasks, Metri
   if (unknown > 0) metrics.unknown_quality(source, unknown);
 }
 
+LoopTask* find_task(std::vector<LoopTask>& tasks, const storage::ClaimedLoop* claim) {
+  const auto found = std::ranges::find(tasks, claim, &LoopTask::claim);
+  return found == tasks.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 BatchReader::BatchReader(std::shared_ptr<const config::Settings> settings,
                          const std::string& settings_json, SlotRule slot_rule,
                          SharedServices& tools, ProgressBoard::Entry& progress,
-                         ResultsLink& results)
+                         ResultsLink& results, StageDriver& driver)
     : settings_(std::move(settings)),
       settings_json_(settings_json),
       slot_rule_(slot_rule),
       tools_(tools),
       progress_(progress),
-      results_(results) {}
+      results_(results),
+      driver_(driver) {}
 
 BatchReader::Read BatchReader::read(const std::string& source, const Claims& claims, Batch& batch) {
-  Stopwatch watch;
+  const double fetched_before_s = driver_.cost().fetch_s;
   Read done = read_newest(source, claims, batch);
-  double reading_s = watch.lap_s();
   if (done == Read::all) {
-    batch.stored = stored_analyses(batch.tasks);
-    batch.cost.claim_s += watch.lap_s();
+    batch.stored =
+        driver_.run(&storage::StageCost::claim_s, [&] { return stored_analyses(batch.tasks); });
     done = read_earlier(source, claims, batch);
-    reading_s += watch.lap_s();
   }
   batch.rows = {};  // the windows hold what is needed of them
-  add_reading(reading_s, batch.tasks, batch.cost);
+  const double fetch_ms = 1e3 * (driver_.cost().fetch_s - fetched_before_s);
+  for (LoopTask& task : batch.tasks) {
+    task.fetch_ms = fetch_ms / static_cast<double>(claims.size());
+  }
   return done;
 }
 
 template <typename Use>
 BatchReader::Read BatchReader::with_source(const std::string& source, const Claims& claims,
                                            Batch& batch, Use use) {
-  const auto counted_read = [&](storage::HistorianReader& historian) {
+  const auto counted_use = [&](storage::HistorianReader& historian) {
     historian.on_statement([&progress = progress_] { progress.step(); });
-    return use(historian);
+    use(historian);
+    return true;
   };
   try {
-    const config::HistorianSettings& settings = find_historian(*settings_, source);
-    batch.tasks =
-        tools_.historians.with_reader(settings, source_terms(settings_->schedule), counted_read);
+    driver_.run(&storage::StageCost::fetch_s, [&] {
+      return tools_.historians.with_reader(find_historian(*settings_, source),
+                                           source_terms(settings_->schedule), counted_use);
+    });
     tools_.faults.recovered("historian " + source);
     return Read::all;
   } catch (const storage::DatabaseError& error) {
@@ -185,15 +167,63 @@ BatchReader::Read BatchReader::with_source(const std::string& source, const Clai
 
 BatchReader::Read BatchReader::read_newest(const std::string& source, const Claims& claims,
                                            Batch& batch) {
+  const config::ScheduleSettings& schedule = settings_->schedule;
+  std::vector<LoopWindowAtSlot> windows;
+  bool by_rows = false;
   const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
     const SourceTime time = time_of(source, historian);
-    std::vector<LoopTask> tasks =
-        tasks_of(historian, claims, *settings_, time, batch.rows, {tools_.cores, progress_});
-    for (LoopTask& task : tasks) task.by_rows = time.rule != slot_rule_;
-    return tasks;
+    by_rows = time.rule != slot_rule_;
+    const auto slots = newest_slots(
+        historian, claims, {schedule.settle_s, time.rule, schedule.catch_up_slots}, time.now_us);
+    windows = windows_of(historian, slots, batch);
   });
-  if (done == Read::all) note_data(source, batch.tasks, tools_.metrics);
-  return done;
+  if (done != Read::all) return done;
+  note_data(source, windows, tools_.metrics);
+  prepare(claims, std::move(windows), batch,
+          [&](const storage::ClaimedLoop* claim, LoopInput input) {
+            batch.tasks.push_back({claim, std::move(input), {}, 0.0, by_rows});
+          });
+  std::vector<InputOfLoop> inputs;
+  for (LoopTask& task : batch.tasks) inputs.push_back({&task.claim->loop, &task.newest});
+  return read_longer(source, claims, batch, inputs);
+}
+
+std::vector<LoopWindowAtSlot> BatchReader::windows_of(storage::HistorianReader& historian,
+                                                      std::span<const LoopSlot> slots,
+                                                      Batch& batch) {
+  return read_windows(historian, slots, settings_->analysis.prepare.window_samples, batch.rows);
+}
+
+/// Needs no connection, but a core. A loop whose window cannot be prepared is set aside.
+template <typename Keep>
+void BatchReader::prepare(const Claims& of_windows, std::vector<LoopWindowAtSlot> windows,
+                          Batch& batch, Keep keep) {
+  using storage::StageCost;
+  count_values(windows, driver_.cost());
+  const CoreGate::Permit core =
+      driver_.run(&StageCost::wait_s, [&] { return take_core(tools_.cores, progress_); });
+  for (std::size_t k = 0; k < windows.size(); ++k) {
+    const storage::ClaimedLoop* claim = of_windows[k];
+    if (is_set_aside(claim->loop.loop_id, batch)) continue;
+    try {
+      LoopInput input = driver_.run(&StageCost::prepare_s, [&] {
+        return prepare_input(std::move(windows[k]), settings_->analysis);
+      });
+      input.prepare_ms = driver_.last_ms();
+      keep(claim, std::move(input));
+    } catch (const std::exception& error) {
+      set_aside(*claim, as_failure(*claim, error), batch);
+      std::erase_if(batch.tasks, [&](const LoopTask& task) { return task.claim == claim; });
+    }
+  }
+}
+
+BatchReader::Read BatchReader::read_longer(const std::string& source, const Claims& claims,
+                                           Batch& batch, std::span<const InputOfLoop> inputs) {
+  if (std::ranges::none_of(inputs, &InputOfLoop::wants_longer_span)) return Read::all;
+  return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
+    read_longer_spans(historian, inputs, batch.rows);
+  });
 }
 
 /// Where a historian's clock is wrong nothing but its rows says how far its data go.
@@ -210,10 +240,20 @@ BatchReader::Read BatchReader::read_earlier(const std::string& source, const Cla
   const int horizon = settings_->schedule.revise_slots;
   const EarlierSlots earlier = earlier_slots_to_check(batch.tasks, batch.stored, horizon);
   if (earlier.slots.empty()) return Read::all;
-  return with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
-    add_earlier(historian, earlier, *settings_, batch.rows, {tools_.cores, progress_}, batch.tasks);
-    return std::move(batch.tasks);
+  std::vector<LoopWindowAtSlot> windows;
+  const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
+    windows = windows_of(historian, earlier.slots, batch);
   });
+  if (done != Read::all) return done;
+  prepare(earlier.claims, std::move(windows), batch,
+          [&](const storage::ClaimedLoop* claim, LoopInput input) {
+            find_task(batch.tasks, claim)->earlier.push_back(std::move(input));
+          });
+  std::vector<InputOfLoop> inputs;
+  for (LoopTask& task : batch.tasks) {
+    for (LoopInput& input : task.earlier) inputs.push_back({&task.claim->loop, &input});
+  }
+  return read_longer(source, claims, batch, inputs);
 }
 
 StoredAnalyses BatchReader::stored_analyses(const std::vector<LoopTask>& tasks) {

@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "config/settings.hpp"
 #include "daemon/service/batches/batch.hpp"
+#include "daemon/service/observe/stage_driver.hpp"
 #include "daemon/service/shared/shared_services.hpp"
+#include "daemon/service/windows/loop_input.hpp"
 #include "daemon/service/windows/slot.hpp"
 #include "storage/historian/historian_reader.hpp"
 
@@ -19,9 +22,11 @@ struct SourceTime {
   SlotRule rule = SlotRule::clock;
 };
 
-/// Reads what a batch needs out of its historian: the newest windows, what is stored of their
-/// slots, and the earlier slots that late rows may have changed. What is done when that fails is
-/// decided here: a source that is away postpones its loops, a loop at fault is set aside.
+/// Brings a batch from its claims to windows that are ready for analysis: the newest of each loop,
+/// what is stored of their slots, and the earlier ones that late rows may have changed. Rows are
+/// read with a connection to the historian, windows prepared with a core, nothing with both. What
+/// is done when that fails is decided here: a source that is away postpones its loops, a loop at
+/// fault is set aside.
 class BatchReader {
  public:
   enum class Read {
@@ -33,7 +38,7 @@ class BatchReader {
   /// `settings_json` is the provenance of every analysis. What is passed has to outlive this.
   BatchReader(std::shared_ptr<const config::Settings> settings, const std::string& settings_json,
               SlotRule slot_rule, SharedServices& tools, ProgressBoard::Entry& progress,
-              ResultsLink& results);
+              ResultsLink& results, StageDriver& driver);
 
   /// Throws storage::DatabaseError when the results database fails.
   [[nodiscard]] Read read(const std::string& source, const Claims& claims, Batch& batch);
@@ -45,6 +50,16 @@ class BatchReader {
   [[nodiscard]] SourceTime time_of(const std::string& source, storage::HistorianReader& historian);
   Read read_newest(const std::string& source, const Claims& claims, Batch& batch);
   Read read_earlier(const std::string& source, const Claims& claims, Batch& batch);
+  /// Longer spans of those inputs that ask for them.
+  Read read_longer(const std::string& source, const Claims& claims, Batch& batch,
+                   std::span<const InputOfLoop> inputs);
+  [[nodiscard]] std::vector<LoopWindowAtSlot> windows_of(storage::HistorianReader& historian,
+                                                         std::span<const LoopSlot> slots,
+                                                         Batch& batch);
+  /// Calls `keep(claim, input)` for each window, `of_windows` says whose each is.
+  template <typename Keep>
+  void prepare(const Claims& of_windows, std::vector<LoopWindowAtSlot> windows, Batch& batch,
+               Keep keep);
   [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopTask>& tasks);
   void source_is_away(const std::string& source, const Failure& failure, const Claims& claims,
                       Batch& batch);
@@ -55,6 +70,7 @@ class BatchReader {
   SharedServices& tools_;
   ProgressBoard::Entry& progress_;
   ResultsLink& results_;
+  StageDriver& driver_;
 };
 
 }  // namespace loopscope::daemon

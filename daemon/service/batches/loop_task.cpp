@@ -10,7 +10,6 @@
 #include "daemon/output/analysis_json.hpp"
 #include "daemon/output/model_json.hpp"
 #include "daemon/service/batches/data_problems.hpp"
-#include "daemon/service/observe/stage_timings.hpp"
 #include "daemon/service/windows/slot.hpp"
 
 namespace loopscope::daemon {
@@ -51,21 +50,21 @@ bool was_silent(const storage::LastVerdict& last) {
   return !shows_a_loop(last.code);
 }
 
-/// core::diagnose(), each stage timed.
-core::Diagnosis timed_diagnosis(const LoopInput& input, const core::AnalysisSettings& settings,
-                                const core::LoopFacts& facts, const ModelPolicy& wish,
-                                storage::AnalysisRecord& record) {
-  // What a first look threw, it throws again.
-  const std::optional<core::FirstLook> again =
-      input.first ? std::nullopt : std::optional(core::first_look(input.at_slot.window, settings));
+/// core::diagnose(), each stage on the driver's books and in the record.
+core::Diagnosis staged_diagnosis(const LoopInput& input, const core::AnalysisSettings& settings,
+                                 const core::LoopFacts& facts, const ModelPolicy& wish,
+                                 StageDriver& driver, storage::AnalysisRecord& record) {
+  using storage::StageCost;
+  driver.split(&StageCost::decide_s);
+  const core::ModelPlan plan{.cause = wish.cause, .traces = false, .done = [&](core::Stage stage) {
+                               if (stage == core::Stage::statistics) {
+                                 record.statistics_ms = driver.split(&StageCost::statistics_s);
+                               }
+                               if (stage == core::Stage::model)
+                                 record.model_ms = driver.split(&StageCost::model_s);
+                             }};
   const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
-  Stopwatch watch;
-  core::ModelPlan plan{.cause = wish.cause, .traces = false, .done = {}};
-  plan.done = [&](core::Stage stage) {
-    if (stage == core::Stage::statistics) record.statistics_ms = watch.lap_ms();
-    if (stage == core::Stage::model) record.model_ms = watch.lap_ms();
-  };
-  return core::diagnose(input.first ? *input.first : *again, settings, facts, longer, plan);
+  return core::diagnose(input.first, settings, facts, longer, plan);
 }
 
 std::optional<double> pv_span_of(const storage::CatalogueEntry& loop) {
@@ -83,10 +82,18 @@ void describe_window(const LoopWindowAtSlot& at_slot, storage::AnalysisRecord& r
   record.sample_interval_s = window.size() > 1 ? window.sample_interval_s : 0.0;
 }
 
+void describe_json(AnalysisRecord& record) {
+  const core::Evidence& evidence = record.diagnosis.evidence;
+  if (evidence.hos_slow) {
+    record.hos_slow_json = slow_look_json(*evidence.hos_slow, evidence.tested_on).dump();
+  }
+  if (evidence.model) record.model_json = json_text(model_json(evidence.model));
+}
+
 /// The record of a slot whose input is not the stored one; nullopt = the stored analysis holds.
 std::optional<AnalysisRecord> changed_record(const LoopTask& task, const LoopInput& input,
                                              const StoredDigest* stored,
-                                             const AnalysisOrders& orders) {
+                                             const AnalysisOrders& orders, StageDriver& driver) {
   const storage::CatalogueEntry& loop = task.claim->loop;
   if (stored != nullptr && digest_of(loop, input, orders.settings_json) == stored->input_digest) {
     return std::nullopt;
@@ -98,7 +105,7 @@ std::optional<AnalysisRecord> changed_record(const LoopTask& task, const LoopInp
           ? ModelPolicy{}
           : model_wish(settings, orders.enabled_loops, *task.claim, input.at_slot.slot_end_us);
   AnalysisRecord record =
-      analyse_window(loop, input, settings.analysis, orders.settings_json, wish);
+      analyse_window(loop, input, settings.analysis, orders.settings_json, driver, wish);
   record.fetch_ms = task.fetch_ms;
   return record;
 }
@@ -135,29 +142,28 @@ std::string digest_of(const storage::CatalogueEntry& loop, const LoopInput& inpu
 
 storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, const LoopInput& input,
                                        const core::AnalysisSettings& settings,
-                                       const std::string& settings_json, const ModelPolicy& wish) {
-  Stopwatch watch;
+                                       const std::string& settings_json, StageDriver& driver,
+                                       const ModelPolicy& wish) {
   storage::AnalysisRecord record;
-  describe_window(input.at_slot, record);
-  record.input_digest = digest_of(loop, input, settings_json);
-  // Verdicts are reproducible to the last digit on one processor path only.
-  record.program_version =
-      std::string(LOOPSCOPE_VERSION " ") + std::string(core::hos::processor_path());
-  record.settings_json = settings_json;
-  record.pv_past = input.at_slot.window.pv_past;
-  record.diagnosis = timed_diagnosis(input, settings,
-                                     {.integrating = core::is_integrating_type(loop.loop_type),
-                                      .seed = core::signal::window_seed(input.at_slot.window),
-                                      .pv_span = pv_span_of(loop)},
-                                     wish, record);
-  if (const auto& slow = record.diagnosis.evidence.hos_slow) {
-    record.hos_slow_json = slow_look_json(*slow, record.diagnosis.evidence.tested_on).dump();
-  }
-  if (record.diagnosis.evidence.model) {
-    record.model_json = json_text(model_json(record.diagnosis.evidence.model));
-  }
-  record.prepare_ms = input.first_look_ms;
-  record.analyse_ms = input.first_look_ms + watch.lap_ms();
+  driver.run(&storage::StageCost::decide_s, [&] {
+    describe_window(input.at_slot, record);
+    record.input_digest = digest_of(loop, input, settings_json);
+    // Verdicts are reproducible to the last digit on one processor path only.
+    record.program_version =
+        std::string(LOOPSCOPE_VERSION " ") + std::string(core::hos::processor_path());
+    record.settings_json = settings_json;
+    record.pv_past = input.at_slot.window.pv_past;
+    record.diagnosis = staged_diagnosis(input, settings,
+                                        {.integrating = core::is_integrating_type(loop.loop_type),
+                                         .seed = core::signal::window_seed(input.at_slot.window),
+                                         .pv_span = pv_span_of(loop)},
+                                        wish, driver, record);
+    describe_json(record);
+  });
+  ++driver.cost().analysed;
+  if (record.model_ms) ++driver.cost().modelled;
+  record.prepare_ms = input.prepare_ms;
+  record.analyse_ms = input.prepare_ms + driver.last_ms();
   return record;
 }
 
@@ -171,7 +177,7 @@ const StoredDigest* StoredAnalyses::find(std::int64_t loop_id, std::int64_t slot
 }
 
 CompletedLoop complete_task(const LoopTask& task, const StoredAnalyses& stored,
-                            const AnalysisOrders& orders) {
+                            const AnalysisOrders& orders, StageDriver& driver) {
   const config::Settings& settings = orders.settings;
   const storage::ClaimedLoop& claim = *task.claim;
   const std::int64_t slot_end_us = task.newest.at_slot.slot_end_us;
@@ -181,7 +187,7 @@ CompletedLoop complete_task(const LoopTask& task, const StoredAnalyses& stored,
       claim.loop.loop_id, claim.fence, slot_end_us,
       task.by_rows ? next_due_by_rows(slot_end_us, claim.database_now_us, period_s, settle_s)
                    : next_due(slot_end_us, period_s, settle_s),
-      changed_record(task, task.newest, known, orders)};
+      changed_record(task, task.newest, known, orders, driver)};
   completed.judged = completed.record ? shows_a_loop(completed.record->diagnosis.verdict.code)
                                       : known != nullptr && known->usable;
   if (claim.last_slot_end_us && *claim.last_slot_end_us < slot_end_us) {
@@ -190,7 +196,7 @@ CompletedLoop complete_task(const LoopTask& task, const StoredAnalyses& stored,
   add_problems(task, settings.analysis.prepare.window_samples, completed);
   for (const LoopInput& input : task.earlier) {
     const StoredDigest* row = stored.find(claim.loop.loop_id, input.at_slot.slot_end_us);
-    auto record = changed_record(task, input, row, orders);
+    auto record = changed_record(task, input, row, orders, driver);
     if (record) completed.revised.push_back(std::move(*record));
   }
   return completed;

@@ -10,7 +10,8 @@
 
 #include "config/settings.hpp"
 #include "core/diagnosis/diagnose.hpp"
-#include "daemon/service/windows/window_reader.hpp"
+#include "daemon/service/observe/stage_driver.hpp"
+#include "daemon/service/windows/loop_input.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/loop_work.hpp"
 #include "storage/results/results_database.hpp"
@@ -43,12 +44,14 @@ struct ModelPolicy {
                                      const storage::ClaimedLoop& claim, std::int64_t slot_end_us);
 
 /// Analyses one loop's input and adds the provenance that is stored with it, and what each stage
-/// took. `settings_json` names the settings in force; it is part of the digest, so that changed
-/// settings make a revision. A model is fitted where the settings allow one and `wish` asks for it.
+/// took, by `driver`. `settings_json` names the settings in force; it is part of the digest, so
+/// that changed settings make a revision. A model is fitted where the settings allow one and `wish`
+/// asks for it.
 [[nodiscard]] storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop,
                                                      const LoopInput& input,
                                                      const core::AnalysisSettings& settings,
                                                      const std::string& settings_json,
+                                                     StageDriver& driver,
                                                      const ModelPolicy& wish = {});
 
 /// The digest that the record of this input carries: over the window and, where one was read, over
@@ -80,6 +83,7 @@ struct AnalysisOrders {
 /// Throws what core/ throws.
 [[nodiscard]] storage::CompletedLoop complete_task(const LoopTask& task,
                                                    const StoredAnalyses& stored,
-                                                   const AnalysisOrders& orders);
+                                                   const AnalysisOrders& orders,
+                                                   StageDriver& driver);
 
 }  // namespace loopscope::daemon

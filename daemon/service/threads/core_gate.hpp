@@ -29,17 +29,10 @@ class CoreGate {
   std::counting_semaphore<> free_;
 };
 
-/// Where a worker does its work: the cores that it shares and the progress entry that shows its
-/// progress.
-struct AnalysisContext {
-  CoreGate& cores;
-  ProgressBoard::Entry& progress;
-};
-
 /// Waits for a core, shown as waiting.
-[[nodiscard]] inline CoreGate::Permit take_core(const AnalysisContext& place) {
-  const ProgressBoard::Entry::Wait wait(place.progress);
-  return CoreGate::Permit(place.cores);
+[[nodiscard]] inline CoreGate::Permit take_core(CoreGate& cores, ProgressBoard::Entry& progress) {
+  const ProgressBoard::Entry::Wait wait(progress);
+  return CoreGate::Permit(cores);
 }
 
 /// The scheduler prefers the threads that analyse to this one and to the programs that it starts. A

@@ -128,6 +128,11 @@ LoopInput input_of(std::size_t longer) {
   return input;
 }
 
+storage::AnalysisRecord analyse(const LoopInput& input, const ModelPolicy& wish = {}) {
+  StageDriver driver;
+  return analyse_window({}, input, {}, "{}", driver, wish);
+}
+
 TEST(AnalyseWindow, TheDigestCoversTheLongerSpan) {
   const LoopInput alone = input_of(0);
   LoopInput with = input_of(8976);
@@ -149,7 +154,7 @@ TEST(AnalyseWindow, ALongerSpanWithoutMoreRowsHasItsOwnDigest) {
 
 TEST(AnalyseWindow, TheRecordHoldsTheSlowLookAndTheWindow) {
   const LoopInput input = input_of(8976);
-  const storage::AnalysisRecord record = analyse_window({}, input, {}, "{}");
+  const storage::AnalysisRecord record = analyse(input);
   EXPECT_EQ(record.samples, 4096U);
   EXPECT_EQ(record.input_digest, digest_of({}, input, "{}"));
   const auto slow = nlohmann::json::parse(record.hos_slow_json);
@@ -161,11 +166,12 @@ TEST(AnalyseWindow, TheRecordHoldsTheSlowLookAndTheWindow) {
 TEST(AnalyseWindow, WithoutASlowLookNothingIsStoredOfOne) {
   LoopInput input;
   input.at_slot.window.pv.assign(100, 1.0);
-  EXPECT_EQ(analyse_window({}, input, {}, "{}").hos_slow_json, "");
+  input.first = core::first_look(input.at_slot.window, {});
+  EXPECT_EQ(analyse(input).hos_slow_json, "");
 }
 
 TEST(AnalyseWindow, TheModelIsStoredWhereThereIsOne) {
-  const storage::AnalysisRecord record = analyse_window({}, input_of(0), {}, "{}");
+  const storage::AnalysisRecord record = analyse(input_of(0));
   EXPECT_EQ(record.model_json.empty(), !record.diagnosis.evidence.model.has_value());
 }
 
@@ -186,9 +192,8 @@ LoopInput noise_input() {
 
 TEST(AnalyseWindow, AModelOnlyWhereThereIsCauseWhenThatIsTheWish) {
   const LoopInput quiet = noise_input();
-  const storage::AnalysisRecord always = analyse_window({}, quiet, {}, "{}");
-  const storage::AnalysisRecord spared =
-      analyse_window({}, quiet, {}, "{}", {core::ModelTrigger{}});
+  const storage::AnalysisRecord always = analyse(quiet);
+  const storage::AnalysisRecord spared = analyse(quiet, {core::ModelTrigger{}});
   EXPECT_TRUE(always.model_ms.has_value());
   EXPECT_FALSE(spared.model_ms.has_value());
   EXPECT_TRUE(spared.model_json.empty());
@@ -201,25 +206,24 @@ TEST(AnalyseWindow, AModelOnlyWhereThereIsCauseWhenThatIsTheWish) {
     waving.at_slot.window.pv[k] += 8.0 * std::sin(0.1 * static_cast<double>(k));
   }
   waving.first = core::first_look(waving.at_slot.window, {});
-  EXPECT_TRUE(analyse_window({}, waving, {}, "{}", {core::ModelTrigger{}}).model_ms.has_value());
+  EXPECT_TRUE(analyse(waving, {core::ModelTrigger{}}).model_ms.has_value());
 }
 
 TEST(AnalyseWindow, TheStagesAreTimed) {
   LoopInput input = noise_input();
-  input.first_look_ms = 1.5;
-  const storage::AnalysisRecord record = analyse_window({}, input, {}, "{}");
+  input.prepare_ms = 1.5;
+  StageDriver driver;
+  const storage::AnalysisRecord record = analyse_window({}, input, {}, "{}", driver);
   EXPECT_EQ(record.prepare_ms, 1.5);
   EXPECT_GT(record.statistics_ms, 0.0);
   EXPECT_GT(*record.model_ms, 0.0);
   EXPECT_GE(record.analyse_ms, record.prepare_ms + record.statistics_ms + *record.model_ms);
-}
-
-/// What a first look throws, the analysis of that loop throws.
-TEST(AnalyseWindow, AFirstLookThatFailedFailsTheAnalysis) {
-  LoopInput input;
-  input.at_slot.window = slow_window(1000);
-  input.at_slot.window.sp.pop_back();
-  EXPECT_THROW((void)analyse_window({}, input, {}, "{}"), std::invalid_argument);
+  const storage::StageCost cost = driver.take();
+  EXPECT_EQ(cost.analysed, 1U);
+  EXPECT_EQ(cost.modelled, 1U);
+  EXPECT_NEAR(1e3 * cost.statistics_s, record.statistics_ms, 1e-6);
+  EXPECT_NEAR(1e3 * cost.model_s, *record.model_ms, 1e-6);
+  EXPECT_GT(cost.decide_s, 0.0);
 }
 
 }  // namespace
