@@ -40,7 +40,7 @@ void once(const std::string& config_file) {
   set_up_log(settings->daemon);
   // Of the whole command: what the pass learns of the clocks holds for the round after it.
   const std::stop_source stop;
-  SharedServices tools(worker_count(settings->daemon), RetryLimit::one_lease, stop.get_token());
+  SharedServices tools(core_count(settings->daemon), RetryLimit::one_lease, stop.get_token());
   const PassResult pass = run_pass(settings, tools, stop);
   std::cout << pass_text(pass) << std::endl;
   if (pass.cost.loops > 0) {

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "core/model/effects/effect_catalogue.hpp"
+#include "storage/results/writes/model_keys.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using namespace core::model;
+namespace keys = storage::model_keys;
 
 Json process_json(const ProcessFit& process) {
   return {{"integrating", process.integrating},
@@ -57,18 +59,18 @@ Json asked_by_json(const Step& step) {
 }
 
 Json step_json(const Step& step) {
-  return {{"effect", name(step.effect)},
-          {"parameters", parameters_json(step)},
-          {"intervals", intervals_json(step)},
-          {"holdout_error_before", number_or_null(step.holdout_error_before)},
-          {"holdout_error_after", number_or_null(step.holdout_error_after)},
-          {"evidence", number_or_null(step.evidence)},
-          {"p", number_or_null(step.p)},
-          {"margin", number_or_null(step.margin)},
-          {"simulation_ratio", number_or_null(step.simulation_ratio)},
-          {"steadiness", number_or_null(step.steadiness)},
-          {"statement", step.statement},
-          {"asked_by", asked_by_json(step)},
+  return {{keys::kEffect, name(step.effect)},
+          {keys::kParameters, parameters_json(step)},
+          {keys::kIntervals, intervals_json(step)},
+          {keys::kErrorBefore, number_or_null(step.holdout_error_before)},
+          {keys::kErrorAfter, number_or_null(step.holdout_error_after)},
+          {keys::kEvidence, number_or_null(step.evidence)},
+          {keys::kP, number_or_null(step.p)},
+          {keys::kMargin, number_or_null(step.margin)},
+          {keys::kSimulationRatio, number_or_null(step.simulation_ratio)},
+          {keys::kSteadiness, number_or_null(step.steadiness)},
+          {keys::kStatement, step.statement},
+          {keys::kAskedBy, asked_by_json(step)},
           {"promise_rank", step.promise_rank}};
 }
 
@@ -100,9 +102,9 @@ Json questions_json(const std::vector<Question>& questions) {
 
 Json closed_loop_json(const ClosedLoop& loop) {
   return {{"stable", std::isfinite(loop.peak_sensitivity)},
-          {"controller_gain", number_or_null(loop.controller_gain)},
-          {"integral_time_s", number_or_null(loop.integral_time_s)},
-          {"controller_fit", number_or_null(loop.controller_fit)},
+          {keys::kControllerGain, number_or_null(loop.controller_gain)},
+          {keys::kIntegralTime, number_or_null(loop.integral_time_s)},
+          {keys::kControllerFit, number_or_null(loop.controller_fit)},
           {"peak_sensitivity", number_or_null(loop.peak_sensitivity)},
           {"damping", number_or_null(loop.damping)},
           {"period_s", number_or_null(loop.period_s)},
@@ -119,10 +121,10 @@ Json explanation_json(const Explanation& explanation) {
           {"noise_floor", number_or_null(explanation.noise_floor)},
           {"baseline", baseline_json(explanation.baseline)},
           {"asked", asked_json(explanation.asked)},
-          {"steps", std::move(steps)},
+          {keys::kSteps, std::move(steps)},
           {"unexplained", unexplained_json(explanation.unexplained)},
           {"questions", questions_json(explanation.questions)},
-          {"closed_loop",
+          {keys::kClosedLoop,
            explanation.closed_loop ? closed_loop_json(*explanation.closed_loop) : Json(nullptr)}};
 }
 

@@ -32,9 +32,9 @@ class Pass {
         tools_(tools),
         stop_(std::move(stop)),
         signals_(context_, SIGINT, SIGTERM),
-        lanes_left_(lane_count(settings_->daemon)),
-        walking_workers_(lanes_left_),
-        pool_(lanes_left_) {}
+        workers_left_(worker_count(settings_->daemon)),
+        walking_workers_(workers_left_),
+        pool_(workers_left_) {}
 
   PassResult run() {
     ResultsLink results(settings_, tools_.faults, tools_.metrics, tools_.clocks, tools_.stop,
@@ -51,7 +51,7 @@ class Pass {
       result_.signal = signal;
     });
     Stopwatch watch;
-    for (std::size_t index = 0; index < lanes_left_; ++index) {
+    for (std::size_t index = 0; index < workers_left_; ++index) {
       asio::post(pool_, [this, index] { work(index); });
     }
     context_.run();
@@ -83,7 +83,7 @@ class Pass {
       });
     }
     asio::post(context_, [this] {
-      if (--lanes_left_ == 0) signals_.cancel();
+      if (--workers_left_ == 0) signals_.cancel();
     });
   }
 
@@ -127,7 +127,7 @@ class Pass {
   std::stop_source stop_;
   asio::io_context context_;
   asio::signal_set signals_;
-  std::size_t lanes_left_;
+  std::size_t workers_left_;
   std::atomic<std::size_t> walking_workers_;  ///< that may still find a batch
   asio::thread_pool pool_;
   std::mutex cursor_mutex_;

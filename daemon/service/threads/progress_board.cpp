@@ -51,17 +51,17 @@ void ProgressBoard::Entry::wait(bool waiting) {
 
 ProgressBoard::Entry& ProgressBoard::entry() {
   const std::lock_guard lock(mutex_);
-  return desks_.emplace_back(*this);
+  return entries_.emplace_back(*this);
 }
 
 std::vector<storage::ClaimedLoop> ProgressBoard::proven_claims() {
   const std::lock_guard lock(mutex_);
   const auto got_on = [this](const Entry& progress) { return progress.last_step_ > renewed_; };
-  const bool any = std::ranges::any_of(desks_, [&](const Entry& progress) {
+  const bool any = std::ranges::any_of(entries_, [&](const Entry& progress) {
     return got_on(progress) && !progress.waiting_ && !progress.claims_.empty();
   });
   std::vector<storage::ClaimedLoop> proven;
-  for (const Entry& progress : desks_) {
+  for (const Entry& progress : entries_) {
     if (!got_on(progress) && !(progress.waiting_ && any)) continue;
     std::ranges::copy_if(progress.claims_, std::back_inserter(proven), [&](const auto& claim) {
       return !progress.lost_.contains(claim.loop.loop_id);
@@ -78,7 +78,7 @@ void ProgressBoard::renewed(Clock::time_point seen) {
 std::size_t ProgressBoard::lose(std::span<const storage::ClaimKey> claims) {
   const std::lock_guard lock(mutex_);
   std::size_t count = 0;
-  for (Entry& progress : desks_) {
+  for (Entry& progress : entries_) {
     for (const storage::ClaimedLoop& claim : progress.claims_) {
       const storage::ClaimKey key{claim.loop.loop_id, claim.fence};
       if (std::ranges::find(claims, key) == claims.end()) continue;
@@ -91,7 +91,7 @@ std::size_t ProgressBoard::lose(std::span<const storage::ClaimKey> claims) {
 std::size_t ProgressBoard::held_loops() {
   const std::lock_guard lock(mutex_);
   std::size_t count = 0;
-  for (const Entry& progress : desks_) count += progress.claims_.size();
+  for (const Entry& progress : entries_) count += progress.claims_.size();
   return count;
 }
 
@@ -105,7 +105,7 @@ std::optional<std::string> ProgressBoard::standstill(Clock::duration limit, Cloc
 ProgressBoard::Clock::duration ProgressBoard::longest_silence(Clock::time_point now) {
   const std::lock_guard lock(mutex_);
   Clock::duration longest{0};
-  for (const Entry& progress : desks_) {
+  for (const Entry& progress : entries_) {
     if (!progress.claims_.empty() && !progress.waiting_)
       longest = std::max(longest, now - progress.last_step_);
   }

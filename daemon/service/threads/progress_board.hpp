@@ -85,7 +85,7 @@ class ProgressBoard {
 
  private:
   std::mutex mutex_;
-  std::deque<Entry> desks_;  // their addresses stay
+  std::deque<Entry> entries_;  // their addresses stay
   Clock::time_point renewed_ = Clock::time_point::min();
 };
 

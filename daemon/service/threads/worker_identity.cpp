@@ -9,9 +9,9 @@
 namespace loopscope::daemon {
 namespace {
 
-constexpr std::size_t kLanesPerWorker = 2;
+constexpr std::size_t kWorkersPerCore = 2;
 /// A batch that waits for its core behind more others may outlast its lease.
-constexpr std::size_t kMostLanesPerWorker = 8;
+constexpr std::size_t kMostWorkersPerCore = 8;
 
 }  // namespace
 
@@ -21,16 +21,16 @@ std::string host_name() {
   return name.data();
 }
 
-std::size_t worker_count(const config::DaemonSettings& settings) {
+std::size_t core_count(const config::DaemonSettings& settings) {
   if (settings.workers > 0) return static_cast<std::size_t>(settings.workers);
   return std::max<std::size_t>(std::thread::hardware_concurrency(), 1);
 }
 
-std::size_t lane_count(const config::DaemonSettings& settings) {
-  const std::size_t workers = worker_count(settings);
-  if (settings.batches_in_flight == 0) return kLanesPerWorker * workers;
-  return std::clamp(static_cast<std::size_t>(settings.batches_in_flight), workers,
-                    kMostLanesPerWorker * workers);
+std::size_t worker_count(const config::DaemonSettings& settings) {
+  const std::size_t cores = core_count(settings);
+  if (settings.batches_in_flight == 0) return kWorkersPerCore * cores;
+  return std::clamp(static_cast<std::size_t>(settings.batches_in_flight), cores,
+                    kMostWorkersPerCore * cores);
 }
 
 std::string process_name() {

@@ -7,13 +7,12 @@
 
 namespace loopscope::daemon {
 
-/// Threads to work with: the setting, or one per core.
-[[nodiscard]] std::size_t worker_count(const config::DaemonSettings& settings);
+/// Cores to analyse on: the setting `daemon.workers`, or all that there are. At least 1.
+[[nodiscard]] std::size_t core_count(const config::DaemonSettings& settings);
 
-/// Workers that share them: the setting, or two for each, so that one fetches and writes while the
-/// other analyses. Never fewer than the workers, nor
-/// more than eight for each.
-[[nodiscard]] std::size_t lane_count(const config::DaemonSettings& settings);
+/// Workers that share them: the setting `daemon.batches_in_flight`, or two for each core, so that
+/// one fetches and writes while the other analyses. At least one and at most eight for each core.
+[[nodiscard]] std::size_t worker_count(const config::DaemonSettings& settings);
 
 [[nodiscard]] std::string host_name();
 /// What this process signs with: host/pid.

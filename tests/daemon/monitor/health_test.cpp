@@ -25,10 +25,10 @@ TEST_F(HealthTest, LiveUntilAThreadStandsStill) {
   EXPECT_TRUE(health.live().well);
   EXPECT_EQ(health.live().text, "ok\n");
   EXPECT_EQ(health.live().http_status(), 200);
-  standing_still = "lane 3 has not advanced for 400 s\nREADY";
+  standing_still = "worker 3 has not advanced for 400 s\nREADY";
   EXPECT_FALSE(health.live().well);
   EXPECT_EQ(health.live().http_status(), 503);
-  EXPECT_EQ(health.live().text, "lane 3 has not advanced for 400 s READY\n");
+  EXPECT_EQ(health.live().text, "worker 3 has not advanced for 400 s READY\n");
 }
 
 TEST_F(HealthTest, NotReadyBeforeTheDatabaseHasAnswered) {

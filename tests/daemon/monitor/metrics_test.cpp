@@ -150,7 +150,7 @@ TEST_F(MetricsTest, SortsBatchesByTheirTime) {
 TEST_F(MetricsTest, FaultCountsWhenItBegins) {
   const std::string standing = R"(loopscope_fault_standing{subject="historian plant"})";
   const std::string total = R"(loopscope_faults_total{subject="historian plant"})";
-  for (int lane = 0; lane < 5; ++lane) metrics.fault("historian plant");
+  for (int worker = 0; worker < 5; ++worker) metrics.fault("historian plant");
   EXPECT_EQ(value(standing), 1.0);
   EXPECT_EQ(value(total), 1.0);
   metrics.recovered("historian plant");

@@ -49,8 +49,8 @@ class ServiceManagerTest : public testing::Test {
 };
 
 TEST_F(ServiceManagerTest, TellsWhatHappens) {
-  ServiceManager::ready("8 lanes");
-  EXPECT_EQ(message(), "READY=1\nSTATUS=8 lanes");
+  ServiceManager::ready("8 workers");
+  EXPECT_EQ(message(), "READY=1\nSTATUS=8 workers");
   ServiceManager::reloading();
   EXPECT_EQ(message(), "RELOADING=1");
   ServiceManager::stopping("finishing what is in hand");

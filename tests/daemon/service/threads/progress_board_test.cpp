@@ -122,7 +122,7 @@ TEST(ProgressBoard, SaysWhenABatchStandsStill) {
   ProgressBoard board;
   ProgressBoard::Entry& progress = board.entry();
   const Clock::time_point later = Clock::now() + 100s;
-  EXPECT_FALSE(board.standstill(60s, later)) << "an idle lane has nothing to show";
+  EXPECT_FALSE(board.standstill(60s, later)) << "an idle worker has nothing to show";
   progress.hold(claims({1}));
   EXPECT_FALSE(board.standstill(120s, later));
   EXPECT_THAT(board.standstill(60s, later).value_or(""),
