@@ -34,7 +34,7 @@ struct PublishedDecision {
 struct Result {
   std::size_t segments = 0;         ///< K: segments without a missing sample
   std::size_t bifrequencies = 0;    ///< L: bifrequencies of the principal domain
-  double mean_bic2 = 0.0;           ///< mean squared bicoherence over the domain
+  double mean_bic2 = 0.0;           ///< mean squared bicoherence over the domain, 0 to 1
   double std_bic2 = 0.0;            ///< its population standard deviation
   double max_bic2 = 0.0;            ///< its maximum
   double critical_mean_bic2 = 0.0;  ///< (c + sqrt(4L - 1))^2 / (4KL), eq. 11
@@ -69,7 +69,8 @@ struct Result {
 
 /// The same with tests and peaks of `tested`, as long as `signal`: what is left of it once the
 /// linear answer to something known, as to a setpoint that moves all the time, is taken out. The
-/// published indices and moments stay those of `signal`. Without segments of `tested` no p-value.
+/// published indices and moments stay those of `signal`. Where `tested` has fewer than two segments
+/// or no variance, p-values, noise and peaks are not filled.
 [[nodiscard]] std::optional<Result> analyse(std::span<const double> signal,
                                             std::span<const double> tested,
                                             const Settings& settings, std::uint64_t seed = 0,

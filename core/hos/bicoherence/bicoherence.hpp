@@ -25,13 +25,14 @@ class Bicoherence {
   /// Throws std::invalid_argument for settings out of range.
   explicit Bicoherence(const Settings& settings, const Kernels& kernels = best_kernels());
 
-  /// Squared bicoherence over domain(), valid until the next call. A bifrequency whose denominator
-  /// is no more than rounding noise has 0. Empty when fewer than two segments are complete (bic2
-  /// of one segment is 1 whatever the signal) or all denominators are zero, as for a constant.
+  /// Squared bicoherence over domain(), valid until the next call; NaN and infinity are missing
+  /// samples. A bifrequency whose denominator is no more than rounding noise has 0. Empty when
+  /// fewer than two segments are complete (bic2 of one segment is 1 whatever the signal) or all
+  /// denominators are zero, as for a constant.
   std::span<const double> estimate(std::span<const double> signal);
 
   /// The same in steps: the spectra of a signal's segments; then, any number of times, every
-  /// segment's multiplied by its factor (> 0); then the estimate.
+  /// segment's multiplied by its factor (> 0, segments() of them); then the estimate.
   void transform(std::span<const double> signal) { spectra_.compute(signal); }
   void scale_segments(std::span<const double> factors) { spectra_.scale_segments(factors); }
   std::span<const double> average();

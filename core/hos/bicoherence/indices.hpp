@@ -15,12 +15,14 @@ struct Indices {
   double nli = 0.0;                 ///< |max - (mean + 2 std)|, eq. 14
 };
 
-/// Mean squared bicoherence that a Gaussian signal exceeds with probability `alpha` if the
-/// `bifrequencies` (L) values are independent, with `segments` (K) averages: eq. 9 to 11.
+/// Mean squared bicoherence that a Gaussian signal exceeds with probability `alpha` (above 0, below
+/// 1) if the `bifrequencies` (L >= 1) values are independent, with `segments` (K >= 1) averages:
+/// eq. 9 to 11.
 [[nodiscard]] double critical_mean_bic2(std::size_t segments, std::size_t bifrequencies,
                                         double alpha);
 
-/// Indices of the values `bic2` (not empty) over a principal domain.
+/// Indices of the values `bic2` (not empty, each 0 to 1) over a principal domain; the rest as
+/// above.
 [[nodiscard]] Indices indices(std::span<const double> bic2, std::size_t segments, double alpha);
 
 }  // namespace loopscope::core::hos

@@ -23,7 +23,7 @@ struct Peak {
 /// Squared bicoherence that the largest of `bifrequencies` (L) values exceeds with a probability
 /// of about alpha when nothing is coupled: ln(L / alpha) / K. By the published null K bic2 is
 /// exponential (eq. 9 with one bifrequency); L is Bonferroni's correction, close to the truth in
-/// spite of correlated neighbours (core/hos/MEASURED.md).
+/// spite of correlated neighbours (core/hos/MEASURED.md). May exceed 1. K, L and alpha above 0.
 [[nodiscard]] double peak_level(std::size_t segments, std::size_t bifrequencies, double alpha);
 
 /// The strongest distinct peaks of a squared bicoherence over the principal domain of
@@ -33,13 +33,13 @@ struct Peak {
 /// around every stronger one: within that lobe a single coupled triple of lines is seen several
 /// times. Frequencies are bin centres, k / dft_length cycles per sample. `p` is not computed.
 ///
-/// Made once per settings and used for many estimates; takes memory only where it finds more
-/// candidates than ever before. One object per thread.
+/// Made once per settings (in range; not checked here) and used for many estimates; takes memory
+/// only where it finds more candidates than ever before. One object per thread.
 class PeakFinder {
  public:
   explicit PeakFinder(const Settings& settings);
 
-  /// `bic2` from `segments` (K) segments; the peaks are valid until the next call.
+  /// `bic2` over the domain, from `segments` (K >= 1); the peaks are valid until the next call.
   std::span<const Peak> find(std::span<const double> bic2, std::size_t segments);
 
  private:

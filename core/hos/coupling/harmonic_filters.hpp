@@ -13,20 +13,23 @@ namespace loopscope::core::hos {
 
 /// Amplitudes of an oscillation's first three harmonics in every segment, by least squares.
 ///
-/// In each segment of 1.75 periods the signal is fitted, with Hann weights, by a parabola and the
-/// harmonics f, 2f and 3f: what drifts and what wobbles slower than the segment ends in the
-/// parabola instead of leaking into both amplitudes and faking a coupling between them. The fit is
-/// linear, so that each amplitude is one complex filter over the segment.
+/// In each segment of 1.75 periods (24 samples at least) the signal is fitted, with Hann weights,
+/// by a parabola and the harmonics f, 2f and 3f: what drifts and what wobbles slower than the
+/// segment ends in the parabola instead of leaking into both amplitudes and faking a coupling
+/// between them. The fit is linear, so that each amplitude is one complex filter over the segment.
+/// A hop is a quarter of a segment.
 class HarmonicFilters {
  public:
   /// `period` in samples, at least kShortestPeriod of period.hpp.
   explicit HarmonicFilters(double period);
 
-  /// One entry per segment without a missing sample (NaN or infinity).
+  /// One entry per segment without a missing sample (NaN or infinity). Amplitude a of harmonic h,
+  /// in signal units, stands for Re(a exp(2 pi i h t / period)), t from the segment's centre.
   struct Amplitudes {
     std::array<std::vector<std::complex<double>>, 3> harmonics;  ///< f, 2f, 3f
     std::vector<std::size_t> positions;  ///< of the segments, in hops from the start
   };
+  /// No entries for a signal shorter than a segment.
   [[nodiscard]] Amplitudes apply(std::span<const double> signal,
                                  const Kernels& kernels = best_kernels()) const;
 

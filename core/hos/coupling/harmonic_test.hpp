@@ -16,7 +16,7 @@ namespace loopscope::core::hos {
 /// stiction) whose bispectrum is zero.
 struct HarmonicStatistics {
   double period_samples = 0.0;  ///< of the fundamental
-  /// -ln p against Gaussian noise around 2f and 3f (coherence_test.hpp).
+  /// -ln p, >= 0, against Gaussian noise around 2f and 3f (coherence_test.hpp).
   double quadratic_evidence = 0.0;
   double cubic_evidence = 0.0;
 };
@@ -25,10 +25,10 @@ struct HarmonicStatistics {
 /// over segments of 1.75 periods. Made once per period and used for many records.
 class HarmonicTest {
  public:
-  /// `period` in samples.
+  /// `period` in samples, at least kShortestPeriod of period.hpp.
   explicit HarmonicTest(double period);
 
-  /// nullopt with fewer than four complete segments.
+  /// nullopt with fewer than four segments without a missing sample (NaN or infinity).
   [[nodiscard]] std::optional<HarmonicStatistics> measure(
       std::span<const double> signal, const Kernels& kernels = best_kernels()) const;
 

@@ -24,6 +24,7 @@ struct QuadraticStatistics {
 /// given the spectra it multiplies (coherence_test.hpp).
 class QuadraticTest {
  public:
+  /// Throws std::invalid_argument for settings out of range.
   explicit QuadraticTest(const Settings& settings);
 
   /// From the last estimate of `bicoherence`; `bic2` is what it returned, not empty. `mean` is 1
@@ -31,7 +32,8 @@ class QuadraticTest {
   [[nodiscard]] QuadraticStatistics measure(const Bicoherence& bicoherence,
                                             std::span<const double> bic2) const;
 
-  /// ngi_p: probability that a linear Gaussian signal has this mean or a larger one.
+  /// ngi_p: probability that a linear Gaussian signal has this mean or a larger one from so many
+  /// segments (K >= 2); 1 when no cell is testable.
   [[nodiscard]] double mean_p(const QuadraticStatistics& found, std::size_t segments) const;
 
   /// nli_p: probability that a signal of one bicoherence everywhere, so a linear one with skewed

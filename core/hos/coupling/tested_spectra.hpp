@@ -15,7 +15,7 @@ struct Precautions {
   /// The spectrum falls so steeply that its low end leaks over everything: the differences are
   /// tested. A linear filter changes no bicoherence.
   bool differenced = false;
-  double overlap = 0.5;  ///< of the segments; another one than the settings' where a line is locked
+  double overlap = 0.5;  ///< of segments, 0 to 0.9; not the settings' where a line is locked
 };
 
 /// The record and its squared bicoherence as the tests look at them: the published one where
@@ -40,13 +40,13 @@ class TestedSpectra {
     return steady_.empty() ? recorded_ : std::span<const double>(steady_);
   }
   [[nodiscard]] const Bicoherence& bicoherence() const { return own_ ? *own_ : *published_; }
-  /// Empty when the differences have too little left to estimate from.
+  /// Over the principal domain; empty when fewer than two segments, or no power, are left.
   [[nodiscard]] std::span<const double> bic2() const { return bic2_; }
   [[nodiscard]] const Precautions& precautions() const { return precautions_; }
   /// Those given, with the overlap of the precautions.
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const Kernels& kernels() const { return *kernels_; }
-  /// Set when the variance changes along the record.
+  /// Set when the variance changes along the record; the spectra are divided by them then.
   [[nodiscard]] const std::optional<SegmentLevels>& levels() const { return levels_; }
 
  private:

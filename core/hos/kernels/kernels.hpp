@@ -34,17 +34,19 @@ struct Kernels {
   /// Over the finite samples.
   PowerSums (*sum_powers)(std::span<const double> signal, const Centring& centring);
   TrendSums (*sum_trend)(std::span<const double> signal, const Centring& centring);
-  /// (y - centre - slope t) 0.5 (1 - cos(2 pi (n + 0.5) / count)), 0 where a sample is missing.
+  /// (y - centre - slope t) 0.5 (1 - cos(2 pi (n + 0.5) / count)), 0 where a sample is missing;
+  /// `tapered` as long as `signal`.
   void (*taper_record)(std::span<const double> signal, const Centring& centring, double* tapered);
   /// Of each difference of neighbours (f) and the one before it (b), where both are finite.
   PairSums (*sum_differences)(std::span<const double> signal);
+  /// Of two series of `count` finite values.
   PairSums (*sum_pairs)(const double* f, const double* b, std::size_t count);
   /// Replaces f by f - k b, and b by b - k f.
   void (*predict_each_other)(double* f, double* b, std::size_t count, double k);
   /// x(n) - a_1 x(n - 1) - ... - a_p x(n - p) for n = 0 .. count - 1; x(-p) must be readable.
   void (*subtract_predictions)(const double* x, std::size_t count, std::span<const double> a,
                                double* errors);
-  /// Dot product of each column with the samples from x on.
+  /// Dot product of each column with the samples from x on, into kColumns outputs.
   void (*apply_taps)(const FilterTaps& taps, const double* x, double* outputs);
   /// Rows times weights, added up; `sums` as long as a row.
   void (*weigh_rows)(const Rows& rows, const double* weights, double* sums);

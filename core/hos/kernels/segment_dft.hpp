@@ -22,13 +22,14 @@ namespace loopscope::core::hos {
 /// (radix 8, 4, 2 or 1) writes to the rows of the spectra, in whatever order they come.
 class SegmentDft {
  public:
-  /// Whether it is made for segments and DFTs of these lengths: M a power of two from 32 to 8192,
-  /// and half of it segment.
+  /// Whether it is made for segments and DFTs of these lengths: M a power of two, 32 or more, and
+  /// half of it segment.
   [[nodiscard]] static bool made_for(std::size_t segment_length, std::size_t dft_length);
 
   /// The tables for `dft_length`, made at their first use (plan_cache.hpp).
   [[nodiscard]] static const SegmentDft& of_length(std::size_t dft_length);
 
+  /// made_for(dft_length / 2, dft_length), here and above; not checked.
   explicit SegmentDft(std::size_t dft_length);
 
   /// Cosine and sine of the angle by which a factor turns backwards.

@@ -8,7 +8,7 @@
 namespace loopscope::core::hos {
 
 /// Samples of a record that nobody stored, and what is known of them all the same: an archive that
-/// stores what leaves a band says of the others that they did not leave it.
+/// stores what leaves a band says of the others that they did not leave it. In the record's unit.
 struct Holes {
   std::vector<double> low;   ///< as long as the record; NaN = no hole, -infinity = not bounded
   std::vector<double> high;  ///< likewise, low <= high, +infinity = not bounded

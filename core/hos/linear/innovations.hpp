@@ -13,7 +13,7 @@ namespace loopscope::core::hos {
 /// samples before it do not predict, and how loud it is around there.
 class Innovations {
  public:
-  /// By Burg's method. nullopt where LinearModel::fit() has no model.
+  /// By Burg's method. nullopt where LinearModel::fit() has no model or leaves no error above 0.
   [[nodiscard]] static std::optional<Innovations> of(std::span<const double> signal,
                                                      const Kernels& kernels = best_kernels(),
                                                      const OrderChoice& order = {});
@@ -24,9 +24,9 @@ class Innovations {
                                        const Kernels& kernels = best_kernels()) const;
 
   [[nodiscard]] const LinearModel& model() const { return model_; }
-  /// As long as the record; NaN = not known.
+  /// As long as the record, in its unit; NaN = not known.
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
-  /// Local standard deviation, above 0, as long as the record, the same over blocks of kBlock: the
+  /// Local standard deviation, as values() but never NaN, > 0, the same over blocks of kBlock: the
   /// root mean square of a block and its neighbours, and that of the whole record as if it were
   /// kPriorSamples more.
   [[nodiscard]] const std::vector<double>& scale() const { return scale_; }

@@ -32,7 +32,9 @@ class LinearModel {
                                                       const OrderChoice& order = {});
   static constexpr std::size_t kFewestResiduals = 100;
 
+  /// a_1 .. a_p; empty = white.
   [[nodiscard]] const std::vector<double>& coefficients() const { return coefficients_; }
+  /// In the record's unit.
   [[nodiscard]] double mean() const { return mean_; }
 
   /// What the model does not predict of `signal`, as long as it; NaN where the sample or one that
@@ -42,7 +44,7 @@ class LinearModel {
 
   /// The model of the same order with the least sum of squared errors over squared `scale`, so that
   /// loud stretches weigh no more than calm ones; this one where that would not be stable. `scale`
-  /// and `errors` as long as `signal`, `errors` those of any model of this order.
+  /// (> 0) and `errors` as long as `signal`, `errors` those of any model of this order.
   [[nodiscard]] LinearModel reweighted(std::span<const double> signal,
                                        std::span<const double> errors,
                                        std::span<const double> scale) const;

@@ -24,7 +24,8 @@ struct NoiseShape {
 /// Heavy tails are judged on the innovations over their local scale, so that bursts are not taken
 /// for them. Changes of loudness are judged on the magnitudes, clipped at 3.5 robust standard
 /// deviations, so that tails are not: means over blocks of 16, 64 and 256 scatter more than those
-/// of independent values (chi squared, Bonferroni over the three).
+/// of independent values (chi squared, Bonferroni over the three). With fewer than
+/// LinearModel::kFewestResiduals known innovations every p is 1.
 [[nodiscard]] NoiseShape noise_shape(const Innovations& innovations,
                                      const Kernels& kernels = best_kernels());
 

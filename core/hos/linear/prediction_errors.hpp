@@ -19,7 +19,8 @@ class PredictionErrors {
   PredictionErrors(std::span<const double> record, std::span<const double> coefficients,
                    double mean);
 
-  /// Mean square of the errors; 0 when there are none.
+  /// Mean square of the errors of prediction from the samples before, in the record's unit squared;
+  /// 0 when there are none.
   [[nodiscard]] double variance() const;
 
   /// Half the sum of squares as a function of the samples first, first + 1, ...: its gradient, and

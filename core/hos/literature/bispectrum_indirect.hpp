@@ -9,7 +9,7 @@
 
 namespace loopscope::core::hos {
 
-/// Lag window of the indirect method for |lag| <= max_lag: Parzen's, 1 at lag 0, 0 at max_lag. Its
+/// Lag window of the indirect method: Parzen's, 1 at lag 0, 0 at max_lag (> 0) and beyond. Its
 /// spectrum is nowhere negative, so that a strong line cannot leak with the wrong sign.
 [[nodiscard]] double parzen(std::ptrdiff_t lag, std::size_t max_lag);
 

@@ -21,7 +21,7 @@ struct FackrellTest {
 
 /// The test on squared bicoherences `bic2` (P >= 1 of them, each 0 to 1) of `segments` (K >= 2),
 /// `alpha` above 0 and below 1. The null asks for independent segments: see independent_segments().
-/// Throws std::invalid_argument for anything else.
+/// Throws std::invalid_argument for no values, fewer segments and any other alpha.
 [[nodiscard]] FackrellTest fackrell(std::span<const double> bic2, std::size_t segments,
                                     double alpha);
 

@@ -4,7 +4,8 @@
 
 /// Tails and quantiles of the usual distributions, by Boost.Math. An upper tail is the probability
 /// of more than the value, with full relative precision however small it is; below the smallest
-/// double it is 0. An argument that is NaN gives NaN.
+/// double it is 0. An argument that is NaN gives NaN, as does one out of its range unless a value
+/// is given for that.
 namespace loopscope::core::hos {
 
 /// At least the smallest normal double: a p of 0 would call chance impossible and has no logarithm.

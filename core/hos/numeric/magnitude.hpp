@@ -29,7 +29,7 @@ struct FiniteMean {
 };
 [[nodiscard]] FiniteMean finite_mean(std::span<const double> signal);
 
-/// The power of two that `magnitude` lies above, by less than a factor of two (1 for zero).
+/// The power of two that `magnitude` (>= 0) lies above, by less than a factor of two (1 for zero).
 /// Dividing by it is exact, and squares and cubes of what is left do not overflow. Held within
 /// 2^-1000 to 2^1000, so that it and its reciprocal are normal numbers.
 [[nodiscard]] double power_of_two_below(double magnitude);

@@ -10,8 +10,8 @@ struct SymmetricEigen {
   Eigen::MatrixXd vectors;  ///< a column each, orthonormal
 };
 
-/// Of a symmetric matrix, of which the lower triangle is read. Compiled once for all sizes: Eigen's
-/// solver takes seconds to compile in each file that uses it, and again for each fixed size.
+/// Of a finite symmetric matrix, of which the lower triangle is read. Compiled once: Eigen's solver
+/// takes seconds to compile in each file that uses it, and again for each fixed size.
 [[nodiscard]] SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 
 }  // namespace loopscope::core::hos

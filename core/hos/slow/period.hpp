@@ -17,8 +17,9 @@ inline constexpr double kFewestCycles = 9.0;
 /// of a limit cycle; a signal without one gets the period at which it wanders most.
 ///
 /// The choice looks at powers only, never at phases, so that a test of phase coupling made at the
-/// period keeps its null. NaN and infinity are missing samples. nullopt when the record is too
-/// short for any period or has no variance.
+/// period keeps its null. NaN and infinity are missing samples. From kShortestPeriod to the
+/// record's length by kFewestCycles; nullopt when the record is too short for any period or has no
+/// variance.
 [[nodiscard]] std::optional<double> dominant_period(std::span<const double> signal,
                                                     const Kernels& kernels = best_kernels());
 

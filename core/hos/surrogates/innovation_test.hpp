@@ -27,6 +27,9 @@ struct InnovationTest {
 /// best prediction of a line or a slow load beside heavy-tailed noise trusts small moves more than
 /// large ones, and neither is nonlinear. It needs no simulation and sees what couples the past to
 /// the next sample (a valve that sticks), where coherences over segments see what keeps a phase.
+///
+/// `signal` (NaN = missing) is the record of `innovations`. Each p counts its three time constants;
+/// both are 1 with fewer than four known innovations for each column.
 [[nodiscard]] InnovationTest test_innovations(std::span<const double> signal,
                                               const Innovations& innovations);
 

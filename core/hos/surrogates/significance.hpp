@@ -10,7 +10,7 @@
 
 namespace loopscope::core::hos {
 
-/// p-values of one record.
+/// p-values of one record, above 0 to 1; the question is the null hypothesis.
 struct Significance {
   double ngi_p = 1.0;             ///< linear and Gaussian? mean squared bicoherence, first pass
   double nli_p = 1.0;             ///< linear, Gaussian or not? largest cell, and f + f -> 2f

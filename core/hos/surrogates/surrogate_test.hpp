@@ -24,8 +24,9 @@ class SurrogateP {
 
   /// Another surrogate's first-pass p.
   void add(double first_pass_p);
+  /// Further draws are not counted.
   [[nodiscard]] bool settled() const { return settled_; }
-  /// At least the first pass's.
+  /// At least the first pass's, which it is without draws.
   [[nodiscard]] double p() const;
 
  private:
@@ -39,7 +40,7 @@ class SurrogateP {
 };
 
 /// `found` (by the first pass, or let stand by surrogates of another kind) against surrogates:
-/// every p-value up to `unclear` is replaced by its SurrogateP, the others stay. `next` draws one
+/// every p-value below `unclear` is replaced by its SurrogateP, the others stay. `next` draws one
 /// surrogate and tests it, its harmonics only where that is asked for.
 [[nodiscard]] CouplingTests against_surrogates(
     const CouplingTests& found, double unclear,

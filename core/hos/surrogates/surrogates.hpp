@@ -22,11 +22,13 @@ enum class Null {
 /// Records that a linear loop could have made of the same noise.
 class Surrogates {
  public:
-  /// All outlive this. Missing where `signal` is, and of its first samples.
+  /// `signal` and `innovations`, which are of it and have a known one, outlive this.
   Surrogates(std::span<const double> signal, const Innovations& innovations, Null null,
              std::uint64_t seed);
 
-  /// The next one, about mean 0; `record` keeps its memory.
+  /// The next one, as long as the signal, in its unit, about mean 0; NaN where the signal is
+  /// missing. It begins with the signal's own samples, as many as the model has coefficients.
+  /// `record` keeps its memory.
   void draw(std::vector<double>& record);
 
  private:

@@ -22,7 +22,7 @@ class PairedFft {
  public:
   static constexpr std::size_t kBatch = 8;  ///< sequences
 
-  /// The plan for `length` (even), made at its first use.
+  /// The plan for `length` (even), made at its first use. Throws std::bad_alloc if FFTW makes none.
   [[nodiscard]] static const PairedFft& of_length(std::size_t length);
 
   explicit PairedFft(std::size_t length);

@@ -11,7 +11,7 @@ namespace loopscope::core::hos {
 /// back. Plans are kept per length and shared by all threads (plan_cache.hpp).
 class RecordFft {
  public:
-  /// The plan for `length` (even), made at its first use.
+  /// The plan for `length` (even), made at its first use. Throws std::bad_alloc if FFTW makes none.
   [[nodiscard]] static const RecordFft& of_length(std::size_t length);
 
   explicit RecordFft(std::size_t length);
@@ -19,7 +19,7 @@ class RecordFft {
   RecordFft& operator=(const RecordFft&) = delete;
   ~RecordFft();
 
-  /// `record` is padded with zeros to the length.
+  /// `record` is padded with zeros, or cut, to the length; length / 2 + 1 values.
   [[nodiscard]] std::vector<std::complex<double>> transform(std::vector<double> record) const;
   /// The record of `length` samples with this transform (length / 2 + 1 values, which are used up).
   [[nodiscard]] std::vector<double> inverse(std::vector<std::complex<double>> spectrum) const;

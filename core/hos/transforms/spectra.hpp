@@ -33,7 +33,7 @@ class Spectra {
   /// Multiplies the spectrum of segment s by factors[s] (> 0, near 1), s = 0 .. segments() - 1.
   void scale_segments(std::span<const double> factors);
 
-  /// K: segments without a missing sample.
+  /// K: segments without a missing sample; 0 for a signal shorter than one.
   [[nodiscard]] std::size_t segments() const { return segments_; }
   /// Where each of them lies on the grid of segments, in hops from the start.
   [[nodiscard]] const std::vector<std::size_t>& positions() const { return positions_; }
@@ -44,12 +44,13 @@ class Spectra {
   /// Bins above those that may be read as well and hold zeros.
   static constexpr std::size_t kZeroFrequencies = SpectrumRows::kZeroFrequencies;
 
+  /// Rows of bin k, row_length() doubles: Re X, Im X and |X|^2 of the signal over scale().
   [[nodiscard]] const double* real(std::size_t k) const { return row(k, 0); }
   [[nodiscard]] const double* imaginary(std::size_t k) const { return row(k, 1); }
   [[nodiscard]] const double* power(std::size_t k) const { return row(k, 2); }
   /// Sum of the power of bin k over all segments; 0 where it is no more than rounding noise.
   [[nodiscard]] double total_power(std::size_t k) const { return total_power_[k]; }
-  /// Of all bins.
+  /// Of all bins, frequencies() of them.
   [[nodiscard]] const double* total_power() const { return total_power_.data(); }
 
   /// Sum over segments of the real (0), imaginary (1) or power (2) row of every bin.
@@ -61,7 +62,7 @@ class Spectra {
   }
   [[nodiscard]] const Kernels& kernels() const { return *kernels_; }
 
-  /// What the signal was divided by.
+  /// What the signal was divided by, in its unit; a power of two.
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] const std::vector<double>& window() const { return window_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
