@@ -12,7 +12,7 @@ namespace loopscope::core::loop {
 inline constexpr double kWellTunedHarris = 0.6;
 
 /// Probability that a loop whose true middle index is kWellTunedHarris shows one of `middle` or
-/// less by chance; 1 for `middle` at or above that.
+/// less (above 0) by chance; 1 for `middle` at or above that, and without `delay` samples.
 ///
 /// The error of `samples` recorded samples is, by its model, a fast part, the first `delay` terms
 /// of the impulse response, which no controller can touch, and a slow one, the rest. The odds slow

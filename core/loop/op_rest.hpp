@@ -10,14 +10,14 @@ namespace loopscope::core::loop {
 /// than at the nearest value further in: an op that is coarse, or held for some samples, stays at
 /// every value.
 struct OpRest {
-  /// Of the samples, in runs of at least three within a thousandth of the span of an end that op
-  /// comes back to: a single one is no limit.
+  /// Of the samples, 0 to 1, in runs of at least three within a thousandth of the span of an end
+  /// that op comes back to: a single one is no limit.
   double share = 0.0;
   double visits = 0.0;  ///< rests at the busier end
 };
 
-/// NaN = missing; nullopt where fewer than 32 samples are recorded or op has fewer than five
-/// values: nothing can be told then.
+/// `op` in any unit, NaN = missing; nullopt where fewer than 32 samples are recorded or op has
+/// fewer than five values: nothing can be told then.
 [[nodiscard]] std::optional<OpRest> measure_op_rest(std::span<const double> op);
 
 }  // namespace loopscope::core::loop

@@ -35,8 +35,8 @@ struct OscillationSettings {
 };
 
 /// `signal` may hold NaN for missing samples; its mean and drift are removed. All figures are
-/// nullopt where the signal has fewer than 32 samples, no variance or too few zero crossings (p is
-/// 1 in the last case).
+/// nullopt where the signal has fewer than 32 recorded samples, no variance or too few zero
+/// crossings (p is 1 in the last case). `sample_interval_s` > 0.
 [[nodiscard]] Oscillation find_oscillation(std::span<const double> signal, double sample_interval_s,
                                            const OscillationSettings& settings = {});
 

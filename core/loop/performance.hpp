@@ -26,10 +26,11 @@ struct Performance {
   /// rates are per hour of neighbouring samples that are recorded.
   std::optional<double> reversals_per_h;
   std::optional<double>
-      auto_fraction;  ///< automatic or cascade, of the samples whose mode is known
-  std::optional<double> at_limit_fraction;  ///< share of samples with op at a limit
+      auto_fraction;  ///< automatic or cascade, of the samples whose mode is known; 0 to 1
+  std::optional<double> at_limit_fraction;  ///< share of samples with op at a limit, 0 to 1
 };
 
+/// 1 <= min_delay_samples <= max_delay_samples.
 struct PerformanceSettings {
   std::size_t min_delay_samples = 2;   ///< a sampled loop answers after one sample at the earliest
   std::size_t max_delay_samples = 10;  ///< longest plausible delay

@@ -25,8 +25,9 @@ class RealTransform {
 
   [[nodiscard]] std::size_t length() const { return length_; }
 
-  /// `series` is padded with zeros to the length.
+  /// `series` is padded with zeros, or cut, to the length.
   [[nodiscard]] Spectrum forward(std::vector<double> series) const;
+  /// length() values.
   [[nodiscard]] std::vector<double> inverse(Spectrum spectrum) const;
 
  private:

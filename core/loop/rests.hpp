@@ -23,9 +23,9 @@ struct Rests {
   double cycles = 0.0;  ///< in the record
 };
 
-/// pv and op (any units) of equal length, NaN = missing; `period_samples` of the cycle. nullopt
-/// with fewer than three cycles, with cycles of less than six samples, or where pv or op stands
-/// still.
+/// pv and op (any units), NaN = missing; `period_samples` of the cycle. nullopt for unequal
+/// lengths, with fewer than three cycles or 24 moves, with cycles of less than six samples, or
+/// where pv or op stands still.
 [[nodiscard]] std::optional<Rests> measure_rests(std::span<const double> pv,
                                                  std::span<const double> op, double period_samples,
                                                  bool integrating);

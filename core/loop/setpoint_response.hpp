@@ -10,11 +10,11 @@ namespace loopscope::core::loop {
 /// sensitivity, whatever process and controller are, as long as the dead time is below 40 samples.
 /// On the moves alone, and on both by least squares and by instrumental variables (Soderstrom and
 /// Stoica 1983); the model whose answer, simulated from rest, leaves least stands. That answer is
-/// taken off, so that what is left keeps its colour. `error` and `sp` of equal length, NaN =
-/// missing; missing setpoints are taken for unmoved.
+/// taken off, so that what is left keeps its spectrum. `error` and `sp` in pv units, NaN = missing;
+/// missing setpoints are taken for unmoved. The result is as long as `error`, in its unit.
 ///
-/// Empty when the setpoint does not move, when too little is recorded in one piece, or when no
-/// answer makes the error smaller.
+/// Empty when the lengths differ, when the setpoint does not move, when too little is recorded in
+/// one piece (6 rows for each of 54 coefficients), or when no answer makes the error smaller.
 [[nodiscard]] signal::Samples without_setpoint_response(const signal::Samples& error,
                                                         const signal::Samples& sp);
 

@@ -40,7 +40,8 @@ struct ShapeInput {
   bool integrating = false;              ///< level loop: the shape is read from pv, else from op
 };
 
-/// The mv figures need op and mv only; all others also a period and pv, and op and pv that vary.
+/// The mv figures need op and mv only; all others a period (2 samples to half of the record), and
+/// op and pv of one length that vary.
 [[nodiscard]] Shape measure_shape(const ShapeInput& input);
 
 }  // namespace loopscope::core::loop

@@ -25,7 +25,8 @@ inline constexpr double kClearProminence = 3.5;
 [[nodiscard]] std::optional<SpectralPeak> find_spectral_peak(const RecordSpectrum& spectrum,
                                                              Band range);
 
-/// Share of the power within `band` that stands above the background around `frequency`, 0 to 1.
+/// Share of the power within `band` that stands above the background around `frequency` (cycles per
+/// sample), 0 to 1.
 [[nodiscard]] double share_above_background(const RecordSpectrum& spectrum, double frequency,
                                             Band band);
 

@@ -19,8 +19,8 @@ struct ValvePlot {
   std::optional<double> stuck_fraction;
 };
 
-/// `op` and `mv` (NaN = missing) have one length and one unit, % of the range. No figures when
-/// either is constant.
+/// `op` and `mv` (NaN = missing) have one unit, % of the range. No figures when either is constant
+/// or empty, or their lengths differ.
 [[nodiscard]] ValvePlot measure_valve_plot(std::span<const double> op, std::span<const double> mv);
 
 }  // namespace loopscope::core::loop

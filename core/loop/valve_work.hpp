@@ -15,7 +15,7 @@ struct ValveWork {
 
 /// Smallest difference that is a move: values stored in single precision are rounded at 6e-8 of
 /// their size, so less than 1e-6 of the largest |value| is rounding, neither travel's direction nor
-/// a reversal.
+/// a reversal. In the unit of `positions`; 0 when none is recorded.
 [[nodiscard]] double move_tolerance(std::span<const double> positions);
 
 /// `op` may hold NaN. The direction is remembered across gaps and across stretches at rest.

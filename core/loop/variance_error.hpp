@@ -13,7 +13,7 @@ namespace loopscope::core::loop {
 /// No law of e is assumed, so limit cycles (whose variance is known well) and rare large moves
 /// (whose variance is not) count for what they are; for Gaussian e it is Bartlett's sum of squared
 /// correlations. The sum ends by itself (Sokal 1997, section 3). nullopt when the error does not
-/// vary or less than that is recorded.
+/// vary or too few pairs of samples are recorded; 0 when its square does not vary (square wave).
 [[nodiscard]] std::optional<double> log_variance_error(std::span<const double> error);
 
 }  // namespace loopscope::core::loop
