@@ -24,7 +24,7 @@ struct LoopFacts {
   model::Without without{};  ///< tests only
 };
 
-/// Whether a loop of this type, as the catalogue spells it, integrates: level loops do.
+/// Whether a loop of this type, as the catalogue spells it, integrates: "level" in any case does.
 [[nodiscard]] bool is_integrating_type(std::string_view loop_type);
 
 /// Settings of the whole analysis; each room documents its own.

@@ -16,8 +16,9 @@ namespace loopscope::core {
 /// the same door, drawn and tested in the same way, and -ln p is divided by the mean that they
 /// show, if that is above 1 by more than chance: a p-value is never smaller than before.
 ///
-/// `error` is the record that `result` was taken from, `band` the door's half width in its units.
-/// The same seed gives the same result.
+/// `error` (NaN = missing) is the record that `result` was taken from, `band` the door's half width
+/// in its units. Nothing changes for a band of 0, p-values above 0.05 and an error without a linear
+/// model. The same seed gives the same result.
 void allow_for_door(const signal::Samples& error, double band, const hos::Settings& settings,
                     std::uint64_t seed, hos::Result& result);
 

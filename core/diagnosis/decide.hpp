@@ -17,7 +17,8 @@ struct Circumstances {
   bool nonlinear_shown = true;
 };
 
-/// The code that the probabilities come to; see decide(). The most probable cause comes first.
+/// The code that the probabilities come to; see decide(). `causes`: the most probable first;
+/// `line`: DecisionSettings::line.
 [[nodiscard]] VerdictCode code_for(const Causes& causes, const Circumstances& circumstances,
                                    double line);
 
@@ -29,7 +30,7 @@ struct Circumstances {
 ///     setpoint not followed at all                    -> unexplained (not in command)
 ///     the most probable cause is above the line and at least as probable as healthy
 ///                                                     -> that cause
-///     valve or process nonlinear, any of them: likewise, likelier than not, and shown
+///     valve or process nonlinear, any of them: likewise, a probability of 0.5 at least, and shown
 ///                                                     -> nonlinear_unexplained
 ///     healthy below the line, and something is clearly no noise (structure.hpp)
 ///                                                     -> unexplained

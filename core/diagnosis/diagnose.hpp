@@ -21,9 +21,10 @@ namespace loopscope::core {
 /// What has to be shown before a loop model is fitted by those who cannot afford one for every loop
 /// of a plant.
 struct ModelTrigger {
-  double largest_p = 0.05;        ///< of the test behind a verdict that rests on one
-  double least_confidence = 0.0;  ///< of the verdict
-  /// Whether a verdict with this confidence, and this p where it rests on a test, is one.
+  double largest_p = 0.05;        ///< of the test behind a verdict that rests on one, 0 to 1
+  double least_confidence = 0.0;  ///< of the verdict, 0 to 1
+  /// Whether a verdict with this confidence, and this p where it rests on a test, is one; never one
+  /// that names no fault.
   [[nodiscard]] bool given_by(diagnosis::VerdictCode code, double confidence,
                               std::optional<double> p) const;
 };

@@ -21,7 +21,7 @@ struct FirstLook {
 };
 
 /// The part of a diagnosis that comes before all other figures. Throws std::invalid_argument for
-/// settings out of range and series of different lengths.
+/// series of different lengths and a sample interval that is not above 0.
 [[nodiscard]] FirstLook first_look(const signal::LoopWindow& window,
                                    const AnalysisSettings& settings);
 

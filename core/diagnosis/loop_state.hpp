@@ -22,7 +22,7 @@ enum class LoopState {
 /// In sentences, the most important first; empty for `none`.
 [[nodiscard]] std::vector<std::string> state_text(LoopState state, const Evidence& evidence);
 
-/// A measurement that stands still, in one sentence, and what to do about it.
+/// A measurement that stands still (evidence.still is filled), in one sentence, and what to do.
 [[nodiscard]] std::string frozen_summary(const Evidence& evidence);
 [[nodiscard]] std::string frozen_action();
 
@@ -30,8 +30,8 @@ enum class LoopState {
 [[nodiscard]] std::string not_controlling_summary(const Evidence& evidence);
 [[nodiscard]] std::string not_controlling_action(const Evidence& evidence);
 
-/// Log odds that a state seen in the data gives its cause: nine in ten of the loops with that fault
-/// show it, and at most one window in a thousand of those without
+/// Log odds (natural, ln 900) that a state seen in the data gives its cause: nine in ten of the
+/// loops with that fault show it, and at most one window in a thousand of those without
 /// (tests/core/signal/state_rates_test.cpp).
 [[nodiscard]] double state_evidence();
 

@@ -24,7 +24,7 @@ namespace loopscope::core::diagnosis {
 [[nodiscard]] std::string closed_loop_text(const model::ClosedLoop& loop);
 
 /// What to do about a verdict, beside what else is probable: tuning waits while a valve or a sensor
-/// is to be repaired, which is as probable as `line` or is the verdict itself.
+/// is to be repaired, which is as probable as `line` (0 to 1) or is the verdict itself.
 [[nodiscard]] std::string action_for(VerdictCode code, const Evidence& evidence,
                                      const Causes& causes, double line);
 

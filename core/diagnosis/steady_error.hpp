@@ -13,7 +13,7 @@ namespace loopscope::core {
 /// Fewer segments than 512 samples give (15) average too little to judge.
 inline constexpr std::size_t kMinSegments = 15;
 
-/// What the higher-order statistics are taken from.
+/// What the higher-order statistics are taken from: series in pv units, NaN = missing or masked.
 struct SteadyError {
   signal::Samples error;
   /// The error less the loop's linear answer to its setpoint, where that moves too often to be left

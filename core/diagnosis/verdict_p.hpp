@@ -8,10 +8,10 @@
 
 namespace loopscope::core::diagnosis {
 
-/// How often a loop without the step's effect shows as much: min(1, 0.02 exp(-E / 25)), E the
-/// evidence, and never below the step's own p. That one is exact for a loop that the linear model
-/// can be; vessels whose level is moved far, and delays that are no whole number of samples, are
-/// not quite such loops. Measured on healthy loops of tests/plants (MEASURED.md).
+/// How often a loop without the step's effect shows as much: 0.02 exp(-E / 25), E the evidence, and
+/// never below the step's own p; 1 for E below 0. That one is exact for a loop that the linear
+/// model can be; vessels whose level is moved far, and delays that are no whole number of samples,
+/// are not quite such loops. Measured on healthy loops of tests/plants (MEASURED.md).
 [[nodiscard]] double measured_p(const model::Step& step);
 
 /// Verdict::p of this code: of the test that shows the cause most clearly. nullopt where a fact

@@ -43,7 +43,7 @@ struct Figure {
 /// "op repeats its half cycle: 93 %".
 [[nodiscard]] std::string figure_text(const Figure& figure, double value);
 
-/// -log10 p, 0 to kMostDecades.
+/// -log10 p, 0 to kMostDecades; 0 for NaN.
 [[nodiscard]] double decades(double p);
 
 }  // namespace loopscope::core::diagnosis

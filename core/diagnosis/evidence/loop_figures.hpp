@@ -11,7 +11,8 @@ namespace loopscope::core::diagnosis {
 [[nodiscard]] std::span<const Figure> loop_figures();
 
 /// How long the error remembers by integral time and longest plausible delay: what a loop with a
-/// gain to speak of needs to make up for a load. nullopt without a model, or of a vessel.
+/// gain to speak of needs to make up for a load; dimensionless. nullopt without a model or its
+/// controller, without integral action or a memory, or of a vessel.
 [[nodiscard]] std::optional<double> memory_by_controller(const Evidence& evidence);
 
 }  // namespace loopscope::core::diagnosis

@@ -14,7 +14,7 @@ struct NonlinearityFinding {
   std::string reason;  ///< names the coupling, the p-values and the published figures
 };
 
-/// p of one look, or of the stronger of two, corrected for having looked twice. 1 when the
+/// p of one look, or of the stronger of two, corrected for having looked twice (Sidak). 1 when the
 /// statistics have no p-value.
 [[nodiscard]] double nonlinear_p(const Evidence& evidence);
 

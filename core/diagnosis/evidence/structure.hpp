@@ -20,9 +20,10 @@ namespace loopscope::core::diagnosis {
 /// residual test that asks for one.
 [[nodiscard]] bool shows_nonlinearity(const Evidence& evidence, double alpha);
 
-/// An oscillation is present and carries enough of the error's variance to matter.
+/// An oscillation is present and carries at least a fifth of the error's variance.
 [[nodiscard]] bool oscillates(const Evidence& evidence);
 
+/// One of DataQuality::flags.
 [[nodiscard]] bool has_flag(const Evidence& evidence, std::string_view flag);
 
 /// op was recorded and moves: without that nothing is claimed of controller and valve.

@@ -23,7 +23,7 @@ struct Part {
 struct WeighedCause {
   VerdictCode code = VerdictCode::healthy;
   double log_odds = 0.0;
-  double prior = 0.0;       ///< probability before anything is measured, of the settings or the fit
+  double prior = 0.0;       ///< probability, 0 to 1, before anything is measured: settings or fit
   std::vector<Part> parts;  ///< the weightiest first
   double evidence = 0.0;    ///< log odds beyond the prior by its own figures, whatever the others
   [[nodiscard]] double probability() const;
@@ -37,7 +37,7 @@ using Causes = std::vector<WeighedCause>;
 /// @throws std::invalid_argument a probability is not from 0 to 1, or a prior is 1
 void check(const DecisionSettings& settings);
 
-/// Of each cause: what the settings say, else its share in the fit.
+/// Probability of each cause: what the settings say, else its share in the fit.
 [[nodiscard]] PerCause priors_of(const DecisionSettings& settings);
 
 /// Every cause of the fitted tables, the most probable first. By the curves for loops with a model

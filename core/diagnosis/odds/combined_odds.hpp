@@ -55,7 +55,8 @@ struct CombinedOdds {
 /// window before are all that has to be kept, so that the result follows from stored rows, whatever
 /// the priors become. Of a cause that the window does not weigh (op stands still) what was known
 /// fades with its age.
-/// `before` ends before the window ends (std::invalid_argument).
+/// Throws std::invalid_argument unless `before` ends before the window does, and the window has a
+/// length.
 [[nodiscard]] CombinedOdds combine(const std::optional<CombinedOdds>& before,
                                    const JudgedWindow& window);
 
@@ -63,11 +64,12 @@ struct CombinedOdds {
 [[nodiscard]] bool stands_alone(const std::optional<CombinedOdds>& before,
                                 const JudgedWindow& window);
 
-/// With these priors; missing ones are shares_of_causes(). What stands beside the others is fitted
-/// to several windows, with and without a model: of one that stands alone it is not quite its own.
+/// With these priors (0 to 1); missing ones are shares_of_causes(). nullopt for a cause that no
+/// window weighed. What stands beside the others is fitted to several windows, with and without a
+/// model: of one that stands alone it is not quite its own.
 [[nodiscard]] PerCause probabilities_of(const CombinedOdds& combined, const PerCause& priors);
 
-/// The largest n.
+/// The largest n of all causes, in windows; 0 = nothing was weighed.
 [[nodiscard]] double most_windows(const CombinedOdds& combined);
 
 /// What is older counts for nothing, in lengths of the window.

@@ -28,7 +28,7 @@ struct OwnOdds {
 
 /// What others add to the log odds of a cause.
 struct OthersPart {
-  double weight = 0.0;
+  double weight = 0.0;       ///< log odds
   double probability = 0.0;  ///< that any other is there; that something is nonlinear
   VerdictCode first = VerdictCode::healthy;  ///< the most probable; nonlinear_unexplained
 };
@@ -38,7 +38,8 @@ struct OthersPart {
 [[nodiscard]] std::vector<OthersPart> parts_of_others(std::size_t place,
                                                       std::span<const OwnOdds> all);
 
-/// `log_odds`: of the cause at `place`, by the prior of the fit.
+/// Log odds of the cause at `place` beside the others; `log_odds`: by itself, by the prior of the
+/// fit.
 [[nodiscard]] double explaining_away(double log_odds, std::size_t place,
                                      std::span<const OwnOdds> all);
 

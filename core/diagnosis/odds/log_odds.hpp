@@ -4,7 +4,7 @@
 
 namespace loopscope::core::diagnosis {
 
-/// Log odds of a probability, which is kept a millionth away from 0 and 1.
+/// Natural log odds of a probability, which is kept a millionth away from 0 and 1; and back.
 [[nodiscard]] double log_odds_of(double probability);
 [[nodiscard]] double probability_of(double log_odds);
 
@@ -15,7 +15,7 @@ struct CurvePoint {
 };
 
 /// On the lines between the points, level outside of them; `points`, by ascending value, is not
-/// empty.
+/// empty, `value` not NaN.
 [[nodiscard]] double height_at(const std::vector<CurvePoint>& points, double value);
 
 }  // namespace loopscope::core::diagnosis

@@ -35,8 +35,10 @@ enum class VerdictCode {
 /// Every code, in the order above.
 [[nodiscard]] std::span<const VerdictCode> all_verdict_codes();
 
-/// One value for each cause in the catalogue's order; nullopt = not weighed.
+/// One value for each cause in the catalogue's order, up to the last that has one; nullopt = not
+/// weighed.
 using PerCause = std::vector<std::optional<double>>;
+/// Makes `values` longer where that is needed.
 void set_cause(PerCause& values, VerdictCode code, double value);
 
 /// One cause of the catalogue as the evidence weighs it. Causes may stand together.
@@ -68,7 +70,7 @@ struct Verdict {
   bool stands_alone = false;
 };
 
-/// Of the causes that were weighed, up to the last of them in the catalogue.
+/// CauseReport::probability of the causes that were weighed.
 [[nodiscard]] PerCause probabilities_of(const Verdict& verdict);
 
 /// How often each cause is to be expected, 0 to 1; 0 = as in the simulated loops that the curves

@@ -13,7 +13,7 @@ namespace loopscope::core::diagnosis {
 struct CatalogueEntry {
   VerdictCode code = VerdictCode::healthy;
   std::string_view name;    ///< the word of the contract
-  double weight = 0.0;      ///< in the ranking, before a site changes it; 0 = no fault
+  double weight = 0.0;      ///< in the ranking, 0 to 1, before a site changes it; 0 = no fault
   std::string_view family;  ///< faults that one repair mends; empty = no fault
   plant::Fault blames = plant::Fault::none;  ///< what it tells neighbours with the same oscillation
   /// Valve and sensor faults: a controller behind one says nothing of its tuning, so that advice on
