@@ -31,9 +31,9 @@ struct StoredSamples {
 /// (README, "Samples that were not stored"; Thornhill, Choudhury and Shah 2004).
 inline constexpr double kCoarseGrid = 0.4;
 
-/// A run of samples that were not stored, of this many at most, is a hole in what is known; a
-/// longer one is a gap. With a band: a quarter of what would leave a segment of 64 half unknown
-/// twice over; of samples of which nothing is known half as many.
+/// Samples in a row that were not stored, this many at most, are a hole, which may be drawn; more
+/// are a gap, which stays missing. Half a segment of 64 where a band bounds the samples, a quarter
+/// where nothing is known of them.
 inline constexpr std::size_t kLongestBandedHole = 32;
 inline constexpr std::size_t kLongestHole = 16;
 

@@ -18,8 +18,8 @@ struct ModeCounts {
 };
 [[nodiscard]] ModeCounts count_modes(std::span<const ControlMode> mode);
 
-/// Whether nine in ten of the recorded samples lie beyond `least` on one and the same side of 0.
-/// False where none is recorded.
+/// Whether nine in ten of the recorded samples lie beyond `least` (>= 0, in the error's unit) on
+/// one and the same side of 0. False where none is recorded.
 [[nodiscard]] bool keeps_its_sign(std::span<const double> error, double least = 0.0);
 
 /// Why no controller acts.
@@ -31,7 +31,7 @@ enum class NotActing {
 
 /// Whether a controller acted, over the window.
 struct ControlState {
-  std::optional<double> acting_fraction;  ///< of the samples that tell; nullopt = none does
+  std::optional<double> acting_fraction;  ///< of the samples that tell, 0 to 1; nullopt = none does
   NotActing reason = NotActing::none;     ///< of the larger part of the time without one
   /// First sample of the unbroken stretch without a controller that reaches the window's end;
   /// nullopt = one acts at the end.
@@ -44,7 +44,8 @@ struct ControlState {
   bool held_at_limit = false;
   std::optional<double> wound_up_percent;  ///< 0 or 100: op is held there at the window's end
 
-  /// For most of the window no controller acted: a state, and no fault of the loop.
+  /// A controller acted for more than half of the window, or nothing tells; false is a state, and
+  /// no fault of the loop.
   [[nodiscard]] bool controlling() const;
 };
 

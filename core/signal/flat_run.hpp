@@ -35,8 +35,8 @@ inline constexpr std::size_t kFewestFlatSamples = 300;
                                      double usual_before = 0.0);
 
 /// Whether samples move by more than their noise does: the means of thirty blocks spread wider than
-/// those of white noise with the same differences from sample to sample. `step`: of the grid of
-/// values, 0 = none. NaN is left out.
+/// those of white noise with the same differences from sample to sample, and than two steps of the
+/// grid of values. `step`: of that grid, in the samples' unit, 0 = none. NaN is left out.
 [[nodiscard]] bool moves_beyond_noise(std::span<const double> samples, double step);
 
 }  // namespace loopscope::core::signal

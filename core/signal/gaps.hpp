@@ -6,8 +6,8 @@
 
 namespace loopscope::core::signal {
 
-/// No quantity of a plant is larger: fourth powers of such values, summed over a record, still fit
-/// into a double.
+/// No quantity of a plant is larger in any unit: fourth powers of such values, summed over a
+/// record, fit into a double.
 inline constexpr double kLargestValue = 1e60;
 
 /// Values beyond +-kLargestValue, infinite ones among them, become missing ones.

@@ -19,8 +19,8 @@ class LoopPrediction {
   LoopPrediction(const Samples& pv, const Samples& op, const Samples& sp,
                  const std::vector<bool>& suspect);
 
-  /// pv(k) less its prediction from this pv; NaN where a sample of the row is missing, and
-  /// everywhere when fewer than four rows a column were left to fit.
+  /// pv(k) less its prediction from this pv, pv units; NaN for k < 15 and where a sample of the row
+  /// is missing, and everywhere when fewer than four rows a column were left to fit.
   [[nodiscard]] double error(const Samples& pv, std::size_t k) const;
 
  private:

@@ -32,6 +32,7 @@ struct OpValues {
   bool at_20_ma =
       false;  ///< held at exactly 4 or 20, all the others, if any, being no whole numbers
 };
+/// `op` in its own units, NaN = missing; nullopt when nothing is recorded.
 [[nodiscard]] std::optional<OpValues> summarise_op(std::span<const double> op);
 
 /// The usual ranges, the narrowest that fits: 0 to 1; 4 to 20 (mA) where the values cover most of
@@ -39,7 +40,7 @@ struct OpValues {
 /// controllers allow; the full scales of converters for whole numbers above. nullopt = none fits.
 [[nodiscard]] std::optional<OpRange> infer_op_range(const OpValues& values);
 
-/// What was set, unless the values contradict it; else what can be inferred.
+/// What was set, unless the values contradict it; else what can be inferred. `op` as above.
 [[nodiscard]] KnownRange find_op_range(std::span<const double> op,
                                        const std::optional<OpRange>& set);
 

@@ -27,7 +27,7 @@ struct DataQuality {
   std::optional<double> frozen_fraction;     ///< of the pv samples, standing still, 0 to 1
   std::optional<double> drawn_fraction;      ///< of the pv samples, not stored but drawn, 0 to 1
   Archive archive = Archive::complete;       ///< how pv was stored
-  std::optional<double> compression_factor;  ///< samples per stored one, gaps left out, >= 1
+  std::optional<double> compression_factor;  ///< samples per stored or new value, gaps out, >= 1
   std::optional<double> quantisation_factor;  ///< grid step of pv / its standard deviation
   std::optional<double> saturated_fraction;   ///< of op at a limit of its range, 0 to 1
 };
@@ -36,7 +36,7 @@ struct DataQuality {
 struct PrepareSettings {
   std::size_t window_samples = 4096;     ///< the last so many samples are analysed
   std::size_t min_usable_samples = 512;  ///< 15 segments of 64 at 50 % overlap
-  double max_missing_fraction = 0.4;     ///< more than this and the window is not judged
+  double max_missing_fraction = 0.4;     ///< 0 to 1; more than this and the window is not judged
   std::size_t max_filled_gap = 2;        ///< missing samples in a row that a line may bridge
   std::size_t slow_span_windows = 4;     ///< the slow look may ask for so many windows, >= 1
 };
@@ -52,8 +52,8 @@ struct PreparedLoop {
   Samples op_percent;  ///< % of range; op units without one; empty = no op
   Samples mv_percent;  ///< likewise
   /// What the higher-order statistics start from: the error with a guess in every sample that may
-  /// be drawn, and the bounds of these; empty bounds = nothing is to be drawn, and error is
-  /// `error`.
+  /// be drawn, and the bounds of these, pv units (NaN = nothing to draw there); all three empty =
+  /// nothing is to be drawn: `error` as it is.
   struct Drawable {
     Samples error, low, high;
   };

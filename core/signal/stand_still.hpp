@@ -21,7 +21,7 @@ struct StandStill {
   bool op_moves = false;  ///< beyond its noise
   double op_low = 0.0;    ///< smallest and largest op meanwhile, % (or op units); 0 = not recorded
   double op_high = 0.0;
-  double error = 0.0;  ///< median of sp - pv meanwhile; 0 = no setpoint
+  double error = 0.0;  ///< median of sp - pv meanwhile, pv units; 0 = no setpoint
 };
 
 /// What is asked; series are empty (not recorded) or as long as `pv`.
@@ -47,8 +47,9 @@ struct RecordedLoop {
 [[nodiscard]] std::optional<StandStill> find_stand_still(const RecordedLoop& loop);
 
 /// What a window tells those after it: the longest run of pv and its usual smallest step, with what
-/// was known before and fades. Nothing is learnt of runs in manual, of those that are unusually
-/// long within the window, and of those that one of its ends cuts: they may be part of one.
+/// was known before (of the run 0.5 % less). Nothing is learnt of runs in manual, of those that are
+/// unusually long within the window, and of those that one of its ends cuts: they may be part of
+/// one.
 [[nodiscard]] PvPast past_with(const RecordedLoop& loop);
 
 }  // namespace loopscope::core::signal

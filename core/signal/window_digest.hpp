@@ -8,9 +8,10 @@
 
 namespace loopscope::core::signal {
 
-/// 16 hexadecimal digits over every sample of the window, its times and `settings` (any text that
-/// names the settings in force). Equal input gives equal digits on every machine; a late row that
-/// changes one sample changes them. FNV-1a, 64 bit: meant to notice change, not to resist malice.
+/// 16 hexadecimal digits over every sample of the window, its times, the range of op and `settings`
+/// (any text that names the settings in force). Equal input gives equal digits on every machine; a
+/// late row that changes one sample changes them. FNV-1a by words of 64 bits, folded: meant to
+/// notice change, not to resist malice.
 [[nodiscard]] std::string window_digest(const LoopWindow& window, std::string_view settings);
 
 /// The seed of an analysis: a hash of the samples of pv alone. Whoever analyses the same samples

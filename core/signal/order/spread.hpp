@@ -6,7 +6,7 @@
 
 namespace loopscope::core::signal {
 
-/// Mean, standard deviation (population) and extremes of the recorded samples.
+/// Mean, standard deviation (population) and extremes of the recorded samples, in their unit.
 struct Spread {
   double mean = 0.0;
   double std = 0.0;
@@ -31,7 +31,7 @@ struct Spread {
 /// Share of neighbouring recorded samples that differ, 0 to 1; 0 where there are none.
 [[nodiscard]] double share_of_moves(std::span<const double> samples);
 
-/// Longest run of identical recorded values, in samples.
+/// Longest run of identical recorded values, in samples; a missing one (NaN) ends a run.
 [[nodiscard]] std::size_t longest_flat_run(std::span<const double> samples);
 
 }  // namespace loopscope::core::signal
