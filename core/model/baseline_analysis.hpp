@@ -16,13 +16,14 @@ struct BaselineAnalysis {
   StepwiseModel stepwise;  ///< the linear baseline; no effect sought before select_and_report()
   std::vector<TestOutcome> answers;  ///< that the model starts from (run_residual_tests.hpp)
   [[nodiscard]] double baseline_error() const;  ///< held out, pv units squared
-  /// The same over the rows of both kinds, each as unseen by the fit to the other: half as many are
-  /// few where the sensor is held.
+  /// The same over the rows of both kinds, pv units squared, each as unseen by the fit to the
+  /// other: half as many are few where the sensor is held.
   [[nodiscard]] double error_of_both_halves() const;
 };
 
 /// pv and op of `recorded` are modelled on the rows of `grid`; `at_rows` has the same rows. What
-/// both inputs view has to outlive the analysis.
+/// both inputs view has to outlive the analysis. Throws std::invalid_argument for series of
+/// different lengths and an interval that is not positive.
 [[nodiscard]] BaselineAnalysis analyse_baseline(const ModelInput& recorded,
                                                 const ModelInput& at_rows, const RowGrid& grid);
 /// Every sample is a row.
@@ -35,7 +36,7 @@ struct BaselineAnalysis {
 /// The linear loop alone.
 [[nodiscard]] Explanation report_linear_model(const BaselineAnalysis& analysis);
 
-/// What the linear loop cannot explain.
+/// Fills noise floor, questions and `unexplained` for the linear loop.
 void report_linear_rest(const BaselineAnalysis& analysis, Explanation& explanation);
 
 }  // namespace loopscope::core::model

@@ -11,11 +11,11 @@ namespace loopscope::core::model {
 /// Fits a loop model to the recording, finds what it lacks, adds it, and says what is left.
 ///
 /// nullopt when there is nothing to fit: op not recorded, pv or op constant, infinite or beyond
-/// 1e70, fewer than 400 samples on which both are known, or fewer than 100 of them in whole rows.
+/// 1e70, fewer than 400 samples on which both are known, or fewer than 100 rows to fit or to score.
 /// Series of different lengths throw std::invalid_argument.
 ///
 /// - The linear loop (baseline.hpp): one or two lags or an integrator, at least one sample of
-///   delay, numerator, noise with real roots; order by BIC.
+///   delay, numerator, noise with real poles; order by BIC.
 /// - Effects enter one after the other, the one with most evidence first, while the split
 ///   likelihood ratio on unseen rows stays below p = 0.001 (stepwise_model.hpp).
 /// - `unexplained.fraction` is (error - floor) / (baseline error - floor), 0 to 1: of what could be
@@ -33,7 +33,7 @@ struct FittedLoop {
   std::optional<StepwiseModel> renewals;
 };
 
-/// explain(), and what it keeps to itself.
+/// explain() with the fits behind it.
 [[nodiscard]] std::optional<FittedLoop> fit_loop_model(const ModelInput& input);
 
 }  // namespace loopscope::core::model

@@ -22,7 +22,7 @@ namespace loopscope::core::model {
 ///
 /// **Simulated**: the model run on op, with the effects so far, alone, plus the offset and the
 /// cubic drift that simulation_error.hpp fits. Where the errors of the explanation are simulation
-/// errors it is what the witness that named the valve makes of pv instead
+/// errors it is the simulation of the cycle that the valve was found by
 /// (limit_cycle_simulation.hpp), in the first stage without the valve; the stage of that valve has
 /// no one-step series.
 struct TraceStage {
@@ -39,8 +39,9 @@ struct TraceStage {
   /// model without the effect after process and noise were sought again, on the rows of that step:
   /// not quite the stage before.
   double one_step_error = 0.0;
-  /// Mean square of measured less simulated, on the rows that this fit has not seen; of a witness
-  /// wherever both are, the fast noise included that he filters out before he compares.
+  /// Mean square of measured less simulated, pv units squared, on the rows that this fit has not
+  /// seen; of a simulated cycle wherever both are, with the fast noise that its own comparison
+  /// filters out.
   double simulation_error = 0.0;
 };
 
@@ -59,7 +60,7 @@ struct ExplanationTraces {
 };
 
 /// explain(), with the series behind it. nullopt and exceptions as explain(). Costs little more
-/// than that; where the errors are simulation errors, their witness is heard again.
+/// than that; where the errors are simulation errors, the cycle is simulated once more.
 [[nodiscard]] std::optional<ExplanationTraces> trace_explanation(const ModelInput& input);
 
 }  // namespace loopscope::core::model

@@ -22,7 +22,7 @@ struct ControllerRecord {
 /// A controller that scans faster than the historian integrates between samples; its gain then
 /// reads low by half the integral per sample, and the law is still the one that the samples obey.
 struct ControllerLaw {
-  bool found = false;           ///< a PI (P, I, PID) law explains op's moves
+  bool found = false;           ///< a PI (P, I, PID) law explains half of op's moves or more
   double gain = 0.0;            ///< Kc, % per pv unit, signed
   double integral = 0.0;        ///< I, % per pv unit and sample; 0 = none found
   double derivative = 0.0;      ///< on pv, % sample per pv unit; 0 = none found

@@ -19,8 +19,8 @@ using MoveVector = Eigen::Matrix<double, kMoveTerms, 1>;
 struct Move {
   std::size_t at = 0;  ///< sample at its end
   MoveVector seen;  ///< change of e; of sp (without sp: the span, for the offset); sum of e; change
-                    ///< of the negative slope of pv
-  double op = 0.0;
+                    ///< of the negative slope of pv; all in pv units
+  double op = 0.0;  ///< its change, %
 };
 
 /// The recorded moves of op over any span of samples.

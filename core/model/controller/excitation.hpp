@@ -22,7 +22,7 @@ struct Excitation {
   double op_span = 0.0;       ///< 1st to 99th percentile of op, % (or op units)
   double op_steps = 0.0;      ///< the span in steps of op's grid; large for a continuous op
   std::size_t reversals = 0;  ///< turns of op by more than a tenth of its span
-  double still_share = 0.0;   ///< of the record in op's longest standstill
+  double still_share = 0.0;   ///< of the record in op's longest standstill, 0 to 1
   double shared = 0.0;        ///< R^2 of pv's moves on op's, at the time scale where it is greatest
   /// Standard deviation of the response's moves by that of pv's fastest moves (its noise).
   std::optional<double> response_to_noise;

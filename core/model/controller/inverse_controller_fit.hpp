@@ -12,7 +12,7 @@ namespace loopscope::core::model {
 struct InverseControllerFit {
   bool refused = false;
   /// Between the fit G and -1/C over the band where op moves, gain and shape together: 0 = the
-  /// same, 1 = nothing in common.
+  /// same, 1 = nothing in common; below 0.5 the fit is refused.
   double distance = 1.0;
   /// G and C make positive feedback: no loop with this process and this law stays where it is.
   bool wrong_sign = false;
@@ -25,7 +25,8 @@ struct InverseControllerFit {
 [[nodiscard]] InverseControllerFit judge_inverse_controller_fit(const SampledProcess& fit,
                                                                 const ControllerLaw& law,
                                                                 std::span<const double> op);
-/// The same; throws std::invalid_argument unless interval_s > 0.
+/// The same; throws std::invalid_argument unless interval_s > 0 and every figure of the fit is
+/// finite.
 [[nodiscard]] InverseControllerFit judge_inverse_controller_fit(const ProcessFit& fit,
                                                                 const ControllerLaw& law,
                                                                 std::span<const double> op,

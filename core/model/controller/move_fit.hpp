@@ -34,7 +34,8 @@ struct Sums {
   }
 };
 
-/// Least squares of all moves over some span.
+/// Least squares of all moves over some span (samples). Coefficients in % per unit of Move::seen;
+/// `explained`: share of the squares of op's moves, up to 1.
 struct MoveFit {
   std::size_t span = 1;
   std::ptrdiff_t lag = 0;
@@ -46,17 +47,17 @@ struct MoveFit {
   bool shows_integral = false;
 };
 
-/// No moves, no fit: `moves` is the number found, `explained` 0.
+/// With fewer than 64 moves there is no fit: `moves` is the number found, `explained` 0.
 [[nodiscard]] MoveFit fit_moves(const ControllerMoves& recorded, std::size_t span,
                                 std::ptrdiff_t lag, const Terms& terms);
 
 /// The same moves on other terms.
 void refit(MoveFit& fit, const Terms& terms);
 
-/// Standard error of a coefficient: the fits that leave one part out (jackknife).
+/// Standard error of a coefficient, in its unit: the fits that leave one part out (jackknife).
 [[nodiscard]] double standard_error(const MoveFit& fit, const Terms& terms, int term);
 
-/// The term moves op by more than rounding could, and stands clear of zero.
+/// The term makes more than 1e-4 of op's squares, and is more than four standard errors from zero.
 [[nodiscard]] bool counts(const MoveFit& fit, const Terms& terms, int term);
 
 }  // namespace loopscope::core::model

@@ -9,7 +9,7 @@ namespace loopscope::core::model {
 struct OctavePower {
   double low = 0.0;    ///< radians per sample
   double high = 0.0;   ///< 2 low
-  double power = 0.0;  ///< half the mean square of moves from block to block
+  double power = 0.0;  ///< half the mean square of moves from block to block, signal units squared
   double share = 0.0;  ///< of the power of all octaves, 0 to 1
 };
 

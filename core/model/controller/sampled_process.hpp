@@ -14,7 +14,7 @@ using Polynomial = std::vector<double>;
 [[nodiscard]] Polynomial product(const Polynomial& left, const Polynomial& right);
 /// Of any two lengths.
 [[nodiscard]] Polynomial sum(const Polynomial& left, const Polynomial& right);
-/// At z = exp(i w), w in radians per sample.
+/// At this z^-1; exp(-i w) for w radians per sample.
 [[nodiscard]] std::complex<double> value(const Polynomial& polynomial,
                                          std::complex<double> inverse_z);
 
@@ -26,9 +26,9 @@ struct SampledProcess {
 };
 
 /// The process behind a zero-order hold, exactly; `delay_s` is rounded to samples and counts the
-/// sample that the hold costs, so a process without dead time has one sample. With `integrating`, a
-/// time constant is a lag before the integrator. Throws std::invalid_argument unless the interval
-/// is > 0 and every figure is finite.
+/// sample that the hold costs, so a process without dead time has one sample. With `integrating`,
+/// time_constant_s is a lag before the integrator and the second one is not used. Throws
+/// std::invalid_argument unless the interval is > 0 and every figure is finite.
 [[nodiscard]] SampledProcess sample_process(const ProcessFit& fit, double interval_s);
 
 /// Frequency response at w radians per sample.

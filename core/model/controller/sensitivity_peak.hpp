@@ -11,7 +11,7 @@ struct SensitivityPeak {
   double frequency = 0.0;  ///< radians per sample, 0 to pi
 };
 
-/// Greatest |1 / (1 + G C)| over 0 < w <= pi, the loop being stable.
+/// Greatest |1 / (1 + G C)| over pi / 1000 <= w <= pi, the loop being stable.
 [[nodiscard]] SensitivityPeak find_sensitivity_peak(const SampledProcess& process,
                                                     const ControllerLaw& law);
 

@@ -13,7 +13,7 @@ struct SharedMoves {
 
 /// Moves of `answer` from block to block on those of `cause` in the block before, the same and the
 /// next, for blocks of 1, 2, 4, ... samples. Says nothing of which one leads. NaN = missing; both
-/// equally long.
+/// equally long. All 0 with fewer than 24 moves.
 [[nodiscard]] SharedMoves find_shared_moves(std::span<const double> cause,
                                             std::span<const double> answer);
 

@@ -50,7 +50,8 @@ class Effect {
   /// The same effect with its nonlinear parameters moved a little, `scale` from 1 (coarse) down.
   [[nodiscard]] virtual std::vector<EffectPtr> neighbours(double /*scale*/) const { return {}; }
 
-  /// In contract.md's words; `coefficients` are those of its columns, `gain` the process's.
+  /// In contract.md's words and units (Parameter::unit); `coefficients` are those of its columns,
+  /// `gain` the process's, both in units of LoopData::pv_scale.
   [[nodiscard]] virtual std::vector<Parameter> parameters(const LoopData& data,
                                                           std::span<const double> coefficients,
                                                           double gain) const = 0;

@@ -52,7 +52,7 @@ class ExternalOscillation final : public Effect {
   /// Waves with other harmonics, of which this one is the fundamental or a harmonic itself.
   [[nodiscard]] std::vector<EffectPtr> with_harmonics() const;
 
-  /// Period and amplitude of the fundamental, in the mean over the record.
+  /// Period (s) and amplitude (pv units) of the fundamental, in the mean over the record.
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;

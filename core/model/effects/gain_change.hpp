@@ -28,6 +28,7 @@ class GainChange final : public Effect {
   /// that is not at rest when the record begins passes for another one.
   static constexpr std::size_t kEarliest = 100;
 
+  /// Samples; until >= at, equal = sudden.
   GainChange(std::size_t at, std::size_t until) : at_(at), until_(until) {}
 
   /// Of a sudden change.
@@ -38,6 +39,7 @@ class GainChange final : public Effect {
   [[nodiscard]] std::size_t column_count() const override { return 2; }
   void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
   [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
+  /// at (s), ratio of the gain after by before; of a drift also rate (of the ratio, 1/h).
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;

@@ -8,6 +8,7 @@ namespace loopscope::core::model {
 /// feed, and of a gain that changes about another working point than the mean of op.
 class InputLoad final : public Effect {
  public:
+  /// Samples; until >= at, equal = sudden.
   InputLoad(std::size_t at, std::size_t until) : at_(at), until_(until) {}
 
   /// 0 before the move, 1 after it, as a flow at the inlet of the process.
@@ -16,6 +17,7 @@ class InputLoad final : public Effect {
   [[nodiscard]] EffectKind kind() const override { return EffectKind::load_step; }
   [[nodiscard]] std::size_t column_count() const override { return 1; }
   void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
+  /// at (s), size (pv units; of a vessel pv units a sample).
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;

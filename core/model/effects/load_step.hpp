@@ -28,7 +28,7 @@ class LoadStep final : public Effect {
   /// and a step there stands for what they were at. None moves there.
   static constexpr std::size_t kEarliest = 100;
 
-  /// `samples_per_row`: how far apart pv is seen, so how far a place has to move to be another one.
+  /// `at`: sample. `samples_per_row`: how far apart pv is seen, so the least move of a place.
   /// `lag_samples`: 0 = the process's.
   explicit LoadStep(std::size_t at, std::size_t samples_per_row = 1, double lag_samples = 0.0)
       : at_(at), samples_per_row_(samples_per_row), lag_samples_(lag_samples) {}
@@ -38,6 +38,7 @@ class LoadStep final : public Effect {
   [[nodiscard]] std::size_t column_count() const override { return 2; }
   void add_columns(const Signals& signals, std::vector<Column>& columns) const override;
   [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
+  /// at (s), size (pv units, of both parts together).
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data,
                                                   std::span<const double> coefficients,
                                                   double gain) const override;

@@ -22,6 +22,7 @@ class Saturation final : public Effect {
   [[nodiscard]] EffectKind kind() const override { return EffectKind::valve_saturation; }
   void shape_flow(std::span<double> flow) const override;
   [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
+  /// low, high (% of op).
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData& data, std::span<const double>,
                                                   double) const override;
   [[nodiscard]] std::string words(std::span<const Parameter> parameters) const override;

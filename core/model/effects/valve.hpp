@@ -38,6 +38,7 @@ class ValveEffect final : public Effect {
   [[nodiscard]] EffectKind kind() const override;
   void shape_flow(std::span<double> flow) const override;
   [[nodiscard]] std::vector<EffectPtr> neighbours(double scale) const override;
+  /// S and J, or the width of play, % of op.
   [[nodiscard]] std::vector<Parameter> parameters(const LoopData&, std::span<const double>,
                                                   double) const override;
   [[nodiscard]] std::string_view law() const override;

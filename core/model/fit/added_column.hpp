@@ -13,8 +13,8 @@ class AddedColumn {
   /// Products of the columns that stay with one another; pv's first, then the regressors.
   explicit AddedColumn(const Eigen::MatrixXd& steady_normal);
 
-  /// The sum of squares that is left; `moved`: the added column's products with those columns, in
-  /// their order, and with itself.
+  /// The sum of squares that is left, in units of pv_scale squared; `moved`: the added column's
+  /// products with those columns, in their order, and with itself.
   [[nodiscard]] double squares_left(std::span<const double> moved);
 
  private:

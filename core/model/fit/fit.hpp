@@ -34,7 +34,8 @@ struct Fit {
 
 /// Poles, noise and coefficients by Gauss-Newton from where the structure stands; delay and
 /// effects as they are. At most `iterations` steps; never worse than evaluate(). Given up as it
-/// stands where even thrice of what the next step promises would not leave less than `to_beat`.
+/// stands where even thrice of what the next step promises would not leave a fit_error below
+/// `to_beat`.
 [[nodiscard]] Fit polish(const LoopData& data, const Structure& start, int iterations = 8,
                          double to_beat = std::numeric_limits<double>::infinity());
 

@@ -29,7 +29,7 @@ inline constexpr double kPrior = 1e-20;
 /// What solve_normal() multiplies `right` by, from one factorisation.
 [[nodiscard]] Eigen::MatrixXd inverse_of_normal(const Eigen::MatrixXd& normal);
 
-/// A structure after a step, and by how much of itself the error on the fit rows should fall.
+/// A structure after a step, and by what share (0 to 1) the error on the fit rows should fall.
 struct NextStructure {
   Structure structure;
   double promise = 0.0;

@@ -12,9 +12,9 @@ struct CrossFit {
 [[nodiscard]] CrossFit cross_fit(const LoopData& data, Fit fit);
 
 /// How much better one fit predicts than another on rows that it has not seen, or that both halves
-/// see; each counts once.
+/// see; each counts once. Errors in units of pv_scale squared.
 struct Comparison {
-  double before = 0.0;  ///< mean square of the held-out one-step errors, scaled
+  double before = 0.0;  ///< mean square of the held-out one-step errors
   double after = 0.0;
   double evidence = 0.0;  ///< n ln(before / after)
   /// Of the split likelihood ratio (Wasserman, Ramdas and Balakrishnan 2020): a model fitted on one
@@ -22,15 +22,16 @@ struct Comparison {
   /// probability exp(-evidence / 2), however long the search was that found it. That holds for one
   /// half; over both the share at 0.001 was measured to be 0.0015 at most.
   double p = 1.0;
-  double steadiness = 0.0;  ///< share of an eighth of the record each in which the error falls
+  double steadiness = 0.0;  ///< share of the eighths of the record in which the error falls, 0 to 1
 };
+/// `once`: on the score rows alone. p = 1 without rows.
 [[nodiscard]] Comparison compare(const LoopData& data, const CrossFit& before,
                                  const CrossFit& after, bool once = false);
 
 /// Both fits of a structure that stands, on other rows.
 [[nodiscard]] CrossFit reevaluated(const LoopData& rows, const CrossFit& fit);
 
-/// Whether the last effect does no more than such an effect does in a plant.
+/// Whether the last effect, of which there is one, does no more than such an effect in a plant.
 [[nodiscard]] bool is_plausible(const Fit& fit);
 
 /// n ln(before / after) of errors on the fit rows; -infinity where numbers have overflown.

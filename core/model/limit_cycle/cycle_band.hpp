@@ -6,10 +6,10 @@
 
 namespace loopscope::core::model {
 
-/// The band of frequencies in which one limit cycle lives: samples are averaged until a cycle has
-/// 20 to 40 of them, and what is slower than 2.5 cycles (drift) or faster than a tenth of one
-/// (noise) is taken out. Both are linear, so that a model's output and pv may be treated alike and
-/// then compared: the drift needs no parameters.
+/// The band of frequencies of one limit cycle: samples are averaged until a cycle has 20 to 40 of
+/// them (shorter cycles as recorded), and what is slower than 2.5 cycles (drift) or faster than a
+/// tenth of one (noise) is taken out. Both are linear, so that a model's output and pv may be
+/// treated alike and then compared: the drift needs no parameters. No series may hold NaN.
 class CycleBand {
  public:
   /// `period_samples` of the recording, >= 2.

@@ -18,12 +18,12 @@ struct BandedCycle {
   std::vector<double> pv, op;
   std::vector<double> weights;  ///< 1, or 0 where pv or op is missing
   std::vector<double> op_kept;  ///< not yet in the band
-  double travel = 0.0;          ///< peak-to-peak travel of op were it a triangle
+  double travel = 0.0;          ///< peak-to-peak travel of op were it a triangle, op units
   double sign = 0.0;            ///< of the controller, +1 or -1; 0 = not known
 };
 [[nodiscard]] BandedCycle to_band(const CycleRecord& record, const CycleBand& band);
 
-/// The travel alone, of op in the band.
+/// The travel alone, op units, of op in the band (not empty).
 [[nodiscard]] double travel_of(std::span<const double> op);
 
 /// The three models that the judge of limit cycles compares, each at its best.

@@ -9,7 +9,7 @@
 
 namespace loopscope::core::model {
 
-/// Log odds that the valve makes the loop cycle, of two witnesses: the shape of the cycle
+/// Natural log odds that the valve makes the loop cycle, from two figures: the shape of the cycle
 /// (`cause`), and how much of op's travel in the cycle the band of the valve is that the one-step
 /// error shows. A sticking valve turns op about a band apart; a good valve's band is a small part
 /// of the travel that something else gives op. `band_percent`: S, or the width of play, > 0.

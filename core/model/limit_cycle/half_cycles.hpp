@@ -23,8 +23,8 @@ struct MeanHalfCycle {
 [[nodiscard]] std::optional<MeanHalfCycle> mean_half_cycle(std::span<const double> signal,
                                                            std::span<const OpTurn> turns);
 
-/// Places of zero crossings between excursions beyond a share of the spread: noise near zero
-/// crosses often, and counts as one.
+/// Places of zero crossings, in samples, between excursions beyond 0.15 of the root mean square:
+/// noise near zero crosses often, and counts as one.
 [[nodiscard]] std::vector<double> crossings_of(std::span<const double> signal);
 
 /// He, Wang, Pottmann and Qin (2007) on the half cycles between zero crossings of a signal in the

@@ -48,9 +48,10 @@ struct CycleCause {
 };
 
 /// Whether a sticking valve makes the loop cycle. pv, op, sp of equal length on an even grid, NaN =
-/// missing; sp empty or all missing: its mean level is taken to be constant. Undecided when more
-/// than 40 % of pv is missing, op or pv stands still, or fewer than 128 samples or five cycles are
-/// recorded. Throws std::invalid_argument for unequal lengths. MEASURED.md has the rates.
+/// missing; sp empty or all missing: its mean level is taken to be constant. Undecided when pv or
+/// op is missing in more than 40 % of the samples or stands still, or fewer than 128 samples or
+/// five cycles are recorded. Throws std::invalid_argument for unequal lengths. MEASURED.md has the
+/// rates.
 [[nodiscard]] CycleCause judge_limit_cycle(std::span<const double> pv, std::span<const double> op,
                                            std::span<const double> sp, const Without& without = {});
 

@@ -34,13 +34,14 @@ class SimulationFit {
   /// `input` kept samples, not yet in the band.
   void offer(std::span<const double> input, double stickband = 0.0, double slip_jump = 0.0);
 
-  /// Share of pv's variance that is left on the blocks held out; 1 before the first offer.
+  /// Share of pv's variance that is left on the blocks held out, >= 0; 1 before the first offer.
   [[nodiscard]] double held_out() const;
   /// Best over the whole record.
   [[nodiscard]] const SimulatedProcess& best() const { return best_; }
   /// pv in the band as that process gives it.
   [[nodiscard]] std::vector<double> simulate(const SimulatedProcess& process,
                                              std::span<const double> input) const;
+  /// Kept samples of a block: two cycles, 20 at least.
   [[nodiscard]] std::size_t block() const { return block_; }
 
  private:

@@ -17,7 +17,7 @@ inline constexpr std::size_t kTravelMean = 8;
 
 /// pv as a constant, a trend over the record and a lag of the flow, by means.
 struct TravelModel {
-  double pole = 0.0;
+  double pole = 0.0;                             ///< of the lag, from mean to mean, 0 to 0.99
   std::size_t delay = 0;                         ///< means
   std::array<double, 3> weights{0.0, 0.0, 0.0};  ///< pv units, of the flow pv units per %
 };
@@ -26,7 +26,8 @@ struct TravelModel {
 ///
 /// Means of eight samples take the fast noise out; pv is fitted by a constant, a trend and a lag of
 /// op, once of op itself and once of op behind Kano's valve for every band on a net. Blocks of six
-/// means are fitted and scored by turns; shares are of pv's variance on the blocks held out.
+/// means are fitted and scored by turns; shares are of pv's variance on the blocks held out, up to
+/// 1, below 0 where a model is worse than the mean.
 struct SlowTravel {
   double linear_share = 0.0;  ///< explained by op
   double valve_share = 0.0;   ///< explained by op behind the valve
@@ -38,8 +39,8 @@ struct SlowTravel {
 
   [[nodiscard]] double error_before() const { return variance * (1.0 - linear_share); }
   [[nodiscard]] double error_after() const { return variance * (1.0 - valve_share); }
-  /// A fifth of what op leaves, and a twelfth of all, has to be the valve's: curved trims and
-  /// moving loads pass for a narrow band, but explain next to nothing by it.
+  /// The valve takes at least two fifths of what op leaves, and 4 % of pv's variance: curved trims
+  /// and moving loads pass for a narrow band, but explain next to nothing by it.
   [[nodiscard]] bool sticks() const;
 };
 

@@ -79,9 +79,9 @@ struct LoopData {
 /// The fit sees the rows of both kinds; the score is what it was.
 [[nodiscard]] LoopData seen_whole(LoopData data);
 
-/// The same rows, with the `length` rows from `at` on in both kinds. A sudden step lives in a
-/// single one-step error: whoever fits it has to see that row, and so has whoever scores it. The
-/// score flatters such an effect by one part in the number of rows for each of its coefficients.
+/// The same rows, with the `length` rows from `at` on in both kinds. A sudden step shows in a
+/// single one-step error, which has to be among the rows of the fit and of the score. The score
+/// flatters such an effect by one part in the number of rows for each of its coefficients.
 [[nodiscard]] Rows seen_by_both(const Rows& rows, std::size_t at, std::size_t length);
 
 }  // namespace loopscope::core::model

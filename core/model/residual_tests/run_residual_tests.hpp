@@ -29,8 +29,8 @@ namespace loopscope::core::model {
 /// record in `input`.
 [[nodiscard]] std::vector<TestOutcome> run_residual_tests(const ModelInput& input,
                                                           const LoopData& data, const Fit& fit);
-/// The same by the tests of core/hos, which cost more than the others together: nonlinear, ngi.
-/// `seed` drives the simulations behind their p-values.
+/// The same by the tests of core/hos, which cost more than the others together: nonlinear, ngi
+/// (tests/coupling.hpp). `seed` drives the simulations behind their p-values.
 [[nodiscard]] std::vector<TestOutcome> run_coupling_tests(const LoopData& data, const Fit& fit,
                                                           std::uint64_t seed);
 

@@ -17,7 +17,7 @@ struct SensorFinding {
   [[nodiscard]] bool renewed() const { return hold_samples > 1; }
 };
 
-/// Takes the answers to "grid" and "held" for steps where they are clear; `error` is that of the
+/// Takes the answers to "grid" and "held" for steps where p <= 1e-6; `error` is that of the
 /// baseline, pv units squared, and stands before and after each step: a grid need not lower it, and
 /// what a held sensor leaves is for the caller to find out.
 [[nodiscard]] SensorFinding find_sensor_steps(double error,

@@ -26,7 +26,7 @@ struct NoiseModel {
 /// m as coefficients: those of (1 - m1 z^-1)(1 - m2 z^-1)(1 - m3 z^-1) after the leading 1.
 [[nodiscard]] std::array<double, kMostNoiseOrder> autoregression(const NoiseModel& noise);
 
-/// The noise with one more pole and one more real zero.
+/// The noise with one more pole and one more real zero; as it is at order 3.
 [[nodiscard]] NoiseModel extended(const NoiseModel& noise, double pole, double zero);
 
 /// Draws the zeros in until all lie within 0.985 of the origin.
@@ -44,7 +44,7 @@ void whiten(const NoiseModel& noise, std::array<std::span<const double>, 2> v,
 /// number where it remembers longer than is worth knowing.
 [[nodiscard]] std::size_t whitening_memory(const NoiseModel& noise);
 
-/// What a constant 1 becomes.
+/// What whitening makes of a constant 1; 0 with a pole at 1.
 [[nodiscard]] double whitened_level(const NoiseModel& noise);
 
 }  // namespace loopscope::core::model

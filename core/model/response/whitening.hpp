@@ -7,9 +7,9 @@
 
 namespace loopscope::core::model {
 
-/// Signals to be whitened, taken two at a time, and no longer than they are heard: a signal that
-/// sits in one place is zero before it and, up to rounding, soon after it. Equal lengths; the spans
-/// have to outlive run().
+/// Signals to be whitened, taken two at a time, and no longer than their whitened signal lasts: one
+/// that sits in one place is zero before it and, up to rounding, soon after it. Equal lengths; the
+/// spans have to outlive run().
 class Whitening {
  public:
   void add(std::span<const double> signal, std::span<double> whitened);

@@ -60,7 +60,7 @@ struct Step {
   EffectKind effect = EffectKind::valve_stiction;
   std::vector<Parameter> parameters;
   std::string_view law;  ///< of valve_stiction: choudhury, kano, he; empty = the effect has one law
-  double holdout_error_before = 0.0;
+  double holdout_error_before = 0.0;  ///< of Explanation::error_kind
   double holdout_error_after = 0.0;
   double evidence = 0.0;  ///< n ln(before / after) over the n held-out samples
   double p = 1.0;         ///< that an effect which is not there lowers the held-out error so far
@@ -68,7 +68,7 @@ struct Step {
                           ///< one promised that was not tried
   /// Mean square of the simulation error after the step by that before it; nullopt = not computed.
   std::optional<double> simulation_ratio;
-  double steadiness = 1.0;  ///< share of the record's parts in which the effect lowers the error
+  double steadiness = 1.0;  ///< share, 0 to 1, of the record's parts in which it lowers the error
   /// Of a valve: the loop cycles, but not about this band (cycle_valve.hpp).
   bool cycle_contradicts_valve = false;
   /// Of play: the loop keeps up a cycle about this band, as behind a valve that sticks.
@@ -88,9 +88,9 @@ struct Step {
 /// The process between valve and sensor, as the final model has it.
 struct ProcessFit {
   bool integrating = false;
-  double gain = 0.0;                    ///< pv units per %; integrating: pv units per % and second
-  double time_constant_s = 0.0;         ///< the slowest; 0 = answers within a sample
-  double second_time_constant_s = 0.0;  ///< 0 = first order
+  double gain = 0.0;             ///< pv units per %; integrating: pv units per % and second
+  double time_constant_s = 0.0;  ///< the slowest; 0 = answers within a sample, or integrating
+  double second_time_constant_s = 0.0;  ///< 0 = first order; integrating: lag beside the integrator
   double delay_s = 0.0;                 ///< at least one sample interval
 };
 
@@ -127,9 +127,9 @@ struct ClosedLoop {
   double integral_time_s = 0.0;   ///< 0 = no integral action found
   double controller_fit = 0.0;    ///< share of op's moves that the PI law explains, 0 to 1
   double peak_sensitivity = 0.0;  ///< Ms, >= 1; infinite when the implied loop is unstable
-  double damping = 1.0;           ///< of the dominant poles
+  double damping = 1.0;           ///< of the dominant poles, -1 to 1; negative = unstable
   double period_s = 0.0;          ///< of the dominant poles; 0 = they do not oscillate
-  double settling_s = 0.0;        ///< 2 % of the slowest pole
+  double settling_s = 0.0;        ///< 2 % of the slowest pole; infinite when unstable
   double slowness = 1.0;  ///< integral action of SIMC tuning by the recorded one; 0 = none recorded
   /// Integral action, % per pv unit and second, signed; 0 = none found. Gain by integral time is
   /// not where the gain is next to nothing.

@@ -34,7 +34,7 @@ enum class Mechanism {
 };
 inline constexpr std::size_t kMechanisms = 20;
 
-/// The word of the tests' option --without.
+/// The word of the tests' option --without; and back, nullopt for any other.
 [[nodiscard]] std::string_view name(Mechanism mechanism);
 [[nodiscard]] std::span<const Mechanism> all_mechanisms();
 [[nodiscard]] std::optional<Mechanism> mechanism_of(std::string_view name);
@@ -49,7 +49,7 @@ class Without {
     return !out_.test(static_cast<std::size_t>(mechanism));
   }
   [[nodiscard]] bool any() const { return out_.any(); }
-  /// The residual tests are not heard: in their place stands what they said of another loop.
+  /// The outcomes of the residual tests are replaced by those of another loop.
   void hear_instead(const std::vector<TestOutcome>& others) { others_ = &others; }
   [[nodiscard]] const std::vector<TestOutcome>* others() const { return others_; }
 

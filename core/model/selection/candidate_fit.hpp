@@ -52,7 +52,7 @@ struct CandidateFit {
 /// valve they follow from what was fitted. What is scored once has no fit to the other fold yet.
 [[nodiscard]] CandidateFit scored(CandidateFit trial, Fit fit, std::size_t tries);
 
-/// Whether an effect within the loop is significant several rows ahead as well
+/// Whether an effect within the loop is significant (p <= kEnters) several rows ahead as well
 /// (multi_step_evidence()); true of what comes from outside, which op does not foretell.
 [[nodiscard]] bool foresees(const CandidateFit& trial);
 

@@ -50,20 +50,19 @@ struct StepwiseModel {
 /// What the residual tests say of a fit of the record.
 using ResidualTests = std::function<std::vector<TestOutcome>(const LoopData&, const Fit&)>;
 
-/// Takes in one effect after the other, each time the one least probable by chance, as long as that
-/// is significant.
-/// The residual tests lead: what they ask for is tried, and what nobody asked for gets a cheap look
-/// once nothing else enters. `answers` to the linear loop's residual; returns those to the last
-/// one's.
+/// Takes in one effect after the other, six at most, each time the one least probable by chance, as
+/// long as that is significant. The residual tests lead: what they ask for is tried, and what
+/// nobody asked for gets a cheap look once nothing else enters. `answers` to the linear loop's
+/// residual; returns those to the last one's.
 [[nodiscard]] std::vector<TestOutcome> select_effects(StepwiseModel& stepwise,
                                                       std::vector<TestOutcome> answers,
                                                       const ResidualTests& tests);
 
-/// A valve that has entered, but that the tests which asked for it still see: its needle was missed
-/// (stiction_search.hpp). It is looked for again between the samples, behind the process of
-/// `settled`, which it showed well enough for the right one to show. One that acts at the samples
-/// is looked for by either law, between them the two move so differently that the one which leads
-/// is right.
+/// A valve that has entered, but that the tests which asked for it still see: the narrow minimum of
+/// its law was missed (stiction_search.hpp). It is looked for again between the samples, behind the
+/// process of `settled`, which it showed well enough for the right one to show. One that acts at
+/// the samples is looked for by either law, between them the two move so differently that the one
+/// which leads is right.
 ///
 /// `settled` ends with that valve; each `attempt` has first guesses of its own. nullopt where
 /// nothing is found that is worth more.
@@ -84,9 +83,9 @@ struct IntakeTerms {
 /// first. Whether there was one. Nothing enters behind a trial that let others be passed over and
 /// is refused.
 ///
-/// A valve's law is a needle, and the search for it is one of chance: a valve that goes between the
-/// samples, or that does not foresee what it should, is looked for once more before it is weighed,
-/// and again as long as a test that asked for it still speaks with it in the model
+/// A valve's law has a narrow minimum, and the search for it is random: a valve that acts between
+/// the samples, or that does not foresee what it should, is looked for once more before it is
+/// weighed, and again as long as a test that asked for it still speaks with it in the model
 /// (refine_valve()).
 [[nodiscard]] bool take_in(std::vector<CandidateFit> trials, const IntakeTerms& terms,
                            StepwiseModel& stepwise);

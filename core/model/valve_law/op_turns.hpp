@@ -15,18 +15,18 @@ struct OpTurn {
   double direction = 1.0;  ///< of the motion that ends here: +1 (a maximum) or -1
 };
 
-/// Turns after which op goes back by more than `prominence`, in order of time, maxima and minima
-/// by turns. NaN is skipped.
+/// Turns after which op goes back by more than `prominence` (op's unit), in order of time, maxima
+/// and minima by turns. NaN is skipped.
 [[nodiscard]] std::vector<OpTurn> find_op_turns(std::span<const double> op, double prominence);
 
-/// run_valve by He's law, the valve starting at the first turn, where it has just moved. Before it
-/// the valve stands.
+/// run_valve by He's law (units and exceptions as there), the valve starting at the first turn,
+/// where it has just moved. Before it the valve stands. `op` is not empty.
 void run_from_first_turn(double stickband, double slip_jump, std::span<const double> op,
                          std::span<const OpTurn> turns, std::span<double> mv);
 
 /// The same, started anew at every turn. In a self-regulating loop op turns because the valve has
-/// slipped, so every turn tells where the valve is, and a slip that the law misses (S is a needle)
-/// is not carried on through the rest of the record.
+/// slipped, so every turn tells where the valve is, and a slip that the law misses (the error has a
+/// narrow minimum over S) is not carried on through the rest of the record.
 void run_from_every_turn(double stickband, double slip_jump, std::span<const double> op,
                          std::span<const OpTurn> turns, std::span<double> mv);
 

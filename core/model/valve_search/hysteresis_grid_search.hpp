@@ -10,8 +10,8 @@ namespace loopscope::core::model {
 
 /// A valve with the process and noise that it was looked at behind.
 struct GridResult {
-  Structure structure;  ///< the valve is its last effect
-  double fit_error = 0.0;
+  Structure structure;     ///< the valve is its last effect
+  double fit_error = 0.0;  ///< Fit::fit_error
 };
 
 /// Valves that follow their law from op alone, where pv is too noisy to put a valve's position
@@ -27,8 +27,8 @@ struct GridResult {
 [[nodiscard]] std::size_t hysteresis_net_bands();
 
 /// By the printed and by Kano's law the best valve with a jump on a net about that play, behind the
-/// linear loop's process and that of the play: one of the two is close enough for the needle of the
-/// right law.
+/// linear loop's process and that of the play: one of the two is close enough for the narrow
+/// minimum of the right law to show.
 [[nodiscard]] std::vector<GridResult> find_sticking(const LoopData& data, const Fit& now,
                                                     const GridResult& play);
 

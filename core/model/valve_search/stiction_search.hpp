@@ -15,15 +15,16 @@ namespace loopscope::core::model {
 /// process behind it.
 ///
 /// Such a valve keeps an error of its position until the next one, so that over the whole record
-/// the right one is a needle in nine dimensions. Over a few hundred samples it is a hill: guesses
-/// that fill the room evenly are ranked there, and the best ones have children by differential
-/// evolution (Storn and Price 1997): they lie along what other guesses differ by, which is as long
-/// and as slanted as the hill. Those that are left are looked at over longer and longer beginnings
-/// of the record. Where the best of them hardly jump halfway, the valve has play, and no more of
-/// them are born.
+/// the right one is a very narrow minimum of the error in nine dimensions. Over a few hundred
+/// samples the minimum is wide: guesses that fill the room evenly are ranked there, and the best
+/// ones have children by differential evolution (Storn and Price 1997): they lie along what other
+/// guesses differ by, which is as long and as slanted as the minimum. Those that are left are
+/// looked at over longer and longer beginnings of the record. Where the best of them hardly jump
+/// halfway, the valve has play, and no more of them are tried.
 ///
-/// `behind` ends with a valve (can_seek_sticking()); its process and noise are where the search
-/// begins. Each `attempt` has first guesses of its own. The same data give the same result.
+/// `band` in % of op. `behind` ends with a valve (can_seek_sticking()); its process and noise are
+/// where the search begins. Each `attempt` has first guesses of its own. The same data give the
+/// same result.
 [[nodiscard]] GridResult find_stem(const LoopData& data, const Structure& behind, double band,
                                    ValveLaw law, std::size_t attempt = 0);
 

@@ -31,7 +31,7 @@ struct ValveGuess {
   [[nodiscard]] double operator[](Gene gene) const { return at[static_cast<std::size_t>(gene)]; }
 };
 
-/// Guess `number` of those that fill the room evenly, about a valve of that band.
+/// Guess `number` of those that fill the room evenly, about a valve of that band (% of op, > 0).
 [[nodiscard]] ValveGuess drawn_genes(double band, std::size_t number);
 
 /// How two guesses differ, of which a child goes a `share` of the way.

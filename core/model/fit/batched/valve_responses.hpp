@@ -27,7 +27,7 @@ enum class Digits { single, full };
 /// one law and one dead time.
 class ValveResponses {
  public:
-  /// `op`: what the valves see, without NaN; `steady`: whitened columns of its length; noise and
+  /// `op`: what the valves see, %, without NaN; `steady`: whitened columns of its length; noise and
   /// taps by `structure`. All have to outlive this.
   ValveResponses(std::span<const double> op, const Structure& structure,
                  std::span<const Signal> steady, std::span<const Range> rows);

@@ -17,7 +17,7 @@ struct ChangePoint {
 /// changes. Time is counted in the squares of the increments, so that the bridge is Brownian
 /// whatever their variance does; its largest distance from 0 is judged by Kolmogorov's law. The
 /// place is the largest distance over its standard deviation within the middle 96 %. Increments of
-/// 0 are missing samples.
+/// 0 are missing samples; p = 1 when all are. Means in the unit of the increments.
 [[nodiscard]] ChangePoint find_change(std::span<const double> increments);
 
 }  // namespace loopscope::core::model

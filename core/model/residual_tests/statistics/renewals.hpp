@@ -24,7 +24,7 @@ struct Clock {
 
 /// The clock that all but a fiftieth of the changes keep to: they begin at one phase of every m
 /// samples. Under chance each does with probability 1 / m; m is one of the lengths of the runs or a
-/// common divisor of them.
+/// common divisor of them. p and period are 1 with fewer than five runs, or without such a clock.
 [[nodiscard]] Clock find_clock(std::span<const FlatRun> runs);
 
 }  // namespace loopscope::core::model

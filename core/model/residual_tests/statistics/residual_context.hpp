@@ -17,14 +17,14 @@ namespace loopscope::core::model {
 struct ResidualView {
   /// r(k) = pv(k) - its one-step prediction, pv units; white when the model is right.
   std::span<const double> innovation;
-  std::span<const double> op_percent;
+  std::span<const double> op_percent;  ///< % of its range, or op units without one
   /// Sign of op's last motion beyond its noise, known at k: +1 or -1; 0 = it has not moved yet.
   std::span<const double> op_direction;
   /// x(k): the deterministic output of the model, driven by op before k, pv units.
   std::span<const double> response;
-  std::span<const double> pv;
+  std::span<const double> pv;      ///< pv units
   double sample_interval_s = 1.0;  ///< > 0
-  /// pv less the waves and loads that the model has; empty = it has none.
+  /// pv less the waves and loads that the model has, pv units; empty = it has none.
   std::span<const double> pv_undisturbed{};
 };
 

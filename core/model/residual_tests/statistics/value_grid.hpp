@@ -21,8 +21,8 @@ inline constexpr double kSameValue = 1e-5;
 /// the samples are on levels and the distances between levels are multiples of a step (the phases
 /// of the levels on it have a resultant R of at least 0.95), the p is that of Rayleigh's test over
 /// the levels and of every return to a level, which a continuous signal makes with probability
-/// below 1/e: exp(-levels R^2 - returns). Single values off the grid (interpolated ones) and
-/// rounding noise of the values do no harm.
+/// below 1/e: exp(-levels R^2 - returns), times the steps that the range holds. Values off the grid
+/// (interpolated ones) and rounding noise of the values do no harm.
 [[nodiscard]] ValueGrid find_grid(std::span<const double> values, double noise_std);
 
 }  // namespace loopscope::core::model

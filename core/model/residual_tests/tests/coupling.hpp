@@ -9,9 +9,9 @@
 namespace loopscope::core::model {
 
 /// "nonlinear" and "ngi": the calibrated tests of core/hos on the residual, all of them combined,
-/// and the mean bicoherence alone (skewed white noise has one too). Quadratic coupling nominates
-/// process_nonlinearity and valve_characteristic, cubic coupling valve_stiction and valve_deadband.
-/// Empty when gaps leave fewer than two segments. `seed` as in hos::analyse.
+/// and the mean bicoherence alone (skewed white noise has one too). They nominate nothing. Empty
+/// with fewer than kFewestAsked samples, or when gaps leave fewer than two segments. `innovation`:
+/// any unit, NaN = missing; `seed` as in hos::analyse.
 [[nodiscard]] std::vector<TestOutcome> test_coupling(std::span<const double> innovation,
                                                      std::uint64_t seed);
 
