@@ -21,8 +21,9 @@ inline constexpr double kCascadeCorrelation = 0.99;
 
 /// Pairs of which the slave's setpoint moves at more than half of the times that both were sampled,
 /// and equals the master's output, scaled, within two of the coarser sample interval. Every slave
-/// has one master: the one of largest correlation. Loops without sp or op are left out. Sample
-/// intervals, starts and lengths may differ.
+/// has one master: the one of largest correlation. Loops without sp or op, with fewer than 64 moves
+/// of them or fewer than 64 times in common are left out. Sample intervals, starts and lengths may
+/// differ.
 [[nodiscard]] std::vector<CascadePair> find_cascade_pairs(std::span<const MemberLoop> loops);
 
 }  // namespace loopscope::core::plant

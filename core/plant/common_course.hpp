@@ -13,7 +13,7 @@ namespace loopscope::core::plant {
 /// One loop beside the common course of several.
 struct Follower {
   std::size_t index = 0;
-  double p = 1.0;         ///< Following::p against the course of the others
+  double p = 1.0;         ///< Following::p against the course of the others, or Synchrony::p
   double followed = 0.0;  ///< variance that follows the course of all, signal units squared
 };
 

@@ -4,7 +4,7 @@
 
 namespace loopscope::core::plant {
 
-/// One-sided p of Pearson's correlation of x and y (of equal length) being so large and positive,
+/// One-sided p of Pearson's correlation of x and y (finite, of equal length) so large and positive,
 /// were they independent and one of them white, by Student's t with n - 2 - `freedom_lost` degrees
 /// of freedom: those that went to what was fitted to x and y before. 1 with fewer than eight pairs
 /// or without variance.

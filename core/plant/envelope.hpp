@@ -22,7 +22,7 @@ inline constexpr double kEnvelopeStep = 1.0;
 struct Envelope {
   double frequency_hz = 0.0;  ///< that was taken off
   std::int64_t first = 0;     ///< number of the first point
-  /// z with error(t) = 2 Re(z(t) exp(2 pi i f t)); NaN where too little was recorded.
+  /// z, pv units, with error(t) = 2 Re(z(t) exp(2 pi i f t)); NaN where too little was recorded.
   std::vector<std::complex<double>> points;
 
   [[nodiscard]] double step_s() const { return kEnvelopeStep / frequency_hz; }

@@ -10,8 +10,8 @@ namespace loopscope::core::plant {
 
 /// One loop of an event.
 struct EventMember {
-  std::size_t index = 0;
-  double p = 1.0;         ///< Following::p against the course of the others
+  std::size_t index = 0;  ///< in the loops that were given
+  double p = 1.0;         ///< Follower::p against the course of the others
   double strength = 0.0;  ///< share of the error's variance in the oscillation, 0 to 1
 };
 
@@ -31,7 +31,8 @@ struct Event {
 /// 4. The line of all: loops of one process go together at rest as well, but over broad bands.
 ///    Their evidence for a line is added by Fisher's rule and has to be rarer than event_p as well.
 /// A line that lies in an event of its loop, or at a harmonic of it, begins no other one; events of
-/// one line that share most loops are one.
+/// one line that share most loops are one. Loops and settings are not checked here
+/// (find_shared_oscillations() does).
 [[nodiscard]] std::vector<Event> find_events(std::span<const MemberLoop> loops,
                                              const PlantSettings& settings);
 

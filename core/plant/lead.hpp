@@ -25,8 +25,8 @@ inline constexpr std::size_t kMostLeading = 8;
 [[nodiscard]] std::vector<Lead> find_leads(std::span<const MemberLoop> loops,
                                            std::span<const std::size_t> members, double period_s);
 
-/// What goes out of a loop and what comes in, over all pairs: (out - in) / (out + in) of `part`, -1
-/// to 1; 0 for one that was not compared.
+/// What goes out of a loop and what comes in, over all pairs: (out - in) / (out + in + 0.02) of
+/// `part`, within -1 to 1; 0 for one that was not compared.
 [[nodiscard]] double net_lead(std::span<const Lead> leads, std::size_t loop,
                               double Lead::*part = &Lead::gain);
 

@@ -45,9 +45,9 @@ struct MemberLoop {
   double sample_interval_s = 1.0;  ///< > 0
   std::int64_t start_us = 0;       ///< microseconds UTC since 1970
   std::span<const double> error;   ///< sp - pv, pv units
-  std::span<const double> sp;      ///< empty = not recorded
-  std::span<const double> pv;      ///< empty = not recorded
-  std::span<const double> op;      ///< empty = not recorded
+  std::span<const double> sp;      ///< pv units; empty = not recorded
+  std::span<const double> pv;      ///< pv units; empty = not recorded
+  std::span<const double> op;      ///< any unit; empty = not recorded
   LongerRecord longer;             ///< for the search of slow swings only
   OwnFindings own;
 };

@@ -8,7 +8,7 @@ namespace loopscope::core::plant {
 
 /// The periodogram of one record in a Hann window, its mean and slope taken off.
 struct Periodogram {
-  std::vector<double> power;  ///< of bin k; that of the mean, bin 0, is 0; empty = none
+  std::vector<double> power;  ///< |X|^2 of bin k, signal units squared; 0 at bin 0; empty = none
   double samples = 0.0;       ///< from the first to the last recorded one
   double stretch = 1.0;       ///< length of the transform by that: bin k is k / stretch cycles
 };

@@ -50,7 +50,7 @@ struct SourceCandidate {
 struct Lead {
   std::size_t from = 0;  ///< in the loops that were given
   std::size_t to = 0;    ///< likewise
-  double gain = 0.0;     ///< ln(error before / after) of the one-step forecast, >= 0
+  double gain = 0.0;     ///< ln(variance without / with it) of the one-step error, >= 0
   /// The same of what no other member tells as well; 0 = nothing, or too short a record to say.
   double direct = 0.0;
 };
@@ -97,7 +97,8 @@ struct PlantSettings {
 /// The second half of find_shared_oscillations: what find_events (event.hpp) found, explained. Only
 /// members are looked at more closely, so that sp, pv and op of the others need not be there; a
 /// member whose record holds too few periods has to be given with a longer one in its place.
-/// `cascades` = find_cascade_pairs of the records as they were sampled.
+/// `cascades` = find_cascade_pairs of the records as they were sampled. Throws as
+/// find_shared_oscillations does.
 [[nodiscard]] std::vector<SharedOscillation> explain_events(std::span<const Event> events,
                                                             std::span<const MemberLoop> loops,
                                                             std::span<const CascadePair> cascades,

@@ -20,8 +20,8 @@ struct SourceEvidence {
   double op_share = 0.0;         ///< of the output's variance in its line, 0 to 1
   double net_lead = 0.0;         ///< lead.hpp, -1 to 1
   double direct_lead = 0.0;      ///< net, of what goes by no other member; -1 to 1
-  double friction_p = 0.0;       ///< OwnFindings
-  double outside_p = 0.0;        ///< OwnFindings
+  double friction_p = 0.0;       ///< OwnFindings, a probability
+  double outside_p = 0.0;        ///< OwnFindings, a probability
   double cubic_evidence = 0.0;   ///< -ln p of f + f + f -> 3f in the error, at the period
   bool writes_setpoint = false;  ///< its output is another loop's setpoint: it moves no valve
 };

@@ -13,9 +13,9 @@ struct SourceOdds {
   double outside = 1.0;         ///< none of them
 };
 
-/// Conditional logit (McFadden 1974): every member and "none of them" have a score, linear in
-/// figures_of(), and the odds are the exponentials of the scores. The weights were fitted on
-/// simulated plants; others were scored (MEASURED.md).
+/// Conditional logit (McFadden 1974): every member and "none of them" have a score (log odds),
+/// linear in figures_of(), and the odds are the exponentials of the scores. The weights were fitted
+/// on simulated plants; others were scored (MEASURED.md).
 [[nodiscard]] SourceOdds rank_sources(std::span<const SourceEvidence> evidence);
 
 }  // namespace loopscope::core::plant

@@ -31,11 +31,12 @@ inline constexpr std::size_t kLineShapes = 7;
 /// cycle are seen. `error` may hold NaN: gaps are bridged.
 class LineSpectrum {
  public:
+  /// `sample_interval_s` > 0. Fewer than 256 samples, or constant ones, have no line.
   LineSpectrum(std::span<const double> error, double sample_interval_s);
 
-  /// Strongest first, none within a quarter of another's frequency. `largest_p` is that of a line
-  /// at a given place: bands() times as much is its p anywhere. Periods from kShortestPeriod
-  /// samples to 1 / kFewestPeriods of the record (envelope.hpp).
+  /// Most significant first, four at most, none within a quarter of another's frequency.
+  /// `largest_p` is that of a line at a given place: bands() times as much is its p anywhere.
+  /// Periods from kShortestPeriod samples to 1 / kFewestPeriods of the record (envelope.hpp).
   [[nodiscard]] std::vector<SpectralLine> lines(double largest_p) const;
   /// -ln p of a line of each width at this frequency, the number of bands left out; 0 where the
   /// record cannot show it.

@@ -10,8 +10,8 @@ namespace loopscope::core::plant {
 /// phase's steps and of the amplitude when their own past has been taken off.
 struct Increments {
   Envelope envelope;
-  std::vector<double> phase;      ///< white; NaN where unknown; entry k belongs to point k
-  std::vector<double> amplitude;  ///< likewise
+  std::vector<double> phase;      ///< radians, white; NaN where unknown; entry k is of point k
+  std::vector<double> amplitude;  ///< likewise, in the envelope's unit
 };
 [[nodiscard]] Increments measure_increments(Envelope envelope);
 
