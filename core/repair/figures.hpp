@@ -17,7 +17,8 @@ struct FigureKind {
   std::string_view name;    ///< "error_std", "valve_stiction.S", ...
   std::string_view family;  ///< of faults whose size it is; empty = it sizes none
   bool is_ratio = true;     ///< compared as a ratio, by logarithms; else as a difference
-  /// Ordinary standard deviation from window to window, of the logarithm where is_ratio.
+  /// Ordinary standard deviation from window to window, of the logarithm where is_ratio, else in
+  /// `unit`.
   double ordinary = 0.0;
   /// Ordinary standard deviation between two states of a loop that nobody touched, whatever the
   /// number of windows. Both were measured on simulated loops (storage/MEASURED.md).
@@ -45,9 +46,9 @@ struct FigureChange {
   std::optional<double> weight;
 };
 
-/// Every figure that at least one window has, by name. The scatter of both sides is pooled and
-/// drawn towards what is ordinary for the figure, as if that were known from four windows more (a
-/// moderated t, Smyth 2004), so that a single window has an interval too:
+/// Every figure that at least one window has (finite, and > 0 if a ratio), by name. The scatter of
+/// both sides is pooled and drawn towards what is ordinary for the figure, as if that were known
+/// from four windows more (a moderated t, Smyth 2004), so that a single window has an interval too:
 ///   scatter^2 = (4 (ordinary^2 + own^2) + Q) / f,        f = 4 + (n1 - 1) + (n2 - 1)
 ///   change +- t(95 %, f) sqrt(scatter^2 (1 / n1 + 1 / n2) + apart^2)
 /// with Q the squared deviations from the sides' means and `own` the figure's own standard error.

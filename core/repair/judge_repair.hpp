@@ -26,7 +26,7 @@ struct RepairJudgement {
   std::optional<StandingFault> fault_before, fault_after;
   std::vector<FigureChange> figures;  ///< by name
 
-  /// Variance of the error after over before, with its interval; nullopt = one side has none.
+  /// Variance of the error after over before, with its 90 % interval; nullopt = one side has none.
   [[nodiscard]] std::optional<Interval> variance_ratio() const;
 };
 

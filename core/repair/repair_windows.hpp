@@ -21,9 +21,9 @@ struct RepairWindow {
   double confidence = 0.0;                      ///< of the verdict, 0 to 1
   std::optional<double> error_std;              ///< pv units
   std::optional<double> error_log_variance_se;  ///< standard error of ln(error_std^2)
-  std::optional<double> harris;                 ///< Harris index, middle of the plausible delays
-  std::optional<double> ngi, nli;               ///< indices of the paper
-  std::optional<double> nonlinear_p;            ///< 0 to 1
+  std::optional<double> harris;       ///< Harris index, 0 to 1, middle of plausible delays
+  std::optional<double> ngi, nli;     ///< indices of the paper
+  std::optional<double> nonlinear_p;  ///< 0 to 1
   bool oscillating = false;
   std::optional<double> oscillation_amplitude;  ///< pv units
   std::optional<double> valve_travel_per_h;     ///< %/h

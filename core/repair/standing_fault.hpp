@@ -29,7 +29,7 @@ struct SideVerdict {
 /// is repaired, not tuned.
 [[nodiscard]] bool names_hardware(std::string_view family);
 
-/// Of the windows, those that name a fault of this family surely enough.
+/// How many windows name a fault of this family with `min_confidence` (0 to 1) or more.
 [[nodiscard]] std::size_t windows_naming(std::span<const RepairWindow> windows,
                                          std::string_view family, double min_confidence);
 
