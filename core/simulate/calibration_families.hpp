@@ -28,7 +28,7 @@ struct CalibrationFamily {
   std::function<std::vector<double>(std::size_t samples, std::uint64_t seed)> draw;
 };
 
-/// Every family: linear Gaussian (with gaps and short records), linear non-Gaussian, nonlinear.
+/// Every family: linear Gaussian (with gaps and short records), non-Gaussian, disturbed; nonlinear.
 /// Names are unique.
 [[nodiscard]] const std::vector<CalibrationFamily>& calibration_families();
 

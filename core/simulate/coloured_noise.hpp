@@ -21,8 +21,9 @@ struct AllPole {
 /// (samples, above 2), the longer in step the closer `radius` is to 1 (0 to below 1).
 [[nodiscard]] AllPole resonance(double period_samples, double radius);
 
-/// What the filter makes of innovations of variance 1: a linear process. 4000 samples run ahead of
-/// the record, so that a stable filter with poles up to 0.995 has forgotten where it started.
+/// What the filter makes of innovations of variance 1, in their unit: a linear process. 4000
+/// samples run ahead of the record, so that a stable filter with poles up to 0.995 has forgotten
+/// where it started.
 [[nodiscard]] std::vector<double> coloured_noise(const AllPole& filter, Innovation law,
                                                  std::size_t samples, std::uint64_t seed);
 

@@ -9,7 +9,10 @@
 namespace loopscope::core::simulate {
 
 /// The effects of one loop, sorted to the places where a signal meets them. Each function takes
-/// the signal's value and the time after the first recorded sample (negative before it).
+/// the signal's value and the time after the first recorded sample (negative before it), and keeps
+/// state: it is called once a sample, in order. Values go in and come out in % of op (valve, flow),
+/// % of flow from the operating point (process input, and a load that enters there), pv units from
+/// the operating point (process output, other loads) and pv units (measured).
 class EffectChain {
  public:
   /// Throws std::invalid_argument for an effect out of range.

@@ -11,8 +11,8 @@ namespace loopscope::core::simulate {
 [[nodiscard]] std::vector<double> with_gaps(std::vector<double> signal, double share,
                                             std::size_t blocks, std::uint64_t seed);
 
-/// `signal` with `count` samples missing at random places (a place may be drawn twice): what is
-/// left of a record after spikes were found and taken out.
+/// `signal` (not empty) with `count` samples missing at random places (a place may be drawn twice):
+/// what is left of a record after spikes were found and taken out.
 [[nodiscard]] std::vector<double> with_masked_spikes(std::vector<double> signal, std::size_t count,
                                                      std::uint64_t seed);
 

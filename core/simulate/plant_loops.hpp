@@ -5,8 +5,8 @@
 namespace loopscope::core::simulate {
 
 /// Loops as plants have them, for demonstrations and tests. Their loads wander within bounds and
-/// their transmitters are noisy; the paper's are neither. Each function returns one record length
-/// of `samples` at the given interval in seconds.
+/// their transmitters are noisy; the paper's are neither. Each function returns the settings for a
+/// record of `samples` (>= 1) at an interval > 0, which simulate_loop() checks.
 struct Recording {
   std::size_t samples = 4096;
   double sample_interval_s = 1.0;

@@ -21,6 +21,7 @@ void check(const ProcessNonlinearity& nonlinearity);
 /// Throws std::invalid_argument for figures outside their ranges.
 void check(const GainChange& change);
 
+/// pv units from the operating point.
 [[nodiscard]] double curved_answer(const ProcessNonlinearity& nonlinearity, double answer);
 
 /// The factor on the process gain at `time_s` after the first recorded sample.

@@ -24,6 +24,7 @@ class HoldingSensor {
   /// Throws as check().
   explicit HoldingSensor(const SensorHold& hold);
 
+  /// What is recorded at the next sample, in pv's unit.
   double next(double pv);
 
  private:
