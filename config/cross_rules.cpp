@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "config/check_historian.hpp"
+#include "config/historian_rules.hpp"
 #include "config/host_name.hpp"
 #include "config/http_address.hpp"
 #include "config/number_text.hpp"

@@ -9,7 +9,7 @@ namespace loopscope::config {
 namespace {
 
 template <auto member>
-Slot in_historian(Settings& settings, std::size_t index) {
+SettingTarget in_historian(Settings& settings, std::size_t index) {
   return &(settings.historians.at(index).*member);
 }
 

@@ -117,7 +117,7 @@ class TreeReader {
 };
 
 void require(const Setting& setting, Settings& settings, std::size_t index, ProblemList& problems) {
-  const Slot slot = setting.slot(settings, index);
+  const SettingTarget slot = setting.slot(settings, index);
   const auto* const* text = std::get_if<std::string*>(&slot);
   if (text == nullptr || !(*text)->empty() || may_be_empty(setting.limits.form)) return;
   std::string path(setting.path);

@@ -37,8 +37,8 @@ std::string complaint_about(double number, const Limits& limits, bool whole) {
   return {};
 }
 
-void read_number(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
-                 ProblemList& problems) {
+void read_number(const Json& value, const std::string& path, const Limits& limits,
+                 const SettingTarget& slot, ProblemList& problems) {
   const bool whole = takes_whole_numbers(slot);
   if (!value.is_number()) {
     problems.add(
@@ -87,8 +87,8 @@ std::optional<Problem> refuse_text(const std::string& text, const std::string& p
   return std::nullopt;
 }
 
-void read_text(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
-               ProblemList& problems) {
+void read_text(const Json& value, const std::string& path, const Limits& limits,
+               const SettingTarget& slot, ProblemList& problems) {
   if (!value.is_string()) {
     const bool choice = limits.form == Form::choice;
     problems.add(wrong_kind(value, path, (choice ? "one of " : "a ") + limits_text(limits)));
@@ -101,8 +101,8 @@ void read_text(const Json& value, const std::string& path, const Limits& limits,
     store_text(slot, text);
 }
 
-void read_switch(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
-                 ProblemList& problems) {
+void read_switch(const Json& value, const std::string& path, const Limits& limits,
+                 const SettingTarget& slot, ProblemList& problems) {
   if (value.is_boolean()) {
     store_switch(slot, value.get<bool>());
     return;
@@ -138,8 +138,8 @@ std::optional<Problem> refuse_element(const std::string& text, const std::string
   return std::nullopt;
 }
 
-void read_list(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
-               ProblemList& problems) {
+void read_list(const Json& value, const std::string& path, const Limits& limits,
+               const SettingTarget& slot, ProblemList& problems) {
   if (!value.is_array()) {
     problems.add({path, "is " + kind_of(value) + ", not a " + limits_text(limits),
                   "put it into brackets: [ ... ]"});
@@ -162,8 +162,8 @@ void read_list(const Json& value, const std::string& path, const Limits& limits,
 
 }  // namespace
 
-void read_value(const Json& value, const std::string& path, const Limits& limits, const Slot& slot,
-                ProblemList& problems) {
+void read_value(const Json& value, const std::string& path, const Limits& limits,
+                const SettingTarget& slot, ProblemList& problems) {
   if (limits.form == Form::number)
     read_number(value, path, limits, slot, problems);
   else if (limits.form == Form::toggle)

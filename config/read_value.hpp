@@ -5,7 +5,7 @@
 
 #include "config/limits.hpp"
 #include "config/problem_list.hpp"
-#include "config/slot.hpp"
+#include "config/setting_target.hpp"
 
 namespace loopscope::config {
 
@@ -13,7 +13,7 @@ namespace loopscope::config {
 /// leaves the slot alone and becomes a problem at `path`. A number is whole by its value, not by
 /// its spelling: 64, 64.0 and 6.4e1 are the same setting.
 void read_value(const nlohmann::ordered_json& value, const std::string& path, const Limits& limits,
-                const Slot& slot, ProblemList& problems);
+                const SettingTarget& slot, ProblemList& problems);
 
 /// "an object", "a number", ...: what a JSON value is, in a sentence.
 [[nodiscard]] std::string kind_of(const nlohmann::ordered_json& value);

@@ -21,7 +21,7 @@ namespace bounds = core::hos::bounds;
 
 /// The slot that is reached from Settings over a chain of members.
 template <auto... members>
-Slot at(Settings& settings, std::size_t) {
+SettingTarget at(Settings& settings, std::size_t) {
   return &(settings.*....*members);
 }
 

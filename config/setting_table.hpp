@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "config/limits.hpp"
+#include "config/setting_target.hpp"
 #include "config/settings.hpp"
-#include "config/slot.hpp"
 
 namespace loopscope::config {
 
@@ -15,7 +15,7 @@ namespace loopscope::config {
 struct Setting {
   std::string_view path;  ///< JSON path; "*" stands for the index into an array
   /// The place in `settings`; `index` says which element where the path has a "*".
-  Slot (*slot)(Settings& settings, std::size_t index);
+  SettingTarget (*slot)(Settings& settings, std::size_t index);
   Limits limits;
   std::string_view meaning;
 };

@@ -1,8 +1,8 @@
 #include "storage/session_setup.hpp"
 
-#include "storage/ask_aside.hpp"
 #include "storage/error.hpp"
 #include "storage/lost_session.hpp"
+#include "storage/query_once.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -67,7 +67,7 @@ int ask_process(const AskRow& ask) {
 /// to another one. Among many busy clients both may be missed; the check is not.
 int kept_process(const ConnectionSettings& settings, const AskRow& ask) {
   const int process = ask_process(ask);
-  const auto of_another_client = ask_aside(settings, kProcess.sql);
+  const auto of_another_client = query_once(settings, kProcess.sql);
   if (of_another_client == std::to_string(process)) {
     throw lends_sessions("another client was given the same session meanwhile, " +
                          describe_target(settings));
@@ -110,12 +110,12 @@ void cancel_statement(const ConnectionSettings& settings, int process) {
   if (process == 0) return;
   // Of several hosts this may be another one, where the number is somebody else's: the name is not.
   static_cast<void>(
-      ask_aside(settings,
-                "SELECT pg_catalog.pg_cancel_backend(pid) FROM pg_catalog.pg_stat_activity"
-                " WHERE pid OPERATOR(pg_catalog.=) " +
-                    std::to_string(process) +
-                    " AND application_name OPERATOR(pg_catalog.=)"
-                    " pg_catalog.current_setting('application_name')"));
+      query_once(settings,
+                 "SELECT pg_catalog.pg_cancel_backend(pid) FROM pg_catalog.pg_stat_activity"
+                 " WHERE pid OPERATOR(pg_catalog.=) " +
+                     std::to_string(process) +
+                     " AND application_name OPERATOR(pg_catalog.=)"
+                     " pg_catalog.current_setting('application_name')"));
 }
 
 }  // namespace loopscope::storage

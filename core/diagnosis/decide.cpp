@@ -35,7 +35,7 @@ bool may_be_named(const WeighedCause& cause, const Circumstances& circumstances)
 /// op at a limit of its range, at rest at an end of its travel, or held there by the model.
 bool sees_limit(const Evidence& evidence) {
   if (evidence.data_quality.saturated_fraction.value_or(0.0) > 0.0) return true;
-  if (evidence.op_rest && evidence.op_rest->share > 0.0) return true;
+  if (evidence.op_at_ends && evidence.op_at_ends->share > 0.0) return true;
   return evidence.model && std::ranges::any_of(evidence.model->steps, [](const model::Step& step) {
            return step.effect == model::EffectKind::valve_saturation;
          });

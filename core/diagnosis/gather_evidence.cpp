@@ -122,8 +122,8 @@ void measure_cycle(const signal::PreparedLoop& loop, const LoopFacts& facts, Evi
   model::CycleCause cycle =
       model::judge_limit_cycle(loop.pv, loop.op_percent, loop.sp, facts.without);
   if (!(cycle.evidence.cycles > 0.0)) return;
-  evidence.rests = loop::measure_rests(loop.pv, loop.op_percent, cycle.evidence.period_samples,
-                                       evidence.integrating);
+  evidence.pv_plateaus = loop::measure_pv_plateaus(
+      loop.pv, loop.op_percent, cycle.evidence.period_samples, evidence.integrating);
   evidence.cycle_travel = travel_in_cycle(loop, cycle.evidence.period_samples);
   evidence.cycle = std::move(cycle);
 }
@@ -133,7 +133,7 @@ void measure_shapes(const FirstLook& first, const LoopFacts& facts, Evidence& ev
   evidence.shape = loop::measure_shape({loop.error, loop.pv, loop.op_percent, loop.mv_percent,
                                         first.period_samples(), evidence.integrating});
   evidence.valve_gain = loop::measure_valve_gain(loop.pv, loop.op_percent, facts.pv_span);
-  evidence.op_rest = loop::measure_op_rest(loop.op_percent);
+  evidence.op_at_ends = loop::measure_op_at_ends(loop.op_percent);
   measure_cycle(loop, facts, evidence);
   if (loop.op_moves) evidence.travel = model::judge_slow_travel(loop.pv, loop.op_percent);
 }

@@ -69,9 +69,10 @@ std::string unaccounted_text(const model::Explanation& model) {
 
 std::string end_of_travel_text(const Evidence& evidence) {
   std::string at_limit = output_at_limit_text(evidence);
-  if (!at_limit.empty() || !evidence.op_rest || evidence.op_rest->share <= 0.0) return at_limit;
+  if (!at_limit.empty() || !evidence.op_at_ends || evidence.op_at_ends->share <= 0.0)
+    return at_limit;
   return "The controller output rests at an end of its travel in " +
-         percent(evidence.op_rest->share) + " of the samples.";
+         percent(evidence.op_at_ends->share) + " of the samples.";
 }
 
 /// Of a verdict that no step of the model speaks for.

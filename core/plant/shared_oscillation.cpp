@@ -8,11 +8,11 @@
 
 #include "core/plant/cascade.hpp"
 #include "core/plant/event.hpp"
+#include "core/plant/event_statement.hpp"
 #include "core/plant/following.hpp"
 #include "core/plant/lead.hpp"
 #include "core/plant/roles.hpp"
 #include "core/plant/source_ranking.hpp"
-#include "core/plant/statement.hpp"
 
 namespace loopscope::core::plant {
 namespace {

@@ -34,7 +34,7 @@ AnalysisWorker::AnalysisWorker(std::shared_ptr<const config::Settings> settings,
       tools_(tools),
       progress_(tools.progress.entry()),
       driver_([this] { progress_.step(); }),
-      results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.stop, tools.floors),
+      results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.stop, tools.watermarks),
       reader_(settings_, settings_json_, slot_rule, tools, progress_, results_, driver_) {}
 
 template <typename Claim>

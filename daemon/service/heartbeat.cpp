@@ -55,7 +55,7 @@ double Heartbeat::beat() {
   }
   if (settings != linked_with_) {
     link_.emplace(settings, tools_.faults, tools_.metrics, tools_.clocks, tools_.stop,
-                  tools_.floors);
+                  tools_.watermarks);
     linked_with_ = settings;
     pause_ = RetryPause(settings->schedule.poll_s);
   }

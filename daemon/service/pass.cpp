@@ -38,7 +38,7 @@ class Pass {
 
   PassResult run() {
     ResultsLink results(settings_, tools_.faults, tools_.metrics, tools_.clocks, tools_.stop,
-                        tools_.floors);
+                        tools_.watermarks);
     if (const auto refusal = compare_clocks(*settings_, tools_, results)) throw *refusal;
     result_.enabled = results.with(
         [](storage::ResultsDatabase& database) { return database.count_enabled_loops(); });

@@ -138,7 +138,7 @@ void ServiceWatch::run(const std::stop_token& stop) {
     if (linked_with != now_in_force) {
       linked_with = now_in_force;
       link.emplace(linked_with, tools_.faults, tools_.metrics, tools_.clocks, tools_.stop,
-                   tools_.floors);
+                   tools_.watermarks);
     }
     look(*link, *linked_with);
     std::unique_lock lock(mutex_);

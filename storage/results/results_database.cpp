@@ -80,8 +80,8 @@ const Statement kCountEnabled{"count_enabled_loops",
 
 struct ResultsDatabase::Impl {
   Impl(const ConnectionSettings& settings, ClockCheck clock_check,
-       std::shared_ptr<ClaimFloors> shared_floors)
-      : session(settings), check(std::move(clock_check)), floors(std::move(shared_floors)) {
+       std::shared_ptr<ClaimWatermarks> shared_watermarks)
+      : session(settings), check(std::move(clock_check)), watermarks(std::move(shared_watermarks)) {
     require_schema_version(session);
   }
   template <typename Work>
@@ -90,12 +90,12 @@ struct ResultsDatabase::Impl {
   }
   Session session;
   ClockCheck check;
-  std::shared_ptr<ClaimFloors> floors;
+  std::shared_ptr<ClaimWatermarks> watermarks;
 };
 
 ResultsDatabase::ResultsDatabase(const ConnectionSettings& settings, ClockCheck check,
-                                 std::shared_ptr<ClaimFloors> floors)
-    : impl_(std::make_unique<Impl>(settings, std::move(check), std::move(floors))) {}
+                                 std::shared_ptr<ClaimWatermarks> watermarks)
+    : impl_(std::make_unique<Impl>(settings, std::move(check), std::move(watermarks))) {}
 ResultsDatabase::~ResultsDatabase() = default;
 ResultsDatabase::ResultsDatabase(ResultsDatabase&&) noexcept = default;
 ResultsDatabase& ResultsDatabase::operator=(ResultsDatabase&&) noexcept = default;
@@ -104,11 +104,11 @@ std::vector<ClaimedLoop> ResultsDatabase::claim_due(const std::string& owner, do
                                                     int limit,
                                                     const std::vector<std::string>& but_of) {
   return storage::claim_due(impl_->session, impl_->check, {owner, lease_s, limit, but_of},
-                            impl_->floors->of(but_of));
+                            impl_->watermarks->of(but_of));
 }
 
 void ResultsDatabase::look_back(const std::vector<std::string>& but_of) {
-  storage::look_back(impl_->session, but_of, impl_->floors->of(but_of));
+  storage::look_back(impl_->session, but_of, impl_->watermarks->of(but_of));
 }
 
 std::vector<ClaimedLoop> ResultsDatabase::claim_suspect(const std::string& owner, double lease_s) {
@@ -178,11 +178,11 @@ void ResultsDatabase::see_worker(const WorkerSign& sign) {
 }
 
 std::optional<double> ResultsDatabase::next_due_in_s(double within_s) {
-  const DuePlace floor = impl_->floors->of({}).place().value_or(kBeforeAll);
+  const DuePlace watermark = impl_->watermarks->of({}).place().value_or(kBeforeAll);
   return impl_->session.transact([&](Transaction& transaction) -> std::optional<double> {
-    const pqxx::result rows = transaction.run(
-        kNextDue,
-        {std::to_string(floor.due_us), std::to_string(floor.loop_id), number_text(within_s)});
+    const pqxx::result rows =
+        transaction.run(kNextDue, {std::to_string(watermark.due_us),
+                                   std::to_string(watermark.loop_id), number_text(within_s)});
     if (rows.empty()) return std::nullopt;
     return rows[0]["due_in_s"].as<double>();
   });
@@ -204,7 +204,7 @@ AcceptedClocks ResultsDatabase::accepted_clocks() {
 
 ScheduleHealth ResultsDatabase::schedule_health() {
   return storage::schedule_health(impl_->session,
-                                  impl_->floors->of({}).place().value_or(kBeforeAll));
+                                  impl_->watermarks->of({}).place().value_or(kBeforeAll));
 }
 
 void ResultsDatabase::set_parameter(const std::string& name, double value) {

@@ -13,7 +13,7 @@
 #include "storage/connection_settings.hpp"
 #include "storage/error.hpp"
 #include "storage/loop_work.hpp"
-#include "storage/results/leases/claim_floor.hpp"
+#include "storage/results/leases/claim_watermark.hpp"
 #include "storage/results/leases/schedule_health.hpp"
 #include "storage/server_clock.hpp"
 #include "storage/stage_cost.hpp"
@@ -28,9 +28,10 @@ class ResultsDatabase {
   /// Connects and checks that the schema has the version this program was built for. Whatever
   /// claims or writes asks `check` first and does nothing where that throws; an empty one lets
   /// everything pass.
-  /// `floors` are shared by the connections of a process (claim_floor.hpp).
-  explicit ResultsDatabase(const ConnectionSettings& settings, ClockCheck check = {},
-                           std::shared_ptr<ClaimFloors> floors = std::make_shared<ClaimFloors>());
+  /// `watermarks` are shared by the connections of a process (claim_watermark.hpp).
+  explicit ResultsDatabase(
+      const ConnectionSettings& settings, ClockCheck check = {},
+      std::shared_ptr<ClaimWatermarks> watermarks = std::make_shared<ClaimWatermarks>());
   ~ResultsDatabase();
   ResultsDatabase(ResultsDatabase&&) noexcept;
   ResultsDatabase& operator=(ResultsDatabase&&) noexcept;
@@ -72,8 +73,8 @@ class ResultsDatabase {
   std::vector<ClaimKey> extend(std::span<const ClaimedLoop> claimed, double lease_s);
   /// Notes that the process is at work (table loopscope.worker).
   void see_worker(const WorkerSign& sign);
-  /// Looks for loops that are due and that the next claims would pass over (claim_floor.hpp), as
-  /// every claim does that finds nothing.
+  /// Looks for loops that are due and that the next claims would pass over (claim_watermark.hpp),
+  /// as every claim does that finds nothing.
   void look_back(const std::vector<std::string>& but_of = {});
   /// Seconds until the next enabled loop is due, or the lease of one that is held ends; negative =
   /// overdue; nullopt = there is none within `within_s` seconds.

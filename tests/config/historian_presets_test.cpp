@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <stdexcept>
 
-#include "config/check_historian.hpp"
+#include "config/historian_rules.hpp"
 #include "config/problem_list.hpp"
 #include "config/read_settings.hpp"
 #include "tests/config/settings_text.hpp"

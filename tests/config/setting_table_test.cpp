@@ -59,7 +59,7 @@ TEST(SettingTable, DefaultsAreWithinTheirLimitsOrRequired) {
   Settings settings;
   settings.historians.resize(1);
   for (const Setting& setting : setting_table()) {
-    const Slot slot = setting.slot(settings, 0);
+    const SettingTarget slot = setting.slot(settings, 0);
     ProblemList problems;
     read_value(slot_value(slot), std::string(setting.path), setting.limits, slot, problems);
     if (setting.limits.form == Form::connection)

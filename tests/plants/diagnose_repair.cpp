@@ -19,11 +19,12 @@ std::int64_t in_us(double seconds) {
 
 storage::AnalysisRecord analyse(const storage::CatalogueEntry& loop, const effects::Series& series,
                                 double interval_s, std::int64_t start_us) {
-  daemon::LoopInput input;
-  input.at_slot.window = effects::window_of(series, interval_s, start_us);
-  input.at_slot.slot_end_us =
-      start_us + in_us(interval_s * static_cast<double>(series.pv.size() - 1));
-  return daemon::analyse_window(loop, input, {}, "{}");
+  daemon::LoopWindowAtSlot at_slot;
+  at_slot.window = effects::window_of(series, interval_s, start_us);
+  at_slot.slot_end_us = start_us + in_us(interval_s * static_cast<double>(series.pv.size() - 1));
+  daemon::StageDriver driver;
+  return daemon::analyse_window(loop, daemon::prepare_input(std::move(at_slot), {}), {}, "{}",
+                                driver);
 }
 
 storage::CatalogueEntry entry_of(const Repair& repair, const std::string& name) {

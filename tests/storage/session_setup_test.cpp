@@ -4,11 +4,11 @@
 #include <memory>
 #include <optional>
 
-#include "storage/ask_aside.hpp"
 #include "storage/check_connection.hpp"
 #include "storage/error.hpp"
 #include "storage/historian/check_historian.hpp"
 #include "storage/historian/pq_connection.hpp"
+#include "storage/query_once.hpp"
 #include "storage/results/schema/check_results.hpp"
 #include "storage/results/session/session.hpp"
 #include "tests/storage/running_statement.hpp"
@@ -109,7 +109,7 @@ TEST_F(SessionSetupTest, TheUsersOwnSettingsArriveToo) {
 TEST_F(SessionSetupTest, WhatOneClientSetsTheNextDoesNotFind) {
   start("session", "default_pool_size = 1\n");
   { const Session session(settings()); }
-  EXPECT_EQ(ask_aside(settings(), "SHOW statement_timeout"), "0");
+  EXPECT_EQ(query_once(settings(), "SHOW statement_timeout"), "0");
 }
 
 TEST_F(SessionSetupTest, AFullPoolInSessionModeIsNoReasonToRefuse) {
@@ -123,8 +123,8 @@ TEST_F(SessionSetupTest, TransactionModeIsRefused) {
   start("transaction");
   expect_refused("another client was given the same session");
   // Nothing is left behind in the sessions of others.
-  EXPECT_EQ(ask_aside(settings(), "SHOW statement_timeout"), "0");
-  EXPECT_EQ(ask_aside(settings(), "SHOW default_transaction_read_only"), "off");
+  EXPECT_EQ(query_once(settings(), "SHOW statement_timeout"), "0");
+  EXPECT_EQ(query_once(settings(), "SHOW default_transaction_read_only"), "off");
 }
 
 TEST_F(SessionSetupTest, TransactionModeThatSwallowsWhatIsSetAtTheStartIsRefused) {

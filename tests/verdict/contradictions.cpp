@@ -100,7 +100,7 @@ constexpr std::array kAll = {
                   },
                   [](Evidence& e, Verdict& v) {
                     e.data_quality.saturated_fraction = 0.0;
-                    e.op_rest.reset();
+                    e.op_at_ends.reset();
                     e.model.reset();
                     v.code = Code::valve_saturation;
                   }},

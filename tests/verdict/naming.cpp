@@ -28,7 +28,7 @@ bool has_step(const core::Evidence& evidence, core::model::EffectKind effect) {
 
 bool is_at_no_limit(const core::Evidence& evidence) {
   return evidence.data_quality.saturated_fraction.value_or(0.0) == 0.0 &&
-         (!evidence.op_rest || evidence.op_rest->share == 0.0) &&
+         (!evidence.op_at_ends || evidence.op_at_ends->share == 0.0) &&
          !has_step(evidence, core::model::EffectKind::valve_saturation);
 }
 

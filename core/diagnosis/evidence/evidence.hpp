@@ -7,10 +7,10 @@
 
 #include "core/hos/analyse.hpp"
 #include "core/hos/slow_look.hpp"
-#include "core/loop/op_rest.hpp"
+#include "core/loop/op_at_ends.hpp"
 #include "core/loop/oscillation.hpp"
 #include "core/loop/performance.hpp"
-#include "core/loop/rests.hpp"
+#include "core/loop/pv_plateaus.hpp"
 #include "core/loop/shape.hpp"
 #include "core/loop/valve_gain.hpp"
 #include "core/model/limit_cycle/limit_cycle_cause.hpp"
@@ -56,8 +56,8 @@ struct Evidence {
   /// The same on means over a slow cycle's hundred-and-twenty-eighths; nullopt where the cycle is
   /// faster or there is none.
   std::optional<model::SlowTravel> cycle_travel;
-  std::optional<loop::Rests> rests;     ///< of pv while op travels, in that cycle
-  std::optional<loop::OpRest> op_rest;  ///< at the ends of what op covers
+  std::optional<loop::PvPlateaus> pv_plateaus;  ///< of pv while op travels, in that cycle
+  std::optional<loop::OpAtEnds> op_at_ends;     ///< at the ends of what op covers
   /// The same statistics on data resampled to fit a slow oscillation; nullopt when none is needed
   /// or too little is recorded.
   std::optional<hos::SlowLook> hos_slow;

@@ -41,15 +41,15 @@ Value travel_figure(const Evidence& evidence) {
 }
 
 template <auto member>
-Value rests_figure(const Evidence& evidence) {
-  if (!evidence.rests) return std::nullopt;
-  return (*evidence.rests).*member;
+Value plateau_figure(const Evidence& evidence) {
+  if (!evidence.pv_plateaus) return std::nullopt;
+  return (*evidence.pv_plateaus).*member;
 }
 
 template <auto member>
-Value op_rest(const Evidence& evidence) {
-  if (!evidence.op_rest) return std::nullopt;
-  return (*evidence.op_rest).*member;
+Value op_at_ends(const Evidence& evidence) {
+  if (!evidence.op_at_ends) return std::nullopt;
+  return (*evidence.op_at_ends).*member;
 }
 
 constexpr std::array kShapeFigures = {
@@ -77,15 +77,15 @@ constexpr std::array kShapeFigures = {
     Figure{"travel.linear", "share of pv that follows op's slow travel", Scale::share,
            travel_figure<&model::SlowTravel::linear_share>},
     Figure{"rests.kurtosis", "kurtosis of pv's moves within the cycle, 1.5 sine", Scale::plain,
-           rests_figure<&loop::Rests::move_kurtosis>},
+           plateau_figure<&loop::PvPlateaus::move_kurtosis>},
     Figure{"rests.time", "time in which pv rests within the cycle", Scale::share,
-           rests_figure<&loop::Rests::time_share>},
+           plateau_figure<&loop::PvPlateaus::time_share>},
     Figure{"rests.op_travel", "share of op's travel while pv rests", Scale::share,
-           rests_figure<&loop::Rests::op_travel_share>},
+           plateau_figure<&loop::PvPlateaus::op_travel_share>},
     Figure{"op.rest", "time of op at rest at an end of its travel", Scale::share,
-           op_rest<&loop::OpRest::share>},
+           op_at_ends<&loop::OpAtEnds::share>},
     Figure{"op.rest_visits", "rests of op at the same end of its travel", Scale::plain,
-           op_rest<&loop::OpRest::visits>},
+           op_at_ends<&loop::OpAtEnds::visits>},
 };
 
 }  // namespace

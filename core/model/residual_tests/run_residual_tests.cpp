@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/model/effects/effect_catalogue.hpp"
-#include "core/model/record/op_direction.hpp"
+#include "core/model/record/move_direction.hpp"
 #include "core/model/residual_tests/statistics/residual_context.hpp"
 #include "core/model/residual_tests/tests/coupling.hpp"
 #include "core/model/residual_tests/tests/op_direction.hpp"
@@ -100,7 +100,7 @@ std::vector<double> response_of(const LoopData& data, const Fit& fit) {
 std::vector<TestOutcome> run_residual_tests(const ModelInput& input, const LoopData& data,
                                             const Fit& fit) {
   const std::vector<double> residual = residual_of(data, fit);
-  const std::vector<double> direction = op_direction(input.op);
+  const std::vector<double> direction = move_direction(input.op);
   const std::vector<double> response = response_of(data, fit);
   const std::vector<double> undisturbed = undisturbed_pv(input, data, fit);
   return test_residual(

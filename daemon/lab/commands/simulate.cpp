@@ -11,7 +11,7 @@
 #include "core/simulate/scenario.hpp"
 #include "daemon/lab/commands/commands.hpp"
 #include "daemon/lab/simulate/effect_text.hpp"
-#include "daemon/lab/simulate/number_text.hpp"
+#include "daemon/lab/simulate/parse_numbers.hpp"
 #include "daemon/lab/simulate/record_csv.hpp"
 #include "daemon/output/output_file.hpp"
 #include "daemon/text/failure.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "daemon/report/figures/envelope.hpp"
+#include "daemon/report/figures/min_max_envelope.hpp"
 
 namespace loopscope::daemon {
 

@@ -9,7 +9,7 @@ namespace loopscope::daemon {
 
 storage::ResultsDatabase& ResultsLink::database() {
   if (database_) return *database_;
-  storage::ResultsDatabase fresh(results_connection(*settings_), clocks_.check(), floors_);
+  storage::ResultsDatabase fresh(results_connection(*settings_), clocks_.check(), watermarks_);
   // The views flag loops by these; they follow the settings of the worker that connected last.
   const config::FlagSettings& flags = settings_->flags;
   fresh.set_parameter("list_false_share", flags.list_false_share);

@@ -25,13 +25,13 @@ class ResultsLink {
  public:
   ResultsLink(std::shared_ptr<const config::Settings> settings, FaultLog& faults, Metrics& metrics,
               KnownClocks& clocks, std::stop_token stop,
-              std::shared_ptr<storage::ClaimFloors> floors)
+              std::shared_ptr<storage::ClaimWatermarks> watermarks)
       : settings_(std::move(settings)),
         faults_(faults),
         metrics_(metrics),
         clocks_(clocks),
         stop_(std::move(stop)),
-        floors_(std::move(floors)) {}
+        watermarks_(std::move(watermarks)) {}
   ~ResultsLink() { faults_.leave(kSubject, this); }
   ResultsLink(const ResultsLink&) = delete;
   ResultsLink& operator=(const ResultsLink&) = delete;
@@ -98,7 +98,7 @@ class ResultsLink {
   Metrics& metrics_;
   KnownClocks& clocks_;
   std::stop_token stop_;
-  std::shared_ptr<storage::ClaimFloors> floors_;
+  std::shared_ptr<storage::ClaimWatermarks> watermarks_;
   std::optional<storage::ResultsDatabase> database_;
 };
 

@@ -13,7 +13,7 @@
 #include "daemon/service/shared/results_link.hpp"
 #include "daemon/service/threads/core_gate.hpp"
 #include "daemon/service/threads/progress_board.hpp"
-#include "storage/results/leases/claim_floor.hpp"
+#include "storage/results/leases/claim_watermark.hpp"
 
 namespace loopscope::daemon {
 
@@ -33,7 +33,8 @@ struct SharedServices {
   CoreGate cores;
   KnownClocks clocks;
   ProgressBoard progress;
-  const std::shared_ptr<storage::ClaimFloors> floors = std::make_shared<storage::ClaimFloors>();
+  const std::shared_ptr<storage::ClaimWatermarks> watermarks =
+      std::make_shared<storage::ClaimWatermarks>();
   /// Held by the one worker that works on a suspect: two that kill the process cannot be told
   /// apart.
   std::mutex suspect_turn;

@@ -51,8 +51,8 @@ namespace {
 // workers, and is left out of the batches.
 #define LOOPSCOPE_SUSPECT "due.lost_leases + (due.owner IS NOT NULL)::integer >= 3"
 
-// Behind the place that the floor names (claim_floor.hpp); said twice, because the planner expects
-// a third of the table of a comparison of rows, and few of one of times.
+// Behind the place that the watermark names (claim_watermark.hpp); said twice, because the planner
+// expects a third of the table of a comparison of rows, and few of one of times.
 #define LOOPSCOPE_CLAIM_DUE(AND_MORE) \
   LOOPSCOPE_CLAIM(                                                                              \
       "FROM loopscope.schedule AS due "                                                         \
@@ -167,14 +167,14 @@ DuePlace read_place(const pqxx::row& row) {
 
 /// What a claim has taken, and how far everything is taken now.
 struct Found {
-  ClaimFloor::Start start;
+  ClaimWatermark::Start start;
   std::vector<ClaimedLoop> loops;
   DuePlace last;
 };
 
-Found claim_from_floor(Transaction& transaction, std::int64_t now_us, const DueClaim& claim,
-                       ClaimFloor& floor) {
-  const ClaimFloor::Start start = floor.start(now_us);
+Found claim_from_watermark(Transaction& transaction, std::int64_t now_us, const DueClaim& claim,
+                           ClaimWatermark& watermark) {
+  const ClaimWatermark::Start start = watermark.start(now_us);
   Found found{start, {}, start.place};
   std::vector<std::string> parameters{
       make_storable(claim.owner), number_text(claim.lease_s), std::to_string(claim.limit),
@@ -198,13 +198,13 @@ struct Look {
 };
 
 /// Seconds that the slice took.
-double look_through(Transaction& transaction, const std::string& but_of, ClaimFloor& floor,
-                    const ClaimFloor::Slice& slice, Look& look) {
+double look_through(Transaction& transaction, const std::string& but_of, ClaimWatermark& watermark,
+                    const ClaimWatermark::Slice& slice, Look& look) {
   const pqxx::row row =
       transaction.run(kOldestDue, {std::to_string(slice.from_us), std::to_string(slice.to.due_us),
                                    std::to_string(slice.to.loop_id), but_of})[0];
   if (!row["loop_id"].is_null()) {
-    floor.lower(read_place(row));
+    watermark.lower(read_place(row));
     look.found = true;
   }
   const auto took_s = row["took_s"].as<double>();
@@ -215,18 +215,18 @@ double look_through(Transaction& transaction, const std::string& but_of, ClaimFl
 }  // namespace
 
 std::vector<ClaimedLoop> claim_due(Session& session, const ClockCheck& check, const DueClaim& claim,
-                                   ClaimFloor& floor) {
+                                   ClaimWatermark& watermark) {
   const auto once = [&] {
     Found found = session.transact([&](Transaction& transaction) {
       const std::int64_t now_us = checked_clock(transaction, check).now_us;
-      return claim_from_floor(transaction, now_us, claim, floor);
+      return claim_from_watermark(transaction, now_us, claim, watermark);
     });
-    floor.passed(found.start, found.last);  // not before the claim is committed
+    watermark.passed(found.start, found.last);  // not before the claim is committed
     return std::move(found.loops);
   };
-  if (!floor.place()) look_back(session, claim.but_of, floor);
+  if (!watermark.place()) look_back(session, claim.but_of, watermark);
   std::vector<ClaimedLoop> claimed = once();
-  if (claimed.empty() && look_back(session, claim.but_of, floor)) claimed = once();
+  if (claimed.empty() && look_back(session, claim.but_of, watermark)) claimed = once();
   return claimed;
 }
 
@@ -248,20 +248,22 @@ std::vector<ClaimedLoop> claim_next(Session& session, const ClockCheck& check,
   }));
 }
 
-bool look_back(Session& session, const std::vector<std::string>& but_of, ClaimFloor& floor) {
-  const bool is_first = !floor.place();
+bool look_back(Session& session, const std::vector<std::string>& but_of,
+               ClaimWatermark& watermark) {
+  const bool is_first = !watermark.place();
   const double patience_s = is_first ? kFirstPatience_s : kPatience_s;
   const std::string sources = text_of(but_of);
   Look look;
   session.transact([&](Transaction& transaction) {
-    static_cast<void>(floor.start(transaction_clock(transaction).now_us));
-    const ClaimFloor::Slice nearest = floor.nearest();
-    look_through(transaction, sources, floor, nearest, look);
-    floor.looked_nearest(nearest);
+    static_cast<void>(watermark.start(transaction_clock(transaction).now_us));
+    const ClaimWatermark::Slice nearest = watermark.nearest();
+    look_through(transaction, sources, watermark, nearest, look);
+    watermark.looked_nearest(nearest);
     for (int slices = is_first ? kMostSlicesFirst : kMostSlices;
          slices > 0 && look.spent_s < patience_s; --slices) {
-      const ClaimFloor::Slice slice = floor.next();
-      if (floor.looked(slice, look_through(transaction, sources, floor, slice, look))) break;
+      const ClaimWatermark::Slice slice = watermark.next();
+      if (watermark.looked(slice, look_through(transaction, sources, watermark, slice, look)))
+        break;
     }
   });
   return look.found;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "storage/loop_work.hpp"
-#include "storage/results/leases/claim_floor.hpp"
+#include "storage/results/leases/claim_watermark.hpp"
 #include "storage/results/session/session.hpp"
 #include "storage/server_clock.hpp"
 
@@ -19,10 +19,10 @@ struct DueClaim {
   std::vector<std::string> but_of;  ///< sources that are left out
 };
 
-/// ResultsDatabase::claim_due(). Before the first claim, and where nothing is found from the floor
-/// on, it looks back.
+/// ResultsDatabase::claim_due(). Before the first claim, and where nothing is found from the
+/// watermark on, it looks back.
 [[nodiscard]] std::vector<ClaimedLoop> claim_due(Session& session, const ClockCheck& check,
-                                                 const DueClaim& claim, ClaimFloor& floor);
+                                                 const DueClaim& claim, ClaimWatermark& watermark);
 
 /// ResultsDatabase::claim_suspect().
 [[nodiscard]] std::vector<ClaimedLoop> claim_suspect(Session& session, const ClockCheck& check,
@@ -40,10 +40,10 @@ struct NextClaim {
 [[nodiscard]] std::vector<ClaimedLoop> claim_next(Session& session, const ClockCheck& check,
                                                   const NextClaim& claim);
 
-/// Looks for loops that are due and lie before the floor, and lowers it to the oldest: in the
+/// Looks for loops that are due and lie before the watermark, and lowers it to the oldest: in the
 /// nearest slice, then in further ones back in time until the beginning of time is reached, or the
 /// server has worked for 30 ms (the first time a second); the next call goes on from there. Returns
 /// whether one was found.
-bool look_back(Session& session, const std::vector<std::string>& but_of, ClaimFloor& floor);
+bool look_back(Session& session, const std::vector<std::string>& but_of, ClaimWatermark& watermark);
 
 }  // namespace loopscope::storage

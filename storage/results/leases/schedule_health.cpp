@@ -6,7 +6,7 @@ namespace loopscope::storage {
 namespace {
 
 // A loop in the hands of a living worker has visible_at in the future, as one that is not due yet:
-// so whoever is visible waits: behind the floor of the claims, or as a suspect anywhere. The
+// so whoever is visible waits: behind the watermark of the claims, or as a suspect anywhere. The
 // partitioned tables are those of the catalogue, because the
 // worker may not call the owner's function that lists them.
 const Statement kScheduleHealth{"schedule_health", R"(
@@ -68,11 +68,11 @@ const Statement kScheduleHealth{"schedule_health", R"(
 
 }  // namespace
 
-ScheduleHealth schedule_health(Session& session, DuePlace floor) {
+ScheduleHealth schedule_health(Session& session, DuePlace watermark) {
   const pqxx::result rows = session.transact([&](Transaction& transaction) {
     return transaction.run(kScheduleHealth,
-                           {std::to_string(kMostDefaultRows), std::to_string(floor.due_us),
-                            std::to_string(floor.loop_id)});
+                           {std::to_string(kMostDefaultRows), std::to_string(watermark.due_us),
+                            std::to_string(watermark.loop_id)});
   });
   const pqxx::row row = rows[0];
   return {row["enabled"].as<std::int64_t>(),

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "storage/results/leases/claim_floor.hpp"
+#include "storage/results/leases/claim_watermark.hpp"
 
 namespace loopscope::storage {
 
@@ -32,8 +32,8 @@ struct ScheduleHealth {
 inline constexpr std::int64_t kMostDefaultRows = 10'001;
 
 /// Asks in one statement (storage/MEASURED.md). Loops that are due are looked for behind the
-/// floor of the claims, and suspects everywhere. Needs no right beyond the worker's. Throws
+/// watermark of the claims, and suspects everywhere. Needs no right beyond the worker's. Throws
 /// DatabaseError.
-[[nodiscard]] ScheduleHealth schedule_health(Session& session, DuePlace floor = kBeforeAll);
+[[nodiscard]] ScheduleHealth schedule_health(Session& session, DuePlace watermark = kBeforeAll);
 
 }  // namespace loopscope::storage

@@ -4,8 +4,8 @@
 
 #include "storage/results/schema/brief_locks.hpp"
 #include "storage/results/schema/embedded_migrations.hpp"
+#include "storage/results/schema/replace_superseded.hpp"
 #include "storage/results/schema/schema_version.hpp"
-#include "storage/results/schema/take_over.hpp"
 #include "storage/results/session/results_clock.hpp"
 #include "storage/results/session/schema_owner.hpp"
 #include "storage/results/session/schema_statements.hpp"
@@ -77,8 +77,8 @@ std::vector<std::string> migrate_all(Transaction& transaction) {
   std::vector<std::string> names;
   if (transaction.run(statements::kHasSchema)[0][0].as<bool>()) {
     const pqxx::result rows = transaction.run(statements::kAppliedMigrations);
-    if (made_by_former_chain(rows)) {
-      names = take_over(transaction, rows);
+    if (made_by_superseded(rows)) {
+      names = replace_superseded(transaction, rows);
       applied = names.size();
     } else {
       check_applied(rows);

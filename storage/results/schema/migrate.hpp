@@ -16,8 +16,9 @@ namespace loopscope::storage {
 /// exist. A member of loopscope_owner makes everything
 /// as that role, so that every other member can change it. Returns the names of the migrations
 /// applied (empty = nothing to do). A schema of the whole former chain is taken over
-/// (take_over.hpp). Refuses (DatabaseError) a schema newer than the program, one of an earlier
-/// version of that chain, and one whose recorded migrations differ from the compiled-in ones.
+/// (replace_superseded.hpp). Refuses (DatabaseError) a schema newer than the program, one of an
+/// earlier version of that chain, and one whose recorded migrations differ from the compiled-in
+/// ones.
 std::vector<std::string> migrate(const ConnectionSettings& owner);
 
 /// What maintain() did.

@@ -86,7 +86,7 @@ TEST(PlainEvidence, WithoutAStepItTellsThatNothingInTheLoopAccountsForTheError) 
 TEST(PlainEvidence, TellsHowLongTheOutputIsAtItsLimit) {
   Evidence evidence;
   EXPECT_THAT(plain_evidence(VerdictCode::valve_saturation, evidence), IsEmpty());
-  evidence.op_rest.emplace().share = 0.2;
+  evidence.op_at_ends.emplace().share = 0.2;
   EXPECT_THAT(plain_evidence(VerdictCode::valve_saturation, evidence),
               ElementsAre("The controller output rests at an end of its travel in 20 % of the "
                           "samples."));

@@ -5,7 +5,7 @@
 
 #include "core/simulate/scenario.hpp"
 #include "daemon/lab/simulate/effect_text.hpp"
-#include "daemon/lab/simulate/number_text.hpp"
+#include "daemon/lab/simulate/parse_numbers.hpp"
 #include "daemon/lab/simulate/record_csv.hpp"
 #include "daemon/recording/recording.hpp"
 #include "daemon/text/failure.hpp"

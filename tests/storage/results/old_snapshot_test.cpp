@@ -15,10 +15,10 @@ using testing::SizeIs;
 class OldSnapshotTest : public ResultsTest {
  protected:
   /// Claims everything and gives it back, due again at once; pages that were looked at.
-  [[nodiscard]] long visit_all(const std::shared_ptr<ClaimFloors>& floors) const {
+  [[nodiscard]] long visit_all(const std::shared_ptr<ClaimWatermarks>& watermarks) const {
     const long before = pages();
     {
-      ResultsDatabase results(settings_for(*database), {}, floors);
+      ResultsDatabase results(settings_for(*database), {}, watermarks);
       const std::int64_t due_us = results.clock().now_us;
       for (int batch = 0; batch < kLoops / kBatch; ++batch) {
         std::vector<CompletedLoop> done;
@@ -51,14 +51,14 @@ TEST_F(OldSnapshotTest, ClaimsAndCompletionsCostAsMuchAfterAHundredPeriodsAsAtFi
   for (int k = 0; k < kLoops; ++k) names.push_back("L" + std::to_string(k));
   add_loops(names);
   database->execute("ALTER TABLE loopscope.schedule SET (autovacuum_enabled = false)");
-  const auto floors = std::make_shared<ClaimFloors>();
-  static_cast<void>(visit_all(floors));
+  const auto watermarks = std::make_shared<ClaimWatermarks>();
+  static_cast<void>(visit_all(watermarks));
   const tests::SqlConnection reader(database->conninfo());
   reader.run("BEGIN ISOLATION LEVEL REPEATABLE READ");
   reader.run("SELECT count(*) FROM loopscope.schedule");
   const auto periods = [&](int count) {
     long sum = 0;
-    for (int period = 0; period < count; ++period) sum += visit_all(floors);
+    for (int period = 0; period < count; ++period) sum += visit_all(watermarks);
     return static_cast<double>(sum) / count;
   };
   const double first = periods(10);
@@ -71,7 +71,7 @@ TEST_F(OldSnapshotTest, ClaimsAndCompletionsCostAsMuchAfterAHundredPeriodsAsAtFi
   EXPECT_LT(after_a_hundred, 1.1 * after_thirty);
 }
 
-/// Whatever comes to lie before the floor is found by the claim that finds nothing.
+/// Whatever comes to lie before the watermark is found by the claim that finds nothing.
 TEST_F(OldSnapshotTest, WhatLiesBeforeTheFloorIsFound) {
   add_loops({"a", "b", "c"});
   ResultsDatabase results = connect();
@@ -118,15 +118,15 @@ TEST_F(OldSnapshotTest, ARowThatAForgottenTransactionHasLockedLowersNoFloor) {
       "UPDATE loopscope.schedule SET visible_at = now() - interval '2 h' WHERE loop_id = 1");
   const tests::SqlConnection forgotten(database->conninfo());
   forgotten.run("BEGIN; SELECT FROM loopscope.schedule WHERE loop_id = 1 FOR UPDATE");
-  const auto floors = std::make_shared<ClaimFloors>();
-  ResultsDatabase results(settings_for(*database), {}, floors);
+  const auto watermarks = std::make_shared<ClaimWatermarks>();
+  ResultsDatabase results(settings_for(*database), {}, watermarks);
   ASSERT_THAT(claim_all(results), SizeIs(1));
-  const std::optional<DuePlace> floor = floors->of({}).place();
+  const std::optional<DuePlace> watermark = watermarks->of({}).place();
   results.look_back();
-  EXPECT_EQ(floors->of({}).place(), floor);
+  EXPECT_EQ(watermarks->of({}).place(), watermark);
   forgotten.run("ROLLBACK");
   results.look_back();
-  EXPECT_LT(floors->of({}).place(), floor);
+  EXPECT_LT(watermarks->of({}).place(), watermark);
 }
 
 /// A claim that was not committed leaves its loops where they were.

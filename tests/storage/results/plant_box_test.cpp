@@ -140,7 +140,7 @@ TEST_F(PlantBoxUpgradeTest, EventsOfSchema26StayAndAreFollowed) {
       "SELECT row(slot_end, number, period_s, loop_ids, strengths, lags_s, source_loop_id,"
       " statement, roles, scores, p, found_at)::text FROM loopscope.plant_oscillation";
   const TextRows before_it = other.rows(row);
-  other.execute("SET ROLE loopscope_owner;" + former_script(26, former_chain().size()));
+  other.execute("SET ROLE loopscope_owner;" + former_script(26, superseded_migrations().size()));
   migrate(settings_for(other, login));
   EXPECT_EQ(other.rows(row), before_it);
   EXPECT_EQ(other.rows("SELECT num_nonnulls(outside, reasons, leads, traces)"

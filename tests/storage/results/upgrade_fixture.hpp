@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/results/schema/former_chain.hpp"
+#include "storage/results/schema/superseded_migrations.hpp"
 #include "tests/storage/results/results_fixture.hpp"
 #include "tests/support/run_program.hpp"
 #include "tests/support/source_dir.hpp"
@@ -38,7 +38,7 @@ class UpgradeTest : public testing::Test {
 
   /// As `migrate` of that version left it; the last one where none is given.
   static void make_former_schema(const tests::TestDatabase& made, const std::string& by,
-                                 std::size_t version = former_chain().size()) {
+                                 std::size_t version = superseded_migrations().size()) {
     made.execute("SET ROLE " + by + ";" + former_script(0, version) +
                  "SELECT loopscope.make_partitions(now(), 4); SELECT loopscope.grant_rights();"
                  // By `maintain`, which grants nothing.
@@ -47,7 +47,7 @@ class UpgradeTest : public testing::Test {
 
   /// The same with kRows, and the login that migrates it.
   static std::string fill_former_schema(tests::TestDatabase& made,
-                                        std::size_t version = former_chain().size()) {
+                                        std::size_t version = superseded_migrations().size()) {
     made.make_roles();
     make_former_schema(made, "loopscope_owner", version);
     made.execute(kRows);
@@ -58,7 +58,7 @@ class UpgradeTest : public testing::Test {
   [[nodiscard]] static std::string former_script(std::size_t from, std::size_t to) {
     std::string script;
     for (std::size_t i = from; i < to; ++i) {
-      const FormerMigration& migration = former_chain()[i];
+      const SupersededMigration& migration = superseded_migrations()[i];
       script += tests::content_of(tests::source_dir() / "tests/storage/results/former_schema" /
                                   (std::string(migration.name) + ".sql"));
       script += "INSERT INTO loopscope.schema_migration VALUES (" + std::to_string(i + 1) + ", '" +

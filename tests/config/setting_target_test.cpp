@@ -1,4 +1,4 @@
-#include "config/slot.hpp"
+#include "config/setting_target.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 namespace loopscope::config::tests {
 namespace {
 
-TEST(Slot, WhatIsStoredIsWhatIsRead) {
+TEST(SettingTarget, WhatIsStoredIsWhatIsRead) {
   double real = 0.0;
   std::size_t count = 0;
   std::string text;
@@ -21,7 +21,7 @@ TEST(Slot, WhatIsStoredIsWhatIsRead) {
   EXPECT_FALSE(takes_whole_numbers(&real));
 }
 
-TEST(Slot, WindowShapesGoByTheirNames) {
+TEST(SettingTarget, WindowShapesGoByTheirNames) {
   core::hos::WindowShape shape{};
   for (const core::hos::WindowShape wanted : kWindowShapes) {
     store_text(&shape, std::string(core::hos::name(wanted)));
@@ -34,7 +34,7 @@ TEST(Slot, WindowShapesGoByTheirNames) {
                std::invalid_argument);
 }
 
-TEST(Slot, SwitchesAreOnOrOff) {
+TEST(SettingTarget, SwitchesAreOnOrOff) {
   bool on = false;
   store_switch(&on, true);
   EXPECT_TRUE(on);
@@ -42,7 +42,7 @@ TEST(Slot, SwitchesAreOnOrOff) {
   EXPECT_FALSE(takes_whole_numbers(&on));
 }
 
-TEST(Slot, NumbersTextsAndSwitchesDoNotMix) {
+TEST(SettingTarget, NumbersTextsAndSwitchesDoNotMix) {
   double real = 0.0;
   std::string text;
   bool on = true;

@@ -1,4 +1,4 @@
-#include "core/loop/op_rest.hpp"
+#include "core/loop/op_at_ends.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ std::vector<double> depth_of(const std::vector<double>& values, double end) {
 
 }  // namespace
 
-std::optional<OpRest> measure_op_rest(std::span<const double> op) {
+std::optional<OpAtEnds> measure_op_at_ends(std::span<const double> op) {
   std::vector<double> recorded;
   std::ranges::copy_if(op, std::back_inserter(recorded), [](double v) { return std::isfinite(v); });
   if (recorded.size() < kFewestForRests) return std::nullopt;
@@ -100,8 +100,8 @@ std::optional<OpRest> measure_op_rest(std::span<const double> op) {
   const Runs above = rests_at(depth_of(recorded, ends.max), near);
   std::size_t resting = 0;
   for (const Runs& runs : {below, above}) resting += runs.count >= kFewestVisits ? runs.samples : 0;
-  return OpRest{static_cast<double>(resting) / static_cast<double>(recorded.size()),
-                static_cast<double>(std::max(below.count, above.count))};
+  return OpAtEnds{static_cast<double>(resting) / static_cast<double>(recorded.size()),
+                  static_cast<double>(std::max(below.count, above.count))};
 }
 
 }  // namespace loopscope::core::loop

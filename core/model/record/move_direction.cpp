@@ -1,4 +1,4 @@
-#include "core/model/record/op_direction.hpp"
+#include "core/model/record/move_direction.hpp"
 
 #include <cmath>
 #include <utility>
@@ -21,7 +21,7 @@ double median_step(std::span<const double> op) {
 
 }  // namespace
 
-std::vector<double> op_direction(std::span<const double> op) {
+std::vector<double> move_direction(std::span<const double> op) {
   const double noise = kNoiseSteps * median_step(op);
   std::vector<double> result(op.size(), 0.0);
   double direction = 0.0;

@@ -1,4 +1,4 @@
-#include "storage/results/schema/former_chain.hpp"
+#include "storage/results/schema/superseded_migrations.hpp"
 
 #include <array>
 
@@ -6,7 +6,7 @@ namespace loopscope::storage {
 namespace {
 
 // A database holds these words: they never change.
-constexpr std::array kChain = std::to_array<FormerMigration>({
+constexpr std::array kChain = std::to_array<SupersededMigration>({
     {"0001_catalogue", "3997078d4b37215ad1ef75a4f38cc54e078827fdb33d519193956f4590584ac5"},
     {"0002_results", "d7477d3dd7360f2efd8d11b4091ea9e85a4ae21502945c4211ff10572302b90d"},
     {"0003_result_comments", "141663928b6518d23510f5da115fd71dbd6aae934a5014bd36fb9d84d773dffa"},
@@ -38,7 +38,7 @@ constexpr std::array kChain = std::to_array<FormerMigration>({
 
 }  // namespace
 
-std::span<const FormerMigration> former_chain() {
+std::span<const SupersededMigration> superseded_migrations() {
   return kChain;
 }
 

@@ -31,20 +31,22 @@ inline constexpr DuePlace kBeforeAll{-210'866'803'200'000'000, 0};
 /// and a scan from the head passes all of them. What was claimed lies at the head, so a claim
 /// begins behind the last loop that the one before it has found.
 ///
-/// Loops may come to lie before the floor all the same: a claim that was rolled back, a transaction
-/// that took long, a clock that was set back. look_back() finds them, in slices of time whose cost
-/// does not depend on the age of the snapshot either, and lowers the floor. Thread-safe.
-class ClaimFloor {
+/// Loops may come to lie before the watermark all the same: a claim that was rolled back, a
+/// transaction that took long, a clock that was set back. look_back() finds them, in slices of time
+/// whose cost does not depend on the age of the snapshot either, and lowers the watermark.
+/// Thread-safe.
+class ClaimWatermark {
  public:
   /// Where a claim begins, to be handed to passed() with what it found.
   struct Start {
     DuePlace place;
     std::uint64_t lowered = 0;
   };
-  /// `now_us` is the time of the transaction: a floor seconds beyond it comes of a clock that was
-  /// ahead, and begins anew there, as the first one does.
+  /// `now_us` is the time of the transaction: a watermark seconds beyond it comes of a clock that
+  /// was ahead, and begins anew there, as the first one does.
   [[nodiscard]] Start start(std::int64_t now_us);
-  /// Everything due up to `last` has been taken; says nothing where the floor was lowered since.
+  /// Everything due up to `last` has been taken; says nothing where the watermark was lowered
+  /// since.
   void passed(const Start& start, DuePlace last);
   /// A loop that is due lies there.
   void lower(DuePlace found);
@@ -58,7 +60,7 @@ class ClaimFloor {
     std::int64_t from_us = 0;
     DuePlace to;
   };
-  /// The minute before the floor: where a loop that is missed most probably lies.
+  /// The minute before the watermark: where a loop that is missed most probably lies.
   [[nodiscard]] Slice nearest() const;
   /// Before it a new walk back in time begins, where none is under way.
   void looked_nearest(const Slice& nearest);
@@ -72,21 +74,21 @@ class ClaimFloor {
   mutable std::mutex mutex_;
   std::optional<DuePlace> place_;
   std::uint64_t lowered_ = 0;
-  std::optional<std::int64_t> looked_down_to_us_;  ///< nullopt = begin at the floor
+  std::optional<std::int64_t> looked_down_to_us_;  ///< nullopt = begin at the watermark
   std::optional<std::int64_t> width_us_;
 };
 
-/// The floors of a process, whatever its connections. Claims that leave out sources have one of
+/// The watermarks of a process, whatever its connections. Claims that leave out sources have one of
 /// their own for each list of these, because the loops of these stay where they are. Thread-safe.
-class ClaimFloors {
+class ClaimWatermarks {
  public:
   /// Stays valid as long as this object.
-  [[nodiscard]] ClaimFloor& of(const std::vector<std::string>& but_of);
+  [[nodiscard]] ClaimWatermark& of(const std::vector<std::string>& but_of);
 
  private:
-  ClaimFloor all_;
+  ClaimWatermark all_;
   std::mutex mutex_;
-  std::map<std::vector<std::string>, ClaimFloor> elsewhere_;
+  std::map<std::vector<std::string>, ClaimWatermark> elsewhere_;
 };
 
 }  // namespace loopscope::storage

@@ -1,4 +1,4 @@
-#include "daemon/lab/simulate/number_text.hpp"
+#include "daemon/lab/simulate/parse_numbers.hpp"
 
 #include <charconv>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "core/loop/rests.hpp"
+#include "core/loop/pv_plateaus.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,10 +61,11 @@ Moments moments_of(const std::vector<double>& moves) {
 
 }  // namespace
 
-std::optional<Rests> measure_rests(std::span<const double> pv, std::span<const double> op,
-                                   double period_samples, bool integrating) {
+std::optional<PvPlateaus> measure_pv_plateaus(std::span<const double> pv,
+                                              std::span<const double> op, double period_samples,
+                                              bool integrating) {
   if (op.size() != pv.size() || !(period_samples >= kShortestCycle)) return std::nullopt;
-  Rests rests;
+  PvPlateaus rests;
   rests.cycles = static_cast<double>(pv.size()) / period_samples;
   if (rests.cycles < kFewestCycles) return std::nullopt;
   const auto width =

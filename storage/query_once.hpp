@@ -11,7 +11,7 @@ namespace loopscope::storage {
 /// cannot be asked itself: first column of the first row. nullopt where no answer comes within a
 /// few seconds, or none at all. The session is as the login finds it: `sql` names the schema of
 /// whatever it uses.
-[[nodiscard]] std::optional<std::string> ask_aside(const ConnectionSettings& settings,
-                                                   const std::string& sql);
+[[nodiscard]] std::optional<std::string> query_once(const ConnectionSettings& settings,
+                                                    const std::string& sql);
 
 }  // namespace loopscope::storage

@@ -1,9 +1,9 @@
-#include "storage/results/schema/take_over.hpp"
+#include "storage/results/schema/replace_superseded.hpp"
 
 #include <string_view>
 
 #include "storage/results/schema/embedded_migrations.hpp"
-#include "storage/results/schema/former_chain.hpp"
+#include "storage/results/schema/superseded_migrations.hpp"
 #include "storage/results/session/schema_statements.hpp"
 
 namespace loopscope::storage {
@@ -25,7 +25,7 @@ const Statement kForgetChain{"forget_former_chain", "DELETE FROM loopscope.schem
 
 /// Whether every migration recorded is the one of the chain with its number.
 void check_words(const pqxx::result& applied) {
-  const auto chain = former_chain();
+  const auto chain = superseded_migrations();
   std::size_t expected = 0;
   for (const pqxx::row& row : applied) {
     const std::string name = row["name"].c_str();
@@ -34,7 +34,7 @@ void check_words(const pqxx::result& applied) {
       refuse_schema("migration " + name + " is not known to this program",
                     "install the newer program");
     }
-    const FormerMigration& known = chain[expected++];
+    const SupersededMigration& known = chain[expected++];
     if (name != known.name || row["sha256"].c_str() != std::string_view(known.sha256)) {
       refuse_schema("migration " + name +
                         " was applied with another text than this program knows of " + known.name,
@@ -49,14 +49,14 @@ void refuse_schema(const std::string& what, const std::string& hint) {
   throw DatabaseError(what + ", schema loopscope", hint, Remedy::give_up);
 }
 
-bool made_by_former_chain(const pqxx::result& applied) {
+bool made_by_superseded(const pqxx::result& applied) {
   return !applied.empty() && applied[0]["version"].as<int>() < embedded_migrations().front().number;
 }
 
-std::vector<std::string> take_over(Transaction& transaction, const pqxx::result& applied) {
+std::vector<std::string> replace_superseded(Transaction& transaction, const pqxx::result& applied) {
   check_words(applied);
-  const std::string last = std::to_string(former_chain().size());
-  if (static_cast<std::size_t>(applied.size()) < former_chain().size()) {
+  const std::string last = std::to_string(superseded_migrations().size());
+  if (static_cast<std::size_t>(applied.size()) < superseded_migrations().size()) {
     refuse_schema("the schema has version " + std::to_string(applied.size()) +
                       ", and this program takes over version " + last + " only",
                   "run `loopscope migrate --config F` of a program of schema version " + last +

@@ -1,4 +1,4 @@
-#include "storage/ask_aside.hpp"
+#include "storage/query_once.hpp"
 
 #include <chrono>
 #include <libpq-fe.h>
@@ -31,7 +31,7 @@ std::optional<std::string> first_value(const PGresult* result) {
 
 }  // namespace
 
-std::optional<std::string> ask_aside(const ConnectionSettings& settings, const std::string& sql) {
+std::optional<std::string> query_once(const ConnectionSettings& settings, const std::string& sql) {
   const std::string conninfo =
       complete_conninfo(settings) + " connect_timeout='" + kConnecting_s + "'";
   const Connection connection(PQconnectdb(conninfo.c_str()), &PQfinish);

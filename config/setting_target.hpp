@@ -12,8 +12,8 @@
 namespace loopscope::config {
 
 /// Where the value of one setting lives.
-using Slot = std::variant<double*, int*, std::size_t*, bool*, std::string*,
-                          std::vector<std::string>*, core::hos::WindowShape*>;
+using SettingTarget = std::variant<double*, int*, std::size_t*, bool*, std::string*,
+                                   std::vector<std::string>*, core::hos::WindowShape*>;
 
 /// Every window shape; the file calls them by their core::hos::name().
 inline constexpr std::array kWindowShapes = {
@@ -21,23 +21,23 @@ inline constexpr std::array kWindowShapes = {
     core::hos::WindowShape::hamming, core::hos::WindowShape::rectangular};
 
 /// Whether the slot takes whole numbers only.
-[[nodiscard]] bool takes_whole_numbers(const Slot& slot);
+[[nodiscard]] bool takes_whole_numbers(const SettingTarget& slot);
 
 /// The value as JSON.
-[[nodiscard]] nlohmann::ordered_json slot_value(const Slot& slot);
+[[nodiscard]] nlohmann::ordered_json slot_value(const SettingTarget& slot);
 
 /// Stores a number that the slot's type can hold; throws std::logic_error for a slot of words and
 /// for a switch.
-void store_number(const Slot& slot, double value);
+void store_number(const SettingTarget& slot, double value);
 
 /// Stores true or false; throws std::logic_error for a slot that is no switch.
-void store_switch(const Slot& slot, bool value);
+void store_switch(const SettingTarget& slot, bool value);
 
 /// Stores a text, or the window shape of that name; throws std::logic_error for another slot
 /// and for a name that no shape has.
-void store_text(const Slot& slot, const std::string& value);
+void store_text(const SettingTarget& slot, const std::string& value);
 
 /// Stores a list of texts; throws std::logic_error for another slot.
-void store_list(const Slot& slot, std::vector<std::string> values);
+void store_list(const SettingTarget& slot, std::vector<std::string> values);
 
 }  // namespace loopscope::config

@@ -1,4 +1,4 @@
-#include "storage/results/schema/former_chain.hpp"
+#include "storage/results/schema/superseded_migrations.hpp"
 
 #include <gmock/gmock.h>
 #include <sstream>
@@ -14,7 +14,7 @@ TEST(FormerChain, IsWhatDatabasesHold) {
   std::istringstream kept(
       tests::content_of(tests::source_dir() / "tests/storage/results/former_schema.sha256"));
   std::string sha256, file;
-  for (const FormerMigration& migration : former_chain()) {
+  for (const SupersededMigration& migration : superseded_migrations()) {
     ASSERT_TRUE(kept >> sha256 >> file) << migration.name;
     EXPECT_EQ(file, std::string(migration.name) + ".sql");
     EXPECT_EQ(sha256, migration.sha256) << migration.name;

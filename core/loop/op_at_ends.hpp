@@ -9,7 +9,7 @@ namespace loopscope::core::loop {
 /// valve, or only where its cycle turns. An end counts only if op is there for much longer
 /// than at the nearest value further in: an op that is coarse, or held for some samples, stays at
 /// every value.
-struct OpRest {
+struct OpAtEnds {
   /// Of the samples, 0 to 1, in runs of at least three within a thousandth of the span of an end
   /// that op comes back to: a single one is no limit.
   double share = 0.0;
@@ -18,6 +18,6 @@ struct OpRest {
 
 /// `op` in any unit, NaN = missing; nullopt where fewer than 32 samples are recorded or op has
 /// fewer than five values: nothing can be told then.
-[[nodiscard]] std::optional<OpRest> measure_op_rest(std::span<const double> op);
+[[nodiscard]] std::optional<OpAtEnds> measure_op_at_ends(std::span<const double> op);
 
 }  // namespace loopscope::core::loop

@@ -1,4 +1,4 @@
-#include "config/check_historian.hpp"
+#include "config/historian_rules.hpp"
 
 #include <string_view>
 #include <utility>

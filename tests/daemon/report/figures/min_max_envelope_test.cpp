@@ -1,4 +1,4 @@
-#include "daemon/report/figures/envelope.hpp"
+#include "daemon/report/figures/min_max_envelope.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "config/slot.hpp"
+#include "config/setting_target.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -22,16 +22,16 @@ void store(WindowShape& shape, const std::string& name) {
 
 }  // namespace
 
-bool takes_whole_numbers(const Slot& slot) {
+bool takes_whole_numbers(const SettingTarget& slot) {
   return std::holds_alternative<int*>(slot) || std::holds_alternative<std::size_t*>(slot);
 }
 
-nlohmann::ordered_json slot_value(const Slot& slot) {
+nlohmann::ordered_json slot_value(const SettingTarget& slot) {
   if (const auto* shape = std::get_if<WindowShape*>(&slot)) return core::hos::name(**shape);
   return std::visit([](const auto* place) { return nlohmann::ordered_json(*place); }, slot);
 }
 
-void store_number(const Slot& slot, double value) {
+void store_number(const SettingTarget& slot, double value) {
   std::visit(
       [value](auto* place) {
         using Value = std::remove_pointer_t<decltype(place)>;
@@ -43,13 +43,13 @@ void store_number(const Slot& slot, double value) {
       slot);
 }
 
-void store_switch(const Slot& slot, bool value) {
+void store_switch(const SettingTarget& slot, bool value) {
   bool* const* place = std::get_if<bool*>(&slot);
   if (place == nullptr) throw std::logic_error("a switch was stored in another setting");
   **place = value;
 }
 
-void store_text(const Slot& slot, const std::string& value) {
+void store_text(const SettingTarget& slot, const std::string& value) {
   if (auto* const* text = std::get_if<std::string*>(&slot))
     **text = value;
   else if (auto* const* shape = std::get_if<WindowShape*>(&slot))
@@ -58,7 +58,7 @@ void store_text(const Slot& slot, const std::string& value) {
     throw std::logic_error("a text was stored in a setting of numbers or a switch");
 }
 
-void store_list(const Slot& slot, std::vector<std::string> values) {
+void store_list(const SettingTarget& slot, std::vector<std::string> values) {
   auto* const* list = std::get_if<std::vector<std::string>*>(&slot);
   if (list == nullptr) throw std::logic_error("a list was stored in another setting");
   **list = std::move(values);

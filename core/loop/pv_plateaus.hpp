@@ -12,7 +12,7 @@ namespace loopscope::core::loop {
 /// pv is averaged over a twelfth of a cycle; its move from one mean to the next that shares no
 /// sample is compared with the root mean square of all such moves. No cycle has to repeat another,
 /// so that three are enough.
-struct Rests {
+struct PvPlateaus {
   /// Kurtosis of the moves: 1.5 for a sine, 3 for normal noise, more where pv rests and jumps.
   double move_kurtosis = 0.0;
   /// Share of the time in which pv rests: moves by less than a quarter of the root mean square.
@@ -26,8 +26,9 @@ struct Rests {
 /// pv and op (any units), NaN = missing; `period_samples` of the cycle. nullopt for unequal
 /// lengths, with fewer than three cycles or 24 moves, with cycles of less than six samples, or
 /// where pv or op stands still.
-[[nodiscard]] std::optional<Rests> measure_rests(std::span<const double> pv,
-                                                 std::span<const double> op, double period_samples,
-                                                 bool integrating);
+[[nodiscard]] std::optional<PvPlateaus> measure_pv_plateaus(std::span<const double> pv,
+                                                            std::span<const double> op,
+                                                            double period_samples,
+                                                            bool integrating);
 
 }  // namespace loopscope::core::loop

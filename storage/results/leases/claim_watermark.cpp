@@ -1,4 +1,4 @@
-#include "storage/results/leases/claim_floor.hpp"
+#include "storage/results/leases/claim_watermark.hpp"
 
 #include <algorithm>
 
@@ -19,7 +19,7 @@ constexpr std::int64_t kGrowth = 4;
 
 }  // namespace
 
-ClaimFloor::Start ClaimFloor::start(std::int64_t now_us) {
+ClaimWatermark::Start ClaimWatermark::start(std::int64_t now_us) {
   const std::lock_guard lock(mutex_);
   if (!place_ || place_->due_us > now_us + kOverlap_us) {
     place_ = behind(now_us);
@@ -29,46 +29,46 @@ ClaimFloor::Start ClaimFloor::start(std::int64_t now_us) {
   return {*place_, lowered_};
 }
 
-void ClaimFloor::passed(const Start& start, DuePlace last) {
+void ClaimWatermark::passed(const Start& start, DuePlace last) {
   const std::lock_guard lock(mutex_);
   if (start.lowered == lowered_) place_ = std::max(*place_, last);
 }
 
-void ClaimFloor::lower(DuePlace found) {
+void ClaimWatermark::lower(DuePlace found) {
   const std::lock_guard lock(mutex_);
   if (!place_ || found > *place_) return;
   place_ = DuePlace{found.due_us, found.loop_id - 1};
   ++lowered_;
 }
 
-std::optional<DuePlace> ClaimFloor::place() const {
+std::optional<DuePlace> ClaimWatermark::place() const {
   const std::lock_guard lock(mutex_);
   return place_;
 }
 
-void ClaimFloor::raise_to(std::optional<DuePlace> place) {
+void ClaimWatermark::raise_to(std::optional<DuePlace> place) {
   const std::lock_guard lock(mutex_);
   if (place && (!place_ || *place_ < *place)) place_ = place;
 }
 
-ClaimFloor::Slice ClaimFloor::nearest() const {
+ClaimWatermark::Slice ClaimWatermark::nearest() const {
   const DuePlace to = place().value_or(kBeforeAll);
   return {std::max(to.due_us - kNearest_us, kBeforeAll.due_us), to};
 }
 
-void ClaimFloor::looked_nearest(const Slice& nearest) {
+void ClaimWatermark::looked_nearest(const Slice& nearest) {
   const std::lock_guard lock(mutex_);
   if (!looked_down_to_us_) looked_down_to_us_ = nearest.from_us;
 }
 
-ClaimFloor::Slice ClaimFloor::next() const {
+ClaimWatermark::Slice ClaimWatermark::next() const {
   const std::lock_guard lock(mutex_);
   const DuePlace to =
       behind(looked_down_to_us_.value_or(place_.value_or(kBeforeAll).due_us - kNearest_us));
   return {std::max(to.due_us - width_us_.value_or(kNearest_us), kBeforeAll.due_us), to};
 }
 
-bool ClaimFloor::looked(const Slice& slice, double seconds) {
+bool ClaimWatermark::looked(const Slice& slice, double seconds) {
   const std::lock_guard lock(mutex_);
   if (slice.from_us <= kBeforeAll.due_us) {
     looked_down_to_us_.reset();
@@ -82,12 +82,12 @@ bool ClaimFloor::looked(const Slice& slice, double seconds) {
   return false;
 }
 
-ClaimFloor& ClaimFloors::of(const std::vector<std::string>& but_of) {
+ClaimWatermark& ClaimWatermarks::of(const std::vector<std::string>& but_of) {
   if (but_of.empty()) return all_;
   const std::lock_guard lock(mutex_);
-  ClaimFloor& floor = elsewhere_[but_of];
-  floor.raise_to(all_.place());
-  return floor;
+  ClaimWatermark& watermark = elsewhere_[but_of];
+  watermark.raise_to(all_.place());
+  return watermark;
 }
 
 }  // namespace loopscope::storage
