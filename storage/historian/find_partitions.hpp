@@ -13,19 +13,20 @@ namespace loopscope::storage {
 /// The tables that hold a span of time, by the historian's own list of them.
 ///
 /// The list is the only thing to go by: a table's name says neither its span nor whose rows it
-/// holds (the number in Ignition's names changes with the gateway's name). Listed tables that were
-/// dropped are passed over; a table that is listed twice is read once.
+/// holds (the number in Ignition's names changes with the gateway's name). A listed table that does
+/// not exist when it is first seen is passed over; one that is listed twice is read once.
 class Partitions {
  public:
-  /// `layout.partitions` must be there.
+  /// `layout.partitions` must be there. Reads the list: throws as refresh().
   Partitions(PqConnection& connection, const ResolvedLayout& layout);
 
-  /// Reads the list again: tables come and go. Throws DatabaseError.
+  /// Reads the list again: tables come and go. Throws DatabaseError and MalformedArray.
   void refresh();
-  /// The tables that overlap a span, microseconds UTC, both ends included; quoted for SQL.
+  /// The tables that overlap a span, microseconds UTC, both ends included; quoted for SQL, by name;
+  /// empty = none of them holds such rows.
   [[nodiscard]] std::vector<std::string> within(std::int64_t from_us, std::int64_t to_us) const;
   /// A table of the list that exists: the last one by name, which is the youngest where names hold
-  /// dates.
+  /// dates. nullopt = no listed table exists.
   [[nodiscard]] std::optional<FoundRelation> any();
 
  private:

@@ -20,11 +20,12 @@ namespace loopscope::storage {
 /// asked, and believed where it would go by bitmaps and expects no more rows than the scans want.
 class HeapOrder {
  public:
-  /// Whether scans of one span can be read so at all: keys of one part, nothing but the time to
-  /// order rows by.
+  /// Whether scans of one span can be read so at all: eight of them at least, each of 256 rows or
+  /// more, keys of one part, nothing but the time to order rows by.
   [[nodiscard]] static bool fits(const std::vector<Scan>& batch, const ResolvedLayout& layout);
 
-  /// Whether the planner would. Asks now and then only: statistics change slowly.
+  /// Whether the planner would; `parameters` as heap_order_parameters() makes them. Asks once in 64
+  /// calls: statistics change slowly. Throws DatabaseError.
   [[nodiscard]] bool is_better(PqConnection& connection, const Statement& plan,
                                const std::vector<Scan>& batch,
                                const std::vector<std::string>& parameters);
@@ -41,10 +42,10 @@ class HeapOrder {
   std::map<std::string, Answer> answers_;  ///< by statement
 };
 
-/// The scans in groups of one span each.
+/// The scans in groups of one span each, by span; within one in their order.
 [[nodiscard]] std::vector<std::vector<Scan>> by_span(std::vector<Scan> scans);
 
-/// Parameters of read_in_heap_order() for a batch of one span.
+/// Parameters of read_in_heap_order() for a batch (not empty) of one span that fits().
 [[nodiscard]] std::vector<std::string> heap_order_parameters(const std::vector<Scan>& batch,
                                                              const ResolvedLayout& layout);
 

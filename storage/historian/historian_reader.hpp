@@ -18,7 +18,9 @@
 namespace loopscope::storage {
 
 /// Reads a historian of any layout over one connection: binary arrays, many tags a round trip. Not
-/// shared between threads. Every function throws DatabaseError.
+/// shared between threads. Every function throws DatabaseError (after Remedy::reconnect the object
+/// must be thrown away), and std::bad_alloc for an answer that does not fit into memory; each
+/// statement waits patience() at most.
 class HistorianReader {
  public:
   /// Connects read-only and checks that relations and columns exist with usable types.
@@ -30,10 +32,11 @@ class HistorianReader {
   /// Rows of each request in ascending time, bad quality as NaN, and how the tag's archive keeps
   /// them; empty for an unknown tag. A repeated time stays: the last of its rows counts.
   [[nodiscard]] std::vector<core::signal::RawSeries> read(std::span<const TagRequest> requests);
-  /// Time of each tag's newest row not after `not_after_us`; nullopt for a tag without rows.
+  /// Time of each tag's newest row not after `not_after_us` (microseconds UTC) and no more than 30
+  /// years before it; nullopt for a tag that is unknown or has no row there.
   [[nodiscard]] std::vector<std::optional<std::int64_t>> newest(std::span<const std::string> tags,
                                                                 std::int64_t not_after_us);
-  /// Calls `told` after every statement that was answered.
+  /// Calls `told` after every statement that was answered, on the thread that asked.
   void on_statement(std::function<void()> told);
   /// The database's clock.
   [[nodiscard]] ServerClock clock();

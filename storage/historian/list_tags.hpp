@@ -14,7 +14,7 @@ namespace loopscope::storage {
 /// them, with rows or without. Else the keys are looked for among the rows: over an index that
 /// starts with key and time one probe a key, whatever the number of rows; without one (and through
 /// a view) the whole table is read. The tags of a loop_row or wide table are its columns that hold
-/// numbers or texts. Throws DatabaseError.
+/// numbers or texts. A statement may take half an hour. Throws DatabaseError.
 [[nodiscard]] std::vector<std::string> list_tags(const ConnectionSettings& settings,
                                                  const SourceLayout& layout);
 

@@ -15,7 +15,7 @@ namespace loopscope::storage {
 /// SQL type that bounds and results travel as.
 [[nodiscard]] const char* native_type(TimeKind kind);
 
-/// Types that the column may have.
+/// Types that the column may have, as pg_type calls them.
 [[nodiscard]] std::vector<std::string> time_column_types(TimeKind kind);
 
 /// Element type of an array of it.
@@ -24,13 +24,15 @@ namespace loopscope::storage {
 enum class Bound { lower, upper };
 
 /// Text of the first (lower) or last (upper) native value that lies in a span which begins or
-/// ends at `time_us` inclusive.
+/// ends at `time_us` inclusive. What lies outside the years 1 to 9999 (and, of nanoseconds, outside
+/// eight bytes) becomes the nearest end, here and in native_text().
 [[nodiscard]] std::string native_bound(TimeKind kind, std::int64_t time_us, Bound bound);
 
 /// Text of `time_us` as it is stored, rounded down to the unit.
 [[nodiscard]] std::string native_text(TimeKind kind, std::int64_t time_us);
 
-/// Microseconds UTC of a value in binary form (decode_value).
+/// Microseconds UTC of a value in binary form (decode_value). What does not fit becomes
+/// kEarliestTimeUs or kLatestTimeUs.
 [[nodiscard]] std::int64_t microseconds(TimeKind kind, std::uint64_t native_bits);
 
 }  // namespace loopscope::storage

@@ -29,12 +29,16 @@ inline constexpr std::size_t kLongestIdentifier = 63;
 /// One libpq connection to a historian: binary results, COPY, and a deadline of our own
 /// (patience()), after which the statement is cancelled. Its search path is pg_catalog alone,
 /// unless `options` in the connection string sets another one. No statement runs in a session that
-/// is not set up (session_setup.hpp).
+/// is not set up (session_setup.hpp). Every function throws DatabaseError (after Remedy::reconnect
+/// the object must be thrown away), and std::bad_alloc for an answer that does not fit into memory.
+/// Not shared between threads.
 class PqConnection {
  public:
+  /// Connects and sets the session up.
   explicit PqConnection(const ConnectionSettings& settings);
 
-  /// Runs a statement with its parameters `$1`, `$2`, ... as text.
+  /// Runs a statement with its parameters `$1`, `$2`, ... as text, in a transaction of its own
+  /// unless one was begun. Refuses (give_up) a number of rows that the statement does not promise.
   PqRows run(const Statement& statement, const std::vector<std::string>& parameters = {},
              ResultFormat format = ResultFormat::text);
   /// Runs a COPY ... FROM STDIN in text format; returns the rows written. `next(chunk)` fills a
@@ -57,10 +61,11 @@ class PqConnection {
   /// `name` quoted as an identifier. Throws DatabaseError for one that the server would not take
   /// as it is.
   [[nodiscard]] std::string quote(const std::string& name) const;
-  /// `text` quoted as a value: for what cannot travel as a parameter.
+  /// `text` quoted as a value: for what cannot travel as a parameter. Throws DatabaseError unless
+  /// it is UTF-8 without a zero byte.
   [[nodiscard]] std::string quote_literal(const std::string& text) const;
   [[nodiscard]] const std::string& target() const { return place_.target; }
-  /// The login's own search path as an array of names, for tables without a schema.
+  /// The login's own search path as the text of an array of names, for tables without a schema.
   [[nodiscard]] const std::string& own_schemas() const { return own_schemas_; }
 
  private:

@@ -30,8 +30,10 @@ class PqRows {
   [[nodiscard]] bool is_null(int row, int column) const {
     return PQgetisnull(result_.get(), row, column) != 0;
   }
-  /// The value as it was sent: text, or binary when the statement was run so.
+  /// The value as it was sent: text, or binary when the statement was run so; empty for NULL. Valid
+  /// as long as this object.
   [[nodiscard]] std::span<const std::byte> bytes(int row, int column) const;
+  /// The same of text; "" for NULL.
   [[nodiscard]] std::string text(int row, int column) const;
   /// Rows that an INSERT, DELETE or COPY wrote.
   [[nodiscard]] std::size_t affected() const;

@@ -27,23 +27,24 @@ struct ScanColumn {
 /// One pass over the rows of a key in a span of time. Tags that share their rows (columns of one
 /// loop or of one wide table, one tag of several loops) share the scan.
 struct Scan {
-  std::vector<std::string> key;
-  std::int64_t from_us = 0;
+  std::vector<std::string> key;  ///< one native text per part (TagPlace)
+  std::int64_t from_us = 0;      ///< microseconds UTC; both ends belong to it
   std::int64_t to_us = 0;
-  std::int64_t max_rows = 0;
+  std::int64_t max_rows = 0;  ///< newest so many rows of the span, > 0
   std::vector<ScanColumn> columns;
 };
 
 /// Whether the row before is wanted of any of the columns.
 [[nodiscard]] bool wants_before(const Scan& scan);
 
-/// What the statement of a batch reads: the columns of its scans, each with the row before where
-/// any of them wants it.
+/// What the statement of a batch (not empty) reads: the columns of its scans, each with the row
+/// before where any of them wants it.
 [[nodiscard]] std::vector<ScanColumn> columns_of(const std::vector<Scan>& batch);
 
 /// Scans that one statement reads: all of them have the same columns. `places` are those of
 /// `requests` (find_tags). Every request's places are in some batch, unless its column holds no
-/// values. Batches keep to what a round trip should carry (rows and columns).
+/// values. Batches keep to what a round trip should carry (rows and columns). Throws DatabaseError
+/// for a column whose name cannot be quoted.
 [[nodiscard]] std::vector<std::vector<Scan>> plan_scans(
     const PqConnection& connection, const ResolvedLayout& layout,
     std::span<const TagRequest> requests, std::span<const std::vector<TagPlace>> places);

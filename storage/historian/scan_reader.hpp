@@ -28,7 +28,8 @@ class ScanReader {
   ScanReader(PqConnection& connection, const ResolvedLayout& layout)
       : connection_(connection), layout_(layout) {}
 
-  /// Throws DatabaseError.
+  /// Fills `parts`, which has a place for each target of the batch; those without rows stay as they
+  /// are. Throws DatabaseError.
   void read(const std::vector<Scan>& batch, const TablesOf& tables_of, Parts& parts);
 
  private:

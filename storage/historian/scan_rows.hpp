@@ -25,20 +25,21 @@ inline constexpr std::int64_t kReachBefore_us = std::int64_t{366} * 86'400 * 1'0
 /// In which order an answer's arrays have their rows.
 enum class RowOrder { newest_first, any };
 
-/// How many rows of its table a row of the answer was put together of.
+/// How many rows of its table a row of the answer was put together of. Throws MalformedArray.
 [[nodiscard]] std::size_t rows_of_span(const PqRows& rows, int row, const ResolvedLayout& layout);
 
 /// The rows of one column of a scan out of a row of the answer to a statement that read the columns
-/// `asked` (columns_of): ascending in time, bad
-/// values as NaN, nothing outside the span but the one row before it. Rows with the same time and
-/// nothing to tell them apart come in the order of their values, so that the same rows always make
-/// the same series. Throws MalformedArray.
+/// `asked` (columns_of): ascending in time, microseconds UTC, bad values as NaN, nothing outside
+/// the span but the one row before it. Rows with the same time and nothing to tell them apart come
+/// in the order of their values, so that the same rows always make the same series. Throws
+/// MalformedArray.
 [[nodiscard]] core::signal::RawSeries read_column(const PqRows& rows, int row, const Scan& scan,
                                                   std::size_t column,
                                                   const std::vector<ScanColumn>& asked,
                                                   const ResolvedLayout& layout, RowOrder order);
 
-/// Position in the batch that a row of the answer belongs to. Throws MalformedArray.
+/// Position, from 0, in the batch of `slots` scans that a row of the answer belongs to. Throws
+/// MalformedArray.
 [[nodiscard]] std::size_t slot_of(const PqRows& rows, int row, std::size_t slots);
 
 }  // namespace loopscope::storage

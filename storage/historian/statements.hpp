@@ -6,7 +6,7 @@
 #include "storage/statement.hpp"
 
 /// The closed list of statements on a historian. Those that name its table are made from a layout
-/// whose names were found in the catalogue and quoted.
+/// whose names were found in the catalogue and quoted. Bounds are texts of native_bound().
 namespace loopscope::storage::historian_statements {
 
 /// schema, table, schemas to look in where none is named -> oid, schema, table, is_table
@@ -14,7 +14,7 @@ extern const Statement kFindRelation;
 extern const Statement kColumns;  ///< relation oid -> name, type
 /// relation oid -> key columns, all columns: names in hexadecimal digits, comma-separated
 extern const Statement kIndexes;
-extern const Statement kNow;
+extern const Statement kNow;  ///< -> its clock, its start: int8, microseconds UTC since 1970
 extern const Statement kBegin;
 extern const Statement kCommit;
 
@@ -49,7 +49,8 @@ struct PlainTable {
   TimeKind time_kind = TimeKind::timestamptz;
 };
 
-/// Whether a tag has rows in a span: tag, lower bound, upper bound. `tag_type` is a SQL type.
+/// Whether a tag has rows in a span: tag, lower bound, upper bound -> boolean. `tag_type` is a SQL
+/// type.
 [[nodiscard]] Statement has_rows(const PlainTable& table, const std::string& tag_type);
 
 /// Deletes a tag's rows in a span: tag, lower bound, upper bound.
