@@ -18,6 +18,7 @@ class ArrayLiteral {
   /// Shortest text that reads back as the same value; what is not finite becomes NULL, because
   /// "unknown" is null everywhere in the results.
   void add_number(std::optional<double> value);
+  /// timestamp_text() of microseconds UTC since 1970.
   void add_time(std::int64_t time_us);
   /// Quoted; bytes that PostgreSQL refuses are replaced (make_storable).
   void add_text(std::string_view value);

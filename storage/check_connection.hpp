@@ -17,9 +17,9 @@ struct Finding {
 };
 
 /// Warnings about where libpq looks for this connection's password: a password file that it ignores
-/// because others may read it or that is not there although it is named, and PGPASSWORD. Empty =
-/// nothing to say. Never shows a password. Throws DatabaseError when the connection string cannot
-/// be read.
+/// because others may read it or that is not there although it is named, a service file with a
+/// password that others may read, and PGPASSWORD. Empty = nothing to say. Never shows a password.
+/// Throws DatabaseError when the connection string cannot be read.
 [[nodiscard]] std::vector<Finding> check_password_sources(const ConnectionSettings& settings);
 
 /// A warning when a connection leaves this machine without sslmode=verify-full: whoever sits on the

@@ -12,7 +12,8 @@
 #include "core/signal/loop_window.hpp"
 #include "storage/catalogue_entry.hpp"
 
-// What a worker is given of a loop that it claims, and what it gives back.
+// What a worker is given of a loop that it claims, and what it gives back. All times are
+// microseconds UTC since 1970; a slot is named by its end.
 
 namespace loopscope::storage {
 
@@ -51,7 +52,7 @@ struct AnalysisRecord {
 /// What was said of a loop last.
 struct LastVerdict {
   core::diagnosis::VerdictCode code = core::diagnosis::VerdictCode::healthy;
-  double confidence = 0.0;
+  double confidence = 0.0;  ///< 0 to 1
   std::optional<double> p;  ///< of the test behind it; nullopt = it rests on none
 };
 
@@ -78,7 +79,7 @@ struct ClaimKey {
 struct CompletedLoop {
   std::int64_t loop_id = 0;
   std::int64_t fence = 0;
-  std::int64_t slot_end_us = 0;
+  std::int64_t slot_end_us = 0;          ///< not after the database's now()
   std::int64_t next_due_us = 0;          ///< when it shall be looked at again
   std::optional<AnalysisRecord> record;  ///< nullopt = the stored analysis still holds
   /// The slot that was the newest one before this; nullopt = none, or this one was.
@@ -92,9 +93,9 @@ struct CompletedLoop {
 struct FailedLoop {
   std::int64_t loop_id = 0;
   std::int64_t fence = 0;
-  std::string error;
-  double retry_after_s = 60.0;
-  bool at_fault = true;  ///< false: its historian is away; counts as no failure of the loop
+  std::string error;            ///< in words, shown as the loop's last error
+  double retry_after_s = 60.0;  ///< from the database's now() on
+  bool at_fault = true;         ///< false: its historian is away; counts as no failure of the loop
 };
 
 /// What a process says of itself while it works.
@@ -108,11 +109,12 @@ struct WorkerSign {
 
 /// What a write did.
 struct WriteCount {
-  std::size_t inserted = 0;         ///< new analysis rows
-  std::size_t revised = 0;          ///< rows whose input had changed (input_revision raised)
-  std::size_t unchanged = 0;        ///< completed without a new row
-  std::size_t failed = 0;           ///< set aside
-  std::size_t fenced_off = 0;       ///< the lease had been lost: nothing was written for these
+  std::size_t inserted = 0;   ///< new analysis rows
+  std::size_t revised = 0;    ///< rows whose input had changed (input_revision raised)
+  std::size_t unchanged = 0;  ///< completed without a new row
+  std::size_t failed = 0;     ///< set aside
+  /// The lease had been lost, or the slot lies after now(): nothing was written for these.
+  std::size_t fenced_off = 0;
   std::size_t not_judged = 0;       ///< of those completed: the newest slot is no loop in control
   std::size_t revised_earlier = 0;  ///< rows of earlier slots whose input had changed
 };

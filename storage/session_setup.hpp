@@ -43,7 +43,7 @@ struct ReadySession {
 
 /// Asks the server, over a connection of its own, to end what the connection's session runs: a
 /// statement that nobody waits for any more. Takes a few seconds at most; a server that stands
-/// still is left to itself. Process 0 is none.
+/// still is left to itself. Process 0 is none. Throws like complete_conninfo.
 void cancel_statement(const ConnectionSettings& settings, int process);
 
 }  // namespace loopscope::storage

@@ -14,6 +14,7 @@ struct StartupOptions {
   std::string rest;          ///< whatever else stands there, as it was
 };
 
+/// Never throws: what it cannot read as a setting goes to `rest`.
 [[nodiscard]] StartupOptions split_startup_options(const std::string& options);
 
 }  // namespace loopscope::storage

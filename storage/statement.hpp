@@ -11,7 +11,7 @@ enum class Rows { none, one, any };
 /// One SQL statement of the program. Its name appears in messages, so that an operator and the
 /// source speak of the same thing.
 struct Statement {
-  const char* name;
+  const char* name;  ///< of static storage
   std::string sql;
   Rows rows = Rows::any;
 };

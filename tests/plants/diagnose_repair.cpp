@@ -1,6 +1,7 @@
 #include "tests/plants/diagnose_repair.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "daemon/service/batches/loop_task.hpp"
 #include "tests/effects/window_of.hpp"
