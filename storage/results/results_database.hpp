@@ -21,13 +21,14 @@
 namespace loopscope::storage {
 
 /// The results schema `loopscope` as the worker sees it. One object = one connection; not shared
-/// between threads. Every function throws DatabaseError; after Remedy::reconnect the object must
-/// be thrown away.
+/// between threads. Every function is one or a few transactions, waits patience() at most for each
+/// statement, and throws DatabaseError; after Remedy::reconnect the object must be thrown away.
+/// Times are microseconds UTC since 1970, `owner` is host/pid, `lease_s` > 0 and at most 1 000 000.
 class ResultsDatabase {
  public:
   /// Connects and checks that the schema has the version this program was built for. Whatever
-  /// claims or writes asks `check` first and does nothing where that throws; an empty one lets
-  /// everything pass.
+  /// claims or writes, but for set_parameter(), asks `check` first and does nothing where that
+  /// throws; an empty one lets everything pass.
   /// `watermarks` are shared by the connections of a process (claim_watermark.hpp).
   explicit ResultsDatabase(
       const ConnectionSettings& settings, ClockCheck check = {},
@@ -50,8 +51,8 @@ class ResultsDatabase {
   /// not, in the order of loop_id: one pass over the catalogue, but for suspects.
   [[nodiscard]] std::vector<ClaimedLoop> claim_next(const std::string& owner, double lease_s,
                                                     int limit, std::int64_t after);
-  /// Digests of those (loop, slot, revision) that are already stored; `settings_json` is compared
-  /// with the settings of each.
+  /// Digests of those (loop_id, slot_end_us) that are already stored under the revision, in any
+  /// order; `settings_json`, a JSON object, is compared with the settings of each.
   [[nodiscard]] std::vector<StoredDigest> stored_digests(
       std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision,
       const std::string& settings_json = "{}");
@@ -65,8 +66,8 @@ class ResultsDatabase {
   void release_owned(const std::string& owner);
   /// Undoes what a clock that was ahead has left behind: loops that are put off for longer than
   /// their period (or their pause after failures) are due now, claims end within the time for which
-  /// they were made, and slots after now() make way for the newest stored one before. Returns of
-  /// how many loops.
+  /// they were made, and slots after now() make way for the newest stored one before. `settle_s`:
+  /// what a loop may be put off beyond its period (schedule.settle_s). Returns of how many loops.
   std::size_t recall_stray(double settle_s);
   /// Lets these claims end `lease_s` seconds from now; returns those that are outdated because
   /// somebody has claimed the loop since. What is being given back in this moment is left alone.
@@ -74,19 +75,22 @@ class ResultsDatabase {
   /// Notes that the process is at work (table loopscope.worker).
   void see_worker(const WorkerSign& sign);
   /// Looks for loops that are due and that the next claims would pass over (claim_watermark.hpp),
-  /// as every claim does that finds nothing.
+  /// as every claim does that finds nothing; 30 ms of the server's time, a second at the first
+  /// call.
   void look_back(const std::vector<std::string>& but_of = {});
   /// Seconds until the next enabled loop is due, or the lease of one that is held ends; negative =
   /// overdue; nullopt = there is none within `within_s` seconds.
   [[nodiscard]] std::optional<double> next_due_in_s(double within_s);
 
+  /// The server's clock at the beginning of the transaction that asks for it.
   [[nodiscard]] ServerClock clock();
   /// What a person has said of clocks that differ (table loopscope.accepted_clock).
   [[nodiscard]] AcceptedClocks accepted_clocks();
   [[nodiscard]] std::size_t count_enabled_loops();
   /// How far the work as a whole is behind.
   [[nodiscard]] ScheduleHealth schedule_health();
-  /// Stores the settings that the views compute with (table loopscope.parameter).
+  /// Stores the settings that the views compute with (table loopscope.parameter). Throws (give_up)
+  /// for a name that the table does not have.
   void set_parameter(const std::string& name, double value);
   /// Adds to the bearer's cost of the running hour (table loopscope.stage_cost).
   void add_stage_cost(const CostBearer& bearer, const StageCost& cost);

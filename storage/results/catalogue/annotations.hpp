@@ -18,15 +18,17 @@ struct Annotation {
   std::optional<std::string> code;       ///< the verdict that it is about; nullopt = whatever
   std::optional<std::int64_t> until_us;  ///< nullopt = until it is withdrawn; suppressed has one
   std::string reason;                    ///< may be empty, but where it is suppressed
-  // As the server notes it.
-  std::string author;
-  std::int64_t entered_at_us = 0;
+  // As the server notes it; add() takes neither.
+  std::string author;              ///< the login
+  std::int64_t entered_at_us = 0;  ///< microseconds UTC since 1970, as until_us
 };
 
 /// What people say about findings. The rights of loopscope_engineer are enough; who said it is the
-/// login of the connection. Every function is one transaction and throws DatabaseError.
+/// login of the connection. Every function is one transaction and throws DatabaseError. Not shared
+/// between threads.
 class Annotations {
  public:
+  /// Connects and checks that the schema has the version this program was built for.
   explicit Annotations(const ConnectionSettings& settings);
   ~Annotations();
 
@@ -35,11 +37,12 @@ class Annotations {
   /// Adds it and withdraws those of its kind about the same verdict of the same loop that it takes
   /// the place of. Returns how many these were; nullopt = there is no such loop.
   std::optional<std::size_t> add(const Annotation& annotation);
-  /// Withdraws what holds of the loop: all, or what is about `code`. Returns how many.
+  /// Withdraws what holds of the loop: all, or what is about `code`. Returns how many; 0 for an
+  /// unknown loop too.
   std::size_t withdraw(const std::string& loop_name, const std::optional<std::string>& code);
   /// The newest verdict of the loop; nullopt = it was never analysed, or there is none.
   [[nodiscard]] std::optional<std::string> newest_code(const std::string& loop_name);
-  /// Every verdict that somebody should act on.
+  /// Every verdict that somebody should act on, by code.
   [[nodiscard]] std::vector<std::string> fault_codes();
 
  private:

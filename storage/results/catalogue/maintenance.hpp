@@ -43,15 +43,17 @@ struct MaintenanceRow {
   std::string statement;            ///< in words; without a word, why there is none
 };
 
-/// The log of work on loops. Every function is one transaction and throws DatabaseError.
+/// The log of work on loops. Every function is one transaction and throws DatabaseError. Not shared
+/// between threads.
 class MaintenanceLog {
  public:
+  /// Connects and checks that the schema has the version this program was built for.
   explicit MaintenanceLog(const ConnectionSettings& settings);
   ~MaintenanceLog();
 
   /// Stores all entries, or none and says which are refused (one reason each, in their order).
   [[nodiscard]] std::vector<RefusedMaintenance> add(std::span<const MaintenanceEntry> entries);
-  /// In the order of loop and time; nullopt = of every loop.
+  /// In the order of loop and time; nullopt = of every loop. Empty for an unknown one.
   [[nodiscard]] std::vector<MaintenanceRow> list(const std::optional<std::string>& loop_name = {});
 
  private:

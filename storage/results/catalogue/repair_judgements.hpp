@@ -32,7 +32,7 @@ struct JudgedRepair {
 /// The table repair_judgement, which the view before_after_maintenance shows. Where a loop's
 /// last work is more than a year ago nothing is judged again for a newer slot: no window is new.
 /// Every function is one transaction and throws DatabaseError; two programs that judge the same
-/// work at once store the same.
+/// work at once store the same. Not shared between threads.
 class RepairJudgements {
  public:
   /// Connects and checks that the schema has the version this program was built for.

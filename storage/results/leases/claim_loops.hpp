@@ -11,11 +11,14 @@
 
 namespace loopscope::storage {
 
+// Every function makes its own transactions on `session`, none of which is open afterwards, and
+// throws DatabaseError.
+
 /// Who claims what, and for how long.
 struct DueClaim {
-  std::string owner;
-  double lease_s = 0.0;
-  int limit = 0;
+  std::string owner;                ///< host/pid
+  double lease_s = 0.0;             ///< > 0, up to 1 000 000
+  int limit = 0;                    ///< > 0
   std::vector<std::string> but_of;  ///< sources that are left out
 };
 
@@ -24,13 +27,13 @@ struct DueClaim {
 [[nodiscard]] std::vector<ClaimedLoop> claim_due(Session& session, const ClockCheck& check,
                                                  const DueClaim& claim, ClaimWatermark& watermark);
 
-/// ResultsDatabase::claim_suspect().
+/// ResultsDatabase::claim_suspect(): one loop at most.
 [[nodiscard]] std::vector<ClaimedLoop> claim_suspect(Session& session, const ClockCheck& check,
                                                      const std::string& owner, double lease_s);
 
 /// A claim in the order of the catalogue.
 struct NextClaim {
-  std::string owner;
+  std::string owner;  ///< as in DueClaim, as are the next two
   double lease_s = 0.0;
   int limit = 0;
   std::int64_t after = 0;  ///< loop_id

@@ -48,14 +48,14 @@ class ClaimWatermark {
   /// Everything due up to `last` has been taken; says nothing where the watermark was lowered
   /// since.
   void passed(const Start& start, DuePlace last);
-  /// A loop that is due lies there.
+  /// A loop that is due lies there. Says nothing where it does not lie before the floor.
   void lower(DuePlace found);
   /// nullopt: nobody has begun yet.
   [[nodiscard]] std::optional<DuePlace> place() const;
   /// Everything before `place` is taken for certain; nullopt says nothing.
   void raise_to(std::optional<DuePlace> place);
 
-  /// Loops due from `from_us` on, up to and with `to`.
+  /// Loops due from `from_us` (microseconds UTC) on, up to and with `to`.
   struct Slice {
     std::int64_t from_us = 0;
     DuePlace to;

@@ -10,6 +10,9 @@
 
 namespace loopscope::storage {
 
+// All work in the caller's transaction, which Session::transact() commits and whose errors it puts
+// into DatabaseError.
+
 /// ResultsDatabase::extend().
 std::vector<ClaimKey> extend(Transaction& transaction, std::span<const ClaimedLoop> claimed,
                              double lease_s);

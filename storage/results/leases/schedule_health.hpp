@@ -31,9 +31,9 @@ struct ScheduleHealth {
 
 inline constexpr std::int64_t kMostDefaultRows = 10'001;
 
-/// Asks in one statement (storage/MEASURED.md). Loops that are due are looked for behind the
-/// watermark of the claims, and suspects everywhere. Needs no right beyond the worker's. Throws
-/// DatabaseError.
+/// Asks in one statement and a transaction of its own (storage/MEASURED.md). Loops that are due are
+/// looked for behind the watermark of the claims, and suspects everywhere. Needs no right beyond
+/// the worker's. Throws DatabaseError.
 [[nodiscard]] ScheduleHealth schedule_health(Session& session, DuePlace watermark = kBeforeAll);
 
 }  // namespace loopscope::storage

@@ -18,7 +18,7 @@ class Session;
 struct FlagNotice {
   std::int64_t loop_id = 0;
   std::string loop_name, code;
-  double confidence = 0.0;
+  double confidence = 0.0;  ///< 0 to 1; this and the next two as FlaggedRow has them
   std::int64_t rank = 0;
   double score = 0.0;
   std::string status;  ///< "watch" or "confirmed"
@@ -42,7 +42,8 @@ struct FlagAnnouncement {
 /// whatever becomes of its verdict), notes what came and what went, in one transaction, and tells
 /// listeners in one of its own: anybody who may connect can fill the server's queue of messages,
 /// and what was noted must not be lost by that. Several callers at once wait for each other, and
-/// each change is told once. `check` is asked first.
+/// each change is told once. `check` is asked first. Throws DatabaseError where nothing was noted;
+/// what fails in telling stands in `untold`.
 [[nodiscard]] FlagAnnouncement announce_flags(Session& session, const ClockCheck& check);
 
 }  // namespace loopscope::storage

@@ -26,8 +26,8 @@ struct PlantTurn {
 /// Whose turn the comparison of all loops is: a lease in the table task_lease, which an object
 /// gives back when its round is stored, or it ends; that of a worker which dies runs out. Two that
 /// make a round at once, because it took longer than the lease, do some work twice, nothing else.
-/// One object = one connection. Every function throws DatabaseError; after Remedy::reconnect the
-/// object must be thrown away.
+/// One object = one connection; not shared between threads. Every function throws DatabaseError;
+/// after Remedy::reconnect the object must be thrown away.
 class PlantRounds {
  public:
   /// Connects and checks that the schema has the version this program was built for. Turns, rounds
@@ -38,7 +38,8 @@ class PlantRounds {
   /// Takes the turn for `owner` (host/pid) if a round is due, `every_s` after the last one was
   /// stored, and holds it for `hold_s`, 1 to 86400.
   [[nodiscard]] PlantTurn take_turn(double every_s, const std::string& owner, double hold_s);
-  /// The newest slot of all loops: what a round is about. nullopt = no loop was analysed yet.
+  /// The newest slot of all enabled loops that is not after now(), microseconds UTC: what a round
+  /// is about. nullopt = no loop was analysed yet.
   [[nodiscard]] std::optional<std::int64_t> newest_slot_us();
   /// As plant_candidates(), for a round about that slot.
   [[nodiscard]] std::vector<PlantCandidate> candidates(std::int64_t slot_end_us,

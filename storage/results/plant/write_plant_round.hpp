@@ -46,7 +46,7 @@ struct PlantRoundRecord {
 
 /// Writes the round; one of the same slot and revision is replaced. From then on it is the round
 /// that holds, unless there is one of a later slot. Events are numbered by the number of their
-/// members, most first.
+/// members, most first. In the caller's transaction, by Session::transact().
 void write_plant_round(Transaction& transaction, const PlantRoundRecord& round);
 
 }  // namespace loopscope::storage

@@ -13,8 +13,8 @@ namespace loopscope::storage {
 
 /// An analysis as it stands in the results, with what it takes to do it again.
 struct StoredAnalysis {
-  CatalogueEntry loop;  ///< as the catalogue has it now
-  std::int64_t slot_end_us = 0;
+  CatalogueEntry loop;           ///< as the catalogue has it now
+  std::int64_t slot_end_us = 0;  ///< microseconds UTC since 1970
   int algorithm_revision = 0;
   int input_revision = 0;  ///< 1 = no late rows so far
   std::string input_digest;
@@ -28,12 +28,14 @@ struct StoredAnalysis {
 };
 
 /// Stored analyses, for those who do one again. One object = one connection; every function is one
-/// transaction that writes nothing, and throws DatabaseError.
+/// transaction that writes nothing, and throws DatabaseError. Not shared between threads.
 class AnalysisArchive {
  public:
+  /// Connects and checks that the schema has the version this program was built for.
   explicit AnalysisArchive(const ConnectionSettings& settings);
   ~AnalysisArchive();
 
+  /// nullopt = there is no analysis of that number.
   [[nodiscard]] std::optional<StoredAnalysis> find(std::int64_t analysis_id);
   /// The measured columns that a record would be stored with, as in StoredAnalysis::figures_json;
   /// by the same conversions, so that equal figures have equal words.

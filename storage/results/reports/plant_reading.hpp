@@ -7,6 +7,8 @@
 
 namespace loopscope::storage {
 
+// A value of another type than the statement's throws pqxx::conversion_error.
+
 /// Member by member (kPlantMembers) into events.
 [[nodiscard]] std::vector<PlantOscillationRow> read_plant_oscillations(const pqxx::result& rows);
 /// Rows of kPlantLeads and kPlantTraces to the events that they are of.

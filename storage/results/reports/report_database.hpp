@@ -16,8 +16,9 @@ namespace loopscope::storage {
 /// with the object and ends with it, so that the parts of a report agree with each other whatever
 /// the workers write meanwhile. One object = one connection; not shared between threads. Hold it
 /// for as long as the reading takes and no longer: while it lives, vacuum keeps old rows, and the
-/// server ends it after `settings.idle_timeout_s` without a question. Every function throws
-/// DatabaseError; after Remedy::reconnect the object must be thrown away.
+/// server ends it after `settings.idle_timeout_s` without a question. Times are
+/// microseconds UTC since 1970. Every function throws DatabaseError; after Remedy::reconnect the
+/// object must be thrown away.
 class ReportDatabase {
  public:
   /// Connects, checks that the schema has the version this program was built for and takes the
@@ -27,13 +28,13 @@ class ReportDatabase {
   ReportDatabase(ReportDatabase&&) noexcept;
   ReportDatabase& operator=(ReportDatabase&&) noexcept;
 
-  /// The database's clock at the beginning of the view, microseconds UTC since 1970.
+  /// The database's clock at the beginning of the view.
   [[nodiscard]] std::int64_t now_us();
   /// `since_us`: what began after this time counts as new, what was repaired after it as fixed.
   [[nodiscard]] PlantCounts counts(std::int64_t since_us);
   /// The work list, in the order of its ranks.
   [[nodiscard]] std::vector<FlaggedRow> flagged();
-  /// The slots of a loop from `from_us` on, oldest first.
+  /// The slots of a loop from `from_us` on, oldest first; empty for an unknown one, here and below.
   [[nodiscard]] std::vector<HistoryPoint> history(std::int64_t loop_id, std::int64_t from_us);
   /// Work done at or after `since_us`, newest first.
   [[nodiscard]] std::vector<RepairRow> repairs(std::int64_t since_us);

@@ -8,7 +8,8 @@
 
 namespace loopscope::storage {
 
-/// Rows of the statements of report_statements.hpp as values.
+/// Rows of the statements of report_statements.hpp as values. A value of another type than the
+/// statement's throws pqxx::conversion_error.
 [[nodiscard]] PlantCounts read_counts(const pqxx::row& row);
 [[nodiscard]] UnjudgedReason read_reason(const pqxx::row& row);
 [[nodiscard]] NotControllingRow read_not_controlling(const pqxx::row& row);
@@ -18,7 +19,7 @@ namespace loopscope::storage {
 [[nodiscard]] DataProblemRow read_problem(const pqxx::row& row);
 [[nodiscard]] LoopRow read_loop_row(const pqxx::row& row);
 
-/// Figure by figure into repairs.
+/// Figure by figure into repairs; the rows of one repair stand together.
 [[nodiscard]] std::vector<RepairRow> read_repairs(const pqxx::result& rows);
 
 }  // namespace loopscope::storage

@@ -9,6 +9,8 @@
 
 namespace loopscope::storage {
 
+// Times are microseconds UTC since 1970; figures and p that are nullopt were not computed.
+
 /// A row of the view `flagged_loop`: a loop that somebody should act on.
 struct FlaggedRow {
   std::int64_t rank = 0;  ///< 1 = act here first; 0 = not flagged (ReportDatabase::latest)
@@ -84,7 +86,7 @@ struct PlantCounts {
 struct HistoryPoint {
   std::int64_t slot_end_us = 0;
   std::string code;
-  double confidence = 0.0;
+  double confidence = 0.0;  ///< 0 to 1
   std::optional<double> ngi, nli, nonlinear_p;
   std::optional<double> error_std;  ///< pv units
   std::optional<double> harris_low, harris_high;

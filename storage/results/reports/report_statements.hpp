@@ -2,7 +2,8 @@
 
 #include "storage/statement.hpp"
 
-/// What ReportDatabase asks. Times travel as microseconds since 1970, UTC.
+/// What ReportDatabase asks. Times come back as microseconds since 1970, UTC; parameters that are
+/// times are texts of timestamp_text().
 namespace loopscope::storage::statements {
 
 extern const Statement kReportNow;

@@ -21,6 +21,9 @@
 
 namespace loopscope::storage {
 
+// Whatever reads a value throws pqxx::conversion_error where it is of another type, and
+// pqxx::argument_error where the row has no such column.
+
 /// A text; "" for NULL, the catalogue's word for "not recorded".
 [[nodiscard]] std::string read_text(const pqxx::field& field);
 
@@ -42,7 +45,7 @@ namespace loopscope::storage {
 /// The elements of an array of numbers, "{0.1,NULL,...}", in their places; empty for NULL.
 [[nodiscard]] std::vector<std::optional<double>> read_number_list(const pqxx::field& field);
 
-/// The elements of a text[]; those that are null are left out.
+/// The elements of a text[]; those that are null are left out; empty for NULL.
 [[nodiscard]] std::vector<std::string> read_text_list(const pqxx::field& field);
 
 }  // namespace loopscope::storage

@@ -15,7 +15,8 @@ struct ResultsTime {
 [[nodiscard]] ResultsTime results_time(const ConnectionSettings& owner);
 
 /// A person says that the results server's clock is the right one beside these, whose differences
-/// are known from now on; what was said before is forgotten. Throws DatabaseError.
+/// are known from now on (seconds ahead); what was said before is forgotten, also by an empty map.
+/// One transaction; throws DatabaseError.
 void accept_clocks(const ConnectionSettings& owner, const AcceptedClocks& clocks);
 
 }  // namespace loopscope::storage

@@ -17,15 +17,16 @@ inline constexpr std::array<std::chrono::seconds, 7> kPausesForLocks{
      std::chrono::seconds{8}, std::chrono::seconds{15}, std::chrono::seconds{30},
      std::chrono::seconds{60}}};
 
-/// Whether a lock was not to be had in time, or two waited for each other.
+/// Whether a lock was not to be had in time (55P03), or two waited for each other (40P01).
 [[nodiscard]] bool lock_was_taken(const DatabaseError& error);
 
-/// Lets the rest of the transaction wait for a lock for a moment only: everybody who asks for the
+/// Lets the rest of the transaction wait for a lock for 200 ms only: everybody who asks for the
 /// table after us, readers too, waits behind us as long.
 void wait_briefly_for_locks(Transaction& transaction);
 
 /// Session::transact() for work that locks tables which others use: in tries that wait for locks
-/// briefly, with growing pauses in which the others go on. Throws what the last one threw.
+/// briefly, with growing pauses in which the others go on; `work` is called once a try. Blocks for
+/// the pauses. Throws at once what is no matter of locks, else what the last one threw.
 template <typename Work>
 auto transact_between_others(Session& session, Work&& work) {
   const auto attempt = [&] {

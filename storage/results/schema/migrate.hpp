@@ -18,7 +18,7 @@ namespace loopscope::storage {
 /// applied (empty = nothing to do). A schema of the whole former chain is taken over
 /// (replace_superseded.hpp). Refuses (DatabaseError) a schema newer than the program, one of an
 /// earlier version of that chain, and one whose recorded migrations differ from the compiled-in
-/// ones.
+/// ones. Blocks without a limit, whatever settings.statement_timeout_s says, as maintain() does.
 std::vector<std::string> migrate(const ConnectionSettings& owner);
 
 /// What maintain() did.

@@ -40,13 +40,14 @@ class CheckedTransaction : public pqxx::internal::basic_transaction {
   std::string begin_;
 };
 
-/// An open transaction of a Session.
+/// An open transaction of a Session. Its functions throw libpqxx's exceptions and DatabaseError,
+/// for Session::transact() to explain: nothing of them is to be caught within.
 class Transaction {
  public:
-  /// Runs a statement with its parameters `$1`, `$2`, ... as text. Throws when the number of rows
-  /// is not the one that the statement promises.
+  /// Runs a statement with its parameters `$1`, `$2`, ... as text. Throws DatabaseError (give_up)
+  /// when the number of rows is not the one that the statement promises.
   pqxx::result run(const Statement& statement, const std::vector<std::string>& parameters = {});
-  /// Runs a script of several commands (a migration).
+  /// Runs a script of several commands (a migration); `name` is that of messages.
   void run_script(const char* name, const char* sql);
   /// As whom the connection was made, whatever the session is by now.
   [[nodiscard]] std::string login() const { return work_.conn().username(); }
@@ -66,14 +67,17 @@ class Transaction {
 /// time is over is cancelled.
 ///
 /// libpqxx 6.4 reconnects by itself on the third use of a broken connection and has lost the
-/// session by then: after the first broken use every later one is refused here.
+/// session by then: after the first broken use every later one is refused here (Remedy::reconnect).
+/// Not shared between threads.
 class Session {
  public:
-  /// Connects, and refuses a schema that is not to be trusted: enter_schema().
+  /// Connects, and refuses a schema that is not to be trusted: enter_schema(). Throws
+  /// DatabaseError.
   explicit Session(const ConnectionSettings& settings);
 
   /// Runs `work(Transaction&)` in one transaction, commits it and returns what work returned.
-  /// Throws DatabaseError; then nothing was stored, except when the message says "in doubt".
+  /// Throws DatabaseError, or what is no database's error as work threw it; then nothing was
+  /// stored, except when the message says "in doubt". Each statement waits patience() at most.
   template <typename Work>
   auto transact(Work&& work) {
     return watched("begin", [&] {

@@ -14,6 +14,7 @@ namespace loopscope::storage {
 /// beginning.
 class Snapshot {
  public:
+  /// `session` must outlive it. Throws DatabaseError, as run() does.
   explicit Snapshot(Session& session);
   ~Snapshot();
   Snapshot(const Snapshot&) = delete;

@@ -34,7 +34,7 @@ class SocketDeadline {
   /// Counts from now: each statement under one guard has the whole time.
   void restart();
 
-  /// Whether the deadline passed: the connection is given up.
+  /// Whether a deadline has ever passed: the connection is given up. Thread-safe.
   [[nodiscard]] bool expired();
 
  private:

@@ -10,7 +10,7 @@
 
 namespace loopscope::storage {
 
-/// Columns of loopscope.analysis about the controller: whether one acted.
+/// Columns of loopscope.analysis about the controller: whether one acted. Every loop has a record.
 inline constexpr const char* kNotControlled = "no controller acted for most of the window";
 
 /// A window without a controller shows no loop.

@@ -9,7 +9,8 @@
 
 namespace loopscope::storage {
 
-// What the columns of the higher-order statistics hold; NULL when there are none.
+// What the columns of the higher-order statistics hold; NULL when there are none. Every loop has a
+// record.
 
 inline const core::Evidence& evidence(const CompletedLoop& loop) {
   return loop.record->diagnosis.evidence;

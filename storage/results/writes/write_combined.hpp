@@ -8,7 +8,7 @@
 
 namespace loopscope::storage {
 
-/// What has changed of a loop's stored slots.
+/// What has changed of a loop's stored slots, microseconds UTC since 1970.
 struct ChangedSlots {
   std::int64_t first_us;     ///< end of the earliest of them
   std::int64_t earliest_us;  ///< slots before are forgotten (longest_memory_windows())
@@ -19,6 +19,7 @@ struct ChangedSlots {
 /// replay of slots in any order come to the same. Only rows of `algorithm_revision` are combined;
 /// what a row keeps of its windows knows no priors, `priors` are those of the probabilities beside
 /// it. A window that stands alone keeps the probabilities that it was judged with.
+/// `changed` is by loop_id. In the caller's transaction, by Session::transact().
 void write_combined(Transaction& transaction, int algorithm_revision,
                     const std::map<std::int64_t, ChangedSlots>& changed,
                     const core::diagnosis::PerCause& priors);
