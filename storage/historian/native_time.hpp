@@ -23,8 +23,8 @@ namespace loopscope::storage {
 
 enum class Bound { lower, upper };
 
-/// Text of the first (lower) or last (upper) native value that lies in a span which begins or
-/// ends at `time_us` inclusive. What lies outside the years 1 to 9999 (and, of nanoseconds, outside
+/// Text of the first (lower) or last (upper) native value that lies in a span which begins or ends
+/// at `time_us` inclusive. What lies outside the years 1 to 9999 (and, of nanoseconds, outside
 /// eight bytes) becomes the nearest end, here and in native_text().
 [[nodiscard]] std::string native_bound(TimeKind kind, std::int64_t time_us, Bound bound);
 

@@ -13,8 +13,8 @@
 
 namespace loopscope::storage {
 
-/// The loop catalogue: lists, adds and changes loops. Every function is one transaction and
-/// throws DatabaseError. Not shared between threads.
+/// The loop catalogue: lists, adds and changes loops. Every function is one transaction and throws
+/// DatabaseError. Not shared between threads.
 class Catalogue {
  public:
   /// Connects and checks that the schema has the version this program was built for.
@@ -25,8 +25,8 @@ class Catalogue {
   [[nodiscard]] std::vector<CatalogueEntry> list();
   /// nullopt = there is no such loop.
   [[nodiscard]] std::optional<CatalogueEntry> find(const std::string& name);
-  /// Inserts the loops, or changes those whose name exists; makes each due at once (one that
-  /// a worker holds: when the worker is done). All or nothing: text that is no UTF-8, a name that
+  /// Inserts the loops, or changes those whose name exists; makes each due at once (one that a
+  /// worker holds: when the worker is done). All or nothing: text that is no UTF-8, a name that
   /// stands twice and a value out of range are refused (give_up). Returns how many were new.
   std::size_t save(std::span<const CatalogueEntry> entries);
   /// Returns how many of the names exist; those are switched.

@@ -16,9 +16,9 @@ namespace loopscope::storage {
 /// with the object and ends with it, so that the parts of a report agree with each other whatever
 /// the workers write meanwhile. One object = one connection; not shared between threads. Hold it
 /// for as long as the reading takes and no longer: while it lives, vacuum keeps old rows, and the
-/// server ends it after `settings.idle_timeout_s` without a question. Times are
-/// microseconds UTC since 1970. Every function throws DatabaseError; after Remedy::reconnect the
-/// object must be thrown away.
+/// server ends it after `settings.idle_timeout_s` without a question. Times are microseconds UTC
+/// since 1970. Every function throws DatabaseError; after Remedy::reconnect the object must be
+/// thrown away.
 class ReportDatabase {
  public:
   /// Connects, checks that the schema has the version this program was built for and takes the

@@ -18,8 +18,8 @@ struct ChangedSlots {
 /// changed slot on, by what is stored of them and of the combined one before: late data and a
 /// replay of slots in any order come to the same. Only rows of `algorithm_revision` are combined;
 /// what a row keeps of its windows knows no priors, `priors` are those of the probabilities beside
-/// it. A window that stands alone keeps the probabilities that it was judged with.
-/// `changed` is by loop_id. In the caller's transaction, by Session::transact().
+/// it. A window that stands alone keeps the probabilities that it was judged with. `changed` is by
+/// loop_id. In the caller's transaction, by Session::transact().
 void write_combined(Transaction& transaction, int algorithm_revision,
                     const std::map<std::int64_t, ChangedSlots>& changed,
                     const core::diagnosis::PerCause& priors);
