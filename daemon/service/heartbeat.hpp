@@ -26,7 +26,7 @@ class Heartbeat {
 
   /// New settings are in force from the next beat on.
   void use(std::shared_ptr<const config::Settings> settings);
-  /// Leases lost to others since the start.
+  /// Leases lost to others since the start. Thread-safe, as silence() and use() are.
   [[nodiscard]] std::uint64_t lost_leases();
   /// Since the last beat, whether it reached the database or not.
   [[nodiscard]] Clock::duration silence(Clock::time_point now = Clock::now());

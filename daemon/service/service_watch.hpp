@@ -32,6 +32,7 @@ class ServiceWatch {
                Heartbeat& heartbeat);
   ~ServiceWatch();
 
+  /// These settings from now on; the HTTP address stays. Thread-safe.
   void use(std::shared_ptr<const config::Settings> settings);
   /// The scheduling thread is at work: once a second.
   void pulse();

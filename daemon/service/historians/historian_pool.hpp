@@ -22,8 +22,9 @@ class HistorianPool {
   explicit HistorianPool(Metrics& metrics) : metrics_(metrics) {}
 
   /// Calls `use(storage::HistorianReader&)` with a connection of its own and returns what it
-  /// returned. Waits for a free one for at most `terms.patience`. A connection that died while it
-  /// was idle says nothing about the server: one new one is tried. Throws storage::DatabaseError.
+  /// returned, which is not void. Waits for a free one for at most `terms.patience`. A connection
+  /// that died while it was idle says nothing about the server: one new one is tried, and `use` is
+  /// called again. Throws storage::DatabaseError, and what `use` throws.
   template <typename Use>
   auto with_reader(const config::HistorianSettings& source, const SourceTerms& terms, Use use) {
     for (bool retried = false;; retried = true) {
@@ -46,9 +47,9 @@ class HistorianPool {
 
   /// Whether the last use of the source failed.
   [[nodiscard]] bool is_down(const std::string& name);
-  /// Sources that turn everybody away just now, with the time until one may try (SourceGate).
+  /// Sources that admit nobody just now, with the time until one may try (SourceGate::closed_for).
   [[nodiscard]] std::map<std::string, SourceGate::Duration> closed();
-  /// Connections to the source that are in use now.
+  /// Users of the source that have a connection or are just getting one.
   [[nodiscard]] int in_use(const std::string& name);
   /// Closes connections that nobody uses, of one source or of all: after a reload they may lead to
   /// the wrong place.

@@ -18,8 +18,8 @@ class SourceGate {
  public:
   using Duration = std::chrono::steady_clock::duration;
 
-  /// Waits until fewer than `limit` users are inside, then goes in. Throws the standing fault of
-  /// a source that is down, or DatabaseError (retry) when no place came free within `patience`.
+  /// Waits until fewer than `limit` (> 0) users are inside, then goes in. Throws the standing fault
+  /// of a source that is down, or DatabaseError (retry) when no place came free within `patience`.
   void enter(const std::string& source, int limit, Duration patience);
   /// The user leaves; the source worked.
   void leave();
@@ -44,18 +44,18 @@ class SourceGate {
   Clock::time_point try_again_at_;
 };
 
-/// What a user of a source puts up with.
+/// How long a user of a source waits.
 struct SourceTerms {
   SourceGate::Duration patience;  ///< longest wait for a free connection
   SourceGate::Duration pause;     ///< for which a source that failed is left alone
-  double hold_s = 290.0;          ///< of the claims that wait for it: bounds every wait
+  double hold_s = 290.0;          ///< seconds that the claims hold: bounds every wait
 };
 
-/// A historian that failed is left alone for so long, so that its loops go on soon after it is
-/// back.
+/// Seconds, a poll or 30 at most, for which a historian that failed is left alone: its loops go on
+/// soon after it is back.
 [[nodiscard]] double source_pause_s(const config::ScheduleSettings& schedule);
 
-/// What a reader of windows puts up with.
+/// The waits of a reader of windows.
 [[nodiscard]] SourceTerms source_terms(const config::ScheduleSettings& schedule);
 
 }  // namespace loopscope::daemon

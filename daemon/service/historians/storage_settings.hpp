@@ -9,7 +9,10 @@
 
 namespace loopscope::daemon {
 
-/// The settings file's words as storage/ wants them: the two rooms do not know each other.
+/// The settings file's words as storage/ wants them: the two rooms do not know each other. A word
+/// that passed validation and is not known here throws std::logic_error.
+
+/// The worker's connection: no wait takes longer than a third of what a claim holds.
 [[nodiscard]] storage::ConnectionSettings results_connection(const config::Settings& settings);
 /// The schema owner's connection (migrate, maintain, loops, maintenance, import).
 [[nodiscard]] storage::ConnectionSettings owner_connection(const config::Settings& settings);

@@ -24,13 +24,14 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Where the time of one worker went: the sum, and the part that is not stored yet.
+/// Where the time of one worker went: the sum, and the part that is not stored yet. Not
+/// thread-safe.
 class StageTimings {
  public:
   void add(const storage::StageCost& cost);
   [[nodiscard]] const storage::StageCost& sum() const { return sum_; }
-  /// What is to be stored now, taken out of the book: nothing before a minute has passed since the
-  /// last time, unless `at_once`; nothing where no loop was done.
+  /// What is to be stored now, which then counts as stored: nothing before a minute has passed
+  /// since the last time, unless `at_once`; nothing where no loop was done.
   [[nodiscard]] std::optional<storage::StageCost> take(bool at_once);
   /// What was taken could not be stored: it will be given out again.
   void put_back(const storage::StageCost& cost) { storage::add(untaken_, cost); }

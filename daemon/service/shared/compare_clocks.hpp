@@ -20,12 +20,14 @@ std::optional<storage::DatabaseError> compare_clocks(const config::Settings& set
                                                      SharedServices& tools, ResultsLink& results);
 
 /// How the results server's clock, which `results_clock` reads, stands beside the others. Where all
-/// that are known agree nobody else is asked, else every historian too.
+/// that are known agree nobody else is asked, else every historian too. Throws what `results_clock`
+/// throws.
 [[nodiscard]] KnownClocks::State look_at_clocks(
     const config::Settings& settings, SharedServices& tools,
     const std::function<storage::ServerClock()>& results_clock);
 
-/// Asks the clocks of all historians that answer and notes them.
+/// Asks the clocks of all historians that answer and notes them; never throws for one that does
+/// not.
 void ask_historians(const config::Settings& settings, SharedServices& tools);
 
 }  // namespace loopscope::daemon

@@ -39,7 +39,7 @@ struct ClockJudgement {
                                           const std::vector<ClockReading>& historians,
                                           const storage::AcceptedClocks& accepted);
 
-/// Whether these two tell the same time.
+/// Whether these two tell the same time, within kClockTolerance_s.
 [[nodiscard]] bool clocks_agree(double ahead_s, double other_ahead_s);
 
 /// "5 h 2 min ahead" or "30 d 0 h behind": a difference in words, to two units.

@@ -35,6 +35,7 @@ class KnownClocks {
   void note_historian(const std::string& source, const storage::ServerClock& clock);
   /// Historians of the settings in force; others are forgotten.
   void keep_historians(const std::vector<std::string>& sources);
+  /// What a person has said, in place of what was said before.
   void accept(storage::AcceptedClocks accepted);
 
   /// All that is known.
@@ -49,7 +50,8 @@ class KnownClocks {
   /// This has to outlive it.
   [[nodiscard]] storage::ClockCheck check();
   /// Whether the historian's clock differs from those of the results server and of this host, as
-  /// the results server's was noted last.
+  /// the results server's was noted last. False of a clock that is not known, and before the first
+  /// note_results().
   [[nodiscard]] bool is_wrong(const std::string& source);
 
  private:

@@ -15,7 +15,7 @@ namespace loopscope::daemon {
 
 /// How long a worker tries to bring its work to the results database.
 enum class RetryLimit {
-  one_lease,  ///< once: whoever called wants to know
+  one_lease,  ///< once: for schedule.lease_s seconds, since whoever called wants to know
   endless,    ///< run: until it works or the process shall stop
 };
 
@@ -38,7 +38,7 @@ class ResultsLink {
 
   /// Calls `use(storage::ResultsDatabase&)`; a second time, on a new connection, when the one from
   /// before turns out to be dead, which says nothing about the server. So `use` has to bear a
-  /// repeat after a commit in doubt. Throws storage::DatabaseError.
+  /// repeat after a commit in doubt; it returns a value. Throws storage::DatabaseError.
   template <typename Use>
   auto with(Use use) {
     const bool was_connected = database_.has_value();

@@ -8,12 +8,12 @@
 namespace loopscope::daemon {
 
 /// Admits as many workers to the work on the rows as there are cores to do it; the others fetch and
-/// write meanwhile. Whoever is inside waits for nothing else, so nothing can lock up. Thread-safe.
+/// write meanwhile. Whoever is inside waits for nothing else, so there is no deadlock. Thread-safe.
 class CoreGate {
  public:
   explicit CoreGate(std::size_t cores) : free_(static_cast<std::ptrdiff_t>(cores)) {}
 
-  /// A core for as long as it lives.
+  /// A core for as long as it lives; the constructor waits for one.
   class Permit {
    public:
     explicit Permit(CoreGate& gate) : gate_(gate) { gate_.free_.acquire(); }
@@ -35,8 +35,8 @@ class CoreGate {
   return CoreGate::Permit(cores);
 }
 
-/// The scheduler prefers the threads that analyse to this one and to the programs that it starts. A
-/// sandbox may refuse: then it is one thread among others.
+/// The scheduler prefers the threads that analyse to the calling one and to the programs that it
+/// starts. A sandbox may refuse: then it is one thread among others.
 void yield_to_analysis();
 
 }  // namespace loopscope::daemon

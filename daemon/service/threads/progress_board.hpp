@@ -64,7 +64,7 @@ class ProgressBoard {
     std::set<std::int64_t> lost_;  ///< loop_id
   };
 
-  /// A place of its own.
+  /// A place of its own, as long as the board lives.
   [[nodiscard]] Entry& entry();
 
   /// Claims of all workers that got on since renewed() was called last.
@@ -73,14 +73,15 @@ class ProgressBoard {
   void renewed(Clock::time_point seen);
   /// These claims are outdated; returns how many were still held here.
   std::size_t lose(std::span<const storage::ClaimKey> claims);
+  /// Loops that all workers hold, lost ones included.
   [[nodiscard]] std::size_t held_loops();
 
   /// Why the process should not be trusted to work any more: a worker that holds loops and has
   /// shown nothing for longer than `limit`; nullopt = all is well.
   [[nodiscard]] std::optional<std::string> standstill(Clock::duration limit,
                                                       Clock::time_point now = Clock::now());
-  /// Since the worker that is longest without a step, of those that hold loops, showed its last
-  /// one.
+  /// Since the worker that is longest without a step, of those that hold loops and wait for no
+  /// core, showed its last one; 0 = there is none.
   [[nodiscard]] Clock::duration longest_silence(Clock::time_point now = Clock::now());
 
  private:

@@ -14,6 +14,7 @@ namespace loopscope::daemon {
 /// one fetches and writes while the other analyses. At least one and at most eight for each core.
 [[nodiscard]] std::size_t worker_count(const config::DaemonSettings& settings);
 
+/// As gethostname() has it; may be empty.
 [[nodiscard]] std::string host_name();
 /// What this process signs with: host/pid.
 [[nodiscard]] std::string process_name();
