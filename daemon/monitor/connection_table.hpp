@@ -23,6 +23,7 @@ class ConnectionTable {
 
   /// Takes it and makes room for it. Where everybody else waits for an answer, it is closed itself.
   void add(std::shared_ptr<HttpConnection> connection);
+  /// HttpConnection::hurry() of each.
   void hurry_all();
 
   /// Those that are open.

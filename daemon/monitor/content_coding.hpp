@@ -18,7 +18,7 @@ struct AcceptedCodings {
 /// is. Codings that nobody knows here, and elements that are none, are passed over.
 [[nodiscard]] AcceptedCodings accepted_codings(const std::optional<std::string>& header);
 
-/// The text as a gzip file. Milliseconds for a megabyte.
+/// The text as a gzip file. Milliseconds for a megabyte. Throws std::bad_alloc.
 [[nodiscard]] std::string gzip(std::string_view text);
 
 }  // namespace loopscope::daemon

@@ -11,7 +11,7 @@
 
 namespace loopscope::daemon {
 
-/// The answer to "are you well?".
+/// The answer of /livez or /readyz.
 struct HealthAnswer {
   bool well = true;
   std::string text;  ///< "ok", or one line per reason; each ends in a line break
@@ -44,6 +44,7 @@ class Health {
   /// It has answered, but with a schema that is not this program's; `why` in plain words. Stands
   /// until results_answered().
   void schema_refused(std::string why);
+  /// The lag of the newest look at the schedule.
   void set(const storage::ScheduleHealth& schedule);
   /// Why the results server's clock is not believed; nullopt = it is.
   void set_clock_refusal(std::optional<std::string> why);

@@ -30,7 +30,7 @@ struct HttpMessage {
 [[nodiscard]] HttpMessage make_message(std::shared_ptr<const HttpAnswer> answer,
                                        const HttpRequest& request);
 
-/// Makes `gzipped`, where that saves anything.
+/// Makes `gzipped`, where that saves anything: of bodies of a kilobyte and more. Throws as gzip().
 void add_gzipped(HttpAnswer& answer);
 
 /// The way of an answer back to who asked; copies are the same way. The first answer counts, and

@@ -37,6 +37,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   /// To be called once.
   void start();
+  /// At once, whatever was being answered; nothing where it is closed.
   void close();
   /// The server ends: an answer that has begun has a moment still, nothing else begins.
   void hurry();

@@ -10,8 +10,8 @@
 namespace loopscope::daemon {
 
 struct HttpRequest {
-  std::string path;  ///< decoded
-  std::multimap<std::string, std::string> query;
+  std::string path;                               ///< decoded, any bytes
+  std::multimap<std::string, std::string> query;  ///< decoded names and values, any bytes
   std::string method = "GET";
   std::optional<std::string> host = {};             ///< as it was sent; none = HTTP/1.0 without one
   std::optional<std::string> accept_encoding = {};  ///< as it was sent; none = no such header

@@ -17,6 +17,7 @@ using DeferredHandler = std::function<void(const HttpRequest&, const HttpReply&)
 /// Which handler answers which path. Reading only: GET and HEAD, everything else is 405.
 class HttpRoutes {
  public:
+  /// `path` is decoded and has to match as a whole; of several handlers of one the last counts.
   void add(const std::string& path, HttpHandler handler);
   void add_deferred(const std::string& path, DeferredHandler handler);
 

@@ -32,7 +32,7 @@ class HttpServer {
   /// Other names from now on. Thread-safe.
   void use_names(std::vector<std::string> names);
   /// Answers nobody from now on; returns when the last answer that had begun is out, within a
-  /// moment.
+  /// moment. Not to be called by a handler.
   void stop();
   /// The port that is listened on, after start(): the one of the address, or the one that was free.
   [[nodiscard]] int port() const;

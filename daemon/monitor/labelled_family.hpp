@@ -25,6 +25,7 @@ class LabelledFamily {
   LabelledFamily(prometheus::Family<Metric>& family, std::string label)
       : family_(family), label_(std::move(label)) {}
 
+  /// Made at the first call; valid until keep() forgets it.
   Metric& at(const std::string& name) {
     const std::string value = plain_line(name, kMostBytes);
     const auto found = metrics_.find(value);

@@ -30,7 +30,8 @@ struct ClockFigure {
 /// The figures of this process for Prometheus (README, "Monitoring": each name, its unit and what
 /// it means). Nothing here is per loop: a catalogue of a hundred thousand loops would be as many
 /// series; single loops are asked for in SQL. What is not known yet is left out instead of said to
-/// be 0. Thread-safe; a call takes a lock and some hundred nanoseconds.
+/// be 0. What is counted is handed in as what came since the last call. Thread-safe; a call takes a
+/// lock and some hundred nanoseconds.
 class Metrics {
  public:
   /// One for each process: its time of construction is loopscope_start_time_seconds.
@@ -44,7 +45,6 @@ class Metrics {
   void set_sources(std::span<const std::string> sources);
 
   void count(const storage::WriteCount& count);
-  /// What was spent since the last call.
   void add(const storage::StageCost& cost);
   /// A batch of loops took so long from its claim to its end.
   void observe_batch(double seconds);
@@ -61,6 +61,7 @@ class Metrics {
   void data_age(const std::string& source, double seconds);
   void unknown_quality(const std::string& source, std::size_t values);
 
+  /// `retention_months`: what the settings keep, 0 = all.
   void set(const storage::ScheduleHealth& health, int retention_months);
   /// All clocks that were compared; others are forgotten.
   void set_clocks(std::span<const ClockFigure> clocks);

@@ -10,10 +10,11 @@ namespace loopscope::daemon {
 /// What the object `input` of `analyze --json` says.
 struct InputFacts {
   std::string file;
-  std::size_t samples = 0;
-  std::optional<double> interval_s;
-  nlohmann::ordered_json start;  ///< ISO 8601, or seconds for a file with t_s
-  nlohmann::ordered_json end;
+  std::size_t samples = 0;           ///< of the window
+  std::optional<double> interval_s;  ///< nullopt = fewer than two samples
+  /// Of the first sample: ISO 8601, or seconds for a file with t_s; null = the window is empty.
+  nlohmann::ordered_json start;
+  nlohmann::ordered_json end;  ///< likewise of the last one
 };
 
 /// The whole diagnosis as the JSON object of contract.md; what is not computed is null.

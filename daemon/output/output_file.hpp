@@ -20,7 +20,9 @@ class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path file);
 
+  /// Keeps 64 kB at most in memory.
   void write(std::string_view text);
+  /// Writes what is left and puts the file into its place; without it a file stays as it was.
   void finish();
 
  private:

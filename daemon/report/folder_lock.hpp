@@ -12,6 +12,7 @@ namespace loopscope::daemon {
 /// Throws Failure (usage) when there can be no such file.
 class FolderLock {
  public:
+  /// Does not wait: held() says whether it was free.
   explicit FolderLock(const std::filesystem::path& folder);
   [[nodiscard]] bool held() const { return held_; }
 

@@ -30,7 +30,8 @@ struct ReportResult {
 /// Writes the report of the flagged loops: FOLDER/NAME.html, one self-contained file, and with
 /// `pdf` FOLDER/NAME.pdf of the same content. Each appears whole or not at all, and none before
 /// both are made. A loop whose historian is away has its stored figures and a sentence. Throws
-/// Failure (no plotting program, no PDF engine, folder) and storage::DatabaseError (results).
+/// Failure (no plotting program, no PDF engine, folder), storage::DatabaseError (results) and
+/// std::system_error (a program that cannot be started).
 ReportResult write_report(const config::Settings& settings, const ReportOptions& options,
                           const std::stop_token& stop = {});
 

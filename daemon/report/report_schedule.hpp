@@ -40,6 +40,7 @@ class ReportSchedule {
   ReportSchedule(const ReportSchedule&) = delete;
   ReportSchedule& operator=(const ReportSchedule&) = delete;
 
+  /// These settings from the next report on. Thread-safe.
   void use(std::shared_ptr<const config::Settings> settings);
 
  private:
@@ -57,7 +58,7 @@ class ReportSchedule {
 /// "loopscope-2026-03-01T0600Z": the name of the report whose span ends then, without ending.
 [[nodiscard]] std::string report_name(std::int64_t end_us);
 
-/// Removes all but `keep` reports of a folder, pages and PDFs: `newest` and those before it.
+/// Removes all but `keep` (>= 1) reports of a folder, pages and PDFs: `newest` and those before it.
 /// Reports of later times, which a clock that was ahead has named, neither count nor go; files of
 /// other names stay. What cannot be removed is said and left. Links to the folder are followed as
 /// follow() does, and it throws as that does.

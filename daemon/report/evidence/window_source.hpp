@@ -21,10 +21,11 @@ class WindowSource {
  public:
   explicit WindowSource(const config::Settings& settings) : settings_(settings) {}
 
-  /// What was read, or why not in a sentence.
+  /// What was read, or why not in a sentence, in place of DatabaseError and Failure.
   using Reading = std::variant<LoopInput, std::string>;
 
-  /// The window of the slot that ends at `slot_end_us`, with the longer span where it is wanted.
+  /// The window of the slot that ends at `slot_end_us` (microseconds UTC since 1970), with the
+  /// longer span where it is wanted.
   [[nodiscard]] Reading read(const storage::CatalogueEntry& loop, std::int64_t slot_end_us);
 
  private:

@@ -23,7 +23,7 @@ inline constexpr std::string_view kGrey = "#666666";
 /// A data block `$name` of two columns; where y is NaN the curve is broken.
 [[nodiscard]] std::string data_block(std::string_view name, std::span<const Point> points);
 
-/// What every picture begins with: terminal, type, frame, grid, no title.
+/// What every picture begins with: terminal, type, frame, grid, no title. CSS pixels.
 [[nodiscard]] std::string picture_start(int width, int height);
 
 /// The x axis as times from `from_us` to `to_us` (microseconds UTC since 1970; points carry
@@ -35,8 +35,8 @@ inline constexpr std::string_view kGrey = "#666666";
 /// The y axis: a range that holds `low` to `high` with a little air, and a label.
 [[nodiscard]] std::string value_axis(double low, double high, std::string_view label);
 
-/// One of `count` panels one above the other, the first on top: its margins, as shares of a canvas
-/// `height` pixels high. The last one has room for the words of the x axis.
+/// One (`index` from 0) of `count` panels one above the other, the first on top: its margins, as
+/// shares of a canvas `height` pixels high. The last one has room for the words of the x axis.
 [[nodiscard]] std::string panel(int index, int count, int height);
 
 /// "with lines" in a colour and width.

@@ -21,7 +21,8 @@ struct ShownModel {
 /// by: of a vessel, which keeps every error, it may run away while the prediction one sample ahead
 /// gets better. It is shown where over these samples no stage is farther from the measurement
 /// than the one before, else the prediction that was scored. A stage without a prediction was
-/// scored by its simulation, and all are shown by theirs.
+/// scored by its simulation, and all are shown by theirs. `from` and `samples` count within
+/// `measured`.
 [[nodiscard]] ShownModel shown_model(const std::vector<double>& measured,
                                      const std::vector<const core::model::TraceStage*>& stages,
                                      std::size_t from, std::size_t samples);

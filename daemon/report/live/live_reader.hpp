@@ -21,7 +21,8 @@ struct LivePage {
 
 /// Reads and writes the daemon's pages; for one thread at a time. A loop that was looked at a
 /// moment ago is not looked at again before it has another analysis. Every function throws
-/// storage::DatabaseError when the results are away.
+/// storage::DatabaseError when the results are away, and std::system_error when the plotting
+/// program cannot be started.
 class LiveReader {
  public:
   explicit LiveReader(std::shared_ptr<const config::Settings> settings)

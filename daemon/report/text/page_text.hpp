@@ -15,7 +15,7 @@ inline constexpr const char* kUnknown = "\u2013";
 /// The same as a heading: "Valve stiction".
 [[nodiscard]] std::string as_heading(std::string_view code);
 
-/// "2026-03-01 12:00 UTC": to the minute, as a report says times.
+/// "2026-03-01 12:00 UTC": microseconds UTC since 1970 to the minute, as a report says times.
 [[nodiscard]] std::string utc(std::int64_t time_us);
 
 /// The same without the zone, below a heading that names it.
