@@ -16,12 +16,12 @@ namespace loopscope::daemon {
 struct DeadEnd {
   std::string loop;
   std::string source;
-  std::string_view role;
+  std::string_view role;  ///< sp, pv, op, mv or mode
   std::string tag;
   std::string problem;
 };
 
-/// Which of the tags of a source have a row, in their order.
+/// Which of the tags of a source have a row, in their order. What it throws passes through.
 using HasRows =
     std::function<std::vector<bool>(const std::string& source, std::span<const std::string> tags)>;
 

@@ -29,8 +29,9 @@ struct EntryField {
 /// cell leaves the field as it is.
 [[nodiscard]] bool can_be_empty(const EntryField& field);
 
-/// Rules for the whole entry: a name, a pv tag, period and interval in range, both ends of the op
-/// range or none. Throws std::invalid_argument.
+/// Rules for the whole entry: a name of at most 1000 bytes, a pv tag, period and interval in range
+/// (CatalogueEntry), both ends of the op and of the pv range or none, low below high. Throws
+/// std::invalid_argument.
 void check_entry(const storage::CatalogueEntry& entry);
 
 /// What a tag is to its loop, in the words of the CSV, the settings and the results.

@@ -21,7 +21,7 @@ struct Proposal {
 
 /// Values of the tags of a loop over its history, as far as it was looked at.
 struct LoopValues {
-  core::signal::Samples pv, op;
+  core::signal::Samples pv, op;  ///< as recorded, in any order, finite; empty = nothing recorded
 };
 
 /// What history and name propose for a loop: op's range where it is clear (0 to 1, a current, 0 to

@@ -7,7 +7,8 @@
 
 namespace loopscope::daemon {
 
-/// Says that the catalogue has no such loop, and which name was probably meant.
+/// Failure (usage): the catalogue has no such loop, and which name was probably meant. Both throw
+/// storage::DatabaseError.
 [[nodiscard]] Failure unknown_loop(const std::string& name, storage::Catalogue& catalogue);
 
 /// Throws it unless the catalogue has the loop.

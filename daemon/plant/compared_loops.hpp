@@ -17,7 +17,8 @@ namespace loopscope::daemon {
 /// The loops of one comparison, read in three steps, so that ten thousand need little more memory
 /// than their errors: everybody's error; a longer span of those that swing too slowly for their
 /// window; sp, pv and op of the members of what was found. Every step returns false when the
-/// process shall end, and throws as read_plant_series.
+/// process shall end, and throws as read_plant_series(); read_longer() only says in the log that a
+/// database has failed, and the loops stay without longer spans. For one thread.
 class ComparedLoops {
  public:
   ComparedLoops(std::vector<storage::PlantCandidate> candidates, const config::Settings& settings,

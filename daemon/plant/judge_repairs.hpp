@@ -21,8 +21,8 @@ struct JudgedBatch {
   std::int64_t last = 0;
 };
 
-/// One batch of it, behind the piece of this number: a transaction to read and one to write. None =
-/// nothing more is due.
+/// One batch of it, a hundred pieces at most, behind the piece of this number: a transaction to
+/// read and one to write. A count of 0 = nothing more is due. Throws storage::DatabaseError.
 JudgedBatch judge_some_repairs(storage::RepairJudgements& judgements, std::int64_t behind);
 
 }  // namespace loopscope::daemon

@@ -17,16 +17,16 @@ namespace loopscope::daemon {
 /// the rows.
 struct PlantSeries {
   double sample_interval_s = 1.0;
-  std::int64_t start_us = 0;
-  core::signal::Samples error;
-  core::signal::Samples sp;  ///< empty = not recorded, or it never moves
+  std::int64_t start_us = 0;    ///< of the first sample, microseconds UTC since 1970
+  core::signal::Samples error;  ///< sp - pv, pv units; NaN = missing, as in the others
+  core::signal::Samples sp;     ///< pv units; empty = not recorded, or it never moves
   core::signal::Samples pv;
   core::signal::Samples op;  ///< %, or op units; empty = not recorded
 };
 
 /// How much of a loop is wanted.
 struct SeriesWanted {
-  std::size_t windows = 1;  ///< so many windows' time, as means of so many samples
+  std::size_t windows = 1;  ///< >= 1: so many windows' time, as means of so many samples
   bool error_only = true;   ///< 33 kB a loop instead of 130
 };
 

@@ -17,12 +17,14 @@ namespace loopscope::daemon {
 /// What is to be said of all loops together, on a thread of its own: compares them with each other
 /// every `plant.round_s` (one worker of the plant at a time does), and tells listeners of the
 /// results database of loops that are newly flagged (NOTIFY), every `plant.notice_s`, whether the
-/// comparison succeeds or not; judges repairs at every look, once a minute at least. Lanes go on
+/// comparison succeeds or not; judges repairs at every look, once a minute at least. Workers go on
 /// whatever happens here; a database that is away is a fault for the log.
 class PlantWatch {
  public:
+  /// Starts the thread; the destructor ends it and waits for what it is at.
   PlantWatch(std::shared_ptr<const config::Settings> settings, SharedServices& tools);
 
+  /// These settings from now on, by which it looks again at once. Thread-safe.
   void use(std::shared_ptr<const config::Settings> settings);
 
  private:

@@ -15,9 +15,9 @@ struct RecordingAnalysis {
   core::Diagnosis diagnosis;
 };
 
-/// The last window of the recording (of what lies up to `end_us`), diagnosed with what the file
-/// holds before it where a slow oscillation asks for more. The seed of `facts` is that of the
-/// window. Throws as core::diagnose().
+/// The last window of the recording (of what lies up to `end_us`, counted as its times), diagnosed
+/// with what the file holds before it where a slow oscillation asks for more. The seed of `facts`
+/// is that of the window. Throws as core::diagnose().
 [[nodiscard]] RecordingAnalysis analyse_recording(
     const Recording& recording, const core::AnalysisSettings& settings,
     const std::optional<core::signal::OpRange>& op_range, core::LoopFacts facts = {},

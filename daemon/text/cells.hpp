@@ -9,13 +9,14 @@
 
 namespace loopscope::daemon {
 
-/// The text without blanks at its ends.
+/// The text without blanks and tabs at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 
 /// Case-insensitive comparison of ASCII words.
 [[nodiscard]] bool same_word(std::string_view a, std::string_view b);
 
-/// A number cell: empty, NaN and infinity give NaN; nullopt when the text is no number.
+/// A number cell: empty, NaN, infinity and what a double cannot hold give NaN; nullopt when the
+/// text is no number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view cell);
 
 /// What plants write into a mode tag, case aside; those of FOUNDATION Fieldbus among them. Whoever
@@ -38,8 +39,8 @@ inline constexpr std::array kModeWords{
     std::pair{std::string_view{"RCAS"}, core::signal::ControlMode::cascade},
 };
 
-/// A mode cell: a word of kModeWords, or 0 manual, 1 automatic, 2 cascade; anything else is
-/// unknown.
+/// A mode cell: a word of kModeWords, or M or 0 manual, A or 1 automatic, C or 2 cascade, case
+/// aside; anything else is unknown.
 [[nodiscard]] core::signal::ControlMode parse_mode(std::string_view cell);
 
 /// A quality cell: GOOD, or a number after OPC DA ((q & 0xC0) = 0xC0); an empty cell is good.

@@ -20,8 +20,9 @@ struct CsvTable {
   std::vector<Row> rows;
 };
 
-/// Throws Failure (unusable_data): a missing, empty or unreadable file, an open quote, a row with
-/// another number of cells than the header.
+/// Throws Failure (unusable_data): a missing, empty or unreadable file, one of more than 512 MiB or
+/// 60 million cells, an open quote, a row with another number of cells than the header. Waits ten
+/// minutes at most for a pipe (read_bounded()).
 [[nodiscard]] CsvTable read_csv(const std::filesystem::path& file);
 
 /// The same from text; `name` stands for the file in messages.

@@ -46,9 +46,9 @@ struct Calibration {
   std::vector<PlantSummary> plants;  ///< empty when no plant was asked for
 };
 
-/// Counts rejections on records 1 to `records` of every family, in `threads` threads. Counts do not
-/// depend on the number of threads. `record_done` is called after every record, never from two
-/// threads at once.
+/// Counts rejections on the first `records` records of every family, in `threads` (>= 1) threads.
+/// Counts do not depend on the number of threads. `record_done` is called after every record, never
+/// from two threads at once.
 [[nodiscard]] std::vector<FamilyTally> tally_families(
     std::span<const core::simulate::CalibrationFamily> families, std::size_t records,
     std::size_t threads, const std::function<void()>& record_done);

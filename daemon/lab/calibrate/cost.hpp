@@ -14,7 +14,7 @@ struct Cost {
   [[nodiscard]] double ratio() const { return analyse_us / estimate_us; }
 };
 
-/// Over the families of `tallies` (not empty) with `records` records each.
+/// Over the families of `tallies` (not empty) with `records` (> 0) records each.
 [[nodiscard]] Cost mean_cost(std::span<const FamilyTally> tallies, std::size_t records);
 
 /// Over the linear Gaussian families, which stand for healthy loops; over all where there is none.

@@ -55,8 +55,9 @@ struct PlantSummary {
 /// p-value of one record, NaN = not computed.
 using RecordP = std::function<double(std::span<const double> signal)>;
 
-/// Draws every loop of every plant afresh and asks `make_p()` (one per thread) for its p-value.
-/// `loop_done` is called after every loop, never from two threads at once.
+/// Draws every loop of every plant afresh, in `threads` (>= 1) threads, and asks `make_p()` (one
+/// per thread) for its p-value. `loop_done` is called after every loop, never from two threads at
+/// once.
 [[nodiscard]] std::vector<PlantPool> draw_plants(const PlantSettings& settings, std::size_t threads,
                                                  const std::function<RecordP()>& make_p,
                                                  const std::function<void()>& loop_done);
@@ -65,7 +66,8 @@ using RecordP = std::function<double(std::span<const double> signal)>;
 [[nodiscard]] std::size_t drawn_loops(const PlantSettings& settings);
 
 /// Benjamini-Hochberg over every plant, once per fault share: the faulty loops take the place of
-/// the last healthy ones, so that both shares use the same pool.
+/// the last healthy ones, so that both shares use the same pool. `pools` as draw_plants() gave them
+/// for the same settings, one at least.
 [[nodiscard]] std::vector<PlantSummary> judge_plants(const PlantSettings& settings,
                                                      std::span<const PlantPool> pools);
 

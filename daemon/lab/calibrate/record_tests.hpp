@@ -33,7 +33,7 @@ struct RecordOutcome {
 };
 
 /// p-value of the published Gaussianity test by eq. 9 to 11: NGI with the critical value of a level
-/// is above `threshold` from that level on. `mean_bic2` over `bifrequencies` (L) values of
+/// is above `threshold` from that level on. `mean_bic2` over `bifrequencies` (L, > 0) values of
 /// `segments` (K).
 [[nodiscard]] double published_p(double mean_bic2, double threshold, std::size_t segments,
                                  std::size_t bifrequencies);

@@ -56,7 +56,8 @@ struct Measurement {
   std::optional<VerdictShare> verdict;  ///< loops only
 };
 
-/// Runs an example with seeds 1 to `seeds` (>= 1).
+/// Runs an example with seeds 1 to `seeds` (>= 1). Throws std::runtime_error for a scenario whose
+/// signal does not vary.
 [[nodiscard]] Measurement measure(const Example& example, std::size_t seeds);
 
 /// An example and what was measured of it.
@@ -71,7 +72,7 @@ struct Reproduction {
   std::vector<MeasuredExample> examples;
 };
 
-/// Measures every example with seeds 1 to `seeds` (>= 1).
+/// measure() of every example with seeds 1 to `seeds` (>= 1).
 [[nodiscard]] Reproduction reproduce_paper(std::size_t seeds);
 
 }  // namespace loopscope::daemon
