@@ -14,7 +14,7 @@ struct HttpAddress {
 };
 
 /// Reads "127.0.0.1:9470" or "[::1]:9470"; nullopt = neither. Names are refused: which address a
-/// name stands for, and so who can reach the server, may change behind the operator's back.
+/// name stands for, and so who can reach the server, may change without the operator's doing.
 [[nodiscard]] std::optional<HttpAddress> parse_http_address(std::string_view text);
 
 }  // namespace loopscope::config

@@ -12,8 +12,9 @@ namespace loopscope::config {
 /// into `b` (optimal string alignment distance); case counts for nothing.
 [[nodiscard]] std::size_t spelling_distance(std::string_view a, std::string_view b);
 
-/// The known name that `name` most likely stands for; nullopt when none is near enough to be a
-/// slip of the pen (more than a third of its characters differ).
+/// The known name that `name` most likely stands for, by spelling_distance(); nullopt when none is
+/// near enough to be a misspelling (one character, or a third of `name`'s), and for a `name` of
+/// more than 64 bytes.
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       const std::vector<std::string>& known);
 

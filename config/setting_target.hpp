@@ -11,7 +11,7 @@
 
 namespace loopscope::config {
 
-/// Where the value of one setting lives.
+/// Where the value of one setting lives; not null, and not owned.
 using SettingTarget = std::variant<double*, int*, std::size_t*, bool*, std::string*,
                                    std::vector<std::string>*, core::hos::WindowShape*>;
 
@@ -26,8 +26,8 @@ inline constexpr std::array kWindowShapes = {
 /// The value as JSON.
 [[nodiscard]] nlohmann::ordered_json slot_value(const SettingTarget& slot);
 
-/// Stores a number that the slot's type can hold; throws std::logic_error for a slot of words and
-/// for a switch.
+/// Stores a number that the slot's type can hold (a whole one where it takes no other); throws
+/// std::logic_error for a slot of words and for a switch.
 void store_number(const SettingTarget& slot, double value);
 
 /// Stores true or false; throws std::logic_error for a slot that is no switch.

@@ -13,7 +13,7 @@ struct ResultsSettings {
   std::string connection;        ///< libpq connection string of the worker; required
   std::string owner_connection;  ///< of the schema's owner (migrate, maintain, loops, import);
                                  ///< empty = connection
-  int retention_months = 24;     ///< months of results that maintain keeps, 0 = all
+  int retention_months = 24;     ///< months of results that maintain keeps, 0 to 1200; 0 = all
 };
 
 /// One historian: a connection, and where and how its tables keep the tags. `preset` gives the
@@ -79,7 +79,7 @@ struct ScheduleSettings {
   double settle_s = 60.0;            ///< nothing newer than this is read, 0 to 86400
   double lease_s = 300.0;            ///< seconds after which others take over, 10 to 86400
   int batch_loops = 32;              ///< loops per claim, 1 to 256
-  double default_period_s = 3600.0;  ///< analysis period of a loop that is added without one
+  double default_period_s = 3600.0;  ///< of a loop that is added without one, 1 to 2592000
   int revise_slots = 1;              ///< earlier slots that are checked for late rows, 0 to 48
   int catch_up_slots = 6;            ///< missed slots that are made up for, 0 to 1000
   int model_all_up_to = 500;         ///< enabled loops, 0 to 1000000; see model_every_slots
@@ -127,8 +127,9 @@ struct PlantSettings {
   double notice_s = 60.0;   ///< between two looks for newly flagged loops, 0 to 86400; 0 = none
 };
 
-/// How `loops discover` groups tags into loops (daemon/catalogue/README.md, "Discovery"). Words
-/// whatever their case, the preferred one first.
+/// How `loops discover` groups tags into loops (daemon/catalogue/README.md, "Discovery"). Patterns
+/// between semicolons, tried in turn; words between commas, whatever their case, the preferred one
+/// first.
 struct DiscoverySettings {
   std::string patterns =
       "{loop}/*/{role}.CV; {loop}/*/{role}.ACTUAL; {loop}[./]{role}.CV; {loop}[./]PID*[./]{role}; "
