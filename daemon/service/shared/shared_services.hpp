@@ -19,6 +19,7 @@ namespace loopscope::daemon {
 
 /// What all workers of the process share. Thread-safe.
 struct SharedServices {
+  /// `workers` (> 0) may analyse at a time.
   SharedServices(std::size_t workers, RetryLimit how_long, std::stop_token stop = {});
   /// Whose loops nobody claims just now.
   [[nodiscard]] std::vector<std::string> sources_away();

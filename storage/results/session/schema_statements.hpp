@@ -3,25 +3,25 @@
 #include "storage/statement.hpp"
 
 /// The statements on the schema itself: its version, its partitions, what is too old, who may do
-/// what.
+/// what. Parameters -> columns.
 namespace loopscope::storage::statements {
 
-extern const Statement kHasSchema;
-extern const Statement kSchemaVersion;
-extern const Statement kOldestProgram;
-extern const Statement kFindSchemaOwner;
+extern const Statement kHasSchema;        ///< -> boolean
+extern const Statement kSchemaVersion;    ///< -> version, 0 = none; needs the schema
+extern const Statement kOldestProgram;    ///< -> version of the oldest program that it serves
+extern const Statement kFindSchemaOwner;  ///< login -> the members of SchemaOwner
 extern const Statement kBecomeOwner;
 extern const Statement kMakeSchema;
 extern const Statement kLockSchema;
-extern const Statement kAppliedMigrations;
-extern const Statement kRecordMigration;  ///< version, name, sha256
-extern const Statement kMakePartitions;   ///< months
+extern const Statement kAppliedMigrations;  ///< -> version, name, sha256, by version
+extern const Statement kRecordMigration;    ///< version, name, sha256
+extern const Statement kMakePartitions;  ///< months, the running one included -> name of each made
 extern const Statement kGrantRights;
-extern const Statement kExpiredPartitions;  ///< retention_months
+extern const Statement kExpiredPartitions;  ///< retention_months -> name
 extern const Statement kDropPartition;      ///< name
 extern const Statement kDeleteOldRows;      ///< retention_months
 extern const Statement kDeleteLostWorkers;
 extern const Statement kDeleteOldCosts;
-extern const Statement kCheckRights;
+extern const Statement kCheckRights;  ///< -> what, needed, granted
 
 }  // namespace loopscope::storage::statements
