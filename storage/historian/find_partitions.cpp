@@ -1,7 +1,9 @@
 #include "storage/historian/find_partitions.hpp"
 
 #include <algorithm>
+#include <set>
 
+#include "storage/array_literal.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/statements.hpp"
 #include "storage/timestamp.hpp"
@@ -16,8 +18,25 @@ Partitions::Partitions(PqConnection& connection, const ResolvedLayout& layout)
 }
 
 void Partitions::refresh() {
-  const PqRows rows = connection_.run(historian_statements::list_partitions(list_, time_kind_), {},
-                                      ResultFormat::binary);
+  forget_dropped();
+  run_decoded(connection_, historian_statements::list_partitions(list_, time_kind_), {},
+              [this](const PqRows& rows) { take(rows); });
+}
+
+/// A table may be dropped before its line in the list is: reading it would fail.
+void Partitions::forget_dropped() {
+  if (known_.empty()) return;
+  ArrayLiteral oids;
+  for (const auto& [name, relation] : known_) oids.add_integer(relation.oid);
+  const PqRows rows = connection_.run(historian_statements::kStillThere, {oids.text()});
+  std::set<std::uint32_t> there;
+  for (int row = 0; row < rows.size(); ++row) {
+    there.insert(static_cast<std::uint32_t>(std::stoul(rows.text(row, 0))));
+  }
+  std::erase_if(known_, [&](const auto& known) { return !there.contains(known.second.oid); });
+}
+
+void Partitions::take(const PqRows& rows) {
   std::map<std::string, Entry> spans;
   for (int row = 0; row < rows.size(); ++row) {
     const auto time_at = [&](int column) {

@@ -14,13 +14,13 @@ namespace loopscope::storage {
 ///
 /// The list is the only thing to go by: a table's name says neither its span nor whose rows it
 /// holds (the number in Ignition's names changes with the gateway's name). A listed table that does
-/// not exist when it is first seen is passed over; one that is listed twice is read once.
+/// not exist is passed over; one that is listed twice is read once.
 class Partitions {
  public:
   /// `layout.partitions` must be there. Reads the list: throws as refresh().
   Partitions(PqConnection& connection, const ResolvedLayout& layout);
 
-  /// Reads the list again: tables come and go. Throws DatabaseError and MalformedArray.
+  /// Reads the list again: tables come and go. Throws DatabaseError.
   void refresh();
   /// The tables that overlap a span, microseconds UTC, both ends included; quoted for SQL, by name;
   /// empty = none of them holds such rows.
@@ -35,6 +35,8 @@ class Partitions {
     std::int64_t from_us = 0;
     std::int64_t to_us = 0;
   };
+  void forget_dropped();
+  void take(const PqRows& rows);
   /// nullopt for a table that does not exist.
   std::optional<std::string> quoted(const std::string& name);
 

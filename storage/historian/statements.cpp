@@ -62,6 +62,9 @@ const Statement kFindRelation{"find_relation", R"(
       AND CASE WHEN $1::name = '' THEN own.place IS NOT NULL ELSE n.nspname = $1::name END
     ORDER BY own.place LIMIT 1)"};
 
+const Statement kStillThere{"still_there",
+                            "SELECT oid FROM pg_catalog.pg_class WHERE oid = ANY ($1::oid[])"};
+
 const Statement kColumns{"columns", R"(
     SELECT a.attname, CASE WHEN t.typtype = 'd' THEN base.typname ELSE t.typname END
     FROM pg_catalog.pg_attribute AS a

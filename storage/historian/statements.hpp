@@ -11,6 +11,8 @@ namespace loopscope::storage::historian_statements {
 
 /// schema, table, schemas to look in where none is named -> oid, schema, table, is_table
 extern const Statement kFindRelation;
+/// Those of a list of oids that are relations.
+extern const Statement kStillThere;
 extern const Statement kColumns;  ///< relation oid -> name, type
 /// relation oid -> key columns, all columns: names in hexadecimal digits, comma-separated
 extern const Statement kIndexes;

@@ -36,6 +36,8 @@ TEST_F(Trap, IgnitionTablesComeAndGoWhileTheReaderLives) {
       "INSERT INTO sqlth_partitions (pname, drvid, start_time, end_time) VALUES"
       " ('sqlt_data_3_2026_04', 3, 1772150450000, 0)");
   EXPECT_EQ(read(historian, "pv").value.size(), 20U) << "a table without an end is being written";
+  database->execute("DROP TABLE sqlt_data_3_2026_04");
+  EXPECT_EQ(read(historian, "pv").value.size(), 10U) << "dropped while the list still has it";
   database->execute("DELETE FROM sqlth_partitions; DROP TABLE sqlt_data_2_2026_03");
   EXPECT_TRUE(read(historian, "pv").empty());
 }
