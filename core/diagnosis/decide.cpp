@@ -117,7 +117,8 @@ void put_combined(const CombinedOdds& combined, const PerCause& priors, Causes& 
 }
 
 std::string windows_text(double alone) {
-  return "Several windows together; the newest alone gives this finding " + percent(alone) + ".";
+  return "Judged by several windows together; by the newest alone this finding would be " +
+         percent(alone) + " probable.";
 }
 
 Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearity, double alpha,
@@ -147,7 +148,7 @@ void note_window(const Evidence& evidence, Verdict& verdict) {
   if (has_flag(evidence, "short"))
     verdict.reasons.emplace_back("Short record: fewer than 32 segments.");
   if (!evidence.data_quality.stretch.empty()) {
-    verdict.reasons.push_back("The loop changed within the window: the tests see only " +
+    verdict.reasons.push_back("The loop changed within the window: the tests use only " +
                               evidence.data_quality.stretch + ".");
   }
 }

@@ -78,7 +78,7 @@ DisturbanceWords words_of(Disturbance disturbance, const model::Explanation& exp
   switch (disturbance) {
     case Disturbance::moved_once:
       return {"The load moved once within the window.",
-              "Check what was changed upstream at that time; the loop itself asks for nothing."};
+              "Check what was changed upstream at that time; the loop itself needs no change."};
     case Disturbance::moved:
       return {"The load moved " + times(load_moves(explanation)) + " within the window.",
               "Compare these times with feeds, utilities and the operators' log; where the load "

@@ -21,7 +21,8 @@ constexpr std::size_t kShortSegments = 32;
 std::string unusable_segments(std::size_t segments, const signal::PreparedLoop& loop) {
   const auto spread = signal::measure_spread(loop.error);
   if (spread && spread->constant()) return "the error does not vary";
-  return "the gaps leave " + std::to_string(segments) + " unbroken segments, at least " +
+  return "the gaps leave " + std::to_string(segments) +
+         (segments == 1 ? " unbroken segment" : " unbroken segments") + ", at least " +
          std::to_string(kMinSegments) + " are needed";
 }
 

@@ -14,7 +14,7 @@ constexpr double kShown = 0.9;
 constexpr double kFalselyShown = 1e-3;
 
 std::string samples_text(std::size_t samples, double interval_s) {
-  return std::to_string(samples) + " samples (" +
+  return std::to_string(samples) + (samples == 1 ? " sample (" : " samples (") +
          duration(static_cast<double>(samples) * interval_s) + ")";
 }
 
@@ -58,7 +58,7 @@ std::string lost_text(const Evidence& evidence) {
   std::string text =
       why + " for " + percent(1.0 - control.acting_fraction.value_or(0.0)) + " of the window";
   if (control.lost_at && *control.lost_at < evidence.samples)
-    text += ", and has been for the last " +
+    text += ", and throughout the last " +
             samples_text(evidence.samples - *control.lost_at, evidence.interval_s);
   return text + ".";
 }
@@ -109,8 +109,8 @@ std::string not_controlling_summary(const Evidence& evidence) {
 
 std::string not_controlling_action(const Evidence& evidence) {
   if (!evidence.control.lost_at)
-    return "Wait for a window with the controller in service: it acts again.";
-  const std::string meant = " If it is meant to be so for long, disable the loop in the catalogue.";
+    return "The controller acts again: wait for a window with it in service.";
+  const std::string meant = " If this is meant to last, disable the loop in the catalogue.";
   return evidence.control.reason == NotActing::mode
              ? "Ask operations why it is not in automatic." + meant
              : "Check the controller's mode (manual, tracking, out of service) and the output's "

@@ -17,6 +17,13 @@
 namespace loopscope::core::diagnosis {
 namespace {
 
+/// "tight tuning" of tight_tuning.
+std::string code_words(std::string_view code) {
+  std::string text(code);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
 /// "S 4.2 %, J 1.1 %, law kano"
 std::string parameters_text(const model::Step& step) {
   std::string text;
@@ -40,7 +47,7 @@ std::string statement_of(const model::Step& step) {
   if (!step.statement.empty()) return step.statement;
   const std::string parameters = parameters_text(step);
   std::string text = "The model includes ";
-  text += model::name(step.effect);
+  text += code_words(model::name(step.effect));
   if (!parameters.empty()) text.append(" (").append(parameters).append(")");
   return text + ".";
 }
@@ -84,7 +91,7 @@ std::string others_text(const Part& part) {
   if (part.other == VerdictCode::nonlinear_unexplained)
     return "some nonlinearity of valve or process: " + chance;
   return "other causes together by their own figures: " + chance + ", most likely " +
-         std::string(name(part.other));
+         code_words(name(part.other));
 }
 
 /// " (odds times 3.1)".
@@ -106,7 +113,7 @@ std::string oscillation_text(const loop::Oscillation& oscillation) {
 
 std::string position_text(const loop::Shape& shape) {
   return "The mv-op plot is " + number(*shape.mv_op_width) + " % wide, mv jumps by " +
-         number(shape.mv_slip_jump.value_or(0.0)) + " % when it leaves rest; it stands still in " +
+         number(shape.mv_slip_jump.value_or(0.0)) + " % when it leaves rest; mv stands still in " +
          percent(shape.mv_stuck_fraction.value_or(0.0)) + " of the samples in which op moves.";
 }
 
@@ -115,11 +122,11 @@ void add_model(const model::Explanation& model, std::vector<std::string>& reason
     const bool believed = model.excited || model::is_seen_without_op(step.effect);
     reasons.push_back(
         believed ? step_text(step)
-                 : "The model fitted " + std::string(model::name(step.effect)) +
+                 : "The model fitted " + code_words(model::name(step.effect)) +
                        ", but the controller output moves too little to confirm it: rejected.");
   }
   if (!model.excited) {
-    reasons.push_back("The process from op to pv could not be identified from these data: " +
+    reasons.push_back("The process from op to pv could not be identified from these data. " +
                       model.excitation);
     return;
   }
@@ -183,14 +190,12 @@ std::string unexplained_text(const model::Explanation& explanation) {
 }
 
 std::string closed_loop_text(const model::ClosedLoop& loop) {
-  const std::string sensitivity = std::isfinite(loop.peak_sensitivity)
-                                      ? "peak sensitivity " + number(loop.peak_sensitivity)
-                                      : std::string("unstable");
+  const std::string start = "Closed loop by the fitted model and the recorded controller: ";
   const std::string period =
       loop.period_s > 0.0 ? ", period " + duration(loop.period_s) : std::string(", no oscillation");
-  return "Closed loop by the fitted model and the recorded controller: " + sensitivity +
-         ", damping " + number(loop.damping) + period + ", settles in " +
-         duration(loop.settling_s) + ".";
+  if (!std::isfinite(loop.peak_sensitivity)) return start + "unstable" + period + ".";
+  return start + "peak sensitivity " + number(loop.peak_sensitivity) + ", damping " +
+         number(loop.damping) + period + ", settles in " + duration(loop.settling_s) + ".";
 }
 
 std::string action_for(VerdictCode code, const Evidence& evidence, const Causes& causes,

@@ -52,8 +52,8 @@ std::string where_from(const SharedOscillation& event, std::span<const MemberLoo
   if (event.outside > first.score)
     return " No member stands out as its source (most likely " + name + ", " +
            model::in_percent(first.score) +
-           "): check what these loops have in common upstream, "
-           "supplies and loops that are not recorded.";
+           "): check what these loops have in common upstream: supplies, and loops that are not "
+           "recorded.";
   return " Its source is not clear: " + name + " is the most likely member (" +
          model::in_percent(first.score) +
          "). If operations agrees, put its controller in manual for a few periods and " +
@@ -76,7 +76,7 @@ std::string borrowed_faults(const SharedOscillation& event, std::span<const Memb
     return leaves_work_list(member.role) && fault == Fault::friction;
   });
   if (names.empty()) return {};
-  return " Seen alone, a valve would be blamed for the same cycle; when the source is repaired, "
+  return " Judged alone, a valve would be blamed for the same cycle; when the source is repaired, "
          "check these again: " +
          names + ".";
 }

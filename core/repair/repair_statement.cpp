@@ -45,7 +45,7 @@ std::string ratio(double value) {
 }
 
 std::string of_windows(std::size_t some, std::size_t all) {
-  return std::to_string(some) + " of " + std::to_string(all) + " windows";
+  return std::to_string(some) + " of " + std::to_string(all) + (all == 1 ? " window" : " windows");
 }
 
 std::string from_to(const FigureChange& figure) {
@@ -53,7 +53,8 @@ std::string from_to(const FigureChange& figure) {
 }
 
 std::string spread_text(const FigureChange* spread) {
-  if (spread == nullptr || !spread->change) return "no window on one side has an error.";
+  if (spread == nullptr || !spread->change)
+    return "the error is not known on both sides of the work.";
   return "the error's standard deviation " + from_to(*spread) + " (x " +
          ratio(spread->change->value) + ", 90 % interval " + ratio(spread->change->low) + " to " +
          ratio(spread->change->high) + ").";
@@ -113,7 +114,7 @@ class Sentence {
         windows_naming(windows_.after, judgement_.fault_before->family, windows_.min_confidence);
     if (naming == 0) return "is gone";
     return "no longer stands, though " + of_windows(naming, judgement_.windows_after) +
-           " after name it";
+           (naming == 1 ? " after still names it" : " after still name it");
   }
 
   /// "it was tight tuning", "valve stiction was suspected".

@@ -80,8 +80,8 @@ std::string unusable_reason(const PreparedLoop& loop, const PrepareSettings& set
   if (std::string reason = too_little(loop, settings); !reason.empty()) return reason;
   const std::size_t usable = count_recorded(loop.error);
   if (usable < settings.min_usable_samples) {
-    return std::to_string(usable) + " usable samples, at least " +
-           std::to_string(settings.min_usable_samples) + " are needed";
+    return std::to_string(usable) + (usable == 1 ? " usable sample" : " usable samples") +
+           ", at least " + std::to_string(settings.min_usable_samples) + " are needed";
   }
   return {};
 }

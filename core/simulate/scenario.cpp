@@ -132,7 +132,7 @@ LoopSettings paper_loop(const Entry& entry, std::size_t samples, double interval
 
 LoopRecord signal_record(const Entry& entry, const ScenarioOptions& options, std::uint64_t seed) {
   if (!options.added_effects.empty()) {
-    throw std::invalid_argument(std::string(entry.scenario.name) + " is no loop: no effects");
+    throw std::invalid_argument(std::string(entry.scenario.name) + " is not a loop: no effects");
   }
   LoopRecord record;
   record.sample_interval_s = options.sample_interval_s.value_or(entry.sample_interval_s);
@@ -158,7 +158,7 @@ const std::vector<Scenario>& all_scenarios() {
 LoopSettings scenario_loop(std::string_view name, const ScenarioOptions& options) {
   const Entry& entry = find(name);
   if (!entry.scenario.is_loop) {
-    throw std::invalid_argument(std::string(name) + " is no loop");
+    throw std::invalid_argument(std::string(name) + " is not a loop");
   }
   const double interval_s = options.sample_interval_s.value_or(entry.sample_interval_s);
   LoopSettings loop = entry.paper != nullptr ? paper_loop(entry, options.samples, interval_s)

@@ -48,9 +48,10 @@ std::string peak_text(const hos::Result& hos, double alpha) {
 }
 
 std::string slow_text(const hos::SlowLook& slow) {
+  std::string coupling = coupling_text(slow.result.coupling);
+  coupling.front() = static_cast<char>(coupling.front() - 'A' + 'a');
   return " On data decimated by " + std::to_string(slow.decimation) +
-         " (slow oscillation): " + coupling_text(slow.result.coupling) + ", " +
-         tests_text(slow.result) + ".";
+         " (slow oscillation): " + coupling + ", " + tests_text(slow.result) + ".";
 }
 
 std::string residual_text(const Evidence& evidence) {
@@ -62,8 +63,10 @@ std::string residual_text(const Evidence& evidence) {
 /// Noise that a linear loop passes on, said for itself.
 std::string noise_text(const Evidence& evidence) {
   const hos::NoiseShape& noise = evidence.hos->noise.value_or(hos::NoiseShape{});
+  const bool bursts = has_flag(evidence, "variance_changes");
+  const bool outliers = has_flag(evidence, "heavy_tails");
   std::string text;
-  if (has_flag(evidence, "variance_changes")) {
+  if (bursts) {
     text += " The disturbance comes in bursts (" + p_equals(noise.variance_p) + ")";
     if (noise.loudest_size > 0) {
       text += ", longest or loudest from sample " + std::to_string(noise.loudest_first + 1) +
@@ -72,11 +75,12 @@ std::string noise_text(const Evidence& evidence) {
     }
     text += ".";
   }
-  if (has_flag(evidence, "heavy_tails")) {
+  if (outliers) {
     text += " The disturbance has outliers (kurtosis " + number(3.0 + noise.excess_kurtosis) +
             " instead of 3, " + p_equals(noise.tails_p) + ").";
   }
-  return text.empty() ? text : text + " Neither counts as nonlinearity.";
+  if (bursts && outliers) return text + " Neither counts as nonlinearity.";
+  return text.empty() ? text : text + " This does not count as nonlinearity.";
 }
 
 std::string too_short_text(const Evidence& evidence) {

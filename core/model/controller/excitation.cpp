@@ -83,19 +83,20 @@ std::string objection(const Excitation& found, bool related, bool in_percent) {
                     kLeastSpanPercent, " %).");
   }
   if (found.op_steps < kLeastSteps)
-    return sentence("op spans ", found.op_steps, " steps of its grid.");
+    return sentence("op spans only ", found.op_steps, " times its smallest step.");
   if (found.still_share > kMostStill) {
     return sentence("op stands still for ", whole_percent(found.still_share),
                     " % of the record at a stretch.");
   }
   if (found.reversals < kLeastReversals)
-    return sentence("op turns ", found.reversals, " times only.");
+    return sentence("op turns only ", found.reversals, found.reversals == 1 ? " time." : " times.");
   if (!related) {
     return sentence("pv moves on its own: op shares ", whole_percent(found.shared),
                     " % of its moves.");
   }
   if (found.response_to_noise.value_or(kLeastResponse) < kLeastResponse) {
-    return sentence("what op makes of pv is ", *found.response_to_noise, " of its noise.");
+    return sentence("the part of pv that follows op is only ", *found.response_to_noise,
+                    " times its noise.");
   }
   return {};
 }

@@ -160,7 +160,7 @@ std::string ExternalOscillation::words(std::span<const Parameter> parameters) co
   const std::string changes = stretches_ > 0 ? ", slowly changing," : "";
   return "An oscillation of period " + in_time(parameters[0].value) + harmonics + changes +
          " reaches the loop from outside, amplitude " + in_digits(parameters[1].value) +
-         " in units of pv.";
+         " pv units.";
 }
 
 }  // namespace loopscope::core::model

@@ -29,7 +29,7 @@ std::vector<Parameter> InputLoad::parameters(const LoopData& data,
 
 std::string InputLoad::words(std::span<const Parameter> parameters) const {
   return "The load before the process moved " + in_time(parameters[0].value) +
-         " into the window, by " + in_digits(parameters[1].value) + " in units of pv, and stayed.";
+         " into the window, by " + in_digits(parameters[1].value) + " pv units, and stayed.";
 }
 
 }  // namespace loopscope::core::model

@@ -75,7 +75,7 @@ std::vector<Parameter> LoadStep::parameters(const LoopData& data,
 
 std::string LoadStep::words(std::span<const Parameter> parameters) const {
   return "The load moved " + in_time(parameters[0].value) + " into the window, by " +
-         in_digits(parameters[1].value) + " in units of pv, and stayed.";
+         in_digits(parameters[1].value) + " pv units, and stayed.";
 }
 
 }  // namespace loopscope::core::model

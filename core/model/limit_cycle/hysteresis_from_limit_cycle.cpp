@@ -57,7 +57,7 @@ std::optional<Step> by_cycle(const ModelInput& input, double p) {
   constexpr double kOddsScale = 10.0;  // what confidence_of() divides margins by
   step.margin =
       kOddsScale * std::log(std::max(cause.score, 0.01) / std::max(1.0 - cause.score, 0.01));
-  step.statement = "The valve sticks: " + cause.reason;
+  step.statement = "The valve sticks. " + cause.reason;
   return step;
 }
 

@@ -83,11 +83,12 @@ std::string figure(double value, int decimals = 2) {
 
 std::string reason_for(const CycleEvidence& e) {
   return "A valve that moves where op turns leaves " + figure(e.part_ratio) +
-         " of a linear process's error (median; lower in " + figure(100.0 * e.steadiness, 0) +
-         " % of the parts). Held out, a valve with S " + figure(e.stickband) + " and J " +
-         figure(e.slip_jump) + " leaves " + figure(e.error_law) + " of pv, a linear process " +
-         figure(e.error_before) + ". op repeats its half cycle to " +
-         figure(100.0 * e.op_coherence, 0) + " %, triangularity " + figure(e.op_triangle) +
+         " of the error that a linear process leaves (median of the record's parts; less in " +
+         figure(100.0 * e.steadiness, 0) + " % of them). On held-out samples a valve with S " +
+         figure(e.stickband) + " % and J " + figure(e.slip_jump) + " % leaves " +
+         figure(e.error_law) + " of pv's variance, a linear process " + figure(e.error_before) +
+         ". op repeats its half cycle to " + figure(100.0 * e.op_coherence, 0) +
+         " %, triangularity " + figure(e.op_triangle) +
          " (0 sine, 0.11 triangle); wave shape index of pv " + figure(e.pv_triangle) + ".";
 }
 

@@ -14,7 +14,7 @@ void check(const SensorQuantisation& quantisation) {
 void check(const SensorHold& hold) {
   const bool in_range = hold.samples >= 1.0 && hold.samples <= 10000.0;
   if (!in_range || std::trunc(hold.samples) != hold.samples) {
-    throw std::invalid_argument("sensor_hold: samples is no whole number from 1 to 10000");
+    throw std::invalid_argument("sensor_hold: samples is not a whole number from 1 to 10000");
   }
 }
 

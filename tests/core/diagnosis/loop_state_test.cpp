@@ -97,11 +97,92 @@ TEST(LoopState, WithoutAControllerNothingIsAFaultAndNothingIsHealthy) {
   EXPECT_EQ(verdict.code, Code::not_controlling);
   EXPECT_EQ(verdict.confidence, 1.0);
   EXPECT_THAT(verdict.causes, IsEmpty());
-  EXPECT_THAT(verdict.reasons.at(0), HasSubstr("75 % of the window"));
-  EXPECT_THAT(verdict.reasons.at(0), HasSubstr("for the last 3072 samples"));
   evidence.data_quality.usable = false;
   evidence.hos.reset();
   EXPECT_EQ(decide(evidence, {}).code, Code::not_controlling) << "pv may be constant";
+}
+
+std::string still_words(const Evidence& evidence) {
+  return state_text(LoopState::stands_still, evidence).at(0);
+}
+
+TEST(LoopStateWords, AMeasurementThatStandsStillIsToldWithItsPlaceAndWhatOpDoes) {
+  Evidence evidence = recorded_evidence();
+  evidence.still = still_of(4096);
+  evidence.op_in_percent = true;
+  EXPECT_EQ(still_words(evidence),
+            "pv stands still at 49 for 4096 samples (68.3 min), all that was read, while op goes "
+            "from 47 % to 100 % and the error stays at 1.");
+  evidence.op_in_percent = evidence.still->whole = evidence.still->error_lasts = false;
+  EXPECT_EQ(still_words(evidence),
+            "pv stands still at 49 for 4096 samples (68.3 min), up to the window's end, while op "
+            "goes from 47 to 100.");
+  evidence.still->run = {0, 1000, 49.0};
+  evidence.still->to_the_end = evidence.still->op_moves = false;
+  evidence.still->error_lasts = true;
+  EXPECT_EQ(still_words(evidence),
+            "pv stood still at 49 for 1000 samples (16.7 min), until 3096 samples (51.6 min) "
+            "before the window's end, while the error stays at 1.");
+  evidence.samples = 1001;
+  EXPECT_EQ(still_words(evidence),
+            "pv stood still at 49 for 1000 samples (16.7 min), until 1 sample (1 s) before the "
+            "window's end, while the error stays at 1.");
+}
+
+TEST(LoopStateWords, AMeasurementIsComparedWithAnother) {
+  Evidence evidence = recorded_evidence();
+  evidence.still = still_of(2000);
+  EXPECT_EQ(frozen_summary(evidence), "The measurement stands still.");
+  evidence.control.wound_up_percent = 100.0;
+  EXPECT_EQ(frozen_summary(evidence),
+            "The measurement stands still, and the controller has wound up to 100 %.");
+  evidence.still->to_the_end = false;
+  EXPECT_EQ(frozen_summary(evidence), "The measurement stood still for a while.");
+  EXPECT_EQ(frozen_action(),
+            "Compare pv with a second measurement or the local gauge; check transmitter, impulse "
+            "lines and the line to the archive. Where the process itself stands (pump off, line "
+            "shut), take the loop out of service.");
+}
+
+TEST(LoopStateWords, AnOutputAtItsEndIsToldWithHowFarItWoundUp) {
+  Evidence evidence = recorded_evidence();
+  evidence.control.at_limit_fraction = 0.9;
+  const std::string text =
+      "op is at an end of its range in 90 % of the samples and the error does not go away";
+  EXPECT_THAT(state_text(LoopState::held_at_limit, evidence), testing::ElementsAre(text + "."));
+  evidence.control.wound_up_percent = 0.0;
+  EXPECT_THAT(state_text(LoopState::held_at_limit, evidence),
+              testing::ElementsAre(text + ": the controller has wound up to 0 %."));
+}
+
+TEST(LoopStateWords, WhereNoControllerActsItIsSaidHowLongAndWhatToDo) {
+  Evidence evidence = recorded_evidence();
+  evidence.control.acting_fraction = 0.25;
+  evidence.control.reason = signal::NotActing::mode;
+  const auto lost = [&] { return state_text(LoopState::not_controlling, evidence).at(0); };
+  const std::string by_mode =
+      "The controller was in manual, tracking or out of service for 75 % of the window";
+  EXPECT_EQ(lost(), by_mode + ".");
+  EXPECT_EQ(not_controlling_summary(evidence),
+            "For most of the window no controller acted on the loop.");
+  EXPECT_EQ(not_controlling_action(evidence),
+            "The controller acts again: wait for a window with it in service.");
+  evidence.control.lost_at = 1024;
+  EXPECT_EQ(lost(), by_mode + ", and throughout the last 3072 samples (51.2 min).");
+  EXPECT_EQ(not_controlling_summary(evidence),
+            "No controller acts on the loop: manual, tracking or out of service.");
+  EXPECT_EQ(not_controlling_action(evidence),
+            "Ask operations why it is not in automatic. If this is meant to last, disable the "
+            "loop in the catalogue.");
+  evidence.control.reason = signal::NotActing::constant_output;
+  EXPECT_EQ(lost(),
+            "The controller output stood still for 75 % of the window, and throughout the last "
+            "3072 samples (51.2 min).");
+  EXPECT_EQ(not_controlling_summary(evidence),
+            "No controller acts on the loop: its output is constant.");
+  EXPECT_EQ(not_controlling_action(evidence),
+            "Check the controller's mode (manual, tracking, out of service) and the output's tag. "
+            "If this is meant to last, disable the loop in the catalogue.");
 }
 
 TEST(LoopState, TooLittleRecordedIsNoState) {

@@ -17,7 +17,7 @@ TEST(ModelWords, AStepNamesItsParametersAndErrors) {
   step.parameters = {{"S", "%", 4.2, 4.0, 4.4}, {"J", "%", 1.1, {}, {}}};
   step.law = "kano";
   EXPECT_EQ(step_text(step),
-            "The model includes valve_stiction (S 4.2 %, J 1.1 %, law kano). One-step prediction "
+            "The model includes valve stiction (S 4.2 %, J 1.1 %, law kano). One-step prediction "
             "error on held-out samples: 0.91 -> 0.4 (evidence 500, p 1e-09).");
 }
 
@@ -61,16 +61,23 @@ TEST(ModelWords, WhatIsLeftNamesTheQuestionsThatFoundSomething) {
   model::Explanation explanation = explanation_of();
   explanation.unexplained.statement = "A slow wave is left.";
   explanation.questions[0].statement = "Errors follow the direction of op.";
-  const std::string text = unexplained_text(explanation);
-  EXPECT_THAT(text, HasSubstr("leaves 5 %"));
-  EXPECT_THAT(text, HasSubstr("A slow wave is left. Errors follow the direction of op."));
+  const std::string text =
+      "The model leaves 5 % of the explainable error unexplained (residual whiteness p 0.5). A "
+      "slow wave is left. Errors follow the direction of op.";
+  EXPECT_EQ(unexplained_text(explanation), text);
+  explanation.questions[1].statement = "A slow wave is left.";
+  EXPECT_EQ(unexplained_text(explanation), text) << "nothing twice";
 }
 
 TEST(ModelWords, AnUnstableLoopHasNoSensitivity) {
+  const std::string start = "Closed loop by the fitted model and the recorded controller: ";
   model::ClosedLoop loop = ringing_loop();
-  EXPECT_THAT(closed_loop_text(loop), HasSubstr("peak sensitivity 4, damping 0.08, period 60 s"));
-  loop.peak_sensitivity = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(closed_loop_text(loop), HasSubstr("unstable"));
+  EXPECT_EQ(closed_loop_text(loop),
+            start + "peak sensitivity 4, damping 0.08, period 60 s, settles in 8.33 min.");
+  EXPECT_EQ(closed_loop_text(slow_loop()),
+            start + "peak sensitivity 1.05, damping 1, no oscillation, settles in 33.3 min.");
+  loop.peak_sensitivity = loop.settling_s = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(closed_loop_text(loop), start + "unstable, period 60 s.");
 }
 
 using testing::Contains;
@@ -95,7 +102,7 @@ TEST(Reasons, PartsForAndAgainstInWordsWithTheirNumbers) {
   EXPECT_THAT(
       report.in_favour,
       ElementsAre("op repeats its half cycle: 93 % (odds times 2.72)",
-                  "other causes together by their own figures: 12 %, most likely tight_tuning "
+                  "other causes together by their own figures: 12 %, most likely tight tuning "
                   "(odds times 1.16)"));
   EXPECT_THAT(report.against,
               ElementsAre("test whether an oscillation is present: p = 1 (odds divided by 2.01)",
@@ -113,7 +120,7 @@ TEST(Reasons, FindingsNameWhatTheModelTookIn) {
       evidence_with(explanation_of({clear_step(model::EffectKind::valve_stiction)})), finding());
   EXPECT_THAT(reasons,
               Contains(HasSubstr(
-                  "valve_stiction. One-step prediction error on held-out samples: 1 -> 0.5")));
+                  "valve stiction. One-step prediction error on held-out samples: 1 -> 0.5")));
   EXPECT_THAT(reasons, Contains("No quadratic or cubic phase coupling found."));
   EXPECT_THAT(reasons, Not(Contains(HasSubstr("Oscillation of period"))));
 }
@@ -123,23 +130,96 @@ TEST(Reasons, AModelThatIsNotExcitedIsBelievedOfWhatComesFromOutside) {
       evidence_with(explanation_of({clear_step(model::EffectKind::valve_deadband),
                                     clear_step(model::EffectKind::external_oscillation)}));
   evidence.model->excited = false;
-  evidence.model->excitation = "Not excited: op stands still.";
-  const auto reasons = findings(evidence, finding());
-  EXPECT_THAT(reasons,
-              Contains(HasSubstr("valve_deadband, but the controller output moves too little")));
-  EXPECT_THAT(reasons, Contains(HasSubstr("external_oscillation. One-step")));
-  EXPECT_THAT(reasons, Contains(HasSubstr("op stands still")));
+  evidence.model->excitation = "Not excited: op does not move.";
+  EXPECT_THAT(
+      findings(evidence, finding()),
+      ElementsAre("The model fitted valve deadband, but the controller output moves too little to "
+                  "confirm it: rejected.",
+                  "The model includes external oscillation. One-step prediction error on held-out "
+                  "samples: 1 -> 0.5 (evidence 500, p 1e-09).",
+                  "The process from op to pv could not be identified from these data. Not excited: "
+                  "op does not move.",
+                  finding().reason));
 }
 
 TEST(Reasons, DataThatAreOddAreNamed) {
   Evidence evidence = quiet_evidence();
-  evidence.data_quality.flags = {"pv_held", "op_missing"};
+  evidence.data_quality.flags = {"pv_held", "pv_quantised", "op_missing"};
   evidence.data_quality.compression_factor = 12.0;
+  evidence.data_quality.quantisation_factor = 0.5;
   evidence.data_quality.saturated_fraction = 0.3;
-  const auto reasons = findings(evidence, finding());
-  EXPECT_THAT(reasons, Contains(HasSubstr("renewed only every 12 samples")));
-  EXPECT_THAT(reasons, Contains(HasSubstr("op does not move or is not recorded")));
-  EXPECT_THAT(reasons, Contains(HasSubstr("at a limit of its range in 30 %")));
+  evidence.op_range_doubt = "op never leaves 0 to 1 of 0 to 100";
+  EXPECT_THAT(
+      findings(evidence, finding()),
+      ElementsAre("op does not move or is not recorded: controller and valve cannot be judged.",
+                  "pv moves in steps of 0.5 of its standard deviation.",
+                  "pv is renewed only every 12 samples on average.",
+                  "The controller output is at a limit of its range in 30 % of the samples.",
+                  "The range of op in the catalogue cannot be right: op never leaves 0 to 1 of 0 "
+                  "to 100.",
+                  finding().reason));
+}
+
+TEST(Reasons, ALinearLoopWithAPositionerAndAnOscillationIsToldInFull) {
+  model::Explanation model = explanation_of();
+  model.process_doubt = "The process is doubtful.";
+  model.closed_loop = calm_loop();
+  Evidence evidence = evidence_with(model);
+  oscillate(evidence, 90.0);
+  evidence.shape.mv_op_width = 3.0;
+  evidence.shape.mv_slip_jump = 2.0;
+  evidence.shape.mv_stuck_fraction = 0.9;
+  EXPECT_THAT(
+      findings(evidence, finding()),
+      ElementsAre("A linear loop model is sufficient. The model leaves 5 % of the explainable "
+                  "error unexplained (residual whiteness p 0.5).",
+                  "The process is doubtful.",
+                  "Closed loop by the fitted model and the recorded controller: peak sensitivity "
+                  "1.5, damping 0.7, period 60 s, settles in 2.5 min.",
+                  "The mv-op plot is 3 % wide, mv jumps by 2 % when it leaves rest; mv stands "
+                  "still in 90 % of the samples in which op moves.",
+                  finding().reason, "Oscillation of period 90 s, regularity 3, persistence 0.95."));
+}
+
+TEST(Reasons, PartsStandBeforeWhatWasMeasured) {
+  CauseReport cause;
+  cause.in_favour = {"op repeats its half cycle: 93 % (odds times 2.72)"};
+  cause.against = {"figures that this window does not give (odds divided by 1.22)"};
+  EXPECT_THAT(reasons_for(cause, quiet_evidence(), finding()),
+              ElementsAre("For: op repeats its half cycle: 93 % (odds times 2.72).",
+                          "Against: figures that this window does not give (odds divided by 1.22).",
+                          finding().reason));
+}
+
+/// What is to be done where a valve that is to be repaired stands beside the verdict, or does not.
+TEST(Action, TuningWaitsWhereAValveIsAsProbableAsTheLine) {
+  const auto action = [](VerdictCode code, const Causes& causes) {
+    return action_for(code, quiet_evidence(), causes, 0.3);
+  };
+  const Causes valve{{VerdictCode::valve_deadband, 0.0, 0.1, {}}};
+  EXPECT_EQ(action(VerdictCode::tight_tuning, {}),
+            "Lower the controller gain or slow the integral action; check that no valve fault "
+            "hides behind it.");
+  EXPECT_EQ(action(VerdictCode::tight_tuning, valve),
+            "Check linkage and positioner for backlash; measure the travel in both directions. Do "
+            "not retune before that is repaired.");
+  EXPECT_EQ(action(VerdictCode::valve_saturation, valve),
+            "Check whether the valve is too small, the bypass open or the setpoint out of reach; "
+            "tune only after that.");
+  EXPECT_EQ(action(VerdictCode::external_disturbance, valve),
+            "Find its source (feeds, utilities, another loop) before changing this loop.");
+}
+
+TEST(Action, OfANonlinearityItSaysWhatToRecord) {
+  Evidence evidence = quiet_evidence();
+  const auto action = [&] {
+    return action_for(VerdictCode::nonlinear_unexplained, evidence, {}, 0.3);
+  };
+  EXPECT_EQ(action(), "Record the valve position (mv) or do a stroke test, then analyse again.");
+  evidence.shape.mv_op_width = 3.0;
+  EXPECT_EQ(action(), "Do a stroke test; compare pv with the valve position at several levels.");
+  evidence.data_quality.flags = {"op_missing"};
+  EXPECT_EQ(action(), "Record the controller output (op), then analyse again.");
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(SharedOscillation, FrictionThatTheSharedCycleShowsIsNoFaultOfItsOwn) {
   nobody.loops[4].own.confidence = 0.3;
   const SharedOscillation doubted = find_shared_oscillations(nobody.loops).at(0);
   EXPECT_EQ(member(doubted, 4).role, Role::victim);
-  EXPECT_EQ(doubted.statement.find("look again"), std::string::npos) << "there is no source";
+  EXPECT_EQ(doubted.statement.find("check these again"), std::string::npos) << "there is no source";
 }
 
 TEST(SharedOscillation, WithoutASourceALoopThatIsTunedToSwingStaysOnTheList) {

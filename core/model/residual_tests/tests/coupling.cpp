@@ -11,6 +11,13 @@ TestOutcome answer_of(std::string_view question, double p, const std::string& st
   return {{question, p, p <= kSignificant ? statement : std::string()}, {}};
 }
 
+std::string coupling_words(hos::Coupling coupling) {
+  const std::string start = "The residual shows phase coupling of frequencies";
+  if (coupling == hos::Coupling::quadratic) return start + ", quadratic.";
+  if (coupling == hos::Coupling::cubic) return start + ", cubic.";
+  return start + (coupling == hos::Coupling::both ? ", quadratic and cubic." : ".");
+}
+
 }  // namespace
 
 std::vector<TestOutcome> test_coupling(std::span<const double> innovation, std::uint64_t seed) {
@@ -18,9 +25,8 @@ std::vector<TestOutcome> test_coupling(std::span<const double> innovation, std::
   const auto result = hos::analyse(innovation, hos::Settings{}, seed);
   std::vector<TestOutcome> answers;
   if (result && result->nonlinear_p) {
-    answers.push_back(answer_of("nonlinear", *result->nonlinear_p,
-                                "The residual shows phase coupling of frequencies: " +
-                                    std::string(hos::name(result->coupling)) + "."));
+    answers.push_back(
+        answer_of("nonlinear", *result->nonlinear_p, coupling_words(result->coupling)));
   }
   if (result && result->ngi_p)
     answers.push_back(answer_of("ngi", *result->ngi_p,

@@ -15,9 +15,9 @@ std::string statement_of(const Score& score, double sample_interval_s) {
   score.t.cwiseAbs().maxCoeff(&strongest);
   const auto lag = kMoveLags.at(static_cast<std::size_t>(strongest));
   return "The residual follows moves of op, most those of " + in_time(lag * sample_interval_s) +
-         " (" + std::to_string(lag) + " samples) before, " +
+         " (" + std::to_string(lag) + (lag == 1 ? " sample" : " samples") + ") before, " +
          in_digits(std::abs(score.t[strongest])) +
-         " standard errors: dead time or order of the linear model do not fit.";
+         " standard errors: the linear model's dead time or order does not fit.";
 }
 
 }  // namespace

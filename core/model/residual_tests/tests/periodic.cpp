@@ -57,9 +57,11 @@ TestOutcome test_periodic(const ResidualContext& context) {
   TestOutcome answer{{"periodic", std::min(1.0, 2.0 * std::min(residual.p, pv.p)), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const auto samples = static_cast<double>(context.view.pv.size());
-  for (const SeenLine& line : merged(residual, pv, samples)) {
-    answer.question.statement +=
-        answer.question.statement.empty() ? "A line in the spectrum: " : "; ";
+  const std::vector<SeenLine> lines = merged(residual, pv, samples);
+  answer.question.statement =
+      lines.size() == 1 ? "A line in the spectrum: " : "Lines in the spectrum: ";
+  for (const SeenLine& line : lines) {
+    if (&line != &lines.front()) answer.question.statement += "; ";
     answer.question.statement += words_of(line, context.view.sample_interval_s);
     Nomination nomination{.effect = EffectKind::external_oscillation,
                           .p = line.line.p,

@@ -39,8 +39,7 @@ Hold by_repeats(const std::vector<FlatRun>& runs, double grid_step, double noise
   const double expected = kRepeatsByGrid * samples;
   const double z = (repeats - expected) / std::sqrt(expected * (1.0 - kRepeatsByGrid));
   const double p = hos::normal_upper(z);
-  return {p, samples / static_cast<double>(runs.size()), std::nullopt,
-          "pv is renewed every so many samples only: "};
+  return {p, samples / static_cast<double>(runs.size()), std::nullopt, "pv is renewed only every "};
 }
 
 bool op_moves_within(const FlatRun& run, const ResidualView& view, double op_std) {
@@ -63,13 +62,13 @@ Hold by_freeze(const std::vector<FlatRun>& runs, const ResidualContext& context)
   if (longest->samples < 10 || !op_moves_within(*longest, context.view, context.op->std)) return {};
   const double share = static_cast<double>(longest->samples) / covered(runs);
   return {largest_share_upper(share, runs.size()), static_cast<double>(longest->samples),
-          longest->begin, "pv stands still while op moves, for as many samples as "};
+          longest->begin, "pv stands still while op moves, for "};
 }
 
 Hold by_clock(const std::vector<FlatRun>& runs) {
   const Clock clock = find_clock(runs);
   return {clock.p, static_cast<double>(clock.period_samples), std::nullopt,
-          "pv is renewed by a clock, every so many samples: "};
+          "pv is renewed by a clock, every "};
 }
 
 Hold strongest(const ResidualContext& context) {
@@ -103,8 +102,8 @@ std::optional<TestOutcome> test_held(const ResidualContext& context) {
   TestOutcome answer{{"held", std::min(1.0, kHoldLooks * hold.p), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const double interval_s = context.view.sample_interval_s;
-  answer.question.statement =
-      hold.words + in_digits(hold.samples) + " (" + in_time(hold.samples * interval_s) + ")";
+  answer.question.statement = hold.words + in_digits(hold.samples) + " samples (" +
+                              in_time(hold.samples * interval_s) + ")";
   if (hold.at_sample) answer.question.statement += ", " + at_place(*hold.at_sample, interval_s);
   answer.question.statement += ".";
   answer.nominations = {{.effect = EffectKind::sensor_hold,

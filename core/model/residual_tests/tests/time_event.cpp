@@ -18,8 +18,10 @@ TestOutcome test_time_event(const ResidualContext& context) {
   const Outbursts found = find_outbursts(context.fresh.values);
   TestOutcome answer{{"time_event", found.p, {}}, {}};
   for (const Outburst& event : found.events) {
-    answer.question.statement +=
-        answer.question.statement.empty() ? "Sudden disturbances beyond the noise: " : "; ";
+    answer.question.statement += !answer.question.statement.empty() ? "; "
+                                 : found.events.size() == 1
+                                     ? "A sudden disturbance beyond the noise: "
+                                     : "Sudden disturbances beyond the noise: ";
     answer.question.statement += words_of(event, context);
     answer.nominations.push_back({.effect = EffectKind::load_step,
                                   .p = found.p,

@@ -61,8 +61,8 @@ TestOutcome test_white(const ResidualContext& context) {
     answer.question.statement =
         "The residual is autocorrelated, most at " +
         in_time(static_cast<double>(strongest_lag) * context.view.sample_interval_s) + " (" +
-        std::to_string(strongest_lag) + " samples) before, " + in_digits(std::abs(strongest)) +
-        " standard errors, " +
+        std::to_string(strongest_lag) + (strongest_lag == 1 ? " sample" : " samples") +
+        ") before, " + in_digits(std::abs(strongest)) + " standard errors, " +
         (strongest > 0.0 ? "with the same sign." : "with the opposite sign.");
   return answer;
 }

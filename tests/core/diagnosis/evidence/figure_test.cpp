@@ -67,6 +67,8 @@ TEST(Figure, TextsCarryTheirNumbers) {
   EXPECT_EQ(text("oscillation.p", 12.0), "test whether an oscillation is present: p < 1e-12");
   EXPECT_EQ(text("cycle.op_coherence", 0.934), "op repeats its half cycle: 93 %");
   EXPECT_EQ(text("data.held", 1.0), "pv is renewed less often than it is recorded: yes");
+  EXPECT_EQ(text("data.held", 0.0), "pv is renewed less often than it is recorded: no");
+  EXPECT_EQ(text("op.reversals", 0.0123), "reversals of op a sample: 0.0123");
 }
 
 TEST(Figure, DecadesOfP) {

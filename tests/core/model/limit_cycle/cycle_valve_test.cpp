@@ -102,7 +102,10 @@ TEST(CycleValve, SaysWhatItSawAndKeepsTheErrors) {
   EXPECT_EQ(step.effect, EffectKind::valve_deadband);
   EXPECT_EQ(step.parameters[0].low, 0.1);
   EXPECT_EQ(step.evidence, 100.0);
-  EXPECT_NE(step.statement.find("sticking valve"), std::string::npos);
+  EXPECT_EQ(step.statement,
+            " The loop keeps cycling across it, as a loop with a sticking valve does: the band is "
+            "100 % of the controller output's travel, and the output repeats its half cycle to "
+            "93 %.");
 }
 
 }  // namespace

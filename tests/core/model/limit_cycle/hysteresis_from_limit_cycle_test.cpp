@@ -52,7 +52,12 @@ TEST(HysteresisStep, LowersTheErrorAndSaysSo) {
   EXPECT_EQ(step->effect, EffectKind::valve_stiction);
   EXPECT_LT(step->holdout_error_after, 0.95 * step->holdout_error_before);
   EXPECT_EQ(step->p, 1e-6);
-  EXPECT_FALSE(step->statement.empty());
+  EXPECT_EQ(step->statement,
+            "The valve sticks. A valve that moves where op turns leaves 0.14 of the error that a "
+            "linear process leaves (median of the record's parts; less in 90 % of them). On "
+            "held-out samples a valve with S 4.01 % and J 3.61 % leaves 0.14 of pv's variance, a "
+            "linear process 0.13. op repeats its half cycle to 99 %, triangularity 0.11 (0 sine, "
+            "0.11 triangle); wave shape index of pv 0.34.");
 }
 
 }  // namespace

@@ -81,7 +81,9 @@ TEST(StepsAfterMoves, ThreeOfThreeDoSoHardlyByChance) {
       judged(stepped_setpoint(), {3 * kPace + 7.0, 9 * kPace + 9.0, 5 * kPace + 6.0});
   for (const Step& step : explanation.steps) {
     EXPECT_NEAR(step.setpoint_chance, std::pow(kShare, 3), 1e-12);
-    EXPECT_THAT(step.statement, HasSubstr("3 of 3"));
+    EXPECT_EQ(step.statement,
+              " It begins when the loop responds to its setpoint, as do 3 of 3 (by chance: 0 %); "
+              "rather than a load, it may be a response that differs from the model's.");
   }
 }
 
