@@ -59,7 +59,7 @@ void check_schedule(const ScheduleSettings& schedule, ProblemList& problems) {
 void check_http_address(const std::string& address, ProblemList& problems) {
   if (address.empty() || parse_http_address(address)) return;
   problems.add_unless_refused(
-      {"/daemon/http_address"}, "is no address with a port",
+      {"/daemon/http_address"}, "is not an address with a port",
       R"(write "127.0.0.1:9470" or "[::1]:9470", an address and no name; "" = no HTTP)");
 }
 
@@ -67,7 +67,7 @@ void check_http_names(const std::vector<std::string>& names, ProblemList& proble
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (is_host_name(names[i])) continue;
     problems.add_unless_refused(
-        {"/daemon/http_names/" + std::to_string(i)}, "is no name of a host",
+        {"/daemon/http_names/" + std::to_string(i)}, "is not a host name",
         R"(write "loopscope.plant.example", without scheme, port and "*"; addresses need no entry)");
   }
 }
@@ -75,7 +75,7 @@ void check_http_names(const std::vector<std::string>& names, ProblemList& proble
 void check_report(const ReportSettings& report, ProblemList& problems) {
   if (report.folder.empty() || report.folder.starts_with('/')) return;
   problems.add_unless_refused(
-      {"/report/folder"}, "is no absolute path",
+      {"/report/folder"}, "is not an absolute path",
       R"(write it from the root on, "/var/lib/loopscope/reports"; "" = none)");
 }
 
@@ -110,10 +110,10 @@ void check_overlap(const core::hos::Settings& hos, ProblemList& problems) {
   constexpr double kRounding = 1e-6;  // samples; forgives 0.333333333 of 4096, not a real fraction
   if (std::abs(repeated - whole) > kRounding)
     problems.add_unless_refused({"/analysis/hos/overlap", "/analysis/hos/segment_length"},
-                                number_text(hos.overlap) + " of a segment are " +
+                                number_text(hos.overlap) + " of a segment is " +
                                     number_text(repeated) + " samples, not a whole number",
                                 number_text(whole / static_cast<double>(hos.segment_length)) +
-                                    " are " + samples(static_cast<std::size_t>(whole)));
+                                    " is " + samples(static_cast<std::size_t>(whole)));
 }
 
 void check_segments(const core::AnalysisSettings& analysis, ProblemList& problems) {

@@ -86,7 +86,7 @@ std::string read_bounded(const std::filesystem::path& file, std::size_t most_byt
   while (const std::size_t count = open_file.read_into(chunk)) {
     const std::string_view part(chunk.data(), count);
     if (part.find('\0') != std::string_view::npos) {
-      throw UnreadableFile("is no text: it has zero bytes", "save it as UTF-8");
+      throw UnreadableFile("is not text: it has zero bytes", "save it as UTF-8");
     }
     text += part;
     if (text.size() > most_bytes) is_too_large(most_bytes);

@@ -32,7 +32,7 @@ std::string complaint_about(double number, const Limits& limits, bool whole) {
   if (number < limits.low || number > limits.high)
     return text + " is out of range, " + limits_text(limits);
   if (whole && std::trunc(number) != number)
-    return text + " is no whole number, " + limits_text(limits);
+    return text + " is not a whole number, " + limits_text(limits);
   if (limits.even && std::fmod(number, 2.0) != 0.0) return text + " is odd, " + limits_text(limits);
   return {};
 }

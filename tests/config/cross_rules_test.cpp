@@ -52,6 +52,27 @@ TEST(CrossRules, PeriodIsNotShorterThanALook) {
               ElementsAre("/schedule/default_period_s: 5 s is less than poll_s, 10 s"));
 }
 
+TEST(CrossRules, HintsSayWhy) {
+  struct Case {
+    const char* members;
+    const char* hint;
+  };
+  for (const Case& one :
+       {Case{R"("schedule": {"poll_s": 5, "lease_s": 14.9})",
+             "hold loops longer or poll more often"},
+        Case{R"("schedule": {"default_period_s": 5})",
+             "no loop is analysed more often than the daemon polls"},
+        Case{R"("flags": {"list_leave_probability": 0.81})",
+             "loops would enter the list and leave it at once"},
+        Case{R"("report": {"folder": "reports"})",
+             "write it from the root on, \"/var/lib/loopscope/reports\"; \"\" = none"},
+        Case{R"("analysis": {"window_samples": 1000, "min_usable_samples": 1001})",
+             "no window could be judged"}})
+    EXPECT_EQ(first_hint_of(minimal_with(one.members)), one.hint) << one.members;
+  EXPECT_THAT(lines_with(R"("report": {"folder": "reports"})"),
+              ElementsAre("/report/folder: is not an absolute path"));
+}
+
 TEST(CrossRules, NoLoopEntersTheListAndLeavesItAtOnce) {
   EXPECT_THAT(lines_with(R"("flags": {"list_false_share": 0.1, "list_leave_share": 0.05})"),
               ElementsAre("/flags/list_leave_share: 0.05 is less than list_false_share, 0.1"));
@@ -75,9 +96,9 @@ TEST(CrossRules, DftTakesAWholeSegment) {
 
 TEST(CrossRules, OverlapIsAWholeNumberOfSamples) {
   const std::string text = minimal_with(R"("analysis": {"hos": {"overlap": 0.3}})");
-  EXPECT_THAT(lines_of(text), ElementsAre("/analysis/hos/overlap: 0.3 of a segment are 19.2 "
+  EXPECT_THAT(lines_of(text), ElementsAre("/analysis/hos/overlap: 0.3 of a segment is 19.2 "
                                           "samples, not a whole number"));
-  EXPECT_EQ(first_hint_of(text), "0.296875 are 19 samples");
+  EXPECT_EQ(first_hint_of(text), "0.296875 is 19 samples");
   // 0.7 * 70 is not 49 in binary
   EXPECT_THAT(lines_with(R"("analysis": {"hos": {"overlap": 0.7, "segment_length": 70}})"),
               IsEmpty());

@@ -38,7 +38,7 @@ TEST(HostName, SettingsRefuseWhatIsNone) {
   };
   EXPECT_THAT(with(R"(["loopscope.plant.example", "scada"])"), testing::IsEmpty());
   EXPECT_THAT(with(R"(["scada", "http://scada:9470/"])"),
-              ElementsAre("/daemon/http_names/1: is no name of a host"));
+              ElementsAre("/daemon/http_names/1: is not a host name"));
 }
 
 }  // namespace

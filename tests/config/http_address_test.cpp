@@ -90,7 +90,7 @@ TEST(HttpAddress, MalformedOneIsAProblemOfTheFile) {
     return minimal_with(R"("daemon": {"http_address": ")" + address + "\"}");
   };
   EXPECT_THAT(lines_of(text("localhost:9470")),
-              ElementsAre("/daemon/http_address: is no address with a port"));
+              ElementsAre("/daemon/http_address: is not an address with a port"));
   EXPECT_THAT(first_hint_of(text("localhost:9470")), HasSubstr("127.0.0.1:9470"));
   EXPECT_THAT(lines_of(text("0.0.0.0:9470")), IsEmpty());
   EXPECT_THAT(lines_of(text("[::1]:0")), IsEmpty());

@@ -82,7 +82,7 @@ TEST(ReadSettings, EveryProblemIsReportedAtOnce) {
                   "/schedule/lease_s: 5 is out of range, 10 to 86400 s",
                   "/daemon/log_level: \"verbose\" is none of debug, info, warning, error",
                   "/analysis/hos/segment_length: 63 is odd, 16 to 4096 samples, even",
-                  "/analysis/hos/dft_length: 32.5 is no whole number, 16 to 8192 samples, "
+                  "/analysis/hos/dft_length: 32.5 is not a whole number, 16 to 8192 samples, "
                   "even",
                   "/extra: is not a known setting", "/historians/0/connection: is missing"));
 }
@@ -118,7 +118,7 @@ TEST(ReadSettings, UnreadableFilesSayWhy) {
   };
   EXPECT_THAT(message(folder.path() / "absent.json"), HasSubstr("No such file"));
   EXPECT_THAT(message(folder.path()), HasSubstr("is a folder"));
-  EXPECT_THAT(message("/dev/zero"), HasSubstr("is no text"));
+  EXPECT_THAT(message("/dev/zero"), HasSubstr("is not text"));
 }
 
 }  // namespace

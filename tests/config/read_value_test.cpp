@@ -41,7 +41,7 @@ TEST(ReadValue, NumbersAreWholeByValueNotBySpelling) {
     EXPECT_EQ(message_for(spelling, range(0, 100), value), "") << spelling;
     EXPECT_EQ(value, 64) << spelling;
   }
-  EXPECT_EQ(message_for("64.5", range(0, 100), value), "64.5 is no whole number, 0 to 100");
+  EXPECT_EQ(message_for("64.5", range(0, 100), value), "64.5 is not a whole number, 0 to 100");
 }
 
 TEST(ReadValue, HugeAndNegativeNumbersDoNotWrapAround) {
