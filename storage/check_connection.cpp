@@ -73,7 +73,7 @@ std::optional<Finding> check_password_file(const ConnectionSettings& settings,
                    "check passfile= and PGPASSFILE");
   }
   if (!fs::is_regular_file(status)) {
-    return warning("the password file " + file + " is no plain file, so it is ignored",
+    return warning("the password file " + file + " is not a plain file, so it is ignored",
                    "name a file");
   }
   if (!open_to_others(status)) return std::nullopt;
@@ -188,8 +188,8 @@ std::vector<Finding> check_password_sources(const ConnectionSettings& settings) 
   }
   if (std::getenv("PGPASSWORD") != nullptr) {
     findings.push_back(warning(
-        "PGPASSWORD is set: a password in the environment is passed on to every child, shown by "
-        "systemctl, and used for every database",
+        "PGPASSWORD is set: a password in the environment is passed on to every child process, "
+        "shown by systemctl, and used for every database",
         "unset it and put HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass (mode 0600)"));
   }
   return findings;

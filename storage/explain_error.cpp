@@ -119,8 +119,8 @@ std::string hint_time_out(const RawError& error, const ErrorPlace& place) {
 }
 
 constexpr char kDependent[] =
-    "something of the site's own stands on what changes (the detail names it): let its owner drop "
-    "it, repeat this, and make it again";
+    "an object of the site's own depends on what changes (the detail names it): let its owner drop "
+    "it, repeat this, and create it again";
 constexpr char kOwnSetting[] =
     "the server refuses a setting: see options= in the connection string, and leave out what it "
     "names";
@@ -142,8 +142,9 @@ constexpr char kOtherName[] =
     "connect by a name that stands in the server's certificate (host=NAME, hostaddr= for the "
     "address beside it), or have a certificate made for this one";
 constexpr char kNotVerified[] =
-    "another authority signed the server's certificate than sslrootcert is, or one of the two has "
-    "run out: `openssl s_client -starttls postgres -connect HOST:PORT -CAfile SSLROOTCERT` says "
+    "the certificate in sslrootcert is not of the authority that signed the server's, or one of "
+    "the two has expired: `openssl s_client -starttls postgres -connect HOST:PORT -CAfile "
+    "SSLROOTCERT` says "
     "which";
 constexpr char kPlainServer[] =
     "let the server's administrator set ssl = on: with less than sslmode=verify-full anybody on "
@@ -154,7 +155,7 @@ constexpr char kPrivateKey[] = "chmod 0600 the file of sslkey=, and let this use
 constexpr char kDatabase[] = "check dbname in the connection string, or create the database";
 constexpr char kConstraint[] = "the value breaks a rule of the schema: see the detail above";
 constexpr char kQueueOfMessages[] =
-    "a limit of the server; of too many notifications: a session that listens stands in an open "
+    "a limit of the server was reached; of too many notifications: a listening session has an open "
     "transaction, the server's log names its process";
 constexpr char kServerFault[] = "a fault of the server: read its log";
 
@@ -214,7 +215,8 @@ constexpr std::array<WordsRule, 26> kConnecting{{
     {"SSL", Remedy::give_up, "check sslmode and sslrootcert in the connection string"},
     {"certificate", Remedy::give_up, "check sslrootcert in the connection string"},
     {"definition of service", Remedy::give_up, "check service= and pg_service.conf"},
-    {"permission denied for database", Remedy::give_up, "GRANT CONNECT ON DATABASE to the user"},
+    {"permission denied for database", Remedy::give_up,
+     "GRANT CONNECT ON DATABASE to the user, as the database's owner"},
     {"session is read-only", Remedy::reconnect, kReadOnly},
     {"connection slots", Remedy::reconnect, kConnections},
     {"too many clients", Remedy::reconnect, kConnections},

@@ -57,14 +57,19 @@ TEST_F(PasswordSources, AFileThatOthersMayReadIsIgnoredByLibpqAndThatIsSaid) {
     permit(std::filesystem::perms::owner_read | other);
     const auto findings = found("host=localhost passfile=" + file_);
     ASSERT_EQ(findings.size(), 1U);
-    EXPECT_THAT(findings[0].what, HasSubstr("is open to others, so it is ignored"));
+    EXPECT_EQ(findings[0].what,
+              "the password file " + file_ + " is open to others, so it is ignored");
     EXPECT_EQ(findings[0].hint, "chmod 0600 " + file_);
   }
 }
 
 TEST_F(PasswordSources, AFileThatIsNamedAndNotThere) {
-  EXPECT_THAT(found("passfile=/nowhere/pgpass").at(0).what, HasSubstr("/nowhere/pgpass does not"));
-  EXPECT_THAT(found("passfile=" + folder_.path().string()).at(0).what, HasSubstr("no plain file"));
+  EXPECT_EQ(found("passfile=/nowhere/pgpass").at(0).what,
+            "the password file /nowhere/pgpass does not exist or cannot be reached");
+  EXPECT_EQ(found("passfile=/nowhere/pgpass").at(0).hint, "check passfile= and PGPASSFILE");
+  EXPECT_EQ(
+      found("passfile=" + folder_.path().string()).at(0).what,
+      "the password file " + folder_.path().string() + " is not a plain file, so it is ignored");
   const EnvironmentVariable home("HOME", folder_.path());
   EXPECT_THAT(found(), IsEmpty()) << "nobody has to have a ~/.pgpass";
   const EnvironmentVariable named("PGPASSFILE", "/nowhere/else");
@@ -78,7 +83,12 @@ TEST_F(PasswordSources, AServiceFileWithAPasswordIsItsReadersAlone) {
   const EnvironmentVariable passwords("PGPASSFILE", file_);
   std::filesystem::permissions(services, std::filesystem::perms(0640));
   ASSERT_EQ(found("service=plant").size(), 1U);
-  EXPECT_THAT(found("service=plant")[0].what, HasSubstr(services + " holds a password"));
+  EXPECT_EQ(found("service=plant")[0].what,
+            "the service file " + services + " holds a password and is open to others");
+  EXPECT_EQ(found("service=plant")[0].hint,
+            "put HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass (mode 0600) instead, or chmod "
+            "0600 " +
+                services);
   EXPECT_THAT(found("host=localhost"), IsEmpty()) << "nobody asks for a service";
   std::filesystem::permissions(services, std::filesystem::perms(0600));
   EXPECT_THAT(found("service=plant"), IsEmpty());
@@ -90,7 +100,11 @@ TEST_F(PasswordSources, AServiceFileWithAPasswordIsItsReadersAlone) {
 TEST_F(PasswordSources, APasswordInTheEnvironmentWorksAndIsAdvisedAgainst) {
   const EnvironmentVariable named("PGPASSFILE", file_);
   const EnvironmentVariable password("PGPASSWORD", "geheim");
-  EXPECT_THAT(found().at(0).what, HasSubstr("PGPASSWORD is set"));
+  EXPECT_EQ(found().at(0).what,
+            "PGPASSWORD is set: a password in the environment is passed on to every child process, "
+            "shown by systemctl, and used for every database");
+  EXPECT_EQ(found().at(0).hint,
+            "unset it and put HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass (mode 0600)");
 }
 
 std::optional<Finding> found(const std::string& conninfo) {
@@ -131,6 +145,30 @@ TEST(TransportSecurity, RemoteConnectionsNeedTheServersName) {
                              Not(HasSubstr("geheim"))));
   EXPECT_TRUE(found("postgresql://u@db1,db2/x?sslmode=require"));
   EXPECT_FALSE(found("postgresql://u@db1,db2/x?sslmode=verify-full"));
+}
+
+TEST(TransportSecurity, TheSentenceSaysWhatAnAttackerCanDo) {
+  const auto said = [](const std::string& mode) {
+    return found("host=db1 dbname=plant user=u sslmode=" + mode)->what;
+  };
+  const std::string start = "the connection to the remote host db1 has sslmode=";
+  const std::string target = ", results database (";
+  EXPECT_THAT(said("prefer"), testing::StartsWith(start +
+                                                  "prefer: anybody on the way can read along "
+                                                  "or pose as the server" +
+                                                  target));
+  EXPECT_THAT(said("require"), testing::StartsWith(start +
+                                                   "require: anybody on the way can pose as "
+                                                   "the server" +
+                                                   target));
+  EXPECT_THAT(said("verify-ca"),
+              testing::StartsWith(start +
+                                  "verify-ca: whoever has a certificate of the same authority "
+                                  "can pose as the server" +
+                                  target));
+  EXPECT_EQ(found("host=db1 sslmode=require")->hint,
+            "add sslmode=verify-full and sslrootcert=FILE, the certificate of the authority that "
+            "signed the server's, to the connection string or its service");
 }
 
 TEST(TransportSecurity, TheEnvironmentCounts) {

@@ -77,7 +77,7 @@ TEST(ExplainError, SiteOwnViewInTheWayIsTheSitesToDropAndRecreate) {
       "HINT:  Use DROP ... CASCADE to drop the dependent objects too.");
   EXPECT_EQ(error.remedy(), Remedy::give_up);
   EXPECT_THAT(error.what(), HasSubstr("view public.mine depends on"));
-  EXPECT_THAT(error.hint(), AllOf(HasSubstr("drop it"), HasSubstr("make it again"),
+  EXPECT_THAT(error.hint(), AllOf(HasSubstr("drop it"), HasSubstr("create it again"),
                                   Not(HasSubstr("fault of the server"))));
 }
 

@@ -52,6 +52,29 @@ TEST(MisplacedOptions, APasswordInAnotherPlaceIsRefusedAndNotShown) {
   }
 }
 
+TEST(MisplacedOptions, EachRefusalSaysWhereAndWhatToWrite) {
+  struct Case {
+    const char* conninfo;
+    const char* holds;
+    const char* hint;
+  };
+  for (const Case& one :
+       {Case{"dbname='postgresql://u:geheim@h/db'", "dbname= holds a whole connection string",
+             "give that string alone, without dbname="},
+        Case{"dbname='host=h password=geheim'", "dbname= holds more options than one",
+             "put spaces between options, and none into one"},
+        Case{"dbname=u:geheim@h/db", "dbname= holds more than a name",
+             "write host=NAME dbname=NAME user=NAME, and the password into ~/.pgpass"},
+        Case{"user='u:geheim'", "user= holds more than a name",
+             "write user=NAME, and the password into ~/.pgpass"},
+        Case{"host=u:geheim@db1", "host= holds more than a host",
+             "write host=NAME port=NUMBER user=NAME"},
+        Case{"host=h port=5432:geheim", "port= holds more than a number", "write port=NUMBER"}})
+    EXPECT_EQ(shown(one.conninfo),
+              std::string("the connection string: ") + one.holds +
+                  " (not shown, it may hold a password), results HINT: " + one.hint);
+}
+
 TEST(MisplacedOptions, WhatNamesAHostAUserOrADatabaseIsTaken) {
   for (const char* conninfo :
        {"host=db1,db2 port=5432,5433", "host=::1", "host=fe80::1%eth0", "host=db1,2001:db8::7",

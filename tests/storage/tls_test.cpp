@@ -81,13 +81,13 @@ TEST_F(TlsTest, VerifyFullAcceptsTheRightCertificateAndNothingElse) {
   expect_refused("host=db1.example.com hostaddr=127.0.0.1" + verified(),
                  "does not match host name \"db1.example.com\"", "stands in the server's");
   expect_refused("host=localhost" + verified("other"), "certificate verify failed",
-                 "another authority signed");
+                 "authority that signed the server's");
   expect_refused("host=localhost sslmode=verify-full sslrootcert=/nowhere/ca.crt",
                  "root certificate file \"/nowhere/ca.crt\" does not exist", "sslrootcert=FILE");
   expect_refused("host=localhost sslmode=disable", "no encryption", "pg_hba.conf");
 
   server_.show_certificate("expired");
-  expect_refused("host=localhost" + verified(), "certificate verify failed", "has run out");
+  expect_refused("host=localhost" + verified(), "certificate verify failed", "has expired");
   server_.show_certificate("elsewhere");
   expect_refused("host=localhost" + verified(), "does not match host name \"localhost\"",
                  "stands in the server's certificate");

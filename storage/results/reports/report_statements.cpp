@@ -147,7 +147,7 @@ const Statement kReportLoops{"report_loops",
     WITH flagged AS MATERIALIZED (SELECT loop_id, rank, status FROM loopscope.flagged_loop),
     hidden AS MATERIALIZED (
       SELECT loop_id, min(CASE WHEN hidden_by IN ('probability', 'chance') THEN reason
-                               WHEN hidden_by = 'victim' THEN 'victim of a shared oscillation'
+                               WHEN hidden_by = 'victim' THEN 'affected by a shared oscillation'
                                ELSE 'annotated' END) AS by
       FROM loopscope.hidden_loop GROUP BY loop_id)
     SELECT loop.loop_id, loop.name, loop.source, loop.loop_type, loop.enabled, loop.importance,

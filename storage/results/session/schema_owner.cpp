@@ -17,7 +17,7 @@ std::string whose(const SchemaOwner& found) {
 void refuse_stranger(const SchemaOwner& found) {
   if (found.owner_trusted) return;
   throw DatabaseError(
-      "the schema loopscope belongs to " + found.owner + ", who is no member of loopscope_owner",
+      "the schema loopscope belongs to " + found.owner + ", who is not a member of loopscope_owner",
       "nothing of it was executed; whoever made it can let any session that uses it run what he "
       "likes: let a superuser drop or rename it, or, if it is yours, GRANT loopscope_owner TO its "
       "owner",

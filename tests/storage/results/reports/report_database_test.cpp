@@ -234,7 +234,7 @@ TEST_F(ReportDatabaseTest, EveryLoopAndWhyAFaultIsNotFlagged) {
   EXPECT_EQ(loops["flagged"].hidden_by, std::nullopt);
   EXPECT_EQ(loops["flagged"].health, "ok");
   EXPECT_EQ(loops["known"].hidden_by, "annotated");
-  EXPECT_EQ(loops["victim"].hidden_by, "victim of a shared oscillation");
+  EXPECT_EQ(loops["victim"].hidden_by, "affected by a shared oscillation");
   EXPECT_EQ(loops["unsure"].hidden_by, "not sure enough for the list (probability 0.10)");
   EXPECT_THAT(*loops["chance"].hidden_by, testing::HasSubstr("by chance too often"));
   EXPECT_EQ(loops["fine"].hidden_by, std::nullopt);
