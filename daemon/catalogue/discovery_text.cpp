@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "daemon/catalogue/entry_fields.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {
@@ -15,13 +16,17 @@ using storage::CatalogueEntry;
 /// As many of a kind are named; the CSV and the catalogue have the rest.
 constexpr std::size_t kShown = 10;
 
-/// "  5 without pv, cannot be loops: A, B, ...": nothing when there is none.
-std::string line(const std::string& what, const std::vector<std::string>& names) {
+/// "  5 without pv, left out: A, B, ...": nothing when there is none.
+std::string line(const char* of_one, const char* of_more, const std::vector<std::string>& names) {
   if (names.empty()) return {};
   const std::size_t shown = std::min(names.size(), kShown);
-  std::string text = fmt::format("{:>8} {}: ", names.size(), what);
+  std::string text = fmt::format("{:>8} {}: ", names.size(), names.size() == 1 ? of_one : of_more);
   for (std::size_t k = 0; k < shown; ++k) text += (k == 0 ? "" : ", ") + printable(names[k]);
   return text + (shown < names.size() ? ", ...\n" : "\n");
+}
+
+std::string line(const char* what, const std::vector<std::string>& names) {
+  return line(what, what, names);
 }
 
 std::string tags_of(const CatalogueEntry& entry) {
@@ -75,26 +80,31 @@ std::vector<std::string> texts_of(const std::vector<Proposal>& proposals, bool f
 
 std::string proposals_text(const std::vector<Proposal>& proposals) {
   return line("proposed by history and name", texts_of(proposals, true)) +
-         line("questions that history leaves open", texts_of(proposals, false));
+         line("question that history leaves open", "questions that history leaves open",
+              texts_of(proposals, false));
 }
 
 std::string discovery_text(const DiscoveryReport& report) {
   const Discovery& found = report.discovery;
   std::vector<std::string> nameless;
   for (const CatalogueEntry& entry : found.without_pv) nameless.push_back(tags_of(entry));
-  return fmt::format("historian {}: {} tags, {} loops are new ({}), {} are in the catalogue\n",
-                     report.source, report.tags, found.loops.size(), roles_text(found.loops),
-                     report.known) +
+  return fmt::format("historian {}: {}, {} new ({}), {} in the catalogue\n", report.source,
+                     counted(report.tags, "tag", "tags"),
+                     counted(found.loops.size(), "loop is", "loops are"), roles_text(found.loops),
+                     counted(report.known, "is", "are")) +
          line("without pv, left out", nameless) +
          line("without op, no model and no valve to judge",
               without(found.loops, &CatalogueEntry::op_tag)) +
          line("without sp, the mean of pv stands in",
               without(found.loops, &CatalogueEntry::sp_tag)) +
-         line("tags without a value, left out", report.empty_tags) +
-         line("roles with several tags", ambiguous_roles(found)) +
+         line("tag without a value, left out", "tags without a value, left out",
+              report.empty_tags) +
+         line("role with several tags", "roles with several tags", ambiguous_roles(found)) +
          line("by a word of two roles (MV), check op and mv", found.by_shared_word) +
-         line("names taken by other loops of the catalogue, left out", report.taken) +
-         line("tags fit no pattern", found.unmatched) + proposals_text(report.proposals);
+         line("name taken by another loop of the catalogue, left out",
+              "names taken by other loops of the catalogue, left out", report.taken) +
+         line("tag fits no pattern", "tags fit no pattern", found.unmatched) +
+         proposals_text(report.proposals);
 }
 
 }  // namespace loopscope::daemon

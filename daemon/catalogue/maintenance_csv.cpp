@@ -49,7 +49,7 @@ storage::MaintenanceEntry maintenance_entry(std::string_view loop, std::string_v
   const auto done_at_us = parse_time(trimmed(at));
   if (!done_at_us) {
     throw std::invalid_argument(
-        fmt::format("\"{}\" is no time (e.g. 2026-03-01T14:30:00+01:00)", at));
+        fmt::format("\"{}\" is not a time (e.g. 2026-03-01T14:30:00+01:00)", at));
   }
   if (trimmed(description).empty()) throw std::invalid_argument("what was done is not said");
   return {std::string(loop), *done_at_us, known_kind(trimmed(kind)),

@@ -112,7 +112,7 @@ void propose_type(const CatalogueEntry& entry, std::vector<Proposal>& proposals)
   if (type.empty()) return;
   const std::string fields = "loop_type=" + type;
   proposals.push_back(
-      {entry.name, fields, "the letters of its name (ISA 5.1)",
+      {entry.name, fields, "by the letters of its name (ISA 5.1)",
        [type = std::move(type)](CatalogueEntry& changed) { changed.loop_type = type; }});
 }
 

@@ -51,7 +51,7 @@ void require_loop_option(const AnnotateOptions& options) {
 void require_known(const std::string& code, const std::vector<std::string>& codes) {
   if (code.empty() || code == kAnyCode || std::ranges::count(codes, code) > 0) return;
   const std::optional<std::string> nearest = config::nearest_name(code, codes);
-  throw Failure(ExitCode::usage, fmt::format("--code \"{}\" is no verdict of a fault", code),
+  throw Failure(ExitCode::usage, fmt::format("--code \"{}\" is not the verdict of a fault", code),
                 nearest ? fmt::format("did you mean {}? `loopscope export --config F verdict_kind` "
                                       "lists them",
                                       *nearest)

@@ -9,6 +9,7 @@
 #include "config/read_settings.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/check_connection.hpp"
@@ -66,7 +67,8 @@ void check_config(const std::string& file) {
         storage::check_historian(historian_connection(historian), historian_layout(historian)));
   }
   if (problems > 0) {
-    throw Failure(ExitCode::database, fmt::format("{} problems with the databases", problems),
+    throw Failure(ExitCode::database,
+                  counted(problems, "problem", "problems") + " with the databases",
                   "each PROBLEM above has its own hint");
   }
 }

@@ -17,6 +17,7 @@
 #include "daemon/recording/recording.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/windows/slot.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "daemon/text/time_text.hpp"
@@ -168,7 +169,8 @@ void import_recording(const ImportOptions& options) {
   const std::size_t rows =
       storage::import_rows(writer, layout, tag_rows(entry, recording.rows), options.replace);
   catalogue.save(std::vector{entry});
-  std::cout << fmt::format("{}: {} rows imported\n", printable(entry.name), rows);
+  std::cout << fmt::format("{}: {} imported\n", printable(entry.name),
+                           counted(rows, "row", "rows"));
 }
 
 }  // namespace

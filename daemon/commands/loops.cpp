@@ -12,6 +12,7 @@
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
@@ -82,7 +83,8 @@ void load_csv(const LoopsOptions& options) {
       parse_catalogue(table, defaults_of(opened.settings), opened.catalogue.list());
   require_known_sources(opened, entries);
   const std::size_t added = opened.catalogue.save(entries);
-  std::cout << fmt::format("{} loops added, {} changed\n", added, entries.size() - added);
+  std::cout << fmt::format("{} added, {} changed\n", counted(added, "loop", "loops"),
+                           entries.size() - added);
 }
 
 std::string option_of(std::string_view field) {

@@ -12,6 +12,7 @@
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/historian/historian_reader.hpp"
@@ -82,8 +83,8 @@ void tell_proposals(const CheckOptions& options, const config::Settings& setting
   if (!options.propose.empty()) write_csv(options.propose, catalogue_csv(changed));
   if (changed.empty() || options.propose == "-") return;
   told << (options.propose.empty()
-               ? fmt::format("--propose FILE.csv writes the {} loops with what is proposed\n",
-                             changed.size())
+               ? fmt::format("--propose FILE.csv writes {} with what is proposed\n",
+                             counted(changed.size(), "loop", "loops"))
                : fmt::format("review {0}, then: loopscope loops --config {1} load {0}\n",
                              printable(options.propose), printable(*options.config)));
 }
@@ -99,14 +100,16 @@ void check(const CheckOptions& options) {
   tell_proposals(options, settings, entries);
   if (!options.out.empty()) write_csv(options.out, dead_ends_csv(found));
   if (!found.dead_ends.empty()) {
-    throw Failure(ExitCode::unusable_data,
-                  fmt::format("{} of {} tags of {} loops do not resolve", found.dead_ends.size(),
-                              found.tags, found.loops),
-                  "correct them with loopscope loops set or load; loops discover shows what the "
-                  "historian has");
+    throw Failure(
+        ExitCode::unusable_data,
+        fmt::format("{} of {} of {} cannot be found", found.dead_ends.size(),
+                    counted(found.tags, "tag", "tags"), counted(found.loops, "loop", "loops")),
+        "correct them with loopscope loops set or load; loops discover shows what the "
+        "historian has");
   }
   if (options.out == "-") return;
-  std::cout << fmt::format("all {} tags of {} loops have rows\n", found.tags, found.loops);
+  std::cout << fmt::format("all {} tags of {} have rows\n", found.tags,
+                           counted(found.loops, "loop", "loops"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/historian/historian_reader.hpp"
@@ -82,11 +83,11 @@ void look_at_history(const config::HistorianSettings& source, DiscoveryReport& r
 
 void require_something(const DiscoveryReport& report) {
   if (!report.discovery.loops.empty() || report.known > 0) return;
-  throw Failure(
-      ExitCode::unusable_data,
-      fmt::format("no loop was found among {} tags of historian {}", report.tags, report.source),
-      "say how the site names them: --pattern '{loop}.{role}', --role pv=PV,MEAS; "
-      "/discovery keeps it in the settings");
+  throw Failure(ExitCode::unusable_data,
+                fmt::format("no loop was found among {} of historian {}",
+                            counted(report.tags, "tag", "tags"), report.source),
+                "say how the site names them: --pattern '{loop}.{role}', --role pv=PV,MEAS; "
+                "/discovery keeps it in the settings");
 }
 
 void put_out(const DiscoverOptions& options, const DiscoveryReport& report,
@@ -96,7 +97,7 @@ void put_out(const DiscoverOptions& options, const DiscoveryReport& report,
   (options.out == "-" ? std::cerr : std::cout) << discovery_text(report);
   require_something(report);
   if (options.add) {
-    std::cout << fmt::format("{} loops added\n", catalogue.save(loops));
+    std::cout << counted(catalogue.save(loops), "loop", "loops") + " added\n";
   } else if (!options.out.empty()) {
     write_csv(options.out, catalogue_csv(loops));
     if (options.out == "-") return;

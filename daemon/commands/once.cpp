@@ -16,6 +16,7 @@
 #include "daemon/service/observe/work_report.hpp"
 #include "daemon/service/pass.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
+#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -54,10 +55,11 @@ void once(const std::string& config_file) {
   }
   compare_all_loops(*settings, tools);
   if (!pass.first_failure) return;
-  throw Failure(pass.first_failure->exit_code(),
-                fmt::format("{} loops failed and are tried again later, the first because: {}",
-                            pass.count.failed, pass.first_failure->what()),
-                pass.first_failure->hint());
+  throw Failure(
+      pass.first_failure->exit_code(),
+      fmt::format("{} failed and will be tried again later, the first because: {}",
+                  counted(pass.count.failed, "loop", "loops"), pass.first_failure->what()),
+      pass.first_failure->hint());
 }
 
 }  // namespace

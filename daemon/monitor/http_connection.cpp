@@ -99,7 +99,7 @@ void HttpConnection::on_head(const std::error_code& error, std::size_t bytes) {
   if (error) return close();
   auto parsed = parse_request(std::string_view(received_).substr(0, bytes));
   if (const auto* status = std::get_if<HttpRefusal>(&parsed))
-    return refuse(*status, "this is no request that can be answered\n");
+    return refuse(*status, "this is not a request that can be answered\n");
   request_ = std::get<HttpRequest>(std::move(parsed));
   ask();
 }

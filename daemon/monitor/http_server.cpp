@@ -39,7 +39,7 @@ void listen_at(tcp::acceptor& acceptor, const config::HttpAddress& address) {
   throw Failure(ExitCode::configuration,
                 fmt::format("HTTP: {}, address {} port {}", error.code().message(), address.host,
                             address.port),
-                "another instance may listen there, or the address is none of this host: give "
+                "another instance may listen there, or the address is not one of this host: give "
                 "each instance its own /daemon/http_address, or \"\" for no HTTP");
 }
 

@@ -49,20 +49,26 @@ std::string slow_look_text(const core::hos::SlowLook& look, double sample_interv
   return text + peaks_text(look.result, static_cast<double>(look.decimation) * sample_interval_s);
 }
 
+std::string percent_text(const std::optional<double>& share) {
+  return share ? fmt::format("{:.3g} %", 100.0 * *share) : figure_text(share);
+}
+
+/// Of one that is not there the figures are those of what comes nearest to one.
 std::string oscillation_text(const core::loop::Oscillation& oscillation) {
-  return fmt::format("{}; period {} s, regularity {}, persistence {}, amplitude {}",
-                     oscillation.present ? "present" : "none found",
+  if (!oscillation.present && !oscillation.period_s) return "none found";
+  return fmt::format("{} period {} s, regularity {}, persistence {}, amplitude {} pv units",
+                     oscillation.present ? "present;" : "none found; best candidate:",
                      figure_text(oscillation.period_s), figure_text(oscillation.regularity),
                      figure_text(oscillation.persistence), figure_text(oscillation.amplitude));
 }
 
 std::string performance_text(const core::loop::Performance& performance) {
   return fmt::format(
-      "Harris {} to {}; error std {}; valve travel {} %/h, {} reversals/h; at a "
+      "Harris {} to {}; error std {} pv units; valve travel {} %/h, {} reversals/h; op at a "
       "limit {}",
       figure_text(performance.harris_low), figure_text(performance.harris_high),
       figure_text(performance.error_std), figure_text(performance.valve_travel_per_h),
-      figure_text(performance.reversals_per_h), figure_text(performance.at_limit_fraction));
+      figure_text(performance.reversals_per_h), percent_text(performance.at_limit_fraction));
 }
 
 std::string shape_text(const core::loop::Shape& shape) {
@@ -87,9 +93,12 @@ std::string analysis_text(const std::string& title, double sample_interval_s,
   text += text_line("oscillation", oscillation_text(evidence.oscillation));
   text += text_line("performance", performance_text(evidence.performance));
   text += text_line("shape", shape_text(evidence.shape));
-  text += text_line("data", fmt::format("missing {}, flags: {}",
-                                        figure_text(evidence.data_quality.missing_fraction),
-                                        fmt::join(evidence.data_quality.flags, ", ")));
+  const core::signal::DataQuality& quality = evidence.data_quality;
+  text +=
+      text_line("data", fmt::format("missing {}, flags: {}", percent_text(quality.missing_fraction),
+                                    quality.flags.empty()
+                                        ? "none"
+                                        : fmt::format("{}", fmt::join(quality.flags, ", "))));
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include "daemon/output/output_file.hpp"
 #include "daemon/output/standard_output.hpp"
 #include "daemon/output/write_csv.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
@@ -62,9 +63,9 @@ class CsvLine {
 void note_quoted(std::size_t count) {
   if (count == 0) return;
   std::cerr << fmt::format(
-      "note: {} cells begin with =, +, - or @: a quote stands before them, so that no spreadsheet "
-      "takes them for formulas; --format json has them as they are\n",
-      count);
+      "note: {} with =, +, - or @: a quote is put before it, so that no spreadsheet takes it for a "
+      "formula; --format json has the text as it is\n",
+      counted(count, "cell begins", "cells begin"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "daemon/output/text_line.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {
@@ -28,8 +29,9 @@ std::string line(const storage::WhatIfRow& row) {
 std::string what_if_text(const std::vector<storage::WhatIfRow>& rows) {
   const std::int64_t kept = count(rows, "kept"), gained = count(rows, "gained"),
                      lost = count(rows, "lost");
-  std::string text = fmt::format("{} loops would be flagged instead of {}: {} more, {} no more\n",
-                                 kept + gained, kept + lost, gained, lost);
+  std::string text =
+      fmt::format("{} would be flagged instead of {}: {} more, {} no more\n",
+                  counted(kept + gained, "loop", "loops"), kept + lost, gained, lost);
   if (rows.empty()) return text;
   text += fmt::format("  {:>5} {:<24} {:<22} {:>10} {:>9} {:>7}  {}\n", "rank", "loop", "verdict",
                       "confidence", "p", "score", "status");

@@ -8,6 +8,7 @@
 #include "daemon/output/output_file.hpp"
 #include "daemon/output/standard_output.hpp"
 #include "daemon/text/cells.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
@@ -29,9 +30,10 @@ std::size_t count_formulas(const std::string& csv) {
 void note_formulas(std::size_t count) {
   if (count == 0) return;
   std::cerr << fmt::format(
-      "note: {} cells begin with =, +, - or @: a spreadsheet takes them for formulas unless it is "
-      "told to import every column as text\n",
-      count);
+      "note: {} with =, +, - or @: a spreadsheet takes this for a formula unless it is told to "
+      "import "
+      "every column as text\n",
+      counted(count, "cell begins", "cells begin"));
 }
 
 void write_csv(const std::string& file, const std::string& csv) {

@@ -6,6 +6,7 @@
 #include "core/plant/shared_oscillation.hpp"
 #include "daemon/plant/compared_loops.hpp"
 #include "daemon/plant/event_record.hpp"
+#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -51,8 +52,9 @@ std::optional<storage::PlantRoundRecord> make_plant_round(storage::PlantRounds& 
 }
 
 std::string round_text(const storage::PlantRoundRecord& round) {
-  std::string text = fmt::format("{} loops compared, {} of them oscillate, {} share an oscillation",
-                                 round.loops, round.oscillating, round.events.size());
+  std::string text = fmt::format(
+      "{} compared, {} of them oscillating; {}", counted(round.loops, "loop", "loops"),
+      round.oscillating, counted(round.events.size(), "shared oscillation", "shared oscillations"));
   for (const storage::PlantEvent& event : round.events) text += "; " + event.statement;
   return text;
 }

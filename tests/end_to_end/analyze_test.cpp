@@ -73,7 +73,7 @@ TEST_F(Analyze, FilesThatCannotBeParsedAreErrorsWithoutOutput) {
   expect_refused("backwards.csv", "t_s,sp,pv,op\n5,1,2,3\n4,1,2,3\n", "runs backwards");
   expect_refused("extreme.csv", "t_s,sp,pv,op\n-9e12,1,2,3\n0,1,2,3\n9e12,1,2,3\n", "line 3");
   expect_refused("twice.csv", "t_s,sp,pv,op,pv\n0,1,2,3,4\n", "\"pv\" stands twice");
-  expect_refused("nul.csv", std::string("t_s,sp,pv,op\n0,1,2\0x,3\n", 23), "is no text");
+  expect_refused("nul.csv", std::string("t_s,sp,pv,op\n0,1,2\0x,3\n", 23), "is not text");
   expect_refused("ragged.csv", "t_s,sp,pv,op\n5,1,2\n", "line 2: 3 cells");
 }
 

@@ -72,7 +72,7 @@ TEST_F(Annotate, ErrorsSayTheWayOut) {
   expect_error({"--loop", "TIC400", "acknowledge"}, "its newest verdict is healthy",
                "name the verdict that is meant");
   expect_error({"--loop", "FIC101", "acknowledge", "--code", "valve_sticktion"},
-               "is no verdict of a fault", "did you mean valve_stiction?");
+               "is not the verdict of a fault", "did you mean valve_stiction?");
   expect_error({"--loop", "FIC101", "suppress", "--until", "2020-01-01", "--reason", "x"},
                "--until 2020-01-01T00:00:00Z has passed", "name a time to come");
   expect_error({"--loop", "FIC101", "suppress", "--until", "soon", "--reason", "x"},

@@ -153,7 +153,7 @@ TEST_F(BadInput, LoopsRoundTripThroughCsvWithHostileNames) {
   EXPECT_EQ(plant_.sql("select name from loopscope.loop order by loop_id desc limit 1"), hostile);
   EXPECT_THAT(plant_.loopscope("once").out, HasSubstr("2 loops: 2 new"));
   EXPECT_EQ(plant_.loopscope("loops", {"disable", hostile}).exit_code, 0);
-  EXPECT_THAT(plant_.loopscope("once").out, HasSubstr("1 loops: 0 new"));
+  EXPECT_THAT(plant_.loopscope("once").out, HasSubstr("1 loop: 0 new"));
 }
 
 }  // namespace

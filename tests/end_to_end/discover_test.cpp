@@ -43,7 +43,7 @@ TEST_F(Discover, FromTagsToACsvToTheCatalogue) {
             "FIC101|FIC101.SP|FIC101.PV|3600\narea1/TIC7|-|area1/TIC7/pv|3600");
   EXPECT_THAT(loops({"discover", "--add"}).out, HasSubstr("0 loops added"));
   add_tags("PIC9.PV");
-  EXPECT_THAT(loops({"discover", "--add"}).out, HasSubstr("1 loops added"));
+  EXPECT_THAT(loops({"discover", "--add"}).out, HasSubstr("1 loop added"));
 }
 
 TEST_F(Discover, CsvOnStandardOutputIsNothingButCsv) {
@@ -51,7 +51,7 @@ TEST_F(Discover, CsvOnStandardOutputIsNothingButCsv) {
   const ProgramResult found = loops({"discover", "--out", "-"});
   EXPECT_EQ(found.exit_code, 0);
   EXPECT_TRUE(found.out.starts_with("name,source,sp_tag,")) << found.out;
-  EXPECT_THAT(found.err, HasSubstr("1 loops are new"));
+  EXPECT_THAT(found.err, HasSubstr("1 loop is new"));
 }
 
 TEST_F(Discover, ALoopsNameThatIsTakenIsLeftAlone) {
@@ -71,10 +71,10 @@ TEST_F(Discover, PatternsComeFromTheCommandLineOrTheSettings) {
   const ProgramResult told =
       loops({"discover", "--pattern", "{role}@{loop}", "--role", "pv=Ist", "--role", "sp=Soll"});
   EXPECT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_THAT(told.out, HasSubstr("1 loops are new (sp 1, pv 1"));
+  EXPECT_THAT(told.out, HasSubstr("1 loop is new (sp 1, pv 1"));
   plant.write_settings(Plant::settings(
       R"("discovery": {"patterns": "{role}@{loop}", "pv_words": "Ist", "sp_words": "Soll"})"));
-  EXPECT_THAT(loops({"discover"}).out, HasSubstr("1 loops are new (sp 1, pv 1"));
+  EXPECT_THAT(loops({"discover"}).out, HasSubstr("1 loop is new (sp 1, pv 1"));
 }
 
 TEST_F(Discover, BadPatternsSayWhatIsWrong) {
@@ -91,12 +91,12 @@ TEST_F(Discover, CheckListsWhatDoesNotResolve) {
   add_tags("FIC101.PV,FIC101.OP");
   ASSERT_EQ(loops({"add", "FIC101", "--pv-tag", "FIC101.PV", "--op-tag", "FIC101.OP"}).exit_code,
             0);
-  EXPECT_THAT(loops({"check"}).out, HasSubstr("all 2 tags of 1 loops have rows"));
+  EXPECT_THAT(loops({"check"}).out, HasSubstr("all 2 tags of 1 loop have rows"));
   ASSERT_EQ(loops({"set", "FIC101", "--sp-tag", "FIC101.SV"}).exit_code, 0);
   const std::string file = plant.folder() / "dead.csv";
   const ProgramResult check = loops({"check", "--out", file});
   EXPECT_EQ(check.exit_code, 5);
-  EXPECT_THAT(check.err, HasSubstr("1 of 3 tags of 1 loops do not resolve"));
+  EXPECT_THAT(check.err, HasSubstr("1 of 3 tags of 1 loop cannot be found"));
   EXPECT_THAT(check.err, HasSubstr("HINT: "));
   EXPECT_THAT(check.out, HasSubstr("FIC101.SV"));
   EXPECT_EQ(content_of(file),
@@ -119,7 +119,7 @@ TEST_F(Discover, ATagWithoutAValueIsLeftOut) {
   EXPECT_THAT(found.out, HasSubstr("1 tags without a value, left out: FIC101.mode"));
   const ProgramResult check = loops({"check"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
-  EXPECT_THAT(check.out, HasSubstr("all 3 tags of 1 loops have rows"));
+  EXPECT_THAT(check.out, HasSubstr("all 3 tags of 1 loop have rows"));
 }
 
 TEST_F(Discover, TenThousandLoopsInSeconds) {

@@ -77,7 +77,7 @@ TEST_F(Export, NamesThatASpreadsheetTakesForFormulasAreQuoted) {
   plant_.plant().sql("UPDATE loopscope.loop SET name = '=cmd()' WHERE name = 'NEW1'");
   const ProgramResult list = write({"flagged_loop"});
   EXPECT_THAT(list.out, HasSubstr(",'=cmd(),"));
-  EXPECT_THAT(list.err, HasSubstr("note: 1 cells begin with"));
+  EXPECT_THAT(list.err, HasSubstr("note: 1 cell begins with"));
   EXPECT_THAT(write({"flagged_loop", "--format", "json"}).out, HasSubstr("\"=cmd()\""));
 }
 

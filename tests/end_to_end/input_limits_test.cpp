@@ -51,7 +51,7 @@ class InputLimits : public testing::Test {
 };
 
 TEST_F(InputLimits, DevicesFoldersAndHugeFilesAreRefusedAtOnce) {
-  expect_refused("/dev/zero", "is no text");
+  expect_refused("/dev/zero", "is not text");
   expect_refused(folder_.path(), "is a folder");
   expect_refused(folder_.path() / "absent", "No such file");
   expect_refused(gigabyte('\0'), "is larger than");

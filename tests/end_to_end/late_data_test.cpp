@@ -52,7 +52,7 @@ TEST_F(LateData, ALateRowRevisesTheEarlierSlotAsWellOnceAndVisibly) {
   EXPECT_EQ(plant.sql("select count(*) from loopscope.revised_verdict"), "0");
 
   plant.sql(kChangeInTheMiddle);
-  EXPECT_THAT(once(), HasSubstr("0 new, 1 revised, 0 unchanged, 0 failed, 1 earlier windows"));
+  EXPECT_THAT(once(), HasSubstr("0 new, 1 revised, 0 unchanged, 0 failed, 1 earlier window"));
   EXPECT_EQ(plant.sql("select count(*), min(input_revision), max(input_revision) "
                       "from loopscope.analysis"),
             "2|2|2");

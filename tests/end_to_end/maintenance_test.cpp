@@ -58,7 +58,7 @@ TEST_F(MaintenanceTest, MistakesAreExplained) {
          "work on \"FIC101\" at 2999-01-01T12:00:00Z", "without a zone is UTC");
   expect(add("FIC101", "2026-03-01 12:00", "vavle"), 2,
          "no kind of work \"vavle\", did you mean valve", "maintenance add --help");
-  expect(add("FIC101", "yesterday", "valve"), 2, "\"yesterday\" is no time", "--help");
+  expect(add("FIC101", "yesterday", "valve"), 2, "\"yesterday\" is not a time", "--help");
   expect(plant.loopscope("maintenance", {"list", "--loop", "x"}), 2, "no loop named \"x\"",
          "lists them");
   EXPECT_EQ(entered(), "0");

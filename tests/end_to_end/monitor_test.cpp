@@ -118,7 +118,7 @@ TEST(Monitor, LoopsThatAnotherWorkerHoldsAreCounted) {
       "where loop_id = (select min(loop_id) from loopscope.loop)");
   const ProgramResult pass = plant.loopscope("once");
   EXPECT_EQ(pass.exit_code, 0) << pass.err;
-  EXPECT_THAT(pass.out, HasSubstr("1 loops: 1 new"));
+  EXPECT_THAT(pass.out, HasSubstr("1 loop: 1 new"));
   EXPECT_THAT(pass.out, HasSubstr("1 more are held by other workers"));
 }
 

@@ -70,12 +70,12 @@ class SlowLook : public testing::Test {
 
 TEST_F(SlowLook, ALongerSpanIsReadAndASecondPassAddsNothing) {
   const std::string file = import_slow("SLOW", 1);
-  EXPECT_THAT(once(), HasSubstr("1 loops: 1 new"));
+  EXPECT_THAT(once(), HasSubstr("1 loop: 1 new"));
   EXPECT_EQ(of("SLOW", "samples"), "4096");
   EXPECT_EQ(of("SLOW", "hos_slow->>'samples'"), kSpan);
   EXPECT_EQ(of("SLOW", "hos_slow->>'segments'"), "60");
   const std::string stamp = of("SLOW", "analysed_at");
-  EXPECT_THAT(once(), HasSubstr("1 loops: 0 new, 0 revised, 1 unchanged"));
+  EXPECT_THAT(once(), HasSubstr("1 loop: 0 new, 0 revised, 1 unchanged"));
   EXPECT_EQ(of("SLOW", "analysed_at"), stamp);
 
   const ProgramResult alone = run_program({LOOPSCOPE_PROGRAM, "analyze", file, "--json"});

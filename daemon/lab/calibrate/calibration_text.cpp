@@ -4,6 +4,7 @@
 
 #include "daemon/lab/calibrate/calibration.hpp"
 #include "daemon/lab/calibrate/cost.hpp"
+#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -97,7 +98,9 @@ std::string plant_line(const PlantSummary& plant) {
                     plant.flags.mean, 100.0 * plant.false_share.mean,
                     100.0 * plant.false_share.standard_error, 100.0 * plant.found_share.mean,
                     100.0 * plant.found_share.standard_error,
-                    plant.untested > 0 ? fmt::format(", {} loops untested", plant.untested) : "");
+                    plant.untested > 0
+                        ? ", " + counted(plant.untested, "loop", "loops") + " untested"
+                        : "");
 }
 
 std::string plants_text(const Calibration& calibration) {

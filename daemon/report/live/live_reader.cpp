@@ -10,6 +10,7 @@
 #include "daemon/report/sections/plant_section.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 

@@ -14,6 +14,7 @@
 #include "daemon/report/sections/picture_rows.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -106,7 +107,7 @@ Fields member_fields(const Member& member, const PlantOscillationRow& event, std
   return {{"place", &member - event.members.data() + 1},
           {"link", std::move(link)},
           {"name", member.loop_name},
-          {"role", in_words(member.role)},
+          {"role", role_words(member.role)},
           {"share", core::model::in_percent(member.strength)},
           {"lag", lag.empty() ? kUnknown : lag},
           {"probability", weighed ? core::model::in_percent(*member.score) : kUnknown}};

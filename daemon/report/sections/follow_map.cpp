@@ -183,10 +183,14 @@ std::string lag_words(const storage::PlantOscillationRow::Member& member,
   return core::model::in_time(std::abs(member.lag_s)) + (member.lag_s < 0.0 ? " ahead" : " behind");
 }
 
+std::string role_words(std::string_view role) {
+  return role == "victim" ? "affected loop" : in_words(role);
+}
+
 std::string role_and_lag(const storage::PlantOscillationRow::Member& member,
                          const storage::PlantOscillationRow& event) {
   const std::string lag = lag_words(member, event);
-  return in_words(member.role) + (lag.empty() ? "" : ", " + lag);
+  return role_words(member.role) + (lag.empty() ? "" : ", " + lag);
 }
 
 }  // namespace loopscope::daemon

@@ -18,7 +18,10 @@ namespace loopscope::daemon {
 [[nodiscard]] std::string lag_words(const storage::PlantOscillationRow::Member& member,
                                     const storage::PlantOscillationRow& event);
 
-/// "victim, 30 s behind". Plain text.
+/// "affected loop" of `victim`. Plain text.
+[[nodiscard]] std::string role_words(std::string_view role);
+
+/// "affected loop, 30 s behind". Plain text.
 [[nodiscard]] std::string role_and_lag(const storage::PlantOscillationRow::Member& member,
                                        const storage::PlantOscillationRow& event);
 

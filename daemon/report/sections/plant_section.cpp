@@ -9,6 +9,7 @@
 #include "daemon/report/sections/repairs_table.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -95,7 +96,7 @@ Markup plant_section(const PlantFacts& facts, LoopLinks links) {
   return render("plant_section",
                 {{"tiles", tiles(facts)},
                  {"any_hidden", counts.victims + counts.annotated + counts.unlisted != 0},
-                 {"victims", counted(counts.victims, "victim", "victims")},
+                 {"affected", counted(counts.victims, "loop", "loops")},
                  {"findings", counted(counts.annotated, "finding", "findings")},
                  {"faults", counted(counts.unlisted, "fault", "faults")},
                  {"any_oscillation", !facts.oscillations.empty()},

@@ -27,10 +27,15 @@ bool is_by_the_list(const HiddenRow& row) {
   return row.hidden_by == "probability" || row.hidden_by == "chance";
 }
 
+/// "Suppressed", behind which the name stands.
+std::string deed_words(const std::string& hidden_by) {
+  return hidden_by == "false_positive" ? "Marked as a false positive" : as_heading(hidden_by);
+}
+
 Fields by_somebody(const HiddenRow& row) {
   return {{"oscillation", false},
           {"by_the_list", false},
-          {"deed", as_heading(row.hidden_by)},
+          {"deed", deed_words(row.hidden_by)},
           {"author", row.author},
           {"entered", utc(row.entered_us)},
           {"until", row.until_us ? utc(*row.until_us) : ""},

@@ -37,10 +37,6 @@ std::string number_text(const std::optional<std::int64_t>& number) {
   return number ? std::to_string(*number) : "";
 }
 
-std::string counted(std::int64_t number, const std::string& singular, const std::string& plural) {
-  return fmt::format("{} {}", number, number == 1 ? singular : plural);
-}
-
 std::string in_words(std::string_view code) {
   std::string words(code);
   std::ranges::replace(words, '_', ' ');

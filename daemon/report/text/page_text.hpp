@@ -34,8 +34,4 @@ inline constexpr const char* kUnknown = "\u2013";
 /// The number; empty = there is none.
 [[nodiscard]] std::string number_text(const std::optional<std::int64_t>& number);
 
-/// "1 loop", "3 loops".
-[[nodiscard]] std::string counted(std::int64_t number, const std::string& singular,
-                                  const std::string& plural);
-
 }  // namespace loopscope::daemon

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "daemon/service/observe/stage_timings.hpp"
+#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -26,13 +27,14 @@ void add(storage::WriteCount& sum, const storage::WriteCount& more) {
 std::string count_text(const storage::WriteCount& count) {
   const std::size_t all =
       count.inserted + count.revised + count.unchanged + count.failed + count.fenced_off;
-  std::string text = fmt::format("{} loops: {} new, {} revised, {} unchanged, {} failed", all,
-                                 count.inserted, count.revised, count.unchanged, count.failed);
+  std::string text =
+      fmt::format("{}: {} new, {} revised, {} unchanged, {} failed", counted(all, "loop", "loops"),
+                  count.inserted, count.revised, count.unchanged, count.failed);
   if (count.not_judged > 0) {
     text += fmt::format(", {} could not be judged (loopscope.data_problem)", count.not_judged);
   }
   if (count.revised_earlier > 0) {
-    text += fmt::format(", {} earlier windows revised", count.revised_earlier);
+    text += ", " + counted(count.revised_earlier, "earlier window", "earlier windows") + " revised";
   }
   if (count.fenced_off > 0) text += fmt::format(", {} taken over by others", count.fenced_off);
   return text;

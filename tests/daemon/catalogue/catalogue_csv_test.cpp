@@ -65,21 +65,27 @@ TEST(CatalogueCsv, AKnownLoopKeepsWhatTheTableDoesNotSay) {
 }
 
 TEST(CatalogueCsv, ProblemsNameLineAndColumn) {
-  EXPECT_THAT(catalogue_failure("name,pv_tag,colour\n"), HasSubstr("unknown column \"colour\""));
-  EXPECT_THAT(catalogue_failure("name,pv_tag,period_s\nA,B,-5\n"),
-              HasSubstr("line 2, column period_s: -5 is out of range, 1 to 2592000 s"));
-  EXPECT_THAT(catalogue_failure("name,pv_tag,enabled\nA,B,perhaps\n"),
-              HasSubstr("neither true nor false"));
-  EXPECT_THAT(catalogue_failure("name,pv_tag,name\nA,B,C\n"), HasSubstr("stands twice"));
+  for (const auto& [csv, problem] :
+       {std::pair{"name,pv_tag,colour\n", "line 1: unknown column \"colour\""},
+        std::pair{"name,pv_tag,name\nA,B,C\n", "line 1: column \"name\" stands twice"},
+        std::pair{"name,pv_tag,period_s\nA,B,-5\n",
+                  "line 2, column period_s: -5 is out of range, 1 to 2592000 s"},
+        std::pair{"name,pv_tag,period_s\nA,B,often\n",
+                  "line 2, column period_s: \"often\" is not a number"},
+        std::pair{"name,pv_tag,enabled\nA,B,perhaps\n",
+                  "line 2, column enabled: \"perhaps\" is neither true nor false"},
+        std::pair{"name,pv_tag\nA,\n", "line 2: the pv tag is empty"},
+        std::pair{"name,pv_tag\n,B\n", "line 2: the name is empty"},
+        std::pair{"name,pv_tag\nA,B\nA,C\n", "line 3: \"A\" stands twice"},
+        std::pair{"name,pv_tag,op_low\nA,B,0\n",
+                  "line 2: op_low and op_high need both ends, low below high"},
+        std::pair{"name,pv_tag,pv_low,pv_high\nA,B,5,5\n",
+                  "line 2: pv_low and pv_high need both ends, low below high"}})
+    EXPECT_EQ(catalogue_failure(csv), std::string("loops.csv, ") + problem);
+  EXPECT_EQ(catalogue_failure("name,pv_tag\n" + std::string(1001, 'x') + ",B\n"),
+            "loops.csv, line 2: the name has 1001 bytes, 1000 are the most");
   EXPECT_THAT(catalogue_failure("name,pv_tag,period_s\nA,B,1e300\n"), HasSubstr("out of range"));
   EXPECT_THAT(catalogue_failure("name,pv_tag,interval_s\nA,B,1e-9\n"), HasSubstr("out of range"));
-  EXPECT_THAT(catalogue_failure("name,pv_tag\nA,\n"), HasSubstr("line 2: the pv tag is empty"));
-  EXPECT_THAT(catalogue_failure("name,pv_tag\n,B\n"), HasSubstr("the name is empty"));
-  EXPECT_THAT(catalogue_failure("name,pv_tag\nA,B\nA,C\n"),
-              HasSubstr("line 3: \"A\" stands twice"));
-  EXPECT_THAT(catalogue_failure("name,pv_tag,op_low\nA,B,0\n"), HasSubstr("both ends"));
-  EXPECT_THAT(catalogue_failure("name,pv_tag,op_low,op_high\nA,B,5,5\n"),
-              HasSubstr("low below high"));
 }
 
 }  // namespace

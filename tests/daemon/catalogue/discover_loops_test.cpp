@@ -84,7 +84,7 @@ TEST(DiscoverLoops, WhatIsMissingAndWhatFitsNothing) {
   EXPECT_EQ(found.without_pv.at(0).name, "B");
   DiscoveryReport report{"plant", 5, found, 0, {}};
   const std::string text = discovery_text(report);
-  EXPECT_THAT(text, HasSubstr("plant: 5 tags, 1 loops are new (sp 0, pv 1, op 0, mv 0, mode 0)"));
+  EXPECT_THAT(text, HasSubstr("plant: 5 tags, 1 loop is new (sp 0, pv 1, op 0, mv 0, mode 0)"));
   EXPECT_THAT(text, HasSubstr("1 without pv, left out: B (B.SP, B.OP)"));
   EXPECT_THAT(text, HasSubstr("1 without op, no model and no valve to judge: A"));
   EXPECT_THAT(text, HasSubstr("2 tags fit no pattern: TI200, X.ALARM"));

@@ -91,6 +91,44 @@ TEST(Reproduce, LoopsHaveAVerdictAndSignalsHaveNone) {
   }
 }
 
+TEST(Reproduce, TextOfOneExampleLineByLine) {
+  MeasuredExample measured;
+  measured.example.section = "5.4";
+  measured.example.title = "a sticking valve";
+  measured.example.decision = PaperDecision::nonlinear;
+  measured.example.ngi = {0.02, ""};
+  measured.example.nli = {0.9, "a misprint"};
+  measured.example.paper_cause = "stiction";
+  measured.example.remark = "two readings";
+  Measurement& ours = measured.measurement;
+  ours.ngi = {0.021, 0.015, 0.03, 0.01, 0.04};
+  ours.nli = {0.31, 0.25, 0.4, 0.2, 0.5};
+  ours.error_std = {1.5, 1.25, 1.75, 1.0, 2.0};
+  ours.decision_share = 0.98;
+  ours.peaks = {{{0.3, 0.12}, true, 0.9}, {{0.4, 0.3}, false, 0.1}};
+  ours.peak_seeds = 1.0;
+  ours.max_f1 = {0.297, 0.0, 0.0, 0.0, 0.0};
+  ours.max_f2 = {0.117, 0.0, 0.0, 0.0, 0.0};
+  ours.verdict = {"valve_stiction", 0.95};
+  const std::string text = reproduction_text({10, {measured}});
+  EXPECT_EQ(text.substr(0, text.find("Section 6")),
+            "Examples of sections 4 and 5 over 10 seeds: the paper's figure, our median [10th .. "
+            "90th\npercentile]. met: the paper's figure lies between those percentiles; within all "
+            "seeds:\nbetween our smallest and largest.\n\n"
+            "5.4 a sticking valve\n"
+            "  NGI            0.0200     0.0210 [  0.0150 ..   0.0300]   met\n"
+            "  NLI            0.9000     0.3100 [  0.2500 ..   0.4000]   NOT met\n"
+            "              why: a misprint\n"
+            "  decision    nonlinear   the published rule decides so in 98 % of the seeds\n"
+            "  peak     (0.30, 0.12)   found in 90 % of the seeds\n"
+            "  peak     (0.40, 0.30)   found in 10 % of the seeds (outside the principal domain)\n"
+            "                          maximum at (0.297, 0.117), median over the seeds\n"
+            "  error std           -     1.5000 [  1.2500 ..   1.7500]\n"
+            "  our verdict             valve_stiction in 95 % of the seeds (the paper's cause: "
+            "stiction)\n"
+            "  note: two readings\n\n");
+}
+
 TEST(Reproduce, TextSaysWhyAFigureIsNotMet) {
   const std::string text = reproduction_text(few_seeds());
   for (const auto* part : {"4.1 y_linear", "5.2 I = 0.15/2.5 as printed",

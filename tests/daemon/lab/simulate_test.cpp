@@ -36,6 +36,37 @@ TEST(EffectText, ReadsNameAndParameters) {
   EXPECT_NO_THROW((void)parse_effect("sensor_hold"));
 }
 
+std::string refused_effect(const std::string& effect) {
+  try {
+    (void)parse_effect(effect);
+  } catch (const Failure& failure) {
+    return std::string(failure.what()) + " HINT: " + failure.hint();
+  }
+  return "accepted";
+}
+
+TEST(EffectText, SaysWhatIsWrongAndWhatToWrite) {
+  EXPECT_EQ(refused_effect("valve_stictoin"),
+            "unknown effect \"valve_stictoin\" HINT: did you mean \"valve_stiction\"?");
+  EXPECT_EQ(refused_effect("xyzxyz"),
+            "unknown effect \"xyzxyz\" HINT: loopscope simulate --list shows every effect");
+  EXPECT_EQ(refused_effect("valve_deadband:width"),
+            "effect valve_deadband: \"width\" is not NAME=VALUE HINT: parameters: width=2 (full "
+            "width, % of op)");
+  EXPECT_EQ(refused_effect("valve_deadband:widht=3"),
+            "effect valve_deadband: unknown parameter \"widht\" HINT: did you mean \"width\"?");
+  EXPECT_EQ(refused_effect("valve_deadband:width=3,width=4"),
+            "effect valve_deadband: parameter \"width\" stands twice HINT: give it once; a second "
+            "effect of the kind takes a second --effect");
+  EXPECT_EQ(
+      refused_effect("valve_deadband:width=wide"),
+      "valve_deadband: width=wide is not a number HINT: parameters: width=2 (full width, % of "
+      "op)");
+  EXPECT_EQ(refused_effect("sensor_hold:samples=2.5"),
+            "sensor_hold: samples is not a whole number from 1 to 10000 HINT: parameters: "
+            "samples=10");
+}
+
 TEST(EffectText, NamesTheNearestKnownName) {
   EXPECT_THAT(hint_of("valve_stictoin:S=3"), testing::HasSubstr("\"valve_stiction\""));
   EXPECT_THAT(hint_of("valve_deadband:widht=3"), testing::HasSubstr("\"width\""));

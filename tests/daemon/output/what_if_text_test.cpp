@@ -37,6 +37,12 @@ TEST(WhatIfText, SaysWhatComesAndWhatGoes) {
             "watch\n");
 }
 
+TEST(WhatIfText, OneLoopIsNoPlural) {
+  const std::string text = what_if_text({row("kept", 1, "FIC101", 0.1)});
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "1 loop would be flagged instead of 1: 0 more, 0 no more");
+}
+
 TEST(WhatIfText, NothingIsASentence) {
   EXPECT_EQ(what_if_text({}), "0 loops would be flagged instead of 0: 0 more, 0 no more\n");
 }

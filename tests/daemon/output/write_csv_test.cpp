@@ -33,7 +33,10 @@ TEST(WriteCsv, NamesStayByteForByteAndTheNoteGoesToStandardError) {
     csv += csv_cell(hostile.name) + '\n';
   testing::internal::CaptureStderr();
   write_csv(folder.path() / "names.csv", csv);
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("cells begin with =, +, - or @"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              testing::MatchesRegex("note: [0-9]+ cells begin with =, .+, - or @: a spreadsheet "
+                                    "takes this for a formula unless it is told to import every "
+                                    "column as text\n"));
   EXPECT_EQ(content_of(folder.path() / "names.csv"), csv);
   testing::internal::CaptureStderr();
   write_csv(folder.path() / "names.csv", "name\nFIC101\n");

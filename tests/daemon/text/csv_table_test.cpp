@@ -59,10 +59,11 @@ TEST(CsvTable, HostileNamesReadBack) {
 }
 
 TEST(CsvTable, ProblemsNameTheirLine) {
-  EXPECT_THAT(csv_failure(""), HasSubstr("the file is empty"));
-  EXPECT_THAT(csv_failure("\n\n"), HasSubstr("the file is empty"));
-  EXPECT_THAT(csv_failure("a,b\n1,2\n1\n"), HasSubstr("line 3: 1 cells where the header has 2"));
-  EXPECT_THAT(csv_failure("a,b\n1,\"2\n"), HasSubstr("line 2: a quote is opened"));
+  EXPECT_EQ(csv_failure(""), "f.csv: the file is empty");
+  EXPECT_EQ(csv_failure("\n\n"), "f.csv: the file is empty");
+  EXPECT_EQ(csv_failure("a,b\n1,2\n1\n"), "f.csv, line 3: 1 cell where the header has 2");
+  EXPECT_EQ(csv_failure("a,b\n1,2,3\n"), "f.csv, line 2: 3 cells where the header has 2");
+  EXPECT_EQ(csv_failure("a,b\n1,\"2\n"), "f.csv, line 2: a quote is opened and never closed");
 }
 
 TEST(CsvTable, FilesThatCannotBeRead) {

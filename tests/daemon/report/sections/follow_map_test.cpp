@@ -24,7 +24,7 @@ TEST(FollowMap, ABoxForEachLoopAndAnArrowFromItsLeader) {
   EXPECT_EQ(count(map, "<rect "), 5);
   EXPECT_EQ(count(map, "stroke-width"), 4);
   EXPECT_THAT(map, HasSubstr("1 L1</text>"));
-  EXPECT_THAT(map, HasSubstr("victim, 12 s behind"));
+  EXPECT_THAT(map, HasSubstr("affected loop, 12 s behind"));
   EXPECT_EQ(unbalanced(map), "");
 }
 

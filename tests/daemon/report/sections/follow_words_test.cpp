@@ -39,6 +39,17 @@ TEST(FollowWords, AHealthyLoopThatIsShakenIsNotToldToBeLeftAlone) {
   EXPECT_THAT(loop_section(loop_report).html, HasSubstr("whose source is not known"));
 }
 
+TEST(FollowWords, ASentenceNamesShareSourceAndPeriod) {
+  storage::FollowedRow followed{3, 5400.0, "FIC1", "victim", 0.624, "external_disturbance"};
+  EXPECT_EQ(follow_sentence(followed).html,
+            "62 % of its error follows plant-wide oscillation 3 of <bdi>FIC1</bdi> (period 90 "
+            "min)");
+  followed.source_name.reset();
+  EXPECT_EQ(follow_sentence(followed).html,
+            "62 % of its error follows plant-wide oscillation 3, whose source is not known (period "
+            "90 min)");
+}
+
 TEST(FollowWords, OneThatIsHardlyTouchedStaysHealthyAndSaysSo) {
   LoopReport loop_report = healthy_loop_report();
   loop_report.followed = {3, 40.0, "FIC1", "member", 0.1, "healthy"};

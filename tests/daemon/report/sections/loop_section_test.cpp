@@ -91,7 +91,7 @@ TEST(LoopSection, AHiddenLoopSaysWhyAndWhatToDoFirst) {
       {"victim", "", "", 0, std::nullopt, 4, std::nullopt},
       {"suppressed", "shut <down>", "eve", 0, 86'400'000'000, std::nullopt, std::nullopt}};
   const std::string text = loop_section(told).html;
-  EXPECT_THAT(text, HasSubstr("A victim of plant-wide oscillation 3: repair its source "
+  EXPECT_THAT(text, HasSubstr("Affected by plant-wide oscillation 3: repair its source "
                               "<bdi>FIC1</bdi> first, then check again."));
   EXPECT_THAT(text, HasSubstr("oscillation 4, whose source is not known."));
   EXPECT_THAT(text, HasSubstr("Suppressed by <bdi>eve</bdi>, 1970-01-01 00:00"));

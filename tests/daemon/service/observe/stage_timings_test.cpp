@@ -48,9 +48,12 @@ TEST(StageCost, DifferenceUndoesAddition) {
 }
 
 TEST(CostText, IsPerLoopAndPerModel) {
-  const std::string text = cost_text(batch(10));
-  EXPECT_THAT(text, HasSubstr("fetch 4.00"));
-  EXPECT_THAT(text, HasSubstr("model 10.00 (20.0 each of 5)"));
+  EXPECT_EQ(cost_text(batch(10)),
+            "ms a loop: claim 0.00, fetch 4.00, prepare 0.00, statistics 0.00, model 10.00 (20.0 "
+            "each of 5), decide 0.00, write 0.00, waiting for a core 0.00");
+  EXPECT_EQ(cost_text(batch(1)),
+            "ms a loop: claim 0.00, fetch 4.00, prepare 0.00, statistics 0.00, model 0.00, decide "
+            "0.00, write 0.00, waiting for a core 0.00");
   EXPECT_EQ(cost_text({}), "");
 }
 
