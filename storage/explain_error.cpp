@@ -144,8 +144,7 @@ constexpr char kOtherName[] =
 constexpr char kNotVerified[] =
     "the certificate in sslrootcert is not of the authority that signed the server's, or one of "
     "the two has expired: `openssl s_client -starttls postgres -connect HOST:PORT -CAfile "
-    "SSLROOTCERT` says "
-    "which";
+    "SSLROOTCERT` says which";
 constexpr char kPlainServer[] =
     "let the server's administrator set ssl = on: with less than sslmode=verify-full anybody on "
     "the way could read along";
@@ -215,8 +214,7 @@ constexpr std::array<WordsRule, 26> kConnecting{{
     {"SSL", Remedy::give_up, "check sslmode and sslrootcert in the connection string"},
     {"certificate", Remedy::give_up, "check sslrootcert in the connection string"},
     {"definition of service", Remedy::give_up, "check service= and pg_service.conf"},
-    {"permission denied for database", Remedy::give_up,
-     "GRANT CONNECT ON DATABASE to the user, as the database's owner"},
+    {"permission denied for database", Remedy::give_up, "GRANT CONNECT ON DATABASE to the user"},
     {"session is read-only", Remedy::reconnect, kReadOnly},
     {"connection slots", Remedy::reconnect, kConnections},
     {"too many clients", Remedy::reconnect, kConnections},

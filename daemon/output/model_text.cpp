@@ -32,7 +32,7 @@ std::string asked_lines(const core::model::Step& step) {
 
 std::string model_text(const core::model::Explanation& explanation) {
   if (!explanation.excited) {
-    return text_line("model", "process not identified: " + explanation.excitation);
+    return text_line("model", "process not identified. " + explanation.excitation);
   }
   const core::model::Baseline& baseline = explanation.baseline;
   std::string text = text_line(

@@ -138,7 +138,7 @@ TEST_F(Analyze, AFileLongerThanAWindowIsJudgedBySeveral) {
   // Steps of 0.6 lengths, remembered for 1.25: 0.6 + 0.62 * (0.6 + 0.62).
   EXPECT_NEAR(all["windows"]["together"].get<double>(), 1.35, 0.02);
   EXPECT_EQ(all["input"]["samples"], 4096) << "every other key is the newest window's";
-  EXPECT_THAT(all["verdict"]["reasons"].dump(), HasSubstr("Several windows together"));
+  EXPECT_THAT(all["verdict"]["reasons"].dump(), HasSubstr("Judged by several windows together"));
   const Json one = Json::parse(
       run_program({LOOPSCOPE_PROGRAM, "analyze", file, "--json", "--window", "4096"}).out);
   EXPECT_TRUE(one["windows"].is_null());

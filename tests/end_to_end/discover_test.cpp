@@ -33,7 +33,7 @@ TEST_F(Discover, FromTagsToACsvToTheCatalogue) {
   EXPECT_EQ(found.exit_code, 0) << found.err;
   EXPECT_THAT(found.out, HasSubstr("6 tags, 2 loops are new"));
   EXPECT_THAT(found.out, HasSubstr("1 without pv, left out: LIC3 (LIC3.SP)"));
-  EXPECT_THAT(found.out, HasSubstr("1 tags fit no pattern: TI200"));
+  EXPECT_THAT(found.out, HasSubstr("1 tag fits no pattern: TI200"));
   EXPECT_EQ(plant.sql("select count(*) from loopscope.loop"), "0") << "a look first";
   EXPECT_THAT(content_of(file), HasSubstr("FIC101,plant,FIC101.SP,FIC101.PV,FIC101.OP,"));
 
@@ -58,7 +58,7 @@ TEST_F(Discover, ALoopsNameThatIsTakenIsLeftAlone) {
   add_tags("FIC101.PV,TIC1.PV");
   ASSERT_EQ(loops({"add", "FIC101", "--pv-tag", "mine"}).exit_code, 0);
   EXPECT_THAT(loops({"discover", "--add"}).out,
-              HasSubstr("names taken by other loops of the catalogue, left out: FIC101"));
+              HasSubstr("1 name taken by another loop of the catalogue, left out: FIC101"));
   EXPECT_EQ(plant.sql("select pv_tag from loopscope.loop order by name"), "mine\nTIC1.PV");
 }
 
@@ -116,7 +116,7 @@ TEST_F(Discover, ATagWithoutAValueIsLeftOut) {
                   R"(, "preset": "loop_row", "table": "public.looprows")");
   plant.write_settings(settings);
   const ProgramResult found = loops({"discover", "--add"});
-  EXPECT_THAT(found.out, HasSubstr("1 tags without a value, left out: FIC101.mode"));
+  EXPECT_THAT(found.out, HasSubstr("1 tag without a value, left out: FIC101.mode"));
   const ProgramResult check = loops({"check"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("all 3 tags of 1 loop have rows"));

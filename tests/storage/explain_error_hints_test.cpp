@@ -120,7 +120,7 @@ TEST(ExplainErrorHints, OfConnectingByTheServersWords) {
         Case{"could not read certificate file", "check sslrootcert in the connection string"},
         Case{"definition of service \"x\" not found", "check service= and pg_service.conf"},
         Case{"FATAL:  permission denied for database \"x\"",
-             "GRANT CONNECT ON DATABASE to the user, as the database's owner"},
+             "GRANT CONNECT ON DATABASE to the user"},
         Case{"FATAL:  sorry, too many clients already",
              "raise max_connections on the server or lower daemon.workers in the settings"},
         Case{"could not translate host name \"x\" to address",

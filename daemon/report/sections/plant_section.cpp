@@ -35,7 +35,8 @@ std::string service_note(const storage::PlantCounts& counts) {
 
 List tiles(const PlantFacts& facts) {
   const storage::PlantCounts& counts = facts.counts;
-  return {tile(counts.loops, "loops", fmt::format("{} enabled", counts.enabled)),
+  return {tile(counts.loops, counts.loops == 1 ? "loop" : "loops",
+               fmt::format("{} enabled", counts.enabled)),
           tile(counts.judged, "judged", "newest window could be judged"),
           tile(counts.not_controlling, "not in control", service_note(counts)),
           tile(counts.flagged, "flagged", "action needed", "act"),

@@ -56,8 +56,9 @@ TEST(ModelText, AStepNamesTheTestsThatAskedForIt) {
 TEST(ModelText, WithoutExcitationItClaimsNothing) {
   core::model::Explanation explanation = story();
   explanation.excited = false;
-  explanation.excitation = "op stands still.";
-  EXPECT_EQ(model_text(explanation), "  model         process not identified: op stands still.\n");
+  explanation.excitation = "Not excited: op does not move.";
+  EXPECT_EQ(model_text(explanation),
+            "  model         process not identified. Not excited: op does not move.\n");
 }
 
 }  // namespace

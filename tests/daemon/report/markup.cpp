@@ -41,6 +41,41 @@ std::vector<std::string> tags_of(const std::string& html) {
   return tags;
 }
 
+std::string words_of(const std::string& html) {
+  constexpr std::array kWithinALine{"bdi", "b", "i", "a", "td", "th", "rect"};
+  std::string words;
+  const auto at_start = [&words] { return words.empty() || words.ends_with('\n'); };
+  const auto end_line = [&] {
+    while (words.ends_with(' ') || words.ends_with('|')) words.pop_back();
+    if (!at_start()) words += '\n';
+  };
+  const auto space = [&] {
+    if (!at_start() && !words.ends_with(' ')) words += ' ';
+  };
+  for (std::size_t at = 0; at < html.size(); ++at) {
+    if (html[at] == '<') {
+      std::string name = element(without_values(html, ++at));
+      if (name == "/td" || name == "/th") {
+        while (words.ends_with(' ')) words.pop_back();
+        words += " | ";
+      }
+      if (name.starts_with('/')) name.erase(0, 1);
+      if (name == "span" || name == "small" || name == "svg")
+        space();
+      else if (std::ranges::find(kWithinALine, name) == kWithinALine.end())
+        end_line();
+    } else if (html[at] == '\n') {
+      end_line();
+    } else if (html[at] == ' ') {
+      space();
+    } else {
+      words += html[at];
+    }
+  }
+  end_line();
+  return words;
+}
+
 std::string unbalanced(const std::string& html) {
   std::vector<std::string> open;
   for (const std::string& tag : tags_of(html)) {

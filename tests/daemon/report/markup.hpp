@@ -10,6 +10,9 @@ namespace loopscope::daemon {
 /// itself.
 [[nodiscard]] std::vector<std::string> tags_of(const std::string& html);
 
+/// What a person reads of it: a line for each block and for each row of a table, "cell | cell".
+[[nodiscard]] std::string words_of(const std::string& html);
+
 /// The first tag that is not closed in its turn; empty = all are.
 [[nodiscard]] std::string unbalanced(const std::string& html);
 

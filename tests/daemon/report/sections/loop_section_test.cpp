@@ -115,7 +115,7 @@ TEST(LoopSection, AModelThatClaimsNothingSaysSo) {
   core::model::Explanation silent;
   silent.excitation = "op hardly moves";
   EXPECT_THAT(explanation_table(silent).html,
-              HasSubstr("The process could not be identified: op hardly moves"));
+              HasSubstr("The process could not be identified. op hardly moves"));
 }
 
 TEST(LoopSection, NoHostileNameChangesTheMarkup) {
