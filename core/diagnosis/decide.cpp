@@ -15,8 +15,8 @@
 #include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/state_verdict.hpp"
 #include "core/diagnosis/verdict_p.hpp"
-#include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -98,11 +98,11 @@ void note_slowness(const Evidence& evidence, const Causes& causes, Verdict& verd
       *high >= kSlowHarris)
     return;
   verdict.summary = "No fault is probable, but the loop corrects slowly: Harris index " +
-                    number(*low) + " to " + number(*high) + ".";
+                    text::number(*low) + " to " + text::number(*high) + ".";
   verdict.action =
       "Nothing has to be repaired. Where the error matters, raise the controller gain or speed up "
       "the integral action in small steps (sluggish tuning is " +
-      percent(probability_in(causes, VerdictCode::sluggish_tuning)) + " probable).";
+      text::percent(probability_in(causes, VerdictCode::sluggish_tuning)) + " probable).";
 }
 
 /// The log odds of this window give way to those of all.
@@ -118,7 +118,7 @@ void put_combined(const CombinedOdds& combined, const PerCause& priors, Causes& 
 
 std::string windows_text(double alone) {
   return "Judged by several windows together; by the newest alone this finding would be " +
-         percent(alone) + " probable.";
+         text::percent(alone) + " probable.";
 }
 
 Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearity, double alpha,

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/diagnosis/effect_verdict.hpp"
-#include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/model/residual_tests/run_residual_tests.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {

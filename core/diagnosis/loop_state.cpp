@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/diagnosis/evidence/structure.hpp"
-#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -15,16 +15,16 @@ constexpr double kFalselyShown = 1e-3;
 
 std::string samples_text(std::size_t samples, double interval_s) {
   return std::to_string(samples) + (samples == 1 ? " sample (" : " samples (") +
-         duration(static_cast<double>(samples) * interval_s) + ")";
+         text::duration(static_cast<double>(samples) * interval_s) + ")";
 }
 
 std::string output_text(double value, const Evidence& evidence) {
-  return number(value) + (evidence.op_in_percent ? " %" : "");
+  return text::number(value) + (evidence.op_in_percent ? " %" : "");
 }
 
 std::string still_text(const signal::StandStill& still, const Evidence& evidence) {
   std::string text = std::string(still.to_the_end ? "pv stands still at " : "pv stood still at ") +
-                     number(still.run.value) + " for " +
+                     text::number(still.run.value) + " for " +
                      samples_text(still.run.samples, evidence.interval_s);
   if (still.whole)
     text += ", all that was read,";
@@ -38,16 +38,16 @@ std::string still_text(const signal::StandStill& still, const Evidence& evidence
             output_text(still.op_high, evidence);
   if (still.error_lasts)
     text += std::string(still.op_moves ? " and" : " while") + " the error stays at " +
-            number(still.error);
+            text::number(still.error);
   return text + ".";
 }
 
 std::string limit_text(const Evidence& evidence) {
   const std::string text = "op is at an end of its range in " +
-                           percent(evidence.control.at_limit_fraction.value_or(0.0)) +
+                           text::percent(evidence.control.at_limit_fraction.value_or(0.0)) +
                            " of the samples and the error does not go away";
   const std::optional<double> end = evidence.control.wound_up_percent;
-  return text + (end ? ": the controller has wound up to " + number(*end) + " %." : ".");
+  return text + (end ? ": the controller has wound up to " + text::number(*end) + " %." : ".");
 }
 
 std::string lost_text(const Evidence& evidence) {
@@ -56,7 +56,7 @@ std::string lost_text(const Evidence& evidence) {
                               ? "The controller was in manual, tracking or out of service"
                               : "The controller output stood still";
   std::string text =
-      why + " for " + percent(1.0 - control.acting_fraction.value_or(0.0)) + " of the window";
+      why + " for " + text::percent(1.0 - control.acting_fraction.value_or(0.0)) + " of the window";
   if (control.lost_at && *control.lost_at < evidence.samples)
     text += ", and throughout the last " +
             samples_text(evidence.samples - *control.lost_at, evidence.interval_s);
@@ -91,7 +91,7 @@ std::string frozen_summary(const Evidence& evidence) {
   if (!evidence.still->to_the_end) return "The measurement stood still for a while.";
   if (!has_wound_up(evidence)) return "The measurement stands still.";
   return "The measurement stands still, and the controller has wound up to " +
-         number(*evidence.control.wound_up_percent) + " %.";
+         text::number(*evidence.control.wound_up_percent) + " %.";
 }
 
 std::string frozen_action() {

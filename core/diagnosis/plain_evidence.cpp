@@ -9,9 +9,9 @@
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/reasons.hpp"
-#include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -50,10 +50,10 @@ std::string tuning_text(const model::ClosedLoop& loop) {
   const std::string start = "With these settings of the controller ";
   if (!std::isfinite(loop.peak_sensitivity)) return start + "the fitted loop is unstable.";
   if (loop.period_s <= 0.0)
-    return start + "a disturbance takes " + duration(loop.settling_s) +
+    return start + "a disturbance takes " + text::duration(loop.settling_s) +
            " to settle, without oscillation.";
-  return start + "the loop swings with a period of " + duration(loop.period_s) +
-         " after a disturbance, each swing " + percent(decay_ratio(loop.damping)) +
+  return start + "the loop swings with a period of " + text::duration(loop.period_s) +
+         " after a disturbance, each swing " + text::percent(decay_ratio(loop.damping)) +
          " of the one before.";
 }
 
@@ -64,7 +64,7 @@ constexpr double kNearlyAll = 0.1;
 std::string unaccounted_text(const model::Explanation& model) {
   if (!model.excited || model.unexplained.fraction < kNearlyAll) return {};
   return "Nothing found in valve, process or sensor accounts for " +
-         percent(model.unexplained.fraction) + " of the error that could be foreseen.";
+         text::percent(model.unexplained.fraction) + " of the error that could be foreseen.";
 }
 
 std::string end_of_travel_text(const Evidence& evidence) {
@@ -72,7 +72,7 @@ std::string end_of_travel_text(const Evidence& evidence) {
   if (!at_limit.empty() || !evidence.op_at_ends || evidence.op_at_ends->share <= 0.0)
     return at_limit;
   return "The controller output rests at an end of its travel in " +
-         percent(evidence.op_at_ends->share) + " of the samples.";
+         text::percent(evidence.op_at_ends->share) + " of the samples.";
 }
 
 /// Of a verdict that no step of the model speaks for.
@@ -120,17 +120,17 @@ std::string cost(VerdictCode code, const Evidence& evidence) {
   const double least = tenths(*performance.harris_high), most = tenths(*performance.harris_low);
   // A tenth is nothing that anybody would see on a trend.
   if (most <= 1.1) return "The error is about as small as this process and its noise allow.";
-  const std::string times = least <= 1.0    ? "up to " + number(most)
-                            : least >= most ? number(most)
-                                            : number(least) + " to " + number(most);
+  const std::string times = least <= 1.0    ? "up to " + text::number(most)
+                            : least >= most ? text::number(most)
+                                            : text::number(least) + " to " + text::number(most);
   return "The error is " + times + " times the least that this process and its noise allow.";
 }
 
 /// That there is no oscillation is worth a word where one would speak against the verdict.
 std::string oscillation(VerdictCode code, const Evidence& evidence) {
   if (oscillates(evidence) && evidence.oscillation.period_s)
-    return "The error oscillates with a period of " + duration(*evidence.oscillation.period_s) +
-           ".";
+    return "The error oscillates with a period of " +
+           text::duration(*evidence.oscillation.period_s) + ".";
   const bool expected = code == VerdictCode::healthy || code == VerdictCode::sluggish_tuning;
   return expected ? "The error does not oscillate regularly." : "";
 }

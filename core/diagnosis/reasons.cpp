@@ -9,20 +9,13 @@
 #include "core/diagnosis/evidence/figure.hpp"
 #include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/loop_state.hpp"
-#include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/residual_tests/statistics/test_outcome.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
-
-/// "tight tuning" of tight_tuning.
-std::string code_words(std::string_view code) {
-  std::string text(code);
-  std::ranges::replace(text, '_', ' ');
-  return text;
-}
 
 /// "S 4.2 %, J 1.1 %, law kano"
 std::string parameters_text(const model::Step& step) {
@@ -33,7 +26,7 @@ std::string parameters_text(const model::Step& step) {
   };
   for (const model::Parameter& parameter : step.parameters) {
     add(parameter.name);
-    text.append(" ").append(number(parameter.value));
+    text.append(" ").append(text::number(parameter.value));
     if (!parameter.unit.empty()) text.append(" ").append(parameter.unit);
   }
   if (!step.law.empty()) {
@@ -47,14 +40,14 @@ std::string statement_of(const model::Step& step) {
   if (!step.statement.empty()) return step.statement;
   const std::string parameters = parameters_text(step);
   std::string text = "The model includes ";
-  text += code_words(model::name(step.effect));
+  text += text::code_words(model::name(step.effect));
   if (!parameters.empty()) text.append(" (").append(parameters).append(")");
   return text + ".";
 }
 
 /// What is left of the error that a model can explain, in agreement with the test of whiteness.
 std::string left_text(const model::Unexplained& rest) {
-  const std::string left = percent(rest.fraction), p = p_text(rest.whiteness_p);
+  const std::string left = text::percent(rest.fraction), p = text::p_text(rest.whiteness_p);
   if (left != "0 %")
     return "The model leaves " + left +
            " of the explainable error unexplained (residual whiteness p " + p + ").";
@@ -87,17 +80,17 @@ std::string measured_text(const Part& part) {
 }
 
 std::string others_text(const Part& part) {
-  const std::string chance = percent(part.value.value_or(0.0));
+  const std::string chance = text::percent(part.value.value_or(0.0));
   if (part.other == VerdictCode::nonlinear_unexplained)
     return "some nonlinearity of valve or process: " + chance;
   return "other causes together by their own figures: " + chance + ", most likely " +
-         code_words(name(part.other));
+         text::code_words(name(part.other));
 }
 
 /// " (odds times 3.1)".
 std::string odds_text(double weight) {
   return std::string(weight > 0.0 ? " (odds times " : " (odds divided by ") +
-         number(std::exp(std::abs(weight))) + ")";
+         text::number(std::exp(std::abs(weight))) + ")";
 }
 
 /// "op repeats its half cycle: 93 % (odds times 3.1)".
@@ -106,15 +99,17 @@ std::string part_text(const Part& part) {
 }
 
 std::string oscillation_text(const loop::Oscillation& oscillation) {
-  return "Oscillation of period " + duration(oscillation.period_s.value_or(0.0)) + ", regularity " +
-         number(oscillation.regularity.value_or(0.0)) + ", persistence " +
-         number(oscillation.persistence.value_or(0.0)) + ".";
+  return "Oscillation of period " + text::duration(oscillation.period_s.value_or(0.0)) +
+         ", regularity " + text::number(oscillation.regularity.value_or(0.0)) + ", persistence " +
+         text::number(oscillation.persistence.value_or(0.0)) + ".";
 }
 
 std::string position_text(const loop::Shape& shape) {
-  return "The mv-op plot is " + number(*shape.mv_op_width) + " % wide, mv jumps by " +
-         number(shape.mv_slip_jump.value_or(0.0)) + " % when it leaves rest; mv stands still in " +
-         percent(shape.mv_stuck_fraction.value_or(0.0)) + " of the samples in which op moves.";
+  return "The mv-op plot is " + text::number(*shape.mv_op_width) + " % wide, mv jumps by " +
+         text::number(shape.mv_slip_jump.value_or(0.0)) +
+         " % when it leaves rest; mv stands still in " +
+         text::percent(shape.mv_stuck_fraction.value_or(0.0)) +
+         " of the samples in which op moves.";
 }
 
 void add_model(const model::Explanation& model, std::vector<std::string>& reasons) {
@@ -122,7 +117,7 @@ void add_model(const model::Explanation& model, std::vector<std::string>& reason
     const bool believed = model.excited || model::is_seen_without_op(step.effect);
     reasons.push_back(
         believed ? step_text(step)
-                 : "The model fitted " + code_words(model::name(step.effect)) +
+                 : "The model fitted " + text::code_words(model::name(step.effect)) +
                        ", but the controller output moves too little to confirm it: rejected.");
   }
   if (!model.excited) {
@@ -146,12 +141,12 @@ void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
   }
   if (has_flag(evidence, "pv_quantised")) {
     reasons.push_back("pv moves in steps of " +
-                      number(evidence.data_quality.quantisation_factor.value_or(0.0)) +
+                      text::number(evidence.data_quality.quantisation_factor.value_or(0.0)) +
                       " of its standard deviation.");
   }
   if (has_flag(evidence, "pv_held")) {
     reasons.push_back("pv is renewed only every " +
-                      number(evidence.data_quality.compression_factor.value_or(1.0)) +
+                      text::number(evidence.data_quality.compression_factor.value_or(1.0)) +
                       " samples on average.");
   }
   const std::string at_limit = output_at_limit_text(evidence);
@@ -164,17 +159,16 @@ void add_data(const Evidence& evidence, std::vector<std::string>& reasons) {
 }  // namespace
 
 std::string step_text(const model::Step& step) {
-  return statement_of(step) +
-         " One-step prediction error on held-out samples: " + number(step.holdout_error_before) +
-         " -> " + number(step.holdout_error_after) + " (evidence " + number(step.evidence) +
-         ", p " + p_text(step.p) + ").";
+  return statement_of(step) + " One-step prediction error on held-out samples: " +
+         text::number(step.holdout_error_before) + " -> " + text::number(step.holdout_error_after) +
+         " (evidence " + text::number(step.evidence) + ", p " + text::p_text(step.p) + ").";
 }
 
 std::string output_at_limit_text(const Evidence& evidence) {
   constexpr double kShownAsPercent = 0.005;  // less would read 0 %
   const double share = evidence.data_quality.saturated_fraction.value_or(0.0);
   if (share < kShownAsPercent) return {};
-  return "The controller output is at a limit of its range in " + percent(share) +
+  return "The controller output is at a limit of its range in " + text::percent(share) +
          " of the samples.";
 }
 
@@ -191,11 +185,12 @@ std::string unexplained_text(const model::Explanation& explanation) {
 
 std::string closed_loop_text(const model::ClosedLoop& loop) {
   const std::string start = "Closed loop by the fitted model and the recorded controller: ";
-  const std::string period =
-      loop.period_s > 0.0 ? ", period " + duration(loop.period_s) : std::string(", no oscillation");
+  const std::string period = loop.period_s > 0.0 ? ", period " + text::duration(loop.period_s)
+                                                 : std::string(", no oscillation");
   if (!std::isfinite(loop.peak_sensitivity)) return start + "unstable" + period + ".";
-  return start + "peak sensitivity " + number(loop.peak_sensitivity) + ", damping " +
-         number(loop.damping) + period + ", settles in " + duration(loop.settling_s) + ".";
+  return start + "peak sensitivity " + text::number(loop.peak_sensitivity) + ", damping " +
+         text::number(loop.damping) + period + ", settles in " + text::duration(loop.settling_s) +
+         ".";
 }
 
 std::string action_for(VerdictCode code, const Evidence& evidence, const Causes& causes,
@@ -204,7 +199,7 @@ std::string action_for(VerdictCode code, const Evidence& evidence, const Causes&
   std::string own(catalogue_entry(code).action);
   // The words for saturation say so already.
   if (code == VerdictCode::valve_saturation) return own;
-  if (catalogue_entry(code).withholds_tuning) return own + tuning_waits();
+  if (catalogue_entry(code).withholds_tuning) return own.append(kTuningWaits);
   if (!is_tuning(code)) return own;
   const auto first = std::ranges::find_if(causes, [&](const WeighedCause& cause) {
     return catalogue_entry(cause.code).withholds_tuning && cause.probability() >= line;

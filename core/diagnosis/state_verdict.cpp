@@ -10,8 +10,8 @@
 #include "core/diagnosis/odds/cause_odds.hpp"
 #include "core/diagnosis/odds/log_odds.hpp"
 #include "core/diagnosis/reasons.hpp"
-#include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -62,7 +62,7 @@ Verdict verdict_of_state(LoopState state, const Evidence& evidence, const hos::S
                                    evidence, decision);
   if (state == LoopState::stands_still) {
     verdict.summary = frozen_summary(evidence);
-    verdict.action = frozen_action() + tuning_waits();
+    verdict.action = frozen_action() + std::string(kTuningWaits);
   }
   verdict.reasons = state_text(state, evidence);
   if (evidence.hos) {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::plant {
 namespace {
@@ -38,7 +38,7 @@ std::string names_where(const SharedOscillation& event, std::span<const MemberLo
 std::string what(const SharedOscillation& event, std::span<const MemberLoop> loops) {
   const auto all = [](const SharingLoop&, Fault) { return true; };
   return std::to_string(event.members.size()) +
-         " loops take part in one oscillation with a period of " + model::in_time(event.period_s) +
+         " loops take part in one oscillation with a period of " + text::duration(event.period_s) +
          ": " + names_where(event, loops, all) + ".";
 }
 
@@ -46,16 +46,16 @@ std::string where_from(const SharedOscillation& event, std::span<const MemberLoo
   const SourceCandidate& first = event.ranking.front();
   const std::string name = name_of(loops[first.index]);
   if (event.source)
-    return " It comes from " + name + " (probability " + model::in_percent(first.score) + "). " +
+    return " It comes from " + name + " (probability " + text::percent(first.score) + "). " +
            first.reasons.front() + " Repair " + name +
            " first; the others follow it and should stop oscillating once it is repaired.";
   if (event.outside > first.score)
     return " No member stands out as its source (most likely " + name + ", " +
-           model::in_percent(first.score) +
+           text::percent(first.score) +
            "): check what these loops have in common upstream: supplies, and loops that are not "
            "recorded.";
   return " Its source is not clear: " + name + " is the most likely member (" +
-         model::in_percent(first.score) +
+         text::percent(first.score) +
          "). If operations agrees, put its controller in manual for a few periods and " +
          "see whether the others stop oscillating.";
 }

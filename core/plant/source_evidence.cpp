@@ -7,9 +7,9 @@
 #include "core/hos/coupling/harmonic_test.hpp"
 #include "core/hos/slow/decimate.hpp"
 #include "core/hos/slow/period.hpp"
-#include "core/model/results/phrases.hpp"
 #include "core/plant/lead.hpp"
 #include "core/plant/spectral_line.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::plant {
 namespace {
@@ -90,25 +90,25 @@ std::vector<std::string> reasons_of(const SourceEvidence& evidence) {
   std::vector<std::string> reasons;
   if (evidence.net_lead > 0.0)
     reasons.push_back("Its past predicts the others better than theirs predicts it (" +
-                      model::in_percent(evidence.net_lead) + " of the predicted variance, net).");
+                      text::percent(evidence.net_lead) + " of the predicted variance, net).");
   if (evidence.friction_p > kWorthSaying)
     reasons.push_back(
         "By its own diagnosis its valve sticks, has dead band or is oversized, probability " +
-        model::in_percent(evidence.friction_p) + ".");
-  reasons.push_back("The oscillation is " + model::in_percent(evidence.strength) +
-                    " of its error's variance and " + model::in_percent(evidence.op_share) +
+        text::percent(evidence.friction_p) + ".");
+  reasons.push_back("The oscillation is " + text::percent(evidence.strength) +
+                    " of its error's variance and " + text::percent(evidence.op_share) +
                     " of its output's.");
   if (evidence.writes_setpoint)
     reasons.emplace_back("Its output is another loop's setpoint: it moves no valve of its own.");
   if (evidence.net_lead < 0.0)
     reasons.push_back(
         "Against it: the others' past predicts it better than its past predicts them (" +
-        model::in_percent(-evidence.net_lead) + ", net).");
+        text::percent(-evidence.net_lead) + ", net).");
   if (evidence.outside_p > kWorthSaying)
     reasons.push_back(
         "Against it: by its own diagnosis something outside the loop disturbs it, "
         "probability " +
-        model::in_percent(evidence.outside_p) + ".");
+        text::percent(evidence.outside_p) + ".");
   return reasons;
 }
 

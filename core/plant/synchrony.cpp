@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/plant/correlation_test.hpp"
+#include "core/plant/correlation_p.hpp"
 #include "core/plant/prewhitening.hpp"
 #include "core/signal/loop_window.hpp"
 

@@ -1,47 +1,22 @@
 #include "core/repair/repair_statement.hpp"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "core/text/phrases.hpp"
+
 namespace loopscope::core::repair {
 namespace {
-
-/// A code or a figure's name as words.
-std::string words(std::string_view name) {
-  std::string text(name);
-  std::ranges::replace_if(
-      text, [](char c) { return c == '_' || c == '.'; }, ' ');
-  return text;
-}
-
-std::string in_format(double value, std::chars_format format, int digits) {
-  std::array<char, 400> text{};  // the largest number without an exponent has 309 digits
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, format, digits);
-  return {text.data(), end.ptr};
-}
 
 /// A verdict as something that stands or is gone.
 std::string fault(std::string_view code) {
   if (code == "unexplained") return "a fault without a known cause";
   if (code == "nonlinear_unexplained") return "a nonlinearity without a known cause";
-  return words(code);
-}
-
-/// Three significant digits, with an exponent only where nobody would read the number off a
-/// display: 12300, not 1.23e+04.
-std::string number(double value) {
-  std::string text = in_format(value, std::chars_format::general, 3);
-  double rounded = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), rounded);
-  if (std::abs(rounded) < 1e3 || std::abs(rounded) >= 1e7) return text;
-  return in_format(rounded, std::chars_format::fixed, 0);
+  return text::code_words(code);
 }
 
 std::string ratio(double value) {
-  return in_format(value, std::chars_format::fixed, 2);
+  return text::fixed(value, 2);
 }
 
 std::string of_windows(std::size_t some, std::size_t all) {
@@ -49,7 +24,8 @@ std::string of_windows(std::size_t some, std::size_t all) {
 }
 
 std::string from_to(const FigureChange& figure) {
-  return "went from " + number(figure.before->value) + " to " + number(figure.after->value);
+  return "went from " + text::display_number(figure.before->value) + " to " +
+         text::display_number(figure.after->value);
 }
 
 std::string spread_text(const FigureChange* spread) {
@@ -139,9 +115,10 @@ class Sentence {
     if (!was || was->family != judgement_.fault_after->family)
       return std::string(outcome == Outcome::worse && was_.empty() ? "is new" : "stands") +
              (was_.empty() ? ", before there was no fault; " : ", before " + before_words() + "; ");
-    const std::string size = figures_.size == nullptr ? ""
-                                                      : "its " + words(figures_.size->kind->name) +
-                                                            " " + from_to(*figures_.size) + "; ";
+    const std::string size = figures_.size == nullptr
+                                 ? ""
+                                 : "its " + text::code_words(figures_.size->kind->name) + " " +
+                                       from_to(*figures_.size) + "; ";
     if (outcome == Outcome::improved) return "is left, but less; " + size;
     if (outcome == Outcome::worse) return "still stands, and more; " + size;
     return "stands as before; " + size;

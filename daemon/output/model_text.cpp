@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include "core/diagnosis/reasons.hpp"
-#include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/output/text_line.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 std::string asked_by_text(const core::model::AskedBy& by) {
-  std::string text = fmt::format("asked for by {} ({}", by.test, core::diagnosis::p_equals(by.p));
-  if (by.p_after) text += ", afterwards " + core::diagnosis::p_text(*by.p_after);
+  std::string text = fmt::format("asked for by {} ({}", by.test, core::text::p_equals(by.p));
+  if (by.p_after) text += ", afterwards " + core::text::p_text(*by.p_after);
   text += ")";
   return by.statement.empty() ? text : text + ": " + by.statement;
 }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::daemon {
 
@@ -15,7 +15,7 @@ std::string figure_text(const std::optional<double>& value) {
 }
 
 std::string p_figure_text(const std::optional<double>& p) {
-  return p ? core::diagnosis::p_text(*p) : std::string("-");
+  return p ? core::text::p_text(*p) : std::string("-");
 }
 
 }  // namespace loopscope::daemon

@@ -12,7 +12,7 @@ namespace loopscope::daemon {
 /// Four significant digits; "-" = unknown.
 [[nodiscard]] std::string figure_text(const std::optional<double>& value);
 
-/// A p-value as sentences say it, core::diagnosis::p_text(); "-" = unknown.
+/// A p-value as sentences say it, core::text::p_text(); "-" = unknown.
 [[nodiscard]] std::string p_figure_text(const std::optional<double>& p);
 
 }  // namespace loopscope::daemon

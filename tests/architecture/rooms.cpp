@@ -8,24 +8,28 @@ namespace loopscope::tests::architecture {
 namespace {
 
 /// What lies below config/ and storage/: core/ without core/simulate, which stands beside.
-const std::vector<std::string_view> kCore = {"core/signal",   "core/hos",    "core/loop",
-                                             "core/model",    "core/repair", "core/plant",
-                                             "core/diagnosis"};
+const std::vector<std::string_view> kCore = {"core/text",  "core/signal",   "core/hos",
+                                             "core/loop",  "core/model",    "core/repair",
+                                             "core/plant", "core/diagnosis"};
 
 /// What runs unattended: without simulated records and what judges them.
 const std::vector<std::string_view> kBelowTheDaemon = {
-    "core/signal", "core/hos",       "core/loop", "core/model", "core/repair",
-    "core/plant",  "core/diagnosis", "config",    "storage"};
+    "core/text",   "core/signal", "core/hos",       "core/loop", "core/model",
+    "core/repair", "core/plant",  "core/diagnosis", "config",    "storage"};
 
 const std::array kRooms = {
+    Room{"core/text", {}, {}, true},
     Room{"core/signal", {}, {}, true},
     Room{"core/hos", {}, {"FFTW", "Eigen", "Highway", "Boost.Math"}, true},
     Room{"core/loop", {"core/signal", "core/hos"}, {"Eigen"}, true},
-    Room{"core/model", {"core/signal", "core/hos"}, {"Eigen", "Highway"}, true},
-    Room{"core/repair", {}, {"Boost.Math"}, true},
-    Room{"core/plant", {"core/signal", "core/hos", "core/loop", "core/model"}, {"Eigen"}, true},
+    Room{"core/model", {"core/text", "core/signal", "core/hos"}, {"Eigen", "Highway"}, true},
+    Room{"core/repair", {"core/text"}, {"Boost.Math"}, true},
+    Room{"core/plant",
+         {"core/text", "core/signal", "core/hos", "core/loop", "core/model"},
+         {"Eigen"},
+         true},
     Room{"core/diagnosis",
-         {"core/signal", "core/hos", "core/loop", "core/model", "core/plant"},
+         {"core/text", "core/signal", "core/hos", "core/loop", "core/model", "core/plant"},
          {},
          true},
     Room{"core/simulate", {}, {}, true},

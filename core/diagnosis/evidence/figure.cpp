@@ -6,7 +6,7 @@
 #include "core/diagnosis/evidence/loop_figures.hpp"
 #include "core/diagnosis/evidence/shape_figures.hpp"
 #include "core/diagnosis/evidence/step_figures.hpp"
-#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
 
@@ -43,14 +43,14 @@ std::string figure_text(const Figure& figure, double value) {
     case Scale::yes_no:
       return text + (value > 0.5 ? ": yes" : ": no");
     case Scale::share:
-      return text + ": " + percent(value);
+      return text + ": " + text::percent(value);
     case Scale::decades:
       return "test whether " + text + ": " +
-             p_equals(value >= kMostDecades ? 0.0 : std::pow(10.0, -value));
+             text::p_equals(value >= kMostDecades ? 0.0 : std::pow(10.0, -value));
     case Scale::plain:
       break;
   }
-  return text + ": " + number(value);
+  return text + ": " + text::number(value);
 }
 
 double decades(double p) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/diagnosis/evidence/structure.hpp"
-#include "core/diagnosis/verdicts/number_words.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
 namespace {
@@ -25,17 +25,17 @@ std::string coupling_text(hos::Coupling coupling) {
 
 /// Never by the names of the indices: those are no p-values, and stand in the same sentence.
 std::string tests_text(const hos::Result& hos) {
-  std::string text = p_equals(hos.nonlinear_p.value_or(1.0)) +
-                     " (p by test: quadratic on average " + p_text(hos.ngi_p.value_or(1.0)) +
-                     ", at single bifrequencies " + p_text(hos.nli_p.value_or(1.0));
-  if (hos.cubic_p) text += ", cubic " + p_text(*hos.cubic_p);
-  if (hos.innovation_p) text += ", innovations " + p_text(*hos.innovation_p);
+  std::string text = text::p_equals(hos.nonlinear_p.value_or(1.0)) +
+                     " (p by test: quadratic on average " + text::p_text(hos.ngi_p.value_or(1.0)) +
+                     ", at single bifrequencies " + text::p_text(hos.nli_p.value_or(1.0));
+  if (hos.cubic_p) text += ", cubic " + text::p_text(*hos.cubic_p);
+  if (hos.innovation_p) text += ", innovations " + text::p_text(*hos.innovation_p);
   return text + ")";
 }
 
 std::string published_text(const hos::Result& hos) {
-  return "; published indices NGI " + number(hos.ngi) + ", NLI " + number(hos.nli) + " on " +
-         std::to_string(hos.segments) + " segments";
+  return "; published indices NGI " + text::number(hos.ngi) + ", NLI " + text::number(hos.nli) +
+         " on " + std::to_string(hos.segments) + " segments";
 }
 
 /// The strongest peak that is significant by itself.
@@ -43,8 +43,8 @@ std::string peak_text(const hos::Result& hos, double alpha) {
   const auto peak = std::ranges::find_if(
       hos.peaks, [alpha](const hos::Peak& found) { return found.p.value_or(1.0) <= alpha; });
   if (hos.nonlinear_p.value_or(1.0) > alpha || peak == hos.peaks.end()) return {};
-  return ", strongest at the bifrequency (" + number(peak->f1) + ", " + number(peak->f2) +
-         ") cycles per sample";
+  return ", strongest at the bifrequency (" + text::number(peak->f1) + ", " +
+         text::number(peak->f2) + ") cycles per sample";
 }
 
 std::string slow_text(const hos::SlowLook& slow) {
@@ -67,17 +67,17 @@ std::string noise_text(const Evidence& evidence) {
   const bool outliers = has_flag(evidence, "heavy_tails");
   std::string text;
   if (bursts) {
-    text += " The disturbance comes in bursts (" + p_equals(noise.variance_p) + ")";
+    text += " The disturbance comes in bursts (" + text::p_equals(noise.variance_p) + ")";
     if (noise.loudest_size > 0) {
       text += ", longest or loudest from sample " + std::to_string(noise.loudest_first + 1) +
               " to " + std::to_string(noise.loudest_first + noise.loudest_size) + ", " +
-              number(noise.loudest_ratio) + " times as strong as usual";
+              text::number(noise.loudest_ratio) + " times as strong as usual";
     }
     text += ".";
   }
   if (outliers) {
-    text += " The disturbance has outliers (kurtosis " + number(3.0 + noise.excess_kurtosis) +
-            " instead of 3, " + p_equals(noise.tails_p) + ").";
+    text += " The disturbance has outliers (kurtosis " + text::number(3.0 + noise.excess_kurtosis) +
+            " instead of 3, " + text::p_equals(noise.tails_p) + ").";
   }
   if (bursts && outliers) return text + " Neither counts as nonlinearity.";
   return text.empty() ? text : text + " This does not count as nonlinearity.";

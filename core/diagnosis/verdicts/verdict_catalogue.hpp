@@ -32,6 +32,9 @@ struct CatalogueEntry {
 /// A verdict in the catalogue's words, without reasons. `confidence` from 0 to 1.
 [[nodiscard]] Verdict verdict_with(VerdictCode code, double confidence);
 
+/// What is added to the action for a valve or sensor fault.
+inline constexpr std::string_view kTuningWaits = " Do not retune before that is repaired.";
+
 /// What the loop's own diagnosis tells the plant.
 [[nodiscard]] plant::OwnFindings own_findings(const Verdict& verdict);
 

@@ -7,8 +7,8 @@
 
 #include "core/model/controller/controller_moves.hpp"
 #include "core/model/controller/move_fit.hpp"
-#include "core/model/results/phrases.hpp"
 #include "core/signal/order/order_statistic.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -105,12 +105,13 @@ void drop_term(MoveFit& fit, Terms& terms, int term) {
 std::string describe(const ControllerLaw& law, bool op_leads) {
   if (op_leads) return "No control law: op moves before the error does.";
   if (!law.found) {
-    return sentence("No PI law found: the best explains ", whole_percent(law.explained),
-                    " % of op's moves.");
+    return text::sentence("No PI law found: the best explains ", text::whole_percent(law.explained),
+                          " % of op's moves.");
   }
-  return sentence("A law with gain ", law.gain, " % per pv unit and integral ", law.integral,
-                  " per sample explains ", whole_percent(law.explained), " % of op's moves over ",
-                  law.span, law.span == 1 ? " sample." : " samples.");
+  return text::sentence("A law with gain ", law.gain, " % per pv unit and integral ", law.integral,
+                        " per sample explains ", text::whole_percent(law.explained),
+                        " % of op's moves over ", law.span,
+                        law.span == 1 ? " sample." : " samples.");
 }
 
 ControllerLaw law_of(const MoveFit& fit, const Terms& terms, bool has_setpoint) {

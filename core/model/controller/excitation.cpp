@@ -7,8 +7,8 @@
 
 #include "core/model/controller/octave_power.hpp"
 #include "core/model/controller/shared_moves.hpp"
-#include "core/model/results/phrases.hpp"
 #include "core/signal/order/spread.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -79,33 +79,34 @@ std::optional<double> response_to_noise(const ExcitationRecord& record) {
 std::string objection(const Excitation& found, bool related, bool in_percent) {
   if (!(found.op_span > 0.0)) return "op does not move.";
   if (in_percent && found.op_span < kLeastSpanPercent) {
-    return sentence("op spans ", found.op_span, " %, less than a valve resolves (",
-                    kLeastSpanPercent, " %).");
+    return text::sentence("op spans ", found.op_span, " %, less than a valve resolves (",
+                          kLeastSpanPercent, " %).");
   }
   if (found.op_steps < kLeastSteps)
-    return sentence("op spans only ", found.op_steps, " times its smallest step.");
+    return text::sentence("op spans only ", found.op_steps, " times its smallest step.");
   if (found.still_share > kMostStill) {
-    return sentence("op stands still for ", whole_percent(found.still_share),
-                    " % of the record at a stretch.");
+    return text::sentence("op stands still for ", text::whole_percent(found.still_share),
+                          " % of the record at a stretch.");
   }
   if (found.reversals < kLeastReversals)
-    return sentence("op turns only ", found.reversals, found.reversals == 1 ? " time." : " times.");
+    return text::sentence("op turns only ", found.reversals,
+                          found.reversals == 1 ? " time." : " times.");
   if (!related) {
-    return sentence("pv moves on its own: op shares ", whole_percent(found.shared),
-                    " % of its moves.");
+    return text::sentence("pv moves on its own: op shares ", text::whole_percent(found.shared),
+                          " % of its moves.");
   }
   if (found.response_to_noise.value_or(kLeastResponse) < kLeastResponse) {
-    return sentence("the part of pv that follows op is only ", *found.response_to_noise,
-                    " times its noise.");
+    return text::sentence("the part of pv that follows op is only ", *found.response_to_noise,
+                          " times its noise.");
   }
   return {};
 }
 
 std::string describe(const Excitation& found, const std::string& objection, bool in_percent) {
-  if (!objection.empty()) return sentence("Not excited: ", objection);
-  return sentence("op spans ", found.op_span, in_percent ? " %" : " op units (range unknown)",
-                  ", turns ", found.reversals, " times and shares ", whole_percent(found.shared),
-                  " % of pv's moves.");
+  if (!objection.empty()) return text::sentence("Not excited: ", objection);
+  return text::sentence("op spans ", found.op_span, in_percent ? " %" : " op units (range unknown)",
+                        ", turns ", found.reversals, " times and shares ",
+                        text::whole_percent(found.shared), " % of pv's moves.");
 }
 
 }  // namespace

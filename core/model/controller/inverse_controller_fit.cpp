@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/controller/octave_power.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -41,8 +41,8 @@ bool positive_feedback(const SampledProcess& fit, const ControllerLaw& law) {
 std::string describe(const InverseControllerFit& trap) {
   if (!trap.refused) return {};
   if (trap.distance < kRefusedBelow) {
-    return sentence("The fit from op to pv is the controller run backwards (distance ",
-                    trap.distance, " of 1).");
+    return text::sentence("The fit from op to pv is the controller run backwards (distance ",
+                          trap.distance, " of 1).");
   }
   return "The fitted process would make positive feedback with the recorded controller.";
 }

@@ -4,7 +4,7 @@
 
 #include "core/model/controller/closed_loop.hpp"
 #include "core/model/controller/simc.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -38,11 +38,11 @@ std::string describe(const TuningJudgement& judged) {
   if (judged.tuning == Tuning::contradictory) {
     return "The loop that process and controller imply is unstable: the fit cannot be right.";
   }
-  return sentence("The implied loop has a peak sensitivity of ", judged.loop.peak_sensitivity,
-                  " and settles in ", judged.loop.settling_s,
-                  " s; tuned by the SIMC rules it would have ", judged.reference.peak_sensitivity,
-                  " and settle in ", judged.reference.settling_s, " s with ", judged.slowness,
-                  " times the integral action.");
+  return text::sentence(
+      "The implied loop has a peak sensitivity of ", judged.loop.peak_sensitivity,
+      " and settles in ", judged.loop.settling_s, " s; tuned by the SIMC rules it would have ",
+      judged.reference.peak_sensitivity, " and settle in ", judged.reference.settling_s, " s with ",
+      judged.slowness, " times the integral action.");
 }
 
 }  // namespace

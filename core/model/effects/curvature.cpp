@@ -1,6 +1,6 @@
 #include "core/model/effects/curvature.hpp"
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -58,12 +58,12 @@ std::vector<Parameter> ProcessNonlinearity::parameters(const LoopData& data,
 
 std::string ValveCharacteristic::words(std::span<const Parameter> parameters) const {
   return "The flow is not proportional to the valve's travel: curvature " +
-         in_digits(parameters[0].value) + ", the gain changes with the output.";
+         text::number(parameters[0].value) + ", the gain changes with the output.";
 }
 
 std::string ProcessNonlinearity::words(std::span<const Parameter> parameters) const {
   return "The process gain depends on the operating point: curvature " +
-         in_digits(parameters[0].value) + ", the gain changes with the process variable.";
+         text::number(parameters[0].value) + ", the gain changes with the process variable.";
 }
 
 }  // namespace loopscope::core::model

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -158,8 +158,8 @@ std::vector<Parameter> ExternalOscillation::parameters(const LoopData& data,
 std::string ExternalOscillation::words(std::span<const Parameter> parameters) const {
   const std::string harmonics = harmonics_ > 1 ? " and with harmonics" : "";
   const std::string changes = stretches_ > 0 ? ", slowly changing," : "";
-  return "An oscillation of period " + in_time(parameters[0].value) + harmonics + changes +
-         " reaches the loop from outside, amplitude " + in_digits(parameters[1].value) +
+  return "An oscillation of period " + text::duration(parameters[0].value) + harmonics + changes +
+         " reaches the loop from outside, amplitude " + text::number(parameters[1].value) +
          " pv units.";
 }
 

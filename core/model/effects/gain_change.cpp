@@ -5,7 +5,7 @@
 
 #include "core/model/effects/input_load.hpp"
 #include "core/model/effects/load_step.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -71,8 +71,8 @@ bool GainChange::plausible(std::span<const double> coefficients, double gain) co
 
 std::string GainChange::words(std::span<const Parameter> parameters) const {
   return std::string("The gain of the process ") + (sudden() ? "changes" : "drifts") + " to " +
-         in_digits(parameters[1].value) + " times what it was, from " +
-         in_time(parameters[0].value) + " into the window on.";
+         text::number(parameters[1].value) + " times what it was, from " +
+         text::duration(parameters[0].value) + " into the window on.";
 }
 
 }  // namespace loopscope::core::model

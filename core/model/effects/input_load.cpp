@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 
@@ -28,8 +28,8 @@ std::vector<Parameter> InputLoad::parameters(const LoopData& data,
 }
 
 std::string InputLoad::words(std::span<const Parameter> parameters) const {
-  return "The load before the process moved " + in_time(parameters[0].value) +
-         " into the window, by " + in_digits(parameters[1].value) + " pv units, and stayed.";
+  return "The load before the process moved " + text::duration(parameters[0].value) +
+         " into the window, by " + text::number(parameters[1].value) + " pv units, and stayed.";
 }
 
 }  // namespace loopscope::core::model

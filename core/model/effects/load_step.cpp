@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -74,8 +74,8 @@ std::vector<Parameter> LoadStep::parameters(const LoopData& data,
 }
 
 std::string LoadStep::words(std::span<const Parameter> parameters) const {
-  return "The load moved " + in_time(parameters[0].value) + " into the window, by " +
-         in_digits(parameters[1].value) + " pv units, and stayed.";
+  return "The load moved " + text::duration(parameters[0].value) + " into the window, by " +
+         text::number(parameters[1].value) + " pv units, and stayed.";
 }
 
 }  // namespace loopscope::core::model

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 
@@ -33,8 +33,8 @@ std::vector<Parameter> Saturation::parameters(const LoopData& data, std::span<co
 }
 
 std::string Saturation::words(std::span<const Parameter> parameters) const {
-  return "The valve follows the controller output between " + in_digits(parameters[0].value) +
-         " and " + in_digits(parameters[1].value) + " % only.";
+  return "The valve follows the controller output between " + text::number(parameters[0].value) +
+         " and " + text::number(parameters[1].value) + " % only.";
 }
 
 }  // namespace loopscope::core::model

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/effects/curvature.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -74,7 +74,7 @@ std::vector<Parameter> SquareRootOutflow::parameters(const LoopData& data,
 std::string SquareRootOutflow::words(std::span<const Parameter> parameters) const {
   return "The process behaves as a vessel whose outflow grows with the square root of its level: "
          "curvature " +
-         in_digits(parameters[0].value) +
+         text::number(parameters[0].value) +
          ", gain and time constant change with the process variable.";
 }
 

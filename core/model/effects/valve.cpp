@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 
@@ -94,14 +94,14 @@ std::string author(std::string_view law) {
 
 std::string ValveEffect::words(std::span<const Parameter> parameters) const {
   if (kind() == EffectKind::valve_deadband) {
-    return "The valve has " + in_digits(parameters[0].value) +
+    return "The valve has " + text::number(parameters[0].value) +
            " % of dead band (backlash): after each reversal the controller output moves that far "
            "before the valve follows.";
   }
   return "The valve sticks: after a reversal it stands still until the controller output has "
          "moved " +
-         in_digits(parameters[0].value) + " %, then jumps by " + in_digits(parameters[1].value) +
-         " % (stiction model of " + author(law()) + ").";
+         text::number(parameters[0].value) + " %, then jumps by " +
+         text::number(parameters[1].value) + " % (stiction model of " + author(law()) + ").";
 }
 
 }  // namespace loopscope::core::model

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -15,8 +15,8 @@ std::string noise_words(const Fit& fit) {
   const NoiseModel& noise = fit.structure.noise;
   std::string poles, zeros;
   for (std::size_t i = 0; i < noise.order; ++i) {
-    poles += sentence(i == 0 ? "" : ", ", noise.poles[i]);
-    zeros += sentence(i == 0 ? "" : ", ", noise.zeros[i]);
+    poles += text::sentence(i == 0 ? "" : ", ", noise.poles[i]);
+    zeros += text::sentence(i == 0 ? "" : ", ", noise.zeros[i]);
   }
   return "noise with poles " + poles + " and numerator 1, " + zeros;
 }
@@ -56,10 +56,12 @@ std::string describe(const LoopData& data, const Fit& fit) {
   const bool second = process.second_time_constant_s > 0.0;
   std::string text = process.integrating ? "integrator" : second ? "two lags" : "one lag";
   if (process.integrating && second) text += " with a lag";
-  text += sentence(", gain ", process.gain, process.integrating ? " pv per % and s" : " pv per %");
-  if (!process.integrating) text += sentence(", time constant ", process.time_constant_s, " s");
-  if (second) text += sentence(" and ", process.second_time_constant_s, " s");
-  return text + sentence(", delay ", process.delay_s, " s, ") + noise_words(fit);
+  text += text::sentence(", gain ", process.gain,
+                         process.integrating ? " pv per % and s" : " pv per %");
+  if (!process.integrating)
+    text += text::sentence(", time constant ", process.time_constant_s, " s");
+  if (second) text += text::sentence(" and ", process.second_time_constant_s, " s");
+  return text + text::sentence(", delay ", process.delay_s, " s, ") + noise_words(fit);
 }
 
 }  // namespace loopscope::core::model

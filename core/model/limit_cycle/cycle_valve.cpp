@@ -5,7 +5,7 @@
 
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/limit_cycle/limit_cycle_cause.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -47,9 +47,9 @@ void mark_as_stuck(Step& step, const CycleEvidence& cycle) {
   step.cycle_indicates_stiction = true;
   step.statement +=
       " The loop keeps cycling across it, as a loop with a sticking valve does: the band is " +
-      in_percent(step.parameters.front().value / cycle.travel) +
+      text::percent(step.parameters.front().value / cycle.travel) +
       " of the controller output's travel, and the output repeats its half cycle to " +
-      in_percent(cycle.op_coherence) + ".";
+      text::percent(cycle.op_coherence) + ".";
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include "core/model/effects/valve.hpp"
 #include "core/model/limit_cycle/limit_cycle_cause.hpp"
 #include "core/model/limit_cycle/slow_travel.hpp"
-#include "core/model/results/phrases.hpp"
 #include "core/signal/order/spread.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -73,9 +73,10 @@ std::optional<Step> by_strokes(const ModelInput& input, double p) {
   step.margin = step.evidence;
   step.statement =
       "The valve stands still while the controller output travels: op alone explains " +
-      in_percent(travel->linear_share) +
+      text::percent(travel->linear_share) +
       " of pv's slow moves, op through a valve that sticks over " +
-      in_digits(valve.stickband_percent) + " % explains " + in_percent(travel->valve_share) + ".";
+      text::number(valve.stickband_percent) + " % explains " + text::percent(travel->valve_share) +
+      ".";
   return step;
 }
 

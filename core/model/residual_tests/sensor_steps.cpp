@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/residual_tests/run_residual_tests.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -47,7 +47,7 @@ SensorFinding find_sensor_steps(double error, const std::vector<TestOutcome>& an
         sensor_step(EffectKind::sensor_hold, held->p, {"samples", "", samples, {}, {}}, error);
     finding.hold->asked_by = asked_by(EffectKind::sensor_hold, answers, {});
     finding.hold->promise_rank = asked.rank(EffectKind::sensor_hold);
-    finding.hold->statement = "pv is renewed only every " + in_digits(samples) + " samples.";
+    finding.hold->statement = "pv is renewed only every " + text::number(samples) + " samples.";
   }
   const Nomination* grid = nominated(answers, EffectKind::sensor_quantisation);
   if (grid && grid->step) {
@@ -56,7 +56,7 @@ SensorFinding find_sensor_steps(double error, const std::vector<TestOutcome>& an
     finding.quantisation->asked_by = asked_by(EffectKind::sensor_quantisation, answers, {});
     finding.quantisation->promise_rank = asked.rank(EffectKind::sensor_quantisation);
     finding.quantisation->statement = "The values of pv lie on a grid of " +
-                                      in_digits(*grid->step) +
+                                      text::number(*grid->step) +
                                       " pv units, coarse beside their fast noise.";
   }
   return finding;

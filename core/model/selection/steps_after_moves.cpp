@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/model/results/phrases.hpp"
 #include "core/signal/order/spread.hpp"
 #include "core/signal/setpoint_moves.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -124,7 +124,7 @@ Coincidence coincidence_of(const Answers& answers, const std::vector<Step>& step
 std::string words_of(const Coincidence& found) {
   return " It begins when the loop responds to its setpoint, as do " +
          std::to_string(found.answering) + " of " + std::to_string(found.moments) +
-         " (by chance: " + in_percent(found.chance) +
+         " (by chance: " + text::percent(found.chance) +
          "); rather than a load, it may be a response that differs from the model's.";
 }
 

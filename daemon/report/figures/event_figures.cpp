@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "core/model/results/phrases.hpp"
 #include "core/signal/microseconds.hpp"
 #include "core/signal/order/spread.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
 
 namespace loopscope::daemon {
@@ -127,7 +127,7 @@ std::string period_bar(double from_s, double period_s) {
       "0.006,90 linecolor rgb '{2}' linewidth 1.4\n"
       "set label 'one period, {3}' at first {1:.13g}, graph 1.02 offset 1,0 left textcolor rgb "
       "'{2}'\n",
-      from_s, from_s + period_s, colour::kVermillion, core::model::in_time(period_s));
+      from_s, from_s + period_s, colour::kVermillion, core::text::duration(period_s));
 }
 
 std::vector<Figure> trends(const PlantOscillationRow& event) {
@@ -180,7 +180,7 @@ std::string period_mark(double period_s) {
       "linewidth 1 dashtype 2 back\n"
       "set label 'period {2}' at first {0:.9g}, graph 1.02 offset 0,0.5 center textcolor rgb "
       "'{1}'\n",
-      period_s, colour::kVermillion, core::model::in_time(period_s));
+      period_s, colour::kVermillion, core::text::duration(period_s));
 }
 
 std::vector<Figure> spectra(const PlantOscillationRow& event) {

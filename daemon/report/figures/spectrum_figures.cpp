@@ -9,8 +9,8 @@
 
 #include "core/hos/kernels/principal_domain.hpp"
 #include "core/loop/record_spectrum.hpp"
-#include "core/model/results/phrases.hpp"
 #include "core/signal/order/spread.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
 
 namespace loopscope::daemon {
@@ -67,7 +67,7 @@ std::string marks(const core::loop::Oscillation& swing, double highest_hz) {
   }
   return text + fmt::format(
                     "set label 'period {}' at first {:.9g}, graph 1.05 center textcolor rgb '{}'\n",
-                    core::model::in_time(*swing.period_s), 1.0 / *swing.period_s,
+                    core::text::duration(*swing.period_s), 1.0 / *swing.period_s,
                     colour::kVermillion);
 }
 

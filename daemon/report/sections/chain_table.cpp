@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <vector>
 
-#include "core/diagnosis/verdicts/number_words.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/sections/picture_rows.hpp"
 #include "daemon/report/text/page_text.hpp"
@@ -28,9 +28,8 @@ std::string parameter_text(const Parameter& parameter) {
 }
 
 Fields test_fields(const AskedBy& by) {
-  return {{"test", in_words(by.test)},
-          {"p", core::diagnosis::p_equals(by.p)},
-          {"statement", by.statement}};
+  return {
+      {"test", in_words(by.test)}, {"p", core::text::p_equals(by.p)}, {"statement", by.statement}};
 }
 
 /// Below the picture after the step: whether those who asked are content now.
@@ -39,7 +38,7 @@ List asked_again(const Step& step) {
   for (const AskedBy& by : step.asked_by)
     if (by.p_after)
       answers.emplace_back(
-          Fields{{"test", in_words(by.test)}, {"p", core::diagnosis::p_equals(*by.p_after)}});
+          Fields{{"test", in_words(by.test)}, {"p", core::text::p_equals(*by.p_after)}});
   return answers;
 }
 

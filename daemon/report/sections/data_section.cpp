@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
 
@@ -19,7 +19,7 @@ Fields problem_fields(const storage::DataProblemRow& problem) {
 }
 
 std::string share(const std::optional<double>& value) {
-  return value ? core::model::in_percent(*value) : kUnknown;
+  return value ? core::text::percent(*value) : kUnknown;
 }
 
 std::string flags_text(const core::signal::DataQuality& quality) {

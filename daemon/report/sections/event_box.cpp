@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/sections/cause_bars.hpp"
 #include "daemon/report/sections/follow_map.hpp"
@@ -43,7 +43,7 @@ std::string link_to(const Member& member, std::span<const storage::FlaggedRow> f
 Fields odds_fields(double probability, const char* colour) {
   return {{"colour", colour},
           {"width", std::lround(100.0 * probability)},
-          {"share", core::model::in_percent(probability)}};
+          {"share", core::text::percent(probability)}};
 }
 
 List for_and_against(const Member& member) {
@@ -108,9 +108,9 @@ Fields member_fields(const Member& member, const PlantOscillationRow& event, std
           {"link", std::move(link)},
           {"name", member.loop_name},
           {"role", role_words(member.role)},
-          {"share", core::model::in_percent(member.strength)},
+          {"share", core::text::percent(member.strength)},
           {"lag", lag.empty() ? kUnknown : lag},
-          {"probability", weighed ? core::model::in_percent(*member.score) : kUnknown}};
+          {"probability", weighed ? core::text::percent(*member.score) : kUnknown}};
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ Markup event_box(const PlantOscillationRow& event, std::span<const Picture> pict
   // The list stands beside map and pictures: its numbers are theirs.
   return render("event_box",
                 {{"number", event.number},
-                 {"period", core::model::in_time(event.period_s)},
+                 {"period", core::text::duration(event.period_s)},
                  {"loops", counted(static_cast<std::int64_t>(members.size()), "loop", "loops")},
                  {"source", event.source_name.value_or("")},
                  {"statement", event.statement},

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
 
@@ -180,7 +180,7 @@ Markup follow_map(const PlantOscillationRow& event) {
 std::string lag_words(const storage::PlantOscillationRow::Member& member,
                       const storage::PlantOscillationRow& event) {
   if (!event.source_name || member.role == "source") return {};
-  return core::model::in_time(std::abs(member.lag_s)) + (member.lag_s < 0.0 ? " ahead" : " behind");
+  return core::text::duration(std::abs(member.lag_s)) + (member.lag_s < 0.0 ? " ahead" : " behind");
 }
 
 std::string role_words(std::string_view role) {

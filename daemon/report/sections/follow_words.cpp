@@ -1,6 +1,6 @@
 #include "daemon/report/sections/follow_words.hpp"
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 
 namespace loopscope::daemon {
@@ -15,10 +15,10 @@ std::string shown_code(const LoopReport& loop_report) {
 }
 
 Markup follow_sentence(const storage::FollowedRow& followed) {
-  return render("follow_sentence", {{"share", core::model::in_percent(followed.strength)},
+  return render("follow_sentence", {{"share", core::text::percent(followed.strength)},
                                     {"number", followed.number},
                                     {"source", followed.source_name.value_or("")},
-                                    {"period", core::model::in_time(followed.period_s)}});
+                                    {"period", core::text::duration(followed.period_s)}});
 }
 
 }  // namespace loopscope::daemon

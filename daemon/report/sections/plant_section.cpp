@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/sections/event_box.hpp"
 #include "daemon/report/sections/ranked_list.hpp"
@@ -29,7 +29,7 @@ std::string why_unjudged(const storage::PlantCounts& counts) {
 }
 
 std::string service_note(const storage::PlantCounts& counts) {
-  return counts.service_factor ? "service factor " + core::model::in_percent(*counts.service_factor)
+  return counts.service_factor ? "service factor " + core::text::percent(*counts.service_factor)
                                : "no mode or output recorded";
 }
 
@@ -78,7 +78,7 @@ Fields open_loop_fields(const storage::NotControllingRow& row, LoopLinks links) 
           {"area", row.area.value_or("")},
           {"state", lost_words(row)},
           {"since", row.since_us ? utc(*row.since_us) : ""},
-          {"in_service", row.week_fraction ? core::model::in_percent(*row.week_fraction) : ""}};
+          {"in_service", row.week_fraction ? core::text::percent(*row.week_fraction) : ""}};
 }
 
 std::vector<Markup> event_boxes(const PlantFacts& facts, LoopLinks links) {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "core/diagnosis/verdicts/number_words.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 #include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
@@ -26,11 +25,11 @@ std::string two_decimals(double value) {
 }
 
 std::string digits(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? core::model::in_digits(*value) : kUnknown;
+  return value && std::isfinite(*value) ? core::text::number(*value) : kUnknown;
 }
 
 std::string p_text(const std::optional<double>& p) {
-  return p && std::isfinite(*p) ? core::diagnosis::p_text(*p) : kUnknown;
+  return p && std::isfinite(*p) ? core::text::p_text(*p) : kUnknown;
 }
 
 std::string number_text(const std::optional<std::int64_t>& number) {
@@ -38,9 +37,7 @@ std::string number_text(const std::optional<std::int64_t>& number) {
 }
 
 std::string in_words(std::string_view code) {
-  std::string words(code);
-  std::ranges::replace(words, '_', ' ');
-  return words;
+  return core::text::code_words(code);
 }
 
 std::string as_heading(std::string_view code) {

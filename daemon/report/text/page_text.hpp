@@ -27,7 +27,7 @@ inline constexpr const char* kUnknown = "\u2013";
 /// Three significant digits; kUnknown for what is.
 [[nodiscard]] std::string digits(const std::optional<double>& value);
 
-/// A p-value as sentences say it, core::diagnosis::p_text(), plain text: "0.03", "< 1e-12";
+/// A p-value as sentences say it, core::text::p_text(), plain text: "0.03", "< 1e-12";
 /// kUnknown for what is.
 [[nodiscard]] std::string p_text(const std::optional<double>& p);
 

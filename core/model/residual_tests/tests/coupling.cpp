@@ -2,7 +2,7 @@
 
 #include "core/hos/analyse.hpp"
 #include "core/model/residual_tests/statistics/residual_context.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -31,7 +31,7 @@ std::vector<TestOutcome> test_coupling(std::span<const double> innovation, std::
   if (result && result->ngi_p)
     answers.push_back(answer_of("ngi", *result->ngi_p,
                                 "The residual is not Gaussian: its mean squared bicoherence is " +
-                                    in_digits(result->mean_bic2) + "."));
+                                    text::number(result->mean_bic2) + "."));
   return answers;
 }
 

@@ -8,7 +8,7 @@
 
 #include "core/hos/numeric/quantile.hpp"
 #include "core/model/residual_tests/statistics/score_test.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -43,7 +43,7 @@ std::size_t strongest_width(const Eigen::VectorXd& t, const std::vector<double>&
 std::string statement_of(const ResidualContext& context, double width_percent) {
   return "The residual depends on the direction of the last move of op, beyond op itself (" +
          std::to_string(count_reversals(context.view.op_direction)) + " reversals), most as with " +
-         in_digits(width_percent) + " % of dead band: hysteresis between op and pv.";
+         text::number(width_percent) + " % of dead band: hysteresis between op and pv.";
 }
 
 }  // namespace

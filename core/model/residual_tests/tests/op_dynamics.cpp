@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/model/residual_tests/statistics/score_test.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -14,9 +14,10 @@ std::string statement_of(const Score& score, double sample_interval_s) {
   Eigen::Index strongest = 0;
   score.t.cwiseAbs().maxCoeff(&strongest);
   const auto lag = kMoveLags.at(static_cast<std::size_t>(strongest));
-  return "The residual follows moves of op, most those of " + in_time(lag * sample_interval_s) +
-         " (" + std::to_string(lag) + (lag == 1 ? " sample" : " samples") + ") before, " +
-         in_digits(std::abs(score.t[strongest])) +
+  return "The residual follows moves of op, most those of " +
+         text::duration(lag * sample_interval_s) + " (" + std::to_string(lag) +
+         (lag == 1 ? " sample" : " samples") + ") before, " +
+         text::number(std::abs(score.t[strongest])) +
          " standard errors: the linear model's dead time or order does not fit.";
 }
 

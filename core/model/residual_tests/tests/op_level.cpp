@@ -6,7 +6,7 @@
 #include "core/hos/coupling/combine_p.hpp"
 #include "core/hos/numeric/quantile.hpp"
 #include "core/model/residual_tests/statistics/score_test.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -62,7 +62,7 @@ std::string statement_of(double curved_p, const Limit& limit) {
            "follows "
            "the square of op.";
   return "Moves of op " + std::string(limit.high ? "above " : "below ") +
-         in_digits(limit.at_percent) + " % (" + in_percent(limit.share) +
+         text::number(limit.at_percent) + " % (" + text::percent(limit.share) +
          " of the samples) have another effect on pv than the others.";
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/residual_tests/statistics/spectral_lines.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -43,9 +43,9 @@ std::vector<SeenLine> merged(const LineSearch& residual, const LineSearch& pv, d
 }
 
 std::string words_of(const SeenLine& line, double sample_interval_s) {
-  return "period " + in_time(line.line.period_samples * sample_interval_s) + " (" +
-         in_digits(line.line.period_samples) + " samples), amplitude " +
-         in_digits(line.line.amplitude) + " pv units in " + (line.in_pv ? "pv" : "the residual");
+  return "period " + text::duration(line.line.period_samples * sample_interval_s) + " (" +
+         text::number(line.line.period_samples) + " samples), amplitude " +
+         text::number(line.line.amplitude) + " pv units in " + (line.in_pv ? "pv" : "the residual");
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/model/residual_tests/statistics/score_test.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -38,7 +38,7 @@ std::optional<TestOutcome> test_response_level(const ResidualContext& context) {
   answer.question.statement =
       "The residual follows the square of the model's response (which spans a standard deviation "
       "of " +
-      in_digits(context.response->std) +
+      text::number(context.response->std) +
       " pv units): the process gain depends on the operating point.";
   answer.nominations = {{.effect = EffectKind::process_nonlinearity, .p = score.p}};
   return answer;

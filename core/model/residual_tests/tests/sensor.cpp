@@ -8,7 +8,7 @@
 #include "core/model/residual_tests/statistics/renewals.hpp"
 #include "core/model/residual_tests/statistics/tails.hpp"
 #include "core/model/residual_tests/statistics/value_grid.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -88,9 +88,9 @@ std::optional<TestOutcome> test_grid(const ResidualContext& context) {
   const bool coarse = grid.step >= kHarmlessStep * noise_std;
   TestOutcome answer{{"grid", coarse ? grid.p : 1.0, {}}, {}};
   if (answer.question.p > kSignificant) return answer;
-  answer.question.statement = "pv moves in steps of " + in_digits(grid.step) + " pv units (" +
+  answer.question.statement = "pv moves in steps of " + text::number(grid.step) + " pv units (" +
                               std::to_string(grid.levels) + " values), " +
-                              in_digits(grid.step / noise_std) + " times its fast noise.";
+                              text::number(grid.step / noise_std) + " times its fast noise.";
   answer.nominations = {
       {.effect = EffectKind::sensor_quantisation, .p = grid.p, .step = grid.step}};
   return answer;
@@ -102,9 +102,10 @@ std::optional<TestOutcome> test_held(const ResidualContext& context) {
   TestOutcome answer{{"held", std::min(1.0, kHoldLooks * hold.p), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const double interval_s = context.view.sample_interval_s;
-  answer.question.statement = hold.words + in_digits(hold.samples) + " samples (" +
-                              in_time(hold.samples * interval_s) + ")";
-  if (hold.at_sample) answer.question.statement += ", " + at_place(*hold.at_sample, interval_s);
+  answer.question.statement = hold.words + text::number(hold.samples) + " samples (" +
+                              text::duration(hold.samples * interval_s) + ")";
+  if (hold.at_sample)
+    answer.question.statement += ", " + text::at_place(*hold.at_sample, interval_s);
   answer.question.statement += ".";
   answer.nominations = {{.effect = EffectKind::sensor_hold,
                          .p = hold.p,

@@ -1,15 +1,15 @@
 #include "core/model/residual_tests/tests/time_event.hpp"
 
 #include "core/model/residual_tests/statistics/outbursts.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
 
 std::string words_of(const Outburst& event, const ResidualContext& context) {
-  return in_digits(event.mean * context.fresh.std) + " pv units" +
+  return text::number(event.mean * context.fresh.std) + " pv units" +
          (event.samples > 1 ? " over " + std::to_string(event.samples) + " samples " : " ") +
-         at_place(event.at_sample, context.view.sample_interval_s);
+         text::at_place(event.at_sample, context.view.sample_interval_s);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "core/hos/coupling/combine_p.hpp"
 #include "core/model/residual_tests/statistics/change_point.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -58,8 +58,8 @@ std::optional<TestOutcome> test_time_gain(const ResidualContext& context) {
   if (answer.question.p > kSignificant) return answer;
   const FoundGain& best = level.change.p <= move.change.p ? level : move;
   answer.question.statement =
-      "The process responds about " + in_digits(best.ratio) + " times as strongly from " +
-      at_place(best.change.at_sample, context.view.sample_interval_s) + " on.";
+      "The process responds about " + text::number(best.ratio) + " times as strongly from " +
+      text::at_place(best.change.at_sample, context.view.sample_interval_s) + " on.";
   answer.nominations = {{.effect = EffectKind::gain_change,
                          .p = best.change.p,
                          .at_sample = best.change.at_sample,

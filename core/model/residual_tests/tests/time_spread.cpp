@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/model/residual_tests/statistics/change_point.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -32,8 +32,8 @@ TestOutcome test_time_spread(const ResidualContext& context) {
   if (change.p <= kSignificant)
     answer.question.statement =
         "The residual is " +
-        in_digits((magnitudes.mean + change.after) / (magnitudes.mean + change.before)) +
-        " times as large from " + at_place(change.at_sample, context.view.sample_interval_s) +
+        text::number((magnitudes.mean + change.after) / (magnitudes.mean + change.before)) +
+        " times as large from " + text::at_place(change.at_sample, context.view.sample_interval_s) +
         " on.";
   return answer;
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/model/residual_tests/statistics/tails.hpp"
-#include "core/model/results/phrases.hpp"
+#include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -60,9 +60,9 @@ TestOutcome test_white(const ResidualContext& context) {
   if (answer.question.p <= kSignificant)
     answer.question.statement =
         "The residual is autocorrelated, most at " +
-        in_time(static_cast<double>(strongest_lag) * context.view.sample_interval_s) + " (" +
+        text::duration(static_cast<double>(strongest_lag) * context.view.sample_interval_s) + " (" +
         std::to_string(strongest_lag) + (strongest_lag == 1 ? " sample" : " samples") +
-        ") before, " + in_digits(std::abs(strongest)) + " standard errors, " +
+        ") before, " + text::number(std::abs(strongest)) + " standard errors, " +
         (strongest > 0.0 ? "with the same sign." : "with the opposite sign.");
   return answer;
 }

@@ -1,4 +1,4 @@
-#include "core/plant/statement.hpp"
+#include "core/plant/event_statement.hpp"
 
 #include <gtest/gtest.h>
 #include <string>

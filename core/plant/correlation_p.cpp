@@ -1,4 +1,4 @@
-#include "core/plant/correlation_test.hpp"
+#include "core/plant/correlation_p.hpp"
 
 #include <algorithm>
 #include <cmath>
