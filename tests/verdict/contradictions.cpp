@@ -194,22 +194,23 @@ constexpr std::array kAll = {
                   }},
     Contradiction{"the process is not identified, and a valve's step is reported as found",
                   [](const Evidence& e, const Verdict& v) {
-                    return e.model && !e.model->excited && says(v, "includes valve_");
+                    return e.model && !e.model->excited && says(v, "includes valve ");
                   },
                   [](Evidence& e, Verdict& v) {
                     e.model.emplace().excited = false;
-                    v.reasons.emplace_back("The model includes valve_stiction (S 4 %).");
+                    v.reasons.emplace_back("The model includes valve stiction (S 4 %).");
                   }},
     Contradiction{"coupling found, and the tests found none",
                   [](const Evidence& e, const Verdict& v) {
                     const auto none = core::hos::Coupling::none_found;
                     const bool slow = e.hos_slow && e.hos_slow->result.coupling != none;
                     return e.hos && e.hos->coupling == none && !slow &&
-                           (says(v, "Quadratic coupling:") || says(v, "Cubic coupling"));
+                           (says(v, "Quadratic phase coupling:") ||
+                            says(v, "Cubic phase coupling"));
                   },
                   [](Evidence& e, Verdict& v) {
                     e.hos.emplace();
-                    v.reasons.emplace_back("Quadratic coupling: p = 0.2");
+                    v.reasons.emplace_back("Quadratic phase coupling: p = 0.2");
                   }},
     Contradiction{"nonlinear, and nothing shows it",
                   [](const Evidence& e, const Verdict& v) {

@@ -9,9 +9,11 @@ namespace {
 
 storage::DatabaseError no_place(const std::string& source, int limit,
                                 SourceGate::Duration patience) {
-  return {fmt::format("all {} connections are in use and none came free within {:.0f} s, "
-                      "historian {}",
-                      limit, std::chrono::duration<double>(patience).count(), source),
+  const std::string in_use =
+      limit == 1 ? "the only connection is in use and did not come free"
+                 : fmt::format("all {} connections are in use and none came free", limit);
+  return {fmt::format("{} within {:.0f} s, historian {}", in_use,
+                      std::chrono::duration<double>(patience).count(), source),
           "raise max_connections of this historian, or lower /daemon/workers",
           storage::Remedy::retry};
 }

@@ -46,12 +46,21 @@ TEST(SourceGate, WhoGetsNoPlaceIsToldAfterItsPatience) {
     gate.enter("plant", 1, 20ms);
     FAIL();
   } catch (const DatabaseError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("all 1 connections are in use"));
-    EXPECT_THAT(error.hint(), HasSubstr("max_connections"));
+    EXPECT_STREQ(error.what(),
+                 "the only connection is in use and did not come free within 0 s, historian plant");
+    EXPECT_EQ(error.hint(), "raise max_connections of this historian, or lower /daemon/workers");
     EXPECT_EQ(error.remedy(), Remedy::retry);
   }
   gate.leave();
-  gate.enter("plant", 1, 1s);
+  gate.enter("plant", 2, 1s);
+  gate.enter("plant", 2, 1s);
+  try {
+    gate.enter("plant", 2, 1ms);
+    FAIL();
+  } catch (const DatabaseError& error) {
+    EXPECT_STREQ(error.what(),
+                 "all 2 connections are in use and none came free within 0 s, historian plant");
+  }
 }
 
 TEST(SourceGate, ASourceThatIsDownTurnsEverybodyAwayAtOnce) {
