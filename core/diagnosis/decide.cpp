@@ -57,7 +57,7 @@ double confidence_in(VerdictCode code, const Causes& causes) {
 /// No cause: certain, and outside of what is weighed.
 Verdict insufficient(const Evidence& evidence) {
   Verdict verdict = verdict_with(VerdictCode::insufficient_data, 1.0);
-  verdict.reasons = {evidence.data_quality.reason + "."};
+  verdict.reasons = {text::as_sentence(evidence.data_quality.reason)};
   return verdict;
 }
 

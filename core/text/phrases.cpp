@@ -70,4 +70,13 @@ std::string code_words(std::string_view code) {
   return words;
 }
 
+std::string as_sentence(std::string_view part) {
+  if (part.empty()) return {};
+  std::string whole(part);
+  if (whole.front() >= 'a' && whole.front() <= 'z') {
+    whole.front() = static_cast<char>(whole.front() - 'a' + 'A');
+  }
+  return whole + ".";
+}
+
 }  // namespace loopscope::core::text

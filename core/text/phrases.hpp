@@ -45,6 +45,10 @@ namespace loopscope::core::text {
 /// A code or the name of a figure as words: "valve stiction", "cycle period".
 [[nodiscard]] std::string code_words(std::string_view code);
 
+/// A part of a sentence as one of its own: "the gaps are long" is "The gaps are long."; empty
+/// stays.
+[[nodiscard]] std::string as_sentence(std::string_view part);
+
 /// The parts in a row; numbers with three significant digits.
 template <typename... Part>
 [[nodiscard]] std::string sentence(const Part&... parts) {

@@ -97,7 +97,7 @@ TEST_F(HostilePlant, ExportedAndLoadedAgainTheCatalogueIsTheSameBytes) {
   const std::string first = plant_.folder() / "first.csv", second = plant_.folder() / "second.csv";
   const ProgramResult exported = plant_.loopscope("loops", {"export", first});
   ASSERT_EQ(exported.exit_code, 0) << exported.err;
-  EXPECT_THAT(exported.err, HasSubstr("a spreadsheet takes them for formulas"));
+  EXPECT_THAT(exported.err, HasSubstr("a spreadsheet takes this for a formula"));
   plant_.sql("delete from loopscope.loop");
   const ProgramResult loaded = plant_.loopscope("loops", {"load", first});
   ASSERT_EQ(loaded.exit_code, 0) << loaded.err;

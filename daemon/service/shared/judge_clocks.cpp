@@ -44,6 +44,7 @@ ClockJudgement judge_clocks(const ClockReading& host, const std::vector<ClockRea
 
 std::string difference_text(double ahead_s) {
   const auto minutes = std::llround(std::abs(ahead_s) / 60.0);
+  if (minutes == 0) return "the same time";
   constexpr long long kHour = 60;
   constexpr long long kDay = 24 * kHour;
   const auto days = minutes / kDay;

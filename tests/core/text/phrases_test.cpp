@@ -59,6 +59,12 @@ TEST(Phrases, CodesAreWords) {
   EXPECT_EQ(code_words("op.rest_visits"), "op rest visits");
 }
 
+TEST(Phrases, APartBecomesASentence) {
+  EXPECT_EQ(as_sentence("the gaps are long"), "The gaps are long.");
+  EXPECT_EQ(as_sentence("3 samples are missing"), "3 samples are missing.");
+  EXPECT_EQ(as_sentence(""), "");
+}
+
 TEST(Phrases, ASentenceIsItsPartsInARow) {
   EXPECT_EQ(sentence("op turns ", 12345.678, " times in ", 3, " h."),
             "op turns 1.23e+04 times in 3 h.");

@@ -71,6 +71,7 @@ TEST(JudgeClocks, AnAcceptedDifferenceIsNoneWhileItLasts) {
 
 TEST(JudgeClocks, DifferencesAreToldInTwoUnits) {
   EXPECT_EQ(difference_text(720), "12 min ahead");
+  EXPECT_EQ(difference_text(-3), "the same time");
   EXPECT_EQ(difference_text(-5 * kHours - 120), "5 h 2 min behind");
   EXPECT_EQ(difference_text(30 * 24 * kHours), "30 d 0 h ahead");
 }

@@ -49,7 +49,7 @@ TEST_F(ClockBookTest, AHistorianReadBeforeIsAWitnessOfAJump) {
   EXPECT_FALSE(believes(now_us + 30 * 24 * kHour_us));
   EXPECT_THAT(said, testing::StartsWith(
                         "nothing is claimed or written, because the clock of the results server is "
-                        "wrong; beside it: historian plant (30 d 0 h behind), host "));
+                        "wrong; compared with it: historian plant (30 d 0 h behind), host "));
   EXPECT_TRUE(believes(now_us)) << "back again";
   now_us -= 5 * kHour_us;
   EXPECT_TRUE(believes(now_us + 5 * kHour_us)) << "it is the host's that has jumped";
