@@ -65,15 +65,20 @@ std::string percent(double share) {
 
 std::string code_words(std::string_view code) {
   std::string words(code);
-  std::ranges::replace_if(
-      words, [](char c) { return c == '_' || c == '.'; }, ' ');
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const bool part_follows = k + 1 < words.size() && words[k + 1] >= 'a' && words[k + 1] <= 'z';
+    if (words[k] == '_' || (words[k] == '.' && part_follows)) words[k] = ' ';
+  }
   return words;
 }
 
 std::string as_sentence(std::string_view part) {
   if (part.empty()) return {};
+  constexpr std::array<std::string_view, 4> kSignals{"sp", "pv", "op", "mv"};
   std::string whole(part);
-  if (whole.front() >= 'a' && whole.front() <= 'z') {
+  const bool is_signal =
+      std::ranges::find(kSignals, part.substr(0, part.find(' '))) != kSignals.end();
+  if (!is_signal && whole.front() >= 'a' && whole.front() <= 'z') {
     whole.front() = static_cast<char>(whole.front() - 'a' + 'A');
   }
   return whole + ".";

@@ -57,11 +57,13 @@ TEST(Phrases, SharesAreWholePercentages) {
 TEST(Phrases, CodesAreWords) {
   EXPECT_EQ(code_words("valve_stiction"), "valve stiction");
   EXPECT_EQ(code_words("op.rest_visits"), "op rest visits");
+  EXPECT_EQ(code_words("not sure enough (0.40)."), "not sure enough (0.40).");
 }
 
 TEST(Phrases, APartBecomesASentence) {
   EXPECT_EQ(as_sentence("the gaps are long"), "The gaps are long.");
   EXPECT_EQ(as_sentence("3 samples are missing"), "3 samples are missing.");
+  EXPECT_EQ(as_sentence("pv is constant"), "pv is constant.");
   EXPECT_EQ(as_sentence(""), "");
 }
 

@@ -54,7 +54,7 @@ TEST(RepairsTable, ARowSaysWhatWasDoneWhatCameOfItAndByHowMuch) {
             "<span class=\"word improved\">improved</span></td><td data-label=\"Why\">Improved: "
             "the error is smaller. <small><span class=\"pair\">error std 2 \u2192 1 pv units "
             "(\u00d7 0.5, 0.44 to 0.57)</span> <span class=\"pair\">nli 0.3 \u2192 0.1 (by -0.2, "
-            "-0.25 to -0.15)</span> <span class=\"pair\">valve deadband.width 4 \u2192 \u2013 %"
+            "-0.25 to -0.15)</span> <span class=\"pair\">valve deadband width 4 \u2192 \u2013 %"
             "</span></small></td></tr>");
 }
 
