@@ -20,6 +20,12 @@ struct Setting {
   std::string_view meaning;
 };
 
+/// The place that is reached from Settings over a chain of members, as Setting::slot.
+template <auto... members>
+[[nodiscard]] SettingTarget target_at(Settings& settings, std::size_t) {
+  return &(settings.*....*members);
+}
+
 /// Every setting of the file, in the order of the documentation. Reading, validation, documentation
 /// and provenance all go by this table.
 [[nodiscard]] std::span<const Setting> setting_table();

@@ -11,10 +11,10 @@ namespace {
 using namespace loopscope::daemon;
 
 /// In the order of `loopscope --help`.
-constexpr std::array<AddCommand, 17> kCommands = {
-    add_run,      add_once,   add_analyze,     add_reproduce, add_calibrate,   add_simulate,
-    add_import,   add_loops,  add_maintenance, add_window,    add_report,      add_replay,
-    add_annotate, add_export, add_migrate,     add_maintain,  add_check_config};
+constexpr auto kCommands = std::to_array<AddCommand>(
+    {add_run, add_once, add_analyze, add_reproduce, add_calibrate, add_simulate, add_import,
+     add_loops, add_maintenance, add_window, add_report, add_replay, add_annotate, add_export,
+     add_migrate, add_maintain, add_check_config});
 
 }  // namespace
 

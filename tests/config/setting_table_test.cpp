@@ -1,5 +1,6 @@
 #include "config/setting_table.hpp"
 
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,8 @@
 
 #include "config/read_value.hpp"
 #include "tests/config/field_count.hpp"
+#include "tests/support/run_program.hpp"
+#include "tests/support/source_dir.hpp"
 
 namespace loopscope::config::tests {
 namespace {
@@ -82,6 +85,21 @@ TEST(SettingTable, NumbersAreAcceptedUpToTheirLimitsAndNotBeyond) {
     EXPECT_TRUE(accepts(setting.limits.low) && accepts(setting.limits.high)) << setting.path;
     EXPECT_FALSE(accepts(setting.limits.low - 2.0)) << setting.path;
     EXPECT_FALSE(accepts(setting.limits.high + 2.0)) << setting.path;
+  }
+}
+
+/// Mutants of a file reach only what the file holds.
+TEST(SettingTable, TheFuzzersSeedAndItsDictionaryHoldEverySetting) {
+  const std::filesystem::path fuzz = loopscope::tests::source_dir() / "tests" / "fuzz";
+  const auto seed = nlohmann::json::parse(
+      loopscope::tests::content_of(fuzz / "corpus" / "settings" / "every_setting.json"));
+  const std::string words = loopscope::tests::content_of(fuzz / "dictionaries" / "settings.dict");
+  for (const Setting& setting : setting_table()) {
+    std::string path(setting.path);
+    if (const auto star = path.find('*'); star != std::string::npos) path[star] = '0';
+    EXPECT_TRUE(seed.contains(nlohmann::json::json_pointer(path))) << path;
+    const std::string key = path.substr(path.rfind('/') + 1);
+    EXPECT_THAT(words, testing::HasSubstr("\"\\\"" + key + "\\\":\"")) << path;
   }
 }
 
