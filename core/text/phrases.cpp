@@ -22,7 +22,7 @@ std::string number(double value) {
 }
 
 std::string display_number(double value) {
-  const std::string text = number(value);
+  std::string text = number(value);
   double rounded = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), rounded);
   if (!(std::abs(rounded) >= 1e3) || std::abs(rounded) >= 1e7) return text;
