@@ -17,7 +17,7 @@ std::string analysis_settings_json(const core::AnalysisSettings& settings) {
   for (const Setting& setting : setting_table()) {
     if (!setting.path.starts_with(kSection)) continue;
     const std::string path(setting.path.substr(kSection.size()));
-    json[Json::json_pointer(path)] = slot_value(setting.slot(holder, 0));
+    json[Json::json_pointer(path)] = target_value(setting.target(holder, 0));
   }
   return json.dump();
 }

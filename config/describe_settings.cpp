@@ -10,7 +10,7 @@ namespace loopscope::config {
 namespace {
 
 std::string default_text(const Setting& setting, Settings& defaults) {
-  const nlohmann::ordered_json value = slot_value(setting.slot(defaults, 0));
+  const nlohmann::ordered_json value = target_value(setting.target(defaults, 0));
   if (value.is_number_float()) return "`" + number_text(value.get<double>()) + "`";
   const std::string text = value.dump();
   if (text != R"("")") return "`" + text + "`";
@@ -18,7 +18,7 @@ std::string default_text(const Setting& setting, Settings& defaults) {
 }
 
 std::string values_text(const Setting& setting, Settings& defaults) {
-  const bool whole = takes_whole_numbers(setting.slot(defaults, 0));
+  const bool whole = takes_whole_numbers(setting.target(defaults, 0));
   return (whole ? "whole number, " : "") + limits_text(setting.limits);
 }
 

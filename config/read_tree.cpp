@@ -74,7 +74,7 @@ class TreeReader {
 
   void read(const Json& node, const Place& place) {
     if (const Setting* setting = find_setting(place.pattern)) {
-      read_value(node, place.path, setting->limits, setting->slot(settings_, place.index),
+      read_value(node, place.path, setting->limits, setting->target(settings_, place.index),
                  problems_);
       return;
     }
@@ -117,8 +117,8 @@ class TreeReader {
 };
 
 void require(const Setting& setting, Settings& settings, std::size_t index, ProblemList& problems) {
-  const SettingTarget slot = setting.slot(settings, index);
-  const auto* const* text = std::get_if<std::string*>(&slot);
+  const SettingTarget target = setting.target(settings, index);
+  const auto* const* text = std::get_if<std::string*>(&target);
   if (text == nullptr || !(*text)->empty() || may_be_empty(setting.limits.form)) return;
   std::string path(setting.path);
   const std::size_t star = path.find('*');

@@ -38,8 +38,8 @@ std::string complaint_about(double number, const Limits& limits, bool whole) {
 }
 
 void read_number(const Json& value, const std::string& path, const Limits& limits,
-                 const SettingTarget& slot, ProblemList& problems) {
-  const bool whole = takes_whole_numbers(slot);
+                 const SettingTarget& target, ProblemList& problems) {
+  const bool whole = takes_whole_numbers(target);
   if (!value.is_number()) {
     problems.add(
         wrong_kind(value, path, (whole ? "a whole number, " : "a number, ") + limits_text(limits)));
@@ -48,7 +48,7 @@ void read_number(const Json& value, const std::string& path, const Limits& limit
   const auto number = value.get<double>();
   const std::string complaint = complaint_about(number, limits, whole);
   if (complaint.empty())
-    store_number(slot, number);
+    store_number(target, number);
   else
     problems.add({path, complaint, {}});
 }
@@ -88,7 +88,7 @@ std::optional<Problem> refuse_text(const std::string& text, const std::string& p
 }
 
 void read_text(const Json& value, const std::string& path, const Limits& limits,
-               const SettingTarget& slot, ProblemList& problems) {
+               const SettingTarget& target, ProblemList& problems) {
   if (!value.is_string()) {
     const bool choice = limits.form == Form::choice;
     problems.add(wrong_kind(value, path, (choice ? "one of " : "a ") + limits_text(limits)));
@@ -98,13 +98,13 @@ void read_text(const Json& value, const std::string& path, const Limits& limits,
   if (auto problem = refuse_text(text, path, limits))
     problems.add(std::move(*problem));
   else
-    store_text(slot, text);
+    store_text(target, text);
 }
 
 void read_switch(const Json& value, const std::string& path, const Limits& limits,
-                 const SettingTarget& slot, ProblemList& problems) {
+                 const SettingTarget& target, ProblemList& problems) {
   if (value.is_boolean()) {
-    store_switch(slot, value.get<bool>());
+    store_switch(target, value.get<bool>());
     return;
   }
   Problem problem = wrong_kind(value, path, limits_text(limits));
@@ -139,7 +139,7 @@ std::optional<Problem> refuse_element(const std::string& text, const std::string
 }
 
 void read_list(const Json& value, const std::string& path, const Limits& limits,
-               const SettingTarget& slot, ProblemList& problems) {
+               const SettingTarget& target, ProblemList& problems) {
   if (!value.is_array()) {
     problems.add({path, "is " + kind_of(value) + ", not a " + limits_text(limits),
                   "put it into brackets: [ ... ]"});
@@ -157,21 +157,21 @@ void read_list(const Json& value, const std::string& path, const Limits& limits,
       texts.push_back(*text);
     }
   }
-  if (texts.size() == value.size()) store_list(slot, std::move(texts));
+  if (texts.size() == value.size()) store_list(target, std::move(texts));
 }
 
 }  // namespace
 
 void read_value(const Json& value, const std::string& path, const Limits& limits,
-                const SettingTarget& slot, ProblemList& problems) {
+                const SettingTarget& target, ProblemList& problems) {
   if (limits.form == Form::number)
-    read_number(value, path, limits, slot, problems);
+    read_number(value, path, limits, target, problems);
   else if (limits.form == Form::toggle)
-    read_switch(value, path, limits, slot, problems);
+    read_switch(value, path, limits, target, problems);
   else if (is_list(limits.form))
-    read_list(value, path, limits, slot, problems);
+    read_list(value, path, limits, target, problems);
   else
-    read_text(value, path, limits, slot, problems);
+    read_text(value, path, limits, target, problems);
 }
 
 std::string kind_of(const Json& value) {

@@ -69,13 +69,14 @@ constexpr std::array kServiceSettings = {
             "with more loops: interval between loop models of a loop that neither its statistics "
             "nor its last verdict would flag; the others get one every time"},
 
-    Setting{"/daemon/workers", in_daemon<&DaemonSettings::workers>, range(0, 256, "threads"),
-            "number of worker threads; 0 = one per core"},
-    Setting{"/daemon/batches_in_flight", in_daemon<&DaemonSettings::batches_in_flight>,
-            range(0, 1024, "batches"),
-            "number of batches that are fetched, analysed or written at a time, so that no core "
-            "waits for a database; each holds a connection to the results; 0 = two for each "
-            "worker, eight at most"},
+    Setting{"/daemon/workers", in_daemon<&DaemonSettings::workers>, range(0, 256, "cores"),
+            "number of cores to analyse on; 0 = all"},
+    Setting{
+        "/daemon/batches_in_flight", in_daemon<&DaemonSettings::batches_in_flight>,
+        range(0, 1024, "batches"),
+        "number of workers, each with a batch that it reads, analyses or writes, so that no core "
+        "waits for a database; each holds a connection to the results; 0 = two for each "
+        "core, eight at most"},
     Setting{"/daemon/log_level", in_daemon<&DaemonSettings::log_level>, one_of(kLogLevels),
             "least severe messages that are logged"},
     Setting{"/daemon/log_format", in_daemon<&DaemonSettings::log_format>, one_of(kLogFormats),

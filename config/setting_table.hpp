@@ -10,17 +10,17 @@
 
 namespace loopscope::config {
 
-/// One setting. The default is what a default-constructed Settings holds in the slot; a text that
+/// One setting. The default is what a default-constructed Settings holds in the target; a text that
 /// is empty there and may not be empty is required.
 struct Setting {
   std::string_view path;  ///< JSON path; "*" stands for the index into an array
   /// The place in `settings`; `index` says which element where the path has a "*".
-  SettingTarget (*slot)(Settings& settings, std::size_t index);
+  SettingTarget (*target)(Settings& settings, std::size_t index);
   Limits limits;
   std::string_view meaning;
 };
 
-/// The place that is reached from Settings over a chain of members, as Setting::slot.
+/// The place that is reached from Settings over a chain of members, as Setting::target.
 template <auto... members>
 [[nodiscard]] SettingTarget target_at(Settings& settings, std::size_t) {
   return &(settings.*....*members);

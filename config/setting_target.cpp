@@ -22,16 +22,16 @@ void store(WindowShape& shape, const std::string& name) {
 
 }  // namespace
 
-bool takes_whole_numbers(const SettingTarget& slot) {
-  return std::holds_alternative<int*>(slot) || std::holds_alternative<std::size_t*>(slot);
+bool takes_whole_numbers(const SettingTarget& target) {
+  return std::holds_alternative<int*>(target) || std::holds_alternative<std::size_t*>(target);
 }
 
-nlohmann::ordered_json slot_value(const SettingTarget& slot) {
-  if (const auto* shape = std::get_if<WindowShape*>(&slot)) return core::hos::name(**shape);
-  return std::visit([](const auto* place) { return nlohmann::ordered_json(*place); }, slot);
+nlohmann::ordered_json target_value(const SettingTarget& target) {
+  if (const auto* shape = std::get_if<WindowShape*>(&target)) return core::hos::name(**shape);
+  return std::visit([](const auto* place) { return nlohmann::ordered_json(*place); }, target);
 }
 
-void store_number(const SettingTarget& slot, double value) {
+void store_number(const SettingTarget& target, double value) {
   std::visit(
       [value](auto* place) {
         using Value = std::remove_pointer_t<decltype(place)>;
@@ -40,26 +40,26 @@ void store_number(const SettingTarget& slot, double value) {
         else
           throw std::logic_error("a number was stored in a setting of words or a switch");
       },
-      slot);
+      target);
 }
 
-void store_switch(const SettingTarget& slot, bool value) {
-  bool* const* place = std::get_if<bool*>(&slot);
+void store_switch(const SettingTarget& target, bool value) {
+  bool* const* place = std::get_if<bool*>(&target);
   if (place == nullptr) throw std::logic_error("a switch was stored in another setting");
   **place = value;
 }
 
-void store_text(const SettingTarget& slot, const std::string& value) {
-  if (auto* const* text = std::get_if<std::string*>(&slot))
+void store_text(const SettingTarget& target, const std::string& value) {
+  if (auto* const* text = std::get_if<std::string*>(&target))
     **text = value;
-  else if (auto* const* shape = std::get_if<WindowShape*>(&slot))
+  else if (auto* const* shape = std::get_if<WindowShape*>(&target))
     store(**shape, value);
   else
     throw std::logic_error("a text was stored in a setting of numbers or a switch");
 }
 
-void store_list(const SettingTarget& slot, std::vector<std::string> values) {
-  auto* const* list = std::get_if<std::vector<std::string>*>(&slot);
+void store_list(const SettingTarget& target, std::vector<std::string> values) {
+  auto* const* list = std::get_if<std::vector<std::string>*>(&target);
   if (list == nullptr) throw std::logic_error("a list was stored in another setting");
   **list = std::move(values);
 }

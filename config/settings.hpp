@@ -94,10 +94,10 @@ struct ScheduleSettings {
 
 /// The process itself.
 struct DaemonSettings {
-  int workers = 0;                  ///< threads that analyse at a time; 0 = one per core; 0 to 256
-  int batches_in_flight = 0;        ///< 0 = twice the workers; 0 to 1024
-  std::string log_level = "info";   ///< debug, info, warning, error
-  std::string log_format = "text";  ///< text or json
+  int workers = 0;                              ///< cores to analyse on; 0 = all; 0 to 256
+  int batches_in_flight = 0;                    ///< workers; 0 = two a core; 0 to 1024
+  std::string log_level = "info";               ///< debug, info, warning, error
+  std::string log_format = "text";              ///< text or json
   std::string http_address = "127.0.0.1:9470";  ///< see http_address.hpp; empty = no HTTP
   std::vector<std::string> http_names;          ///< it may be called so; see host_name.hpp
   /// Seconds that the most overdue loop may be late before /readyz says no, 1 to 2592000.

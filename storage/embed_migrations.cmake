@@ -1,5 +1,5 @@
 # Writes OUTPUT, a source file that holds the migrations FILES in the order of their numbers, which
-# begin at 101: the numbers below are those of the former chain (storage/results/schema/superseded_migrations).
+# begin at 101: the numbers below are those of the superseded ones (storage/results/schema/superseded_migrations).
 list(SORT FILES)
 set(entries "")
 set(expected 101)

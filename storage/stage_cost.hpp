@@ -31,7 +31,7 @@ void add(StageCost& sum, const StageCost& more);
 /// Who the cost belongs to: a row of loopscope.stage_cost per hour.
 struct CostBearer {
   std::string host;
-  int lane = 0;  ///< of its process: costs of two lanes of one do not wait for each other
+  int lane = 0;  ///< the worker of its process; costs of two do not wait for each other
 };
 
 }  // namespace loopscope::storage

@@ -108,7 +108,7 @@ void check(const CheckOptions& options) {
         "historian has");
   }
   if (options.out == "-") return;
-  std::cout << fmt::format("all {} tags of {} have rows\n", found.tags,
+  std::cout << fmt::format("{} of {}, all with rows\n", counted(found.tags, "tag", "tags"),
                            counted(found.loops, "loop", "loops"));
 }
 

@@ -63,8 +63,8 @@ class CsvLine {
 void note_quoted(std::size_t count) {
   if (count == 0) return;
   std::cerr << fmt::format(
-      "note: {} with =, +, - or @: a quote is put before it, so that no spreadsheet takes it for a "
-      "formula; --format json has the text as it is\n",
+      "note: {} with =, +, - or @: a quote in front keeps spreadsheets from reading a formula; "
+      "--format json has the text as it is\n",
       counted(count, "cell begins", "cells begin"));
 }
 

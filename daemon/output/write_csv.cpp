@@ -31,8 +31,7 @@ void note_formulas(std::size_t count) {
   if (count == 0) return;
   std::cerr << fmt::format(
       "note: {} with =, +, - or @: a spreadsheet takes this for a formula unless it is told to "
-      "import "
-      "every column as text\n",
+      "import every column as text\n",
       counted(count, "cell begins", "cells begin"));
 }
 

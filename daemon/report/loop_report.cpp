@@ -2,7 +2,6 @@
 
 #include <exception>
 #include <iterator>
-#include <system_error>
 #include <utility>
 
 #include "daemon/report/figures/draw_figures.hpp"
@@ -95,8 +94,6 @@ void add_figures(LoopReport& loop_report, const storage::CatalogueEntry& loop,
     draw(loop_report, gnuplot, stop);
   } catch (const Failure& failure) {
     loop_report.trouble = failure.what();
-  } catch (const std::system_error& error) {  // a child that cannot be started
-    loop_report.trouble = error.what();
   }
 }
 

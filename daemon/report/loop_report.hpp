@@ -24,8 +24,7 @@ inline constexpr std::int64_t kHistoryReachUs = std::int64_t{90} * 86'400 * 1'00
 [[nodiscard]] std::vector<Figure> figures_of(const LoopReport& loop_report);
 
 /// Looks at the window again and draws the pictures. What cannot be had is said in the report's
-/// `trouble`: the other loops of a report are told of all the same. Throws std::system_error when
-/// gnuplot cannot be started.
+/// `trouble`: the other loops of a report are told of all the same.
 void add_figures(LoopReport& loop_report, const storage::CatalogueEntry& loop,
                  const WindowSource::Reading& reading, const core::AnalysisSettings& settings,
                  const std::filesystem::path& gnuplot, const std::stop_token& stop = {});

@@ -39,6 +39,7 @@ AnalysisWorker::AnalysisWorker(std::shared_ptr<const config::Settings> settings,
 
 template <typename Claim>
 std::vector<ClaimedLoop> AnalysisWorker::timed_claim(Claim claim) {
+  (void)driver_.take();  // what failed before has brought no loop to its end
   const auto ask = [&](storage::ResultsDatabase& database) {
     if (std::exchange(in_doubt_, true)) database.release_owned(owner_);
     std::vector<ClaimedLoop> claimed = claim(database);

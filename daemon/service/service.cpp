@@ -51,13 +51,13 @@ class Service {
         in_force_(settings_.get()) {
     set_up_log(settings_->daemon);
     for (std::size_t index = 0; index < worker_count(settings_->daemon); ++index) {
-      slots_.emplace_back(context_, settings_->schedule.poll_s);
+      workers_.emplace_back(context_, settings_->schedule.poll_s);
     }
   }
 
   void run() {
-    spdlog::info("started: {} workers, {} batches in flight, settings {}",
-                 core_count(settings_->daemon), slots_.size(), file_.string());
+    spdlog::info("started: {} workers on {} cores, settings {}", workers_.size(),
+                 core_count(settings_->daemon), file_.string());
     tell_sources();
     warn_of_connections();
     heartbeat_.emplace(settings_, tools_);
@@ -65,7 +65,7 @@ class Service {
     plant_.emplace(settings_, tools_);
     await_signal();
     pulse();
-    for (std::size_t index = 0; index < slots_.size(); ++index) dispatch(index);
+    for (std::size_t index = 0; index < workers_.size(); ++index) dispatch(index);
     // Until the workers have said their last words: a second signal is awaited as long.
     context_.run();
     pool_.join();
@@ -77,8 +77,8 @@ class Service {
 
  private:
   /// A worker and when it looks again.
-  struct WorkerSlot {
-    WorkerSlot(asio::io_context& context, double poll_s) : timer(context), pause(poll_s) {}
+  struct ScheduledWorker {
+    ScheduledWorker(asio::io_context& context, double poll_s) : timer(context), pause(poll_s) {}
     std::optional<AnalysisWorker> worker;
     asio::steady_timer timer;
     RetryPause pause;
@@ -105,7 +105,7 @@ class Service {
     spdlog::info("stopping: finishing what is in hand");
     stop_.request_stop();
     watch_->stopping();
-    for (WorkerSlot& slot : slots_) slot.timer.cancel();
+    for (ScheduledWorker& scheduled : workers_) scheduled.timer.cancel();
     end_when_idle();
   }
 
@@ -161,7 +161,8 @@ class Service {
       watch_->use(settings_);
       plant_->use(settings_);
       tell_sources();
-      for (WorkerSlot& slot : slots_) slot.pause = RetryPause(settings_->schedule.poll_s);
+      for (ScheduledWorker& scheduled : workers_)
+        scheduled.pause = RetryPause(settings_->schedule.poll_s);
       forget_faults_of_former(before->historians);
       spdlog::info("settings read again: {}", file_.string());
       if (wants_restart(before->daemon))
@@ -193,13 +194,13 @@ class Service {
 
   /// Sends an idle worker to look for due loops.
   void dispatch(std::size_t index) {
-    WorkerSlot& slot = slots_[index];
-    if (!slot.worker || slot.worker->settings() != settings_) {
-      slot.worker.emplace(settings_, index, SlotRule::clock, tools_);
+    ScheduledWorker& scheduled = workers_[index];
+    if (!scheduled.worker || scheduled.worker->settings() != settings_) {
+      scheduled.worker.emplace(settings_, index, SlotRule::clock, tools_);
     }
     ++busy_;
-    asio::post(pool_, [this, index, &slot] {
-      const DrainResult drained = drain(*slot.worker);
+    asio::post(pool_, [this, index, &scheduled] {
+      const DrainResult drained = drain(*scheduled.worker);
       asio::post(context_, [this, index, drained] { rest(index, drained); });
     });
   }
@@ -209,12 +210,12 @@ class Service {
     --busy_;
     add(sum_, drained.count);
     if (stop_.stop_requested()) return end_when_idle();
-    WorkerSlot& slot = slots_[index];
-    if (slot.worker->settings() != settings_) return dispatch(index);
-    slot.timer.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-        std::chrono::duration<double>(
-            idle_pause_s(drained, settings_->schedule.poll_s, source_opens_in_s(), slot.pause))));
-    slot.timer.async_wait([this, index](const auto& error) {
+    ScheduledWorker& scheduled = workers_[index];
+    if (scheduled.worker->settings() != settings_) return dispatch(index);
+    scheduled.timer.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+        std::chrono::duration<double>(idle_pause_s(drained, settings_->schedule.poll_s,
+                                                   source_opens_in_s(), scheduled.pause))));
+    scheduled.timer.async_wait([this, index](const auto& error) {
       if (!error && !stop_.stop_requested()) dispatch(index);
     });
   }
@@ -273,7 +274,7 @@ class Service {
   asio::io_context context_;
   asio::signal_set signals_;
   asio::steady_timer pulse_timer_;
-  std::deque<WorkerSlot> slots_;
+  std::deque<ScheduledWorker> workers_;
   std::size_t busy_ = 0;  ///< workers on the pool
   asio::thread_pool pool_;
   std::atomic<const config::Settings*> in_force_;  ///< settings_, for workers at work to compare

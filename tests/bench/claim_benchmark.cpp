@@ -1,9 +1,10 @@
 // What claims take while an old snapshot is held, beside what they take without one:
 // claim_benchmark [loops [periods]]. Needs the throw-away server of tests/support/postgres.
 //
-// One lane claims batches of 32 and gives them back, as in `run`; all loops of a period are due in
-// the same instant, as loops of one period are. Whatever finds nothing counts as a claim: it looks
-// back. Ends with 1 where the mean or the 99th percentile is more than twice the undisturbed one.
+// One worker claims batches of 32 and gives them back, as in `run`; all loops of a period are due
+// in the same instant, as loops of one period are. Whatever finds nothing counts as a claim: it
+// looks back. Ends with 1 where the mean or the 99th percentile is more than twice the undisturbed
+// one.
 
 #include <algorithm>
 #include <chrono>

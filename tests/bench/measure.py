@@ -156,7 +156,7 @@ def run_program(*arguments):
 
 
 def stage_breakdown(results):
-    """Milliseconds a loop by stage, summed over the lanes."""
+    """Milliseconds a loop by stage, summed over the workers."""
     columns = ("claim", "fetch", "prepare", "statistics", "model", "decide", "write", "wait")
     sums = ", ".join(f"1000 * sum({column}_s) / sum(loops)" for column in columns)
     row = results.sql(f"SELECT {sums}, sum(modelled) FROM loopscope.stage_cost")[0]

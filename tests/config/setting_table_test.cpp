@@ -52,7 +52,7 @@ TEST(SettingTable, NoPathAndNoPlaceStandsInItTwice) {
   for (const Setting& setting : setting_table()) {
     EXPECT_TRUE(paths.insert(setting.path).second) << setting.path;
     const void* place =
-        std::visit([](auto* p) -> const void* { return p; }, setting.slot(settings, 0));
+        std::visit([](auto* p) -> const void* { return p; }, setting.target(settings, 0));
     EXPECT_TRUE(places.insert(place).second) << setting.path;
     EXPECT_FALSE(setting.meaning.empty()) << setting.path;
   }
@@ -62,9 +62,9 @@ TEST(SettingTable, DefaultsAreWithinTheirLimitsOrRequired) {
   Settings settings;
   settings.historians.resize(1);
   for (const Setting& setting : setting_table()) {
-    const SettingTarget slot = setting.slot(settings, 0);
+    const SettingTarget target = setting.target(settings, 0);
     ProblemList problems;
-    read_value(slot_value(slot), std::string(setting.path), setting.limits, slot, problems);
+    read_value(target_value(target), std::string(setting.path), setting.limits, target, problems);
     if (setting.limits.form == Form::connection)
       EXPECT_EQ(problems.problems().size(), 1U) << setting.path;
     else
@@ -79,7 +79,7 @@ TEST(SettingTable, NumbersAreAcceptedUpToTheirLimitsAndNotBeyond) {
     if (setting.limits.form != Form::number) continue;
     const auto accepts = [&](double number) {
       ProblemList problems;
-      read_value(number, "/x", setting.limits, setting.slot(settings, 0), problems);
+      read_value(number, "/x", setting.limits, setting.target(settings, 0), problems);
       return problems.problems().empty();
     };
     EXPECT_TRUE(accepts(setting.limits.low) && accepts(setting.limits.high)) << setting.path;

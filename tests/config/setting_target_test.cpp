@@ -14,9 +14,9 @@ TEST(SettingTarget, WhatIsStoredIsWhatIsRead) {
   store_number(&real, 0.1);
   store_number(&count, 4096.0);
   store_text(&text, "plant");
-  EXPECT_EQ(slot_value(&real).dump(), "0.1");
-  EXPECT_EQ(slot_value(&count).dump(), "4096");
-  EXPECT_EQ(slot_value(&text).dump(), "\"plant\"");
+  EXPECT_EQ(target_value(&real).dump(), "0.1");
+  EXPECT_EQ(target_value(&count).dump(), "4096");
+  EXPECT_EQ(target_value(&text).dump(), "\"plant\"");
   EXPECT_TRUE(takes_whole_numbers(&count));
   EXPECT_FALSE(takes_whole_numbers(&real));
 }
@@ -26,7 +26,7 @@ TEST(SettingTarget, WindowShapesGoByTheirNames) {
   for (const core::hos::WindowShape wanted : kWindowShapes) {
     store_text(&shape, std::string(core::hos::name(wanted)));
     EXPECT_EQ(shape, wanted);
-    EXPECT_EQ(slot_value(&shape), core::hos::name(wanted));
+    EXPECT_EQ(target_value(&shape), core::hos::name(wanted));
   }
   EXPECT_THROW(store_text(&shape, "square"), std::logic_error);
   // core/hos knows no shape beyond those listed here
@@ -38,7 +38,7 @@ TEST(SettingTarget, SwitchesAreOnOrOff) {
   bool on = false;
   store_switch(&on, true);
   EXPECT_TRUE(on);
-  EXPECT_EQ(slot_value(&on).dump(), "true");
+  EXPECT_EQ(target_value(&on).dump(), "true");
   EXPECT_FALSE(takes_whole_numbers(&on));
 }
 

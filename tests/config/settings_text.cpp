@@ -14,7 +14,7 @@ std::string complete_text() {
   for (const Setting& setting : setting_table()) {
     std::string path(setting.path);
     if (const std::size_t star = path.find('*'); star != std::string::npos) path[star] = '0';
-    Json value = slot_value(setting.slot(defaults, 0));
+    Json value = target_value(setting.target(defaults, 0));
     if (value == "" && !may_be_empty(setting.limits.form)) value = "service=any";
     file[Json::json_pointer(path)] = value;
   }

@@ -47,7 +47,7 @@ class Worker:
             left.unlink(missing_ok=True)
 
     def name(self):
-        """As it signs in loopscope.worker, and, with a lane behind it, in loopscope.schedule."""
+        """As it signs in loopscope.worker, and, with a worker behind it, in loopscope.schedule."""
         return f"{os.uname().nodename}/{self.process.pid}"
 
     def set_clock(self, offset_s):

@@ -46,8 +46,8 @@ WindowSource::Reading WindowSource::read(const storage::CatalogueEntry& loop,
     const std::string words = kTrouble + error.what();
     if (error.remedy() == storage::Remedy::reconnect) away_[loop.source] = {words, Clock::now()};
     return words;
-  } catch (const Failure& failure) {
-    return kTrouble + failure.what();
+  } catch (const std::exception& error) {  // a setting that is gone, or a window that throws
+    return kTrouble + error.what();
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <string_view>
+#include <system_error>
 
 #include "daemon/report/figures/compact_svg.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
@@ -55,12 +56,26 @@ std::vector<std::string> split_svg(const std::string& output) {
   return documents;
 }
 
+namespace {
+
+ChildResult run_gnuplot(const ChildCommand& command, const std::stop_token& stop) {
+  try {
+    return run_child(command, stop);
+  } catch (const std::system_error& error) {
+    throw Failure(ExitCode::fault, std::string("gnuplot cannot be started: ") + error.what(),
+                  "memory or processes of this user have run out: end what is not needed");
+  }
+}
+
+}  // namespace
+
 std::vector<Picture> draw_figures(std::span<const Figure> figures,
                                   const std::filesystem::path& gnuplot,
                                   const std::stop_token& stop) {
   const std::string script = script_of(figures);
   // Neither the user's settings nor the system's: they could hold anything.
-  const ChildResult result = run_child({gnuplot, {"--default-settings", kInputName}, script}, stop);
+  const ChildResult result =
+      run_gnuplot({gnuplot, {"--default-settings", kInputName}, script}, stop);
   const std::vector<std::string> documents = split_svg(result.out);
   if (result.exit_code != 0 || documents.size() != figures.size()) refuse(result);
   std::vector<Picture> pictures;

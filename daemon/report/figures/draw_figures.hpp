@@ -16,8 +16,8 @@ namespace loopscope::daemon {
 
 /// Draws figures with one run of gnuplot, scripts in and pictures out through pipes, so that no
 /// file is left behind. The pictures are SVG that a browser and WeasyPrint read alike. Throws
-/// Failure (fault) with gnuplot's words when it fails, when it takes longer than half a minute and
-/// when `stop` is requested; std::system_error when it cannot be started. One picture a figure.
+/// Failure (fault) with gnuplot's words when it fails or cannot be started, when it takes longer
+/// than half a minute and when `stop` is requested. One picture a figure.
 [[nodiscard]] std::vector<Picture> draw_figures(std::span<const Figure> figures,
                                                 const std::filesystem::path& gnuplot,
                                                 const std::stop_token& stop = {});

@@ -23,6 +23,7 @@ bool is_set_aside(std::int64_t loop_id, const Batch& batch) {
 void postpone(const Claims& claims, const Failure& failure, double pause_s, Batch& batch) {
   if (!batch.first_failure) batch.first_failure = failure;
   for (const storage::ClaimedLoop* claim : claims) {
+    if (is_set_aside(claim->loop.loop_id, batch)) continue;
     batch.failed.push_back({claim->loop.loop_id, claim->fence, failure.what(), pause_s, false});
   }
 }

@@ -32,7 +32,7 @@ void set_aside(const storage::ClaimedLoop& claim, const Failure& failure, Batch&
 
 [[nodiscard]] bool is_set_aside(std::int64_t loop_id, const Batch& batch);
 
-/// Their source is away: the loops wait, without blame.
+/// Their source is away: the loops wait, without blame, but for those that were set aside before.
 void postpone(const Claims& claims, const Failure& failure, double pause_s, Batch& batch);
 
 /// Whether a database error comes from the rows of some loop (a value that cannot be read or

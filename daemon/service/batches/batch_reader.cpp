@@ -69,21 +69,27 @@ EarlierSlots earlier_slots_to_check(std::span<const LoopTask> tasks, const Store
   return earlier;
 }
 
-void count_values(std::span<const LoopWindowAtSlot> windows, storage::StageCost& cost) {
-  for (const LoopWindowAtSlot& at_slot : windows) {
-    const core::signal::LoopWindow& window = at_slot.window;
-    cost.values += window.sp.size() + window.pv.size() + window.op.size() + window.mv.size();
+std::size_t values_in(const LoopInput& input) {
+  const core::signal::LoopWindow& window = input.at_slot.window;
+  return window.sp.size() + window.pv.size() + window.op.size() + window.mv.size();
+}
+
+std::size_t values_in(std::span<const LoopTask> tasks) {
+  std::size_t values = 0;
+  for (const LoopTask& task : tasks) {
+    values += values_in(task.newest);
+    for (const LoopInput& input : task.earlier) values += values_in(input);
   }
+  return values;
 }
 
 /// Notes for the metrics how old the newest row of these loops' tags is, and how many values had a
 /// quality that no rule explains. All are of one source.
-void note_data(const std::string& source, std::span<const LoopWindowAtSlot> newest,
-               Metrics& metrics) {
+void note_data(const std::string& source, std::span<const LoopTask> tasks, Metrics& metrics) {
   std::optional<std::int64_t> youngest_us;
   std::size_t unknown = 0;
-  for (const LoopWindowAtSlot& at_slot : newest) {
-    for (const TagReading& tag : at_slot.tags) {
+  for (const LoopTask& task : tasks) {
+    for (const TagReading& tag : task.newest.at_slot.tags) {
       unknown += tag.unknown_rows;
       if (!tag.newest_row_us) continue;
       const std::int64_t age_us = tag.asked_us - *tag.newest_row_us;
@@ -120,10 +126,12 @@ BatchReader::Read BatchReader::read(const std::string& source, const Claims& cla
   const double fetched_before_s = driver_.cost().fetch_s;
   Read done = read_newest(source, claims, batch);
   if (done == Read::all) {
+    note_data(source, batch.tasks, tools_.metrics);
     batch.stored =
         driver_.run(&storage::StageCost::claim_s, [&] { return stored_analyses(batch.tasks); });
     done = read_earlier(source, claims, batch);
   }
+  if (done == Read::all) driver_.cost().values += values_in(batch.tasks);
   batch.rows = {};  // the windows hold what is needed of them
   const double fetch_ms = 1e3 * (driver_.cost().fetch_s - fetched_before_s);
   for (LoopTask& task : batch.tasks) {
@@ -178,7 +186,6 @@ BatchReader::Read BatchReader::read_newest(const std::string& source, const Clai
     windows = windows_of(historian, slots, batch);
   });
   if (done != Read::all) return done;
-  note_data(source, windows, tools_.metrics);
   prepare(claims, std::move(windows), batch,
           [&](const storage::ClaimedLoop* claim, LoopInput input) {
             batch.tasks.push_back({claim, std::move(input), {}, 0.0, by_rows});
@@ -199,7 +206,6 @@ template <typename Keep>
 void BatchReader::prepare(const Claims& of_windows, std::vector<LoopWindowAtSlot> windows,
                           Batch& batch, Keep keep) {
   using storage::StageCost;
-  count_values(windows, driver_.cost());
   const CoreGate::Permit core =
       driver_.run(&StageCost::wait_s, [&] { return take_core(tools_.cores, progress_); });
   for (std::size_t k = 0; k < windows.size(); ++k) {

@@ -17,7 +17,6 @@ class Stopwatch {
     start_ = now;
     return seconds;
   }
-  [[nodiscard]] double lap_ms() { return 1e3 * lap_s(); }
 
  private:
   using Clock = std::chrono::steady_clock;

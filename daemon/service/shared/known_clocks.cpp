@@ -93,10 +93,11 @@ std::optional<storage::DatabaseError> refusal(const KnownClocks::State& state) {
   }
   others.push_back(fmt::format("{} ({})", state.host.clock, difference_text(state.host.ahead_s)));
   const bool wrong = state.judgement.results == Results::wrong;
-  const std::string what = fmt::format("nothing is claimed or written, because {}; compared with it: {}",
-                                       wrong ? "the clock of the results server is wrong"
-                                             : "nobody confirms the results server's clock",
-                                       fmt::join(others, ", "));
+  const std::string what =
+      fmt::format("nothing is claimed or written, because {}; compared with it: {}",
+                  wrong ? "the clock of the results server is wrong"
+                        : "nobody confirms the results server's clock",
+                  fmt::join(others, ", "));
   return storage::DatabaseError(what, kSetClockRight, storage::Remedy::retry);
 }
 

@@ -8,12 +8,12 @@
 
 namespace loopscope::daemon {
 
-SharedServices::SharedServices(std::size_t workers, RetryLimit how_long,
+SharedServices::SharedServices(std::size_t free_cores, RetryLimit how_long,
                                std::stop_token stop_requested)
     : stop(std::move(stop_requested)),
       metrics(
           {LOOPSCOPE_VERSION, core::kAlgorithmRevision, std::string(core::hos::processor_path())}),
-      cores(workers),
+      cores(free_cores),
       perseverance(how_long) {}
 
 std::vector<std::string> SharedServices::sources_away() {

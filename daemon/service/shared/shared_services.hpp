@@ -19,8 +19,8 @@ namespace loopscope::daemon {
 
 /// What all workers of the process share. Thread-safe.
 struct SharedServices {
-  /// `workers` (> 0) may analyse at a time.
-  SharedServices(std::size_t workers, RetryLimit how_long, std::stop_token stop = {});
+  /// `free_cores` (> 0) windows may be analysed at a time.
+  SharedServices(std::size_t free_cores, RetryLimit how_long, std::stop_token stop = {});
   /// Whose loops nobody claims just now.
   [[nodiscard]] std::vector<std::string> sources_away();
   /// Requested by whoever decides on the end of the process: nothing new is begun from then on, and

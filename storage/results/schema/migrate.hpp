@@ -15,7 +15,7 @@ namespace loopscope::storage {
 /// partitions of this month and the next three, and grants rights to those of the group roles that
 /// exist. A member of loopscope_owner makes everything
 /// as that role, so that every other member can change it. Returns the names of the migrations
-/// applied (empty = nothing to do). A schema of the whole former chain is taken over
+/// applied (empty = nothing to do). A schema that all superseded migrations have made is taken over
 /// (replace_superseded.hpp). Refuses (DatabaseError) a schema newer than the program, one of an
 /// earlier version of that chain, and one whose recorded migrations differ from the compiled-in
 /// ones. Blocks without a limit, whatever settings.statement_timeout_s says, as maintain() does.

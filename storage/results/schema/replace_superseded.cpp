@@ -9,8 +9,8 @@
 namespace loopscope::storage {
 namespace {
 
-/// Those that stand for the former chain. Of these, the ones from kFirstMadeAnew on hold views and
-/// functions, each by CREATE OR REPLACE, and the one table that the chain had not.
+/// Those that stand for the superseded migrations. Of these, the ones from kFirstMadeAnew on hold
+/// views and functions, each by CREATE OR REPLACE, and the one table that the chain had not.
 constexpr int kFirstMadeAnew = 103;
 constexpr int kLastOfTheSame = 105;
 
@@ -20,7 +20,7 @@ constexpr const char* kDropWrappers = R"(
       loopscope.grant_rights_of_0023(),
       loopscope.delete_old_rows_of_0012(timestamptz))";
 
-const Statement kForgetChain{"forget_former_chain", "DELETE FROM loopscope.schema_migration",
+const Statement kForgetChain{"forget_superseded", "DELETE FROM loopscope.schema_migration",
                              Rows::none};
 
 /// Whether every migration recorded is the one of the chain with its number.

@@ -7,11 +7,11 @@
 
 namespace loopscope::storage {
 
-/// Whether the migrations recorded (version, name, sha256, by version) are of the former chain.
+/// Whether the migrations recorded (version, name, sha256, by version) are superseded ones.
 [[nodiscard]] bool made_by_superseded(const pqxx::result& applied);
 
-/// Takes a schema over that the whole former chain has made: what holds no rows (views, functions)
-/// is made anew in the words of today, what only the chain needed goes, and its rows of
+/// Takes a schema over that all superseded migrations have made: what holds no rows (views,
+/// functions) is made anew in the words of today, what only the chain needed goes, and its rows of
 /// schema_migration become those of the migrations that stand for it. No table that holds
 /// rows is touched. Returns the names of those migrations. Refuses (DatabaseError) a chain that
 /// ends earlier, and one of other words.
