@@ -20,8 +20,8 @@ std::string text_of(const std::filesystem::path& file) {
 
 /// `taken->>'effect'`, `model::jsonb->'steps'`.
 void add_keys(const std::string& sql, std::set<std::string>& keys) {
-  static const std::regex kKey("->>?'([a-z_0-9]+)'");
-  for (std::sregex_iterator hit(sql.begin(), sql.end(), kKey), end; hit != end; ++hit) {
+  static const std::regex key("->>?'([a-z_0-9]+)'");
+  for (std::sregex_iterator hit(sql.begin(), sql.end(), key), end; hit != end; ++hit) {
     keys.insert((*hit)[1]);
   }
 }
