@@ -11,6 +11,7 @@
 #include "core/diagnosis/steady_error.hpp"
 #include "core/hos/slow/period.hpp"
 #include "core/signal/order/spread.hpp"
+#include "core/text/counted.hpp"
 
 namespace loopscope::core {
 namespace {
@@ -21,9 +22,8 @@ constexpr std::size_t kShortSegments = 32;
 std::string unusable_segments(std::size_t segments, const signal::PreparedLoop& loop) {
   const auto spread = signal::measure_spread(loop.error);
   if (spread && spread->constant()) return "the error does not vary";
-  return "the gaps leave " + std::to_string(segments) +
-         (segments == 1 ? " unbroken segment" : " unbroken segments") + ", at least " +
-         std::to_string(kMinSegments) + " are needed";
+  return "the gaps leave " + text::counted(segments, "unbroken segment", "unbroken segments") +
+         ", at least " + std::to_string(kMinSegments) + " are needed";
 }
 
 void add_flag(signal::DataQuality& quality, const char* flag) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/diagnosis/evidence/structure.hpp"
+#include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 
 namespace loopscope::core::diagnosis {
@@ -14,7 +15,7 @@ constexpr double kShown = 0.9;
 constexpr double kFalselyShown = 1e-3;
 
 std::string samples_text(std::size_t samples, double interval_s) {
-  return std::to_string(samples) + (samples == 1 ? " sample (" : " samples (") +
+  return text::counted(samples, "sample", "samples") + " (" +
          text::duration(static_cast<double>(samples) * interval_s) + ")";
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/text/counted.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {
@@ -89,9 +89,9 @@ std::string discovery_text(const DiscoveryReport& report) {
   std::vector<std::string> nameless;
   for (const CatalogueEntry& entry : found.without_pv) nameless.push_back(tags_of(entry));
   return fmt::format("historian {}: {}, {} new ({}), {} in the catalogue\n", report.source,
-                     counted(report.tags, "tag", "tags"),
-                     counted(found.loops.size(), "loop is", "loops are"), roles_text(found.loops),
-                     counted(report.known, "is", "are")) +
+                     core::text::counted(report.tags, "tag", "tags"),
+                     core::text::counted(found.loops.size(), "loop is", "loops are"),
+                     roles_text(found.loops), core::text::counted(report.known, "is", "are")) +
          line("without pv, left out", nameless) +
          line("without op, no model and no valve to judge",
               without(found.loops, &CatalogueEntry::op_tag)) +

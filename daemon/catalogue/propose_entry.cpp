@@ -7,8 +7,8 @@
 
 #include "core/signal/op_range.hpp"
 #include "core/signal/order/spread.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/catalogue/loop_type_of.hpp"
-#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -54,7 +54,7 @@ void propose_op(const CatalogueEntry& entry, const core::signal::Samples& op,
   if (!values || !(values->low < values->high)) return;
   const KnownRange found = core::signal::find_op_range(op, entry.op_range);
   const std::string seen = fmt::format("op is {:.6g} to {:.6g} in {}", values->low, values->high,
-                                       counted(op.size(), "value", "values"));
+                                       core::text::counted(op.size(), "value", "values"));
   if (found.source == RangeSource::set) return;
   if (!found.range) {
     proposals.push_back({entry.name, "", seen + ": no usual range; set op_low and op_high"});
@@ -100,7 +100,7 @@ void ask_for_pv(const CatalogueEntry& entry, const core::signal::Samples& pv,
   if (!spread || (entry.pv_range && fits(*spread, *entry.pv_range))) return;
   if (!entry.pv_range && !(spread->high > 0.0)) return;
   std::string seen = fmt::format("pv is {:.6g} to {:.6g} in {}", spread->low, spread->high,
-                                 counted(pv.size(), "value", "values"));
+                                 core::text::counted(pv.size(), "value", "values"));
   if (entry.pv_range) seen += ", not within " + core::signal::range_text(*entry.pv_range);
   const double low = spread->low < 0.0 ? -round_above(-spread->low) : 0.0;
   const double high = spread->high > 0.0 ? round_above(spread->high) : 0.0;

@@ -7,9 +7,9 @@
 
 #include "config/http_address.hpp"
 #include "config/read_settings.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/check_connection.hpp"
@@ -68,7 +68,7 @@ void check_config(const std::string& file) {
   }
   if (problems > 0) {
     throw Failure(ExitCode::database,
-                  counted(problems, "problem", "problems") + " with the databases",
+                  core::text::counted(problems, "problem", "problems") + " with the databases",
                   "each PROBLEM above has its own hint");
   }
 }

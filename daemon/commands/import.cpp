@@ -11,13 +11,13 @@
 #include "config/read_settings.hpp"
 #include "core/signal/base_interval.hpp"
 #include "core/signal/microseconds.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
 #include "daemon/recording/recording.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/windows/slot.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "daemon/text/time_text.hpp"
@@ -170,7 +170,7 @@ void import_recording(const ImportOptions& options) {
       storage::import_rows(writer, layout, tag_rows(entry, recording.rows), options.replace);
   catalogue.save(std::vector{entry});
   std::cout << fmt::format("{}: {} imported\n", printable(entry.name),
-                           counted(rows, "row", "rows"));
+                           core::text::counted(rows, "row", "rows"));
 }
 
 }  // namespace

@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include "config/read_settings.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/catalogue/catalogue_csv.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
@@ -83,7 +83,7 @@ void load_csv(const LoopsOptions& options) {
       parse_catalogue(table, defaults_of(opened.settings), opened.catalogue.list());
   require_known_sources(opened, entries);
   const std::size_t added = opened.catalogue.save(entries);
-  std::cout << fmt::format("{} added, {} changed\n", counted(added, "loop", "loops"),
+  std::cout << fmt::format("{} added, {} changed\n", core::text::counted(added, "loop", "loops"),
                            entries.size() - added);
 }
 

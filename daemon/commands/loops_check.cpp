@@ -5,6 +5,7 @@
 #include <map>
 
 #include "config/read_settings.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/catalogue/catalogue_csv.hpp"
 #include "daemon/catalogue/check_tags.hpp"
 #include "daemon/catalogue/discovery_text.hpp"
@@ -12,7 +13,6 @@
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/historian/historian_reader.hpp"
@@ -84,7 +84,7 @@ void tell_proposals(const CheckOptions& options, const config::Settings& setting
   if (changed.empty() || options.propose == "-") return;
   told << (options.propose.empty()
                ? fmt::format("--propose FILE.csv writes {} with what is proposed\n",
-                             counted(changed.size(), "loop", "loops"))
+                             core::text::counted(changed.size(), "loop", "loops"))
                : fmt::format("review {0}, then: loopscope loops --config {1} load {0}\n",
                              printable(options.propose), printable(*options.config)));
 }
@@ -100,16 +100,17 @@ void check(const CheckOptions& options) {
   tell_proposals(options, settings, entries);
   if (!options.out.empty()) write_csv(options.out, dead_ends_csv(found));
   if (!found.dead_ends.empty()) {
-    throw Failure(
-        ExitCode::unusable_data,
-        fmt::format("{} of {} of {} cannot be found", found.dead_ends.size(),
-                    counted(found.tags, "tag", "tags"), counted(found.loops, "loop", "loops")),
-        "correct them with loopscope loops set or load; loops discover shows what the "
-        "historian has");
+    throw Failure(ExitCode::unusable_data,
+                  fmt::format("{} of {} of {} cannot be found", found.dead_ends.size(),
+                              core::text::counted(found.tags, "tag", "tags"),
+                              core::text::counted(found.loops, "loop", "loops")),
+                  "correct them with loopscope loops set or load; loops discover shows what the "
+                  "historian has");
   }
   if (options.out == "-") return;
-  std::cout << fmt::format("{} of {}, all with rows\n", counted(found.tags, "tag", "tags"),
-                           counted(found.loops, "loop", "loops"));
+  std::cout << fmt::format("{} of {}, all with rows\n",
+                           core::text::counted(found.tags, "tag", "tags"),
+                           core::text::counted(found.loops, "loop", "loops"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/read_settings.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/catalogue/catalogue_csv.hpp"
 #include "daemon/catalogue/check_tags.hpp"
 #include "daemon/catalogue/discovery_text.hpp"
@@ -12,7 +13,6 @@
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/historian/historian_reader.hpp"
@@ -85,7 +85,7 @@ void require_something(const DiscoveryReport& report) {
   if (!report.discovery.loops.empty() || report.known > 0) return;
   throw Failure(ExitCode::unusable_data,
                 fmt::format("no loop was found among {} of historian {}",
-                            counted(report.tags, "tag", "tags"), report.source),
+                            core::text::counted(report.tags, "tag", "tags"), report.source),
                 "say how the site names them: --pattern '{loop}.{role}', --role pv=PV,MEAS; "
                 "/discovery keeps it in the settings");
 }
@@ -97,7 +97,7 @@ void put_out(const DiscoverOptions& options, const DiscoveryReport& report,
   (options.out == "-" ? std::cerr : std::cout) << discovery_text(report);
   require_something(report);
   if (options.add) {
-    std::cout << counted(catalogue.save(loops), "loop", "loops") + " added\n";
+    std::cout << core::text::counted(catalogue.save(loops), "loop", "loops") + " added\n";
   } else if (!options.out.empty()) {
     write_csv(options.out, catalogue_csv(loops));
     if (options.out == "-") return;

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "config/read_settings.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/plant/plant_watch.hpp"
 #include "daemon/service/observe/log.hpp"
@@ -16,7 +17,6 @@
 #include "daemon/service/observe/work_report.hpp"
 #include "daemon/service/pass.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
-#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -55,11 +55,11 @@ void once(const std::string& config_file) {
   }
   compare_all_loops(*settings, tools);
   if (!pass.first_failure) return;
-  throw Failure(
-      pass.first_failure->exit_code(),
-      fmt::format("{} failed and will be tried again later, the first because: {}",
-                  counted(pass.count.failed, "loop", "loops"), pass.first_failure->what()),
-      pass.first_failure->hint());
+  throw Failure(pass.first_failure->exit_code(),
+                fmt::format("{} failed and will be tried again later, the first because: {}",
+                            core::text::counted(pass.count.failed, "loop", "loops"),
+                            pass.first_failure->what()),
+                pass.first_failure->hint());
 }
 
 }  // namespace

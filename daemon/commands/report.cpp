@@ -11,11 +11,11 @@
 #include <string>
 
 #include "config/read_settings.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/what_if_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/cells.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/time_text.hpp"
 #include "storage/results/reports/report_database.hpp"
@@ -104,7 +104,7 @@ void report(const CommandOptions& options) {
                              .pictures = !options.no_pictures};
   const ReportResult result = write_report(config::read_settings(options.config), wanted);
   for (const auto& file : result.files) std::cout << "wrote " << file.string() << '\n';
-  std::cout << counted(result.flagged, "flagged loop", "flagged loops") << '\n';
+  std::cout << core::text::counted(result.flagged, "flagged loop", "flagged loops") << '\n';
   if (result.unpictured == 0 || options.no_pictures) return;
   std::cerr << fmt::format(
       "note: {} of them without pictures of their window, the first because "

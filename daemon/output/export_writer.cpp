@@ -4,10 +4,10 @@
 #include <iostream>
 #include <optional>
 
+#include "core/text/counted.hpp"
 #include "daemon/output/output_file.hpp"
 #include "daemon/output/standard_output.hpp"
 #include "daemon/output/write_csv.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
@@ -65,7 +65,7 @@ void note_quoted(std::size_t count) {
   std::cerr << fmt::format(
       "note: {} with =, +, - or @: a quote in front keeps spreadsheets from reading a formula; "
       "--format json has the text as it is\n",
-      counted(count, "cell begins", "cells begin"));
+      core::text::counted(count, "cell begins", "cells begin"));
 }
 
 }  // namespace

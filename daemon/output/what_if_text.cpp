@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "core/text/counted.hpp"
 #include "daemon/output/text_line.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/printable.hpp"
 
 namespace loopscope::daemon {
@@ -31,7 +31,7 @@ std::string what_if_text(const std::vector<storage::WhatIfRow>& rows) {
                      lost = count(rows, "lost");
   std::string text =
       fmt::format("{} would be flagged instead of {}: {} more, {} no more\n",
-                  counted(kept + gained, "loop", "loops"), kept + lost, gained, lost);
+                  core::text::counted(kept + gained, "loop", "loops"), kept + lost, gained, lost);
   if (rows.empty()) return text;
   text += fmt::format("  {:>5} {:<24} {:<22} {:>10} {:>9} {:>7}  {}\n", "rank", "loop", "verdict",
                       "confidence", "p", "score", "status");

@@ -5,10 +5,10 @@
 #include <iostream>
 #include <string_view>
 
+#include "core/text/counted.hpp"
 #include "daemon/output/output_file.hpp"
 #include "daemon/output/standard_output.hpp"
 #include "daemon/text/cells.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/csv_table.hpp"
 
 namespace loopscope::daemon {
@@ -32,7 +32,7 @@ void note_formulas(std::size_t count) {
   std::cerr << fmt::format(
       "note: {} with =, +, - or @: a spreadsheet takes this for a formula unless it is told to "
       "import every column as text\n",
-      counted(count, "cell begins", "cells begin"));
+      core::text::counted(count, "cell begins", "cells begin"));
 }
 
 void write_csv(const std::string& file, const std::string& csv) {

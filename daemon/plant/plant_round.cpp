@@ -4,9 +4,9 @@
 
 #include "core/plant/event.hpp"
 #include "core/plant/shared_oscillation.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/plant/compared_loops.hpp"
 #include "daemon/plant/event_record.hpp"
-#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -53,8 +53,9 @@ std::optional<storage::PlantRoundRecord> make_plant_round(storage::PlantRounds& 
 
 std::string round_text(const storage::PlantRoundRecord& round) {
   std::string text = fmt::format(
-      "{} compared, {} of them oscillating; {}", counted(round.loops, "loop", "loops"),
-      round.oscillating, counted(round.events.size(), "shared oscillation", "shared oscillations"));
+      "{} compared, {} of them oscillating; {}", core::text::counted(round.loops, "loop", "loops"),
+      round.oscillating,
+      core::text::counted(round.events.size(), "shared oscillation", "shared oscillations"));
   for (const storage::PlantEvent& event : round.events) text += "; " + event.statement;
   return text;
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "config/read_bounded.hpp"
-#include "daemon/text/counted.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
@@ -93,10 +93,11 @@ class Splitter {
 
 void require_width(const CsvTable& table, const CsvTable::Row& row) {
   if (row.cells.size() == table.header.size()) return;
-  throw Failure(ExitCode::unusable_data,
-                fmt::format("{}, line {}: {} where the header has {}", table.name, row.line,
-                            counted(row.cells.size(), "cell", "cells"), table.header.size()),
-                "separate cells by commas and leave missing ones empty; decimal point, not comma");
+  throw Failure(
+      ExitCode::unusable_data,
+      fmt::format("{}, line {}: {} where the header has {}", table.name, row.line,
+                  core::text::counted(row.cells.size(), "cell", "cells"), table.header.size()),
+      "separate cells by commas and leave missing ones empty; decimal point, not comma");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "core/model/controller/controller_moves.hpp"
 #include "core/model/controller/move_fit.hpp"
 #include "core/signal/order/order_statistic.hpp"
+#include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
@@ -110,8 +111,7 @@ std::string describe(const ControllerLaw& law, bool op_leads) {
   }
   return text::sentence("A law with gain ", law.gain, " % per pv unit and integral ", law.integral,
                         " per sample explains ", text::whole_percent(law.explained),
-                        " % of op's moves over ", law.span,
-                        law.span == 1 ? " sample." : " samples.");
+                        " % of op's moves over ", text::counted(law.span, "sample.", "samples."));
 }
 
 ControllerLaw law_of(const MoveFit& fit, const Terms& terms, bool has_setpoint) {

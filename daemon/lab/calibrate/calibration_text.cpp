@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "core/text/counted.hpp"
 #include "daemon/lab/calibrate/calibration.hpp"
 #include "daemon/lab/calibrate/cost.hpp"
-#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -99,7 +99,7 @@ std::string plant_line(const PlantSummary& plant) {
                     100.0 * plant.false_share.standard_error, 100.0 * plant.found_share.mean,
                     100.0 * plant.found_share.standard_error,
                     plant.untested > 0
-                        ? ", " + counted(plant.untested, "loop", "loops") + " untested"
+                        ? ", " + core::text::counted(plant.untested, "loop", "loops") + " untested"
                         : "");
 }
 

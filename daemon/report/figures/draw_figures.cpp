@@ -29,9 +29,18 @@ std::string script_of(std::span<const Figure> figures) {
   if (result.out_of_time)
     throw Failure(ExitCode::fault, "gnuplot did not end in time, pictures", kHint);
   throw Failure(ExitCode::fault,
-                fmt::format("gnuplot failed (exit code {}), pictures: {}", result.exit_code,
-                            result.complaint),
+                fmt::format("gnuplot failed (exit code {}), pictures{}{}", result.exit_code,
+                            result.complaint.empty() ? "" : ": ", result.complaint),
                 kHint);
+}
+
+ChildResult run_gnuplot(const ChildCommand& command, const std::stop_token& stop) {
+  try {
+    return run_child(command, stop);
+  } catch (const std::system_error& error) {
+    throw Failure(ExitCode::fault, std::string("gnuplot cannot be started: ") + error.what(),
+                  "memory or processes of this user have run out: end what is not needed");
+  }
 }
 
 }  // namespace
@@ -55,19 +64,6 @@ std::vector<std::string> split_svg(const std::string& output) {
   }
   return documents;
 }
-
-namespace {
-
-ChildResult run_gnuplot(const ChildCommand& command, const std::stop_token& stop) {
-  try {
-    return run_child(command, stop);
-  } catch (const std::system_error& error) {
-    throw Failure(ExitCode::fault, std::string("gnuplot cannot be started: ") + error.what(),
-                  "memory or processes of this user have run out: end what is not needed");
-  }
-}
-
-}  // namespace
 
 std::vector<Picture> draw_figures(std::span<const Figure> figures,
                                   const std::filesystem::path& gnuplot,

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/text/counted.hpp"
 #include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/loop_report.hpp"
 #include "daemon/report/page/page_frame.hpp"
@@ -10,7 +11,6 @@
 #include "daemon/report/sections/plant_section.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
-#include "daemon/text/counted.hpp"
 #include "daemon/text/failure.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 
@@ -66,7 +66,7 @@ LivePage LiveReader::loops() {
   storage::ReportDatabase database(results_connection(*settings_));
   const auto rows = database.loops();
   return {page({titled(settings_->report.plant, "All loops"),
-                counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), true},
+                core::text::counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), true},
                {loop_list(rows)})};
 }
 

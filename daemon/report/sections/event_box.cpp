@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/sections/cause_bars.hpp"
@@ -14,7 +15,6 @@
 #include "daemon/report/sections/picture_rows.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
-#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -125,21 +125,22 @@ Markup event_box(const PlantOscillationRow& event, std::span<const Picture> pict
   const auto others = static_cast<std::int64_t>(members.size() - shown);
   const Markup map = follow_map(event);
   // The list stands beside map and pictures: its numbers are theirs.
-  return render("event_box",
-                {{"number", event.number},
-                 {"period", core::text::duration(event.period_s)},
-                 {"loops", counted(static_cast<std::int64_t>(members.size()), "loop", "loops")},
-                 {"source", event.source_name.value_or("")},
-                 {"statement", event.statement},
-                 {"until", utc(event.slot_end_us)},
-                 {"any_odds", event.outside.has_value()},
-                 {"odds", odds(event)},
-                 {"any_drawn", !pictures.empty() || !map.html.empty()},
-                 {"pictures", picture_rows(pictures)},
-                 {"map", map},
-                 {"members", rows(members.first(shown), fields)},
-                 {"others", others == 0 ? "" : counted(others, "loop", "loops")},
-                 {"smaller", rows(members.subspan(shown), fields)}});
+  return render(
+      "event_box",
+      {{"number", event.number},
+       {"period", core::text::duration(event.period_s)},
+       {"loops", core::text::counted(static_cast<std::int64_t>(members.size()), "loop", "loops")},
+       {"source", event.source_name.value_or("")},
+       {"statement", event.statement},
+       {"until", utc(event.slot_end_us)},
+       {"any_odds", event.outside.has_value()},
+       {"odds", odds(event)},
+       {"any_drawn", !pictures.empty() || !map.html.empty()},
+       {"pictures", picture_rows(pictures)},
+       {"map", map},
+       {"members", rows(members.first(shown), fields)},
+       {"others", others == 0 ? "" : core::text::counted(others, "loop", "loops")},
+       {"smaller", rows(members.subspan(shown), fields)}});
 }
 
 }  // namespace loopscope::daemon

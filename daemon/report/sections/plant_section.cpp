@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/sections/event_box.hpp"
@@ -9,7 +10,6 @@
 #include "daemon/report/sections/repairs_table.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
-#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -97,9 +97,9 @@ Markup plant_section(const PlantFacts& facts, LoopLinks links) {
   return render("plant_section",
                 {{"tiles", tiles(facts)},
                  {"any_hidden", counts.victims + counts.annotated + counts.unlisted != 0},
-                 {"affected", counted(counts.victims, "loop", "loops")},
-                 {"findings", counted(counts.annotated, "finding", "findings")},
-                 {"faults", counted(counts.unlisted, "fault", "faults")},
+                 {"affected", core::text::counted(counts.victims, "loop", "loops")},
+                 {"findings", core::text::counted(counts.annotated, "finding", "findings")},
+                 {"faults", core::text::counted(counts.unlisted, "fault", "faults")},
                  {"any_oscillation", !facts.oscillations.empty()},
                  {"picture_trouble", facts.picture_trouble},
                  {"oscillations", event_boxes(facts, links)},

@@ -4,8 +4,8 @@
 #include <spdlog/spdlog.h>
 #include <utility>
 
+#include "core/text/counted.hpp"
 #include "daemon/service/observe/stage_timings.hpp"
-#include "daemon/text/counted.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -27,14 +27,15 @@ void add(storage::WriteCount& sum, const storage::WriteCount& more) {
 std::string count_text(const storage::WriteCount& count) {
   const std::size_t all =
       count.inserted + count.revised + count.unchanged + count.failed + count.fenced_off;
-  std::string text =
-      fmt::format("{}: {} new, {} revised, {} unchanged, {} failed", counted(all, "loop", "loops"),
-                  count.inserted, count.revised, count.unchanged, count.failed);
+  std::string text = fmt::format("{}: {} new, {} revised, {} unchanged, {} failed",
+                                 core::text::counted(all, "loop", "loops"), count.inserted,
+                                 count.revised, count.unchanged, count.failed);
   if (count.not_judged > 0) {
     text += fmt::format(", {} could not be judged (loopscope.data_problem)", count.not_judged);
   }
   if (count.revised_earlier > 0) {
-    text += ", " + counted(count.revised_earlier, "earlier window", "earlier windows") + " revised";
+    text += ", " + core::text::counted(count.revised_earlier, "earlier window", "earlier windows") +
+            " revised";
   }
   if (count.fenced_off > 0) text += fmt::format(", {} taken over by others", count.fenced_off);
   return text;

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/model/residual_tests/statistics/score_test.hpp"
+#include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
@@ -15,9 +16,8 @@ std::string statement_of(const Score& score, double sample_interval_s) {
   score.t.cwiseAbs().maxCoeff(&strongest);
   const auto lag = kMoveLags.at(static_cast<std::size_t>(strongest));
   return "The residual follows moves of op, most those of " +
-         text::duration(lag * sample_interval_s) + " (" + std::to_string(lag) +
-         (lag == 1 ? " sample" : " samples") + ") before, " +
-         text::number(std::abs(score.t[strongest])) +
+         text::duration(lag * sample_interval_s) + " (" + text::counted(lag, "sample", "samples") +
+         ") before, " + text::number(std::abs(score.t[strongest])) +
          " standard errors: the linear model's dead time or order does not fit.";
 }
 

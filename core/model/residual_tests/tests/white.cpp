@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/model/residual_tests/statistics/tails.hpp"
+#include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 
 namespace loopscope::core::model {
@@ -61,8 +62,8 @@ TestOutcome test_white(const ResidualContext& context) {
     answer.question.statement =
         "The residual is autocorrelated, most at " +
         text::duration(static_cast<double>(strongest_lag) * context.view.sample_interval_s) + " (" +
-        std::to_string(strongest_lag) + (strongest_lag == 1 ? " sample" : " samples") +
-        ") before, " + text::number(std::abs(strongest)) + " standard errors, " +
+        text::counted(strongest_lag, "sample", "samples") + ") before, " +
+        text::number(std::abs(strongest)) + " standard errors, " +
         (strongest > 0.0 ? "with the same sign." : "with the opposite sign.");
   return answer;
 }

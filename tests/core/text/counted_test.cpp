@@ -1,9 +1,9 @@
-#include "daemon/text/counted.hpp"
+#include "core/text/counted.hpp"
 
 #include <cstddef>
 #include <gtest/gtest.h>
 
-namespace loopscope::daemon {
+namespace loopscope::core::text {
 namespace {
 
 TEST(Counted, OneIsNoPlural) {
@@ -13,4 +13,4 @@ TEST(Counted, OneIsNoPlural) {
 }
 
 }  // namespace
-}  // namespace loopscope::daemon
+}  // namespace loopscope::core::text

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace loopscope::daemon {
+namespace loopscope::core::text {
 
 /// "1 loop", "3 loops".
 template <std::integral Number>
@@ -13,4 +13,4 @@ template <std::integral Number>
   return std::to_string(number).append(" ").append(number == 1 ? singular : plural);
 }
 
-}  // namespace loopscope::daemon
+}  // namespace loopscope::core::text
