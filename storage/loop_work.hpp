@@ -56,6 +56,12 @@ struct LastVerdict {
   std::optional<double> p;  ///< of the test behind it; nullopt = it rests on none
 };
 
+/// A slot of the past that a loop was claimed for (ResultsDatabase::claim_past()).
+struct PastSlot {
+  std::int64_t end_us = 0;
+  std::int64_t due_us = 0;  ///< when the loop is due for its newest slot, as before this claim
+};
+
 /// A loop that this worker holds until its lease ends.
 struct ClaimedLoop {
   CatalogueEntry loop;
@@ -66,6 +72,14 @@ struct ClaimedLoop {
   std::optional<LastVerdict> last_verdict = std::nullopt;  ///< the newest one; nullopt = none yet
   /// What its windows so far tell of pv; nullopt = none yet, or by a program that did not say.
   std::optional<core::signal::PvPast> pv_past = std::nullopt;
+  /// The slot that it was claimed for; the two members before are those of the slot before it.
+  /// nullopt = its newest one.
+  std::optional<PastSlot> past = std::nullopt;
+
+  /// For CompletedLoop and FailedLoop.
+  [[nodiscard]] std::optional<std::int64_t> kept_due_us() const {
+    return past ? std::optional(past->due_us) : std::nullopt;
+  }
 };
 
 /// Which claim of which loop.
@@ -87,6 +101,9 @@ struct CompletedLoop {
   bool judged = true;  ///< false: the verdict is `insufficient_data` or `not_controlling`
   std::vector<DataProblem> problems = {};    ///< of the newest slot
   std::vector<AnalysisRecord> revised = {};  ///< of earlier slots whose input had changed since
+  /// Of a claim for a past slot: the loop is due then, and all else in its schedule and of the
+  /// problems of its data stays as it was.
+  std::optional<std::int64_t> kept_due_us = std::nullopt;
 };
 
 /// A claimed loop whose work failed: it is set aside and retried after a pause.
@@ -96,6 +113,8 @@ struct FailedLoop {
   std::string error;            ///< in words, shown as the loop's last error
   double retry_after_s = 60.0;  ///< from the database's now() on
   bool at_fault = true;         ///< false: its historian is away; counts as no failure of the loop
+  /// As in CompletedLoop: no pause, no failure is noted.
+  std::optional<std::int64_t> kept_due_us = std::nullopt;
 };
 
 /// What a process says of itself while it works.

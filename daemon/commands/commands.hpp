@@ -14,6 +14,7 @@ namespace loopscope::daemon {
 /// exit codes.
 void add_run(CLI::App& program);
 void add_once(CLI::App& program);
+void add_backfill(CLI::App& program);
 void add_analyze(CLI::App& program);
 void add_import(CLI::App& program);
 void add_loops(CLI::App& program);

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "config/read_settings.hpp"
+#include "daemon/backfill/backfill_plan.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/shared/compare_clocks.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/time_text.hpp"
 #include "storage/results/schema/accept_clocks.hpp"
 #include "storage/results/schema/migrate.hpp"
 
@@ -18,6 +21,7 @@ namespace {
 struct MaintainOptions {
   std::string config;
   bool accept_clock = false;
+  std::string since;
 };
 
 /// By the owner's connection: a worker's may not be there.
@@ -46,14 +50,27 @@ void accept_clocks(const config::Settings& settings, SharedServices& tools) {
   tools.clocks.accept(accepted);
 }
 
+/// nullopt = no month of the past is asked for.
+std::optional<std::int64_t> past_since(const config::Settings& settings,
+                                       const MaintainOptions& options) {
+  if (options.since.empty()) return std::nullopt;
+  const auto since_us = parse_time(options.since);
+  if (!since_us) {
+    throw Failure(ExitCode::usage, fmt::format("--since \"{}\" is not a time", options.since),
+                  "e.g. --since 2026-01-01");
+  }
+  static_cast<void>(months_to_keep(owner_connection(settings), settings, *since_us));
+  return since_us;
+}
+
 void maintain(const MaintainOptions& options) {
   const config::Settings settings = config::read_settings(options.config);
   SharedServices tools(1, RetryLimit::one_lease);
   if (options.accept_clock) accept_clocks(settings, tools);
   if (const auto why = refusal(look(settings, tools))) throw *why;
-  const auto result = storage::maintain(
-      owner_connection(settings),
-      {settings.results.retention_months, tools.clocks.check(), options.accept_clock});
+  const auto result = storage::maintain(owner_connection(settings),
+                                        {settings.results.retention_months, tools.clocks.check(),
+                                         options.accept_clock, past_since(settings, options)});
   for (const std::string& name : result.created) std::cout << "created " << name << '\n';
   for (const std::string& name : result.dropped) std::cout << "dropped " << name << '\n';
 }
@@ -67,6 +84,9 @@ void add_maintain(CLI::App& program) {
   command.add_option("--config", options->config, "Settings file")->required();
   command.add_flag("--accept-clock", options->accept_clock,
                    "The results server's clock is right, whatever others say; noted in the schema");
+  command.add_option(
+      "--since", options->since,
+      "Makes the partitions of past months as well, from this time on, for backfill");
   command.callback([options] { maintain(*options); });
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "config/settings.hpp"
 #include "daemon/service/shared/shared_services.hpp"
@@ -14,6 +15,11 @@ namespace loopscope::daemon {
 /// Stops early when the process shall end. Throws storage::DatabaseError; what was judged before it
 /// is stored.
 void judge_repairs(const config::Settings& settings, SharedServices& tools);
+
+/// The same; what was judged of these loops is judged anew, since windows of before their newest
+/// ones were added.
+void judge_repairs_anew(const config::Settings& settings, SharedServices& tools,
+                        std::span<const std::int64_t> loop_ids);
 
 /// So many pieces of work, the last of this number.
 struct JudgedBatch {

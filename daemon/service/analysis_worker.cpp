@@ -38,7 +38,7 @@ AnalysisWorker::AnalysisWorker(std::shared_ptr<const config::Settings> settings,
       reader_(settings_, settings_json_, slot_rule, tools, progress_, results_, driver_) {}
 
 template <typename Claim>
-std::vector<ClaimedLoop> AnalysisWorker::timed_claim(Claim claim) {
+std::vector<ClaimedLoop> AnalysisWorker::timed_claim(Claim claim, bool again) {
   (void)driver_.take();  // what failed before has brought no loop to its end
   const auto ask = [&](storage::ResultsDatabase& database) {
     if (std::exchange(in_doubt_, true)) database.release_owned(owner_);
@@ -46,8 +46,8 @@ std::vector<ClaimedLoop> AnalysisWorker::timed_claim(Claim claim) {
     in_doubt_ = false;
     return claimed;
   };
-  std::vector<ClaimedLoop> claims =
-      driver_.run(&storage::StageCost::claim_s, [&] { return results_.with(ask); });
+  std::vector<ClaimedLoop> claims = driver_.run(
+      &storage::StageCost::claim_s, [&] { return again ? with_retry(ask) : results_.with(ask); });
   const storage::StageCost cost = driver_.take();
   if (claims.empty()) return claims;  // what a look without a find takes is idling
   progress_.hold(claims);
@@ -83,6 +83,14 @@ std::vector<ClaimedLoop> AnalysisWorker::claim_next(std::int64_t after) {
   return timed_claim([&](storage::ResultsDatabase& database) {
     return database.claim_next(owner_, schedule.hold_s(), schedule.batch_loops, after);
   });
+}
+
+std::vector<ClaimedLoop> AnalysisWorker::claim_past(
+    double reserve_s, std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot) {
+  const auto claim = [&](storage::ResultsDatabase& database) {
+    return database.claim_past(owner_, settings_->schedule.hold_s(), reserve_s, loop_and_slot);
+  };
+  return timed_claim(claim, true);
 }
 
 std::optional<double> AnalysisWorker::next_due_in_s() {
@@ -224,11 +232,13 @@ void AnalysisWorker::give_back(const std::string& reason) {
   std::vector<storage::FailedLoop> failed;
   failed.reserve(held.size());
   for (const ClaimedLoop& claim : held) {
-    failed.push_back({claim.loop.loop_id, claim.fence, reason, kRefusedPause_s, false});
+    failed.push_back(
+        {claim.loop.loop_id, claim.fence, reason, kRefusedPause_s, false, claim.kept_due_us()});
   }
   try {
     results_.with([&](storage::ResultsDatabase& database) {
-      tools_.stop.stop_requested() ? database.release(held) : void(database.finish({}, failed));
+      const bool untouched = tools_.stop.stop_requested() && !held.front().past;
+      untouched ? database.release(held) : void(database.finish({}, failed));
       return true;
     });
   } catch (const storage::DatabaseError& error) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,10 @@ class AnalysisWorker {
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_suspect();
   /// Claims the next loops after `after` in the order of the catalogue; no suspects.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_next(std::int64_t after);
+  /// Claims loops for slots of the past (loop_id, slot_end_us), those that are not due for
+  /// `reserve_s`; a results database that is away is tried again for a while.
+  [[nodiscard]] std::vector<storage::ClaimedLoop> claim_past(
+      double reserve_s, std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot);
   /// Brings claimed loops to their end. Throws storage::DatabaseError when the results cannot be
   /// written; the loops are then given back or, where that fails too, their claims run out.
   storage::WriteCount process(const std::vector<storage::ClaimedLoop>& claims);
@@ -66,8 +71,9 @@ class AnalysisWorker {
 
   [[nodiscard]] std::vector<std::pair<std::string, Claims>> by_source(
       const std::vector<storage::ClaimedLoop>& claims);
+  /// `again`: a results database that is away is tried again.
   template <typename Claim>
-  std::vector<storage::ClaimedLoop> timed_claim(Claim claim);
+  std::vector<storage::ClaimedLoop> timed_claim(Claim claim, bool again = false);
   template <typename Use>
   auto with_retry(Use use) {
     return results_.with_retry(tools_.perseverance, use, [this] { progress_.step(); });

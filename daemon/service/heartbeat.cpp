@@ -45,6 +45,19 @@ void Heartbeat::run(const std::stop_token& stop) {
     last_beat_ = Clock::now();
     changed_.wait_for(lock, stop, pause, [this] { return settings_ != linked_with_; });
   }
+  leave();
+}
+
+/// No end waits for a database that is away: the worker is missed there after a lease.
+void Heartbeat::leave() {
+  if (!heard_) return;
+  try {
+    link_->with([](storage::ResultsDatabase& database) {
+      database.leave_worker(process_name());
+      return true;
+    });
+  } catch (const storage::DatabaseError&) {  // NOLINT(bugprone-empty-catch): as if nobody heard it
+  }
 }
 
 double Heartbeat::beat() {
@@ -60,12 +73,14 @@ double Heartbeat::beat() {
     pause_ = RetryPause(settings->schedule.poll_s);
   }
   const double interval_s = settings->schedule.hold_s() / kBeatsInAHold;
+  heard_ = false;
   try {
     link_->with([&](storage::ResultsDatabase& database) {
       extend(database, settings->schedule.hold_s());
       return true;
     });
     pause_.reset();
+    heard_ = true;
     tools_.faults.recovered("heartbeat");
     return interval_s;
   } catch (const storage::DatabaseError& error) {

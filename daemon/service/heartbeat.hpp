@@ -35,6 +35,7 @@ class Heartbeat {
   void run(const std::stop_token& stop);
   /// Seconds until the next beat.
   double beat();
+  void leave();
   void extend(storage::ResultsDatabase& database, double hold_s);
 
   SharedServices& tools_;
@@ -48,6 +49,7 @@ class Heartbeat {
   std::shared_ptr<const config::Settings> linked_with_;
   std::optional<ResultsLink> link_;
   RetryPause pause_;
+  bool heard_ = false;   ///< the last beat reached the database
   std::jthread thread_;  // last: it ends before what it uses
 };
 

@@ -4,6 +4,7 @@
 
 #include "storage/array_literal.hpp"
 #include "storage/results/leases/claim_loops.hpp"
+#include "storage/results/leases/claim_past.hpp"
 #include "storage/results/leases/finish_loops.hpp"
 #include "storage/results/leases/held_loops.hpp"
 #include "storage/results/schema/schema_version.hpp"
@@ -69,9 +70,13 @@ const Statement kSeeWorker{"see_worker", R"(
     VALUES ($1, $2, $3::integer, $4::integer, $5::bigint)
     ON CONFLICT (worker) DO UPDATE SET
       program_version = EXCLUDED.program_version,
-      algorithm_revision = EXCLUDED.algorithm_revision, last_seen = now(),
+      algorithm_revision = EXCLUDED.algorithm_revision, last_seen = now(), left_at = NULL,
       held_loops = EXCLUDED.held_loops, lost_leases = EXCLUDED.lost_leases)",
                            Rows::none};
+
+const Statement kLeaveWorker{"leave_worker", R"(
+    UPDATE loopscope.worker SET left_at = now(), held_loops = 0 WHERE worker = $1)",
+                             Rows::none};
 
 const Statement kCountEnabled{"count_enabled_loops",
                               "SELECT count(*) FROM loopscope.loop WHERE enabled", Rows::one};
@@ -118,6 +123,14 @@ std::vector<ClaimedLoop> ResultsDatabase::claim_suspect(const std::string& owner
 std::vector<ClaimedLoop> ResultsDatabase::claim_next(const std::string& owner, double lease_s,
                                                      int limit, std::int64_t after) {
   return storage::claim_next(impl_->session, impl_->check, {owner, lease_s, limit, after});
+}
+
+std::vector<ClaimedLoop> ResultsDatabase::claim_past(
+    const std::string& owner, double lease_s, double reserve_s,
+    std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot) {
+  return storage::claim_past(
+      impl_->session, impl_->check,
+      {owner, lease_s, reserve_s, {loop_and_slot.begin(), loop_and_slot.end()}});
 }
 
 std::vector<StoredDigest> ResultsDatabase::stored_digests(
@@ -174,6 +187,12 @@ void ResultsDatabase::see_worker(const WorkerSign& sign) {
         kSeeWorker,
         {make_storable(sign.worker), sign.program_version, std::to_string(sign.algorithm_revision),
          std::to_string(sign.held_loops), std::to_string(sign.lost_leases)});
+  });
+}
+
+void ResultsDatabase::leave_worker(const std::string& worker) {
+  impl_->transact_in_time([&](Transaction& transaction) {
+    transaction.run(kLeaveWorker, {make_storable(worker)});
   });
 }
 

@@ -51,12 +51,21 @@ class ResultsDatabase {
   /// not, in the order of loop_id: one pass over the catalogue, but for suspects.
   [[nodiscard]] std::vector<ClaimedLoop> claim_next(const std::string& owner, double lease_s,
                                                     int limit, std::int64_t after);
+  /// Claims loops for slots of the past (loop_id, slot_end_us; of each loop one) without disturbing
+  /// the work on their newest slots: the claim ends when the loop falls due, `lease_s` from now at
+  /// the latest, and finish() leaves the schedule as it was. While any worker is at work,
+  /// as seen within `lease_s`, only loops that nobody holds and that are not due for `reserve_s` (>= 0), or half
+  /// of their period; else all but those of a living lease. No suspects. In the order of loop_id.
+  [[nodiscard]] std::vector<ClaimedLoop> claim_past(
+      const std::string& owner, double lease_s, double reserve_s,
+      std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot);
   /// Digests of those (loop_id, slot_end_us) that are already stored under the revision, in any
   /// order; `settings_json`, a JSON object, is compared with the settings of each.
   [[nodiscard]] std::vector<StoredDigest> stored_digests(
       std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot, int algorithm_revision,
       const std::string& settings_json = "{}");
-  /// Writes results and gives the loops back in ONE transaction. A loop whose fence is no longer
+  /// Writes results and gives the loops back in ONE transaction; all were claimed for their newest
+  /// slots, or all for slots of the past. A loop whose fence is no longer
   /// the claimed one, or whose slot is after now(), is skipped and counted. Repeating the call
   /// after a lost commit is harmless.
   WriteCount finish(std::span<const CompletedLoop> completed, std::span<const FailedLoop> failed);
@@ -74,6 +83,8 @@ class ResultsDatabase {
   std::vector<ClaimKey> extend(std::span<const ClaimedLoop> claimed, double lease_s);
   /// Notes that the process is at work (table loopscope.worker).
   void see_worker(const WorkerSign& sign);
+  /// Notes that the process (host/pid) ends.
+  void leave_worker(const std::string& worker);
   /// Looks for loops that are due and that the next claims would pass over (claim_watermark.hpp),
   /// as every claim does that finds nothing; 30 ms of the server's time, a second at the first
   /// call.

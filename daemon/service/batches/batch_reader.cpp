@@ -103,6 +103,11 @@ void note_data(const std::string& source, std::span<const LoopTask> tasks, Metri
   if (unknown > 0) metrics.unknown_quality(source, unknown);
 }
 
+/// A worker claims its loops for their newest slots, or all of them for slots of the past.
+bool of_the_past(const Claims& claims) {
+  return claims.front()->past.has_value();
+}
+
 LoopTask* find_task(std::vector<LoopTask>& tasks, const storage::ClaimedLoop* claim) {
   const auto found = std::ranges::find(tasks, claim, &LoopTask::claim);
   return found == tasks.end() ? nullptr : &*found;
@@ -125,7 +130,7 @@ BatchReader::BatchReader(std::shared_ptr<const config::Settings> settings,
 BatchReader::Read BatchReader::read(const std::string& source, const Claims& claims, Batch& batch) {
   const double fetched_before_s = driver_.cost().fetch_s;
   Read done = read_newest(source, claims, batch);
-  if (done == Read::all) {
+  if (done == Read::all && !of_the_past(claims)) {
     note_data(source, batch.tasks, tools_.metrics);
     batch.stored =
         driver_.run(&storage::StageCost::claim_s, [&] { return stored_analyses(batch.tasks); });
@@ -181,8 +186,9 @@ BatchReader::Read BatchReader::read_newest(const std::string& source, const Clai
   const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
     const SourceTime time = time_of(source, historian);
     by_rows = time.rule != slot_rule_;
-    const auto slots = newest_slots(
-        historian, claims, {schedule.settle_s, time.rule, schedule.catch_up_slots}, time.now_us);
+    const SlotSettings wanted{schedule.settle_s, time.rule, schedule.catch_up_slots};
+    const auto slots = of_the_past(claims) ? claimed_past_slots(historian, claims)
+                                           : newest_slots(historian, claims, wanted, time.now_us);
     windows = windows_of(historian, slots, batch);
   });
   if (done != Read::all) return done;

@@ -23,7 +23,8 @@ struct SourceTime {
 };
 
 /// Brings a batch from its claims to windows that are ready for analysis: the newest of each loop,
-/// what is stored of their slots, and the earlier ones that late rows may have changed. Rows are
+/// what is stored of their slots, and the earlier ones that late rows may have changed; of claims
+/// for slots of the past their windows alone. Rows are
 /// read with a connection to the historian, windows prepared with a core, nothing with both. What
 /// is done when that fails is decided here: a source that is away postpones its loops, a loop at
 /// fault is set aside.

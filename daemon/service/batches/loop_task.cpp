@@ -118,6 +118,21 @@ void add_problems(const LoopTask& task, std::size_t max_samples, CompletedLoop& 
   }
 }
 
+/// A slot of the past, without a record where pv was not recorded then.
+CompletedLoop complete_past(const LoopTask& task, const AnalysisOrders& orders,
+                            StageDriver& driver) {
+  const storage::ClaimedLoop& claim = *task.claim;
+  CompletedLoop completed;
+  completed.loop_id = claim.loop.loop_id;
+  completed.fence = claim.fence;
+  completed.slot_end_us = claim.past->end_us;
+  completed.kept_due_us = claim.kept_due_us();
+  const TagReading* pv = find_reading(task.newest.at_slot.tags, "pv");
+  if (pv != nullptr && pv->newest_row_us)
+    completed.record = changed_record(task, task.newest, nullptr, orders, driver);
+  return completed;
+}
+
 }  // namespace
 
 ModelPolicy model_wish(const config::Settings& settings, std::size_t enabled_loops,
@@ -180,6 +195,7 @@ CompletedLoop complete_task(const LoopTask& task, const StoredAnalyses& stored,
                             const AnalysisOrders& orders, StageDriver& driver) {
   const config::Settings& settings = orders.settings;
   const storage::ClaimedLoop& claim = *task.claim;
+  if (claim.past) return complete_past(task, orders, driver);
   const std::int64_t slot_end_us = task.newest.at_slot.slot_end_us;
   const StoredDigest* known = stored.find(claim.loop.loop_id, slot_end_us);
   const double period_s = claim.loop.period_s, settle_s = settings.schedule.settle_s;

@@ -86,6 +86,27 @@ std::vector<LoopSlot> newest_slots(HistorianReader& historian,
   return slots;
 }
 
+std::vector<LoopSlot> claimed_past_slots(storage::HistorianReader& historian,
+                                         std::span<const ClaimedLoop* const> claims) {
+  std::vector<TagRequest> requests;
+  for (const ClaimedLoop* claim : claims) {
+    const std::int64_t end_us = claim->past->end_us;
+    const std::int64_t period_us = core::signal::microseconds(claim->loop.period_s);
+    requests.push_back(
+        {claim->loop.pv_tag, end_us, end_us + period_us - 1, 1, storage::RowBefore::no});
+  }
+  const std::vector<core::signal::RawSeries> rows = historian.read(requests);
+  std::vector<LoopSlot> slots;
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    LoopSlot& slot = slots.emplace_back(past_slot(claims[k]->loop, claims[k]->past->end_us));
+    slot.pv_past = claims[k]->pv_past;
+    if (rows[k].time_us.empty()) {
+      for (TagReading& tag : slot.tags) tag.newest_row_us = std::nullopt;
+    }
+  }
+  return slots;
+}
+
 LoopSlot past_slot(const storage::CatalogueEntry& loop, std::int64_t slot_end_us) {
   LoopSlot slot{&loop, slot_end_us, {}};
   for (const TagRole& role : kTagRoles) {

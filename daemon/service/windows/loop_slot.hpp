@@ -59,6 +59,13 @@ struct SlotSettings {
     storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims,
     const SlotSettings& settings, std::int64_t now_us);
 
+/// The past slots that loops of ONE historian were claimed for, in their order: one round trip.
+/// Like the slots of the newest samples (SlotRule), there is none where pv has no row from the
+/// slot's end on to that of the next one; its tags say so: pv has no newest row. Throws
+/// storage::DatabaseError.
+[[nodiscard]] std::vector<LoopSlot> claimed_past_slots(
+    storage::HistorianReader& historian, std::span<const storage::ClaimedLoop* const> claims);
+
 /// A slot that was analysed before, to be read again: its pv had rows then, so nobody has to ask
 /// which of the tags are alive. `loop` has to outlive it.
 [[nodiscard]] LoopSlot past_slot(const storage::CatalogueEntry& loop, std::int64_t slot_end_us);

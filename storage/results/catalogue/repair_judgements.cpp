@@ -7,6 +7,7 @@
 #include "core/diagnosis/diagnose.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "storage/array_literal.hpp"
+#include "storage/results/catalogue/repair_figures.hpp"
 #include "storage/results/rows/loop_row.hpp"
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/session.hpp"
@@ -128,7 +129,13 @@ const Statement kStoreRepairJudgement{"store_repair_judgement", R"(
                            AND kept.works = EXCLUDED.works)))",
                                       Rows::none};
 
-using core::repair::FigureChange;
+// A digest that no work has.
+const Statement kMakeRepairsDue{"make_repairs_due", R"(
+    UPDATE loopscope.repair_judgement SET works = '' FROM loopscope.maintenance_event AS work
+    WHERE repair_judgement.maintenance_event_id = work.maintenance_event_id
+      AND work.loop_id = ANY ($1::bigint[]))",
+                                Rows::none};
+
 using core::repair::Interval;
 using core::repair::RepairWindow;
 
@@ -203,36 +210,6 @@ std::vector<DueRepair> read_all_due(Transaction& transaction, std::int64_t behin
   return due;
 }
 
-std::string json_number(double value) {
-  // JSON has no infinity: the exponential of an interval may be one.
-  return std::isfinite(value) ? number_text(value) : "null";
-}
-
-std::string interval_json(const std::string& name, const std::optional<Interval>& interval) {
-  const auto field = [&](const char* end, double Interval::*part) {
-    return ",\"" + name + end + "\":" + (interval ? json_number((*interval).*part) : "null");
-  };
-  return field("", &Interval::value) + field("_low", &Interval::low) +
-         field("_high", &Interval::high);
-}
-
-/// As the view maintenance_figure takes them apart.
-std::string figure_json(const FigureChange& figure) {
-  return "\"" + std::string(figure.kind->name) +
-         "\":{\"n_before\":" + std::to_string(figure.windows_before) +
-         ",\"n_after\":" + std::to_string(figure.windows_after) +
-         ",\"is_ratio\":" + (figure.kind->is_ratio ? "true" : "false") +
-         interval_json("before", figure.before) + interval_json("after", figure.after) +
-         interval_json("change", figure.change) + "}";
-}
-
-std::string figures_json(std::span<const FigureChange> figures) {
-  std::string json = "{";
-  for (const FigureChange& figure : figures)
-    json += (json.size() > 1 ? "," : "") + figure_json(figure);
-  return json + "}";
-}
-
 std::string code_of(const std::optional<core::repair::StandingFault>& fault) {
   return fault ? fault->code : "";
 }
@@ -276,6 +253,13 @@ RepairJudgements::~RepairJudgements() = default;
 std::vector<DueRepair> RepairJudgements::due(std::size_t limit, std::int64_t behind) {
   return impl_->session.transact(
       [&](Transaction& transaction) { return read_all_due(transaction, behind, limit); });
+}
+
+void RepairJudgements::make_due(std::span<const std::int64_t> loop_ids) {
+  ArrayLiteral ids;
+  for (const std::int64_t id : loop_ids) ids.add_integer(id);
+  impl_->session.transact(
+      [&](Transaction& transaction) { transaction.run(kMakeRepairsDue, {ids.text()}); });
 }
 
 void RepairJudgements::store(std::span<const JudgedRepair> judged) {

@@ -42,6 +42,9 @@ class RepairJudgements {
   /// At most `limit` pieces of work whose number is larger than `behind`, by number: who goes on
   /// behind the last one comes to an end, whatever happens meanwhile.
   [[nodiscard]] std::vector<DueRepair> due(std::size_t limit, std::int64_t behind = 0);
+  /// Lets all work on these loops be judged again, however long ago it was: windows about it were
+  /// added. Its outcomes stay until then.
+  void make_due(std::span<const std::int64_t> loop_ids);
   /// An outcome stays when its windows have been deleted since (retention). Work that was deleted
   /// meanwhile is left out.
   void store(std::span<const JudgedRepair> judged);

@@ -4,52 +4,16 @@
 #include <utility>
 
 #include "storage/array_literal.hpp"
-#include "storage/results/rows/loop_row.hpp"
+#include "storage/results/leases/claim_statement.hpp"
 #include "storage/results/session/results_clock.hpp"
 #include "storage/utf8.hpp"
 
 namespace loopscope::storage {
 namespace {
 
-// A claim is ONE statement. The chosen rows are locked first and then updated by their place in the
-// table (ctid): joined as a subquery they cost a scan of the whole table under an unlucky plan, and
-// by key a look at every version that an old snapshot keeps. A claim that finds an owner takes over
-// from a worker that was lost: that counts as a failure and as a lost lease, so that a loop which
-// kills its workers is noticed. Only the database's clock is used.
-#define LOOPSCOPE_CLAIM(CHOICE)                                                                 \
-  "WITH chosen AS MATERIALIZED (SELECT due.ctid AS place, due.loop_id, due.visible_at " CHOICE  \
-  " FOR UPDATE OF due SKIP LOCKED), claimed AS ("                                               \
-  "  UPDATE loopscope.schedule AS s SET"                                                        \
-  "    owner = $1, fence = s.fence + 1, visible_at = now() + $2::float8 * interval '1 second'," \
-  "    hold_s = $2::float8,"                                                                    \
-  "    attempts = least(s.attempts + (s.owner IS NOT NULL)::integer, 1000000),"                 \
-  "    lost_leases = least(s.lost_leases + (s.owner IS NOT NULL)::integer, 1000000),"           \
-  "    last_error = CASE WHEN s.owner IS NULL THEN s.last_error"                                \
-  "                      ELSE 'the lease of ' || s.owner || ' ended without a result' END"      \
-  "  WHERE s.ctid = ANY (ARRAY(SELECT chosen.place FROM chosen))"                               \
-  "  RETURNING s.loop_id, s.fence, s.attempts, s.last_slot_end, s.result_slot_end,"             \
-  "    s.pv_flat_s, s.pv_step) "                                                                \
-  "SELECT " LOOPSCOPE_LOOP_COLUMNS                                                              \
-  ","                                                                                           \
-  "  claimed.fence, claimed.attempts, (extract(epoch FROM now()) * 1000000)::bigint AS now_us," \
-  "  (extract(epoch FROM least(chosen.visible_at, now())) * 1000000)::bigint AS due_us,"        \
-  "  (extract(epoch FROM claimed.last_slot_end) * 1000000)::bigint AS last_slot_end_us,"        \
-  "  said.code AS last_code, said.confidence AS last_confidence, said.p AS last_p,"             \
-  "  claimed.pv_flat_s, claimed.pv_step "                                                       \
-  "FROM claimed JOIN chosen USING (loop_id) JOIN loopscope.loop USING (loop_id) "               \
-  "LEFT JOIN LATERAL ("                                                                         \
-  "  SELECT verdict.code, verdict.confidence, verdict.p FROM loopscope.verdict"                 \
-  "  WHERE verdict.loop_id = claimed.loop_id AND verdict.slot_end = claimed.result_slot_end"    \
-  "  ORDER BY verdict.algorithm_revision DESC, verdict.input_revision DESC LIMIT 1"             \
-  ") AS said ON true ORDER BY loop_id"
-
 // A time in microseconds, exactly.
 #define LOOPSCOPE_TIME(PARAMETER) \
   "(timestamptz 'epoch' + " PARAMETER "::bigint * interval '1 microsecond')"
-
-// What would be the third lost lease in a row makes a loop a suspect: it may be what kills the
-// workers, and is left out of the batches.
-#define LOOPSCOPE_SUSPECT "due.lost_leases + (due.owner IS NOT NULL)::integer >= 3"
 
 // Behind the place that the watermark names (claim_watermark.hpp); said twice, because the planner
 // expects a third of the table of a comparison of rows, and few of one of times.
@@ -111,18 +75,12 @@ const Statement kRestSuspects{"rest_suspects", R"(
       FOR UPDATE SKIP LOCKED)))",
                               Rows::none};
 
-// The row of a loop is the one with its highest fence: looked for from there, the versions that an
-// old snapshot keeps are not passed.
 const Statement kClaimNext{
-    "claim_next",
-    LOOPSCOPE_CLAIM("FROM loopscope.loop CROSS JOIN LATERAL ("
-                    "  SELECT kept.ctid AS place FROM loopscope.schedule AS kept"
-                    "  WHERE kept.loop_id = loop.loop_id ORDER BY kept.fence DESC LIMIT 1"
-                    ") AS newest JOIN loopscope.schedule AS due ON due.ctid = newest.place "
-                    "WHERE due.enabled AND loop.loop_id > $4::bigint"
-                    "  AND (due.owner IS NULL OR due.visible_at <= now())"
-                    "  AND NOT (" LOOPSCOPE_SUSPECT ") "
-                    "ORDER BY loop.loop_id LIMIT $3::bigint")};
+    "claim_next", LOOPSCOPE_CLAIM("FROM loopscope.loop" LOOPSCOPE_NEWEST_SCHEDULE(
+                      "loop.loop_id") "WHERE due.enabled AND loop.loop_id > $4::bigint"
+                                      "  AND (due.owner IS NULL OR due.visible_at <= now())"
+                                      "  AND NOT (" LOOPSCOPE_SUSPECT ") "
+                                      "ORDER BY loop.loop_id LIMIT $3::bigint")};
 
 /// Seconds of the server's. With nothing dead in the way all of time takes some milliseconds.
 constexpr double kPatience_s = 0.03;
@@ -136,29 +94,6 @@ std::string text_of(const std::vector<std::string>& but_of) {
   ArrayLiteral sources;
   for (const std::string& source : but_of) sources.add_text(source);
   return sources.text();
-}
-
-std::optional<LastVerdict> read_last_verdict(const pqxx::row& row) {
-  const auto code = core::diagnosis::verdict_code(read_text(row["last_code"]));
-  if (!code) return std::nullopt;
-  return LastVerdict{*code, row["last_confidence"].as<double>(), read_number(row["last_p"])};
-}
-
-ClaimedLoop read_claim(const pqxx::row& row) {
-  return {read_loop(row),
-          row["fence"].as<std::int64_t>(),
-          row["attempts"].as<int>(),
-          row["now_us"].as<std::int64_t>(),
-          read_integer(row["last_slot_end_us"]),
-          read_last_verdict(row),
-          read_pv_past(row)};
-}
-
-std::vector<ClaimedLoop> read_claims(const pqxx::result& rows) {
-  std::vector<ClaimedLoop> claimed;
-  claimed.reserve(rows.size());
-  for (const pqxx::row& row : rows) claimed.push_back(read_claim(row));
-  return claimed;
 }
 
 DuePlace read_place(const pqxx::row& row) {

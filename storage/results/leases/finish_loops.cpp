@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "storage/array_literal.hpp"
+#include "storage/results/leases/claim_past.hpp"
 #include "storage/results/leases/held_loops.hpp"
 #include "storage/results/writes/write_problems.hpp"
 #include "storage/results/writes/write_results.hpp"
@@ -86,9 +87,34 @@ std::vector<const CompletedLoop*> complete(Transaction& transaction,
   return kept;
 }
 
+/// Gives back what was claimed for past slots, done or failed, and returns whose claim still held.
+template <typename Loops>
+std::unordered_set<std::int64_t> give_back(Transaction& transaction, const Loops& loops) {
+  ArrayLiteral loop_id, fence, due;
+  for (const auto& loop : loops) {
+    loop_id.add_integer(loop.loop_id);
+    fence.add_integer(loop.fence);
+    due.add_time(*loop.kept_due_us);
+  }
+  const auto held = give_back_past(transaction, {loop_id.text(), fence.text(), due.text()});
+  return {held.begin(), held.end()};
+}
+
+/// As complete() of claims for past slots.
+std::vector<const CompletedLoop*> complete_past(Transaction& transaction,
+                                                std::span<const CompletedLoop> completed) {
+  const std::unordered_set<std::int64_t> held = give_back(transaction, completed);
+  std::vector<const CompletedLoop*> kept;
+  for (const CompletedLoop& loop : completed) {
+    if (held.contains(loop.loop_id)) kept.push_back(&loop);
+  }
+  return kept;
+}
+
 /// Returns how many leases still held.
 std::size_t set_aside(Transaction& transaction, std::span<const FailedLoop> failed) {
   if (failed.empty()) return 0;
+  if (failed.front().kept_due_us) return give_back(transaction, failed).size();
   ArrayLiteral loop_id, fence, error, retry_after_s, at_fault;
   for (const FailedLoop& loop : failed) {
     loop_id.add_integer(loop.loop_id);
@@ -146,7 +172,9 @@ WriteCount write_completed(Transaction& transaction,
 WriteCount finish_loops(Transaction& transaction, std::span<const CompletedLoop> completed,
                         std::span<const FailedLoop> failed) {
   std::vector<const CompletedLoop*> held;
-  if (!completed.empty()) held = complete(transaction, completed);
+  if (!completed.empty())
+    held = completed.front().kept_due_us ? complete_past(transaction, completed)
+                                         : complete(transaction, completed);
   WriteCount count = write_completed(transaction, held);
   count.failed = set_aside(transaction, failed);
   count.fenced_off = completed.size() - held.size() + failed.size() - count.failed;

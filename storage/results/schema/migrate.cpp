@@ -10,6 +10,7 @@
 #include "storage/results/session/schema_owner.hpp"
 #include "storage/results/session/schema_statements.hpp"
 #include "storage/results/session/session.hpp"
+#include "storage/timestamp.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -60,13 +61,19 @@ std::vector<std::string> apply_pending(Transaction& transaction, std::size_t app
   return names;
 }
 
-std::vector<std::string> make_partitions(Transaction& transaction) {
+std::vector<std::string> names_in(const pqxx::result& rows) {
   std::vector<std::string> names;
-  for (const pqxx::row& row :
-       transaction.run(statements::kMakePartitions, {std::to_string(kMonthsAhead)})) {
-    names.emplace_back(row["name"].c_str());
-  }
+  for (const pqxx::row& row : rows) names.emplace_back(row["name"].c_str());
   return names;
+}
+
+std::vector<std::string> make_partitions(Transaction& transaction) {
+  return names_in(transaction.run(statements::kMakePartitions, {std::to_string(kMonthsAhead)}));
+}
+
+/// Of the months before this one.
+std::vector<std::string> make_past_partitions(Transaction& transaction, std::int64_t since_us) {
+  return names_in(transaction.run(statements::kMakePastPartitions, {timestamp_text(since_us)}));
 }
 
 std::vector<std::string> migrate_all(Transaction& transaction) {
@@ -101,11 +108,7 @@ auto maintain_in_time(Session& session, const MaintenanceOrders& orders, Work wo
 }
 
 std::vector<std::string> expired_partitions(Transaction& transaction, const std::string& months) {
-  std::vector<std::string> names;
-  for (const pqxx::row& row : transaction.run(statements::kExpiredPartitions, {months})) {
-    names.emplace_back(row["name"].c_str());
-  }
-  return names;
+  return names_in(transaction.run(statements::kExpiredPartitions, {months}));
 }
 
 void refuse_many(const std::vector<std::string>& partitions) {
@@ -171,10 +174,13 @@ MaintenanceResult maintain(const ConnectionSettings& owner, const MaintenanceOrd
   Session session(without_time_limit(owner));
   require_schema_version(session);
   MaintenanceResult result;
-  result.created = maintain_in_time(session, orders, [](Transaction& transaction) {
+  result.created = maintain_in_time(session, orders, [&](Transaction& transaction) {
     transaction.run(statements::kBecomeOwner);
     transaction.run(statements::kLockSchema);
-    return make_partitions(transaction);
+    std::vector<std::string> names;
+    if (orders.since_us) names = make_past_partitions(transaction, *orders.since_us);
+    for (std::string& name : make_partitions(transaction)) names.push_back(std::move(name));
+    return names;
   });
   if (orders.retention_months > 0) result.dropped = drop_expired(session, orders);
   delete_old_notes(session, orders);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,19 +34,21 @@ struct MaintenanceOrders {
   int retention_months = 0;  ///< 0 = keep all
   ClockCheck check = {};     ///< asked before anything is made or dropped
   bool drop_many = false;    ///< a person says that more than kMostMonthsAtOnce may go
+  /// Months from then on (microseconds UTC since 1970, not after now()) get partitions as well.
+  std::optional<std::int64_t> since_us = std::nullopt;
 };
 
 /// Run once a day, `maintain` drops a month at a time, or two after a month in which it failed.
 /// More at once looks like a clock that is ahead.
 inline constexpr int kMostMonthsAtOnce = 2;
 
-/// Makes partitions ahead and drops those that end `retention_months` before the newest result
-/// that is not after now(): a clock that has run on without results expires nothing. Where more
-/// than kMostMonthsAtOnce would go, nothing does and it throws DatabaseError. Each is done in tries
-/// that keep no reader waiting (transact_between_others). Workers that are gone and old figures of
-/// what stages cost go whatever is kept. A newer schema that still serves this program is kept up
-/// by its own functions, so that a program that was put back goes on; any other one is refused
-/// (DatabaseError).
+/// Makes partitions ahead, those of past months where they are wanted, and drops those that end
+/// `retention_months` before the newest result that is not after now(): a clock that has run on
+/// without results expires nothing. Where more than kMostMonthsAtOnce would go, nothing does and it
+/// throws DatabaseError. Each is done in tries that keep no reader waiting
+/// (transact_between_others). Workers that are gone and old figures of what stages cost go whatever
+/// is kept. A newer schema that still serves this program is kept up by its own functions, so that
+/// a program that was put back goes on; any other one is refused (DatabaseError).
 MaintenanceResult maintain(const ConnectionSettings& owner, const MaintenanceOrders& orders);
 
 }  // namespace loopscope::storage

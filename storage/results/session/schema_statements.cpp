@@ -68,6 +68,12 @@ const Statement kRecordMigration{"record_migration", R"(
 const Statement kMakePartitions{"make_partitions",
                                 "SELECT loopscope.make_partitions(now(), $1::integer) AS name"};
 
+const Statement kMakePastPartitions{"make_past_partitions", R"(
+    SELECT loopscope.make_partitions($1::timestamptz,
+      (12 * extract(year FROM months.between) + extract(month FROM months.between))::integer) AS name
+    FROM (SELECT age(date_trunc('month', now() AT TIME ZONE 'UTC'),
+                     date_trunc('month', $1::timestamptz AT TIME ZONE 'UTC')) AS between) AS months)"};
+
 const Statement kGrantRights{"grant_rights", "SELECT loopscope.grant_rights()", Rows::one};
 
 const Statement kExpiredPartitions{"expired_partitions", R"(

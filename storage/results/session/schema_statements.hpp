@@ -16,6 +16,8 @@ extern const Statement kLockSchema;
 extern const Statement kAppliedMigrations;  ///< -> version, name, sha256, by version
 extern const Statement kRecordMigration;    ///< version, name, sha256
 extern const Statement kMakePartitions;  ///< months, the running one included -> name of each made
+/// timestamptz -> the same of its month and those up to this one, which is not made
+extern const Statement kMakePastPartitions;
 extern const Statement kGrantRights;
 extern const Statement kExpiredPartitions;  ///< retention_months -> name
 extern const Statement kDropPartition;      ///< name

@@ -120,16 +120,11 @@ const std::array kColumns{
     Column{"control_lost_by", "text", add_lost_by},
     Column{"control_lost_at", "timestamptz", add_lost_at},
     Column{"op_range_doubt", "text", add_doubt},
-    Column{"past_pv_flat_s", "float8",
-           [](ArrayLiteral& a, const CompletedLoop& l) {
-             const auto& past = record(l).pv_past;
-             past ? a.add_number(past->longest_flat_s) : a.add_null();
-           }},
-    Column{"past_pv_step", "float8",
-           [](ArrayLiteral& a, const CompletedLoop& l) {
-             const auto& past = record(l).pv_past;
-             past && past->step > 0.0 ? a.add_number(past->step) : a.add_null();
-           }},
+    Column{"past_pv_flat_s", "float8", add_past_pv_flat},
+    Column{"past_pv_step", "float8", add_past_pv_step},
+    Column{"pv_flat_s", "float8",
+           add_figure<&Evidence::pv_past, &core::signal::PvPast::longest_flat_s>},
+    Column{"pv_step", "float8", add_pv_step},
     Column{"missing_fraction", "float8", quality<&DataQuality::missing_fraction>},
     Column{"compression_factor", "float8", quality<&DataQuality::compression_factor>},
     Column{"quantisation_factor", "float8", quality<&DataQuality::quantisation_factor>},
@@ -214,10 +209,12 @@ bool is_key(std::string_view column) {
   return column == "loop_id" || column == "slot_end" || column == "algorithm_revision";
 }
 
-/// Who made the row, from what, and in what time.
+/// Who made the row, from what, and in what time; and what it tells the next window, which rows of
+/// before schema 106 do not say.
 bool is_provenance(std::string_view column) {
   return column == "fence" || column == "program_version" || column == "settings" ||
-         column == "input_digest" || column.ends_with("_ms");
+         column == "input_digest" || column.ends_with("_ms") || column == "pv_flat_s" ||
+         column == "pv_step";
 }
 
 std::string joined(auto text_of) {

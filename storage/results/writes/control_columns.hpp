@@ -10,7 +10,8 @@
 
 namespace loopscope::storage {
 
-/// Columns of loopscope.analysis about the controller: whether one acted. Every loop has a record.
+/// Columns of loopscope.analysis about the controller: whether one acted; and about what one window
+/// tells the next of pv. Every loop has a record.
 inline constexpr const char* kNotControlled = "no controller acted for most of the window";
 
 /// A window without a controller shows no loop.
@@ -40,6 +41,24 @@ inline void add_lost_at(ArrayLiteral& array, const CompletedLoop& loop) {
   const core::signal::Grid grid{loop.record->window_start_us, loop.record->sample_interval_s,
                                 loop.record->samples};
   array.add_time(grid.time_us(*sample));
+}
+
+inline void add_past_pv_flat(ArrayLiteral& array, const CompletedLoop& loop) {
+  const std::optional<core::signal::PvPast>& past = loop.record->pv_past;
+  past ? array.add_number(past->longest_flat_s) : array.add_null();
+}
+
+/// NULL where it is not known.
+inline void add_step(ArrayLiteral& array, double step) {
+  step > 0.0 ? array.add_number(step) : array.add_null();
+}
+
+inline void add_past_pv_step(ArrayLiteral& array, const CompletedLoop& loop) {
+  add_step(array, loop.record->pv_past.value_or(core::signal::PvPast{}).step);
+}
+
+inline void add_pv_step(ArrayLiteral& array, const CompletedLoop& loop) {
+  add_step(array, loop.record->diagnosis.evidence.pv_past.step);
 }
 
 }  // namespace loopscope::storage

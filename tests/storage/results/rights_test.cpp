@@ -201,7 +201,7 @@ TEST_F(RightsTest, CheckFindsEachRightThatIsMissing) {
         std::pair{"UPDATE (fence) ON loopscope.schedule", "UPDATE on loopscope.schedule"},
         std::pair{"INSERT ON loopscope.worker", "INSERT on loopscope.worker"},
         std::pair{"UPDATE (last_seen, held_loops, lost_leases, started_at, program_version,"
-                  " algorithm_revision) ON loopscope.worker",
+                  " algorithm_revision, left_at) ON loopscope.worker",
                   "UPDATE on loopscope.worker"},
         std::pair{"INSERT ON loopscope.flag_notice", "INSERT on loopscope.flag_notice"},
         std::pair{"EXECUTE ON FUNCTION loopscope.flagged_at",

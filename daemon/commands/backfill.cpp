@@ -1,0 +1,124 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <fmt/format.h>
+#include <iostream>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <sys/resource.h>
+
+#include "config/read_settings.hpp"
+#include "core/signal/microseconds.hpp"
+#include "core/text/counted.hpp"
+#include "daemon/backfill/backfill_plan.hpp"
+#include "daemon/backfill/past_slots.hpp"
+#include "daemon/commands/commands.hpp"
+#include "daemon/plant/judge_repairs.hpp"
+#include "daemon/service/observe/log.hpp"
+#include "daemon/service/shared/compare_clocks.hpp"
+#include "daemon/service/threads/worker_identity.hpp"
+#include "daemon/text/time_text.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using core::text::counted;
+
+struct BackfillCommand {
+  std::string config;
+  BackfillOptions backfill;
+};
+
+/// The daemon and people go first, on the processor; each window has to be read from the historian
+/// all the same, one connection a core.
+void yield_to_others() {
+  constexpr int kNice = 19;
+  ::setpriority(PRIO_PROCESS, 0, kNice);
+}
+
+std::int64_t newest_settled_us(const std::shared_ptr<const config::Settings>& settings,
+                               SharedServices& tools) {
+  ResultsLink results(settings, tools.faults, tools.metrics, tools.clocks, tools.stop,
+                      tools.watermarks);
+  if (const auto refusal = compare_clocks(*settings, tools, results)) throw *refusal;
+  const std::int64_t now_us =
+      results.with([](storage::ResultsDatabase& database) { return database.clock().now_us; });
+  return now_us - core::signal::microseconds(settings->schedule.settle_s);
+}
+
+std::vector<std::int64_t> ids_of(const std::vector<storage::CatalogueEntry>& loops) {
+  std::vector<std::int64_t> ids;
+  for (const storage::CatalogueEntry& loop : loops) ids.push_back(loop.loop_id);
+  return ids;
+}
+
+std::string summary(const PassResult& pass, const PastSlots& slots) {
+  std::string text =
+      fmt::format("{} of {}: {} judged, {} had been judged before, {} without a sample of pv",
+                  slots.settled(), counted(slots.total(), "window", "windows"), pass.count.inserted,
+                  slots.stored(), pass.count.unchanged);
+  if (pass.signal != 0) text += "; stopped by a signal, the same command goes on with the others";
+  return text;
+}
+
+void require_all(const PassResult& pass, const std::vector<std::string>& given_up) {
+  if (given_up.empty()) return;
+  const std::string left = counted(given_up.size(), "loop was left", "loops were left") +
+                           ", the first \"" + given_up.front() + "\"";
+  const std::string again = "the same command goes on with what is left";
+  if (!pass.first_failure) {
+    throw Failure(ExitCode::database, left + ": nobody could claim it",
+                  "loopscope.monitor_health says what becomes of it; " + again);
+  }
+  throw Failure(pass.first_failure->exit_code(),
+                fmt::format("{}; the first failure: {}", left, pass.first_failure->what()),
+                pass.first_failure->hint() + "; " + again);
+}
+
+void backfill(const BackfillCommand& options) {
+  const auto settings =
+      std::make_shared<const config::Settings>(config::read_settings(options.config));
+  set_up_log(settings->daemon);
+  const std::stop_source stop;
+  const std::size_t cores = core_count(settings->daemon);
+  SharedServices tools(cores, RetryLimit::endless, stop.get_token());
+  BackfillPlan plan =
+      plan_backfill(*settings, options.backfill, newest_settled_us(settings, tools));
+  PastSlots slots(settings, tools, plan.loops, plan.times_us);
+  std::cout << fmt::format("{}, {} each, from {} to {}\n",
+                           counted(plan.loops.size(), "loop", "loops"),
+                           counted(plan.times_us.size(), "window", "windows"),
+                           format_time(plan.times_us.front()), format_time(plan.times_us.back()))
+            << std::flush;
+  yield_to_others();
+  const PassResult pass =
+      run_workers(settings, tools, stop, {slots, cores, slots.total(), "windows"});
+  std::cout << summary(pass, slots) << std::endl;
+  if (pass.count.inserted > 0) judge_repairs_anew(*settings, tools, ids_of(plan.loops));
+  if (pass.signal != 0) {
+    // Whoever waits for this program learns from its end that not all is done.
+    std::signal(pass.signal, SIG_DFL);
+    std::raise(pass.signal);
+  }
+  require_all(pass, slots.given_up());
+}
+
+}  // namespace
+
+void add_backfill(CLI::App& program) {
+  CLI::App& command = *program.add_subcommand(
+      "backfill", "Judges windows of the past, from what the historian holds of them");
+  const auto options = std::make_shared<BackfillCommand>();
+  command.add_option("--config", options->config, "Settings file")->required();
+  command.add_option("--since", options->backfill.since, "First window's end, e.g. 2026-01-01")
+      ->required();
+  command
+      .add_option("--every", options->backfill.every, "From one window's end to the next, e.g. 1d")
+      ->required();
+  command.add_option("--loop", options->backfill.loops,
+                     "Loop; may be given several times (default: all enabled loops)");
+  command.callback([options] { backfill(*options); });
+}
+
+}  // namespace loopscope::daemon
