@@ -18,6 +18,8 @@ constexpr double kReserve_s = 30.0;
 /// A loop whose work fails so often is given up; the pauses between span a restart of a server.
 constexpr int kFailures = 3;
 constexpr double kFailurePause_s = 30.0;
+/// For a loop that cannot be claimed.
+constexpr double kLongestWait_s = 3600.0;
 
 std::chrono::steady_clock::duration seconds(double s) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
@@ -114,8 +116,10 @@ std::vector<ClaimedLoop> PastSlots::claim(AnalysisWorker& worker,
   for (const ClaimedLoop& claim : claims) refused.erase(by_id_.at(claim.loop.loop_id));
   for (const PlaceNumber number : refused) {
     Place& place = loops_[number];
-    // Whoever has its newest slots judged lets go of it within a period.
-    const auto limit = seconds(2.0 * place.loop.period_s + settings_->schedule.lease_s);
+    // Whoever judges its newest slot lets go of it soon; one that was disabled meanwhile stays
+    // away.
+    const auto limit =
+        seconds(std::min(2.0 * place.loop.period_s, kLongestWait_s) + settings_->schedule.lease_s);
     place.free_until = std::min(place.free_until, Clock::now() + limit);
     place.free_until < Clock::now() ? give_up(number) : put_off(number, settings_->schedule.poll_s);
   }
@@ -129,7 +133,6 @@ void PastSlots::done(const std::vector<ClaimedLoop>& claims, const storage::Writ
   for (const ClaimedLoop& claim : claims) {
     const PlaceNumber number = by_id_.at(claim.loop.loop_id);
     Place& place = loops_[number];
-    place.free_until = Clock::time_point::max();
     // Which of a batch failed shows when it is tried again: the others are stored then.
     if (count.failed == 0 && count.fenced_off == 0) {
       advance(number);
@@ -146,6 +149,7 @@ void PastSlots::advance(PlaceNumber number) {
   Place& place = loops_[number];
   const std::int64_t slot_us = slot_of(place);
   place.failures = 0;
+  place.free_until = Clock::time_point::max();
   do {
     ++place.next;
     ++settled_;
@@ -159,11 +163,6 @@ void PastSlots::put_off(PlaceNumber number, double pause_s) {
 
 void PastSlots::give_up(PlaceNumber number) {
   given_up_.push_back(loops_[number].loop.name);
-}
-
-std::size_t PastSlots::settled() const {
-  const std::lock_guard lock(mutex_);
-  return settled_;
 }
 
 std::size_t PastSlots::stored() const {

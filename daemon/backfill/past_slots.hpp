@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -35,7 +36,7 @@ class PastSlots : public ClaimSource {
   std::vector<storage::ClaimedLoop> next(AnalysisWorker& worker) override;
   void done(const std::vector<storage::ClaimedLoop>& claims,
             const storage::WriteCount& count) override;
-  [[nodiscard]] std::size_t settled() const override;
+  [[nodiscard]] std::size_t settled() const override { return settled_; }
   /// Slots of all loops together, done or not.
   [[nodiscard]] std::size_t total() const { return loops_.size() * times_us_.size(); }
   /// Of those, which were stored before.
@@ -79,7 +80,8 @@ class PastSlots : public ClaimSource {
   std::set<std::pair<std::size_t, PlaceNumber>> ready_;  ///< by time, then loop
   std::multimap<Clock::time_point, PlaceNumber> waiting_;
   std::size_t in_hand_ = 0;
-  std::size_t settled_ = 0;
+  std::atomic<std::size_t> settled_ =
+      0;  ///< read without the lock, which is held while claims wait
   std::size_t stored_ = 0;
   std::vector<std::string> given_up_;
 };
