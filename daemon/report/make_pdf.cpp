@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <fmt/format.h>
 
-#include "daemon/report/figures/run_child.hpp"
+#include "daemon/report/programs/run_child.hpp"
 #include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {

@@ -6,6 +6,7 @@
 
 #include "tests/end_to_end/plant.hpp"
 #include "tests/support/hostile_names.hpp"
+#include "tests/support/process.hpp"
 
 namespace loopscope::tests {
 namespace {
@@ -90,6 +91,27 @@ TEST(Report, SaysWhichPackageIsMissing) {
   const ProgramResult without_engine = run_program(command);
   EXPECT_EQ(without_engine.exit_code, 3);
   EXPECT_THAT(without_engine.err, HasSubstr("apt-get install weasyprint"));
+}
+
+// Whoever ends the program by its number alone must not leave the PDF's engine at work.
+TEST(Report, TheEngineEndsWithTheProgram) {
+  const Plant plant;
+  const std::string pid_file = plant.folder() / "pid";
+  const std::filesystem::path engine = plant.folder() / "weasyprint";
+  std::ofstream(engine) << "#!/bin/sh\necho $$ > " << pid_file << ".new\nmv " << pid_file << ".new "
+                        << pid_file << "\nexec sleep 600\n";
+  std::filesystem::permissions(engine, std::filesystem::perms::owner_all);
+  std::vector<std::string> command{"/usr/bin/env", "PATH=" + plant.folder().string()};
+  for (const std::string& argument : plant.command_line("report")) command.push_back(argument);
+  const std::string folder = plant.folder() / "reports";
+  command.insert(command.end(), {"--out", folder, "--pdf", "--no-pictures"});
+  BackgroundProgram program(command, plant.folder() / "log");
+  const std::string child = first_line_of(pid_file, 60.0);
+  EXPECT_NE(child, "") << content_of(plant.folder() / "log");
+  program.send(SIGTERM);
+  EXPECT_EQ(program.wait(20.0), -1) << "a signal is no exit";
+  EXPECT_TRUE(ends_within(child, 20.0));
+  EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
 TEST(Report, ThePdfHasTheSameLoops) {

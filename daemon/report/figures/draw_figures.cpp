@@ -7,7 +7,7 @@
 
 #include "daemon/report/figures/compact_svg.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
-#include "daemon/report/figures/run_child.hpp"
+#include "daemon/report/programs/run_child.hpp"
 #include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {

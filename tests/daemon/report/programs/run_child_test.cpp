@@ -1,12 +1,16 @@
-#include "daemon/report/figures/run_child.hpp"
+#include "daemon/report/programs/run_child.hpp"
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <system_error>
 #include <thread>
+#include <unistd.h>
 
+#include "tests/support/process.hpp"
 #include "tests/support/source_dir.hpp"
 
 namespace loopscope::daemon {
@@ -67,7 +71,43 @@ TEST(RunChild, InheritsNoVariableAndNoDescriptor) {
 }
 
 TEST(RunChild, SaysWhatCannotBeStarted) {
-  EXPECT_THROW((void)run_child({"/nonexistent/program", {}, ""}), std::system_error);
+  try {
+    (void)run_child({"/nonexistent/program", {}, ""});
+    FAIL() << "started";
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code(), std::errc::no_such_file_or_directory);
+    EXPECT_THAT(error.what(), HasSubstr("cannot run /nonexistent/program"));
+  }
+}
+
+TEST(RunChild, EndsWithUsHoweverWeAreEnded) {
+  const tests::TemporaryFolder folder;
+  const std::string file = folder.path() / "pid";
+  const pid_t program = fork();
+  ASSERT_GE(program, 0);
+  if (program == 0) {
+    (void)shell("echo $$ > " + file + ".new; mv " + file + ".new " + file + "; exec sleep 600", "",
+                milliseconds(600'000));
+    _exit(0);
+  }
+  const std::string child = tests::first_line_of(file, 20.0);
+  EXPECT_NE(child, "");
+  ::kill(program, SIGKILL);
+  ::waitpid(program, nullptr, 0);
+  EXPECT_TRUE(tests::ends_within(child, 20.0));
+}
+
+TEST(RunChild, FindsItsStreamsWhereWeHaveNone) {
+  const pid_t program = fork();
+  ASSERT_GE(program, 0);
+  if (program == 0) {
+    for (const int stream : {0, 1, 2}) ::close(stream);
+    const ChildResult result = shell("cat; echo wrong >&2", "input");
+    _exit(result.out == "input" && result.complaint == "wrong\n" ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(program, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST(FindProgram, LooksThroughThePathAndOnlyThere) {

@@ -1,4 +1,4 @@
-#include "daemon/report/figures/run_child.hpp"
+#include "daemon/report/programs/run_child.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "daemon/output/descriptor.hpp"
+#include "daemon/report/programs/start_child.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -60,49 +60,6 @@ Descriptor input_file(std::string_view input, const std::filesystem::path& progr
   return file;
 }
 
-/// What a child is given beside its arguments.
-class Surroundings {
- public:
-  Surroundings(const Descriptor& in, const Pipe& out, const Pipe& error) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawnattr_init(&attributes_);
-    posix_spawn_file_actions_adddup2(&actions_, in.number(), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions_, out.theirs.number(), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions_, error.theirs.number(), STDERR_FILENO);
-    posix_spawn_file_actions_addclosefrom_np(&actions_, STDERR_FILENO + 1);
-    posix_spawn_file_actions_addchdir_np(&actions_, "/");
-    sigset_t none, all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    posix_spawnattr_setsigmask(&attributes_, &none);
-    posix_spawnattr_setsigdefault(&attributes_, &all);
-    posix_spawnattr_setpgroup(&attributes_, 0);
-    posix_spawnattr_setflags(
-        &attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-  }
-  ~Surroundings() {
-    posix_spawn_file_actions_destroy(&actions_);
-    posix_spawnattr_destroy(&attributes_);
-  }
-  Surroundings(const Surroundings&) = delete;
-  Surroundings& operator=(const Surroundings&) = delete;
-
-  [[nodiscard]] const posix_spawn_file_actions_t* actions() const { return &actions_; }
-  [[nodiscard]] const posix_spawnattr_t* attributes() const { return &attributes_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-  posix_spawnattr_t attributes_{};
-};
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> array;
-  array.reserve(texts.size() + 1);
-  for (std::string& text : texts) array.push_back(text.data());
-  array.push_back(nullptr);
-  return array;
-}
-
 class Child {
  public:
   Child(const ChildCommand& command, std::stop_token stop)
@@ -110,7 +67,11 @@ class Child {
     const Descriptor in = input_file(command.input, command.program);
     Pipe out = make_pipe(command.program);
     Pipe error = make_pipe(command.program);
-    start(Surroundings(in, out, error));
+    pid_ = start_child(
+        {command.program,
+         command.arguments,
+         {"PATH=/usr/local/bin:/usr/bin:/bin", "HOME=/nonexistent", "LC_ALL=C.UTF-8", "TZ=UTC"},
+         {in.number(), out.theirs.number(), error.theirs.number()}});
     out_ = std::move(out.ours);
     error_ = std::move(error.ours);
   }
@@ -129,17 +90,6 @@ class Child {
   }
 
  private:
-  void start(const Surroundings& surroundings) {
-    std::vector<std::string> arguments = command_.arguments;
-    arguments.insert(arguments.begin(), command_.program.string());
-    std::vector<std::string> environment{"PATH=/usr/local/bin:/usr/bin:/bin", "HOME=/nonexistent",
-                                         "LC_ALL=C.UTF-8", "TZ=UTC"};
-    require(posix_spawn(&pid_, command_.program.c_str(), surroundings.actions(),
-                        surroundings.attributes(), pointers(arguments).data(),
-                        pointers(environment).data()),
-            command_.program);
-  }
-
   /// Also of what it has started: the group is its own.
   void end() {
     ::kill(-pid_, SIGKILL);

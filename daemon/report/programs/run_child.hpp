@@ -37,9 +37,9 @@ struct ChildResult {
 /// Runs a program to its end: input as a file in memory (which it can also open by name, as
 /// kInputName), output through pipes, an environment of its own
 /// (PATH, HOME that does not exist, UTF-8, UTC) in which no variable of ours steers it, no
-/// descriptor but these three, the current folder /. It ends at once when `stop` is asked for, and
-/// when it has written 256 MiB. Blocks until then. Throws std::system_error when it cannot be
-/// started.
+/// descriptor but these three, the current folder /. It ends at once when `stop` is asked for,
+/// when it has written 256 MiB, and with this process, however that is ended. Blocks until then.
+/// Throws std::system_error when it cannot be started.
 [[nodiscard]] ChildResult run_child(const ChildCommand& command, const std::stop_token& stop = {});
 
 }  // namespace loopscope::daemon
