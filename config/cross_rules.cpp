@@ -8,6 +8,7 @@
 #include "config/host_name.hpp"
 #include "config/http_address.hpp"
 #include "config/number_text.hpp"
+#include "config/time_zones.hpp"
 
 namespace loopscope::config {
 
@@ -70,6 +71,12 @@ void check_http_names(const std::vector<std::string>& names, ProblemList& proble
         {"/daemon/http_names/" + std::to_string(i)}, "is not a host name",
         R"(write "loopscope.plant.example", without scheme, port and "*"; addresses need no entry)");
   }
+}
+
+void check_time_zone(const std::string& zone, ProblemList& problems) {
+  if (is_time_zone(zone)) return;
+  problems.add_unless_refused({"/plant/time_zone"}, "is not the name of a time zone",
+                              time_zone_hint(zone));
 }
 
 void check_report(const ReportSettings& report, ProblemList& problems) {
@@ -162,6 +169,7 @@ void check_cross_rules(const Settings& settings, ProblemList& problems) {
   check_schedule(settings.schedule, problems);
   check_http_address(settings.daemon.http_address, problems);
   check_http_names(settings.daemon.http_names, problems);
+  check_time_zone(settings.plant.time_zone, problems);
   check_report(settings.report, problems);
   check_list(settings.flags, problems);
   check_window(settings.analysis.prepare, problems);

@@ -116,6 +116,10 @@ constexpr std::array kServiceSettings = {
     Setting{"/flags/min_confidence", in_flags<&FlagSettings::min_confidence>, range(0, 1),
             "least confidence of a verdict that is flagged"},
 
+    Setting{"/plant/time_zone", in_plant<&PlantSettings::time_zone>, any(Form::text),
+            "time zone of the plant, a name of the IANA database such as Europe/Berlin: pages, "
+            "pictures, reports and commands show times in it, and a time that is entered without "
+            "an offset is meant in it; SQL, exports and logs stay UTC"},
     Setting{"/plant/round_s", in_plant<&PlantSettings::round_s>, range(0, 604800, "s"),
             "interval between two comparisons of all loops with each other (plant-wide "
             "oscillations); 0 = none"},

@@ -121,8 +121,10 @@ struct FlagSettings {
   double min_confidence = 0.3;  ///< verdicts below are not flagged, 0 to 1
 };
 
-/// What is done with all loops together.
+/// What is done with all loops together, and where they are.
 struct PlantSettings {
+  /// In which people read and write times: a name of the IANA database; see time_zones.hpp.
+  std::string time_zone = "UTC";
   double round_s = 3600.0;  ///< seconds between two comparisons of all loops, 0 to 604800; 0 = none
   double notice_s = 60.0;   ///< between two looks for newly flagged loops, 0 to 86400; 0 = none
 };

@@ -8,7 +8,7 @@
 #include "config/nearest_name.hpp"
 #include "daemon/text/cells.hpp"
 #include "daemon/text/failure.hpp"
-#include "daemon/text/time_text.hpp"
+#include "daemon/text/read_time.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -45,24 +45,24 @@ Places places_of(const CsvTable& table) {
 }  // namespace
 
 storage::MaintenanceEntry maintenance_entry(std::string_view loop, std::string_view at,
-                                            std::string_view kind, std::string_view description) {
-  const auto done_at_us = parse_time(trimmed(at));
-  if (!done_at_us) {
-    throw std::invalid_argument(
-        fmt::format("\"{}\" is not a time (e.g. 2026-03-01T14:30:00+01:00)", at));
-  }
+                                            std::string_view kind, std::string_view description,
+                                            const TimeZone& zone) {
+  const auto done_at = read_time(trimmed(at), zone);
+  if (const auto* problem = std::get_if<TimeProblem>(&done_at))
+    throw std::invalid_argument(fmt::format("\"{}\" {} ({})", at, problem->what, problem->hint));
   if (trimmed(description).empty()) throw std::invalid_argument("what was done is not said");
-  return {std::string(loop), *done_at_us, known_kind(trimmed(kind)),
+  return {std::string(loop), std::get<std::int64_t>(done_at), known_kind(trimmed(kind)),
           std::string(trimmed(description))};
 }
 
-std::vector<storage::MaintenanceEntry> parse_maintenance(const CsvTable& table) {
+std::vector<storage::MaintenanceEntry> parse_maintenance(const CsvTable& table,
+                                                         const TimeZone& zone) {
   const Places places = places_of(table);
   std::vector<storage::MaintenanceEntry> entries;
   for (const CsvTable::Row& row : table.rows) {
     const auto cell = [&](std::size_t column) { return row.cells[places.at(column)]; };
     try {
-      entries.push_back(maintenance_entry(cell(0), cell(1), cell(2), cell(3)));
+      entries.push_back(maintenance_entry(cell(0), cell(1), cell(2), cell(3), zone));
     } catch (const std::invalid_argument& problem) {
       throw Failure(ExitCode::unusable_data,
                     fmt::format("{}, line {}: {}", table.name, row.line, problem.what()),

@@ -14,6 +14,7 @@
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
+#include "daemon/text/read_time.hpp"
 #include "daemon/text/time_text.hpp"
 #include "storage/results/catalogue/annotations.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
@@ -31,12 +32,16 @@ constexpr const char* kAnyCode = "any";
 
 struct AnnotationWork {
   explicit AnnotationWork(const AnnotateOptions& options)
-      : connection(owner_connection(config::read_settings(options.config))),
+      : AnnotationWork(options, config::read_settings(options.config)) {}
+  AnnotationWork(const AnnotateOptions& options, const config::Settings& settings)
+      : zone(settings.plant.time_zone),
+        connection(owner_connection(settings)),
         annotations(connection) {
     if (options.loop.empty()) return;
     storage::Catalogue catalogue(connection);
     require_loop(options.loop, catalogue);
   }
+  TimeZone zone;
   storage::ConnectionSettings connection;
   storage::Annotations annotations;
 };
@@ -73,19 +78,15 @@ std::optional<std::string> verdict_meant(const AnnotateOptions& options,
                 "name the verdict that is meant: --code CODE, or --code any");
 }
 
-std::int64_t parse_until(const std::string& text) {
-  auto until = parse_time(text);
-  if (!until) until = parse_time(text + "T00:00:00Z");  // a date alone
-  if (!until) {
-    throw Failure(ExitCode::usage, fmt::format("--until \"{}\" is not a time", text),
-                  "write ISO 8601, e.g. 2026-05-01 or 2026-05-01T06:00:00Z");
-  }
+std::int64_t parse_until(const std::string& text, const TimeZone& zone) {
+  const std::int64_t until_us = time_option("--until", text, zone);
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  if (*until <= std::chrono::duration_cast<std::chrono::microseconds>(now).count()) {
-    throw Failure(ExitCode::usage, fmt::format("--until {} has passed", format_time(*until)),
-                  "name a time to come; without a zone it is UTC");
+  if (until_us <= std::chrono::duration_cast<std::chrono::microseconds>(now).count()) {
+    throw Failure(ExitCode::usage,
+                  fmt::format("--until {} has passed", format_time(until_us, zone)),
+                  "name a time to come; without an offset it is meant in " + zone.name());
   }
-  return *until;
+  return until_us;
 }
 
 void say(AnnotationWork& opened, const storage::Annotation& annotation) {
@@ -95,7 +96,7 @@ void say(AnnotationWork& opened, const storage::Annotation& annotation) {
                   fmt::format("loop \"{}\" has just been removed", annotation.loop_name),
                   "loopscope loops --config F lists them");
   }
-  std::cout << annotation_line(annotation)
+  std::cout << annotation_line(annotation, opened.zone)
             << (*replaced > 0 ? "; it takes the place of an older one\n" : "\n");
 }
 
@@ -116,11 +117,12 @@ void call_false(const AnnotateOptions& options) {
 
 void suppress(const AnnotateOptions& options) {
   require_loop_option(options);
-  const std::int64_t until_us = parse_until(options.until);
+  const config::Settings settings = config::read_settings(options.config);
+  const std::int64_t until_us = parse_until(options.until, TimeZone(settings.plant.time_zone));
   if (options.reason.empty()) {
     throw Failure(ExitCode::usage, "--reason is empty", "say why, for those who ask later");
   }
-  AnnotationWork opened(options);
+  AnnotationWork opened(options, settings);
   require_known(options.code, opened.annotations.fault_codes());
   const bool any = options.code.empty() || options.code == kAnyCode;
   say(opened, {options.loop, "suppressed", any ? std::nullopt : std::optional(options.code),
@@ -148,7 +150,7 @@ void list(const AnnotateOptions& options) {
       return annotation.loop_name != options.loop;
     });
   }
-  std::cout << annotation_table(annotations);
+  std::cout << annotation_table(annotations, opened.zone);
 }
 
 CLI::App& add_action(CLI::App& annotate, const char* name, const char* description,
@@ -188,7 +190,10 @@ void add_annotate(CLI::App& program) {
   add_reason(known, options);
   CLI::App& quiet = add_action(annotate, "suppress", "Off the list until a time, for a reason",
                                options, suppress);
-  quiet.add_option("--until", options->until, "ISO 8601; a date alone is its first moment in UTC")
+  quiet
+      .add_option(
+          "--until", options->until,
+          "ISO 8601; without an offset in the plant's zone; a date alone is its first moment")
       ->required();
   add_reason(quiet, options)->required();
   add_code(quiet, options, kWhatever);

@@ -12,7 +12,7 @@
 #include "daemon/output/export_writer.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
-#include "daemon/text/time_text.hpp"
+#include "daemon/text/read_time.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 #include "storage/results/reports/export_view.hpp"
 
@@ -39,32 +39,28 @@ const storage::ExportedView& find_view(const std::string& name) {
 }
 
 std::optional<std::int64_t> since_of(const ExportOptions& options,
-                                     const storage::ExportedView& view) {
+                                     const storage::ExportedView& view, const TimeZone& zone) {
   if (options.since.empty()) return std::nullopt;
   if (*view.time_column == '\0') {
     throw Failure(ExitCode::usage, fmt::format("--since: {} has no time", view.name),
                   "leave it out");
   }
-  auto since = parse_time(options.since);
-  if (!since) since = parse_time(options.since + "T00:00:00Z");  // a date alone
-  if (since) return since;
-  throw Failure(ExitCode::usage, fmt::format("--since \"{}\" is not a time", options.since),
-                "write ISO 8601, e.g. 2026-05-01 or 2026-05-01T06:00:00Z");
+  return time_option("--since", options.since, zone);
 }
 
-storage::ExportRequest request_of(const ExportOptions& options) {
+storage::ExportRequest request_of(const ExportOptions& options, const TimeZone& zone) {
   const storage::ExportedView& view = find_view(options.view);
   if (!options.loop.empty() && !view.has_loop) {
     throw Failure(ExitCode::usage, fmt::format("--loop: {} is not about loops", view.name),
                   "leave it out");
   }
-  return {&view, options.loop, since_of(options, view)};
+  return {&view, options.loop, since_of(options, view, zone)};
 }
 
 void export_view(const ExportOptions& options) {
-  const storage::ExportRequest request = request_of(options);
-  const storage::ConnectionSettings connection =
-      reader_connection(config::read_settings(options.config));
+  const config::Settings settings = config::read_settings(options.config);
+  const storage::ExportRequest request = request_of(options, TimeZone(settings.plant.time_zone));
+  const storage::ConnectionSettings connection = reader_connection(settings);
   if (!options.loop.empty()) {
     storage::Catalogue catalogue(connection);
     require_loop(options.loop, catalogue);
@@ -97,7 +93,9 @@ void add_export(CLI::App& program) {
   command.add_option("--format", options->format, "csv, or json: an array with a row a line")
       ->check(CLI::IsMember({"csv", "json"}));
   command.add_option("--loop", options->loop, "This loop alone");
-  command.add_option("--since", options->since, "ISO 8601: rows of this time and later");
+  command.add_option(
+      "--since", options->since,
+      "ISO 8601: rows of this time and later; without an offset in the plant's zone");
   command.add_option("--out", options->out, "File to write, - for standard output");
   command.footer(list_of_views());
   command.callback([options] { export_view(*options); });

@@ -20,6 +20,7 @@
 #include "daemon/service/windows/slot.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
+#include "daemon/text/read_time.hpp"
 #include "daemon/text/time_text.hpp"
 #include "storage/historian/historian_reader.hpp"
 #include "storage/historian/historian_writer.hpp"
@@ -78,15 +79,12 @@ CatalogueEntry entry_for(const ImportOptions& options, const config::Settings& s
 /// Where a recording that counts seconds from its own start is put: its last sample at --end, or
 /// at the end of the loop's newest settled slot, so that the next pass finds all of it.
 std::int64_t end_time(const ImportOptions& options, const CatalogueEntry& entry,
-                      std::int64_t now_us, double settle_s) {
-  if (options.end.empty()) {
-    const auto settle_us =
-        static_cast<std::int64_t>(settle_s * core::signal::kMicrosecondsPerSecond);
-    return floor_to_period(now_us - settle_us, entry.period_s);
-  }
-  if (const auto time = parse_time(options.end)) return *time;
-  throw Failure(ExitCode::usage, fmt::format("--end \"{}\" is not a time", options.end),
-                "write ISO 8601, e.g. 2026-03-01T12:00:00Z");
+                      std::int64_t now_us, const config::Settings& settings) {
+  if (!options.end.empty())
+    return time_option("--end", options.end, TimeZone(settings.plant.time_zone));
+  const auto settle_us =
+      static_cast<std::int64_t>(settings.schedule.settle_s * core::signal::kMicrosecondsPerSecond);
+  return floor_to_period(now_us - settle_us, entry.period_s);
 }
 
 void shift(LoopRows& rows, std::int64_t by_us) {
@@ -98,12 +96,13 @@ void shift(LoopRows& rows, std::int64_t by_us) {
 /// Refuses to lay a recording over rows that are there: any row for one that seeks its own place,
 /// rows from its first sample on for one whose times are given.
 void require_no_history(storage::HistorianReader& historian, const CatalogueEntry& entry,
-                        std::int64_t from_us, std::int64_t to_us, const std::string& hint) {
+                        std::int64_t from_us, std::int64_t to_us, const TimeZone& zone,
+                        const std::string& hint) {
   const auto newest = historian.newest(std::vector{entry.pv_tag}, to_us).front();
   if (!newest || *newest < from_us) return;
   throw Failure(
       ExitCode::usage,
-      fmt::format("tag \"{}\" already has rows up to {}", entry.pv_tag, format_time(*newest)),
+      fmt::format("tag \"{}\" already has rows up to {}", entry.pv_tag, format_time(*newest, zone)),
       hint);
 }
 
@@ -111,20 +110,20 @@ void require_no_history(storage::HistorianReader& historian, const CatalogueEntr
 void place(const ImportOptions& options, const config::Settings& settings,
            const CatalogueEntry& entry, storage::HistorianReader& historian, Recording& recording) {
   const std::int64_t now_us = historian.now_us();
+  const TimeZone zone(settings.plant.time_zone);
   const auto& times = recording.rows.pv.time_us;
   if (!recording.absolute_time) {
     if (options.end.empty()) {
-      require_no_history(historian, entry, std::numeric_limits<std::int64_t>::min(), now_us,
+      require_no_history(historian, entry, std::numeric_limits<std::int64_t>::min(), now_us, zone,
                          "say with --end TIME where a recording with t_s lies");
     }
-    shift(recording.rows,
-          end_time(options, entry, now_us, settings.schedule.settle_s) - times.back());
+    shift(recording.rows, end_time(options, entry, now_us, settings) - times.back());
   } else if (!options.end.empty()) {
     throw Failure(ExitCode::usage, options.file + ": --end with a file that has its own times",
                   "leave --end out: it places files with t_s");
   }
   if (!options.replace) {
-    require_no_history(historian, entry, times.front(), times.back(),
+    require_no_history(historian, entry, times.front(), times.back(), zone,
                        "--replace overwrites rows of the same times");
   }
 }
@@ -148,12 +147,12 @@ std::vector<storage::TagRows> tag_rows(const CatalogueEntry& entry, LoopRows& ro
 }
 
 void import_recording(const ImportOptions& options) {
-  Recording recording = read_recording(options.file);
+  const config::Settings settings = config::read_settings(options.config);
+  Recording recording = read_recording(options.file, TimeZone(settings.plant.time_zone));
   if (recording.rows.pv.empty()) {
     throw Failure(ExitCode::unusable_data, options.file + ": the file has no rows",
                   "a recording needs at least one row below its header");
   }
-  const config::Settings settings = config::read_settings(options.config);
   storage::Catalogue catalogue(owner_connection(settings));
   const CatalogueEntry entry =
       entry_for(options, settings, recording, catalogue.find(options.loop));

@@ -33,9 +33,16 @@ struct MaintenanceOptions {
 
 using SharedMaintenanceOptions = std::shared_ptr<MaintenanceOptions>;
 
-storage::ConnectionSettings connection(const MaintenanceOptions& options) {
-  return owner_connection(config::read_settings(options.config));
-}
+/// Where the log of work is, and the zone in which its times are told.
+struct OpenedLog {
+  explicit OpenedLog(const MaintenanceOptions& options)
+      : OpenedLog(config::read_settings(options.config)) {}
+  explicit OpenedLog(const config::Settings& settings)
+      : results(owner_connection(settings)), zone(settings.plant.time_zone) {}
+
+  storage::ConnectionSettings results;
+  TimeZone zone;
+};
 
 std::vector<std::string> loop_names(const storage::ConnectionSettings& results) {
   std::vector<std::string> names;
@@ -51,16 +58,16 @@ Failure no_such_loop(const std::string& name, const std::vector<std::string>& kn
               "`loopscope loops --config F` lists them"};
 }
 
-Failure refusal(const MaintenanceEntry& entry, MaintenanceRefusal reason,
-                const storage::ConnectionSettings& results) {
-  const std::string work =
-      fmt::format("work on \"{}\" at {}", entry.loop_name, format_time(entry.done_at_us));
+Failure refusal(const MaintenanceEntry& entry, MaintenanceRefusal reason, const OpenedLog& opened) {
+  const std::string work = fmt::format("work on \"{}\" at {}", entry.loop_name,
+                                       format_time(entry.done_at_us, opened.zone));
   switch (reason) {
     case MaintenanceRefusal::unknown_loop:
-      return no_such_loop(entry.loop_name, loop_names(results));
+      return no_such_loop(entry.loop_name, loop_names(opened.results));
     case MaintenanceRefusal::in_future:
-      return {ExitCode::usage, work + " lies in the future of the database's clock",
-              "enter work when it is done; a time without a zone is UTC"};
+      return {
+          ExitCode::usage, work + " lies in the future of the database's clock",
+          "enter work when it is done; a time without an offset is meant in " + opened.zone.name()};
     case MaintenanceRefusal::entered_already:
       break;
   }
@@ -68,42 +75,44 @@ Failure refusal(const MaintenanceEntry& entry, MaintenanceRefusal reason,
           "`loopscope maintenance --config F list` shows what is entered"};
 }
 
-void enter(const storage::ConnectionSettings& results,
-           const std::vector<MaintenanceEntry>& entries) {
-  const auto refused = MaintenanceLog(results).add(entries);
+void enter(const OpenedLog& opened, const std::vector<MaintenanceEntry>& entries) {
+  const auto refused = MaintenanceLog(opened.results).add(entries);
   if (!refused.empty())
-    throw refusal(entries.at(refused.front().place), refused.front().reason, results);
+    throw refusal(entries.at(refused.front().place), refused.front().reason, opened);
 }
 
 void add_work(const MaintenanceOptions& options) {
+  const OpenedLog opened(options);
   MaintenanceEntry entry;
   try {
     entry = maintenance_entry(options.loop, options.at, options.kind,
-                              fmt::format("{}", fmt::join(options.words, " ")));
+                              fmt::format("{}", fmt::join(options.words, " ")), opened.zone);
   } catch (const std::invalid_argument& problem) {
     throw Failure(ExitCode::usage, problem.what(), "see loopscope maintenance add --help");
   }
-  enter(connection(options), {entry});
+  enter(opened, {entry});
   std::cout << fmt::format("entered: {} {} {}\n", printable(entry.loop_name),
-                           format_time(entry.done_at_us), entry.kind);
+                           format_time(entry.done_at_us, opened.zone), entry.kind);
 }
 
 void load_work(const MaintenanceOptions& options) {
-  const auto entries = parse_maintenance(read_csv(options.file));
-  enter(connection(options), entries);
+  const OpenedLog opened(options);
+  const auto entries = parse_maintenance(read_csv(options.file), opened.zone);
+  enter(opened, entries);
   std::cout << fmt::format("{} entered\n", entries.size());
 }
 
 void list_work(const MaintenanceOptions& options) {
-  const storage::ConnectionSettings results = connection(options);
+  const auto& [results, zone] = OpenedLog(options);
   if (!options.loop.empty() && !storage::Catalogue(results).find(options.loop))
     throw no_such_loop(options.loop, loop_names(results));
   MaintenanceLog log(results);
   for (const storage::MaintenanceRow& row :
        log.list(options.loop.empty() ? std::nullopt : std::optional(options.loop))) {
-    std::cout << fmt::format("{}  {}  {}  {}: {}\n    {}\n", format_time(row.entry.done_at_us),
-                             row.word.value_or("-"), printable(row.entry.loop_name), row.entry.kind,
-                             printable(row.entry.description), printable(row.statement));
+    std::cout << fmt::format(
+        "{}  {}  {}  {}: {}\n    {}\n", format_time(row.entry.done_at_us, zone),
+        row.word.value_or("-"), printable(row.entry.loop_name), row.entry.kind,
+        printable(row.entry.description), printable(with_times_in_zone(row.statement, zone)));
   }
 }
 
@@ -119,8 +128,10 @@ CLI::App& add_action(CLI::App& maintenance, const char* name, const char* descri
 void add_enter(CLI::App& maintenance, const SharedMaintenanceOptions& options) {
   CLI::App& add = add_action(maintenance, "add", "Enters work on one loop", options, add_work);
   add.add_option("--loop", options->loop, "Loop")->required();
-  add.add_option("--at", options->at,
-                 "When it was finished, e.g. 2026-03-01T14:30:00+01:00; without a zone: UTC")
+  add.add_option(
+         "--at", options->at,
+         "When it was finished, e.g. 2026-03-01T14:30:00+01:00; without an offset it is meant in "
+         "the plant's zone")
       ->required();
   add.add_option("--kind", options->kind, "valve, sensor, tuning, process or other")->required();
   add.add_option("TEXT", options->words, "What was done")->required();

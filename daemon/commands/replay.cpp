@@ -68,7 +68,8 @@ void replay(const ReplayOptions& options) {
   const auto before = nlohmann::json::parse(stored.figures_json);
   const auto after = record_figures(now, archive.measured_columns(now));
   std::cout << text_line("loop", printable(stored.loop.name))
-            << text_line("window end", format_time(stored.slot_end_us))
+            << text_line("window end",
+                         format_time(stored.slot_end_us, TimeZone(settings.plant.time_zone)))
             << text_line("then", verdict_text(before)) << text_line("now", verdict_text(after))
             << causes(stored, now)
             << text_line("figures", printable(outcome(compare_figures(before, after))));

@@ -17,7 +17,7 @@
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/cells.hpp"
 #include "daemon/text/failure.hpp"
-#include "daemon/text/time_text.hpp"
+#include "daemon/text/read_time.hpp"
 #include "storage/results/reports/report_database.hpp"
 
 namespace loopscope::daemon {
@@ -38,11 +38,9 @@ std::int64_t a_week_ago_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(ago.time_since_epoch()).count();
 }
 
-std::int64_t since_of(const CommandOptions& options) {
+std::int64_t since_of(const CommandOptions& options, const config::Settings& settings) {
   if (options.since.empty()) return a_week_ago_us();
-  if (const auto time = parse_time(options.since)) return *time;
-  throw Failure(ExitCode::usage, fmt::format("--since \"{}\" is not a time", options.since),
-                "write ISO 8601, e.g. 2026-03-01T12:00:00Z");
+  return time_option("--since", options.since, TimeZone(settings.plant.time_zone));
 }
 
 /// Other thresholds than those in force; nullopt = as it is.
@@ -98,11 +96,12 @@ void require_folder(const CommandOptions& options) {
 void report(const CommandOptions& options) {
   if (!options.what_if.empty()) return try_thresholds(options);
   require_folder(options);
+  const config::Settings settings = config::read_settings(options.config);
   const ReportOptions wanted{.folder = options.out,
-                             .since_us = since_of(options),
+                             .since_us = since_of(options, settings),
                              .pdf = options.pdf,
                              .pictures = !options.no_pictures};
-  const ReportResult result = write_report(config::read_settings(options.config), wanted);
+  const ReportResult result = write_report(settings, wanted);
   for (const auto& file : result.files) std::cout << "wrote " << file.string() << '\n';
   std::cout << core::text::counted(result.flagged, "flagged loop", "flagged loops") << '\n';
   if (result.unpictured == 0 || options.no_pictures) return;
@@ -120,8 +119,10 @@ void add_report(CLI::App& program) {
   const auto options = std::make_shared<CommandOptions>();
   command.add_option("--config", options->config, "Settings file")->required();
   command.add_option("--out", options->out, "Folder for report.html and report.pdf");
-  command.add_option("--since", options->since,
-                     "What began after this time counts as new (default: a week ago)");
+  command.add_option(
+      "--since", options->since,
+      "What began after this time counts as new (default: a week ago); without an offset "
+      "it is meant in the plant's zone");
   command.add_flag("--pdf", options->pdf, "A PDF beside the page (wants WeasyPrint)");
   command.add_flag("--no-pictures", options->no_pictures, "Figures and words only, no gnuplot");
   command.add_option("--what-if", options->what_if,

@@ -16,7 +16,7 @@
 #include "daemon/service/windows/row_memory.hpp"
 #include "daemon/service/windows/window_reader.hpp"
 #include "daemon/text/failure.hpp"
-#include "daemon/text/time_text.hpp"
+#include "daemon/text/read_time.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 
 namespace loopscope::daemon {
@@ -39,11 +39,9 @@ storage::ClaimedLoop claim_at(const storage::CatalogueEntry& loop, std::int64_t 
   return claim;
 }
 
-std::optional<std::int64_t> end_of(const WindowOptions& options) {
+std::optional<std::int64_t> end_of(const WindowOptions& options, const config::Settings& settings) {
   if (options.end.empty()) return std::nullopt;
-  if (const auto time = parse_time(options.end)) return time;
-  throw Failure(ExitCode::usage, fmt::format("--end \"{}\" is not a time", options.end),
-                "write ISO 8601, e.g. 2026-03-01T12:00:00Z");
+  return time_option("--end", options.end, TimeZone(settings.plant.time_zone));
 }
 
 void write_window(const WindowOptions& options) {
@@ -55,7 +53,7 @@ void write_window(const WindowOptions& options) {
                   "loopscope loops --config F lists them");
   }
   const config::HistorianSettings& source = find_historian(settings, loop->source);
-  const auto end_us = end_of(options);
+  const auto end_us = end_of(options, settings);
   storage::HistorianReader historian(historian_connection(source), historian_layout(source));
   const storage::ClaimedLoop claim =
       claim_at(*loop, end_us.value_or(historian.now_us()), settings.schedule.settle_s);
@@ -88,8 +86,10 @@ void add_window(CLI::App& program) {
   const auto options = std::make_shared<WindowOptions>();
   command.add_option("--config", options->config, "Settings file")->required();
   command.add_option("--loop", options->loop, "Loop of the catalogue")->required();
-  command.add_option("--end", options->end,
-                     "Time before which the window ends (default: the newest window)");
+  command.add_option(
+      "--end", options->end,
+      "Time before which the window ends (default: the newest window); without an offset "
+      "it is meant in the plant's zone");
   command.add_option("--out", options->out, "File to write (default: standard output)");
   command.callback([options] { write_window(*options); });
 }

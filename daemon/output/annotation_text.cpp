@@ -10,37 +10,46 @@
 namespace loopscope::daemon {
 namespace {
 
-constexpr const char* kRow = "{:<24} {:<14} {:<22} {:<20} {:<16} {:<20} {}\n";
+/// `until` and `since` are as wide as a time with its offset.
+constexpr const char* kRow = "{0:<24} {1:<14} {2:<22} {3:<{7}} {4:<16} {5:<{7}} {6}\n";
 
-std::string until_text(const storage::Annotation& annotation) {
-  return annotation.until_us ? format_time(*annotation.until_us) : "withdrawn";
+std::size_t time_width(const TimeZone& zone) {
+  return format_time(0, zone).size();
+}
+
+std::string until_text(const storage::Annotation& annotation, const TimeZone& zone) {
+  return annotation.until_us ? format_time(*annotation.until_us, zone) : "withdrawn";
 }
 
 /// Whole seconds are enough for people.
-std::string entered_text(const storage::Annotation& annotation) {
-  return format_time(annotation.entered_at_us / core::signal::kSecond_us *
-                     core::signal::kSecond_us);
+std::string entered_text(const storage::Annotation& annotation, const TimeZone& zone) {
+  return format_time(annotation.entered_at_us / core::signal::kSecond_us * core::signal::kSecond_us,
+                     zone);
 }
 
 }  // namespace
 
-std::string annotation_table(const std::vector<storage::Annotation>& annotations) {
+std::string annotation_table(const std::vector<storage::Annotation>& annotations,
+                             const TimeZone& zone) {
   if (annotations.empty()) return "no annotation holds\n";
+  const std::size_t width = time_width(zone);
   std::string table =
-      fmt::format(kRow, "loop", "what", "verdict", "until", "by", "since", "reason");
+      fmt::format(kRow, "loop", "what", "verdict", "until", "by", "since", "reason", width);
   for (const storage::Annotation& said : annotations) {
     table += fmt::format(kRow, printable(said.loop_name), said.kind,
-                         printable(said.code.value_or("any")), until_text(said),
-                         printable(said.author), entered_text(said), printable(said.reason));
+                         printable(said.code.value_or("any")), until_text(said, zone),
+                         printable(said.author), entered_text(said, zone), printable(said.reason),
+                         width);
   }
   return table;
 }
 
-std::string annotation_line(const storage::Annotation& annotation) {
+std::string annotation_line(const storage::Annotation& annotation, const TimeZone& zone) {
   const std::string about =
       annotation.code ? "verdict " + printable(*annotation.code) : "whatever the verdict";
-  return fmt::format("{} {}, {}, until {}", annotation.kind, printable(annotation.loop_name), about,
-                     annotation.until_us ? format_time(*annotation.until_us) : "it is withdrawn");
+  return fmt::format(
+      "{} {}, {}, until {}", annotation.kind, printable(annotation.loop_name), about,
+      annotation.until_us ? format_time(*annotation.until_us, zone) : "it is withdrawn");
 }
 
 }  // namespace loopscope::daemon

@@ -41,9 +41,9 @@ void mask_bad_quality(const CsvTable& table, std::size_t column, core::signal::L
 
 }  // namespace
 
-Recording parse_recording(const CsvTable& table) {
+Recording parse_recording(const CsvTable& table, const TimeZone& zone) {
   const Columns columns = find_columns(table);
-  const std::vector<std::int64_t> times = read_times(table, columns);
+  const std::vector<std::int64_t> times = read_times(table, columns, zone);
   const auto numbers = [&](const CsvTable::Row& row, std::size_t column) {
     return number_cell(table, row, column);
   };
@@ -60,8 +60,8 @@ Recording parse_recording(const CsvTable& table) {
   return recording;
 }
 
-Recording read_recording(const std::filesystem::path& file) {
-  return parse_recording(read_csv(file));
+Recording read_recording(const std::filesystem::path& file, const TimeZone& zone) {
+  return parse_recording(read_csv(file), zone);
 }
 
 core::signal::LoopWindow last_window(const Recording& recording, std::size_t max_samples,

@@ -9,6 +9,7 @@
 #include "core/signal/assemble.hpp"
 #include "core/signal/loop_window.hpp"
 #include "daemon/text/csv_table.hpp"
+#include "daemon/text/time_zone.hpp"
 
 namespace loopscope::daemon {
 
@@ -21,12 +22,14 @@ struct Recording {
   core::signal::LoopRows rows;  ///< empty cells, NaN, infinity and bad quality are NaN
 };
 
+/// Times without an offset are meant in `zone`, as read_times() has it.
 /// Throws Failure (unusable_data) naming line and column: what find_columns() and read_times()
 /// refuse, and text in a number column.
-[[nodiscard]] Recording parse_recording(const CsvTable& table);
+[[nodiscard]] Recording parse_recording(const CsvTable& table, const TimeZone& zone = {});
 
 /// parse_recording(read_csv(file)). Throws as both.
-[[nodiscard]] Recording read_recording(const std::filesystem::path& file);
+[[nodiscard]] Recording read_recording(const std::filesystem::path& file,
+                                       const TimeZone& zone = {});
 
 /// The last `max_samples` samples of the recording, of those up to `end_us` where it is given, on
 /// its own grid (the usual spacing of its rows; 1 s where it has none). Size 0 without such rows.

@@ -8,7 +8,8 @@
 #include "core/signal/microseconds.hpp"
 #include "daemon/text/cell_failure.hpp"
 #include "daemon/text/cells.hpp"
-#include "daemon/text/time_text.hpp"
+#include "daemon/text/read_time.hpp"
+#include "storage/timestamp.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -25,21 +26,45 @@ std::int64_t seconds_cell(const CsvTable& table, const CsvTable::Row& row, std::
                      "every row needs its time in seconds, within +-9e12");
 }
 
-std::int64_t iso_cell(const CsvTable& table, const CsvTable::Row& row, std::size_t column) {
-  if (const auto time = parse_time(trimmed(row.cells[column]))) return *time;
-  throw cell_failure(table, row, column, shown(row.cells[column]) + " is not a time",
-                     "write ISO 8601 in the years 1 to 9999, e.g. 2026-03-01T12:00:00Z");
+/// The second pass through an hour that the clock repeats begins where the rows would run
+/// backwards.
+std::optional<std::int64_t> repeated_time(std::string_view cell, const TimeZone& zone,
+                                          std::int64_t before_us) {
+  const auto written = parse_time(cell);
+  if (!written || written->offset_us) return std::nullopt;
+  const TimeZone::Moments moments = zone.moments_of(written->clock_us);
+  if (moments.times_us.size() < 2) return std::nullopt;
+  return moments.times_us.front() >= before_us ? moments.times_us.front() : moments.times_us.back();
+}
+
+std::int64_t iso_cell(const CsvTable& table, const CsvTable::Row& row, std::size_t column,
+                      const TimeZone& zone, std::int64_t before_us) {
+  const std::string_view cell = trimmed(row.cells[column]);
+  const auto read = read_time(cell, zone);
+  if (const auto* time_us = std::get_if<std::int64_t>(&read)) return *time_us;
+  if (const auto time_us = repeated_time(cell, zone, before_us)) return *time_us;
+  const auto& problem = std::get<TimeProblem>(read);
+  throw cell_failure(table, row, column, shown(row.cells[column]) + " " + problem.what,
+                     problem.hint);
+}
+
+/// UTC is what a time without an offset is taken for where nobody has named a zone.
+bool may_be_local(std::string_view cell, const TimeZone& zone) {
+  const auto written = parse_time(cell);
+  return zone.is_utc() && written && !written->offset_us;
 }
 
 void require_ascending(const CsvTable& table, const CsvTable::Row& row, const Columns& columns,
-                       std::int64_t before_us, std::int64_t now_us) {
+                       const TimeZone& zone, std::int64_t before_us, std::int64_t now_us) {
   if (now_us >= before_us) return;
   const std::string& cell = row.cells[columns.time];
-  const bool local = columns.absolute_time && !names_zone(trimmed(cell));
+  const bool local = columns.absolute_time && may_be_local(trimmed(cell), zone);
   throw cell_failure(table, row, columns.time,
                      fmt::format("the time {} runs backwards", shown(cell)),
-                     local ? "write the times in UTC or with their offset; local time repeats an "
-                             "hour when daylight saving ends"
+                     local ? "write the times in UTC or with their offset, or name their zone "
+                             "(/plant/time_zone, or --time-zone of analyze); local time repeats an "
+                             "hour when daylight saving "
+                             "ends"
                            : "sort the rows by time");
 }
 
@@ -57,14 +82,17 @@ void require_short_span(const CsvTable& table, const CsvTable::Row& row, const C
 
 }  // namespace
 
-std::vector<std::int64_t> read_times(const CsvTable& table, const Columns& columns) {
+std::vector<std::int64_t> read_times(const CsvTable& table, const Columns& columns,
+                                     const TimeZone& zone) {
   std::vector<std::int64_t> times;
   times.reserve(table.rows.size());
   for (const CsvTable::Row& row : table.rows) {
-    const std::int64_t now_us = columns.absolute_time ? iso_cell(table, row, columns.time)
-                                                      : seconds_cell(table, row, columns.time);
+    const std::int64_t before_us = times.empty() ? storage::kEarliestTimeUs : times.back();
+    const std::int64_t now_us = columns.absolute_time
+                                    ? iso_cell(table, row, columns.time, zone, before_us)
+                                    : seconds_cell(table, row, columns.time);
     if (!times.empty()) {
-      require_ascending(table, row, columns, times.back(), now_us);
+      require_ascending(table, row, columns, zone, before_us, now_us);
       require_short_span(table, row, columns, times.front(), now_us);
     }
     times.push_back(now_us);

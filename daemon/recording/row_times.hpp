@@ -5,12 +5,16 @@
 
 #include "daemon/recording/columns.hpp"
 #include "daemon/text/csv_table.hpp"
+#include "daemon/text/time_zone.hpp"
 
 namespace loopscope::daemon {
 
 /// The time of every row in microseconds (absolute: UTC since 1970), ascending, within 3e10 s of
-/// each other. Throws Failure (unusable_data) naming line and column: a cell that is no time, one
-/// outside +-9e12 s or the years 1 to 9999, times that run backwards, a longer span.
-[[nodiscard]] std::vector<std::int64_t> read_times(const CsvTable& table, const Columns& columns);
+/// each other. A time without an offset is meant in `zone`; of an hour that its clock repeats the
+/// first, until the rows come to the second. Throws Failure (unusable_data) naming line and column:
+/// a cell that is no time, one outside +-9e12 s or the years 1 to 9999, times that run backwards, a
+/// longer span.
+[[nodiscard]] std::vector<std::int64_t> read_times(const CsvTable& table, const Columns& columns,
+                                                   const TimeZone& zone);
 
 }  // namespace loopscope::daemon

@@ -36,7 +36,7 @@ void draw(LoopReport& loop_report, const std::filesystem::path& gnuplot,
   const std::size_t shown = figures.size();
   std::vector<std::size_t> steps;
   if (loop_report.evidence) {
-    for (ResidualPair& pair : residual_pairs(*loop_report.evidence)) {
+    for (ResidualPair& pair : residual_pairs(*loop_report.evidence, loop_report.zone)) {
       steps.push_back(pair.step);
       figures.push_back(std::move(pair.before));
       figures.push_back(std::move(pair.after));
@@ -52,8 +52,10 @@ void draw(LoopReport& loop_report, const std::filesystem::path& gnuplot,
 
 }  // namespace
 
-LoopReport read_loop_report(storage::ReportDatabase& database, const storage::FlaggedRow& row) {
+LoopReport read_loop_report(storage::ReportDatabase& database, const storage::FlaggedRow& row,
+                            const TimeZone& zone) {
   LoopReport loop_report;
+  loop_report.zone = zone;
   loop_report.row = row;
   loop_report.history = database.history(row.loop_id, row.slot_end_us - kHistoryReachUs);
   if (row.rank == 0) loop_report.hidden = database.hidden_by(row.loop_id);  // a flagged one is not
@@ -67,8 +69,8 @@ std::vector<Figure> figures_of(const LoopReport& loop_report) {
   std::vector<Figure> figures;
   if (loop_report.evidence) {
     const LoopEvidence& evidence = *loop_report.evidence;
-    std::vector<Figure> trends = trend_figures(evidence);
-    std::vector<Figure> explained = explanation_figures(evidence);
+    std::vector<Figure> trends = trend_figures(evidence, loop_report.zone);
+    std::vector<Figure> explained = explanation_figures(evidence, loop_report.zone);
     // The first row shows what matters: a few cycles, the valve, the model beside what was
     // measured.
     if (trends.size() > 1) figures.push_back(std::move(trends[1]));
@@ -79,7 +81,7 @@ std::vector<Figure> figures_of(const LoopReport& loop_report) {
     append(figures, bicoherence_figures(evidence));
     for (std::size_t k = 1; k < explained.size(); ++k) figures.push_back(std::move(explained[k]));
   }
-  append(figures, history_figures(loop_report.history));
+  append(figures, history_figures(loop_report.history, loop_report.zone));
   return figures;
 }
 

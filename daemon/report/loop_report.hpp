@@ -15,9 +15,10 @@ namespace loopscope::daemon {
 /// How far back a loop's history is shown before the slot that is told of.
 inline constexpr std::int64_t kHistoryReachUs = std::int64_t{90} * 86'400 * 1'000'000;
 
-/// What the results know of a loop whose newest verdict is `row`. Throws storage::DatabaseError.
+/// What the results know of a loop whose newest verdict is `row`, told in `zone`. Throws
+/// storage::DatabaseError.
 [[nodiscard]] LoopReport read_loop_report(storage::ReportDatabase& database,
-                                          const storage::FlaggedRow& row);
+                                          const storage::FlaggedRow& row, const TimeZone& zone);
 
 /// The figures of a report but those of the model's steps; those of its window only when it was
 /// looked at again.

@@ -17,10 +17,10 @@
 #include "daemon/report/make_pdf.hpp"
 #include "daemon/report/page/page_frame.hpp"
 #include "daemon/report/sections/plant_section.hpp"
-#include "daemon/report/text/page_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/threads/in_threads.hpp"
 #include "daemon/text/failure.hpp"
+#include "daemon/text/time_text.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 #include "storage/results/reports/report_database.hpp"
 
@@ -54,8 +54,9 @@ Content read_content(const config::Settings& settings, std::int64_t since_us) {
   content.facts = {settings.report.plant,         since_us,
                    database.counts(since_us),     database.flagged(),
                    database.plant_oscillations(), database.repairs(since_us)};
+  content.facts.zone = TimeZone(settings.plant.time_zone);
   for (const storage::FlaggedRow& row : content.facts.flagged)
-    content.loop_reports.push_back(read_loop_report(database, row));
+    content.loop_reports.push_back(read_loop_report(database, row, content.facts.zone));
   return content;
 }
 
@@ -94,7 +95,7 @@ void leave_without_pictures(std::span<LoopReport> loop_reports, const std::strin
 }
 
 void add_event_pictures(PlantFacts& facts, bool wanted, const std::stop_token& stop) {
-  EventAlbum album = event_album(facts.oscillations);
+  EventAlbum album = event_album(facts.oscillations, facts.zone);
   if (album.figures.empty()) return;
   if (!wanted) {
     facts.picture_trouble = "none were asked for.";
@@ -131,9 +132,13 @@ std::string page_of(const Content& content) {
   std::vector<Markup> sections = {plant_section(facts, LoopLinks::sections)};
   for (const LoopReport& loop_report : content.loop_reports)
     sections.push_back(loop_section(loop_report));
-  return page({title_of(facts.plant), fmt::format("Loopscope report, {} to {}", utc(facts.since_us),
-                                                  utc(facts.counts.now_us))},
-              sections);
+  const TimeZone& zone = facts.zone;
+  return page(
+      {.title = title_of(facts.plant),
+       .subtitle = fmt::format("Loopscope report, {} to {}", minute_in_zone(facts.since_us, zone),
+                               minute_in_zone(facts.counts.now_us, zone)),
+       .zone = zone.name()},
+      sections);
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -1,21 +1,32 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
+#include "daemon/text/time_zone.hpp"
+
 namespace loopscope::daemon {
 
-/// ISO 8601 date and time ("2026-03-01T12:00:00.5Z", "2026-03-01 12:00:00+01:00"; without a zone:
-/// UTC; without a time of day: 0 h) in the years 1 to 9999 as microseconds UTC since 1970; nullopt
-/// for anything else, more than six decimals too.
-[[nodiscard]] std::optional<std::int64_t> parse_time(std::string_view text);
+// How times are shown, in the zone of the plant where it is said; times are microseconds UTC since
+// 1970.
 
-/// Whether a text that parse_time() accepts says its zone: Z or an offset.
-[[nodiscard]] bool names_zone(std::string_view text);
+/// ISO 8601 with what the clock is ahead of UTC: "2026-03-01T12:00:00Z", "...T13:00:00+01:00";
+/// fractions only where there are any. What read_time() reads.
+[[nodiscard]] std::string format_time(std::int64_t time_us, const TimeZone& zone = {});
 
-/// Microseconds UTC since 1970 as ISO 8601 with Z; fractions only where there are any.
-[[nodiscard]] std::string format_time(std::int64_t time_us);
+/// "2026-03-01 12:00 UTC", "2026-03-01 13:00 CET": to the minute, for reading.
+[[nodiscard]] std::string minute_in_zone(std::int64_t time_us, const TimeZone& zone);
+
+/// The same below a heading that names the zone: UTC is not said again; elsewhere the clock
+/// changes, so that one reading may stand for two times.
+[[nodiscard]] std::string minute_below_zone(std::int64_t time_us, const TimeZone& zone);
+
+/// "2026-03-01": the day at that place.
+[[nodiscard]] std::string day_in_zone(std::int64_t time_us, const TimeZone& zone);
+
+/// A sentence of the results with the times that it holds, "2026-03-01 12:00 UTC", as
+/// minute_in_zone() tells them: SQL knows no other zone.
+[[nodiscard]] std::string with_times_in_zone(std::string_view sentence, const TimeZone& zone);
 
 }  // namespace loopscope::daemon

@@ -33,7 +33,7 @@ const std::array kRooms = {
          {},
          true},
     Room{"core/simulate", {}, {}, true},
-    Room{"config", kCore, {"nlohmann-json"}},
+    Room{"config", kCore, {"nlohmann-json", "date"}},
     Room{"storage", kCore, {"libpqxx", "libpq", "utfcpp"}, false, true},
     Room{"daemon/lab",
          {"core", "config", "storage", "daemon"},

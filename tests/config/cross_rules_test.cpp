@@ -73,6 +73,15 @@ TEST(CrossRules, HintsSayWhy) {
               ElementsAre("/report/folder: is not an absolute path"));
 }
 
+TEST(CrossRules, TheTimeZoneIsOneThatTheSystemKnows) {
+  for (const char* zone : {"UTC", "Europe/Berlin", "Asia/Kolkata", "Etc/GMT+3"})
+    EXPECT_THAT(lines_with(R"("plant": {"time_zone": ")" + std::string(zone) + "\"}"), IsEmpty());
+  const std::string misspelt = R"("plant": {"time_zone": "Europe/Berln"})";
+  EXPECT_THAT(lines_with(misspelt),
+              ElementsAre("/plant/time_zone: is not the name of a time zone"));
+  EXPECT_EQ(first_hint_of(minimal_with(misspelt)), "did you mean \"Europe/Berlin\"?");
+}
+
 TEST(CrossRules, NoLoopEntersTheListAndLeavesItAtOnce) {
   EXPECT_THAT(lines_with(R"("flags": {"list_false_share": 0.1, "list_leave_share": 0.05})"),
               ElementsAre("/flags/list_leave_share: 0.05 is less than list_false_share, 0.1"));

@@ -50,6 +50,11 @@ TEST_F(Annotate, TakesLoopsOffTheListAndPutsThemBack) {
   }
   EXPECT_THAT(annotate({"--loop", "NEW1", "list"}).out,
               AllOf(HasSubstr("NEW1"), Not(HasSubstr("PIC200"))));
+  plant_.plant().write_settings(Plant::settings(R"("plant": {"time_zone": "Asia/Kolkata"})"));
+  EXPECT_THAT(annotate({"list"}).out, HasSubstr("2199-01-01T05:30:00+05:30"));
+  EXPECT_THAT(
+      annotate({"--loop", "PIC200", "suppress", "--until", "2199-01-01", "--reason", "x"}).out,
+      HasSubstr("until 2199-01-01T00:00:00+05:30"));
   for (const char* loop : {"FIC101", "PIC200", "NEW1"})
     EXPECT_EQ(annotate({"--loop", loop, "withdraw"}).exit_code, 0);
   EXPECT_EQ(flagged(), "FIC101\nNEW1\nPIC200");

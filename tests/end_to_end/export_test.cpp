@@ -54,6 +54,13 @@ TEST_F(Export, SinceATime) {
   const ProgramResult rows =
       write({"loop_history", "--loop", "FIC101", "--since", a_week_ago, "--format", "json"});
   EXPECT_NEAR(static_cast<double>(nlohmann::json::parse(rows.out).size()), 14.0, 1.0);
+  // Asked for by the clock of the plant, answered in UTC.
+  const std::string by_its_clock =
+      plant_.plant().sql("SELECT timestamptz '" + a_week_ago + "' AT TIME ZONE 'Asia/Kolkata'");
+  plant_.plant().write_settings(Plant::settings(R"("plant": {"time_zone": "Asia/Kolkata"})"));
+  EXPECT_EQ(
+      write({"loop_history", "--loop", "FIC101", "--since", by_its_clock, "--format", "json"}).out,
+      rows.out);
 }
 
 TEST_F(Export, AFileIsWholeOrNotThere) {

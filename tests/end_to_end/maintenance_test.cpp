@@ -35,6 +35,23 @@ TEST_F(MaintenanceTest, WorkIsEnteredAndListed) {
                               HasSubstr("    Not judged yet: a running service judges it")));
 }
 
+TEST_F(MaintenanceTest, TimesAreThoseOfThePlant) {
+  plant.write_settings(Plant::settings(R"("plant": {"time_zone": "Europe/Berlin"})"));
+  EXPECT_EQ(add("FIC101", "2026-03-01 14:30", "valve").out,
+            "entered: FIC101 2026-03-01T14:30:00+01:00 valve\n");
+  EXPECT_EQ(add("FIC101", "2025-10-26T02:30+01:00", "valve").exit_code, 0);
+  EXPECT_THAT(plant.loopscope("maintenance", {"list"}).out,
+              AllOf(HasSubstr("2026-03-01T14:30:00+01:00  -  FIC101"),
+                    HasSubstr("2025-10-26T02:30:00+01:00  -  FIC101")));
+  EXPECT_EQ(plant.sql("SELECT max(done_at) AT TIME ZONE 'UTC' FROM loopscope.maintenance_event"),
+            "2026-03-01 13:30:00");
+  const ProgramResult twice = add("FIC101", "2025-10-26 02:30", "valve");
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("error: \"2025-10-26 02:30\" is two times in Europe/Berlin: "
+                                   "the clock was put back from 03:00 CEST to 02:00 CET then "
+                                   "(write the offset: 2025-10-26T02:30:00+02:00 (CEST) or "));
+}
+
 TEST_F(MaintenanceTest, APassJudgesIt) {
   EXPECT_EQ(add("FIC101", "2026-03-01 12:00", "valve").exit_code, 0);
   plant.import_loop("FIC101", 4096);
@@ -55,7 +72,7 @@ TEST_F(MaintenanceTest, MistakesAreExplained) {
   expect(add("FIC110", "2026-03-01 12:00", "valve"), 2, "no loop named \"FIC110\"",
          "did you mean \"FIC101\"?");
   expect(add("FIC101", "2999-01-01 12:00", "valve"), 2,
-         "work on \"FIC101\" at 2999-01-01T12:00:00Z", "without a zone is UTC");
+         "work on \"FIC101\" at 2999-01-01T12:00:00Z", "without an offset is meant in UTC");
   expect(add("FIC101", "2026-03-01 12:00", "vavle"), 2,
          "no kind of work \"vavle\", did you mean valve", "maintenance add --help");
   expect(add("FIC101", "yesterday", "valve"), 2, "\"yesterday\" is not a time", "--help");

@@ -7,6 +7,7 @@
 namespace loopscope::tests {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -39,7 +40,10 @@ TEST_F(Replay, OfTheSameRowsIsIdenticalToTheLastDigit) {
     EXPECT_EQ(again.exit_code, 0) << again.err;
     EXPECT_THAT(again.out, HasSubstr("identical: all"));
     EXPECT_THAT(again.out, Not(HasSubstr("differs")));
+    EXPECT_THAT(again.out, ContainsRegex("window end +[-0-9]+T[0-9:]+Z\n"));
   }
+  plant.write_settings(Plant::settings(R"("plant": {"time_zone": "Asia/Kolkata"})"));
+  EXPECT_THAT(replay("FIC2").out, ContainsRegex("window end +[-0-9]+T[0-9:]+[+]05:30\n"));
 }
 
 TEST_F(Replay, TellsOfOtherRowsAndNamesTheFarthestFigure) {

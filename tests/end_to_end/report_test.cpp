@@ -47,6 +47,27 @@ TEST(Report, OneFileTellsOfEveryFlaggedLoopWithItsPictures) {
   EXPECT_EQ(count(page, "http://"), count(page, "='http://www.w3.org/")) << "names of SVG only";
   EXPECT_THAT(page, Not(HasSubstr("https://")));
   EXPECT_EQ(result.err, "");
+  EXPECT_THAT(page, HasSubstr("All times are UTC."));
+  EXPECT_THAT(page, HasSubstr("<th>Since (UTC)</th>"));
+
+  plant.write_settings(Plant::settings(R"("plant": {"time_zone": "Asia/Kolkata"})"));
+  const std::vector<std::string> since{"--out", folder, "--no-pictures", "--since"};
+  const auto report_since = [&](const char* time) {
+    std::vector<std::string> arguments = since;
+    arguments.emplace_back(time);
+    return plant.loopscope("report", arguments);
+  };
+  ASSERT_EQ(report_since("2026-03-01 17:30").exit_code, 0);
+  const std::string local = content_of(folder + "/report.html");
+  EXPECT_THAT(local, HasSubstr("Loopscope report, 2026-03-01 17:30 IST to "));
+  EXPECT_THAT(local, HasSubstr("<th>Since (Asia/Kolkata)</th>"));
+  EXPECT_THAT(local, HasSubstr("All times are local, Asia/Kolkata."));
+  EXPECT_THAT(local, Not(HasSubstr(" UTC")));
+  plant.write_settings(Plant::settings(R"("plant": {"time_zone": "Europe/Berlin"})"));
+  const ProgramResult twice = report_since("2026-10-25 02:30");
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("--since \"2026-10-25 02:30\" is two times in Europe/Berlin"));
+  EXPECT_THAT(twice.err, HasSubstr("HINT: write the offset: 2026-10-25T02:30:00+02:00 (CEST) or"));
 }
 
 TEST(Report, WithoutTheHistorianTheStoredFiguresStand) {

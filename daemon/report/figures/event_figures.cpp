@@ -13,6 +13,7 @@
 #include "core/signal/order/spread.hpp"
 #include "core/text/phrases.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
+#include "daemon/report/figures/time_axis.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -130,15 +131,15 @@ std::string period_bar(double from_s, double period_s) {
       from_s, from_s + period_s, colour::kVermillion, core::text::duration(period_s));
 }
 
-std::vector<Figure> trends(const PlantOscillationRow& event) {
+std::vector<Figure> trends(const PlantOscillationRow& event, const TimeZone& zone) {
   std::vector<Row> rows = rows_of(event, trend_of);
   if (rows.empty()) return {};
   const auto [from_s, to_s] = span_of(rows);
-  return {stacked(
-      "Trends of sp \u2212 pv, each to its own size",
-      "trends of the members one below the other, numbered as in the list",
-      time_axis(microseconds(from_s), microseconds(to_s)) + period_bar(from_s, event.period_s),
-      std::move(rows))};
+  return {stacked("Trends of sp \u2212 pv, each to its own size",
+                  "trends of the members one below the other, numbered as in the list",
+                  time_axis(microseconds(from_s), microseconds(to_s), zone) +
+                      period_bar(from_s, event.period_s),
+                  std::move(rows))};
 }
 
 struct Tic {
@@ -199,8 +200,8 @@ std::vector<Figure> spectra(const PlantOscillationRow& event) {
 
 }  // namespace
 
-std::vector<Figure> event_figures(const PlantOscillationRow& event) {
-  std::vector<Figure> figures = trends(event);
+std::vector<Figure> event_figures(const PlantOscillationRow& event, const TimeZone& zone) {
+  std::vector<Figure> figures = trends(event, zone);
   for (Figure& figure : spectra(event)) figures.push_back(std::move(figure));
   return figures;
 }

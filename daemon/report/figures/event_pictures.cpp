@@ -24,10 +24,10 @@ bool EventAlbum::shows_the_same(const EventAlbum& other) const {
          std::ranges::equal(figures, other.figures, {}, &Figure::script, &Figure::script);
 }
 
-EventAlbum event_album(std::span<const storage::PlantOscillationRow> events) {
+EventAlbum event_album(std::span<const storage::PlantOscillationRow> events, const TimeZone& zone) {
   EventAlbum album;
   for (const auto& event : events.first(std::min(kMostDrawnEvents, events.size()))) {
-    for (Figure& figure : event_figures(event)) {
+    for (Figure& figure : event_figures(event, zone)) {
       album.figures.push_back(std::move(figure));
       album.numbers.push_back(event.number);
     }

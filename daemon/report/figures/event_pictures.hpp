@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "daemon/report/figures/figure.hpp"
+#include "daemon/text/time_zone.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -24,6 +25,7 @@ struct EventAlbum {
 };
 
 /// Of the events with most loops, a dozen at most: a page with more is not read to its end.
-[[nodiscard]] EventAlbum event_album(std::span<const storage::PlantOscillationRow> events);
+[[nodiscard]] EventAlbum event_album(std::span<const storage::PlantOscillationRow> events,
+                                     const TimeZone& zone);
 
 }  // namespace loopscope::daemon

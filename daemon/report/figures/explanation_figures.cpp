@@ -11,6 +11,7 @@
 #include "core/signal/order/spread.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
 #include "daemon/report/figures/shown_model.hpp"
+#include "daemon/report/figures/time_axis.hpp"
 #include "daemon/report/text/page_text.hpp"
 
 namespace loopscope::daemon {
@@ -66,8 +67,8 @@ struct Limits {
 /// Panels of stages, one above the other, on one time axis and one scale.
 class StagePanels {
  public:
-  StagePanels(const LoopEvidence& evidence, const Span& span)
-      : span_(span), interval_s_(evidence.prepared.sample_interval_s) {
+  StagePanels(const LoopEvidence& evidence, const Span& span, const TimeZone& zone)
+      : zone_(zone), span_(span), interval_s_(evidence.prepared.sample_interval_s) {
     const core::signal::LoopWindow& window = evidence.at_slot.window;
     const core::signal::Grid grid{window.start_us, interval_s_, window.size()};
     from_us_ = grid.time_us(span.from);
@@ -88,10 +89,11 @@ class StagePanels {
     const int count = static_cast<int>(plots.size());
     for (int k = 0; k < count; ++k) {
       const bool last = k + 1 == count;
-      text += panel(k, count, height) +
-              (last ? time_axis(from_us_, to_us_) : silent_time_axis(from_us_, to_us_)) +
-              value_axis(limits_.low - kRoom * span(), limits_.high + kRoom * span(), label) +
-              "plot " + plots[static_cast<std::size_t>(k)] + "\n";
+      text +=
+          panel(k, count, height) +
+          (last ? time_axis(from_us_, to_us_, zone_) : silent_time_axis(from_us_, to_us_, zone_)) +
+          value_axis(limits_.low - kRoom * span(), limits_.high + kRoom * span(), label) + "plot " +
+          plots[static_cast<std::size_t>(k)] + "\n";
     }
     return text + "unset multiplot\n";
   }
@@ -103,6 +105,7 @@ class StagePanels {
   static constexpr double kRoom = 0.15;
   [[nodiscard]] double span() const { return limits_.high - limits_.low; }
 
+  const TimeZone& zone_;
   Span span_;
   double interval_s_;
   std::int64_t from_us_ = 0;
@@ -114,12 +117,13 @@ int height_of(std::size_t stages) {
   return std::max(Figure{}.height, static_cast<int>(stages) * kPanelHeight + kAxisHeight);
 }
 
-std::vector<Figure> fit_figure(const LoopEvidence& evidence, const ExplanationTraces& traces) {
+std::vector<Figure> fit_figure(const LoopEvidence& evidence, const ExplanationTraces& traces,
+                               const TimeZone& zone) {
   const Span span{traces.telling_from, traces.telling_samples};
   if (span.samples < 2) return {};
   const std::vector<const TraceStage*> stages = stages_to_show(traces);
   const ShownModel model = shown_model(traces.measured, stages, span.from, span.samples);
-  StagePanels panels(evidence, span);
+  StagePanels panels(evidence, span, zone);
   std::string script = panels.data("measured", traces.measured, true);
   std::vector<std::string> plots;
   for (const TraceStage* stage : stages) {
@@ -140,8 +144,9 @@ std::vector<Figure> fit_figure(const LoopEvidence& evidence, const ExplanationTr
   return {figure};
 }
 
-std::vector<Figure> residual_figure(const LoopEvidence& evidence, const ExplanationTraces& traces) {
-  StagePanels panels(evidence, {0, traces.measured.size()});
+std::vector<Figure> residual_figure(const LoopEvidence& evidence, const ExplanationTraces& traces,
+                                    const TimeZone& zone) {
+  StagePanels panels(evidence, {0, traces.measured.size()}, zone);
   std::string script;
   std::vector<std::string> plots;
   for (const TraceStage* stage : stages_to_show(traces)) {
@@ -163,10 +168,10 @@ std::vector<Figure> residual_figure(const LoopEvidence& evidence, const Explanat
 
 }  // namespace
 
-std::vector<Figure> explanation_figures(const LoopEvidence& evidence) {
+std::vector<Figure> explanation_figures(const LoopEvidence& evidence, const TimeZone& zone) {
   if (!evidence.traces || !evidence.traces->explanation.excited) return {};
-  std::vector<Figure> figures = fit_figure(evidence, *evidence.traces);
-  for (Figure& figure : residual_figure(evidence, *evidence.traces))
+  std::vector<Figure> figures = fit_figure(evidence, *evidence.traces, zone);
+  for (Figure& figure : residual_figure(evidence, *evidence.traces, zone))
     figures.push_back(std::move(figure));
   return figures;
 }

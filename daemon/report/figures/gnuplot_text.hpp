@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,12 +25,6 @@ inline constexpr std::string_view kGrey = "#666666";
 /// What every picture begins with: terminal, type, frame, grid, no title. CSS pixels.
 [[nodiscard]] std::string picture_start(int width, int height);
 
-/// The x axis as times from `from_us` to `to_us` (microseconds UTC since 1970; points carry
-/// seconds since 1970): range, tics at round times, and a label that names days and zone.
-[[nodiscard]] std::string time_axis(std::int64_t from_us, std::int64_t to_us);
-/// The same without words, for the upper ones of panels that share an axis.
-[[nodiscard]] std::string silent_time_axis(std::int64_t from_us, std::int64_t to_us);
-
 /// The y axis: a range that holds `low` to `high` with a little air, and a label.
 [[nodiscard]] std::string value_axis(double low, double high, std::string_view label);
 
@@ -41,8 +34,5 @@ inline constexpr std::string_view kGrey = "#666666";
 
 /// "with lines" in a colour and width.
 [[nodiscard]] std::string line_style(std::string_view colour, double width = 1.2);
-
-/// Seconds since 1970, as points of a time axis carry them.
-[[nodiscard]] double seconds_of(std::int64_t time_us);
 
 }  // namespace loopscope::daemon

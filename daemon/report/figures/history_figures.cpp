@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "daemon/report/figures/gnuplot_text.hpp"
+#include "daemon/report/figures/time_axis.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -72,7 +73,7 @@ std::string plot(const Panel& panel) {
 
 }  // namespace
 
-std::vector<Figure> history_figures(History history) {
+std::vector<Figure> history_figures(History history, const TimeZone& zone) {
   if (history.size() < 2) return {};
   const std::int64_t from = history.front().slot_end_us;
   const std::int64_t to = history.back().slot_end_us;
@@ -86,7 +87,7 @@ std::vector<Figure> history_figures(History history) {
   for (int k = 0; k < count; ++k) {
     const Panel& shown = panels[static_cast<std::size_t>(k)];
     script += panel(k, count, kHeight) +
-              (k + 1 == count ? time_axis(from, to) : silent_time_axis(from, to)) +
+              (k + 1 == count ? time_axis(from, to, zone) : silent_time_axis(from, to, zone)) +
               value_axis(0.0, top_of(history, shown), shown.label) + plot(shown);
   }
   Figure figure{"Indices over time, one point per window",

@@ -14,6 +14,7 @@
 #include "core/signal/grid.hpp"
 #include "core/signal/order/spread.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
+#include "daemon/report/figures/time_axis.hpp"
 #include "daemon/report/text/page_text.hpp"
 
 namespace loopscope::daemon {
@@ -69,8 +70,9 @@ Range stretch_of(const LoopEvidence& evidence, const Residuals& residuals) {
 /// The two figures of a step: one stretch, one time axis, one scale.
 class PairFigures {
  public:
-  PairFigures(const LoopEvidence& evidence, const Residuals& residuals, const Range& stretch)
-      : stretch_(stretch), interval_s_(evidence.prepared.sample_interval_s) {
+  PairFigures(const LoopEvidence& evidence, const Residuals& residuals, const Range& stretch,
+              const TimeZone& zone)
+      : zone_(zone), stretch_(stretch), interval_s_(evidence.prepared.sample_interval_s) {
     const core::signal::LoopWindow& window = evidence.at_slot.window;
     const core::signal::Grid grid{window.start_us, interval_s_, window.size()};
     from_us_ = grid.time_us(stretch.first);
@@ -89,8 +91,9 @@ class PairFigures {
         envelope(part(series), seconds_of(from_us_), interval_s_, kPairColumns);
     Figure drawn{title, alt,
                  data_block("residual", points) + "unset key\n" + panel(0, 1, kPairHeight) +
-                     time_axis(from_us_, to_us_) + value_axis(low_, high_, "residual (pv units)") +
-                     "plot $residual using 1:2 " + line_style(colour, 1.0) + "\n"};
+                     time_axis(from_us_, to_us_, zone_) +
+                     value_axis(low_, high_, "residual (pv units)") + "plot $residual using 1:2 " +
+                     line_style(colour, 1.0) + "\n"};
     drawn.width = kPairWidth;
     drawn.height = kPairHeight;
     return drawn;
@@ -101,6 +104,7 @@ class PairFigures {
     return std::span(series).subspan(stretch_.first, stretch_.size());
   }
 
+  const TimeZone& zone_;
   Range stretch_;
   double interval_s_;
   std::int64_t from_us_ = 0;
@@ -109,14 +113,15 @@ class PairFigures {
   double high_ = 0.0;
 };
 
-std::optional<ResidualPair> pair_of(const LoopEvidence& evidence, std::size_t step) {
+std::optional<ResidualPair> pair_of(const LoopEvidence& evidence, std::size_t step,
+                                    const TimeZone& zone) {
   const ExplanationTraces& traces = *evidence.traces;
   const TraceStage& after = traces.stages[step + 1];
   const auto residuals = residuals_of(traces.measured, traces.stages[step], after);
   if (!residuals) return std::nullopt;
   const Range stretch = stretch_of(evidence, *residuals);
   if (stretch.size() < 2 || stretch.end > residuals->before.size()) return std::nullopt;
-  const PairFigures pair(evidence, *residuals, stretch);
+  const PairFigures pair(evidence, *residuals, stretch, zone);
   const std::string effect = after.effect ? in_words(name(*after.effect)) : "the effect";
   return ResidualPair{step,
                       pair.figure(residuals->before, colour::kGrey, "Residual before",
@@ -127,11 +132,11 @@ std::optional<ResidualPair> pair_of(const LoopEvidence& evidence, std::size_t st
 
 }  // namespace
 
-std::vector<ResidualPair> residual_pairs(const LoopEvidence& evidence) {
+std::vector<ResidualPair> residual_pairs(const LoopEvidence& evidence, const TimeZone& zone) {
   std::vector<ResidualPair> pairs;
   if (!evidence.traces || !evidence.traces->explanation.excited) return pairs;
   for (std::size_t step = 0; step + 1 < evidence.traces->stages.size(); ++step) {
-    if (auto pair = pair_of(evidence, step)) pairs.push_back(std::move(*pair));
+    if (auto pair = pair_of(evidence, step, zone)) pairs.push_back(std::move(*pair));
   }
   return pairs;
 }

@@ -5,6 +5,7 @@
 
 #include "daemon/report/evidence/loop_evidence.hpp"
 #include "daemon/report/figures/figure.hpp"
+#include "daemon/text/time_zone.hpp"
 
 namespace loopscope::daemon {
 
@@ -18,6 +19,7 @@ struct ResidualPair {
 /// Small figures of one scale a pair, over the stretch in which the effect lowers the error most.
 /// Residuals of the prediction one sample ahead; where a stage has none, measured less simulated.
 /// A step of whose stages neither can be had has no pair.
-[[nodiscard]] std::vector<ResidualPair> residual_pairs(const LoopEvidence& evidence);
+[[nodiscard]] std::vector<ResidualPair> residual_pairs(const LoopEvidence& evidence,
+                                                       const TimeZone& zone);
 
 }  // namespace loopscope::daemon

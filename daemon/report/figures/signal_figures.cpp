@@ -10,6 +10,7 @@
 #include "core/signal/grid.hpp"
 #include "core/signal/order/spread.hpp"
 #include "daemon/report/figures/gnuplot_text.hpp"
+#include "daemon/report/figures/time_axis.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -31,8 +32,8 @@ std::span<const double> part(const Samples& samples, const Stretch& stretch) {
 
 class Panels {
  public:
-  Panels(const LoopEvidence& evidence, const Stretch& stretch)
-      : interval_s_(evidence.prepared.sample_interval_s) {
+  Panels(const LoopEvidence& evidence, const Stretch& stretch, const TimeZone& zone)
+      : zone_(zone), interval_s_(evidence.prepared.sample_interval_s) {
     const core::signal::LoopWindow& window = evidence.at_slot.window;
     const core::signal::Grid grid{window.start_us, interval_s_, window.size()};
     from_us_ = grid.time_us(stretch.from);
@@ -53,9 +54,10 @@ class Panels {
     const int count = static_cast<int>(panels_.size());
     for (int k = 0; k < count; ++k) {
       const bool last = k + 1 == count;
-      text += panel(k, count, height) +
-              (last ? time_axis(from_us_, to_us_) : silent_time_axis(from_us_, to_us_)) +
-              plot(panels_[static_cast<std::size_t>(k)]);
+      text +=
+          panel(k, count, height) +
+          (last ? time_axis(from_us_, to_us_, zone_) : silent_time_axis(from_us_, to_us_, zone_)) +
+          plot(panels_[static_cast<std::size_t>(k)]);
     }
     return text + "unset multiplot\n";
   }
@@ -89,6 +91,7 @@ class Panels {
     return value_axis(low, high, panel.label) + "plot " + curves + "\n";
   }
 
+  const TimeZone& zone_;
   double interval_s_;
   std::int64_t from_us_ = 0;
   std::int64_t to_us_ = 0;
@@ -102,9 +105,10 @@ std::string_view op_label(const LoopEvidence& evidence) {
   return percent ? "op (%)" : "op (op units)";
 }
 
-Figure trend(const LoopEvidence& evidence, const Stretch& stretch, std::string title) {
+Figure trend(const LoopEvidence& evidence, const Stretch& stretch, const TimeZone& zone,
+             std::string title) {
   const core::signal::PreparedLoop& loop = evidence.prepared;
-  Panels panels(evidence, stretch);
+  Panels panels(evidence, stretch, zone);
   panels.add({{"pv", part(loop.pv, stretch), colour::kBlue},
               {"sp", part(loop.sp, stretch), colour::kBlack, true}},
              loop.sp.empty() ? "pv (pv units)" : "sp, pv (pv units)");
@@ -151,10 +155,10 @@ Stretch telling_stretch(const LoopEvidence& evidence) {
   return {end - samples, samples};
 }
 
-std::vector<Figure> trend_figures(const LoopEvidence& evidence) {
+std::vector<Figure> trend_figures(const LoopEvidence& evidence, const TimeZone& zone) {
   if (evidence.prepared.pv.empty()) return {};
-  return {trend(evidence, {0, evidence.prepared.pv.size()}, "Trends, whole window"),
-          trend(evidence, telling_stretch(evidence), "Trends, a few cycles of it")};
+  return {trend(evidence, {0, evidence.prepared.pv.size()}, zone, "Trends, whole window"),
+          trend(evidence, telling_stretch(evidence), zone, "Trends, a few cycles of it")};
 }
 
 std::vector<Figure> valve_figures(const LoopEvidence& evidence) {

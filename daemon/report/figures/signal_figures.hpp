@@ -4,6 +4,7 @@
 
 #include "daemon/report/evidence/loop_evidence.hpp"
 #include "daemon/report/figures/figure.hpp"
+#include "daemon/text/time_zone.hpp"
 
 namespace loopscope::daemon {
 
@@ -18,7 +19,7 @@ struct Stretch {
 [[nodiscard]] Stretch telling_stretch(const LoopEvidence& evidence);
 
 /// sp, pv, op and, where recorded, mv over the whole window, and again over its telling stretch.
-[[nodiscard]] std::vector<Figure> trend_figures(const LoopEvidence& evidence);
+[[nodiscard]] std::vector<Figure> trend_figures(const LoopEvidence& evidence, const TimeZone& zone);
 
 /// pv over op, or the valve's position over op where it is recorded, over the telling stretch;
 /// nothing where op is not recorded.

@@ -9,9 +9,9 @@
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/sections/loop_list.hpp"
 #include "daemon/report/sections/plant_section.hpp"
-#include "daemon/report/text/page_text.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
+#include "daemon/text/time_text.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 
 namespace loopscope::daemon {
@@ -25,14 +25,15 @@ std::string titled(const std::string& plant, const std::string& words) {
   return plant.empty() ? words : plant + ": " + words;
 }
 
-LivePage no_such_loop(const std::string& name) {
-  return {page({"No such loop", "", true}, {render("no_such_loop", {{"name", name}})}), false};
+LivePage no_such_loop(const std::string& name, const TimeZone& zone) {
+  return {page({"No such loop", "", true, zone.name()}, {render("no_such_loop", {{"name", name}})}),
+          false};
 }
 
 }  // namespace
 
 void LiveReader::draw_events(PlantFacts& facts, const std::stop_token& stop) {
-  EventAlbum album = event_album(facts.oscillations);
+  EventAlbum album = event_album(facts.oscillations, zone_);
   if (album.figures.empty()) return;
   try {
     if (!album_.shows_the_same(album)) {
@@ -49,25 +50,28 @@ void LiveReader::draw_events(PlantFacts& facts, const std::stop_token& stop) {
 PlantFacts LiveReader::plant_facts() const {
   storage::ReportDatabase database(results_connection(*settings_));
   const std::int64_t since_us = database.now_us() - kNewWithinUs;
-  return {settings_->report.plant,       since_us,
-          database.counts(since_us),     database.flagged(),
-          database.plant_oscillations(), database.repairs(since_us)};
+  PlantFacts facts{settings_->report.plant,       since_us,
+                   database.counts(since_us),     database.flagged(),
+                   database.plant_oscillations(), database.repairs(since_us)};
+  facts.zone = zone_;
+  return facts;
 }
 
 LivePage LiveReader::plant(const std::stop_token& stop) {
   PlantFacts facts = plant_facts();
   draw_events(facts, stop);
-  return {page(
-      {titled(facts.plant, "Control loops"), "as of " + utc(facts.since_us + kNewWithinUs), true},
-      {plant_section(facts, LoopLinks::pages)})};
+  const std::string now = minute_in_zone(facts.since_us + kNewWithinUs, zone_);
+  return {page({titled(facts.plant, "Control loops"), "as of " + now, true, zone_.name()},
+               {plant_section(facts, LoopLinks::pages)})};
 }
 
 LivePage LiveReader::loops() {
   storage::ReportDatabase database(results_connection(*settings_));
   const auto rows = database.loops();
   return {page({titled(settings_->report.plant, "All loops"),
-                core::text::counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), true},
-               {loop_list(rows)})};
+                core::text::counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), true,
+                zone_.name()},
+               {loop_list(rows, zone_)})};
 }
 
 const LiveReader::Seen* LiveReader::seen(const storage::FlaggedRow& row) const {
@@ -104,13 +108,14 @@ LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) 
   {
     storage::ReportDatabase database(results_connection(*settings_));
     const auto row = database.latest(name);
-    if (!row) return no_such_loop(name);
-    loop_report = read_loop_report(database, *row);
+    if (!row) return no_such_loop(name, zone_);
+    loop_report = read_loop_report(database, *row, zone_);
   }
   look(loop_report, stop);
-  return {page({titled(settings_->report.plant, name),
-                "window until " + utc(loop_report.row.slot_end_us), true},
-               {loop_section(loop_report)})};
+  return {page(
+      {titled(settings_->report.plant, name),
+       "window until " + minute_in_zone(loop_report.row.slot_end_us, zone_), true, zone_.name()},
+      {loop_section(loop_report)})};
 }
 
 }  // namespace loopscope::daemon

@@ -10,6 +10,7 @@
 #include "daemon/report/evidence/window_source.hpp"
 #include "daemon/report/sections/loop_section.hpp"
 #include "daemon/report/sections/plant_section.hpp"
+#include "daemon/text/time_zone.hpp"
 #include "storage/results/reports/report_database.hpp"
 
 namespace loopscope::daemon {
@@ -26,7 +27,7 @@ struct LivePage {
 class LiveReader {
  public:
   explicit LiveReader(std::shared_ptr<const config::Settings> settings)
-      : settings_(std::move(settings)), windows_(*settings_) {}
+      : settings_(std::move(settings)), zone_(settings_->plant.time_zone), windows_(*settings_) {}
 
   /// The first screen, with what is new since a week; without a plotting program no trends and
   /// spectra of shared oscillations.
@@ -52,6 +53,7 @@ class LiveReader {
   [[nodiscard]] const Seen* seen(const storage::FlaggedRow& row) const;
 
   std::shared_ptr<const config::Settings> settings_;
+  TimeZone zone_;
   WindowSource windows_;
   std::deque<Seen> seen_;  ///< newest first
   EventAlbum album_;       ///< that was drawn last

@@ -23,6 +23,8 @@ std::string page(const PageFrame& frame, const std::vector<Markup>& sections) {
                                        {"style", Markup(page_style().text)},
                                        {"subtitle", frame.subtitle},
                                        {"navigation", frame.navigation},
+                                       {"zone", frame.zone},
+                                       {"local", frame.zone != "UTC"},
                                        {"sections", sections},
                                        {"version", LOOPSCOPE_VERSION},
                                        {"script", Markup(page_script().text)}});

@@ -6,16 +6,17 @@
 #include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-Fields problem_fields(const storage::DataProblemRow& problem) {
-  return {{"words", problem.words},
+Fields problem_fields(const storage::DataProblemRow& problem, const TimeZone& zone) {
+  return {{"words", with_times_in_zone(problem.words, zone)},
           {"role", problem.role},
           {"tag", problem.tag},
-          {"since", utc(problem.since_us)},
-          {"remedy", problem.remedy}};
+          {"since", minute_in_zone(problem.since_us, zone)},
+          {"remedy", with_times_in_zone(problem.remedy, zone)}};
 }
 
 std::string share(const std::optional<double>& value) {
@@ -51,9 +52,10 @@ std::vector<std::string> refusals(const LoopEvidence& evidence) {
 
 Markup data_section(const LoopReport& loop_report) {
   const std::optional<LoopEvidence>& evidence = loop_report.evidence;
+  const auto problem = [&](const auto& row) { return problem_fields(row, loop_report.zone); };
   return render("data_section",
                 {{"any_problem", !loop_report.problems.empty()},
-                 {"problems", rows(loop_report.problems, problem_fields)},
+                 {"problems", rows(loop_report.problems, problem)},
                  {"refusals", evidence ? refusals(*evidence) : std::vector<std::string>()},
                  {"figures", evidence ? window_figures(*evidence) : ""}});
 }

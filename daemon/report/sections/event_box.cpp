@@ -15,6 +15,7 @@
 #include "daemon/report/sections/picture_rows.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -116,7 +117,8 @@ Fields member_fields(const Member& member, const PlantOscillationRow& event, std
 }  // namespace
 
 Markup event_box(const PlantOscillationRow& event, std::span<const Picture> pictures,
-                 std::span<const storage::FlaggedRow> flagged, LoopLinks links) {
+                 std::span<const storage::FlaggedRow> flagged, LoopLinks links,
+                 const TimeZone& zone) {
   const auto fields = [&](const Member& member) {
     return member_fields(member, event, link_to(member, flagged, links));
   };
@@ -132,7 +134,7 @@ Markup event_box(const PlantOscillationRow& event, std::span<const Picture> pict
        {"loops", core::text::counted(static_cast<std::int64_t>(members.size()), "loop", "loops")},
        {"source", event.source_name.value_or("")},
        {"statement", event.statement},
-       {"until", utc(event.slot_end_us)},
+       {"until", minute_in_zone(event.slot_end_us, zone)},
        {"any_odds", event.outside.has_value()},
        {"odds", odds(event)},
        {"any_drawn", !pictures.empty() || !map.html.empty()},

@@ -6,6 +6,7 @@
 #include "daemon/report/figures/figure.hpp"
 #include "daemon/report/page/fields.hpp"
 #include "daemon/report/text/html_text.hpp"
+#include "daemon/text/time_zone.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -15,6 +16,7 @@ namespace loopscope::daemon {
 /// its loops have a section to link to. Without pictures, or of a program of before, what there is.
 [[nodiscard]] Markup event_box(const storage::PlantOscillationRow& event,
                                std::span<const Picture> pictures,
-                               std::span<const storage::FlaggedRow> flagged, LoopLinks links);
+                               std::span<const storage::FlaggedRow> flagged, LoopLinks links,
+                               const TimeZone& zone);
 
 }  // namespace loopscope::daemon

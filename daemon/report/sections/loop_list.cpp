@@ -8,6 +8,7 @@
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -33,7 +34,7 @@ std::string page_link(const LoopRow& row) {
   return row.code ? loop_link(LoopLinks::pages, row.loop_id, row.name) : "";
 }
 
-Fields loop_fields(const LoopRow& row) {
+Fields loop_fields(const LoopRow& row, const TimeZone& zone) {
   const std::string code = code_shown(row);
   return {{"verdict", as_heading(code)},
           {"status", status_of(row)},
@@ -48,15 +49,16 @@ Fields loop_fields(const LoopRow& row) {
           {"follows", row.follows.value_or("")},
           {"rank_sort", row.rank.value_or(1'000'000'000)},
           {"rank", row.rank ? std::to_string(*row.rank) : kUnknown},
-          {"until", row.slot_end_us ? utc(*row.slot_end_us) : kUnknown},
+          {"until", row.slot_end_us ? minute_in_zone(*row.slot_end_us, zone) : kUnknown},
           {"health", in_words(row.health)}};
 }
 
 }  // namespace
 
-Markup loop_list(const std::vector<LoopRow>& loops) {
+Markup loop_list(const std::vector<LoopRow>& loops, const TimeZone& zone) {
+  const auto fields = [&](const LoopRow& row) { return loop_fields(row, zone); };
   const auto shown = std::span(loops).first(std::min(loops.size(), kMostRows));
-  return render("loop_list", {{"loops", rows(shown, loop_fields)},
+  return render("loop_list", {{"loops", rows(shown, fields)},
                               {"cut", loops.size() > kMostRows},
                               {"shown", static_cast<std::int64_t>(shown.size())},
                               {"all", static_cast<std::int64_t>(loops.size())}});

@@ -19,6 +19,7 @@
 #include "daemon/report/sections/repairs_table.hpp"
 #include "daemon/report/sections/why_not_listed.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -57,8 +58,8 @@ Fields heading(const LoopReport& loop_report) {
           {"any_fault", row.fault_probability ? two_decimals(*row.fault_probability) : ""},
           {"status_class", listed ? row.status : ""},
           {"status", listed ? row.status : "not flagged"},
-          {"since", utc(row.since_us)},
-          {"until", utc(row.slot_end_us)}};
+          {"since", minute_in_zone(row.since_us, loop_report.zone)},
+          {"until", minute_in_zone(row.slot_end_us, loop_report.zone)}};
 }
 
 /// What a loop follows: instead of its verdict where it is only shaken, else besides.
@@ -80,7 +81,7 @@ Markup causes_of(const LoopReport& loop_report) {
 Fields findings(const LoopReport& loop_report) {
   return {{"summary", loop_report.row.summary},
           {"source_of", number_text(loop_report.row.plant_oscillation_number)},
-          {"hidden", why_not_listed(loop_report.hidden)},
+          {"hidden", why_not_listed(loop_report.hidden, loop_report.zone)},
           {"action", loop_report.row.action},
           {"causes", causes_of(loop_report)}};
 }
@@ -117,7 +118,7 @@ Fields parts(const LoopReport& loop_report) {
           {"pictures", picture_rows(loop_report.pictures)},
           {"chain", model ? chain_table(*model, loop_report.chain) : Markup()},
           {"explanation", model ? explanation_table(*model) : Markup()},
-          {"repairs", repairs_table(loop_report.repairs)},
+          {"repairs", repairs_table(loop_report.repairs, loop_report.zone)},
           {"data", data_section(loop_report)}};
 }
 

@@ -8,6 +8,7 @@
 #include "daemon/report/figures/figure.hpp"
 #include "daemon/report/page/fields.hpp"
 #include "daemon/report/sections/chain_table.hpp"
+#include "daemon/text/time_zone.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -24,6 +25,7 @@ struct LoopReport {
   std::vector<Picture> pictures;
   std::vector<StepPictures> chain;  ///< of the steps of the loop model
   std::string trouble;  ///< why there are no pictures of the window, a sentence; empty = there are
+  TimeZone zone;        ///< of all times that are told
 };
 
 /// One loop as HTML: cause, action, evidence, pictures, what led to the explanation and its errors,

@@ -10,6 +10,7 @@
 #include "daemon/report/sections/repairs_table.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -35,14 +36,15 @@ std::string service_note(const storage::PlantCounts& counts) {
 
 List tiles(const PlantFacts& facts) {
   const storage::PlantCounts& counts = facts.counts;
-  return {tile(counts.loops, counts.loops == 1 ? "loop" : "loops",
-               fmt::format("{} enabled", counts.enabled)),
-          tile(counts.judged, "judged", "newest window could be judged"),
-          tile(counts.not_controlling, "not in control", service_note(counts)),
-          tile(counts.flagged, "flagged", "action needed", "act"),
-          tile(counts.new_flags, "new", "since " + utc(facts.since_us), "act"),
-          tile(counts.fixed, "fixed", "repairs since then", "good"),
-          tile(counts.unjudgeable, "unjudgeable", why_unjudged(counts))};
+  return {
+      tile(counts.loops, counts.loops == 1 ? "loop" : "loops",
+           fmt::format("{} enabled", counts.enabled)),
+      tile(counts.judged, "judged", "newest window could be judged"),
+      tile(counts.not_controlling, "not in control", service_note(counts)),
+      tile(counts.flagged, "flagged", "action needed", "act"),
+      tile(counts.new_flags, "new", "since " + minute_in_zone(facts.since_us, facts.zone), "act"),
+      tile(counts.fixed, "fixed", "repairs since then", "good"),
+      tile(counts.unjudgeable, "unjudgeable", why_unjudged(counts))};
 }
 
 /// Only a live page has a page for every loop.
@@ -59,32 +61,35 @@ List named(const storage::UnjudgedReason& reason, LoopLinks links) {
   return names;
 }
 
-Fields unjudged_fields(const storage::UnjudgedReason& reason, LoopLinks links) {
+Fields unjudged_fields(const storage::UnjudgedReason& reason, LoopLinks links,
+                       const TimeZone& zone) {
   const auto more = reason.loops - static_cast<std::int64_t>(reason.names.size());
   return {{"loops", reason.loops},
           {"reason", reason.words},
           {"named", named(reason, links)},
           {"more", more > 0 ? fmt::format(" and {} more", more) : ""},
-          {"remedy", reason.remedy}};
+          {"remedy", with_times_in_zone(reason.remedy, zone)}};
 }
 
 std::string lost_words(const storage::NotControllingRow& row) {
   return row.lost_by == "mode" ? "manual, tracking or out of service" : "constant output";
 }
 
-Fields open_loop_fields(const storage::NotControllingRow& row, LoopLinks links) {
+Fields open_loop_fields(const storage::NotControllingRow& row, LoopLinks links,
+                        const TimeZone& zone) {
   return {{"link", live_link(row.loop_id, row.loop_name, links)},
           {"name", row.loop_name},
           {"area", row.area.value_or("")},
           {"state", lost_words(row)},
-          {"since", row.since_us ? utc(*row.since_us) : ""},
+          {"since", row.since_us ? minute_in_zone(*row.since_us, zone) : ""},
           {"in_service", row.week_fraction ? core::text::percent(*row.week_fraction) : ""}};
 }
 
 std::vector<Markup> event_boxes(const PlantFacts& facts, LoopLinks links) {
   std::vector<Markup> boxes;
   for (const storage::PlantOscillationRow& event : facts.oscillations)
-    boxes.push_back(event_box(event, facts.album.of_event(event.number), facts.flagged, links));
+    boxes.push_back(
+        event_box(event, facts.album.of_event(event.number), facts.flagged, links, facts.zone));
   return boxes;
 }
 
@@ -92,8 +97,9 @@ std::vector<Markup> event_boxes(const PlantFacts& facts, LoopLinks links) {
 
 Markup plant_section(const PlantFacts& facts, LoopLinks links) {
   const storage::PlantCounts& counts = facts.counts;
-  const auto open_loop = [links](const auto& row) { return open_loop_fields(row, links); };
-  const auto unjudged = [links](const auto& reason) { return unjudged_fields(reason, links); };
+  const TimeZone& zone = facts.zone;
+  const auto open_loop = [&](const auto& row) { return open_loop_fields(row, links, zone); };
+  const auto unjudged = [&](const auto& reason) { return unjudged_fields(reason, links, zone); };
   return render("plant_section",
                 {{"tiles", tiles(facts)},
                  {"any_hidden", counts.victims + counts.annotated + counts.unlisted != 0},
@@ -103,8 +109,8 @@ Markup plant_section(const PlantFacts& facts, LoopLinks links) {
                  {"any_oscillation", !facts.oscillations.empty()},
                  {"picture_trouble", facts.picture_trouble},
                  {"oscillations", event_boxes(facts, links)},
-                 {"work_list", ranked_list(facts.flagged, facts.since_us, links)},
-                 {"repairs", repairs_table(facts.repairs)},
+                 {"work_list", ranked_list(facts.flagged, facts.since_us, links, zone)},
+                 {"repairs", repairs_table(facts.repairs, zone)},
                  // What plants look at first: whether the controllers are in service at all.
                  {"any_without_controller", !counts.without_controller.empty()},
                  {"without_controller", rows(counts.without_controller, open_loop)},

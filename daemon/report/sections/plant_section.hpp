@@ -7,6 +7,7 @@
 #include "daemon/report/figures/event_pictures.hpp"
 #include "daemon/report/page/fields.hpp"
 #include "daemon/report/text/html_text.hpp"
+#include "daemon/text/time_zone.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -21,6 +22,7 @@ struct PlantFacts {
   std::vector<storage::RepairRow> repairs;  ///< since `since_us`
   EventAlbum album = {};                    ///< trends and spectra of the oscillations
   std::string picture_trouble = {};         ///< why there are none, a sentence; empty = no trouble
+  TimeZone zone = {};                       ///< of all times that are told
 };
 
 /// The first screen as HTML: counts, why loops cannot be judged, oscillations that loops share, the

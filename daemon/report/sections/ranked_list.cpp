@@ -5,6 +5,7 @@
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -16,7 +17,8 @@ std::string sort_key(double value) {
   return fmt::format("{:.9g}", value);
 }
 
-Fields ranked_fields(const FlaggedRow& row, std::int64_t since_us, LoopLinks links) {
+Fields ranked_fields(const FlaggedRow& row, std::int64_t since_us, LoopLinks links,
+                     const TimeZone& zone) {
   return {{"rank", row.rank},
           {"verdict", as_heading(row.code)},
           {"code", row.code},
@@ -28,7 +30,7 @@ Fields ranked_fields(const FlaggedRow& row, std::int64_t since_us, LoopLinks lin
           {"confidence_sort", sort_key(row.believed())},
           {"confidence", two_decimals(row.believed())},
           {"since_us", row.since_us},
-          {"since", minute(row.since_us)},
+          {"since", minute_below_zone(row.since_us, zone)},
           {"is_new", row.since_us > since_us},
           {"severity_sort", sort_key(row.severity)},
           {"severity", two_decimals(row.severity)},
@@ -43,10 +45,14 @@ Fields ranked_fields(const FlaggedRow& row, std::int64_t since_us, LoopLinks lin
 
 }  // namespace
 
-Markup ranked_list(const std::vector<FlaggedRow>& flagged, std::int64_t since_us, LoopLinks links) {
-  const auto fields = [&](const FlaggedRow& row) { return ranked_fields(row, since_us, links); };
-  return render("ranked_list",
-                {{"any_flagged", !flagged.empty()}, {"flagged", rows(flagged, fields)}});
+Markup ranked_list(const std::vector<FlaggedRow>& flagged, std::int64_t since_us, LoopLinks links,
+                   const TimeZone& zone) {
+  const auto fields = [&](const FlaggedRow& row) {
+    return ranked_fields(row, since_us, links, zone);
+  };
+  return render("ranked_list", {{"any_flagged", !flagged.empty()},
+                                {"zone", zone.name()},
+                                {"flagged", rows(flagged, fields)}});
 }
 
 }  // namespace loopscope::daemon

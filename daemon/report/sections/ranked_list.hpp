@@ -5,6 +5,7 @@
 
 #include "daemon/report/page/fields.hpp"
 #include "daemon/report/text/html_text.hpp"
+#include "daemon/text/time_zone.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -12,6 +13,6 @@ namespace loopscope::daemon {
 /// The work list as a table, with every factor of the score; runs that began after `since_us` are
 /// marked as new.
 [[nodiscard]] Markup ranked_list(const std::vector<storage::FlaggedRow>& flagged,
-                                 std::int64_t since_us, LoopLinks links);
+                                 std::int64_t since_us, LoopLinks links, const TimeZone& zone);
 
 }  // namespace loopscope::daemon

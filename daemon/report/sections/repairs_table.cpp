@@ -4,6 +4,7 @@
 
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -31,24 +32,25 @@ List figure_rows(const RepairRow& repair) {
   return pairs;
 }
 
-Fields repair_fields(const RepairRow& repair) {
+Fields repair_fields(const RepairRow& repair, const TimeZone& zone) {
   const std::string unknown = repair.windows_before == 0 ? "not judged" : "too early";
   return {{"name", repair.loop_name},
           {"done_us", repair.done_at_us},
-          {"done", utc(repair.done_at_us)},
+          {"done", minute_in_zone(repair.done_at_us, zone)},
           {"kind", repair.kind},
           {"description", repair.description},
           {"word_class", repair.word.value_or("unknown")},
           {"word", repair.word.value_or(unknown)},
-          {"statement", repair.statement},
+          {"statement", with_times_in_zone(repair.statement, zone)},
           {"figures", figure_rows(repair)}};
 }
 
 }  // namespace
 
-Markup repairs_table(const std::vector<RepairRow>& repairs) {
+Markup repairs_table(const std::vector<RepairRow>& repairs, const TimeZone& zone) {
   if (repairs.empty()) return {};
-  return render("repairs_table", {{"repairs", rows(repairs, repair_fields)}});
+  const auto fields = [&](const RepairRow& repair) { return repair_fields(repair, zone); };
+  return render("repairs_table", {{"repairs", rows(repairs, fields)}});
 }
 
 }  // namespace loopscope::daemon

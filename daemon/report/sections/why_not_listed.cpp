@@ -2,6 +2,7 @@
 
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -32,26 +33,27 @@ std::string deed_words(const std::string& hidden_by) {
   return hidden_by == "false_positive" ? "Marked as a false positive" : as_heading(hidden_by);
 }
 
-Fields by_somebody(const HiddenRow& row) {
+Fields by_somebody(const HiddenRow& row, const TimeZone& zone) {
   return {{"oscillation", false},
           {"by_the_list", false},
           {"deed", deed_words(row.hidden_by)},
           {"author", row.author},
-          {"entered", utc(row.entered_us)},
-          {"until", row.until_us ? utc(*row.until_us) : ""},
+          {"entered", minute_in_zone(row.entered_us, zone)},
+          {"until", row.until_us ? minute_in_zone(*row.until_us, zone) : ""},
           {"reason", row.reason}};
 }
 
-Fields hidden_fields(const HiddenRow& row) {
+Fields hidden_fields(const HiddenRow& row, const TimeZone& zone) {
   if (row.plant_oscillation_number) return by_an_oscillation(row);
-  return is_by_the_list(row) ? by_the_list(row) : by_somebody(row);
+  return is_by_the_list(row) ? by_the_list(row) : by_somebody(row, zone);
 }
 
 }  // namespace
 
-Markup why_not_listed(const std::vector<HiddenRow>& hidden) {
+Markup why_not_listed(const std::vector<HiddenRow>& hidden, const TimeZone& zone) {
   if (hidden.empty()) return {};
-  return render("why_not_listed", {{"hidden", rows(hidden, hidden_fields)}});
+  const auto fields = [&](const HiddenRow& row) { return hidden_fields(row, zone); };
+  return render("why_not_listed", {{"hidden", rows(hidden, fields)}});
 }
 
 }  // namespace loopscope::daemon

@@ -5,20 +5,8 @@
 #include <fmt/format.h>
 
 #include "core/text/phrases.hpp"
-#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
-
-std::string minute(std::int64_t time_us) {
-  const std::string text = format_time(time_us);
-  constexpr std::size_t kDay = 10;
-  constexpr std::size_t kMinute = 16;
-  return text.substr(0, kDay) + " " + text.substr(kDay + 1, kMinute - kDay - 1);
-}
-
-std::string utc(std::int64_t time_us) {
-  return minute(time_us) + " UTC";
-}
 
 std::string two_decimals(double value) {
   return fmt::format("{:.2f}", value);

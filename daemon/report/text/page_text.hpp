@@ -15,12 +15,6 @@ inline constexpr const char* kUnknown = "\u2013";
 /// The same as a heading: "Valve stiction".
 [[nodiscard]] std::string as_heading(std::string_view code);
 
-/// "2026-03-01 12:00 UTC": microseconds UTC since 1970 to the minute, as a report says times.
-[[nodiscard]] std::string utc(std::int64_t time_us);
-
-/// The same without the zone, below a heading that names it.
-[[nodiscard]] std::string minute(std::int64_t time_us);
-
 /// Two decimals, for shares and weights.
 [[nodiscard]] std::string two_decimals(double value);
 

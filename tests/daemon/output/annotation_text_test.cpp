@@ -10,16 +10,18 @@ using testing::HasSubstr;
 constexpr std::int64_t kNewYear = 1'767'225'600'000'000;  // 2026-01-01
 
 TEST(AnnotationText, ALineSaysWhatHoldsAndUntilWhen) {
-  EXPECT_EQ(annotation_line({"FIC101", "suppressed", std::nullopt, kNewYear, "", "", 0}),
+  EXPECT_EQ(annotation_line({"FIC101", "suppressed", std::nullopt, kNewYear, "", "", 0}, {}),
             "suppressed FIC101, whatever the verdict, until 2026-01-01T00:00:00Z");
-  EXPECT_EQ(annotation_line({"FIC101", "acknowledged", "valve_stiction", std::nullopt, "", "", 0}),
-            "acknowledged FIC101, verdict valve_stiction, until it is withdrawn");
+  EXPECT_EQ(
+      annotation_line({"FIC101", "acknowledged", "valve_stiction", std::nullopt, "", "", 0}, {}),
+      "acknowledged FIC101, verdict valve_stiction, until it is withdrawn");
 }
 
 TEST(AnnotationText, ATableOfWhatHolds) {
-  EXPECT_EQ(annotation_table({}), "no annotation holds\n");
+  EXPECT_EQ(annotation_table({}, {}), "no annotation holds\n");
   const std::string table = annotation_table(
-      {{"FIC101", "suppressed", std::nullopt, kNewYear, "shutdown", "anna", kNewYear + 500'000}});
+      {{"FIC101", "suppressed", std::nullopt, kNewYear, "shutdown", "anna", kNewYear + 500'000}},
+      {});
   EXPECT_EQ(table,
             "loop                     what           verdict                until                "
             "by               since                reason\n"
@@ -27,9 +29,23 @@ TEST(AnnotationText, ATableOfWhatHolds) {
             "anna             2026-01-01T00:00:00Z shutdown\n");
 }
 
+TEST(AnnotationText, TimesAreThoseOfThePlant) {
+  const TimeZone kolkata("Asia/Kolkata");
+  EXPECT_EQ(annotation_line({"FIC101", "suppressed", std::nullopt, kNewYear, "", "", 0}, kolkata),
+            "suppressed FIC101, whatever the verdict, until 2026-01-01T05:30:00+05:30");
+  EXPECT_EQ(
+      annotation_table(
+          {{"FIC101", "suppressed", std::nullopt, kNewYear, "shutdown", "anna", kNewYear}},
+          kolkata),
+      "loop                     what           verdict                until                     "
+      "by               since                     reason\n"
+      "FIC101                   suppressed     any                    2026-01-01T05:30:00+05:30 "
+      "anna             2026-01-01T05:30:00+05:30 shutdown\n");
+}
+
 TEST(AnnotationText, WordsSteerNoTerminal) {
   const std::string table = annotation_table(
-      {{"a\nb", "acknowledged", "x\x1b", std::nullopt, "y\x1b[2J", "z\r", kNewYear}});
+      {{"a\nb", "acknowledged", "x\x1b", std::nullopt, "y\x1b[2J", "z\r", kNewYear}}, {});
   for (const char* word : {"a\\x0ab", "x\\x1b", "y\\x1b[2J", "z\\x0d"})
     EXPECT_THAT(table, HasSubstr(word));
 }

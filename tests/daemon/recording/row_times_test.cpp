@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "tests/daemon/data_failure.hpp"
+#include "tests/daemon/times.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -13,15 +14,17 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::vector<std::int64_t> times_of(const std::string& column,
-                                   std::initializer_list<const char*> cells) {
+                                   std::initializer_list<const char*> cells,
+                                   const TimeZone& zone = {}) {
   std::string text = column + ",pv\n";
   for (const char* cell : cells) text += std::string(cell) + ",1\n";
   const CsvTable table = parse_csv(text, "f.csv");
-  return read_times(table, find_columns(table));
+  return read_times(table, find_columns(table), zone);
 }
 
-Failure times_failure(const std::string& column, std::initializer_list<const char*> cells) {
-  return data_failure([&] { return times_of(column, cells); });
+Failure times_failure(const std::string& column, std::initializer_list<const char*> cells,
+                      const TimeZone& zone = {}) {
+  return data_failure([&] { return times_of(column, cells, zone); });
 }
 
 TEST(RowTimes, SecondsAndIsoTimesAsMicroseconds) {
@@ -50,8 +53,33 @@ TEST(RowTimes, BackwardsInLocalTimeIsBlamedOnDaylightSaving) {
   EXPECT_STREQ(local.what(),
                "f.csv, line 3, column \"time\": the time \"2026-10-25 02:00:00\" runs backwards");
   EXPECT_EQ(local.hint(),
-            "write the times in UTC or with their offset; local time repeats an hour when daylight "
-            "saving ends");
+            "write the times in UTC or with their offset, or name their zone (/plant/time_zone, or "
+            "--time-zone of analyze); local time repeats an hour when daylight saving ends");
+}
+
+TEST(RowTimes, LocalTimesGoOnThroughTheHourThatIsRepeated) {
+  const TimeZone berlin("Europe/Berlin");
+  EXPECT_THAT(
+      times_of("time",
+               {"2026-10-25 02:58", "2026-10-25 02:59", "2026-10-25 02:00", "2026-10-25 02:01",
+                "2026-10-25 03:00"},
+               berlin),
+      ElementsAre(kBerlinBack_us - 2 * kMinute_us, kBerlinBack_us - kMinute_us, kBerlinBack_us,
+                  kBerlinBack_us + kMinute_us, kBerlinBack_us + 60 * kMinute_us));
+  // Two passes are all that there are.
+  EXPECT_EQ(
+      times_failure("time", {"2026-10-25 02:59", "2026-10-25 02:00", "2026-10-25 01:00"}, berlin)
+          .hint(),
+      "sort the rows by time");
+}
+
+TEST(RowTimes, ATimeThatTheClockHasLeftOutIsRefused) {
+  const Failure failure = times_failure("time", {"2026-03-29 02:30"}, TimeZone("Europe/Berlin"));
+  EXPECT_STREQ(failure.what(),
+               "f.csv, line 2, column \"time\": \"2026-03-29 02:30\" is not a time in "
+               "Europe/Berlin: the clock was put forward from 02:00 CET to 03:00 CEST then");
+  EXPECT_EQ(failure.hint(),
+            "write the time that the clock showed, with its offset: 2026-03-29T03:30:00+02:00");
 }
 
 TEST(RowTimes, BackwardsElsewhereNeedsSorting) {

@@ -6,7 +6,7 @@
 
 #include "daemon/report/figures/gnuplot_text.hpp"
 #include "daemon/report/figures/history_figures.hpp"
-#include "daemon/report/figures/run_child.hpp"
+#include "daemon/report/programs/run_child.hpp"
 #include "daemon/text/failure.hpp"
 
 namespace loopscope::daemon {
@@ -31,7 +31,7 @@ std::vector<storage::HistoryPoint> history(std::size_t slots) {
 TEST(DrawFigures, OnePictureForEachFigure) {
   if (!gnuplot()) GTEST_SKIP() << "no gnuplot (package gnuplot-nox)";
   const Figure line{"a title", "words", "plot sin(x)\n"};
-  std::vector<Figure> figures = history_figures(history(30));
+  std::vector<Figure> figures = history_figures(history(30), {});
   ASSERT_EQ(figures.size(), 1U);
   figures.push_back(line);
   const std::vector<Picture> pictures = draw_figures(figures, *gnuplot());
@@ -54,8 +54,8 @@ TEST(DrawFigures, SaysWhatGnuplotSays) {
 }
 
 TEST(DrawFigures, ALoopWithoutAPastHasNoPictureOfIt) {
-  EXPECT_TRUE(history_figures(history(1)).empty());
-  EXPECT_TRUE(history_figures({}).empty());
+  EXPECT_TRUE(history_figures(history(1), {}).empty());
+  EXPECT_TRUE(history_figures({}, {}).empty());
 }
 
 }  // namespace

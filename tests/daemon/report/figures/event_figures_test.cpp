@@ -6,7 +6,7 @@
 
 #include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/figures/event_pictures.hpp"
-#include "daemon/report/figures/run_child.hpp"
+#include "daemon/report/programs/run_child.hpp"
 #include "tests/daemon/report/event_rows.hpp"
 #include "tests/support/hostile_names.hpp"
 
@@ -19,7 +19,7 @@ using testing::Not;
 using testing::SizeIs;
 
 TEST(EventFigures, TrendsAndSpectraOfTheSameLoops) {
-  const std::vector<Figure> figures = event_figures(sample_event(10));
+  const std::vector<Figure> figures = event_figures(sample_event(10), {});
   ASSERT_THAT(figures, SizeIs(2));
   for (const Figure& figure : figures) {
     EXPECT_THAT(figure.script, HasSubstr("$row7 << EOD"));
@@ -29,14 +29,14 @@ TEST(EventFigures, TrendsAndSpectraOfTheSameLoops) {
   EXPECT_THAT(figures[0].script, HasSubstr("one period, 40 s"));
   EXPECT_THAT(figures[1].script, HasSubstr("period 40 s"));
   EXPECT_THAT(figures[1].script, HasSubstr("'1 min' 60"));
-  EXPECT_GT(figures[0].height, event_figures(sample_event(2))[0].height);
+  EXPECT_GT(figures[0].height, event_figures(sample_event(2), {})[0].height);
 }
 
 TEST(EventFigures, ACurveIsNumberedAsInTheListOfMembers) {
   storage::PlantOscillationRow event = sample_event(3);
   std::swap(event.members[1], event.members[2]);
   event.traces.erase(event.traces.begin() + 1);  // of L2, which is the third now
-  const std::string script = event_figures(event)[0].script;
+  const std::string script = event_figures(event, {})[0].script;
   EXPECT_THAT(script, HasSubstr("set label '1' at"));
   EXPECT_THAT(script, HasSubstr("set label '2' at"));
   EXPECT_THAT(script, Not(HasSubstr("set label '3' at")));
@@ -45,8 +45,8 @@ TEST(EventFigures, ACurveIsNumberedAsInTheListOfMembers) {
 TEST(EventFigures, WithoutTracesThereAreNone) {
   storage::PlantOscillationRow event = sample_event(3);
   event.traces.clear();
-  EXPECT_THAT(event_figures(event), IsEmpty());
-  EXPECT_THAT(event_album({&event, 1}).figures, IsEmpty());
+  EXPECT_THAT(event_figures(event, {}), IsEmpty());
+  EXPECT_THAT(event_album({&event, 1}, {}).figures, IsEmpty());
 }
 
 TEST(EventFigures, WhatCannotBeDrawnIsLeftOut) {
@@ -55,7 +55,7 @@ TEST(EventFigures, WhatCannotBeDrawnIsLeftOut) {
   event.traces[1].error.assign(240, NAN);
   event.traces[2].power.clear();
   event.traces[3].loop_id = 99;
-  const std::vector<Figure> figures = event_figures(event);
+  const std::vector<Figure> figures = event_figures(event, {});
   ASSERT_THAT(figures, SizeIs(2));
   EXPECT_THAT(figures[0].script, Not(HasSubstr("$row1")));
   EXPECT_THAT(figures[1].script, Not(HasSubstr("$row2")));
@@ -67,7 +67,8 @@ TEST(EventFigures, NoNameComesIntoAScript) {
     storage::PlantOscillationRow event = sample_event(3);
     for (auto& member : event.members) member.loop_name = name;
     event.source_name = event.statement = name;
-    EXPECT_EQ(event_figures(event)[0].script, event_figures(sample_event(3))[0].script) << about;
+    EXPECT_EQ(event_figures(event, {})[0].script, event_figures(sample_event(3), {})[0].script)
+        << about;
   }
 }
 
@@ -78,7 +79,7 @@ TEST(EventFigures, GnuplotDrawsThem) {
   for (std::size_t k = 50; k < 70; ++k) gaps.traces[0].error[k] = NAN;
   gaps.number = 2;
   const std::vector<storage::PlantOscillationRow> events = {sample_event(8), gaps};
-  EventAlbum album = event_album(events);
+  EventAlbum album = event_album(events, {});
   album.pictures = draw_figures(album.figures, *gnuplot);
   EXPECT_THAT(album.of_event(1), SizeIs(2));
   EXPECT_THAT(album.of_event(2), SizeIs(2));
@@ -88,11 +89,11 @@ TEST(EventFigures, GnuplotDrawsThem) {
 
 TEST(EventAlbum, ShowsTheSameWhileTheRoundIsTheSame) {
   std::vector<storage::PlantOscillationRow> events = {sample_event(4)};
-  const EventAlbum before = event_album(events);
-  EXPECT_TRUE(event_album(events).shows_the_same(before));
+  const EventAlbum before = event_album(events, {});
+  EXPECT_TRUE(event_album(events, {}).shows_the_same(before));
   events[0].traces[1].error[7] += 1.0;
-  EXPECT_FALSE(event_album(events).shows_the_same(before));
-  EXPECT_FALSE(event_album({}).shows_the_same(before));
+  EXPECT_FALSE(event_album(events, {}).shows_the_same(before));
+  EXPECT_FALSE(event_album({}, {}).shows_the_same(before));
 }
 
 }  // namespace

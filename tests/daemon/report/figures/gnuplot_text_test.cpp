@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/daemon/times.hpp"
-
 namespace loopscope::daemon {
 namespace {
 
@@ -15,18 +13,6 @@ using testing::Not;
 TEST(GnuplotText, DataBlocksBreakWhereNothingIsKnown) {
   EXPECT_EQ(data_block("pv", std::vector<Point>{{1.0, 2.5}, {2.0, NAN}, {3.0, 1e-9}}),
             "$pv << EOD\n1 2.5\n\n3 1e-09\nEOD\n");
-}
-
-TEST(GnuplotText, TimeAxesNameDayAndZoneAndCountInRoundTimes) {
-  const std::string hours = time_axis(kNoon_us, kNoon_us + 2 * kHour_us);
-  EXPECT_THAT(hours, HasSubstr("time (UTC) on 2026-03-01"));
-  EXPECT_THAT(hours, HasSubstr("set xtics 1800\n"));
-  EXPECT_THAT(hours, HasSubstr("'%H:%M'"));
-  const std::string weeks = time_axis(kNoon_us, kNoon_us + 500 * kHour_us);
-  EXPECT_THAT(weeks, HasSubstr("time (UTC), 2026-03-01 to 2026-03-22"));
-  EXPECT_THAT(weeks, HasSubstr("'%d %b'"));
-  EXPECT_THAT(time_axis(kNoon_us, kNoon_us + kHour_us / 200), HasSubstr("'%H:%M:%S'"));
-  EXPECT_THAT(silent_time_axis(kNoon_us, kNoon_us + kHour_us), HasSubstr("unset xlabel"));
 }
 
 TEST(GnuplotText, AnAxisHoldsItsValuesAndHasFewTics) {

@@ -59,7 +59,7 @@ std::string line_of(const Figure& figure, const std::string& words) {
 }
 
 TEST(ResidualPairs, BothFiguresOfAStepHaveOneScaleAndOneStretch) {
-  const std::vector<ResidualPair> pairs = residual_pairs(evidence());
+  const std::vector<ResidualPair> pairs = residual_pairs(evidence(), {});
   ASSERT_EQ(pairs.size(), 2U);
   for (const ResidualPair& pair : pairs) {
     EXPECT_EQ(line_of(pair.before, "set yrange"), line_of(pair.after, "set yrange"));
@@ -74,7 +74,7 @@ TEST(ResidualPairs, BothFiguresOfAStepHaveOneScaleAndOneStretch) {
 
 /// Where the first effect tells, this one need not be seen.
 TEST(ResidualPairs, EachEffectIsShownWhereItTells) {
-  const std::vector<ResidualPair> pairs = residual_pairs(evidence());
+  const std::vector<ResidualPair> pairs = residual_pairs(evidence(), {});
   ASSERT_EQ(pairs.size(), 2U);
   EXPECT_THAT(pairs[1].before.script, HasSubstr(" 9\n"));
   EXPECT_THAT(pairs[1].after.script, Not(HasSubstr(" 9\n")));
@@ -83,7 +83,7 @@ TEST(ResidualPairs, EachEffectIsShownWhereItTells) {
 TEST(ResidualPairs, AStepThatChangesNothingShowsTheStretchOfTheFirstEffect) {
   LoopEvidence seen = evidence();
   seen.traces->stages[2].one_step_residual = seen.traces->stages[1].one_step_residual;
-  const std::vector<ResidualPair> pairs = residual_pairs(seen);
+  const std::vector<ResidualPair> pairs = residual_pairs(seen, {});
   ASSERT_EQ(pairs.size(), 2U);
   EXPECT_THAT(pairs[1].before.script, HasSubstr("set xrange [1772366500.000:1772366699.000]"));
 }
@@ -92,10 +92,10 @@ TEST(ResidualPairs, WhereAStageHasNoPredictionTheSimulationStandsForIt) {
   LoopEvidence seen = evidence();
   seen.traces->stages.resize(2);
   seen.traces->stages[1].one_step_residual.clear();
-  EXPECT_TRUE(residual_pairs(seen).empty()) << "neither";
+  EXPECT_TRUE(residual_pairs(seen, {}).empty()) << "neither";
   seen.traces->stages[0].simulated.assign(kSamples, 4.0);
   seen.traces->stages[1].simulated.assign(kSamples, 0.5);
-  const std::vector<ResidualPair> pairs = residual_pairs(seen);
+  const std::vector<ResidualPair> pairs = residual_pairs(seen, {});
   ASSERT_EQ(pairs.size(), 1U);
   EXPECT_THAT(pairs[0].before.script, HasSubstr(" -3\n"));
   EXPECT_THAT(pairs[0].after.script, HasSubstr(" 0.5\n"));
@@ -104,9 +104,9 @@ TEST(ResidualPairs, WhereAStageHasNoPredictionTheSimulationStandsForIt) {
 TEST(ResidualPairs, AModelThatClaimsNothingHasNone) {
   LoopEvidence seen = evidence();
   seen.traces->explanation.excited = false;
-  EXPECT_TRUE(residual_pairs(seen).empty());
+  EXPECT_TRUE(residual_pairs(seen, {}).empty());
   seen.traces.reset();
-  EXPECT_TRUE(residual_pairs(seen).empty());
+  EXPECT_TRUE(residual_pairs(seen, {}).empty());
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ TEST(LoopList, LinksToLoopsThatHaveAPage) {
   seen.name = "a&b";
   seen.code = "healthy";
   never.name = "never";
-  const std::string text = loop_list({seen, never}).html;
+  const std::string text = loop_list({seen, never}, {}).html;
   EXPECT_THAT(text, HasSubstr("href=\"/loop?name=a%26b\""));
   EXPECT_THAT(text, HasSubstr("<bdi>never</bdi>"));
   EXPECT_THAT(text, Not(HasSubstr("name=never")));
@@ -27,7 +27,7 @@ TEST(LoopList, LinksToLoopsThatHaveAPage) {
 }
 
 TEST(LoopList, OfAVeryLargePlantTheFirstRowsAndHowManyThereAre) {
-  const std::string text = loop_list(std::vector<storage::LoopRow>(5001)).html;
+  const std::string text = loop_list(std::vector<storage::LoopRow>(5001), {}).html;
   EXPECT_THAT(text, HasSubstr("The first 5000 of 5001 loops, flagged ones before others"));
 }
 
@@ -40,7 +40,7 @@ TEST(LoopList, NoHostileNameChangesTheMarkup) {
     hidden.status.reset();
     hidden.hidden_by = text;
     hidden.shown_code = "external_disturbance";
-    return loop_list({row, hidden}).html;
+    return loop_list({row, hidden}, {}).html;
   };
   for (const auto& [about, name] : tests::hostile_names()) {
     EXPECT_EQ(tags_of(list_with(name)), tags_of(list_with("words"))) << about << ": " << name;

@@ -41,7 +41,7 @@ storage::RepairRow repair() {
 
 /// The row without the head of the table and the note below it.
 std::string row_of(const storage::RepairRow& row) {
-  const std::string html = repairs_table({row}).html;
+  const std::string html = repairs_table({row}, {}).html;
   const std::size_t begin = html.find("<tbody>\n") + 8;
   return html.substr(begin, html.find("\n</tbody>") - begin);
 }
@@ -59,7 +59,7 @@ TEST(RepairsTable, ARowSaysWhatWasDoneWhatCameOfItAndByHowMuch) {
 }
 
 TEST(RepairsTable, WithoutRepairsThereIsNone) {
-  EXPECT_EQ(repairs_table({}).html, "");
+  EXPECT_EQ(repairs_table({}, {}).html, "");
 }
 
 }  // namespace

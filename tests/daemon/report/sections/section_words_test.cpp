@@ -92,7 +92,7 @@ TEST(SectionWords, ALoopThatIsOnlyShaken) {
 TEST(SectionWords, AnOscillationOfThreeLoops) {
   storage::PlantOscillationRow event = sample_event(3);
   event.members[0].reasons = {"It leads.", "Against it: the others lead it."};
-  EXPECT_EQ(words_of(event_box(event, {}, {}, LoopLinks::pages).html),
+  EXPECT_EQ(words_of(event_box(event, {}, {}, LoopLinks::pages, {}).html),
             "Plant-wide oscillation 1: period 40 s, 3 loops\n"
             "Source: L1. L1 leads.\n"
             "Found in windows until 1970-01-01 00:00 UTC.\n"
@@ -181,7 +181,7 @@ TEST(SectionWords, AllLoops) {
   storage::LoopRow never;
   never.name = "LIC3";
   EXPECT_EQ(
-      words_of(loop_list({row, never}).html),
+      words_of(loop_list({row, never}, {}).html),
       "Loop | Type | Source | Verdict | Confidence | Status | Rank | Window until | Monitor\n"
       "TIC2 | \u2013 | plant | External disturbance by itself healthy | 0.93 | not on the list: "
       "affected by a shared oscillation 62 % of its error follows | \u2013 | \u2013 | no data\n"

@@ -9,7 +9,7 @@ constexpr std::int64_t kEnteredUs = 1'772'366'400'000'000;  // 2026-03-01T12:00:
 
 /// The one entry of the list of findings.
 std::string said_of(const storage::HiddenRow& row) {
-  const std::string html = why_not_listed({row}).html;
+  const std::string html = why_not_listed({row}, {}).html;
   const std::string start = "<dt>Not on the list</dt><dd>", end = "</dd>";
   EXPECT_TRUE(html.starts_with(start) && html.ends_with(end)) << html;
   return html.substr(start.size(), html.size() - start.size() - end.size());
@@ -34,7 +34,7 @@ TEST(WhyNotListed, EveryReasonIsASentence) {
 }
 
 TEST(WhyNotListed, NothingHidesNothingIsSaid) {
-  EXPECT_EQ(why_not_listed({}).html, "");
+  EXPECT_EQ(why_not_listed({}, {}).html, "");
 }
 
 }  // namespace

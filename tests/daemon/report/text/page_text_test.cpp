@@ -6,13 +6,6 @@
 namespace loopscope::daemon {
 namespace {
 
-constexpr std::int64_t kNoonUs = 1'772'366'459'000'000;  // 2026-03-01T12:00:59Z
-
-TEST(PageText, TimesAreWholeMinutes) {
-  EXPECT_EQ(minute(kNoonUs), "2026-03-01 12:00");
-  EXPECT_EQ(utc(kNoonUs), "2026-03-01 12:00 UTC");
-}
-
 TEST(PageText, FiguresThatAreNotKnownAreADash) {
   EXPECT_EQ(two_decimals(0.625), "0.62");
   EXPECT_EQ(digits(0.012345), "0.0123");
