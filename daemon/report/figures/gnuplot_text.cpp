@@ -49,8 +49,14 @@ std::string value_axis(double low, double high, std::string_view label) {
   double span = high - low;
   // A constant still has to be seen as a line within its axis.
   if (!(span > 0.0)) span = std::max(std::abs(high) * 0.02, 1e-9);
-  return fmt::format("set yrange [{:.9g}:{:.9g}]\nset ytics {:.9g}\nset ylabel '{}' offset 1,0\n",
-                     low - kAir * span, high + kAir * span, round_step(span), label);
+  return fmt::format("set yrange [{:.9g}:{:.9g}]\nset ytics {:.9g}\n", low - kAir * span,
+                     high + kAir * span, round_step(span)) +
+         value_label(label);
+}
+
+std::string value_label(std::string_view label) {
+  constexpr int kTag = 99;  // far from those that gnuplot gives labels by itself
+  return fmt::format("set label {} '{}' at graph 0, graph 1 left offset 0.3,0.6\n", kTag, label);
 }
 
 std::string panel(int index, int count, int height) {

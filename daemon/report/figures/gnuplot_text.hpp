@@ -25,8 +25,13 @@ inline constexpr std::string_view kGrey = "#666666";
 /// What every picture begins with: terminal, type, frame, grid, no title. CSS pixels.
 [[nodiscard]] std::string picture_start(int width, int height);
 
-/// The y axis: a range that holds `low` to `high` with a little air, and a label.
+/// The y axis: a range that holds `low` to `high` with a little air, and its value_label().
 [[nodiscard]] std::string value_axis(double low, double high, std::string_view label);
+
+/// The label of a y axis, above its upper end, where it may be long: upright beside the axis it is
+/// cut off by the edge of the picture as soon as it is longer than the panel is high, or the
+/// figures at the tics are wide. Wants the room above that panel() leaves.
+[[nodiscard]] std::string value_label(std::string_view label);
 
 /// One (`index` from 0) of `count` panels one above the other, the first on top: its margins, as
 /// shares of a canvas `height` pixels high. The last one has room for the words of the x axis.

@@ -178,8 +178,9 @@ std::vector<Figure> valve_figures(const LoopEvidence& evidence) {
                 "phase plot of the telling stretch: play and stiction show as a parallelogram",
                 data_block("orbit", points)};
   figure.script +=
-      fmt::format("set xlabel 'controller output op ({})'\nset ylabel '{}' offset 1,0\n", unit,
-                  answer_label) +
+      panel(0, 1, figure.height) +
+      fmt::format("set xlabel 'controller output op ({})' offset 0,0.6\n", unit) +
+      value_label(answer_label) +
       "set autoscale\nunset key\nset offsets graph 0.04, graph 0.04, graph 0.04, graph 0.04\n"
       "plot $orbit using 1:2 " +
       line_style(colour::kBlue, 0.8) + "\n";

@@ -153,11 +153,10 @@ std::vector<Figure> bicoherence_figures(const LoopEvidence& evidence) {
   figure.script += fmt::format("set xrange [0:{:.9g}]\nset yrange [0:{:.9g}]\n",
                                0.5 / map.interval_s, 0.27 / map.interval_s);
   figure.script +=
-      "set xlabel 'frequency f_1 (Hz)' offset 0,0.5\nset ylabel 'frequency f_2 (Hz)' offset "
-      "0.5,0\nunset key\n"
+      "set xlabel 'frequency f_1 (Hz)' offset 0,0.5\nunset key\n"
       "set lmargin at screen 0.15\nset rmargin at screen 0.82\nset bmargin at screen 0.18\n"
-      "set tmargin at screen 0.95\n" +
-      peak_marks(map);
+      "set tmargin at screen 0.93\n" +
+      value_label("frequency f_2 (Hz)") + peak_marks(map);
   // The first pixel's middle lies half a pixel behind the left edge of cell 1.
   figure.script += fmt::format(
       "plot $map matrix using (($1 + 0.5) * {0:.12g} + {1:.12g}):(($2 + 0.5) * {0:.12g} + "

@@ -24,6 +24,8 @@ constexpr std::int64_t kDay_s = 86'400;
 /// fewer do.
 constexpr std::int64_t kMostTics = 6;
 constexpr std::int64_t kMostLongTics = 4;
+/// Half of a word that names the clock, below the end of the axis.
+constexpr const char* kRoomForLongTics = "set rmargin at screen 0.9\n";
 
 /// Distances between tics that people count in.
 constexpr std::array<std::int64_t, 26> kSteps_s{
@@ -66,12 +68,14 @@ struct Axis {
         step_s(tic_step_s(to_s - from_s, changes())) {}
 
   [[nodiscard]] bool changes() const { return periods.size() > 1; }
+  /// Whether tics name the clock: days are the same by both.
+  [[nodiscard]] bool names_clock() const { return changes() && step_s < kDay_s; }
 };
 
 std::string tic_label(std::int64_t clock_s, const TimeZone::Period& period, const Axis& axis) {
   const date::local_seconds clock{std::chrono::seconds(clock_s)};
   const std::string text = date::format(tic_format(axis.step_s), clock);
-  return axis.changes() && axis.step_s < kDay_s ? text + " " + period.words : text;
+  return axis.names_clock() ? text + " " + period.words : text;
 }
 
 std::int64_t rounded_up(std::int64_t value, std::int64_t step) {
@@ -99,8 +103,9 @@ std::string range_and_tics(const Axis& axis, bool silent) {
   for (const TimeZone::Period& period : axis.periods) tics += tics_of(period, axis, silent);
   // A list must not be empty; one tic of a lone moment may lie outside.
   if (tics.empty()) tics = fmt::format(", '' {:.3f}", axis.from_s);
-  return fmt::format("set xrange [{:.3f}:{:.3f}]\nset xtics offset 0,0.4 ({})\n", axis.from_s,
-                     axis.to_s, std::string_view(tics).substr(2));
+  return fmt::format("{}set xrange [{:.3f}:{:.3f}]\nset xtics offset 0,0.4 ({})\n",
+                     axis.names_clock() ? kRoomForLongTics : "", axis.from_s, axis.to_s,
+                     std::string_view(tics).substr(2));
 }
 
 /// "CET", "CEST, then CET", of a year "CET and CEST".

@@ -23,6 +23,13 @@ TEST(GnuplotText, AnAxisHoldsItsValuesAndHasFewTics) {
   EXPECT_THAT(value_axis(0.0, 0.0, "pv"), Not(HasSubstr("[0:0]")));
 }
 
+// Beside the axis it was cut off by wide figures at the tics, and in low panels.
+TEST(GnuplotText, TheLabelOfAValueStandsAboveItsAxis) {
+  EXPECT_THAT(value_axis(100'200.0, 100'900.0, "sp, pv (pv units)"),
+              HasSubstr("set label 99 'sp, pv (pv units)' at graph 0, graph 1 left"));
+  EXPECT_THAT(value_axis(0.0, 1.0, "pv"), Not(HasSubstr("ylabel")));
+}
+
 TEST(GnuplotText, PanelsStandOneAboveTheOtherWithinTheCanvas) {
   EXPECT_THAT(panel(0, 1, 320), HasSubstr("set tmargin at screen 0.9313\n"));
   EXPECT_THAT(panel(2, 3, 320), HasSubstr("set bmargin at screen 0.1500\n"));

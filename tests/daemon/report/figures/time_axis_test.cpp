@@ -41,6 +41,7 @@ TEST(TimeAxis, TicsAreRoundOnTheClockOfThePlant) {
 TEST(TimeAxis, WhereTheClockIsPutForwardAnHourIsLeftOut) {
   EXPECT_EQ(time_axis(kBerlinForward_us - 2 * kHour_us, kBerlinForward_us + 2 * kHour_us,
                       TimeZone("Europe/Berlin")),
+            "set rmargin at screen 0.9\n"
             "set xrange [1774738800.000:1774753200.000]\n"
             "set xtics offset 0,0.4 ('00:00 CET' 1774738800, '01:00 CET' 1774742400, '03:00 CEST' "
             "1774746000, '04:00 CEST' 1774749600, '05:00 CEST' 1774753200)\n"
@@ -50,6 +51,7 @@ TEST(TimeAxis, WhereTheClockIsPutForwardAnHourIsLeftOut) {
 TEST(TimeAxis, WhereTheClockIsPutBackAnHourStandsTwice) {
   EXPECT_EQ(time_axis(kBerlinBack_us - 2 * kHour_us, kBerlinBack_us + 2 * kHour_us,
                       TimeZone("Europe/Berlin")),
+            "set rmargin at screen 0.9\n"
             "set xrange [1792882800.000:1792897200.000]\n"
             "set xtics offset 0,0.4 ('01:00 CEST' 1792882800, '02:00 CEST' 1792886400, '02:00 CET' "
             "1792890000, '03:00 CET' 1792893600, '04:00 CET' 1792897200)\n"
@@ -59,6 +61,7 @@ TEST(TimeAxis, WhereTheClockIsPutBackAnHourStandsTwice) {
 TEST(TimeAxis, DaysOverAChangeBeginAtMidnightOfThePlant) {
   const std::string week = time_axis(kBerlinBack_us - 3 * 24 * kHour_us,
                                      kBerlinBack_us + 2 * 24 * kHour_us, TimeZone("Europe/Berlin"));
+  EXPECT_THAT(week, Not(HasSubstr("rmargin")));
   // 25 h lie between the two midnights.
   EXPECT_THAT(week, HasSubstr("'25 Oct' 1792879200, '26 Oct' 1792969200"));
   EXPECT_THAT(week, HasSubstr("time (CEST, then CET), 2026-10-22 to 2026-10-27"));
