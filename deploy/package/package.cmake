@@ -81,8 +81,8 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# procps: kill, for `systemctl reload`.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "adduser, procps")
+# procps: kill, for `systemctl reload`. tzdata: the time zones of plants.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "adduser, procps, tzdata")
 # gnuplot-nox: the pictures of reports and pages.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, postgresql-client, systemd")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bash-completion, postgresql, prometheus, weasyprint")

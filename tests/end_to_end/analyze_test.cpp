@@ -131,6 +131,34 @@ TEST_F(Analyze, TextForPeople) {
   EXPECT_THAT(result.out, HasSubstr("What to do: Nothing to do."));
 }
 
+// Rows of the hour that the clock repeats go on; the JSON is for programs, in UTC.
+TEST_F(Analyze, TimesOfThePlantsClock) {
+  std::string text = "time,sp,pv,op\n";
+  for (int minute = 0; minute < 600; ++minute) {
+    const int hour = minute / 60;  // 00, 01, 02, 02, 03, ...
+    text += "2026-10-25 0" + std::to_string(hour < 3 ? hour : hour - 1) + ":" +
+            std::to_string(minute % 60) + ",50," + std::to_string(minute * 7919 % 101) + ",42\n";
+  }
+  const std::string file = write("local.csv", text);
+  const std::vector<std::string> command{LOOPSCOPE_PROGRAM, "analyze", file, "--no-model",
+                                         "--time-zone"};
+  const auto in_zone = [&](const char* zone, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = command;
+    arguments.emplace_back(zone);
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_program(arguments);
+  };
+  EXPECT_THAT(in_zone("Europe/Berlin").out,
+              HasSubstr("600 samples every 60 s, 2026-10-25 00:00 CEST to 2026-10-25 08:59 CET\n"));
+  const Json json = Json::parse(in_zone("Europe/Berlin", {"--json"}).out);
+  EXPECT_EQ(json["input"]["start"], "2026-10-24T22:00:00Z");
+  EXPECT_EQ(json["input"]["end"], "2026-10-25T07:59:00Z");
+  EXPECT_THAT(in_zone("UTC").err, HasSubstr("or name their zone (/plant/time_zone, or"));
+  const ProgramResult misspelt = in_zone("berlin");
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_THAT(misspelt.err, HasSubstr("HINT: did you mean \"Europe/Berlin\"?"));
+}
+
 TEST_F(Analyze, AFileLongerThanAWindowIsJudgedBySeveral) {
   const std::string file = write("long.csv", rows(9000));
   const Json all = Json::parse(analyze(file).out);
