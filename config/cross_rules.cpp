@@ -9,13 +9,14 @@
 #include "config/http_address.hpp"
 #include "config/number_text.hpp"
 #include "config/time_zones.hpp"
+#include "core/text/counted.hpp"
 
 namespace loopscope::config {
 
 namespace {
 
 std::string samples(std::size_t count) {
-  return std::to_string(count) + " samples";
+  return core::text::counted(count, "sample", "samples");
 }
 
 std::string seconds(double value) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 
 namespace loopscope::core::repair {
@@ -20,7 +21,7 @@ std::string ratio(double value) {
 }
 
 std::string of_windows(std::size_t some, std::size_t all) {
-  return std::to_string(some) + " of " + std::to_string(all) + (all == 1 ? " window" : " windows");
+  return std::to_string(some) + " of " + text::counted(all, "window", "windows");
 }
 
 std::string from_to(const FigureChange& figure) {

@@ -143,7 +143,8 @@ void switch_loops(const LoopsOptions& options, bool enabled) {
     if (!opened.catalogue.find(name)) throw no_such_loop(name);
   }
   const std::size_t count = opened.catalogue.set_enabled(options.names, enabled);
-  std::cout << fmt::format("{} {} loops\n", enabled ? "enabled" : "disabled", count);
+  std::cout << fmt::format("{} {}\n", enabled ? "enabled" : "disabled",
+                           core::text::counted(count, "loop", "loops"));
 }
 
 void add_field_options(CLI::App& command, const SharedLoopsOptions& options) {

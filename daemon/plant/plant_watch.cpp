@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 #include <utility>
 
+#include "core/text/counted.hpp"
 #include "daemon/plant/judge_repairs.hpp"
 #include "daemon/plant/plant_round.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
@@ -65,8 +66,9 @@ void announce(storage::PlantRounds& rounds) {
     spdlog::info("newly flagged: {}, {} ({:.2f})", printable(notice.loop_name), notice.code,
                  notice.confidence);
   if (news.untold)
-    spdlog::warn("flags: {} changes are noted, but listeners were not told: {} HINT: {}",
-                 news.messages.size(), news.untold->what(), news.untold->hint());
+    spdlog::warn("flags: {} noted, but listeners were not told: {} HINT: {}",
+                 core::text::counted(news.messages.size(), "change", "changes"),
+                 news.untold->what(), news.untold->hint());
 }
 
 }  // namespace

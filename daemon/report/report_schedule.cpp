@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/signal/microseconds.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/output/followed_path.hpp"
 #include "daemon/report/folder_lock.hpp"
 #include "daemon/report/report.hpp"
@@ -141,7 +142,8 @@ void ReportSchedule::write_due(const config::Settings& settings, const std::stop
   const ReportResult result = write_report(
       settings, {.folder = folder, .name = name, .since_us = end_us - span_us, .pdf = report.pdf},
       stop);
-  spdlog::info("report written: {}, {} flagged loops", page.string(), result.flagged);
+  spdlog::info("report written: {}, {}", page.string(),
+               core::text::counted(result.flagged, "flagged loop", "flagged loops"));
   drop_old_reports(folder, report.keep, name);
 }
 

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include "core/diagnosis/diagnose.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
 
 namespace loopscope::daemon {
@@ -103,7 +104,8 @@ void Heartbeat::extend(storage::ResultsDatabase& database, double hold_s) {
   tools_.progress.renewed(seen);
   tools_.metrics.leases_lost(lost);
   if (lost > 0)
-    spdlog::warn("{} leases have ended before the work on them: others have those loops", lost);
+    spdlog::warn("{} ended before the work was done: other workers have it now",
+                 core::text::counted(lost, "lease", "leases"));
   std::uint64_t lost_so_far = 0;
   {
     const std::lock_guard lock(mutex_);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "config/read_settings.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/monitor/service_manager.hpp"
 #include "daemon/plant/plant_watch.hpp"
 #include "daemon/service/analysis_worker.hpp"
@@ -56,8 +57,9 @@ class Service {
   }
 
   void run() {
-    spdlog::info("started: {} workers on {} cores, settings {}", workers_.size(),
-                 core_count(settings_->daemon), file_.string());
+    spdlog::info(
+        "started: {} on {}, settings {}", core::text::counted(workers_.size(), "worker", "workers"),
+        core::text::counted(core_count(settings_->daemon), "core", "cores"), file_.string());
     tell_sources();
     warn_of_connections();
     heartbeat_.emplace(settings_, tools_);

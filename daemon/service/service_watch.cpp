@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 #include <utility>
 
+#include "core/text/counted.hpp"
 #include "daemon/monitor/monitor_pages.hpp"
 #include "daemon/monitor/service_manager.hpp"
 #include "daemon/service/shared/compare_clocks.hpp"
@@ -162,9 +163,10 @@ void ServiceWatch::look(ResultsLink& link, const config::Settings& settings) {
     tools_.faults.recovered("monitor");
     if (!refusal) recall_stray(link, settings.schedule.settle_s);
     if (tools_.stop.stop_requested()) return;
-    ServiceManager::status(fmt::format("{} loops, {} overdue by {:.0f} s at most, {} failing",
-                                       schedule.enabled_loops, schedule.overdue_loops,
-                                       schedule.lag_s, schedule.failing_loops));
+    ServiceManager::status(fmt::format("{}, {} overdue by {:.0f} s at most, {} failing",
+                                       core::text::counted(schedule.enabled_loops, "loop", "loops"),
+                                       schedule.overdue_loops, schedule.lag_s,
+                                       schedule.failing_loops));
   } catch (const storage::DatabaseError& error) {
     link.say(error);
     if (is_schema_error(error)) health_.schema_refused(error.what());
@@ -180,9 +182,9 @@ void ServiceWatch::recall_stray(ResultsLink& link, double settle_s) {
       [&](storage::ResultsDatabase& database) { return database.recall_stray(settle_s); });
   if (count > 0)
     spdlog::warn(
-        "{} loops were put off beyond their period, or had windows in the future: the clock of the "
-        "results database was ahead, or a period has become shorter; they go on now",
-        count);
+        "{} put off beyond the period, or with windows in the future, go on now: the clock of the "
+        "results database was ahead, or a period has become shorter",
+        core::text::counted(count, "loop", "loops"));
 }
 
 }  // namespace loopscope::daemon

@@ -57,8 +57,9 @@ std::string kind_line(FamilyKind kind) {
 }
 
 std::string table(const Calibration& calibration, std::size_t level) {
-  std::string text = fmt::format("Rejected at nominal {:.0f} %, in % of {} records (95 % limits)\n",
-                                 100.0 * kLevels[level], calibration.records);
+  std::string text = fmt::format("Rejected at nominal {:.0f} %, in % of {} (95 % limits)\n",
+                                 100.0 * kLevels[level],
+                                 core::text::counted(calibration.records, "record", "records"));
   text += heading_line();
   const FamilyTally* before = nullptr;
   for (const FamilyTally& tally : calibration.families) {
@@ -90,7 +91,8 @@ std::string cost_line(const Calibration& calibration) {
 
 std::string plant_line(const PlantSummary& plant) {
   const std::string what =
-      fmt::format("{} plants of {} loops, {} faulty: ", plant.plants, plant.loops, plant.faulty);
+      fmt::format("{} of {}, {} faulty: ", core::text::counted(plant.plants, "plant", "plants"),
+                  core::text::counted(plant.loops, "loop", "loops"), plant.faulty);
   if (plant.untested == plant.plants * plant.loops) return what + "- (no nonlinear_p)\n";
   return what + fmt::format(
                     "{:.1f} flags, {:.1f} +- {:.1f} % of them false, {:.1f} +- {:.1f} % of "

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/hos/analyse.hpp"
+#include "core/text/counted.hpp"
 #include "daemon/lab/reproduce/industrial_case.hpp"
 
 namespace loopscope::daemon {
@@ -88,10 +89,10 @@ std::string industrial_text() {
 
 std::string reproduction_text(const Reproduction& reproduction) {
   std::string text = fmt::format(
-      "Examples of sections 4 and 5 over {} seeds: the paper's figure, our median [10th .. 90th\n"
+      "Examples of sections 4 and 5 over {}: the paper's figure, our median [10th .. 90th\n"
       "percentile]. met: the paper's figure lies between those percentiles; within all seeds:\n"
       "between our smallest and largest.\n\n",
-      reproduction.seeds);
+      core::text::counted(reproduction.seeds, "seed", "seeds"));
   for (const MeasuredExample& measured : reproduction.examples) text += example_text(measured);
   return text + industrial_text();
 }

@@ -96,7 +96,7 @@
         row.hidden = !fits;
         if (fits) count += 1;
       }
-      shown.value = count + " of " + rows.length + " loops";
+      shown.value = count + " of " + rows.length + (rows.length === 1 ? " loop" : " loops");
     }
     for (const control of [search, verdict, status]) control.addEventListener("input", apply);
     apply();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
@@ -33,15 +34,16 @@ std::string window_figures(const LoopEvidence& evidence) {
   const core::signal::DataQuality& quality = evidence.diagnosis.evidence.data_quality;
   const core::loop::Performance& work = evidence.diagnosis.evidence.performance;
   return fmt::format(
-      "{} samples at {} s; missing {}, frozen {}, op at a limit {}; archive {}, compression factor "
+      "{} at {} s; missing {}, frozen {}, op at a limit {}; archive {}, compression factor "
       "{}, quantisation factor {}; error std {} pv units, Harris {} to {}, valve travel {} %/h, {} "
       "reversals/h; flags: {}.",
-      evidence.prepared.pv.size(), digits(evidence.prepared.sample_interval_s),
-      share(quality.missing_fraction), share(quality.frozen_fraction),
-      share(quality.saturated_fraction), in_words(name(quality.archive)),
-      digits(quality.compression_factor), digits(quality.quantisation_factor),
-      digits(work.error_std), digits(work.harris_low), digits(work.harris_high),
-      digits(work.valve_travel_per_h), digits(work.reversals_per_h), flags_text(quality));
+      core::text::counted(evidence.prepared.pv.size(), "sample", "samples"),
+      digits(evidence.prepared.sample_interval_s), share(quality.missing_fraction),
+      share(quality.frozen_fraction), share(quality.saturated_fraction),
+      in_words(name(quality.archive)), digits(quality.compression_factor),
+      digits(quality.quantisation_factor), digits(work.error_std), digits(work.harris_low),
+      digits(work.harris_high), digits(work.valve_travel_per_h), digits(work.reversals_per_h),
+      flags_text(quality));
 }
 
 std::vector<std::string> refusals(const LoopEvidence& evidence) {
