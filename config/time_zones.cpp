@@ -27,8 +27,9 @@ std::vector<std::string> read_names() {
 /// one.
 std::optional<std::string> nearest_zone(std::string_view name, std::vector<std::string> names) {
   if (name.find('/') != std::string_view::npos) return nearest_name(name, names);
-  std::ranges::stable_partition(
-      names, [](const std::string& zone) { return zone.find('/') == std::string::npos; });
+  std::stable_partition(names.begin(), names.end(), [](const std::string& zone) {
+    return zone.find('/') == std::string::npos;
+  });
   std::vector<std::string> places;
   for (const std::string& zone : names) places.push_back(zone.substr(zone.rfind('/') + 1));
   const auto nearest = nearest_name(name, places);
