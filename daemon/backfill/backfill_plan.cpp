@@ -11,6 +11,7 @@
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/cells.hpp"
 #include "daemon/text/failure.hpp"
+#include "daemon/text/read_time.hpp"
 #include "daemon/text/time_text.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 
@@ -32,19 +33,14 @@ struct Unit {
 constexpr std::array kUnits{Unit{"s", 1.0}, Unit{"min", 60.0}, Unit{"h", 3600.0},
                             Unit{"d", 86'400.0}, Unit{"w", 604'800.0}};
 
-std::int64_t since_of(const BackfillOptions& options, std::int64_t newest_us) {
-  const auto since_us = parse_time(options.since);
-  if (!since_us) {
-    throw Failure(ExitCode::usage, fmt::format("--since \"{}\" is not a time", options.since),
-                  "e.g. --since 2026-01-01 or --since 2026-01-01T06:00:00Z");
-  }
-  if (*since_us > newest_us) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--since {} lies after {}, the newest window that is complete",
-                              format_time(*since_us), format_time(newest_us)),
-                  "backfill judges the past; once and run judge what is new");
-  }
-  return *since_us;
+std::int64_t since_of(const BackfillOptions& options, std::int64_t newest_us,
+                      const TimeZone& zone) {
+  const std::int64_t since_us = time_option("--since", options.since, zone);
+  if (since_us <= newest_us) return since_us;
+  throw Failure(ExitCode::usage,
+                fmt::format("--since {} lies after {}, the newest window that is complete",
+                            format_time(since_us, zone), format_time(newest_us, zone)),
+                "backfill judges the past; once and run judge what is new");
 }
 
 void require_partitions(const storage::PastMonths& months, const std::string& since) {
@@ -119,7 +115,7 @@ std::int64_t parse_duration(std::string_view text) {
 BackfillPlan plan_backfill(const config::Settings& settings, const BackfillOptions& options,
                            std::int64_t newest_us) {
   const std::int64_t every_us = parse_duration(options.every);
-  const std::int64_t since_us = since_of(options, newest_us);
+  const std::int64_t since_us = since_of(options, newest_us, TimeZone(settings.plant.time_zone));
   const storage::PastMonths months =
       months_to_keep(results_connection(settings), settings, since_us);
   BackfillPlan plan{wanted_loops(settings, options.loops), {}};
@@ -136,7 +132,8 @@ storage::PastMonths months_to_keep(const storage::ConnectionSettings& connection
   throw Failure(ExitCode::usage,
                 fmt::format("{} lies before {}, from which on results are kept "
                             "(/results/retention_months is {})",
-                            format_time(since_us), months.kept_from, retention_months),
+                            format_time(since_us, TimeZone(settings.plant.time_zone)),
+                            months.kept_from, retention_months),
                 "a later --since, or a larger /results/retention_months");
 }
 

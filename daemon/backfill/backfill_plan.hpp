@@ -14,7 +14,7 @@ namespace loopscope::daemon {
 
 /// What `loopscope backfill` is asked for.
 struct BackfillOptions {
-  std::string since;               ///< a time, as parse_time() reads it
+  std::string since;               ///< a time, as time_option() reads it
   std::string every;               ///< as parse_duration() reads it
   std::vector<std::string> loops;  ///< names; empty = all enabled ones
 };

@@ -86,10 +86,12 @@ void backfill(const BackfillCommand& options) {
   BackfillPlan plan =
       plan_backfill(*settings, options.backfill, newest_settled_us(settings, tools));
   PastSlots slots(settings, tools, plan.loops, plan.times_us);
+  const TimeZone zone(settings->plant.time_zone);
   std::cout << fmt::format("{}, {} each, from {} to {}\n",
                            counted(plan.loops.size(), "loop", "loops"),
                            counted(plan.times_us.size(), "window", "windows"),
-                           format_time(plan.times_us.front()), format_time(plan.times_us.back()))
+                           format_time(plan.times_us.front(), zone),
+                           format_time(plan.times_us.back(), zone))
             << std::flush;
   yield_to_others();
   const PassResult pass =

@@ -11,7 +11,7 @@
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/shared/compare_clocks.hpp"
 #include "daemon/text/failure.hpp"
-#include "daemon/text/time_text.hpp"
+#include "daemon/text/read_time.hpp"
 #include "storage/results/schema/accept_clocks.hpp"
 #include "storage/results/schema/migrate.hpp"
 
@@ -54,12 +54,9 @@ void accept_clocks(const config::Settings& settings, SharedServices& tools) {
 std::optional<std::int64_t> past_since(const config::Settings& settings,
                                        const MaintainOptions& options) {
   if (options.since.empty()) return std::nullopt;
-  const auto since_us = parse_time(options.since);
-  if (!since_us) {
-    throw Failure(ExitCode::usage, fmt::format("--since \"{}\" is not a time", options.since),
-                  "e.g. --since 2026-01-01");
-  }
-  static_cast<void>(months_to_keep(owner_connection(settings), settings, *since_us));
+  const std::int64_t since_us =
+      time_option("--since", options.since, TimeZone(settings.plant.time_zone));
+  static_cast<void>(months_to_keep(owner_connection(settings), settings, since_us));
   return since_us;
 }
 

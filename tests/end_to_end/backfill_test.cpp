@@ -139,7 +139,7 @@ TEST_F(Backfill, MistakesAreExplained) {
     EXPECT_THAT(result.err, AllOf(HasSubstr("error: " + what), HasSubstr("HINT: " + hint)));
   };
   expect({"--since", "yesterday", "--every", "1d"}, 2, "--since \"yesterday\" is not a time",
-         "e.g. --since 2026-01-01");
+         "write ISO 8601");
   expect({"--since", "2999-01-01", "--every", "1d"}, 2, "--since 2999-01-01T00:00:00Z lies after",
          "backfill judges the past");
   expect({"--since", "2020-01-01", "--every", "1 month"}, 2, "\"1 month\" is not a time span",
