@@ -2,17 +2,17 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "storage/check_connection.hpp"
 #include "storage/historian/check_index.hpp"
+#include "storage/historian/check_window.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
-#include "storage/historian/refuse.hpp"
+#include "storage/historian/read_grants.hpp"
 #include "storage/historian/resolve_layout.hpp"
-#include "storage/historian/scan_rows.hpp"
 #include "storage/historian/scan_statements.hpp"
 #include "storage/historian/statements.hpp"
-#include "storage/historian/tag_value.hpp"
 #include "storage/timestamp.hpp"
 
 namespace loopscope::storage {
@@ -22,42 +22,6 @@ namespace {
 // not for long.
 constexpr std::int64_t kRecentUs = std::int64_t{7} * 86'400 * 1'000'000;
 constexpr int kNewestRowTimeout_s = 10;
-
-/// SQL of some value of a row: which tag's does not matter to rights and plans.
-std::string any_value(const PqConnection& connection, const ResolvedLayout& layout) {
-  if (layout.layout.shape == Shape::narrow) return value_of(connection, layout, "").value();
-  for (const auto& [column, type] : layout.data.types) {
-    if (const auto value = value_of(connection, layout, column)) return *value;
-  }
-  refuse(layout.layout, "no column of " + layout.data.sql + " holds numbers",
-         "the columns of a loop_row or wide table are its values");
-}
-
-/// What the planner makes of the statement that reads windows: no index helps where it does not
-/// use one (a view that converts its columns, statistics that are out of date).
-Finding check_plan(PqConnection& connection, const ResolvedLayout& layout, std::int64_t now_us) {
-  Scan scan{{}, now_us - kRecentUs, now_us, 4096, {}};
-  for (const ResolvedKey& key : layout.key) {
-    // A key that fits the type and that no row need have.
-    scan.key.emplace_back(key.type == "uuid" ? "00000000-0000-0000-0000-000000000000" : "0");
-  }
-  scan.columns.push_back({any_value(connection, layout), false, {}});
-  const Statement plan = historian_statements::explain(
-      historian_statements::read_scans(layout, {layout.data.sql}, scan.columns));
-  const PqRows rows = connection.run(plan, scan_parameters({scan}, layout));
-  for (int row = 0; row < rows.size(); ++row) {
-    const std::string line = rows.text(row, 0);
-    if (line.find("Seq Scan") == std::string::npos) continue;
-    return {
-        true,
-        "the plan of a window scans a whole table: " + line.substr(line.find("Seq Scan")) + ", " +
-            layout.data.sql,
-        "expected of a table that is nearly empty; else create the index, run ANALYZE, and keep "
-        "conversions of tag and time out of views",
-        true};
-  }
-  return {true, "the plan of a window uses indexes only, " + layout.data.sql, "", false};
-}
 
 /// nullopt when there is no index on the time alone and the server gave up: nothing is wrong with
 /// that.
@@ -101,8 +65,13 @@ Finding check_newest(PqConnection& connection, const ResolvedLayout& layout, std
           false};
 }
 
-std::int64_t database_now_us(PqConnection& connection) {
-  return std::stoll(connection.run(historian_statements::kNow).text(0, 0));
+void check_reading(PqConnection& connection, const ResolvedLayout& layout,
+                   std::vector<Finding>& findings) {
+  const std::int64_t now_us = std::stoll(connection.run(historian_statements::kNow).text(0, 0));
+  findings.push_back(check_index(connection, layout));
+  for (Finding& found : check_window(connection, layout, now_us))
+    findings.push_back(std::move(found));
+  findings.push_back(check_newest(connection, layout, now_us));
 }
 
 }  // namespace
@@ -118,12 +87,13 @@ std::vector<Finding> check_historian(const ConnectionSettings& settings,
     PqConnection connection(reader);
     findings.push_back({true, "connected to the " + connection.target(), "", false});
     const ResolvedLayout resolved = resolve_layout(connection, layout);
+    if (const auto lacking = check_read_rights(connection, resolved)) {
+      findings.push_back(*lacking);
+      return findings;
+    }
     connection.run(historian_statements::try_read(resolved, any_value(connection, resolved)));
     findings.push_back({true, resolved.data.sql + " has the columns and can be read", "", false});
-    const std::int64_t now_us = database_now_us(connection);
-    findings.push_back(check_index(connection, resolved));
-    findings.push_back(check_plan(connection, resolved, now_us));
-    findings.push_back(check_newest(connection, resolved, now_us));
+    check_reading(connection, resolved, findings);
   } catch (const DatabaseError& error) {
     findings.push_back({false, error.what(), error.hint(), false});
   } catch (const MalformedArray& error) {

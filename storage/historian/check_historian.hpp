@@ -9,9 +9,9 @@
 namespace loopscope::storage {
 
 /// Connects as the historian's reader and checks relations, columns, types, the right to read, the
-/// plan that a window is read by (an index that starts with tag and time, and covers the value),
-/// and the newest row. The clock's difference from the results database is left to the caller.
-/// Never throws for a database problem: that is a finding.
+/// index (one that starts with tag and time, and covers the value), the plan of a window, the
+/// window of a tag read by the very statement, and the newest row. The clock's difference from the
+/// results database is left to the caller. Never throws for a database problem: that is a finding.
 [[nodiscard]] std::vector<Finding> check_historian(const ConnectionSettings& settings,
                                                    const SourceLayout& layout);
 

@@ -7,15 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "storage/historian/index_advice.hpp"
 #include "storage/historian/statements.hpp"
 
 namespace loopscope::storage {
 namespace {
-
-/// The columns that the index should start with and those that it should hold besides.
-struct WantedIndex {
-  std::vector<std::string> key, include;
-};
 
 /// As kIndexes writes names, so that commas separate nothing else.
 std::string hex(const std::string& name) {
@@ -44,26 +40,10 @@ WantedIndex wanted_index(const SourceLayout& layout) {
   return wanted;
 }
 
-std::string quoted_list(const PqConnection& connection, const std::vector<std::string>& columns) {
-  std::string list;
-  for (const std::string& column : columns) {
-    list += (list.empty() ? "" : ", ") + connection.quote(column);
-  }
-  return list;
-}
-
 std::string plain_list(const std::vector<std::string>& columns, const std::string& comma = ", ") {
   std::string list;
   for (const std::string& column : columns) list += (list.empty() ? "" : comma) + column;
   return list;
-}
-
-std::string advice(const PqConnection& connection, const std::string& relation,
-                   const WantedIndex& wanted) {
-  std::string sql =
-      "CREATE INDEX CONCURRENTLY ON " + relation + " (" + quoted_list(connection, wanted.key) + ")";
-  if (!wanted.include.empty()) sql += " INCLUDE (" + quoted_list(connection, wanted.include) + ")";
-  return sql;
 }
 
 /// Whether a comma-separated list starts with the wanted columns: the time last, the parts of the
@@ -95,7 +75,6 @@ Finding check_index(PqConnection& connection, const ResolvedLayout& layout) {
             "make sure that the table behind it has an index on (tag, time)", true};
   }
   const WantedIndex wanted = wanted_index(layout.layout);
-  const std::string hint = advice(connection, relation, wanted);
   const PqRows rows =
       connection.run(historian_statements::kIndexes, {std::to_string(layout.data.oid)});
   bool has_key = false;
@@ -109,14 +88,14 @@ Finding check_index(PqConnection& connection, const ResolvedLayout& layout) {
     return {false,
             "no index starts with (" + plain_list(wanted.key) +
                 "), so every window would scan the table, " + relation,
-            hint, false};
+            index_advice(connection, layout.data, wanted), false};
   }
-  return {
-      true,
-      "the index on (" + plain_list(wanted.key) +
-          ") does not include the value: reading is some three times slower than it could be, " +
-          relation,
-      hint, true};
+  return {true,
+          "the index on (" + plain_list(wanted.key) +
+              ") does not include the value: where the rows of a tag lie far apart, reading is up "
+              "to three times slower than it could be, " +
+              relation,
+          index_advice(connection, layout.data, wanted), true};
 }
 
 bool has_key_index(PqConnection& connection, const ResolvedLayout& layout) {

@@ -237,6 +237,16 @@ Statement newest_row(const ResolvedLayout& layout, const std::string& relation) 
                             " ORDER BY " + layout.time + " DESC LIMIT 1"};
 }
 
+Statement any_row(const ResolvedLayout& layout, const std::string& relation) {
+  std::string keys, present;
+  for (const ResolvedKey& key : layout.key) {
+    keys += key.column + "::text, ";
+    present += key.column + " IS NOT NULL AND ";
+  }
+  return {"any_row", "SELECT " + keys + time_sql(layout) + " FROM " + relation + " AS h WHERE " +
+                         present + layout.time + " IS NOT NULL LIMIT 1"};
+}
+
 Statement try_read(const ResolvedLayout& layout, const std::string& value) {
   std::string keys;
   for (const ResolvedKey& key : layout.key) keys += key.column + ", ";

@@ -40,6 +40,9 @@ struct HeapOrderStatements {
 /// Time of the newest row of a whole table: lower bound, upper bound.
 [[nodiscard]] Statement newest_row(const ResolvedLayout& layout, const std::string& relation);
 
+/// Some row: each part of its key as text, its time.
+[[nodiscard]] Statement any_row(const ResolvedLayout& layout, const std::string& relation);
+
 /// Reads nothing, needs every right that reading a value needs.
 [[nodiscard]] Statement try_read(const ResolvedLayout& layout, const std::string& value);
 

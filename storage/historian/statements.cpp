@@ -87,6 +87,41 @@ const Statement kIndexes{"indexes", R"(
       AND NOT (0 = ANY (i.indkey))
     ORDER BY i.indnatts DESC)"};
 
+// TimescaleDB keeps the chunks of a hypertable in a schema of its own, as tables that inherit from
+// it.
+const Statement kTableKind{"table_kind", R"(
+    SELECT c.relkind, EXISTS (
+      SELECT FROM pg_catalog.pg_inherits AS i
+      JOIN pg_catalog.pg_class AS chunk ON chunk.oid = i.inhrelid
+      JOIN pg_catalog.pg_namespace AS n ON n.oid = chunk.relnamespace
+      WHERE i.inhparent = c.oid AND n.nspname = '_timescaledb_internal'), home.nspname
+    FROM pg_catalog.pg_class AS c
+    JOIN pg_catalog.pg_namespace AS home ON home.oid = c.relnamespace WHERE c.oid = $1::oid)",
+                           Rows::one};
+
+const Statement kPartitions{"partitions", R"(
+    SELECT c.oid, n.nspname, c.relname, c.relkind
+    FROM pg_catalog.pg_inherits AS i
+    JOIN pg_catalog.pg_class AS c ON c.oid = i.inhrelid
+    JOIN pg_catalog.pg_namespace AS n ON n.oid = c.relnamespace
+    WHERE i.inhparent = $1::oid ORDER BY c.relname)"};
+
+// A right to some of the columns may be enough: reading them says so.
+const Statement kReadRights{"read_rights", R"(
+    SELECT n.nspname, c.relname,
+           has_schema_privilege(n.oid, 'USAGE') AND has_any_column_privilege(c.oid, 'SELECT'),
+           current_user, pg_catalog.pg_get_userbyid(c.relowner)
+    FROM pg_catalog.unnest($1::oid[]) WITH ORDINALITY AS wanted (oid, place)
+    JOIN pg_catalog.pg_class AS c ON c.oid = wanted.oid
+    JOIN pg_catalog.pg_namespace AS n ON n.oid = c.relnamespace ORDER BY wanted.place)"};
+
+const Statement kWriteRight{"write_right", R"(
+    SELECT has_schema_privilege(n.oid, 'USAGE') AND has_table_privilege(c.oid, 'INSERT'),
+           current_user
+    FROM pg_catalog.pg_class AS c JOIN pg_catalog.pg_namespace AS n ON n.oid = c.relnamespace
+    WHERE c.oid = $1::oid)",
+                            Rows::one};
+
 const Statement kFindZone{"find_zone",
                           "SELECT 1 FROM pg_catalog.pg_timezone_names WHERE name = $1::text"};
 

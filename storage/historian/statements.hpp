@@ -16,6 +16,14 @@ extern const Statement kStillThere;
 extern const Statement kColumns;  ///< relation oid -> name, type
 /// relation oid -> key columns, all columns: names in hexadecimal digits, comma-separated
 extern const Statement kIndexes;
+/// relation oid -> relkind, whether it is a hypertable of TimescaleDB, schema
+extern const Statement kTableKind;
+/// relation oid -> oid, schema, name and relkind of each of its partitions, by name
+extern const Statement kPartitions;
+/// relation oids -> schema, name, whether the login may read it, the login, the owner
+extern const Statement kReadRights;
+/// relation oid -> whether the login may insert there, the login
+extern const Statement kWriteRight;
 extern const Statement kNow;  ///< -> its clock, its start: int8, microseconds UTC since 1970
 extern const Statement kBegin;
 extern const Statement kCommit;

@@ -68,8 +68,10 @@ TEST(ExplainErrorHints, OfAMissingRightTheyNameTheGrant) {
             "run `loopscope migrate --config F` as the owner, which grants the rights of the group "
             "roles, and make the user a member: GRANT loopscope_worker TO anna (loopscope_owner to "
             "change the catalogue or the schema, loopscope_engineer to annotate)");
-  EXPECT_EQ(hint("42501", DatabaseKind::results, "ERROR:  permission denied for database plant\n"),
-            "as a superuser: psql -f deploy/roles.sql, or GRANT CREATE ON DATABASE plant TO anna");
+  EXPECT_EQ(
+      hint("42501", DatabaseKind::results, "ERROR:  permission denied for database plant\n"),
+      "as a superuser: psql -d plant -f deploy/roles.sql, or GRANT CREATE ON DATABASE plant TO "
+      "anna");
   EXPECT_EQ(hint("42501", DatabaseKind::historian, "FEHLER:  keine Berechtigung\n"),
             "let the table's owner grant the right to anna");
 }

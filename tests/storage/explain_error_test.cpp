@@ -113,20 +113,22 @@ TEST(ExplainError, PoolerThatRefusesWhatIsSetAtTheStartIsNamed) {
 }
 
 TEST(ExplainError, PrivilegeNamesTheGrant) {
+  const std::string more =
+      "; `loopscope check-config --config F` prints every grant that is missing, with its schema";
   EXPECT_EQ(explained("42501", "ERROR:  permission denied for view seen\n", DatabaseKind::historian)
                 .hint(),
-            "as the owner: GRANT SELECT ON seen TO anna");
+            "as the owner: GRANT SELECT ON seen TO anna" + more);
   EXPECT_EQ(
       explained("42501", "ERROR:  permission denied for schema plant\n", DatabaseKind::historian)
           .hint(),
-      "as the owner: GRANT USAGE ON SCHEMA plant TO anna");
+      "as the owner: GRANT USAGE ON SCHEMA plant TO anna" + more);
   EXPECT_THAT(explained("42501", "ERROR:  permission denied for table loop\n").hint(),
               HasSubstr("GRANT loopscope_worker TO anna"));
   EXPECT_THAT(explained("42501", "ERROR:  permission denied for database plant\n").hint(),
               HasSubstr("GRANT CREATE ON DATABASE plant TO anna"));
   const ErrorPlace copying{DatabaseKind::historian, "T database", "anna", "copy_rows"};
   EXPECT_EQ(explain({"ERROR:  permission denied for table h", "42501", false}, copying).hint(),
-            "as the owner: GRANT SELECT, INSERT, DELETE ON h TO anna");
+            "as the owner: GRANT SELECT, INSERT, DELETE ON h TO anna" + more);
   EXPECT_THAT(explained("42501", "FEHLER:  keine Berechtigung\n", DatabaseKind::historian).hint(),
               HasSubstr("anna"));
 }

@@ -9,40 +9,50 @@
 namespace loopscope::storage {
 namespace {
 
+/// "CREATE on schema loopscope" as what somebody does: "CREATE in schema loopscope".
+std::string as_deed(std::string right) {
+  const std::size_t on = right.find(" on ");
+  const std::string preposition = right.starts_with("DELETE") ? " from " : " in ";
+  return right.replace(on, 4, preposition);
+}
+
 Finding check_right(const pqxx::row& row) {
   const std::string what = row["what"].c_str();
   const bool needed = row["needed"].as<bool>();
   const bool granted = row["granted"].as<bool>();
-  Finding finding{granted || !needed, "results: " + (granted ? what : "no " + what), "", false};
-  if (needed && !granted) {
-    finding.what = "no right to " + what + ", results database";
-    finding.hint =
-        "make the user a member of loopscope_worker and run `loopscope migrate --config F` as the"
-        " owner, which grants that role's rights";
-  } else if (!needed && granted) {
-    finding.warning = true;
-    finding.what = "the worker has the right to " + what + ", which it does not need";
-    finding.hint = "connect as a login that is only a member of loopscope_worker";
+  if (needed && granted) return {true, "the worker has " + what, "", false};
+  if (!needed && !granted)
+    return {true, "the worker cannot " + as_deed(what) + ", as it should be", "", false};
+  if (needed) {
+    return {false, "the worker has no right to " + what + ", results database",
+            "make the user a member of loopscope_worker and run `loopscope migrate --config F` as "
+            "the owner, which grants that role's rights",
+            false};
   }
-  return finding;
+  return {true, "the worker has the right to " + what + ", which it does not need",
+          "connect as a login that is only a member of loopscope_worker", true};
 }
 
 /// Whose the schema is decides what runs in it, and with which rights.
-void check_owner(const SchemaOwner& found, std::vector<Finding>& findings) {
+void name_owner(const SchemaOwner& found, std::vector<Finding>& findings) {
   if (!found.owner.empty())
     findings.push_back({true, "the schema loopscope belongs to " + found.owner, "", false});
 }
 
 }  // namespace
 
-std::vector<Finding> check_results(const ConnectionSettings& settings) {
+std::vector<Finding> check_results(const ConnectionSettings& settings, SchemaStage stage) {
   std::vector<Finding> findings;
   try {
     findings = check_connection(settings);
     Session session(settings);
     findings.push_back({true, "connected to the " + describe_target(settings), "", false});
     const SchemaOwner owner = session.transact(find_schema_owner);
-    check_owner(owner, findings);
+    name_owner(owner, findings);
+    if (stage == SchemaStage::to_be_made && session.transact(schema_version) == 0) {
+      findings.push_back({true, "there is no schema loopscope yet: migrate makes it", "", false});
+      return findings;
+    }
     require_schema_version(session);
     findings.push_back({true, "the schema loopscope has this program's version", "", false});
     const pqxx::result rights = session.transact(

@@ -34,7 +34,7 @@ void refuse_superuser(const SchemaOwner& found) {
   throw DatabaseError("the login " + found.login + " of the results database is " + what,
                       "nothing of the schema was executed; connect as a login that is a member of "
                       "loopscope_owner (migrate, maintain) or loopscope_worker: as a superuser, "
-                      "psql -f deploy/roles.sql makes these groups" +
+                      "psql -d DATABASE -f deploy/roles.sql makes these groups" +
                           whose(found),
                       Remedy::give_up);
 }

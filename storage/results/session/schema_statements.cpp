@@ -46,6 +46,20 @@ const Statement kBecomeOwner{"become_owner", R"(
                THEN has_database_privilege(owner.oid, current_database(), 'CREATE')
                ELSE schema.nspowner = owner.oid END)"};
 
+// Like the statement above, asked of rights alone.
+const Statement kOwnerRights{"owner_rights", R"(
+    SELECT current_database() AS database, session_user AS login,
+           coalesce(schema.nspowner::regrole::text, '') AS owner,
+           coalesce(pg_has_role(schema.nspowner, 'MEMBER'), false) AS owns,
+           has_database_privilege(current_database(), 'CREATE')
+             OR EXISTS (SELECT FROM pg_roles AS role
+                        WHERE role.rolname = 'loopscope_owner' AND pg_has_role(role.oid, 'MEMBER')
+                          AND has_database_privilege(role.oid, current_database(), 'CREATE'))
+             AS may_make
+    FROM (SELECT 1) AS one
+    LEFT JOIN pg_namespace AS schema ON schema.nspname = 'loopscope')",
+                             Rows::one};
+
 // Two that make it at the same time meet at its name: the second waits for the first and fails.
 const Statement kMakeSchema{"make_schema", "CREATE SCHEMA IF NOT EXISTS loopscope", Rows::none};
 

@@ -11,6 +11,8 @@ extern const Statement kSchemaVersion;    ///< -> version, 0 = none; needs the s
 extern const Statement kOldestProgram;    ///< -> version of the oldest program that it serves
 extern const Statement kFindSchemaOwner;  ///< login -> the members of SchemaOwner
 extern const Statement kBecomeOwner;
+extern const Statement
+    kOwnerRights;  ///< -> database, login, owner ('' = no schema), owns, may_make
 extern const Statement kMakeSchema;
 extern const Statement kLockSchema;
 extern const Statement kAppliedMigrations;  ///< -> version, name, sha256, by version

@@ -188,6 +188,14 @@ TEST_F(RightsTest, CheckFindsRightsThatAreMissingOrTooMany) {
   EXPECT_THAT(missing,
               Contains(AllOf(Field(&Finding::ok, false),
                              Field(&Finding::what, HasSubstr("INSERT on loopscope.verdict")))));
+  EXPECT_THAT(missing,
+              Contains(AllOf(Field(&Finding::ok, true),
+                             Field(&Finding::what,
+                                   "the worker cannot CREATE in schema loopscope, as it should "
+                                   "be"))));
+  EXPECT_THAT(missing,
+              Contains(Field(&Finding::what,
+                             "the worker cannot DELETE from loopscope.loop, as it should be")));
   const auto many = check_results(settings_for(*database, owner));
   EXPECT_TRUE(std::ranges::all_of(many, &Finding::ok));
   EXPECT_THAT(many,
