@@ -14,7 +14,7 @@ using namespace loopscope::daemon;
 constexpr auto kCommands = std::to_array<AddCommand>(
     {add_run, add_once, add_backfill, add_analyze, add_reproduce, add_calibrate, add_simulate,
      add_import, add_loops, add_maintenance, add_window, add_report, add_replay, add_annotate,
-     add_export, add_migrate, add_maintain, add_check_config});
+     add_export, add_init, add_migrate, add_maintain, add_check_config});
 
 }  // namespace
 

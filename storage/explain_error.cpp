@@ -57,31 +57,23 @@ std::string grant_on(std::string_view kind, std::string_view name, const ErrorPl
          user_or_placeholder(place);
 }
 
-/// The server names a table without its schema, and of several missing rights the first.
-std::string where_all_are_named() {
-  return "; `loopscope check-config --config F` prints every grant that is missing, with its "
-         "schema";
-}
-
 std::string hint_privilege(const RawError& error, const ErrorPlace& place) {
   const std::string_view object = rest_of_line(error.message, "permission denied for ");
   const std::string_view kind = object.substr(0, object.find(' '));
   const std::string_view name = object.substr(std::min(object.size(), kind.size() + 1));
-  if (is_results(place) && kind == "database") {
-    // Without its database psql would take another one, and roles.sql grants CREATE there.
+  if (is_results(place) && kind == "database")
     return "as a superuser: psql -d " + std::string(name) + " -f deploy/roles.sql, or " +
            grant_on(kind, name, place);
-  }
-  if (is_results(place)) {
+  if (is_results(place))
     return "run `loopscope migrate --config F` as the owner, which grants the rights of the group"
            " roles, and make the user a member: GRANT loopscope_worker TO " +
            user_or_placeholder(place) +
            " (loopscope_owner to change the catalogue or the schema, loopscope_engineer to "
            "annotate)";
-  }
   if (object.empty())
     return "let the table's owner grant the right to " + user_or_placeholder(place);
-  return "as the owner: " + grant_on(kind, name, place) + where_all_are_named();
+  return "as the owner: " + grant_on(kind, name, place) +
+         "; `loopscope check-config` prints every grant that is missing, with its schema";
 }
 
 std::string hint_relation(const RawError&, const ErrorPlace& place) {

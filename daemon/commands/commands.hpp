@@ -24,6 +24,7 @@ void add_report(CLI::App& program);
 void add_replay(CLI::App& program);
 void add_annotate(CLI::App& program);
 void add_export(CLI::App& program);
+void add_init(CLI::App& program);
 void add_migrate(CLI::App& program);
 void add_maintain(CLI::App& program);
 void add_check_config(CLI::App& program);

@@ -8,8 +8,8 @@
 #include "config/http_address.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/printable.hpp"
-#include "storage/historian/check_historian.hpp"
-#include "storage/historian/check_writer.hpp"
+#include "storage/historian/setup/check_historian.hpp"
+#include "storage/historian/setup/check_writer.hpp"
 #include "storage/results/schema/check_owner.hpp"
 
 namespace loopscope::daemon {

@@ -113,6 +113,9 @@ TEST_F(SharedDatabase, ScriptsAndCommandsExecuteNothingOfAnOutsiders) {
   loopscope("migrate");
   import_loop();
   for (const char* command : {"check-config", "once", "maintain"}) loopscope(command);
+  run("init",
+      {LOOPSCOPE_PROGRAM, "init", "--results", as("worker"), "--owner", as("owner"), "--historian",
+       as("historian"), "--table", "site.history", "--out", folder_.path() / "init.json"});
   loopscope("loops", {"list"});
   loopscope("loops", {"check"});
   loopscope("loops", {"discover"});

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "storage/historian/check_historian.hpp"
+#include "storage/historian/setup/check_historian.hpp"
 #include "tests/historians/trap.hpp"
 
 namespace loopscope::tests {

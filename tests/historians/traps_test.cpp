@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "core/signal/grid.hpp"
-#include "storage/historian/check_historian.hpp"
+#include "storage/historian/setup/check_historian.hpp"
 #include "tests/historians/trap.hpp"
 
 namespace loopscope::tests {

@@ -114,7 +114,7 @@ TEST(ExplainError, PoolerThatRefusesWhatIsSetAtTheStartIsNamed) {
 
 TEST(ExplainError, PrivilegeNamesTheGrant) {
   const std::string more =
-      "; `loopscope check-config --config F` prints every grant that is missing, with its schema";
+      "; `loopscope check-config` prints every grant that is missing, with its schema";
   EXPECT_EQ(explained("42501", "ERROR:  permission denied for view seen\n", DatabaseKind::historian)
                 .hint(),
             "as the owner: GRANT SELECT ON seen TO anna" + more);

@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 
 #include "storage/check_connection.hpp"
-#include "storage/historian/check_historian.hpp"
 #include "storage/historian/historian_writer.hpp"
 #include "storage/historian/list_tags.hpp"
 #include "storage/historian/pq_connection.hpp"
+#include "storage/historian/setup/check_historian.hpp"
 #include "storage/results/schema/check_results.hpp"
 #include "storage/results/schema/migrate.hpp"
 #include "tests/storage/historian/historian_fixture.hpp"

@@ -6,8 +6,8 @@
 
 #include "storage/check_connection.hpp"
 #include "storage/error.hpp"
-#include "storage/historian/check_historian.hpp"
 #include "storage/historian/pq_connection.hpp"
+#include "storage/historian/setup/check_historian.hpp"
 #include "storage/query_once.hpp"
 #include "storage/results/schema/check_results.hpp"
 #include "storage/results/session/session.hpp"

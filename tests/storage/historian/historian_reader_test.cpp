@@ -170,7 +170,9 @@ TEST_F(ReaderTest, PrivilegeThatIsMissingIsNamedWithItsGrant) {
     FAIL();
   } catch (const DatabaseError& error) {
     EXPECT_THAT(error.what(), HasSubstr("permission denied for table history"));
-    EXPECT_EQ(error.hint(), "as the owner: GRANT SELECT ON history TO " + user);
+    EXPECT_EQ(error.hint(),
+              "as the owner: GRANT SELECT ON history TO " + user +
+                  "; `loopscope check-config` prints every grant that is missing, with its schema");
     EXPECT_EQ(error.remedy(), Remedy::give_up);
   }
   database->execute("GRANT SELECT ON public.history TO " + user);

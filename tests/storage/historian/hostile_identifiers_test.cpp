@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 
 #include "storage/error.hpp"
-#include "storage/historian/check_historian.hpp"
 #include "storage/historian/list_tags.hpp"
 #include "storage/historian/pq_connection.hpp"
+#include "storage/historian/setup/check_historian.hpp"
 #include "tests/storage/historian/historian_fixture.hpp"
 #include "tests/support/hostile_names.hpp"
 

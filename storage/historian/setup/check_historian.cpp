@@ -1,4 +1,4 @@
-#include "storage/historian/check_historian.hpp"
+#include "storage/historian/setup/check_historian.hpp"
 
 #include <optional>
 #include <string>
@@ -6,12 +6,12 @@
 
 #include "storage/check_connection.hpp"
 #include "storage/historian/check_index.hpp"
-#include "storage/historian/check_window.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
-#include "storage/historian/read_grants.hpp"
 #include "storage/historian/resolve_layout.hpp"
 #include "storage/historian/scan_statements.hpp"
+#include "storage/historian/setup/check_window.hpp"
+#include "storage/historian/setup/read_grants.hpp"
 #include "storage/historian/statements.hpp"
 #include "storage/timestamp.hpp"
 

@@ -17,9 +17,6 @@ struct TableName {
   [[nodiscard]] bool operator==(const TableName&) const = default;
 };
 
-/// `name` quoted as an identifier, whatever it holds; for SQL that people run.
-[[nodiscard]] std::string quoted_identifier(const std::string& name);
-
 /// The statements that let `user` read `tables` (not empty): USAGE on their schemas, SELECT on
 /// them, a statement each. With `new_tables_too` SELECT goes to every table of the schemas, also to
 /// those that `maker` makes later: historians that begin a new table every month.

@@ -1,10 +1,11 @@
-#include "storage/historian/read_grants.hpp"
+#include "storage/historian/setup/read_grants.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include "storage/array_literal.hpp"
 #include "storage/historian/statements.hpp"
+#include "storage/quoted_identifier.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -37,15 +38,6 @@ std::string joined(const std::vector<std::string>& parts, const std::string& com
 }
 
 }  // namespace
-
-std::string quoted_identifier(const std::string& name) {
-  std::string quoted = "\"";
-  for (const char character : name) {
-    if (character == '"') quoted += '"';
-    quoted += character;
-  }
-  return quoted + '"';
-}
 
 std::vector<std::string> read_grants(const std::vector<TableName>& tables, const std::string& user,
                                      const std::string& maker) {

@@ -1,4 +1,4 @@
-#include "storage/historian/check_historian.hpp"
+#include "storage/historian/setup/check_historian.hpp"
 
 #include <algorithm>
 #include <gmock/gmock.h>

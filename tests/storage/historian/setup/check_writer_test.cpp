@@ -1,4 +1,4 @@
-#include "storage/historian/check_writer.hpp"
+#include "storage/historian/setup/check_writer.hpp"
 
 #include <gmock/gmock.h>
 

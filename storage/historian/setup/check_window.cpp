@@ -1,4 +1,4 @@
-#include "storage/historian/check_window.hpp"
+#include "storage/historian/setup/check_window.hpp"
 
 #include <chrono>
 #include <optional>

@@ -1,0 +1,205 @@
+#include "daemon/setup/set_up_site.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <iostream>
+#include <optional>
+#include <utility>
+
+#include "config/first_settings.hpp"
+#include "config/read_settings.hpp"
+#include "core/text/counted.hpp"
+#include "daemon/output/output_file.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/setup/check_databases.hpp"
+#include "daemon/setup/choose_layout.hpp"
+#include "daemon/setup/recognise_layouts.hpp"
+#include "daemon/setup/scripts.hpp"
+#include "daemon/setup/site_logins.hpp"
+#include "daemon/setup/vendor_layouts.hpp"
+#include "daemon/text/failure.hpp"
+#include "daemon/text/printable.hpp"
+#include "storage/historian/setup/reader_sql.hpp"
+#include "storage/results/schema/results_sql.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+void refuse_existing(const SiteOptions& options) {
+  std::error_code ignored;
+  if (options.force || !std::filesystem::exists(options.out, ignored)) return;
+  throw Failure(ExitCode::usage, options.out + " exists already",
+                fmt::format("--force writes it anew, --out another one; `loopscope check-config "
+                            "--config {}` checks it as it is",
+                            options.out));
+}
+
+config::Settings ask_connections(SiteOptions& options, Questions& questions) {
+  config::Settings settings;
+  settings.results.connection = questions.text(
+      options.results, "--results",
+      "Results database, which Loopscope writes (libpq connection string or service=NAME)",
+      "host=localhost dbname=loopscope");
+  settings.results.owner_connection = options.owner;
+  settings.historians.emplace_back();
+  settings.historians.front().name = options.name;
+  settings.historians.front().connection =
+      questions.text(options.historian, "--historian",
+                     "Historian, which it reads (libpq connection string or service=NAME)", "");
+  complete_connections(settings);
+  return settings;
+}
+
+/// Of a missing login or password the scripts and the lines of the password file say the rest.
+bool is_plain_refusal(const std::string& problem) {
+  return problem.find("password") != std::string::npos ||
+         problem.find("does not exist") != std::string::npos;
+}
+
+void print_login(const SiteLogin& login) {
+  const storage::ConnectionTarget& to = login.target;
+  if (login.works()) {
+    std::cout << fmt::format("ok       {}: {}, database {} at {}:{}\n", login.role,
+                             printable(to.user), printable(to.database), printable(to.host),
+                             printable(to.port));
+    return;
+  }
+  std::cout << fmt::format("not yet  {}: {}\n", login.role, printable(login.trial.problem));
+  if (!is_plain_refusal(login.trial.problem))
+    std::cout << "         HINT: " << printable(login.trial.hint) << '\n';
+}
+
+void hand_out_results(const SiteLogins& logins, const std::string& folder) {
+  storage::ResultsWanted wanted{logins.worker.target.database, logins.database_is_there(), {}};
+  if (!logins.owner.works()) wanted.logins.push_back({logins.owner.target.user, "loopscope_owner"});
+  if (!logins.worker.works())
+    wanted.logins.push_back({logins.worker.target.user, "loopscope_worker"});
+  if (!logins.database_is_there()) {
+    wanted.logins.push_back({"loopscope_reader_1", "loopscope_reader"});
+    wanted.logins.push_back({"loopscope_engineer_1", "loopscope_engineer"});
+  }
+  hand_out({"the results server", "results.sql", "postgres", storage::results_sql(wanted)},
+           logins.worker.target, folder);
+}
+
+void hand_out_historian(const SiteLogins& logins, const storage::ReaderWanted& wanted,
+                        const std::string& folder) {
+  hand_out({"the historian", "historian.sql", logins.reader.target.database,
+            storage::reader_sql(wanted)},
+           logins.reader.target, folder);
+}
+
+/// Before anybody has looked: the table that was said, or those of the vendor.
+std::vector<storage::TableName> told_tables(const LayoutWishes& wishes) {
+  const std::string& table = wishes.table;
+  if (table.empty()) return usual_tables(wishes.preset);
+  const std::size_t dot = table.find('.');
+  if (dot == std::string::npos) return {{"public", table}};
+  return {{table.substr(0, dot), table.substr(dot + 1)}};
+}
+
+void print_passwords(const SiteLogins& logins) {
+  const std::vector<std::string> lines = password_lines(logins);
+  if (lines.empty()) return;
+  std::cout << "\nTheir passwords belong into ~/.pgpass (or the file that PGPASSFILE names), mode "
+               "0600, a line each:\n";
+  for (const std::string& line : lines) std::cout << "  " << printable(line) << '\n';
+}
+
+class SiteSetup {
+ public:
+  SiteSetup(SiteOptions options, Questions& questions)
+      : options_(std::move(options)), questions_(questions) {}
+
+  void run() {
+    refuse_existing(options_);
+    settings_ = ask_connections(options_, questions_);
+    logins_ = try_logins(settings_);
+    for (const SiteLogin* login : {&logins_.worker, &logins_.owner, &logins_.reader})
+      print_login(*login);
+    if (!logins_.results_work()) hand_out_results(logins_, options_.sql_folder);
+    const bool historian_ready = look_at_historian();
+    if (!logins_.results_work() || !historian_ready) ask_for_another_run();
+    write();
+    check();
+  }
+
+ private:
+  /// False while its administrator has something to do; the SQL for that has been handed out.
+  bool look_at_historian() {
+    const std::string& user = logins_.reader.target.user;
+    if (!logins_.reader.works()) {
+      hand_out_historian(logins_, {user, false, told_tables(options_.layout), ""},
+                         options_.sql_folder);
+      return false;
+    }
+    storage::HistorianSurvey survey(historian_connection(settings_.historians.front()));
+    layout_ = choose_layout(survey.tables(), options_.layout, questions_);
+    std::cout << fmt::format("ok       {}\n", printable(describe(*layout_)));
+    if (!layout_->readable) {
+      std::cout << fmt::format("not yet  {} has no right to read it\n", printable(user));
+      hand_out_historian(logins_, {user, true, layout_->tables, layout_->maker},
+                         options_.sql_folder);
+      return false;
+    }
+    notes_ = look_at_rows(survey, options_.time_zone, questions_, *layout_);
+    return true;
+  }
+
+  [[noreturn]] void ask_for_another_run() const {
+    print_passwords(logins_);
+    throw Failure(ExitCode::database,
+                  logins_.results_work()         ? "the historian is not ready yet"
+                  : layout_ && layout_->readable ? "the results server is not ready yet"
+                                                 : "the servers are not ready yet",
+                  "run the SQL above, see to the passwords, then run this `loopscope init` again: "
+                  "it goes on from there; nothing was written yet");
+  }
+
+  void write() {
+    config::HistorianSettings historian = layout_->historian;
+    historian.name = options_.name;
+    historian.connection = settings_.historians.front().connection;
+    const std::string text = config::first_settings_text(
+        {settings_.results.connection, settings_.results.owner_connection, historian, notes_});
+    settings_ = config::parse_settings(text, options_.out);
+    refuse_existing(options_);
+    write_file(options_.out, text);
+    std::cout << fmt::format("wrote    {}\n", printable(options_.out));
+    for (const std::string& note : notes_) std::cout << "look at  " << printable(note) << '\n';
+  }
+
+  void check() const {
+    const int problems = check_databases(settings_, storage::SchemaStage::to_be_made);
+    const std::string file = printable(options_.out);
+    if (problems > 0) {
+      throw Failure(ExitCode::database,
+                    core::text::counted(problems, "problem", "problems") + " with the databases",
+                    fmt::format("each PROBLEM above has its own hint; afterwards: loopscope "
+                                "check-config --config {}",
+                                options_.out));
+    }
+    std::cout << fmt::format(
+        "\nReview {0}, then:\n"
+        "  loopscope migrate --config {0}\n"
+        "  loopscope loops --config {0} discover --out loops.csv   (review it)\n"
+        "  loopscope loops --config {0} load loops.csv\n"
+        "  loopscope once --config {0}\n",
+        file);
+  }
+
+  SiteOptions options_;
+  Questions& questions_;
+  config::Settings settings_;
+  SiteLogins logins_;
+  std::optional<LayoutCandidate> layout_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+void set_up_site(SiteOptions options, Questions& questions) {
+  SiteSetup(std::move(options), questions).run();
+}
+
+}  // namespace loopscope::daemon

@@ -1,0 +1,85 @@
+#include "daemon/setup/site_logins.hpp"
+
+#include <fmt/format.h>
+
+#include "config/connection_secret.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/failure.hpp"
+#include "storage/error.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using storage::LoginTrial;
+
+constexpr const char* kWorker = "loopscope_worker_1";
+constexpr const char* kOwner = "loopscope_owner_1";
+constexpr const char* kReader = "loopscope_historian_1";
+
+/// Command lines are seen by everybody on the host, and kept by shells.
+void refuse_secret(const std::string& connection, const std::string& option) {
+  if (!config::holds_secret(connection) && !config::has_text_for_port(connection)) return;
+  throw Failure(ExitCode::usage, option + " holds a password, or a text where a port should be",
+                "leave it out and put HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass (mode 0600)");
+}
+
+void add_user(std::string& connection, const storage::ConnectionSettings& settings,
+              const std::string& user) {
+  if (!storage::says_user(settings)) connection = storage::with_user(settings, user);
+}
+
+SiteLogin try_one(const std::string& role, const storage::ConnectionSettings& settings) {
+  SiteLogin login{role, storage::connection_target(settings), storage::try_login(settings)};
+  if (login.trial.state == LoginTrial::State::unreachable)
+    throw storage::DatabaseError(login.trial.problem, login.trial.hint, storage::Remedy::reconnect);
+  return login;
+}
+
+/// As libpq wants a field of its password file.
+std::string field(const std::string& text) {
+  std::string escaped;
+  for (const char character : text) {
+    if (character == ':' || character == '\\') escaped += '\\';
+    escaped += character;
+  }
+  return escaped;
+}
+
+std::string first_of(const std::string& list) {
+  return list.substr(0, list.find(','));
+}
+
+}  // namespace
+
+void complete_connections(config::Settings& settings) {
+  config::ResultsSettings& results = settings.results;
+  std::string& historian = settings.historians.front().connection;
+  refuse_secret(results.connection, "--results");
+  refuse_secret(results.owner_connection, "--owner");
+  refuse_secret(historian, "--historian");
+  if (results.owner_connection.empty())
+    results.owner_connection = storage::with_user(results_connection(settings), kOwner);
+  add_user(results.connection, results_connection(settings), kWorker);
+  add_user(results.owner_connection, owner_connection(settings), kOwner);
+  add_user(historian, historian_connection(settings.historians.front()), kReader);
+}
+
+SiteLogins try_logins(const config::Settings& settings) {
+  return {try_one("worker", results_connection(settings)),
+          try_one("owner", owner_connection(settings)),
+          try_one("historian's reader", historian_connection(settings.historians.front()))};
+}
+
+std::vector<std::string> password_lines(const SiteLogins& logins) {
+  std::vector<std::string> lines;
+  for (const SiteLogin* login : {&logins.worker, &logins.owner, &logins.reader}) {
+    if (login->works()) continue;
+    const storage::ConnectionTarget& to = login->target;
+    lines.push_back(fmt::format("{}:{}:{}:{}:PASSWORD",
+                                to.host.empty() ? "localhost" : field(first_of(to.host)),
+                                field(first_of(to.port)), field(to.database), field(to.user)));
+  }
+  return lines;
+}
+
+}  // namespace loopscope::daemon
