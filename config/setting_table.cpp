@@ -127,11 +127,14 @@ constexpr std::array kServiceSettings = {
         "/plant/notice_s", in_plant<&PlantSettings::notice_s>, range(0, 86400, "s"),
         "interval between two checks for newly flagged loops, which NOTIFY announces; 0 = none"},
 
-    Setting{"/discovery/patterns", in_discovery<&DiscoverySettings::patterns>, any(Form::text),
-            "patterns of the tags of a loop, between semicolons; the first that fits counts; `*` "
-            "is a part of a name, `[./]` one of these characters"},
+    Setting{"/discovery/patterns", in_discovery<&DiscoverySettings::patterns>,
+            any(Form::optional_text),
+            "patterns of the tags of a loop, between semicolons, the first that fits counts, e.g. "
+            "`{loop}/*/{role}.CV`; `*` is a part of a name, `[./]` one of these characters; empty "
+            "= names are read as vendors and plants usually write them"},
     Setting{"/discovery/sp_words", in_discovery<&DiscoverySettings::sp_words>, any(Form::text),
-            "words for the set point, between commas, the preferred one first"},
+            "words for the set point, between commas, the preferred one first; others than the "
+            "default take the place of those that vendors use, here and in the next four"},
     Setting{"/discovery/pv_words", in_discovery<&DiscoverySettings::pv_words>, any(Form::text),
             "words for the process variable"},
     Setting{"/discovery/op_words", in_discovery<&DiscoverySettings::op_words>, any(Form::text),

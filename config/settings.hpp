@@ -130,15 +130,13 @@ struct PlantSettings {
 };
 
 /// How `loops discover` groups tags into loops (daemon/catalogue/README.md, "Discovery"). Patterns
-/// between semicolons, tried in turn; words between commas, whatever their case, the preferred one
-/// first.
+/// between semicolons, tried in turn, empty = the program reads names by itself; words between
+/// commas, whatever their case, the preferred one first.
 struct DiscoverySettings {
-  std::string patterns =
-      "{loop}/*/{role}.CV; {loop}/*/{role}.ACTUAL; {loop}[./]{role}.CV; {loop}[./]PID*[./]{role}; "
-      "{loop}[./_:-]{role}";
-  std::string sp_words = "SP,SV,SETPOINT,SPT,SP_WRK,CSP,WSP";
-  std::string pv_words = "PV,MEAS,PROCESS,PROCESSVALUE,MEASUREMENT,PV_IN";
-  std::string op_words = "OP,OUT,CO,OUTPUT,CONTROLLEROUTPUT,LMN,CV,MV";
+  std::string patterns;
+  std::string sp_words = "SP,SV,SETPOINT,SPT,SP_WRK,CSP,WSP,SP_OUT";
+  std::string pv_words = "PV,MEAS,PROCESS,PROCESSVALUE,PROCESSVARIABLE,MEASUREMENT,PV_IN,PV_OUT";
+  std::string op_words = "OP,OUT,CO,OUTPUT,CONTROLLEROUTPUT,CONTROLOUTPUT,LMN,CV,MV";
   std::string mv_words = "ZT,POS,POSITION,VP,ZI,FEEDBACK,RBK,MV";
   std::string mode_words = "MODE,MD,AUTO";
 };

@@ -3,123 +3,191 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "daemon/catalogue/entry_fields.hpp"
+#include "daemon/catalogue/group_tags.hpp"
+#include "daemon/catalogue/instrument_name.hpp"
+#include "daemon/catalogue/match_transmitters.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 using storage::CatalogueEntry;
 
-/// A tag that may fill a role; `rank` is the place of its word in the role's list.
-struct Candidate {
-  std::string tag;
-  std::string word;
-  std::string loop;  ///< as this tag spells it
+/// A group with its roles.
+struct Named {
+  TagGroup group;
+  RoleAssignment roles;
+  std::optional<InstrumentKind> kind;
+  bool no_controller = false;  ///< a limit, a total, a block of inputs
+
+  [[nodiscard]] bool has_pv() const { return !roles.entry.pv_tag.empty(); }
+  /// Has sp or op, and no pv.
+  [[nodiscard]] bool is_blind() const { return !has_pv() && roles.signals() > 0; }
+  [[nodiscard]] bool is_controller() const { return kind == InstrumentKind::controller; }
 };
 
-/// Place of a word among those of a role; nullopt = it is none of them.
-std::optional<std::size_t> rank_of(const NamingRules& rules, std::string_view role,
-                                   const std::string& word) {
-  const auto list = rules.words.find(role);
-  if (list == rules.words.end()) return std::nullopt;
-  const auto found = std::ranges::find(list->second, word);
-  if (found == list->second.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - list->second.begin());
-}
-
-std::optional<TagMatch> match(const std::string& tag, const NamingRules& rules,
-                              const std::vector<std::string>& words) {
-  for (const TagPattern& pattern : rules.patterns) {
-    if (auto found = pattern.match(tag, words)) return found;
+std::vector<Named> named_groups(GroupedTags& grouped, const NamingRules& rules) {
+  std::vector<Named> all;
+  for (TagGroup& group : grouped.groups) {
+    RoleAssignment roles = assign_roles(group.candidates, rules.conventions);
+    Named named{std::move(group), std::move(roles), std::nullopt, false};
+    if (rules.patterns.empty()) named.no_controller = names_no_controller(named.group.path);
+    if (const auto name = instrument_name(named.group.path)) named.kind = name->letters.kind;
+    all.push_back(std::move(named));
   }
-  return std::nullopt;
+  return all;
 }
 
-/// One loop while its tags are given their roles.
-class Loop {
+std::set<std::string> as_set(const std::vector<std::string>& tags) {
+  return {tags.begin(), tags.end()};
+}
+
+using TagsByPath = std::map<std::string, std::vector<std::string>>;
+
+/// The tag that stands under the controller's path, where there is one; several are ambiguous.
+void take_only_one(const TagsByPath& tags, Named& one, std::vector<std::string>& taken) {
+  const auto found = tags.find(one.group.path);
+  if (found == tags.end()) return;
+  if (found->second.size() == 1) {
+    one.roles.entry.pv_tag = found->second.front();
+    taken.push_back(found->second.front());
+  } else {
+    one.roles.ambiguous.push_back({one.roles.entry.name, "pv", found->second, ""});
+  }
+}
+
+/// FIC101/AI1/PV for FIC101/PID1/OUT, where no other block has a pv. Returns the tags so taken.
+std::vector<std::string> take_from_module(std::vector<Named>& all) {
+  TagsByPath by_module;
+  for (const Named& one : all) {
+    const std::string_view module = before_last_part(one.group.path);
+    const bool measures = one.has_pv() && (one.no_controller || one.roles.signals() == 1);
+    if (measures && !module.empty())
+      by_module[std::string(module)].push_back(one.roles.entry.pv_tag);
+  }
+  std::vector<std::string> taken;
+  for (Named& one : all) {
+    if (one.group.block.empty() || !one.is_blind()) continue;
+    take_only_one(by_module, one, taken);
+  }
+  return taken;
+}
+
+/// FT-210 for FIC-210.SP and .OP. Returns the tags so taken.
+std::vector<std::string> take_from_transmitters(std::vector<Named>& all,
+                                                std::span<const std::string> unmatched) {
+  Transmitters transmitters;
+  for (const std::string& tag : unmatched)
+    transmitters.add(tag.substr(0, without_endings(tag)), tag);
+  std::vector<BlindController> controllers;
+  for (Named& one : all) {
+    if (one.has_pv() && one.roles.signals() == 1)
+      transmitters.add(one.group.path, one.roles.entry.pv_tag);
+    if (one.is_blind() && one.is_controller() && !one.no_controller)
+      controllers.push_back({one.group.path, &one.roles});
+  }
+  return transmitters.give(controllers);
+}
+
+/// FIC101 or FIC101.Value for FIC101.SP and FIC101.OP. Returns the tags so taken.
+std::vector<std::string> take_by_own_name(std::vector<Named>& all,
+                                          std::span<const std::string> unmatched) {
+  TagsByPath by_name;
+  for (const std::string& tag : unmatched)
+    by_name[lower_case(tag.substr(0, without_endings(tag)))].push_back(tag);
+  std::vector<std::string> taken;
+  for (Named& one : all) {
+    if (!one.is_blind() || !one.is_controller()) continue;
+    take_only_one(by_name, one, taken);
+  }
+  return taken;
+}
+
+/// Gives a pv to controllers that have none of their own. Returns the tags so taken.
+std::set<std::string> take_measurements(std::vector<Named>& all,
+                                        std::vector<std::string>& unmatched) {
+  std::set<std::string> taken;
+  taken.merge(as_set(take_by_own_name(all, unmatched)));
+  taken.merge(as_set(take_from_module(all)));
+  taken.merge(as_set(take_from_transmitters(all, unmatched)));
+  std::erase_if(unmatched, [&](const std::string& tag) { return taken.contains(tag); });
+  return taken;
+}
+
+/// Why it is perhaps no control loop; empty = it is one.
+std::string doubt_of(const Named& one) {
+  const bool complete = one.roles.signals() == 3;
+  if (one.roles.convention->everyday) {
+    if (!one.roles.one_shape) return "everyday words, not named alike";
+    if (!complete && !one.is_controller()) return "everyday words, not sp, pv and op together";
+  }
+  if (one.kind == InstrumentKind::other) return "named as a valve or a relay";
+  if (complete || one.is_controller()) return {};
+  if (one.kind) return "named as a measurement";
+  return one.roles.glued ? "not sp, pv and op together, and no mark before the word" : "";
+}
+
+/// Sorts what was found into the lists of a discovery.
+class Sorter {
  public:
-  Loop(const std::vector<Candidate>& candidates, const NamingRules& rules, Discovery& discovery)
-      : candidates_(candidates), rules_(rules), discovery_(discovery) {
-    entry_.name = candidates.front().loop;
-  }
+  Sorter(Discovery& discovery, bool own_patterns)
+      : discovery_(discovery), own_patterns_(own_patterns) {}
 
-  CatalogueEntry assign() {
-    // Words of one role first: a shared word takes what they leave.
-    for (const TagRole& role : kTagRoles) fill(role, of_role(role, false));
-    for (const TagRole& role : kTagRoles) {
-      if (!(entry_.*role.tag).empty()) continue;
-      const auto shared = of_role(role, true);
-      if (shared.empty()) continue;
-      fill(role, shared);
-      if (!(entry_.*role.tag).empty()) discovery_.by_shared_word.push_back(entry_.name);
+  void sort(Named& one, const std::set<std::string>& taken) {
+    const std::size_t signals = one.roles.signals();
+    const bool only_everyday = signals == 1 && one.roles.convention->everyday;
+    if (signals == 0 && !one.no_controller && !one.roles.ambiguous.empty())
+      return keep_ambiguous(one);
+    if (one.no_controller || signals == 0 || only_everyday) return leave(one, taken);
+    if (!one.has_pv()) return without_pv(one);
+    if (signals == 1) {
+      if (!taken.contains(one.roles.entry.pv_tag))
+        discovery_.indicators.push_back(std::move(one.roles.entry));
+      return;
     }
-    return entry_;
+    if (std::string doubt = own_patterns_ ? std::string() : doubt_of(one); !doubt.empty()) {
+      discovery_.doubtful.push_back({std::move(one.roles.entry), std::move(doubt)});
+      return;
+    }
+    if (one.roles.by_shared_word) discovery_.by_shared_word.push_back(one.roles.entry.name);
+    keep_ambiguous(one);
+    discovery_.loops.push_back(std::move(one.roles.entry));
   }
 
  private:
-  using Ranked = std::vector<std::pair<std::size_t, const Candidate*>>;
-
-  [[nodiscard]] bool is_shared(const std::string& word) const {
-    return std::ranges::count_if(kTagRoles, [&](const TagRole& role) {
-             return rank_of(rules_, role.name, word).has_value();
-           }) > 1;
+  void leave(const Named& one, const std::set<std::string>& taken) {
+    for (const TagCandidate& candidate : one.group.candidates)
+      if (!taken.contains(candidate.tag)) discovery_.unmatched.push_back(candidate.tag);
   }
 
-  [[nodiscard]] bool is_taken(const std::string& tag) const {
-    return std::ranges::any_of(kTagRoles,
-                               [&](const TagRole& role) { return entry_.*role.tag == tag; });
+  void without_pv(Named& one) {
+    keep_ambiguous(one);
+    discovery_.without_pv.push_back(std::move(one.roles.entry));
   }
 
-  [[nodiscard]] Ranked of_role(const TagRole& role, bool shared) const {
-    Ranked ranked;
-    for (const Candidate& candidate : candidates_) {
-      if (is_shared(candidate.word) != shared || is_taken(candidate.tag)) continue;
-      const auto rank = rank_of(rules_, role.name, candidate.word);
-      if (rank) ranked.emplace_back(*rank, &candidate);
-    }
-    std::ranges::stable_sort(ranked, {}, [](const auto& one) { return one.first; });
-    return ranked;
+  void keep_ambiguous(const Named& one) {
+    discovery_.ambiguous.insert(discovery_.ambiguous.end(), one.roles.ambiguous.begin(),
+                                one.roles.ambiguous.end());
   }
 
-  /// The preferred word decides; between tags of the same word nothing does.
-  void fill(const TagRole& role, const Ranked& ranked) {
-    if (ranked.empty()) return;
-    const bool clear = ranked.size() == 1 || ranked[0].first != ranked[1].first;
-    if (clear) entry_.*role.tag = ranked[0].second->tag;
-    if (clear && role.name == "pv") entry_.name = ranked[0].second->loop;
-    if (ranked.size() == 1) return;
-    AmbiguousRole& ambiguous = discovery_.ambiguous.emplace_back();
-    ambiguous.loop = entry_.name;
-    ambiguous.role = role.name;
-    ambiguous.taken = entry_.*role.tag;
-    for (const auto& [rank, candidate] : ranked) ambiguous.tags.push_back(candidate->tag);
-  }
-
-  const std::vector<Candidate>& candidates_;
-  const NamingRules& rules_;
   Discovery& discovery_;
-  CatalogueEntry entry_;
+  bool own_patterns_;
 };
 
 }  // namespace
 
 Discovery discover_loops(std::span<const std::string> tags, const NamingRules& rules) {
+  GroupedTags grouped = group_tags(tags, rules);
+  std::vector<Named> all = named_groups(grouped, rules);
   Discovery discovery;
-  const std::vector<std::string> words = rules.all_words();
-  std::map<std::string, std::vector<Candidate>> loops;
-  for (const std::string& tag : tags) {
-    if (const auto found = match(tag, rules, words)) {
-      loops[lower_case(found->loop)].push_back({tag, lower_case(found->word), found->loop});
-    } else {
-      discovery.unmatched.push_back(tag);
-    }
-  }
-  for (const auto& [name, candidates] : loops) {
-    CatalogueEntry entry = Loop(candidates, rules, discovery).assign();
-    (entry.pv_tag.empty() ? discovery.without_pv : discovery.loops).push_back(std::move(entry));
-  }
+  discovery.unmatched = std::move(grouped.unmatched);
+  std::set<std::string> taken;
+  if (rules.patterns.empty()) taken = take_measurements(all, discovery.unmatched);
+  Sorter sorter(discovery, !rules.patterns.empty());
+  for (Named& one : all) sorter.sort(one, taken);
   return discovery;
 }
 

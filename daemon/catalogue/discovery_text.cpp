@@ -46,6 +46,19 @@ std::vector<std::string> without(const std::vector<CatalogueEntry>& loops,
   return names;
 }
 
+std::vector<std::string> texts_of(const std::vector<CatalogueEntry>& entries) {
+  std::vector<std::string> texts;
+  for (const CatalogueEntry& entry : entries) texts.push_back(tags_of(entry));
+  return texts;
+}
+
+std::vector<std::string> doubtful_loops(const Discovery& discovery) {
+  std::vector<std::string> texts;
+  for (const DoubtfulLoop& loop : discovery.doubtful)
+    texts.push_back(fmt::format("{}: {}", tags_of(loop.entry), loop.reason));
+  return texts;
+}
+
 std::vector<std::string> ambiguous_roles(const Discovery& discovery) {
   std::vector<std::string> texts;
   for (const AmbiguousRole& role : discovery.ambiguous) {
@@ -86,13 +99,13 @@ std::string proposals_text(const std::vector<Proposal>& proposals) {
 
 std::string discovery_text(const DiscoveryReport& report) {
   const Discovery& found = report.discovery;
-  std::vector<std::string> nameless;
-  for (const CatalogueEntry& entry : found.without_pv) nameless.push_back(tags_of(entry));
   return fmt::format("historian {}: {}, {} new ({}), {} in the catalogue\n", report.source,
                      core::text::counted(report.tags, "tag", "tags"),
                      core::text::counted(found.loops.size(), "loop is", "loops are"),
                      roles_text(found.loops), core::text::counted(report.known, "is", "are")) +
-         line("without pv, left out", nameless) +
+         line("without pv, left out", texts_of(found.without_pv)) +
+         line("pv without sp and op, no control loop, left out", texts_of(found.indicators)) +
+         line("perhaps no control loop, left out", doubtful_loops(found)) +
          line("without op, no model and no valve to judge",
               without(found.loops, &CatalogueEntry::op_tag)) +
          line("without sp, the mean of pv stands in",
@@ -103,7 +116,8 @@ std::string discovery_text(const DiscoveryReport& report) {
          line("by a word of two roles (MV), check op and mv", found.by_shared_word) +
          line("name taken by another loop of the catalogue, left out",
               "names taken by other loops of the catalogue, left out", report.taken) +
-         line("tag fits no pattern", "tags fit no pattern", found.unmatched) +
+         line("tag is no loop's by its name", "tags are no loop's by their names",
+              found.unmatched) +
          proposals_text(report.proposals);
 }
 

@@ -1,32 +1,26 @@
 #include "daemon/catalogue/loop_type_of.hpp"
 
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <utility>
 
+#include "daemon/catalogue/instrument_name.hpp"
+#include "daemon/text/ascii.hpp"
+
 namespace loopscope::daemon {
 namespace {
-
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
 
 constexpr std::array kMeasured{
     std::pair{'F', "flow"},     std::pair{'L', "level"},    std::pair{'T', "temperature"},
     std::pair{'P', "pressure"}, std::pair{'A', "analysis"},
 };
 
-/// First letter what is measured, perhaps D (difference) or F (ratio), perhaps I or R (shown,
-/// recorded), then C: a controller.
+/// Of a controller's letters; empty = they are none, or say no type.
 std::string type_of_letters(std::string_view letters) {
-  constexpr std::size_t kShortest = 2, kLongest = 4;
-  if (letters.size() < kShortest || letters.size() > kLongest || letters.back() != 'C') return {};
-  for (const char c : letters.substr(1, letters.size() - 2)) {
-    if (c != 'D' && c != 'F' && c != 'I' && c != 'R') return {};
-  }
+  const auto found = instrument_letters(letters);
+  if (!found || found->kind != InstrumentKind::controller) return {};
   for (const auto& [letter, type] : kMeasured) {
-    if (letters.front() == letter) return type;
+    if (found->measured.front() == letter) return type;
   }
   return {};
 }
@@ -35,12 +29,12 @@ std::string type_of_letters(std::string_view letters) {
 
 std::string loop_type_of(std::string_view name) {
   std::string found;
-  for (std::size_t k = 0; k < name.size();) {
-    std::string letters;
-    for (; k < name.size() && is_letter(name[k]); ++k)
-      letters += static_cast<char>(std::toupper(static_cast<unsigned char>(name[k])));
-    if (std::string type = type_of_letters(letters); !type.empty()) found = std::move(type);
-    if (letters.empty()) ++k;
+  for (std::size_t begin = 0; begin < name.size();) {
+    std::size_t end = begin;
+    while (end < name.size() && is_ascii_letter(name[end])) ++end;
+    if (std::string type = type_of_letters(name.substr(begin, end - begin)); !type.empty())
+      found = std::move(type);
+    begin = end == begin ? end + 1 : end;
   }
   return found;
 }

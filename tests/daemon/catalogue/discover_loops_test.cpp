@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "daemon/catalogue/discovery_text.hpp"
-#include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/text/failure.hpp"
+#include "tests/daemon/catalogue/found_loops.hpp"
 #include "tests/support/sanitized.hpp"
 
 namespace loopscope::daemon {
@@ -24,75 +24,105 @@ Discovery of(const std::vector<std::string>& tags, const NamingRules& rules = de
   return discover_loops(tags, rules);
 }
 
-/// "name: sp=..., pv=..." of each loop.
-std::vector<std::string> texts(const Discovery& discovery) {
-  std::vector<std::string> found;
-  for (const auto& entry : discovery.loops) {
-    std::string text = entry.name + ":";
-    for (const TagRole& role : kTagRoles) {
-      if (!(entry.*role.tag).empty()) text += " " + std::string(role.name) + "=" + entry.*role.tag;
-    }
-    found.push_back(text);
-  }
-  return found;
-}
-
 TEST(DiscoverLoops, FindsWhatSitesHaveByItself) {
-  EXPECT_THAT(texts(of({"FIC101.SP", "FIC101.PV", "FIC101.OP", "FIC101.MODE"})),
+  EXPECT_THAT(found_loops(of({"FIC101.SP", "FIC101.PV", "FIC101.OP", "FIC101.MODE"})),
               ElementsAre("FIC101: sp=FIC101.SP pv=FIC101.PV op=FIC101.OP mode=FIC101.MODE"));
-  EXPECT_THAT(texts(of({"area1/FIC101/pv", "area1/FIC101/sp", "area2/FIC101/pv"})),
-              ElementsAre("area1/FIC101: sp=area1/FIC101/sp pv=area1/FIC101/pv",
-                          "area2/FIC101: pv=area2/FIC101/pv"));
-  EXPECT_THAT(texts(of({"FIC101_MEAS", "FIC101_OUT", "FIC101_SETPOINT", "FIC101_ZT"})),
+  EXPECT_THAT(
+      found_loops(of({"area1/FIC101/pv", "area1/FIC101/sp", "area2/FIC101/pv", "area2/FIC101/op"})),
+      ElementsAre("area1/FIC101: sp=area1/FIC101/sp pv=area1/FIC101/pv",
+                  "area2/FIC101: pv=area2/FIC101/pv op=area2/FIC101/op"));
+  EXPECT_THAT(found_loops(of({"FIC101_MEAS", "FIC101_OUT", "FIC101_SETPOINT", "FIC101_ZT"})),
               ElementsAre("FIC101: sp=FIC101_SETPOINT pv=FIC101_MEAS op=FIC101_OUT mv=FIC101_ZT"));
-  EXPECT_THAT(texts(of({"FIC101.PIDA.OP", "FIC101.PIDA.PV", "FIC101.PIDA.SP"})),
+  EXPECT_THAT(found_loops(of({"FIC101.PIDA.OP", "FIC101.PIDA.PV", "FIC101.PIDA.SP"})),
               ElementsAre("FIC101: sp=FIC101.PIDA.SP pv=FIC101.PIDA.PV op=FIC101.PIDA.OP"));
-  EXPECT_THAT(texts(of({"FIC101/PID1/PV.CV", "FIC101/PID1/SP.CV", "FIC101/PID1/OUT.CV",
-                        "FIC101/PID1/MODE.ACTUAL"})),
+  EXPECT_THAT(found_loops(of({"FIC101/PID1/PV.CV", "FIC101/PID1/SP.CV", "FIC101/PID1/OUT.CV",
+                              "FIC101/PID1/MODE.ACTUAL"})),
               ElementsAre("FIC101: sp=FIC101/PID1/SP.CV pv=FIC101/PID1/PV.CV "
                           "op=FIC101/PID1/OUT.CV mode=FIC101/PID1/MODE.ACTUAL"));
 }
 
 TEST(DiscoverLoops, CaseDoesNotPartALoop) {
-  EXPECT_THAT(texts(of({"FIC101.PV", "fic101.sp"})),
+  EXPECT_THAT(found_loops(of({"FIC101.PV", "fic101.sp"})),
               ElementsAre("FIC101: sp=fic101.sp pv=FIC101.PV"));
 }
 
 TEST(DiscoverLoops, MvIsTheOutputWhereNothingElseIs) {
   const Discovery yokogawa = of({"FIC101.PV", "FIC101.SV", "FIC101.MV"});
-  EXPECT_THAT(texts(yokogawa), ElementsAre("FIC101: sp=FIC101.SV pv=FIC101.PV op=FIC101.MV"));
+  EXPECT_THAT(found_loops(yokogawa), ElementsAre("FIC101: sp=FIC101.SV pv=FIC101.PV op=FIC101.MV"));
   EXPECT_THAT(yokogawa.by_shared_word, ElementsAre("FIC101"));
-  EXPECT_THAT(texts(of({"FIC101.PV", "FIC101.OP", "FIC101.MV"})),
+  EXPECT_THAT(found_loops(of({"FIC101.PV", "FIC101.OP", "FIC101.MV"})),
               ElementsAre("FIC101: pv=FIC101.PV op=FIC101.OP mv=FIC101.MV"));
 }
 
 TEST(DiscoverLoops, TwoTagsForOneRoleAreSaid) {
-  const Discovery preferred = of({"F.PV", "F.MEAS"});
-  EXPECT_THAT(texts(preferred), ElementsAre("F: pv=F.PV"));
+  const Discovery preferred = of({"F.PV", "F.MEAS", "F.SP"});
+  EXPECT_THAT(found_loops(preferred), ElementsAre("F: sp=F.SP pv=F.PV"));
   ASSERT_EQ(preferred.ambiguous.size(), 1u);
   EXPECT_EQ(preferred.ambiguous[0].taken, "F.PV");
-  const Discovery equal = of({"F.PV", "F/PV", "F.SP"});
+  const Discovery as_the_others = of({"F.PV", "F/PV", "F.SP"});
+  EXPECT_THAT(found_loops(as_the_others), ElementsAre("F: sp=F.SP pv=F.PV"));
+  EXPECT_EQ(as_the_others.ambiguous.at(0).taken, "F.PV");
+  const Discovery equal = of({"F.PV", "F/PV", "F.SP", "F/SP"});
   EXPECT_THAT(equal.loops, IsEmpty()) << "nothing says which one";
-  EXPECT_EQ(equal.without_pv.size(), 1u);
-  EXPECT_THAT(equal.ambiguous.at(0).tags, ElementsAre("F.PV", "F/PV"));
-  EXPECT_EQ(equal.ambiguous[0].taken, "");
+  EXPECT_THAT(equal.ambiguous.at(0).tags, ElementsAre("F.SP", "F/SP"));
+  EXPECT_THAT(equal.ambiguous.at(1).tags, ElementsAre("F.PV", "F/PV"));
+  EXPECT_EQ(equal.ambiguous[1].taken, "");
+  const Discovery equal_words =
+      of({"[P]FIC1.PV", "[P]FIC1.SPProg", "[P]FIC1.SPOper", "[P]FIC1.CV"});
+  EXPECT_THAT(found_loops(equal_words), ElementsAre("[P]FIC1: pv=[P]FIC1.PV op=[P]FIC1.CV"));
+  EXPECT_THAT(equal_words.ambiguous.at(0).tags, ElementsAre("[P]FIC1.SPProg", "[P]FIC1.SPOper"));
 }
 
 TEST(DiscoverLoops, WhatIsMissingAndWhatFitsNothing) {
-  const Discovery found = of({"A.PV", "B.SP", "B.OP", "TI200", "X.ALARM"});
+  const Discovery found = of({"A.PV", "A.SP", "B.SP", "B.OP", "TI200", "X.ALARM", "TI-7.PV"});
   EXPECT_THAT(found.unmatched, ElementsAre("TI200", "X.ALARM"));
   EXPECT_EQ(found.without_pv.at(0).name, "B");
-  DiscoveryReport report{"plant", 5, found, 0, {}};
+  EXPECT_EQ(found.indicators.at(0).name, "TI-7");
+  DiscoveryReport report{"plant", 7, found, 0, {}};
   const std::string text = discovery_text(report);
-  EXPECT_THAT(text, HasSubstr("plant: 5 tags, 1 loop is new (sp 0, pv 1, op 0, mv 0, mode 0)"));
+  EXPECT_THAT(text, HasSubstr("plant: 7 tags, 1 loop is new (sp 1, pv 1, op 0, mv 0, mode 0)"));
   EXPECT_THAT(text, HasSubstr("1 without pv, left out: B (B.SP, B.OP)"));
+  EXPECT_THAT(text, HasSubstr("1 pv without sp and op, no control loop, left out: TI-7 (TI-7.PV)"));
   EXPECT_THAT(text, HasSubstr("1 without op, no model and no valve to judge: A"));
-  EXPECT_THAT(text, HasSubstr("2 tags fit no pattern: TI200, X.ALARM"));
+  EXPECT_THAT(text, HasSubstr("2 tags are no loop's by their names: TI200, X.ALARM"));
+}
+
+std::vector<std::string> reasons(const Discovery& discovery) {
+  std::vector<std::string> all;
+  for (const DoubtfulLoop& loop : discovery.doubtful)
+    all.push_back(loop.entry.name + ": " + loop.reason);
+  return all;
+}
+
+TEST(DiscoverLoops, WhatIsPerhapsNoLoopIsLeftOut) {
+  const Discovery found =
+      of({"FV-3.PV", "FV-3.SP", "FV-3.OP", "TI-4.PV", "TI-4.SP", "CRANE.X", "CRANE.Y", "BOX7PV",
+          "BOX7SP", "R5.X", "R5/W", "R5.Y", "FT-6.PV", "FT-6.SP", "FT-6.OP"});
+  EXPECT_THAT(found_loops(found), ElementsAre("FT-6: sp=FT-6.SP pv=FT-6.PV op=FT-6.OP"));
+  EXPECT_THAT(reasons(found),
+              ElementsAre("BOX7: not sp, pv and op together, and no mark before the word",
+                          "CRANE: everyday words, not sp, pv and op together",
+                          "FV-3: named as a valve or a relay",
+                          "R5: everyday words, not named alike", "TI-4: named as a measurement"));
+}
+
+TEST(DiscoverLoops, AModuleWithSeveralControllersIsSeveralLoops) {
+  EXPECT_THAT(found_loops(of({"TIC1/PID1/PV.CV", "TIC1/PID1/SP.CV", "TIC1/PID2/PV.CV",
+                              "TIC1/PID2/OUT.CV", "PLC1.PID7.PV", "PLC1.PID7.SP"})),
+              ElementsAre("PLC1.PID7: sp=PLC1.PID7.SP pv=PLC1.PID7.PV",
+                          "TIC1/PID1: sp=TIC1/PID1/SP.CV pv=TIC1/PID1/PV.CV",
+                          "TIC1/PID2: pv=TIC1/PID2/PV.CV op=TIC1/PID2/OUT.CV"));
+}
+
+TEST(DiscoverLoops, TheControllersOwnNameIsItsPv) {
+  EXPECT_THAT(
+      found_loops(of({"FIC8", "FIC8.SP", "FIC8.OP", "LIC9.Value", "LIC9.SP", "TANK", "TANK.SP"})),
+      ElementsAre("FIC8: sp=FIC8.SP pv=FIC8 op=FIC8.OP", "LIC9: sp=LIC9.SP pv=LIC9.Value"));
 }
 
 TEST(DiscoverLoops, OwnPatternsAndWords) {
-  const NamingRules rules = naming_rules({}, {"{role}@{loop}"}, {"pv=IST", "SP=SOLL", "mode="});
-  EXPECT_THAT(texts(of({"Ist@R7", "soll@R7", "stell@R7"}, rules)),
+  const NamingRules rules = naming_rules({}, {"{role}@{loop}"}, {"pv=IST", "SP=SOLL", "op="});
+  EXPECT_THAT(found_loops(of({"Ist@R7", "soll@R7", "stell@R7"}, rules)),
               ElementsAre("R7: sp=soll@R7 pv=Ist@R7"));
   EXPECT_THROW(static_cast<void>(naming_rules({}, {"{loop}"}, {})), Failure);
   EXPECT_THROW(static_cast<void>(naming_rules({}, {}, {"pv"})), Failure);

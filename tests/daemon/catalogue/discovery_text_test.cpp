@@ -31,22 +31,27 @@ TEST(DiscoveryText, EverythingMissingOrUnclearHasALine) {
   DiscoveryReport report{"plant", 9, {}, 0, {"T"}, {"A.MODE"}, {}};
   report.discovery.loops = {entry_of("A", "A.PV", "", ""), entry_of("C", "C.PV", "C.SP", "C.MV")};
   report.discovery.without_pv = {entry_of("B", "", "B.SP", "B.OP")};
+  report.discovery.indicators = {entry_of("TI7", "TI7.PV", "", "")};
+  report.discovery.doubtful = {{entry_of("FV3", "FV3.PV", "FV3.SP", ""), "named as a valve"}};
   report.discovery.ambiguous = {{"D", "pv", {"D.PV", "D.MEAS"}, "D.PV"},
                                 {"E", "pv", {"E.PV", "E/PV"}, ""}};
   report.discovery.by_shared_word = {"C"};
   for (int k = 1; k <= 12; ++k) report.discovery.unmatched.push_back("X" + std::to_string(k));
-  EXPECT_EQ(discovery_text(report),
-            "historian plant: 9 tags, 2 loops are new (sp 1, pv 2, op 1, mv 0, mode 0), 0 are in "
-            "the catalogue\n"
-            "       1 without pv, left out: B (B.SP, B.OP)\n"
-            "       1 without op, no model and no valve to judge: A\n"
-            "       1 without sp, the mean of pv stands in: A\n"
-            "       1 tag without a value, left out: A.MODE\n"
-            "       2 roles with several tags: D pv (D.PV, D.MEAS; taken: D.PV), E pv (E.PV, E/PV; "
-            "none taken)\n"
-            "       1 by a word of two roles (MV), check op and mv: C\n"
-            "       1 name taken by another loop of the catalogue, left out: T\n"
-            "      12 tags fit no pattern: X1, X2, X3, X4, X5, X6, X7, X8, X9, X10, ...\n");
+  EXPECT_EQ(
+      discovery_text(report),
+      "historian plant: 9 tags, 2 loops are new (sp 1, pv 2, op 1, mv 0, mode 0), 0 are in "
+      "the catalogue\n"
+      "       1 without pv, left out: B (B.SP, B.OP)\n"
+      "       1 pv without sp and op, no control loop, left out: TI7 (TI7.PV)\n"
+      "       1 perhaps no control loop, left out: FV3 (FV3.SP, FV3.PV): named as a valve\n"
+      "       1 without op, no model and no valve to judge: A\n"
+      "       1 without sp, the mean of pv stands in: A\n"
+      "       1 tag without a value, left out: A.MODE\n"
+      "       2 roles with several tags: D pv (D.PV, D.MEAS; taken: D.PV), E pv (E.PV, E/PV; "
+      "none taken)\n"
+      "       1 by a word of two roles (MV), check op and mv: C\n"
+      "       1 name taken by another loop of the catalogue, left out: T\n"
+      "      12 tags are no loop's by their names: X1, X2, X3, X4, X5, X6, X7, X8, X9, X10, ...\n");
 }
 
 TEST(DiscoveryText, ProposalsAndQuestions) {
