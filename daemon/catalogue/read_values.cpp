@@ -8,12 +8,14 @@
 #include <optional>
 #include <string>
 
+#include "core/signal/microseconds.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
 constexpr std::int64_t kDay_us = 86'400'000'000;
 constexpr std::array kBack_us{std::int64_t{0}, kDay_us, 7 * kDay_us, 30 * kDay_us};
-constexpr std::int64_t kRows = 512;
+constexpr std::int64_t kRowsRead = 512;
 /// Loops at a time: their values stay small beside the program.
 constexpr std::size_t kBatch = 200;
 
@@ -34,7 +36,7 @@ std::vector<Samples> values_of(storage::HistorianReader& historian,
     if (!newest[k]) continue;
     for (const std::int64_t back_us : kBack_us) {
       const std::int64_t to_us = *newest[k] - back_us;
-      requests.push_back({tags[k], to_us - kDay_us, to_us, kRows});
+      requests.push_back({tags[k], to_us - kDay_us, to_us, kRowsRead});
       owner.push_back(k);
     }
   }
@@ -67,12 +69,35 @@ std::vector<LoopValues> read_values(storage::HistorianReader& historian,
   return result;
 }
 
-std::vector<bool> have_rows(storage::HistorianReader& historian,
-                            std::span<const std::string> tags) {
-  std::vector<bool> answer;
-  for (const auto& newest : historian.newest(tags, historian.now_us()))
-    answer.push_back(newest.has_value());
-  return answer;
+NewestRows newest_rows(storage::HistorianReader& historian, std::span<const std::string> tags) {
+  const std::int64_t now_us = historian.now_us();
+  return {historian.newest(tags, now_us), now_us};
+}
+
+std::vector<std::optional<double>> longest_gaps(storage::HistorianReader& historian,
+                                                std::span<const std::string> tags) {
+  constexpr std::size_t kFewest = 21;
+  std::vector<std::optional<double>> gaps;
+  for (std::size_t first = 0; first < tags.size(); first += kBatch) {
+    const auto batch = tags.subspan(first, std::min(kBatch, tags.size() - first));
+    const auto newest = historian.newest(batch, historian.now_us());
+    std::vector<storage::TagRequest> requests;
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      const std::int64_t to_us = newest[k].value_or(0);
+      requests.push_back({batch[k], to_us - kBack_us.back(), to_us, kRowsRead});
+    }
+    for (const core::signal::RawSeries& rows : historian.read(requests)) {
+      const std::vector<std::int64_t>& times = rows.time_us;
+      std::int64_t longest_us = 0;
+      for (std::size_t k = 1; k < times.size(); ++k)
+        longest_us = std::max(longest_us, times[k] - times[k - 1]);
+      const bool enough = times.size() >= kFewest;
+      gaps.push_back(enough ? std::optional(static_cast<double>(longest_us) /
+                                            core::signal::kMicrosecondsPerSecond)
+                            : std::nullopt);
+    }
+  }
+  return gaps;
 }
 
 }  // namespace loopscope::daemon

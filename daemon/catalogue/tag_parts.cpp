@@ -26,8 +26,15 @@ std::string_view without_marks_behind(std::string_view text) {
   return text;
 }
 
-std::string_view without_soft_behind(std::string_view text) {
-  while (!text.empty() && (is_soft(text.back()) || is_mark(text.back()))) text.remove_suffix(1);
+/// Without the one character that parts a name from what follows, and the quotation marks about it:
+/// what else stands there is the name's own.
+std::string_view without_separator(std::string_view text) {
+  const auto drop_quote = [&text] {
+    if (text.ends_with('"')) text.remove_suffix(1);
+  };
+  drop_quote();
+  if (!text.empty() && (is_soft(text.back()) || is_mark(text.back()))) text.remove_suffix(1);
+  drop_quote();
   return text;
 }
 
@@ -104,7 +111,7 @@ std::optional<RolePlace> behind_soft(std::string_view body, std::size_t part,
     if (!is_soft(body[k])) continue;
     const std::string word = plain_word(body.substr(k + 1));
     if (!words.contains(word)) continue;
-    const std::string_view stem = without_soft_behind(body.substr(0, k));
+    const std::string_view stem = body.substr(0, k);
     const std::string_view before = last_token(stem.substr(std::min(part, stem.size())));
     if (before.empty() || is_one_of(kRolesThemselves, plain_word(before)) ||
         is_no_controller(before))
@@ -135,7 +142,7 @@ std::optional<RolePlace> behind_number(std::string_view body, std::size_t part,
 std::optional<RolePlace> role_in(std::string_view text, const PlainWords& words) {
   const std::string_view body = without_marks_behind(text);
   const std::size_t part = last_part_begins(body);
-  const std::string_view stem = without_soft_behind(body.substr(0, part));
+  const std::string_view stem = without_separator(body.substr(0, part));
   if (!stem.empty() && words.contains(plain_word(body.substr(part))))
     return RolePlace{stem.size(), part, body.size() - part};
   if (const auto soft = behind_soft(body, part, words)) return soft;
@@ -185,7 +192,7 @@ std::string_view last_part(std::string_view path) {
 }
 
 std::string_view before_last_part(std::string_view path) {
-  return without_soft_behind(path.substr(0, last_part_begins(path)));
+  return without_separator(path.substr(0, last_part_begins(path)));
 }
 
 bool names_no_controller(std::string_view path) {

@@ -8,13 +8,17 @@
 
 namespace loopscope::daemon {
 
-Failure unknown_loop(const std::string& name, storage::Catalogue& catalogue) {
+Failure unknown_loop(const std::string& name, std::span<const storage::CatalogueEntry> all) {
   std::vector<std::string> names;
-  for (const storage::CatalogueEntry& entry : catalogue.list()) names.push_back(entry.name);
+  for (const storage::CatalogueEntry& entry : all) names.push_back(entry.name);
   const std::optional<std::string> nearest = config::nearest_name(name, names);
-  const std::string all = "loopscope loops --config F lists them";
+  const std::string where = "loopscope loops --config F lists them";
   return {ExitCode::usage, fmt::format("no loop named \"{}\" in the catalogue", name),
-          nearest ? fmt::format("did you mean \"{}\"? {}", *nearest, all) : all};
+          nearest ? fmt::format("did you mean \"{}\"? {}", *nearest, where) : where};
+}
+
+Failure unknown_loop(const std::string& name, storage::Catalogue& catalogue) {
+  return unknown_loop(name, catalogue.list());
 }
 
 void require_loop(const std::string& name, storage::Catalogue& catalogue) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "daemon/text/failure.hpp"
@@ -7,8 +8,11 @@
 
 namespace loopscope::daemon {
 
-/// Failure (usage): the catalogue has no such loop, and which name was probably meant. Both throw
-/// storage::DatabaseError.
+/// Failure (usage): the catalogue, all of it, has no such loop, and which name was probably meant.
+[[nodiscard]] Failure unknown_loop(const std::string& name,
+                                   std::span<const storage::CatalogueEntry> all);
+
+/// The same of a catalogue that is read for it. Throws storage::DatabaseError, as the next one.
 [[nodiscard]] Failure unknown_loop(const std::string& name, storage::Catalogue& catalogue);
 
 /// Throws it unless the catalogue has the loop.

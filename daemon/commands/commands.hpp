@@ -33,5 +33,6 @@ void add_check_config(CLI::App& program);
 /// the command line was read.
 void add_discover(CLI::App& loops, const std::shared_ptr<const std::string>& config);
 void add_check(CLI::App& loops, const std::shared_ptr<const std::string>& config);
+void add_delete(CLI::App& loops, const std::shared_ptr<const std::string>& config);
 
 }  // namespace loopscope::daemon

@@ -10,6 +10,7 @@
 #include "core/text/counted.hpp"
 #include "daemon/catalogue/catalogue_csv.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
+#include "daemon/catalogue/select_loops.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/write_csv.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
@@ -26,6 +27,7 @@ struct LoopsOptions {
   std::string config;
   std::string file;
   std::vector<std::string> names;
+  bool all = false;                           ///< every loop of the catalogue
   std::map<std::string, std::string> fields;  ///< field name -> text, as given on the command line
 };
 
@@ -82,9 +84,10 @@ void load_csv(const LoopsOptions& options) {
   const auto entries =
       parse_catalogue(table, defaults_of(opened.settings), opened.catalogue.list());
   require_known_sources(opened, entries);
-  const std::size_t added = opened.catalogue.save(entries);
-  std::cout << fmt::format("{} added, {} changed\n", core::text::counted(added, "loop", "loops"),
-                           entries.size() - added);
+  const storage::SavedLoops saved = opened.catalogue.save(entries);
+  std::cout << fmt::format("{} added, {} changed, {} as before\n",
+                           core::text::counted(saved.added, "loop", "loops"), saved.changed,
+                           saved.unchanged);
 }
 
 std::string option_of(std::string_view field) {
@@ -122,29 +125,56 @@ void add_loop(const LoopsOptions& options) {
   std::cout << fmt::format("added {}\n", printable(entry.name));
 }
 
-Failure no_such_loop(const std::string& name) {
-  return {ExitCode::usage, fmt::format("no loop named \"{}\" in the catalogue", name),
-          "loopscope loops --config F lists them"};
+/// One tag for several loops is a mistake; none for several is not.
+void require_own_tags(const LoopsOptions& options, std::size_t loops) {
+  for (const TagRole& role : kTagRoles) {
+    const auto given = options.fields.find(std::string(role.name) + "_tag");
+    if (loops < 2 || given == options.fields.end() || given->second.empty()) continue;
+    throw Failure(
+        ExitCode::usage,
+        fmt::format("{} for {} loops: each has a tag of its own", option_of(given->first), loops),
+        "set tags loop by loop, or with loopscope loops load");
+  }
+}
+
+std::vector<CatalogueEntry> meant(const LoopsOptions& options,
+                                  const std::vector<CatalogueEntry>& all) {
+  return options.all ? all : select_loops(all, options.names);
+}
+
+void require_names(const LoopsOptions& options) {
+  if (options.all || !options.names.empty()) return;
+  throw Failure(ExitCode::usage, "no loop is named",
+                "name loops or patterns of their names, e.g. 'FIC-*', or say --all");
 }
 
 void set_fields(const LoopsOptions& options) {
+  require_names(options);
+  if (options.fields.empty()) {
+    throw Failure(ExitCode::usage, "nothing to set", "see loopscope loops set --help");
+  }
   OpenCatalogue opened = open(options);
-  std::optional<CatalogueEntry> entry = opened.catalogue.find(options.names.front());
-  if (!entry) throw no_such_loop(options.names.front());
-  apply_fields(options, *entry);
-  require_known_sources(opened, {*entry});
-  opened.catalogue.save(std::vector{*entry});
-  std::cout << fmt::format("changed {}\n", printable(entry->name));
+  const storage::SavedLoops saved =
+      opened.catalogue.change([&](const std::vector<CatalogueEntry>& all) {
+        std::vector<CatalogueEntry> entries = meant(options, all);
+        require_own_tags(options, entries.size());
+        for (CatalogueEntry& entry : entries) apply_fields(options, entry);
+        require_known_sources(opened, entries);
+        return entries;
+      });
+  std::cout << fmt::format("{} changed, {} as before\n",
+                           core::text::counted(saved.changed, "loop", "loops"), saved.unchanged);
 }
 
 void switch_loops(const LoopsOptions& options, bool enabled) {
+  require_names(options);
   OpenCatalogue opened = open(options);
-  for (const std::string& name : options.names) {
-    if (!opened.catalogue.find(name)) throw no_such_loop(name);
-  }
-  const std::size_t count = opened.catalogue.set_enabled(options.names, enabled);
-  std::cout << fmt::format("{} {}\n", enabled ? "enabled" : "disabled",
-                           core::text::counted(count, "loop", "loops"));
+  std::vector<std::string> names;
+  for (const CatalogueEntry& entry : meant(options, opened.catalogue.list()))
+    names.push_back(entry.name);
+  const std::size_t count = opened.catalogue.set_enabled(names, enabled);
+  std::cout << fmt::format("{} {}, {} as before\n", core::text::counted(count, "loop", "loops"),
+                           enabled ? "enabled" : "disabled", names.size() - count);
 }
 
 void add_field_options(CLI::App& command, const SharedLoopsOptions& options) {
@@ -167,18 +197,17 @@ CLI::App& add_action(CLI::App& loops, const char* name, const char* description,
   return command;
 }
 
-void add_edit_action(CLI::App& loops, const char* name, const char* description,
-                     const SharedLoopsOptions& options, void (*carry_out)(const LoopsOptions&)) {
-  CLI::App& command = add_action(loops, name, description, options, carry_out);
-  command.add_option("NAME", options->names, "Loop")->required()->expected(1);
-  add_field_options(command, options);
+void add_selection(CLI::App& command, const SharedLoopsOptions& options) {
+  CLI::Option* names =
+      command.add_option("NAME", options->names, "Loops by name, or by pattern, e.g. 'FIC-*'");
+  command.add_flag("--all", options->all, "Every loop of the catalogue")->excludes(names);
 }
 
 }  // namespace
 
 void add_loops(CLI::App& program) {
-  CLI::App& loops =
-      *program.add_subcommand("loops", "Lists, adds, changes and disables loops in the catalogue");
+  CLI::App& loops = *program.add_subcommand(
+      "loops", "Lists, adds, changes, disables and deletes loops of the catalogue");
   const auto options = std::make_shared<LoopsOptions>();
   loops.add_option("--config", options->config, "Settings file")->required();
   loops.require_subcommand(0, 1);
@@ -189,19 +218,22 @@ void add_loops(CLI::App& program) {
   add_action(loops, "load", "Adds and changes loops from CSV, all or none", options, load_csv)
       .add_option("FILE", options->file, "File to read")
       ->required();
-  add_edit_action(loops, "add", "Adds one loop", options, add_loop);
-  add_edit_action(loops, "set", "Changes one loop", options, set_fields);
+  CLI::App& add = add_action(loops, "add", "Adds one loop", options, add_loop);
+  add.add_option("NAME", options->names, "Loop")->required()->expected(1);
+  add_field_options(add, options);
+  CLI::App& set = add_action(loops, "set", "Changes loops, all or none", options, set_fields);
+  add_selection(set, options);
+  add_field_options(set, options);
   const std::shared_ptr<const std::string> config(options, &options->config);
   add_discover(loops, config);
   add_check(loops, config);
-  add_action(loops, "enable", "Analyses these loops again", options,
-             [](const LoopsOptions& o) { switch_loops(o, true); })
-      .add_option("NAME", options->names, "Loops")
-      ->required();
-  add_action(loops, "disable", "Leaves these loops out from now on", options,
-             [](const LoopsOptions& o) { switch_loops(o, false); })
-      .add_option("NAME", options->names, "Loops")
-      ->required();
+  add_selection(add_action(loops, "enable", "Analyses these loops again", options,
+                           [](const LoopsOptions& o) { switch_loops(o, true); }),
+                options);
+  add_selection(add_action(loops, "disable", "Leaves these loops out from now on", options,
+                           [](const LoopsOptions& o) { switch_loops(o, false); }),
+                options);
+  add_delete(loops, config);
   loops.callback([&loops, options] {
     if (loops.get_subcommands().empty()) list(*options);
   });

@@ -68,11 +68,11 @@ void look_at_history(const config::HistorianSettings& source, DiscoveryReport& r
   storage::HistorianReader reader(historian_connection(source), historian_layout(source));
   const TagCheck found =
       check_tags(loops, [&](const std::string&, std::span<const std::string> tags) {
-        return have_rows(reader, tags);
+        return newest_rows(reader, tags);
       });
   drop_dead_ends(found, loops);
-  for (const DeadEnd& end : found.dead_ends)
-    if (end.role != "pv") report.empty_tags.push_back(end.tag);
+  for (const CheckedTag& tag : found.tags)
+    if (!tag.newest_us && tag.role != "pv") report.empty_tags.push_back(tag.tag);
   const std::vector<LoopValues> values = read_values(reader, loops);
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const std::vector<Proposal> proposals = propose(loops[k], values[k]);
@@ -97,7 +97,7 @@ void put_out(const DiscoverOptions& options, const DiscoveryReport& report,
   (options.out == "-" ? std::cerr : std::cout) << discovery_text(report);
   require_something(report);
   if (options.add) {
-    std::cout << core::text::counted(catalogue.save(loops), "loop", "loops") + " added\n";
+    std::cout << core::text::counted(catalogue.save(loops).added, "loop", "loops") + " added\n";
   } else if (!options.out.empty()) {
     write_csv(options.out, catalogue_csv(loops));
     if (options.out == "-") return;

@@ -14,10 +14,16 @@ namespace {
 const Statement kListLoops{"list_loops",
                            "SELECT " LOOPSCOPE_LOOP_COLUMNS " FROM loopscope.loop ORDER BY name"};
 
+// Whoever else changes loops waits until these are saved; workers, who only refer to them, do not.
+const Statement kListLoopsToChange{"list_loops_to_change",
+                                   "SELECT " LOOPSCOPE_LOOP_COLUMNS
+                                   " FROM loopscope.loop ORDER BY name FOR NO KEY UPDATE"};
+
 const Statement kFindLoop{"find_loop",
                           "SELECT " LOOPSCOPE_LOOP_COLUMNS " FROM loopscope.loop WHERE name = $1"};
 
 // xmax is 0 in a row that was inserted and the updating transaction in one that was there before.
+// A row that stays as it is does not come back.
 const Statement kSaveLoops{"save_loops", R"(
     INSERT INTO loopscope.loop AS kept (name, source, sp_tag, pv_tag, op_tag, mv_tag, mode_tag,
                                         interval_s, period_s, op_low, op_high, loop_type,
@@ -43,16 +49,28 @@ const Statement kSaveLoops{"save_loops", R"(
       unit = EXCLUDED.unit, description = EXCLUDED.description, pv_unit = EXCLUDED.pv_unit,
       owner = EXCLUDED.owner, pv_low = EXCLUDED.pv_low, pv_high = EXCLUDED.pv_high,
       changed_at = now()
-    RETURNING kept.loop_id, kept.xmax = 0 AS is_new)"};
+    WHERE
+      (kept.source, kept.sp_tag, kept.pv_tag, kept.op_tag, kept.mv_tag, kept.mode_tag,
+       kept.interval_s, kept.period_s, kept.op_low, kept.op_high, kept.loop_type,
+       kept.importance, kept.enabled, kept.area, kept.unit, kept.description, kept.pv_unit,
+       kept.owner, kept.pv_low, kept.pv_high)
+      IS DISTINCT FROM
+      (EXCLUDED.source, EXCLUDED.sp_tag, EXCLUDED.pv_tag, EXCLUDED.op_tag, EXCLUDED.mv_tag,
+       EXCLUDED.mode_tag, EXCLUDED.interval_s, EXCLUDED.period_s, EXCLUDED.op_low,
+       EXCLUDED.op_high, EXCLUDED.loop_type, EXCLUDED.importance, EXCLUDED.enabled,
+       EXCLUDED.area, EXCLUDED.unit, EXCLUDED.description, EXCLUDED.pv_unit, EXCLUDED.owner,
+       EXCLUDED.pv_low, EXCLUDED.pv_high)
+    RETURNING kept.xmax = 0 AS is_new)"};
 
 const Statement kSetEnabled{"set_enabled", R"(
     UPDATE loopscope.loop SET enabled = $2::boolean, changed_at = now()
-    WHERE name = ANY ($1::text[]) RETURNING loop_id)"};
+    WHERE name = ANY ($1::text[]) AND enabled <> $2::boolean RETURNING loop_id)"};
 
 // A loop that a worker holds becomes due when the worker is done with it.
 const Statement kMakeDue{"make_due", R"(
     UPDATE loopscope.schedule SET visible_at = now()
-    WHERE loop_id = ANY ($1::bigint[]) AND owner IS NULL)",
+    WHERE owner IS NULL
+      AND loop_id = ANY (ARRAY(SELECT loop_id FROM loopscope.loop WHERE name = ANY ($1::text[]))))",
                          Rows::none};
 
 /// What the arrays would silently change or PostgreSQL would refuse in words that name no loop.
@@ -125,15 +143,20 @@ std::vector<std::string> entry_parameters(std::span<const CatalogueEntry> entrie
   };
 }
 
-std::size_t save_all(Transaction& transaction, std::span<const CatalogueEntry> entries) {
-  std::size_t created = 0;
-  ArrayLiteral loop_id;
-  for (const pqxx::row& row : transaction.run(kSaveLoops, entry_parameters(entries))) {
-    if (row["is_new"].as<bool>()) ++created;
-    loop_id.add_integer(row["loop_id"].as<std::int64_t>());
-  }
-  transaction.run(kMakeDue, {loop_id.text()});
-  return created;
+SavedLoops save_all(Transaction& transaction, std::span<const CatalogueEntry> entries) {
+  check_entries(entries);
+  SavedLoops saved;
+  for (const pqxx::row& row : transaction.run(kSaveLoops, entry_parameters(entries)))
+    ++(row["is_new"].as<bool>() ? saved.added : saved.changed);
+  saved.unchanged = entries.size() - saved.added - saved.changed;
+  transaction.run(kMakeDue, {texts(entries, &CatalogueEntry::name)});
+  return saved;
+}
+
+std::vector<CatalogueEntry> list_all(Transaction& transaction, const Statement& statement) {
+  std::vector<CatalogueEntry> entries;
+  for (const pqxx::row& row : transaction.run(statement)) entries.push_back(read_loop(row));
+  return entries;
 }
 
 }  // namespace
@@ -150,13 +173,8 @@ Catalogue::Catalogue(const ConnectionSettings& settings)
 Catalogue::~Catalogue() = default;
 
 std::vector<CatalogueEntry> Catalogue::list() {
-  return impl_->session.transact([](Transaction& transaction) {
-    std::vector<CatalogueEntry> entries;
-    for (const pqxx::row& row : transaction.run(kListLoops)) {
-      entries.push_back(read_loop(row));
-    }
-    return entries;
-  });
+  return impl_->session.transact(
+      [](Transaction& transaction) { return list_all(transaction, kListLoops); });
 }
 
 std::optional<CatalogueEntry> Catalogue::find(const std::string& name) {
@@ -169,10 +187,16 @@ std::optional<CatalogueEntry> Catalogue::find(const std::string& name) {
   });
 }
 
-std::size_t Catalogue::save(std::span<const CatalogueEntry> entries) {
-  check_entries(entries);
+SavedLoops Catalogue::save(std::span<const CatalogueEntry> entries) {
   return impl_->session.transact(
       [&](Transaction& transaction) { return save_all(transaction, entries); });
+}
+
+SavedLoops Catalogue::change(
+    const std::function<std::vector<CatalogueEntry>(const std::vector<CatalogueEntry>&)>& edit) {
+  return impl_->session.transact([&](Transaction& transaction) {
+    return save_all(transaction, edit(list_all(transaction, kListLoopsToChange)));
+  });
 }
 
 std::size_t Catalogue::set_enabled(std::span<const std::string> names, bool enabled) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +13,15 @@
 #include "storage/error.hpp"
 
 namespace loopscope::storage {
+
+/// What became of entries that were saved.
+struct SavedLoops {
+  std::size_t added = 0;
+  std::size_t changed = 0;
+  std::size_t unchanged = 0;  ///< the catalogue had them as they are
+
+  bool operator==(const SavedLoops&) const = default;
+};
 
 /// The loop catalogue: lists, adds and changes loops. Every function is one transaction and throws
 /// DatabaseError. Not shared between threads.
@@ -27,9 +37,13 @@ class Catalogue {
   [[nodiscard]] std::optional<CatalogueEntry> find(const std::string& name);
   /// Inserts the loops, or changes those whose name exists; makes each due at once (one that a
   /// worker holds: when the worker is done). All or nothing: text that is no UTF-8, a name that
-  /// stands twice and a value out of range are refused (give_up). Returns how many were new.
-  std::size_t save(std::span<const CatalogueEntry> entries);
-  /// Returns how many of the names exist; those are switched.
+  /// stands twice and a value out of range are refused (give_up).
+  SavedLoops save(std::span<const CatalogueEntry> entries);
+  /// Reads all loops and saves what `edit` returns, so that nobody changes them in between; those
+  /// it leaves out stay. What it throws passes through, and nothing is changed.
+  SavedLoops change(
+      const std::function<std::vector<CatalogueEntry>(const std::vector<CatalogueEntry>&)>& edit);
+  /// Returns how many loops of these names were switched, those that were so already left out.
   std::size_t set_enabled(std::span<const std::string> names, bool enabled);
 
  private:
