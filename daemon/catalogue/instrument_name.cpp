@@ -76,7 +76,7 @@ void read_number(std::string_view path, std::size_t& at, InstrumentName& name) {
 std::optional<InstrumentName> name_at(std::string_view path, std::size_t begin, std::size_t end) {
   auto letters = instrument_letters(path.substr(begin, end - begin));
   if (!letters) return std::nullopt;
-  InstrumentName name{lower_case(path.substr(0, begin)), std::move(*letters), {}, {}, false};
+  InstrumentName name{{}, std::move(*letters), {}, {}, false};
   read_number(path, end, name);
   if (name.number.empty() && (begin == 0 || !is_ascii_digit(path[begin - 1]))) return std::nullopt;
   name.ends_path = end == path.size();
@@ -98,12 +98,17 @@ std::optional<InstrumentLetters> instrument_letters(std::string_view letters) {
 
 std::optional<InstrumentName> instrument_name(std::string_view path) {
   std::optional<InstrumentName> found;
+  std::size_t place = 0;
   for (std::size_t begin = 0; begin < path.size();) {
     std::size_t end = begin;
     while (end < path.size() && is_ascii_letter(path[end])) ++end;
-    if (auto name = name_at(path, begin, end)) found = std::move(name);
+    if (auto name = name_at(path, begin, end)) {
+      found = std::move(name);
+      place = begin;
+    }
     begin = end == begin ? end + 1 : end;
   }
+  if (found) found->place = lower_case(path.substr(0, place));
   return found;
 }
 

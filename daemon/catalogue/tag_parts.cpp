@@ -26,15 +26,12 @@ std::string_view without_marks_behind(std::string_view text) {
   return text;
 }
 
-/// Without the one character that parts a name from what follows, and the quotation marks about it:
-/// what else stands there is the name's own.
+/// Without the one character that parts a name from what follows, or `"."`: what else stands there
+/// is the name's own.
 std::string_view without_separator(std::string_view text) {
-  const auto drop_quote = [&text] {
-    if (text.ends_with('"')) text.remove_suffix(1);
-  };
-  drop_quote();
+  const bool quoted = text.size() > 3 && text.ends_with('"') && text[text.size() - 3] == '"';
+  if (quoted) return text.substr(0, text.size() - 3);
   if (!text.empty() && (is_soft(text.back()) || is_mark(text.back()))) text.remove_suffix(1);
-  drop_quote();
   return text;
 }
 
@@ -99,6 +96,14 @@ std::string_view last_token(std::string_view part) {
   return soft == std::string_view::npos ? part : part.substr(soft + 1);
 }
 
+/// Longer ones are no words: what is looked for in a long tag costs no more than its length.
+constexpr std::size_t kLongestWord = 64;
+
+/// Where a word that ends with the text may begin within its last part.
+std::size_t earliest_word(std::string_view text, std::size_t part) {
+  return std::max(part + 1, text.size() - std::min(text.size(), kLongestWord));
+}
+
 /// A role within a tag.
 struct RolePlace {
   std::size_t stem_size, begin, size;
@@ -107,7 +112,7 @@ struct RolePlace {
 /// Behind a `_`, `-` or blank within the part: the longest word first.
 std::optional<RolePlace> behind_soft(std::string_view body, std::size_t part,
                                      const PlainWords& words) {
-  for (std::size_t k = part + 1; k + 1 < body.size(); ++k) {
+  for (std::size_t k = earliest_word(body, part); k + 1 < body.size(); ++k) {
     if (!is_soft(body[k])) continue;
     const std::string word = plain_word(body.substr(k + 1));
     if (!words.contains(word)) continue;
@@ -123,6 +128,7 @@ std::optional<RolePlace> behind_soft(std::string_view body, std::size_t part,
 
 /// FIC209A: letters, a number, perhaps a letter that is no limit.
 bool may_be_glued(std::string_view name) {
+  name = name.substr(name.size() - std::min(name.size(), kLongestWord));
   if (name.empty()) return false;
   const char last = lower_case(name.substr(name.size() - 1)).front();
   if (last >= 'a' && last <= 'g') name.remove_suffix(1);
@@ -132,25 +138,30 @@ bool may_be_glued(std::string_view name) {
 std::optional<RolePlace> behind_number(std::string_view body, std::size_t part,
                                        const PlainWords& words) {
   constexpr std::size_t kShortest = 2;
-  for (std::size_t k = part + 1; k + kShortest <= body.size(); ++k) {
+  for (std::size_t k = earliest_word(body, part); k + kShortest <= body.size(); ++k) {
     if (!may_be_glued(body.substr(part, k - part))) continue;
     if (words.contains(lower_case(body.substr(k)))) return RolePlace{k, k, body.size() - k};
   }
   return std::nullopt;
 }
 
-std::optional<RolePlace> role_in(std::string_view text, const PlainWords& words) {
-  const std::string_view body = without_marks_behind(text);
+std::optional<RolePlace> role_of(std::string_view body, const PlainWords& words) {
   const std::size_t part = last_part_begins(body);
   const std::string_view stem = without_separator(body.substr(0, part));
   if (!stem.empty() && words.contains(plain_word(body.substr(part))))
     return RolePlace{stem.size(), part, body.size() - part};
   if (const auto soft = behind_soft(body, part, words)) return soft;
-  if (const auto glued = behind_number(body, part, words)) return glued;
+  return behind_number(body, part, words);
+}
+
+/// Also before an ending behind `_`: FIC101_PV_VAL.
+std::optional<RolePlace> role_in(std::string_view text, const PlainWords& words) {
+  const std::string_view body = without_marks_behind(text);
+  if (const auto role = role_of(body, words)) return role;
   const std::size_t soft = body.find_last_of(kSoft);
-  if (soft == std::string_view::npos || soft <= part) return std::nullopt;
-  if (!is_one_of(kSoftEndings, plain_word(body.substr(soft + 1)))) return std::nullopt;
-  return role_in(body.substr(0, soft), words);
+  const bool has_ending = soft != std::string_view::npos && soft > last_part_begins(body) &&
+                          is_one_of(kSoftEndings, plain_word(body.substr(soft + 1)));
+  return has_ending ? role_of(body.substr(0, soft), words) : std::nullopt;
 }
 
 }  // namespace

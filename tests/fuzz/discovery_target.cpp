@@ -1,11 +1,13 @@
 // Tags to loops: the first line is a pattern, every further line a tag of a historian that anybody
-// may have named.
+// may have named. The tags are grouped by the pattern, and by how the program itself reads names.
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
 #include "daemon/catalogue/discover_loops.hpp"
+#include "daemon/catalogue/entry_fields.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
 
@@ -29,10 +31,23 @@ void check_tags(const daemon::NamingRules& rules, const std::vector<std::string>
     const std::string word = daemon::lower_case(match->word);
     require(std::find(words.begin(), words.end(), word) != words.end(), "a word is a known one");
   }
-  const daemon::Discovery found = daemon::discover_loops(tags, rules);
+}
+
+/// Every tag of a loop is one of the tags, and none has two roles or stands in two loops.
+void check_loops(const daemon::Discovery& found, const std::vector<std::string>& tags) {
   require(found.unmatched.size() <= tags.size(), "no more tags than there are");
-  for (const storage::CatalogueEntry& loop : found.loops)
+  const std::set<std::string> known(tags.begin(), tags.end());
+  for (const storage::CatalogueEntry& loop : found.loops) {
     require(!loop.name.empty() && !loop.pv_tag.empty(), "a loop has a name and a pv");
+    require(!loop.sp_tag.empty() || !loop.op_tag.empty(), "something controls it");
+    std::set<std::string> of_loop;
+    for (const daemon::TagRole& role : daemon::kTagRoles) {
+      const std::string& tag = loop.*role.tag;
+      if (tag.empty()) continue;
+      require(known.contains(tag), "a tag of the historian");
+      require(of_loop.insert(tag).second, "one role for one tag");
+    }
+  }
 }
 
 }  // namespace
@@ -40,14 +55,19 @@ void check_tags(const daemon::NamingRules& rules, const std::vector<std::string>
 int fuzz_discovery(const std::uint8_t* data, std::size_t size) {
   std::vector<std::string> tags = lines_of({reinterpret_cast<const char*>(data), size});
   if (tags.empty()) return 0;
+  const std::string pattern = tags.front();
+  // A historian lists each tag once.
+  const std::set<std::string> each(tags.begin() + 1, tags.end());
+  tags.assign(each.begin(), each.end());
   daemon::NamingRules rules = daemon::naming_rules({}, {}, {});
+  check_loops(daemon::discover_loops(tags, rules), tags);
   try {
-    rules.patterns = {daemon::TagPattern(tags.front())};
+    rules.patterns = {daemon::TagPattern(pattern)};
   } catch (const std::invalid_argument&) {
     return 0;
   }
-  tags.erase(tags.begin());
   check_tags(rules, tags);
+  check_loops(daemon::discover_loops(tags, rules), tags);
   return 0;
 }
 

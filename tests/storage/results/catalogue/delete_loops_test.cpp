@@ -25,8 +25,9 @@ class DeleteLoopsTest : public ResultsTest {
     database->execute(
         "INSERT INTO loopscope.annotation (loop_id, kind) SELECT loop_id, 'acknowledged' FROM "
         "loopscope.loop;"
-        "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind) SELECT loop_id, now(), "
-        "'valve' FROM loopscope.loop;"
+        "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description) SELECT "
+        "loop_id, "
+        "now(), 'valve', 'packing' FROM loopscope.loop;"
         "INSERT INTO loopscope.standing_problem (loop_id, code, role, first_slot, last_slot, slots)"
         " SELECT loop_id, 'pv_dead', '', now(), now(), 1 FROM loopscope.loop;"
         "INSERT INTO loopscope.flag_notice (loop_id, code, announced, slot_end, since, status, "
