@@ -133,8 +133,8 @@ constexpr std::array kServiceSettings = {
             "`{loop}/*/{role}.CV`; `*` is a part of a name, `[./]` one of these characters; empty "
             "= names are read as vendors and plants usually write them"},
     Setting{"/discovery/sp_words", in_discovery<&DiscoverySettings::sp_words>, any(Form::text),
-            "words for the set point, between commas, the preferred one first; others than the "
-            "default take the place of those that vendors use, here and in the next four"},
+            "words for the set point, between commas, the preferred one first; words other than "
+            "these defaults also replace those of the vendors, likewise in the next four"},
     Setting{"/discovery/pv_words", in_discovery<&DiscoverySettings::pv_words>, any(Form::text),
             "words for the process variable"},
     Setting{"/discovery/op_words", in_discovery<&DiscoverySettings::op_words>, any(Form::text),
