@@ -136,7 +136,8 @@ struct DiscoverySettings {
   std::string patterns;
   std::string sp_words = "SP,SV,SETPOINT,SPT,SP_WRK,CSP,WSP,SP_OUT";
   std::string pv_words = "PV,MEAS,PROCESS,PROCESSVALUE,PROCESSVARIABLE,MEASUREMENT,PV_IN,PV_OUT";
-  std::string op_words = "OP,OUT,CO,OUTPUT,CONTROLLEROUTPUT,CONTROLOUTPUT,LMN,CV,MV";
+  std::string op_words =
+      "OP,OUT,CO,OUTPUT,CONTROLLEROUTPUT,CONTROLOUTPUT,MANIPULATEDVARIABLE,LMN,CV,MV";
   std::string mv_words = "ZT,POS,POSITION,VP,ZI,FEEDBACK,RBK,MV";
   std::string mode_words = "MODE,MD,AUTO";
 };

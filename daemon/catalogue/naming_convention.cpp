@@ -38,9 +38,10 @@ constexpr ConventionRow kConventions[] = {
      "Stellungsrückmeldung|Stellungsrueckmeldung", "Betriebsart"},
     {"actual value", true,
      "SetValue,SetPoint,SetpointValue|fSetpointValue|rSetpoint,DesiredValue,TargetValue,SP",
-     "ActValue,ActualValue|fActualValue|rActual,PresentValue,ControlledVariable,Actual",
-     "ControlOutput,ControllerOutput,Output|fOut|rOutput,ManipulatedVariable,ManipulatedValue,"
-     "ControlValue,OutValue,Out,OP",
+     "ActValue,ActualValue|fActualValue|rActual,PresentValue,CurrentValue,ControlledVariable,"
+     "ProcessValue,Actual",
+     "ControlOutput,ControllerOutput,Output|fOut|rOutput,OutputValue,ManipulatedVariable,"
+     "ManipulatedValue,ControlValue,OutValue,Out,OP",
      "", "Mode"},
     {"mesure/consigne", true, "Consigne,Consigna", "Mesure,Medida", "Sortie,Commande,Salida", "",
      ""},
