@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "config/nearest_name.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/text/cells.hpp"
 #include "daemon/text/failure.hpp"
@@ -14,6 +15,18 @@ namespace loopscope::daemon {
 namespace {
 
 using storage::CatalogueEntry;
+
+/// What an unknown column may have meant.
+std::string column_hint(std::string_view column) {
+  constexpr const char* kAll = "`loopscope loops export -` shows the columns";
+  for (const TagRole& role : kTagRoles)
+    if (same_word(role.name, column))
+      return fmt::format("did you mean \"{}_tag\"? {}", role.name, kAll);
+  std::vector<std::string> known;
+  for (const EntryField& field : entry_fields()) known.emplace_back(field.name);
+  const auto nearest = config::nearest_name(column, known);
+  return nearest ? fmt::format("did you mean \"{}\"? {}", *nearest, kAll) : kAll;
+}
 
 std::vector<const EntryField*> fields_of(const CsvTable& table) {
   std::vector<const EntryField*> fields;
@@ -27,8 +40,9 @@ std::vector<const EntryField*> fields_of(const CsvTable& table) {
     fields.push_back(field);
     if (field != nullptr) continue;
     throw Failure(ExitCode::unusable_data,
-                  fmt::format("{}, line 1: unknown column \"{}\"", table.name, column),
-                  "`loopscope loops export -` shows the columns");
+                  fmt::format("{}, line 1: unknown column \"{}\" (cells separated by {})",
+                              table.name, column, separators_text(table.separator)),
+                  column_hint(trimmed(column)));
   }
   return fields;
 }
@@ -86,6 +100,11 @@ std::string catalogue_csv(std::span<const CatalogueEntry> entries) {
     text += '\n';
   }
   return text;
+}
+
+bool is_header_of_catalogue(const std::vector<std::string>& header) {
+  return std::ranges::any_of(
+      header, [](const std::string& column) { return find_entry_field(column) != nullptr; });
 }
 
 std::vector<CatalogueEntry> parse_catalogue(const CsvTable& table, const CatalogueEntry& defaults,

@@ -33,10 +33,10 @@ Places places_of(const CsvTable& table) {
     const auto found = std::ranges::find(table.header, kColumns.at(i));
     places.at(i) = static_cast<std::size_t>(found - table.header.begin());
     if (found == table.header.end() || table.header.size() != kColumns.size()) {
-      throw Failure(
-          ExitCode::unusable_data,
-          fmt::format("{}, line 1: the columns are {}", table.name, fmt::join(table.header, ", ")),
-          fmt::format("a file of work has the columns {}", fmt::join(kColumns, ", ")));
+      throw Failure(ExitCode::unusable_data,
+                    fmt::format("{}, line 1: the columns, separated by {}, are {}", table.name,
+                                separators_text(table.separator), fmt::join(table.header, ", ")),
+                    fmt::format("a file of work has the columns {}", fmt::join(kColumns, ", ")));
     }
   }
   return places;
@@ -53,6 +53,12 @@ storage::MaintenanceEntry maintenance_entry(std::string_view loop, std::string_v
   if (trimmed(description).empty()) throw std::invalid_argument("what was done is not said");
   return {std::string(loop), std::get<std::int64_t>(done_at), known_kind(trimmed(kind)),
           std::string(trimmed(description))};
+}
+
+bool is_header_of_maintenance(const std::vector<std::string>& header) {
+  return std::ranges::all_of(kColumns, [&](std::string_view column) {
+    return std::ranges::find(header, column) != header.end();
+  });
 }
 
 std::vector<storage::MaintenanceEntry> parse_maintenance(const CsvTable& table,

@@ -19,6 +19,9 @@ namespace loopscope::daemon {
                                                           std::string_view description,
                                                           const TimeZone& zone);
 
+/// Whether a file with this header holds work: it has the columns of parse_maintenance().
+[[nodiscard]] bool is_header_of_maintenance(const std::vector<std::string>& header);
+
 /// Entries out of a table with the columns loop, at, kind and description in any order. Throws
 /// Failure (unusable_data) naming line and column.
 [[nodiscard]] std::vector<storage::MaintenanceEntry> parse_maintenance(const CsvTable& table,

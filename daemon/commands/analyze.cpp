@@ -10,6 +10,7 @@
 #include "core/text/counted.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
+#include "daemon/commands/recording_options.hpp"
 #include "daemon/output/analysis_text.hpp"
 #include "daemon/recording/analyse_windows.hpp"
 #include "daemon/text/failure.hpp"
@@ -20,7 +21,7 @@ namespace loopscope::daemon {
 namespace {
 
 struct AnalyzeOptions {
-  std::string file;
+  RecordingOptions recording;
   std::string config;
   std::string op_range;
   std::string pv_range;
@@ -50,7 +51,7 @@ TimeZone zone_of(const AnalyzeOptions& options, const config::Settings& settings
 /// What was analysed; of a file with times also when that was.
 std::string title_of(const AnalyzeOptions& options, const Recording& recording,
                      const core::signal::LoopWindow& window, const TimeZone& zone) {
-  std::string title = fmt::format("{}: {} every {:.6g} s", printable(options.file),
+  std::string title = fmt::format("{}: {} every {:.6g} s", printable(options.recording.file),
                                   core::text::counted(window.size(), "sample", "samples"),
                                   window.sample_interval_s);
   if (!recording.absolute_time || window.size() == 0) return title;
@@ -66,7 +67,7 @@ void analyze(const AnalyzeOptions& options) {
   if (options.no_model) settings.fit_model = false;
   if (options.window > 0) settings.prepare.window_samples = options.window;
   const TimeZone zone = zone_of(options, whole);
-  const Recording recording = read_recording(options.file, zone);
+  const Recording recording = read_recording(options.recording, zone);
   const std::optional<core::signal::OpRange> op_range = parse_op_range(options.op_range);
   const core::LoopFacts facts{.integrating = core::is_integrating_type(options.type),
                               .pv_span = parse_pv_span(options.pv_range)};
@@ -91,9 +92,7 @@ void add_analyze(CLI::App& program) {
   CLI::App& command =
       *program.add_subcommand("analyze", "The whole diagnosis of one recording, no database");
   const auto options = std::make_shared<AnalyzeOptions>();
-  command
-      .add_option("FILE", options->file, "CSV: t_s or time, sp, pv, op, optional mv, mode, quality")
-      ->required();
+  add_recording_options(command, options->recording);
   command.add_flag("--json", options->json, "One JSON object instead of text");
   command.add_flag("--no-model", options->no_model,
                    "Statistics and shapes only: no loop model is fitted");

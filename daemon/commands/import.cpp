@@ -15,7 +15,7 @@
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/commands/option_values.hpp"
-#include "daemon/recording/recording.hpp"
+#include "daemon/commands/recording_options.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/windows/slot.hpp"
 #include "daemon/text/failure.hpp"
@@ -35,7 +35,7 @@ using storage::CatalogueEntry;
 struct ImportOptions {
   std::string config;
   std::string loop;
-  std::string file;
+  RecordingOptions recording;
   std::string source;
   std::string type;
   std::string op_range;
@@ -119,7 +119,8 @@ void place(const ImportOptions& options, const config::Settings& settings,
     }
     shift(recording.rows, end_time(options, entry, now_us, settings) - times.back());
   } else if (!options.end.empty()) {
-    throw Failure(ExitCode::usage, options.file + ": --end with a file that has its own times",
+    throw Failure(ExitCode::usage,
+                  options.recording.file + ": --end with a file that has its own times",
                   "leave --end out: it places files with t_s");
   }
   if (!options.replace) {
@@ -148,9 +149,9 @@ std::vector<storage::TagRows> tag_rows(const CatalogueEntry& entry, LoopRows& ro
 
 void import_recording(const ImportOptions& options) {
   const config::Settings settings = config::read_settings(options.config);
-  Recording recording = read_recording(options.file, TimeZone(settings.plant.time_zone));
+  Recording recording = read_recording(options.recording, TimeZone(settings.plant.time_zone));
   if (recording.rows.pv.empty()) {
-    throw Failure(ExitCode::unusable_data, options.file + ": the file has no rows",
+    throw Failure(ExitCode::unusable_data, options.recording.file + ": the file has no rows",
                   "a recording needs at least one row below its header");
   }
   storage::Catalogue catalogue(owner_connection(settings));
@@ -181,9 +182,7 @@ void add_import(CLI::App& program) {
   command.add_option("--config", options->config, "Settings file")->required();
   command.add_option("--loop", options->loop, "Loop; added to the catalogue if it is not there")
       ->required();
-  command
-      .add_option("FILE", options->file, "CSV: t_s or time, sp, pv, op, optional mv, mode, quality")
-      ->required();
+  add_recording_options(command, options->recording);
   command.add_option("--source", options->source, "Historian of the settings (default: the first)");
   command.add_option("--type", options->type, "Kind of loop: flow, pressure, level, ...");
   command.add_option("--op-range", options->op_range, "Controller output at 0 and 100 %: LOW,HIGH");

@@ -79,7 +79,7 @@ void require_known_sources(const OpenCatalogue& opened,
 }
 
 void load_csv(const LoopsOptions& options) {
-  const CsvTable table = read_csv(options.file);
+  const CsvTable table = read_csv(options.file, is_header_of_catalogue);
   OpenCatalogue opened = open(options);
   const auto entries =
       parse_catalogue(table, defaults_of(opened.settings), opened.catalogue.list());

@@ -97,7 +97,7 @@ void add_work(const MaintenanceOptions& options) {
 
 void load_work(const MaintenanceOptions& options) {
   const OpenedLog opened(options);
-  const auto entries = parse_maintenance(read_csv(options.file), opened.zone);
+  const auto entries = parse_maintenance(read_csv(options.file, is_header_of_maintenance), opened.zone);
   enter(opened, entries);
   std::cout << fmt::format("{} entered\n", entries.size());
 }

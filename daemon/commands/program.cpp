@@ -7,6 +7,7 @@
 #include <string>
 
 #include "config/read_settings.hpp"
+#include "daemon/commands/unknown_word.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "storage/error.hpp"
@@ -40,6 +41,8 @@ int report_settings(const config::SettingsError& error) {
 /// CLI11 also ends --help and --version by an exception: those print and leave with 0.
 int report_usage(const CLI::App& program, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return program.exit(error);
+  if (const auto unknown = find_unknown_word(program))
+    return report(ExitCode::usage, unknown->what, unknown->hint);
   return report(ExitCode::usage, error.what(), "see loopscope --help, loopscope COMMAND --help");
 }
 

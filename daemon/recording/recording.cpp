@@ -2,6 +2,7 @@
 
 #include "core/signal/base_interval.hpp"
 #include "daemon/recording/columns.hpp"
+#include "daemon/recording/decimal_sign.hpp"
 #include "daemon/recording/row_times.hpp"
 #include "daemon/text/cell_failure.hpp"
 #include "daemon/text/cells.hpp"
@@ -11,11 +12,17 @@ namespace {
 
 using core::signal::RawSeries;
 
-double number_cell(const CsvTable& table, const CsvTable::Row& row, std::size_t column) {
-  const std::optional<double> value = parse_number(row.cells[column]);
-  if (value) return *value;
-  throw cell_failure(table, row, column, shown(row.cells[column]) + " is not a number",
-                     "use a decimal point; leave a missing value empty");
+double number_cell(const CsvTable& table, const CsvTable::Row& row, std::size_t column,
+                   char decimal_sign) {
+  const std::string& cell = row.cells[column];
+  if (const std::optional<double> value = parse_number(cell, decimal_sign)) return *value;
+  const bool other = parse_number(cell, decimal_sign == '.' ? ',' : '.').has_value();
+  const char* hint = "use a decimal point; leave a missing value empty";
+  if (decimal_sign == ',')
+    hint = "numbers of this file have decimal commas: all of them, and nothing between thousands";
+  else if (other)
+    hint = "use a decimal point, or say --decimal-sign comma; leave a missing value empty";
+  throw cell_failure(table, row, column, shown(cell) + " is not a number", hint);
 }
 
 /// Values of one column by `convert(row)`; empty when the file has no such column.
@@ -39,18 +46,50 @@ void mask_bad_quality(const CsvTable& table, std::size_t column, core::signal::L
   }
 }
 
+/// Those whose cells are numbers.
+std::vector<std::size_t> number_columns(const Columns& columns) {
+  std::vector<std::size_t> numbers{columns.pv};
+  if (!columns.absolute_time) numbers.push_back(columns.time);
+  for (const auto& column : {columns.sp, columns.op, columns.mv})
+    if (column) numbers.push_back(*column);
+  return numbers;
+}
+
+/// How the file was understood, where it is none as contract.md describes it.
+std::vector<std::string> notes_on(const CsvTable& table, const Columns& columns,
+                                  char decimal_sign) {
+  std::vector<std::string> notes = column_notes(table, columns);
+  if (table.separator != ',' || decimal_sign != '.') {
+    notes.push_back(std::string("cells are separated by ") +
+                    std::string(separators_text(table.separator)) + ", the decimal sign is " +
+                    (decimal_sign == ',' ? "the comma" : "the point"));
+  }
+  return notes;
+}
+
+/// What tells a file of the kind that parse_recording() reads from others.
+HeaderTest header_test(const RecordingForm& form) {
+  return [&form](const std::vector<std::string>& header) {
+    return is_header_of_recording(header, form);
+  };
+}
+
 }  // namespace
 
-Recording parse_recording(const CsvTable& table, const TimeZone& zone) {
-  const Columns columns = find_columns(table);
-  const std::vector<std::int64_t> times = read_times(table, columns, zone);
+Recording parse_recording(const CsvTable& table, const RecordingForm& form,
+                          const TimeZone& zone) {
+  const Columns columns = find_columns(table, form);
+  const char decimal_sign = find_decimal_sign(table, number_columns(columns), form.decimal_sign);
+  const std::vector<std::int64_t> times =
+      read_times(table, columns, {decimal_sign, form.date_order}, zone);
   const auto numbers = [&](const CsvTable::Row& row, std::size_t column) {
-    return number_cell(table, row, column);
+    return number_cell(table, row, column, decimal_sign);
   };
   const auto modes = [](const CsvTable::Row& row, std::size_t column) {
     return static_cast<double>(parse_mode(row.cells[column]));
   };
-  Recording recording{table.name, columns.absolute_time, {}};
+  Recording recording{
+      table.name, columns.absolute_time, {}, notes_on(table, columns, decimal_sign)};
   recording.rows.pv = read_column(table, times, columns.pv, numbers);
   recording.rows.sp = read_column(table, times, columns.sp, numbers);
   recording.rows.op = read_column(table, times, columns.op, numbers);
@@ -60,8 +99,16 @@ Recording parse_recording(const CsvTable& table, const TimeZone& zone) {
   return recording;
 }
 
-Recording read_recording(const std::filesystem::path& file, const TimeZone& zone) {
-  return parse_recording(read_csv(file), zone);
+Recording parse_recording(std::string_view text, const std::string& name,
+                          const RecordingForm& form,
+                          const TimeZone& zone) {
+  return parse_recording(parse_csv(text, name, find_csv_form(text, name, header_test(form))), form,
+                         zone);
+}
+
+Recording read_recording(const std::filesystem::path& file, const RecordingForm& form,
+                          const TimeZone& zone) {
+  return parse_recording(read_csv(file, header_test(form)), form, zone);
 }
 
 core::signal::LoopWindow last_window(const Recording& recording, std::size_t max_samples,

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace loopscope::daemon {
@@ -52,6 +53,18 @@ std::optional<double> parse_number(std::string_view cell) {
   }
   const bool finite = error == std::errc{} && std::isfinite(value);
   return finite ? value : core::signal::kMissing;
+}
+
+std::optional<double> parse_number(std::string_view cell, char decimal_sign) {
+  const std::size_t comma = cell.find(',');
+  if (decimal_sign == '.' || comma == std::string_view::npos) {
+    const bool foreign = decimal_sign != '.' && cell.find('.') != std::string_view::npos;
+    return foreign ? std::nullopt : parse_number(cell);
+  }
+  if (cell.find('.') != std::string_view::npos) return std::nullopt;
+  std::string text(cell);
+  text[comma] = '.';
+  return parse_number(text);
 }
 
 ControlMode parse_mode(std::string_view cell) {

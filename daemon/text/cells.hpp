@@ -19,6 +19,9 @@ namespace loopscope::daemon {
 /// text is no number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view cell);
 
+/// The same with '.' or ',' as the decimal sign; the other one stands in no number.
+[[nodiscard]] std::optional<double> parse_number(std::string_view cell, char decimal_sign);
+
 /// What plants write into a mode tag, case aside; those of FOUNDATION Fieldbus among them. Whoever
 /// tracks, is out of service or has its output set from elsewhere does not control. No word that a
 /// tag of another kind may hold.

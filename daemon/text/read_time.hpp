@@ -7,19 +7,9 @@
 #include <variant>
 
 #include "daemon/text/time_zone.hpp"
+#include "daemon/text/written_time.hpp"
 
 namespace loopscope::daemon {
-
-/// A time as it is written.
-struct WrittenTime {
-  std::int64_t clock_us = 0;              ///< what the clock shows, microseconds since 1970
-  std::optional<std::int64_t> offset_us;  ///< how far it is ahead of UTC; nullopt = not said
-  bool day_alone = false;                 ///< without a time of day, which means its beginning
-};
-
-/// ISO 8601 ("2026-03-01T12:00:00.5Z", "2026-03-01 12:00:00+01:00", "2026-03-01") in the years 1 to
-/// 9999; nullopt for anything else, more than six decimals too.
-[[nodiscard]] std::optional<WrittenTime> parse_time(std::string_view text);
 
 /// Why a text is no time: "is not a time", "never was in Europe/Berlin: ...", and what to write.
 struct TimeProblem {
@@ -32,6 +22,10 @@ struct TimeProblem {
 /// the first moment counts.
 [[nodiscard]] std::variant<std::int64_t, TimeProblem> read_time(std::string_view text,
                                                                 const TimeZone& zone);
+
+/// The same of a time that was taken apart; nullopt = it is none.
+[[nodiscard]] std::variant<std::int64_t, TimeProblem> read_time(
+    const std::optional<WrittenTime>& time, const TimeZone& zone);
 
 /// The value of a command's option, e.g. "--since". Throws Failure (usage) with the problem.
 [[nodiscard]] std::int64_t time_option(std::string_view option, const std::string& text,

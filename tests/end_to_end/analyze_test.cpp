@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <gmock/gmock.h>
@@ -99,6 +100,28 @@ TEST_F(Analyze, AFileNameThatIsNoUtf8) {
   EXPECT_THAT(json["input"]["file"].get<std::string>(), HasSubstr("bad\xEF\xBF\xBD.csv"));
 }
 
+/// The figures of a European export are those of the same recording as contract.md has it.
+TEST_F(Analyze, AFileOfSemicolonsAndDecimalCommas) {
+  std::string text = rows(1000);
+  const std::string usual = analyze(write("usual.csv", text)).out;
+  std::ranges::replace(text, ',', ';');
+  std::ranges::replace(text, '.', ',');
+  text.replace(0, text.find('\n'), "Sekunden;W;PV_Actual;Y");
+  const std::string file = write("european.csv", "\xEF\xBB\xBF" + text);
+  EXPECT_THAT(analyze(file).err,
+              HasSubstr("\"W\", \"PV_Actual\", \"Y\" (separated by semicolons)"));
+  const ProgramResult result =
+      run_program({LOOPSCOPE_PROGRAM, "analyze", file, "--json", "--columns",
+                   "sp=W,pv=PV_Actual,op=Y", "--decimal-sign", "comma"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("the decimal sign is the comma"));
+  Json european = Json::parse(result.out);
+  Json expected = Json::parse(usual);
+  expected["input"].erase("file");
+  european["input"].erase("file");
+  EXPECT_EQ(european, expected);
+}
+
 TEST_F(Analyze, SimulateRefusesNumbersThatItCannotUse) {
   const auto simulate = [](const std::string& option, const std::string& value) {
     return run_program({LOOPSCOPE_PROGRAM, "simulate", "paper_5_1", option, value});
@@ -178,6 +201,17 @@ TEST_F(Analyze, WrongUsage) {
   EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM}).exit_code, 2);
   EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "nonsense"}).exit_code, 2);
   EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "analyze"}).exit_code, 2);
+  const ProgramResult misspelt = run_program({LOOPSCOPE_PROGRAM, "oncee"});
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_EQ(misspelt.err,
+            "error: unknown command \"oncee\"\nHINT: did you mean \"once\"? loopscope --help lists "
+            "them\n");
+  const ProgramResult option = run_program({LOOPSCOPE_PROGRAM, "once", "--confg", "f"});
+  EXPECT_EQ(option.exit_code, 2);
+  EXPECT_THAT(option.err, HasSubstr("has no option \"--confg\"\nHINT: did you mean \"--config\"?"));
+  const ProgramResult action = run_program({LOOPSCOPE_PROGRAM, "loops", "lst"});
+  EXPECT_EQ(action.exit_code, 2);
+  EXPECT_THAT(action.err, HasSubstr("has no action \"lst\"\nHINT: did you mean \"list\"?"));
   EXPECT_EQ(run_program({LOOPSCOPE_PROGRAM, "analyze", "--op-range", "7", "f.csv"}).exit_code, 5);
   EXPECT_EQ(
       run_program({LOOPSCOPE_PROGRAM, "analyze", "--pv-range", "9,1", write("p.csv", rows(10))})

@@ -32,8 +32,7 @@ std::string analyse(const daemon::Recording& recording, const AnalyzeOptions& op
 }
 
 void check_analysis(const AnalyzeOptions& options, std::string_view text) {
-  const daemon::Recording recording =
-      daemon::parse_recording(daemon::parse_csv(text, "recording.csv"));
+  const daemon::Recording recording = daemon::parse_recording(text, "recording.csv");
   const std::string once = analyse(recording, options);
   // A model takes many times what the rest takes: most of these are not made twice.
   const bool twice = !options.settings.fit_model || text.size() % 4 == 0;

@@ -6,6 +6,8 @@
 #include "core/signal/window_digest.hpp"
 #include "daemon/output/window_csv.hpp"
 #include "daemon/recording/recording.hpp"
+#include "daemon/text/cells.hpp"
+#include "daemon/text/failure.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/fuzz/text_target.hpp"
@@ -37,6 +39,15 @@ void check_table(const daemon::CsvTable& table) {
     require(again.rows[k].cells == table.rows[k].cells, "every cell comes back");
 }
 
+void check_tables(std::string_view text) {
+  for (const char separator : {',', ';', '\t'}) {
+    try {
+      check_table(daemon::parse_csv(text, "file", {.separator = separator}));
+    } catch (const daemon::Failure&) {  // no table by this separator; the recording may be one
+    }
+  }
+}
+
 void check_series(const RawSeries& series, const RawSeries& pv) {
   require(series.time_us.size() == series.value.size(), "a time for every value");
   require(series.empty() || series.time_us == pv.time_us, "all series have pv's times");
@@ -66,10 +77,30 @@ void check_written(const LoopWindow& window) {
   }
 }
 
-void check_recording(std::string_view text) {
+/// What commas and the usual names make a recording of is that recording.
+void check_as_ever(std::string_view text, const daemon::Recording& recording) {
   const daemon::CsvTable table = daemon::parse_csv(text, "file");
-  check_table(table);
-  const daemon::Recording recording = daemon::parse_recording(table);
+  const auto has = [&](std::string_view name) {
+    return std::ranges::any_of(table.header, [&](const std::string& cell) {
+      return daemon::same_word(daemon::trimmed(cell), name);
+    });
+  };
+  if (!has("pv") || (!has("t_s") && !has("time"))) return;
+  const daemon::Recording usual = daemon::parse_recording(table);
+  const auto same = [](const RawSeries& a, const RawSeries& b) {
+    return a.time_us == b.time_us && std::ranges::equal(a.value, b.value, [](double x, double y) {
+             return x == y || (std::isnan(x) && std::isnan(y));
+           });
+  };
+  require(same(recording.rows.pv, usual.rows.pv) && same(recording.rows.sp, usual.rows.sp) &&
+              same(recording.rows.op, usual.rows.op),
+          "commas and the usual names go before what else a header may say");
+}
+
+void check_recording(std::string_view text) {
+  check_tables(text);
+  const daemon::Recording recording = daemon::parse_recording(text, "file");
+  check_as_ever(text, recording);
   const auto& rows = recording.rows;
   for (const RawSeries* series : {&rows.sp, &rows.pv, &rows.op, &rows.mv, &rows.mode})
     check_series(*series, rows.pv);

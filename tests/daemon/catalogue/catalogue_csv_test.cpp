@@ -46,6 +46,19 @@ TEST(CatalogueCsv, NameAndProcessVariableAreEnough) {
   EXPECT_TRUE(loaded[1].enabled);
 }
 
+TEST(CatalogueCsv, SemicolonsAndTheNamesOfRoles) {
+  constexpr std::string_view kText = "Name;PV_Tag\r\nA;A.PV\r\n";
+  const CsvForm form = find_csv_form(kText, "loops.csv", is_header_of_catalogue);
+  EXPECT_EQ(parse_catalogue(parse_csv(kText, "loops.csv", form), {}, {})[0].pv_tag, "A.PV");
+  const Failure failure = data_failure([] {
+    return parse_catalogue(parse_csv("Name;SP\nA;A.SP\n", "loops.csv", {.separator = ';'}), {}, {});
+  });
+  EXPECT_STREQ(failure.what(),
+               "loops.csv, line 1: unknown column \"SP\" (cells separated by semicolons)");
+  EXPECT_EQ(failure.hint(),
+            "did you mean \"sp_tag\"? `loopscope loops export -` shows the columns");
+}
+
 TEST(CatalogueCsv, AKnownLoopKeepsWhatTheTableDoesNotSay) {
   CatalogueEntry known;
   known.name = "A";
@@ -66,7 +79,8 @@ TEST(CatalogueCsv, AKnownLoopKeepsWhatTheTableDoesNotSay) {
 
 TEST(CatalogueCsv, ProblemsNameLineAndColumn) {
   for (const auto& [csv, problem] :
-       {std::pair{"name,pv_tag,colour\n", "line 1: unknown column \"colour\""},
+       {std::pair{"name,pv_tag,colour\n",
+                  "line 1: unknown column \"colour\" (cells separated by commas)"},
         std::pair{"name,pv_tag,name\nA,B,C\n", "line 1: column \"name\" stands twice"},
         std::pair{"name,pv_tag,period_s\nA,B,-5\n",
                   "line 2, column period_s: -5 is out of range, 1 to 2592000 s"},

@@ -39,7 +39,7 @@ TEST(MaintenanceCsv, FaultsNameTheirLine) {
   EXPECT_EQ(maintenance_failure("loop,at,kind,description\na,2026-03-01,valve,\n"),
             "work.csv, line 2: what was done is not said");
   EXPECT_EQ(maintenance_failure("loop,at,kind\na,2026-03-01,valve\n"),
-            "work.csv, line 1: the columns are loop, at, kind");
+            "work.csv, line 1: the columns, separated by commas, are loop, at, kind");
   EXPECT_THAT(maintenance_failure("loop,at,kind,description,who\n"),
               HasSubstr("line 1: the columns"));
 }

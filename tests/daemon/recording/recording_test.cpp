@@ -98,5 +98,103 @@ TEST(Recording, AJumpOfCenturiesDoesNotExhaustMemory) {
   EXPECT_EQ(window.size(), 4096U);
 }
 
+Recording said_recording_of(std::string_view text, const RecordingForm& form = {}) {
+  return parse_recording(text, "f.csv", form);
+}
+
+/// As a European spreadsheet saves it.
+TEST(Recording, SemicolonsAndDecimalCommas) {
+  const Recording recording = said_recording_of(
+      "\xEF\xBB\xBFsep=;\r\nZeitstempel;FIC101.SP;FIC101.PV;FIC101.OP\r\n"
+      "01.03.2026 12:00:00;50,0;\"1234,5\";-7,25\r\n01.03.2026 12:00:10;50;1,2E+03;\r\n");
+  EXPECT_TRUE(recording.absolute_time);
+  EXPECT_EQ(recording.rows.sp.value, (std::vector<double>{50, 50}));
+  EXPECT_EQ(recording.rows.pv.value, (std::vector<double>{1234.5, 1200}));
+  EXPECT_EQ(recording.rows.op.value[0], -7.25);
+  EXPECT_TRUE(std::isnan(recording.rows.op.value[1]));
+  EXPECT_EQ(recording.rows.pv.time_us[1] - recording.rows.pv.time_us[0], 10'000'000);
+  EXPECT_THAT(recording.notes,
+              testing::ElementsAre(
+                  "time is \"Zeitstempel\", sp is \"FIC101.SP\", pv is \"FIC101.PV\", op is "
+                  "\"FIC101.OP\"",
+                  "cells are separated by semicolons, the decimal sign is the comma"));
+}
+
+TEST(Recording, TabsWithPoints) {
+  const Recording recording = said_recording_of("t_s\tpv\tsp\n0\t1.5\t2\n");
+  EXPECT_EQ(recording.rows.pv.value, std::vector<double>{1.5});
+}
+
+TEST(Recording, ACommaThatMayGroupThousandsIsRefused) {
+  constexpr std::string_view kText = "t_s;sp;pv\n0;5;1,234\n1;5;12,345\n";
+  const Failure failure = data_failure([&] { return said_recording_of(kText); });
+  EXPECT_STREQ(
+      failure.what(),
+      "f.csv, line 2, column \"pv\": the comma in \"1,234\" may be a decimal sign or group "
+      "thousands");
+  EXPECT_EQ(failure.hint(),
+            "--decimal-sign comma where it is the decimal sign; else write the numbers without "
+            "groups");
+  EXPECT_EQ(said_recording_of(kText, {.decimal_sign = ','}).rows.pv.value,
+            (std::vector<double>{1.234, 12.345}));
+  // One that cannot group thousands settles it.
+  for (const char* cell : {"0,500", "1,5", ",5", "1234,500", "-,250"}) {
+    const Recording recording = said_recording_of(std::string(kText) + "2;5;" + cell + "\n");
+    EXPECT_EQ(recording.rows.pv.value[1], 12.345) << cell;
+  }
+}
+
+TEST(Recording, PointsAndDecimalCommasDoNotMix) {
+  const Failure failure =
+      data_failure([] { return said_recording_of("t_s;pv\n0;1,5\n1;1.234,5\n"); });
+  EXPECT_STREQ(failure.what(), "f.csv, line 3, column \"pv\": \"1.234,5\" is not a number");
+  EXPECT_EQ(failure.hint(),
+            "numbers of this file have decimal commas: all of them, and nothing between thousands");
+  EXPECT_THAT(data_failure([] { return said_recording_of("t_s;pv\n0;1,5\n1;2.5\n"); }).what(),
+              HasSubstr("line 3, column \"pv\": \"2.5\" is not a number"));
+}
+
+/// A comma within quotes is a decimal sign only where somebody says so.
+TEST(Recording, CommasThatSeparateCellsAreNoDecimalSigns) {
+  constexpr std::string_view kText = "t_s,pv\n0,\"1,5\"\n";
+  const Failure failure = data_failure([&] { return said_recording_of(kText); });
+  EXPECT_STREQ(failure.what(), "f.csv, line 2, column \"pv\": \"1,5\" is not a number");
+  EXPECT_EQ(failure.hint(),
+            "use a decimal point, or say --decimal-sign comma; leave a missing value empty");
+  EXPECT_EQ(said_recording_of(kText, {.decimal_sign = ','}).rows.pv.value,
+            std::vector<double>{1.5});
+  EXPECT_TRUE(said_recording_of("t_s,pv\n0,1.5\n").notes.empty());
+}
+
+TEST(Recording, ColumnsSaidByName) {
+  const Recording recording = said_recording_of(
+      "Zeit;W;X;Y\n01/03/2026 12:00;1,5;2,5;3,5\n",
+      {.columns = parse_columns("time=Zeit,sp=W,pv=X,op=Y"), .date_order = DateOrder::day_first});
+  EXPECT_EQ(recording.rows.sp.value, std::vector<double>{1.5});
+  EXPECT_EQ(recording.rows.pv.value, std::vector<double>{2.5});
+  EXPECT_EQ(recording.rows.op.value, std::vector<double>{3.5});
+}
+
+TEST(RecordingForm, ColumnsThatAreNotRoleAndName) {
+  const auto failure = [](const std::string& text) -> std::string {
+    try {
+      static_cast<void>(parse_columns(text));
+    } catch (const Failure& problem) {
+      EXPECT_EQ(problem.exit_code(), ExitCode::usage);
+      return std::string(problem.what()) + " HINT: " + problem.hint();
+    }
+    return "no failure";
+  };
+  constexpr const char* kExample = " HINT: e.g. --columns time=Zeitstempel,pv=PV_Actual,sp=W,op=Y";
+  EXPECT_EQ(failure("PV_Actual"),
+            std::string("--columns: \"PV_Actual\" is not ROLE=NAME of a column") + kExample);
+  EXPECT_EQ(failure("pv="),
+            std::string("--columns: \"pv=\" is not ROLE=NAME of a column") + kExample);
+  EXPECT_EQ(failure("pv=A,pv=B"), std::string("--columns: \"pv\" stands twice") + kExample);
+  EXPECT_EQ(failure("pw=A"),
+            "--columns: no column of a recording is called \"pw\" HINT: did you mean \"pv\"?");
+  EXPECT_THAT(failure("something=A"), HasSubstr("one of time, t_s, sp, pv, op, mv, mode, quality"));
+}
+
 }  // namespace
 }  // namespace loopscope::daemon

@@ -33,6 +33,32 @@ TEST(RowTimes, SecondsAndIsoTimesAsMicroseconds) {
               ElementsAre(1'000'000, 2'000'000));
 }
 
+TEST(RowTimes, DatesWithPointsBeginWithTheDay) {
+  EXPECT_THAT(times_of("time", {"01.02.1970 00:00:01", "1.2.1970 0:01", "1970/02/02"}),
+              ElementsAre(2'678'401'000'000, 2'678'460'000'000, 2'764'800'000'000));
+}
+
+TEST(RowTimes, OtherDatesHaveToBeSaid) {
+  const Failure failure = times_failure("time", {"01/02/1970 00:00:01"});
+  EXPECT_STREQ(failure.what(),
+               "f.csv, line 2, column \"time\": of the date \"01/02/1970 00:00:01\" day and month "
+               "cannot be told apart");
+  EXPECT_EQ(failure.hint(),
+            "say which comes first: --date-order dmy, or mdy as in the United States");
+  const auto times = [](DateOrder order) {
+    const CsvTable table = parse_csv("time,pv\n01/02/1970,1\n", "f.csv");
+    return read_times(table, find_columns(table), {'.', order}).front() / 86'400'000'000;
+  };
+  EXPECT_EQ(times(DateOrder::day_first), 31);
+  EXPECT_EQ(times(DateOrder::month_first), 1);
+}
+
+TEST(RowTimes, SecondsInATimeColumnAreNamed) {
+  EXPECT_EQ(times_failure("time", {"12.5"}).hint(),
+            "write ISO 8601 in the years 1 to 9999, e.g. 2026-03-01T12:00:00Z; where the column "
+            "counts seconds: --columns t_s=NAME");
+}
+
 TEST(RowTimes, CellsThatAreNoTime) {
   for (const char* cell : {"", "nan", "inf", "1e300", "9.1e12", "-9.1e12", "noon"}) {
     const Failure failure = times_failure("t_s", {"0", cell});
