@@ -21,6 +21,7 @@ struct LoopFacts {
   std::uint64_t seed = 0;
   /// Width of the transmitter's range, pv units, > 0; nullopt = not known.
   std::optional<double> pv_span = std::nullopt;
+  double pv_low = 0.0;       ///< its low end, pv units; counts where the width is known
   model::Without without{};  ///< tests only
 };
 

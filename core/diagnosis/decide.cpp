@@ -14,6 +14,8 @@
 #include "core/diagnosis/plain_evidence.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/state_verdict.hpp"
+#include "core/diagnosis/unit_words.hpp"
+#include "core/diagnosis/valve_words.hpp"
 #include "core/diagnosis/verdict_p.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/text/phrases.hpp"
@@ -72,17 +74,34 @@ void tell_disturbance(const Evidence& evidence, Verdict& verdict) {
   verdict.action = std::move(words.action);
 }
 
+void append(std::vector<std::string>&& more, std::vector<std::string>& reasons) {
+  for (std::string& reason : more) reasons.push_back(std::move(reason));
+}
+
 /// A state, seen in the data: no cause is weighed.
 Verdict not_in_command(const Evidence& evidence, const NonlinearityFinding& nonlinearity) {
   Verdict verdict = verdict_with(VerdictCode::unexplained, 1.0);
   verdict.summary = "The controller is not in command, or has no integral action.";
-  verdict.reasons = findings(evidence, nonlinearity);
-  verdict.reasons.insert(verdict.reasons.begin(),
-                         "pv stays many standard deviations away from its setpoint: the controller "
-                         "is not in command, or has no integral action.");
+  const std::string units = unit_reason(evidence);
+  verdict.reasons.emplace_back(
+      "pv stays many standard deviations away from its setpoint: the controller is not in command, "
+      "or has no integral action.");
+  if (!units.empty()) verdict.reasons.push_back(units);
+  append(findings(evidence, nonlinearity), verdict.reasons);
   verdict.action =
-      "Check whether an override or another controller holds the valve; if that is meant, disable "
-      "the loop in the catalogue.";
+      std::string(units.empty() ? "Check" : "Compare the units of setpoint and pv; then check") +
+      " whether an override or another controller holds the valve; if that is meant, disable the "
+      "loop in the catalogue.";
+  return verdict;
+}
+
+/// A state as well: an error between two units is none.
+Verdict in_other_units(const Evidence& evidence, const NonlinearityFinding& nonlinearity) {
+  Verdict verdict = verdict_with(VerdictCode::unexplained, evidence.units->probability);
+  verdict.summary = unit_summary();
+  verdict.reasons.push_back(unit_reason(evidence));
+  append(findings(evidence, nonlinearity), verdict.reasons);
+  verdict.action = unit_action();
   return verdict;
 }
 
@@ -138,6 +157,8 @@ Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearit
   if (!plain.empty()) plain.emplace_back(kFiguresFollow);
   verdict.reasons.insert(verdict.reasons.begin(), plain.begin(), plain.end());
   verdict.action = action_for(code, evidence, causes, decision.line);
+  if (std::string summary = valve_summary(code, evidence); !summary.empty())
+    verdict.summary = std::move(summary);
   verdict.p = p_of_verdict(code, evidence);
   note_slowness(evidence, causes, verdict);
   if (code == VerdictCode::external_disturbance) tell_disturbance(evidence, verdict);
@@ -159,7 +180,9 @@ Verdict said_of(const Evidence& evidence, const hos::Settings& settings,
     return verdict_of_state(state, evidence, settings, decision);
   if (!evidence.data_quality.usable || !evidence.hos) return insufficient(evidence);
   const NonlinearityFinding nonlinearity = judge_nonlinearity(evidence, settings);
-  Verdict verdict = has_flag(evidence, "sp_not_followed")
+  Verdict verdict = unit_finding(evidence) == UnitFinding::shown
+                        ? in_other_units(evidence, nonlinearity)
+                    : has_flag(evidence, "sp_not_followed")
                         ? not_in_command(evidence, nonlinearity)
                         : by_odds(evidence, nonlinearity, settings.alpha, decision, combined);
   note_window(evidence, verdict);

@@ -9,6 +9,7 @@
 
 #include "core/diagnosis/archive_null.hpp"
 #include "core/diagnosis/steady_error.hpp"
+#include "core/diagnosis/unit_words.hpp"
 #include "core/hos/slow/period.hpp"
 #include "core/signal/order/spread.hpp"
 #include "core/text/counted.hpp"
@@ -129,6 +130,19 @@ void measure_cycle(const signal::PreparedLoop& loop, const LoopFacts& facts, Evi
   evidence.cycle = std::move(cycle);
 }
 
+/// In automatic alone: in manual pv need not follow.
+void compare_units(const signal::PreparedLoop& loop, const LoopFacts& facts, Evidence& evidence) {
+  if (loop.sp.empty()) return;
+  signal::Samples sp = loop.sp;
+  for (std::size_t k = 0; k < sp.size(); ++k)
+    if (std::isnan(loop.error[k])) sp[k] = signal::kMissing;
+  std::optional<signal::OpRange> range;
+  if (facts.pv_span) range = {facts.pv_low, facts.pv_low + *facts.pv_span};
+  evidence.units = loop::match_units(sp, loop.pv, range);
+  if (diagnosis::unit_finding(evidence) == diagnosis::UnitFinding::shown)
+    add_flag(evidence.data_quality, "units_differ");
+}
+
 void measure_shapes(const FirstLook& first, const LoopFacts& facts, Evidence& evidence) {
   const signal::PreparedLoop& loop = first.loop;
   evidence.shape = loop::measure_shape({loop.error, loop.pv, loop.op_percent, loop.mv_percent,
@@ -203,6 +217,7 @@ Evidence gather_evidence(const FirstLook& first, const AnalysisSettings& setting
   if (evidence.data_quality.usable) {
     measure_statistics(loop, settings, facts.seed, evidence);
     measure_shapes(first, facts, evidence);
+    compare_units(loop, facts, evidence);
     if (evidence.hos) {
       look_slowly(first, settings, facts.seed, long_window, evidence);
       note_too_short(first, evidence);

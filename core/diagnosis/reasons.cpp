@@ -9,6 +9,7 @@
 #include "core/diagnosis/evidence/figure.hpp"
 #include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/loop_state.hpp"
+#include "core/diagnosis/valve_words.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/model/residual_tests/statistics/test_outcome.hpp"
@@ -196,7 +197,8 @@ std::string closed_loop_text(const model::ClosedLoop& loop) {
 std::string action_for(VerdictCode code, const Evidence& evidence, const Causes& causes,
                        double line) {
   if (code == VerdictCode::nonlinear_unexplained) return record_more(evidence);
-  std::string own(catalogue_entry(code).action);
+  std::string own = code == VerdictCode::valve_stiction ? stroke_test_action(evidence)
+                                                        : std::string(catalogue_entry(code).action);
   // The words for saturation say so already.
   if (code == VerdictCode::valve_saturation) return own;
   if (catalogue_entry(code).withholds_tuning) return own.append(kTuningWaits);

@@ -29,11 +29,11 @@ constexpr double kRest = 1e-6;
 
 struct Line {
   std::size_t blocks = 0;
-  double sp = 0.0, pv = 0.0;      ///< means
-  double slope = 0.0;             ///< of pv over sp
+  double sp = 0.0, pv = 0.0;             ///< means
+  double slope = 0.0;                    ///< of pv over sp
   std::optional<double> slope_variance;  ///< nullopt where sp rests
-  double residual = 0.0;          ///< standard deviation of the blocks about the line
-  double spread = 0.0;            ///< of the samples about it
+  double residual = 0.0;                 ///< standard deviation of the blocks about the line
+  double spread = 0.0;                   ///< of the samples about it
 };
 
 struct Means {
@@ -105,7 +105,10 @@ double spread_about(const Line& line, std::span<const double> sp, std::span<cons
 std::optional<Line> fit_line(std::span<const double> sp, std::span<const double> pv) {
   const Means means = block_means(sp, pv);
   if (2 * means.pv.size() < kBlocks) return std::nullopt;
-  Line line{.blocks = means.pv.size(), .sp = mean(means.sp), .pv = mean(means.pv)};
+  Line line;
+  line.blocks = means.pv.size();
+  line.sp = mean(means.sp);
+  line.pv = mean(means.pv);
   const double squares = product(means.sp, line.sp, means.sp, line.sp);
   const auto blocks = static_cast<double>(line.blocks);
   const bool moves = squares > blocks * std::pow(kRest * std::abs(line.sp), 2);
@@ -158,78 +161,79 @@ double log_slope_of_offset(const Line& line) {
 }
 
 /// pv anywhere within a span of its size, or the transmitter's.
-double log_offset(const Line& line, const std::optional<PvRange>& range) {
-  const double span = range ? range->high - range->low
-                            : std::max(std::abs(line.sp), std::abs(line.pv));
+double log_offset(const Line& line, const std::optional<signal::OpRange>& range) {
+  const double span =
+      range ? range->high - range->low : std::max(std::abs(line.sp), std::abs(line.pv));
   return -std::log(std::max(span, 1e-300)) + log_slope_of_offset(line);
 }
 
 UnitMatch match_with(const Line& line, std::vector<UnitConversion> conversions,
-                     const std::optional<PvRange>& range) {
+                     const std::optional<signal::OpRange>& range) {
   std::vector<double> logs;
   for (const UnitConversion& conversion : conversions) {
     logs.push_back(std::log(kPriorOfUnits * conversion.share) +
                    log_level(line, conversion.factor, conversion.offset) +
                    log_slope(line, conversion.factor));
   }
-  const double kept = std::log(1.0 - kPriorOfOffset) + log_level(line, 1.0, 0.0) +
-                      log_slope(line, 1.0);
+  const double kept =
+      std::log(1.0 - kPriorOfOffset) + log_level(line, 1.0, 0.0) + log_slope(line, 1.0);
   const double offset = std::log(kPriorOfOffset) + log_offset(line, range);
   const auto likeliest = std::ranges::max_element(logs);
   const double most = std::max({*likeliest, kept, offset});
   double units = 0.0;
   for (const double value : logs) units += std::exp(value - most);
-  UnitMatch match{.probability = units / (units + std::exp(kept - most) + std::exp(offset - most)),
-                  .conversion = std::move(conversions[static_cast<std::size_t>(
-                      likeliest - logs.begin())])};
+  UnitMatch match;
+  match.probability = units / (units + std::exp(kept - most) + std::exp(offset - most));
+  match.conversion = std::move(conversions[static_cast<std::size_t>(likeliest - logs.begin())]);
   match.sp_mean = line.sp;
   match.pv_mean = line.pv;
   match.slope = line.slope;
   match.offset = line.pv - line.slope * line.sp;
   match.residual = line.residual;
-  match.follows =
-      line.slope_variance &&
-      std::sqrt(*line.slope_variance) < kKnownSlope * std::abs(match.conversion.factor);
+  match.follows = line.slope_variance &&
+                  std::sqrt(*line.slope_variance) < kKnownSlope * std::abs(match.conversion.factor);
   return match;
 }
 
 }  // namespace
 
-std::vector<UnitConversion> unit_conversions(const std::optional<PvRange>& range) {
+std::vector<UnitConversion> unit_conversions(const std::optional<signal::OpRange>& range) {
   constexpr double kDegrees = 1.8;
   constexpr double kFreezing_F = 32.0;
   constexpr double kFreezing_K = 273.15;
   constexpr double kPsiPerBar = 14.5038;
   constexpr double kKilopascalPerPsi = 6.89476;
   std::vector<UnitConversion> all{
-      {"degF to degC", 1.0 / kDegrees, -kFreezing_F / kDegrees, 0.2},
-      {"degC to degF", kDegrees, kFreezing_F, 0.2},
-      {"K to degC", 1.0, -kFreezing_K, 0.05},
-      {"degC to K", 1.0, kFreezing_K, 0.05},
-      {"bar to psi", kPsiPerBar, 0.0, 0.04},
-      {"psi to bar", 1.0 / kPsiPerBar, 0.0, 0.04},
-      {"psi to kPa", kKilopascalPerPsi, 0.0, 0.03},
-      {"kPa to psi", 1.0 / kKilopascalPerPsi, 0.0, 0.03},
-      {"a factor of 10", 10.0, 0.0, 0.04},
-      {"a factor of 0.1", 0.1, 0.0, 0.04},
-      {"a factor of 100", 100.0, 0.0, 0.05},
-      {"a factor of 0.01", 0.01, 0.0, 0.05},
-      {"a factor of 1000", 1000.0, 0.0, 0.04},
-      {"a factor of 0.001", 0.001, 0.0, 0.04},
+      {"converted from degF to degC", 1.0 / kDegrees, -kFreezing_F / kDegrees, 0.2},
+      {"converted from degC to degF", kDegrees, kFreezing_F, 0.2},
+      {"converted from K to degC", 1.0, -kFreezing_K, 0.05},
+      {"converted from degC to K", 1.0, kFreezing_K, 0.05},
+      {"converted from bar to psi", kPsiPerBar, 0.0, 0.04},
+      {"converted from psi to bar", 1.0 / kPsiPerBar, 0.0, 0.04},
+      {"converted from psi to kPa", kKilopascalPerPsi, 0.0, 0.03},
+      {"converted from kPa to psi", 1.0 / kKilopascalPerPsi, 0.0, 0.03},
+      {"times 10", 10.0, 0.0, 0.04},
+      {"divided by 10", 0.1, 0.0, 0.04},
+      {"times 100", 100.0, 0.0, 0.05},
+      {"divided by 100", 0.01, 0.0, 0.05},
+      {"times 1000", 1000.0, 0.0, 0.04},
+      {"divided by 1000", 0.001, 0.0, 0.04},
   };
   if (!range) return all;
   const double span = range->high - range->low;
-  all.push_back({"percent of pv's range to its unit", span / 100.0, range->low, 0.1});
-  all.push_back({"pv's unit to percent of its range", 100.0 / span, -100.0 * range->low / span, 0.05});
+  all.push_back({"taken as percent of pv's range", span / 100.0, range->low, 0.07});
+  all.push_back({"in percent of pv's range", 100.0 / span, -100.0 * range->low / span, 0.03});
   return all;
 }
 
 std::optional<UnitMatch> match_units(std::span<const double> sp, std::span<const double> pv,
-                                     const std::optional<PvRange>& range) {
+                                     const std::optional<signal::OpRange>& range) {
   if (sp.size() != pv.size() || pv.size() < kBlocks) return std::nullopt;
   const std::optional<Line> line = fit_line(sp, pv);
   if (!line) return std::nullopt;
-  return match_with(*line, unit_conversions(range), range);
+  UnitMatch match = match_with(*line, unit_conversions(range), range);
+  // Sizes whose squares overflow.
+  return std::isfinite(match.probability) ? std::optional(std::move(match)) : std::nullopt;
 }
 
 }  // namespace loopscope::core::loop

@@ -5,25 +5,22 @@
 #include <string>
 #include <vector>
 
+#include "core/signal/loop_window.hpp"
+
 namespace loopscope::core::loop {
 
 /// A value of the setpoint as pv's unit has it: offset + factor * sp.
 struct UnitConversion {
-  std::string words;  ///< "degF to degC", "a factor of 100"
+  std::string words;  ///< behind a value of sp: "converted from degF to degC", "times 100"
   double factor = 1.0;
   double offset = 0.0;  ///< pv units
   double share = 0.0;   ///< of loops whose units differ, 0 to 1
 };
 
-/// A transmitter's range, pv units; low < high.
-struct PvRange {
-  double low = 0.0;
-  double high = 0.0;
-};
-
 /// The conversions that are looked for; percent of the transmitter's range only where that is
 /// known.
-[[nodiscard]] std::vector<UnitConversion> unit_conversions(const std::optional<PvRange>& range);
+[[nodiscard]] std::vector<UnitConversion> unit_conversions(
+    const std::optional<signal::OpRange>& range);
 
 /// Whether setpoint and pv are in different units.
 struct UnitMatch {
@@ -41,9 +38,10 @@ struct UnitMatch {
 
 /// Weighs that pv keeps to the converted setpoint against both that it keeps to the setpoint and
 /// that it lies elsewhere: a controller without integral action, at its limit, or in manual. Both
-/// of one length, NaN = missing; nullopt where less than half of the window has both.
+/// of one length, NaN = missing; `range` is that of pv's transmitter. nullopt where less than half
+/// of the window has both, and of sizes beyond 1e150.
 [[nodiscard]] std::optional<UnitMatch> match_units(std::span<const double> sp,
                                                    std::span<const double> pv,
-                                                   const std::optional<PvRange>& range);
+                                                   const std::optional<signal::OpRange>& range);
 
 }  // namespace loopscope::core::loop

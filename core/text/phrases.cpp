@@ -33,6 +33,12 @@ std::string fixed(double value, int decimals) {
   return in_format(value, std::chars_format::fixed, decimals);
 }
 
+std::string units_of_pv(double value) {
+  std::string text = number(value);
+  text += text == "1" ? " unit of pv" : " units of pv";
+  return text;
+}
+
 std::string p_text(double p) {
   constexpr double kLeast = 1e-12;
   constexpr int kDigitsOfP = 2;

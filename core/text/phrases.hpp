@@ -21,6 +21,9 @@ namespace loopscope::core::text {
 /// `decimals` digits behind the point, "0.50".
 [[nodiscard]] std::string fixed(double value, int decimals);
 
+/// A size in the unit of pv, whichever that is: "1 unit of pv", "0.8 units of pv".
+[[nodiscard]] std::string units_of_pv(double value);
+
 /// A p-value with two significant digits; "< 1e-12" where the digits say nothing any more, since
 /// they rest on tails that no record is long enough to show.
 [[nodiscard]] std::string p_text(double p);

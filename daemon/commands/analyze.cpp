@@ -69,8 +69,11 @@ void analyze(const AnalyzeOptions& options) {
   const TimeZone zone = zone_of(options, whole);
   const Recording recording = read_recording(options.recording, zone);
   const std::optional<core::signal::OpRange> op_range = parse_op_range(options.op_range);
-  const core::LoopFacts facts{.integrating = core::is_integrating_type(options.type),
-                              .pv_span = parse_pv_span(options.pv_range)};
+  core::LoopFacts facts{.integrating = core::is_integrating_type(options.type)};
+  if (const auto pv_range = parse_pv_range(options.pv_range)) {
+    facts.pv_span = pv_range->high - pv_range->low;
+    facts.pv_low = pv_range->low;
+  }
   // A window that was asked for is one look.
   const WindowsAnalysis analysis =
       options.window > 0 ? WindowsAnalysis{analyse_recording(recording, settings, op_range, facts)}

@@ -30,10 +30,8 @@ std::optional<core::signal::OpRange> parse_op_range(const std::string& text) {
   return parse_range(text, "op range", "e.g. --op-range 4,20 for milliamperes");
 }
 
-std::optional<double> parse_pv_span(const std::string& text) {
-  const auto range = parse_range(text, "pv range", "e.g. --pv-range 0,250 for 0 to 250 m3/h");
-  if (!range) return std::nullopt;
-  return range->high - range->low;
+std::optional<core::signal::OpRange> parse_pv_range(const std::string& text) {
+  return parse_range(text, "pv range", "e.g. --pv-range 0,250 for 0 to 250 m3/h");
 }
 
 }  // namespace loopscope::daemon

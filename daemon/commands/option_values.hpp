@@ -11,7 +11,7 @@ namespace loopscope::daemon {
 /// "LOW,HIGH" as a range; nullopt for an empty text. Throws Failure (usage) for anything else.
 [[nodiscard]] std::optional<core::signal::OpRange> parse_op_range(const std::string& text);
 
-/// The same of a transmitter's range in pv units; its width, > 0.
-[[nodiscard]] std::optional<double> parse_pv_span(const std::string& text);
+/// The same of a transmitter's range in pv units.
+[[nodiscard]] std::optional<core::signal::OpRange> parse_pv_range(const std::string& text);
 
 }  // namespace loopscope::daemon

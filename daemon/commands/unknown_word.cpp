@@ -28,9 +28,9 @@ std::string command_text(const Chain& chain) {
   return text;
 }
 
-/// A negative number is none.
+/// A negative number is none, nor is the mark behind which there are none.
 bool is_option(const std::string& word) {
-  return word.size() > 1 && word.front() == '-' &&
+  return word.size() > 1 && word.front() == '-' && word != "--" &&
          std::string_view("0123456789.").find(word[1]) == std::string_view::npos;
 }
 

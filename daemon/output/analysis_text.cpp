@@ -53,21 +53,28 @@ std::string percent_text(const std::optional<double>& share) {
   return share ? fmt::format("{:.3g} %", 100.0 * *share) : figure_text(share);
 }
 
+/// In the unit of pv, whichever that is.
+std::string size_text(const std::optional<double>& size) {
+  const std::string text = figure_text(size);
+  if (!size) return text;
+  return text + (text == "1" ? " unit of pv" : " units of pv");
+}
+
 /// Of one that is not there the figures are those of what comes nearest to one.
 std::string oscillation_text(const core::loop::Oscillation& oscillation) {
   if (!oscillation.present && !oscillation.period_s) return "none found";
-  return fmt::format("{} period {} s, regularity {}, persistence {}, amplitude {} pv units",
+  return fmt::format("{} period {} s, regularity {}, persistence {}, amplitude {}",
                      oscillation.present ? "present;" : "none found; best candidate:",
                      figure_text(oscillation.period_s), figure_text(oscillation.regularity),
-                     figure_text(oscillation.persistence), figure_text(oscillation.amplitude));
+                     figure_text(oscillation.persistence), size_text(oscillation.amplitude));
 }
 
 std::string performance_text(const core::loop::Performance& performance) {
   return fmt::format(
-      "Harris {} to {}; error std {} pv units; valve travel {} %/h, {} reversals/h; op at a "
+      "Harris {} to {}; error std {}; valve travel {} %/h, {} reversals/h; op at a "
       "limit {}",
       figure_text(performance.harris_low), figure_text(performance.harris_high),
-      figure_text(performance.error_std), figure_text(performance.valve_travel_per_h),
+      size_text(performance.error_std), figure_text(performance.valve_travel_per_h),
       figure_text(performance.reversals_per_h), percent_text(performance.at_limit_fraction));
 }
 

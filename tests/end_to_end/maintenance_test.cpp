@@ -59,7 +59,7 @@ TEST_F(MaintenanceTest, APassJudgesIt) {
   EXPECT_EQ(pass.exit_code, 0) << pass.err;
   EXPECT_THAT(pass.err, HasSubstr("repairs: 1 judged"));
   EXPECT_THAT(plant.loopscope("maintenance", {"list"}).out,
-              HasSubstr("    Not judged: no usable window lies before this work"));
+              HasSubstr("    Cannot be compared: no usable window of the loop from before this work"));
 }
 
 TEST_F(MaintenanceTest, MistakesAreExplained) {

@@ -12,6 +12,7 @@
 #include "core/loop/performance.hpp"
 #include "core/loop/pv_plateaus.hpp"
 #include "core/loop/shape.hpp"
+#include "core/loop/unit_match.hpp"
 #include "core/loop/valve_gain.hpp"
 #include "core/model/limit_cycle/limit_cycle_cause.hpp"
 #include "core/model/limit_cycle/slow_travel.hpp"
@@ -57,7 +58,9 @@ struct Evidence {
   /// faster or there is none.
   std::optional<model::SlowTravel> cycle_travel;
   std::optional<loop::PvPlateaus> pv_plateaus;  ///< of pv while op travels, in that cycle
-  std::optional<loop::OpAtEnds> op_at_ends;     ///< at the ends of what op covers
+  /// Whether setpoint and pv are in different units; nullopt where no setpoint is recorded.
+  std::optional<loop::UnitMatch> units;
+  std::optional<loop::OpAtEnds> op_at_ends;  ///< at the ends of what op covers
   /// The same statistics on data resampled to fit a slow oscillation; nullopt when none is needed
   /// or too little is recorded.
   std::optional<hos::SlowLook> hos_slow;

@@ -159,8 +159,8 @@ std::string ExternalOscillation::words(std::span<const Parameter> parameters) co
   const std::string harmonics = harmonics_ > 1 ? " and with harmonics" : "";
   const std::string changes = stretches_ > 0 ? ", slowly changing," : "";
   return "An oscillation of period " + text::duration(parameters[0].value) + harmonics + changes +
-         " reaches the loop from outside, amplitude " + text::number(parameters[1].value) +
-         " pv units.";
+         " reaches the loop from outside, amplitude " + text::units_of_pv(parameters[1].value) +
+         ".";
 }
 
 }  // namespace loopscope::core::model

@@ -29,7 +29,7 @@ std::vector<Parameter> InputLoad::parameters(const LoopData& data,
 
 std::string InputLoad::words(std::span<const Parameter> parameters) const {
   return "The load before the process moved " + text::duration(parameters[0].value) +
-         " into the window, by " + text::number(parameters[1].value) + " pv units, and stayed.";
+         " into the window, by " + text::units_of_pv(parameters[1].value) + ", and stayed.";
 }
 
 }  // namespace loopscope::core::model

@@ -75,7 +75,7 @@ std::vector<Parameter> LoadStep::parameters(const LoopData& data,
 
 std::string LoadStep::words(std::span<const Parameter> parameters) const {
   return "The load moved " + text::duration(parameters[0].value) + " into the window, by " +
-         text::number(parameters[1].value) + " pv units, and stayed.";
+         text::units_of_pv(parameters[1].value) + ", and stayed.";
 }
 
 }  // namespace loopscope::core::model

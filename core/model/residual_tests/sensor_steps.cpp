@@ -56,8 +56,8 @@ SensorFinding find_sensor_steps(double error, const std::vector<TestOutcome>& an
     finding.quantisation->asked_by = asked_by(EffectKind::sensor_quantisation, answers, {});
     finding.quantisation->promise_rank = asked.rank(EffectKind::sensor_quantisation);
     finding.quantisation->statement = "The values of pv lie on a grid of " +
-                                      text::number(*grid->step) +
-                                      " pv units, coarse beside their fast noise.";
+                                      text::units_of_pv(*grid->step) +
+                                      ", coarse beside their fast noise.";
   }
   return finding;
 }

@@ -7,7 +7,7 @@
 #include "core/hos/slow/decimate.hpp"
 #include "core/hos/slow_look.hpp"
 #include "core/signal/prepare.hpp"
-#include "core/signal/window_digest.hpp"
+#include "daemon/service/windows/loop_facts.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -59,8 +59,7 @@ std::optional<BicoherenceMap> find_map(const LoopInput& input, const core::Evide
 
 LoopEvidence rediagnose(const storage::CatalogueEntry& loop, const LoopInput& input,
                         const AnalysisSettings& settings) {
-  const core::LoopFacts facts{.integrating = core::is_integrating_type(loop.loop_type),
-                              .seed = core::signal::window_seed(input.at_slot.window)};
+  const core::LoopFacts facts = loop_facts(loop, input.at_slot.window);
   const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
   LoopEvidence seen{loop, input.at_slot, input.first.loop, {}, std::nullopt, std::nullopt};
   seen.diagnosis = core::diagnose(input.first, settings, facts, longer,

@@ -139,7 +139,7 @@ std::vector<Figure> fit_figure(const LoopEvidence& evidence, const ExplanationTr
   Figure figure{
       "Measured against model, before and after each added effect",
       fmt::format("measured process variable and the model, {}, one panel a stage", model.words()),
-      script + panels.script(plots, "pv (pv units)", height)};
+      script + panels.script(plots, "pv", height)};
   figure.height = height;
   return {figure};
 }
@@ -161,7 +161,7 @@ std::vector<Figure> residual_figure(const LoopEvidence& evidence, const Explanat
   const int height = height_of(plots.size());
   Figure figure{"Residuals of the prediction one sample ahead",
                 "what each stage of the model leaves, one panel a stage, all on one scale",
-                script + panels.script(plots, "residual (pv units)", height)};
+                script + panels.script(plots, "residual", height)};
   figure.height = height;
   return {figure};
 }

@@ -41,7 +41,7 @@ std::vector<Panel> panels_of() {
            "Harris (share)",
            1.0},
           {{{"std", "error, standard deviation", colour::kBlack, &HistoryPoint::error_std}},
-           "(pv units)",
+           "error",
            0.0}};
 }
 

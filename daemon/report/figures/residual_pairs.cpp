@@ -91,9 +91,8 @@ class PairFigures {
         envelope(part(series), seconds_of(from_us_), interval_s_, kPairColumns);
     Figure drawn{title, alt,
                  data_block("residual", points) + "unset key\n" + panel(0, 1, kPairHeight) +
-                     time_axis(from_us_, to_us_, zone_) +
-                     value_axis(low_, high_, "residual (pv units)") + "plot $residual using 1:2 " +
-                     line_style(colour, 1.0) + "\n"};
+                     time_axis(from_us_, to_us_, zone_) + value_axis(low_, high_, "residual") +
+                     "plot $residual using 1:2 " + line_style(colour, 1.0) + "\n"};
     drawn.width = kPairWidth;
     drawn.height = kPairHeight;
     return drawn;

@@ -111,7 +111,7 @@ Figure trend(const LoopEvidence& evidence, const Stretch& stretch, const TimeZon
   Panels panels(evidence, stretch, zone);
   panels.add({{"pv", part(loop.pv, stretch), colour::kBlue},
               {"sp", part(loop.sp, stretch), colour::kBlack, true}},
-             loop.sp.empty() ? "pv (pv units)" : "sp, pv (pv units)");
+             loop.sp.empty() ? "pv" : "sp, pv");
   panels.add({{"op", part(loop.op_percent, stretch), colour::kVermillion},
               {"mv", part(loop.mv_percent, stretch), colour::kGreen}},
              op_label(evidence));
@@ -172,7 +172,7 @@ std::vector<Figure> valve_figures(const LoopEvidence& evidence) {
     return {};
   const std::string_view unit = loop.op_in_percent() ? "%" : "op units";
   const std::string answer_label =
-      measured ? fmt::format("valve position mv ({})", unit) : "pv (pv units)";
+      measured ? fmt::format("valve position mv ({})", unit) : std::string("pv");
   Figure figure{measured ? "Valve position over controller output"
                          : "Process variable over controller output",
                 "phase plot of the telling stretch: play and stiction show as a parallelogram",

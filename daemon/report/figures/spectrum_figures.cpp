@@ -127,7 +127,7 @@ std::vector<Figure> spectrum_figures(const LoopEvidence& evidence) {
       "[{:.6g}:{:.6g}]\n",
       points.front().x, points.back().x, low / 1.5, top * 2.0);
   figure.script +=
-      "set xlabel 'frequency (Hz)' offset 0,0.5\nset ylabel 'density (pv units^2 / Hz)' offset "
+      "set xlabel 'frequency (Hz)' offset 0,0.5\nset ylabel 'density (pv^2 / Hz)' offset "
       "1,0\nunset key\n";
   figure.script += "set bmargin at screen 0.18\nset tmargin at screen 0.90\n";
   figure.script += marks(evidence.diagnosis.evidence.oscillation, points.back().x) +

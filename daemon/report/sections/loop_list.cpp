@@ -19,7 +19,7 @@ using storage::LoopRow;
 constexpr std::size_t kMostRows = 5000;
 
 std::string status_of(const LoopRow& row) {
-  if (row.status) return *row.status;
+  if (row.status) return status_words(*row.status);
   if (row.hidden_by) return "not on the list: " + *row.hidden_by;
   return row.code ? "not flagged" : "never analysed";
 }

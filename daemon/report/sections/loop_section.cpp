@@ -19,6 +19,7 @@
 #include "daemon/report/sections/repairs_table.hpp"
 #include "daemon/report/sections/why_not_listed.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/report/text/pv_unit.hpp"
 #include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
@@ -31,7 +32,7 @@ using storage::FlaggedRow;
 std::string score_words(const FlaggedRow& row) {
   if (row.rank == 0) return {};
   return fmt::format(
-      ", score {} = severity {} \u00d7 importance {} \u00d7 kind {} \u00d7 confidence {}",
+      ", priority {} = severity {} \u00d7 importance {} \u00d7 kind {} \u00d7 confidence {}",
       digits(row.score), two_decimals(row.severity), digits(row.importance),
       two_decimals(row.kind_weight), two_decimals(row.believed()));
 }
@@ -49,6 +50,7 @@ Fields heading(const LoopReport& loop_report) {
           {"rank", listed ? std::to_string(row.rank) : ""},
           {"name", row.loop_name},
           {"type", row.loop_type ? *row.loop_type + " loop" : "loop"},
+          {"pv_unit", row.pv_unit},
           {"source", row.source},
           {"score", score_words(row)},
           {"code", shown_code(loop_report)},
@@ -57,7 +59,7 @@ Fields heading(const LoopReport& loop_report) {
           {"believed", believed_otherwise(row)},
           {"any_fault", row.fault_probability ? two_decimals(*row.fault_probability) : ""},
           {"status_class", listed ? row.status : ""},
-          {"status", listed ? row.status : "not flagged"},
+          {"status", listed ? status_words(row.status) : "not flagged"},
           {"since", minute_in_zone(row.since_us, loop_report.zone)},
           {"until", minute_in_zone(row.slot_end_us, loop_report.zone)}};
 }
@@ -92,9 +94,14 @@ Fields reasons(const FlaggedRow& row) {
   const bool folded = mark != row.reasons.end();
   const auto plain_end = folded ? mark : row.reasons.begin();
   using Texts = std::vector<std::string>;
-  return {{"plain_reasons", Texts(row.reasons.begin(), plain_end)},
+  const auto in_unit = [&](auto from, auto to) {
+    Texts texts;
+    for (; from != to; ++from) texts.push_back(in_pv_unit(*from, row.pv_unit));
+    return texts;
+  };
+  return {{"plain_reasons", in_unit(row.reasons.begin(), plain_end)},
           {"folded", folded},
-          {"figures", Texts(folded ? mark + 1 : plain_end, row.reasons.end())},
+          {"figures", in_unit(folded ? mark + 1 : plain_end, row.reasons.end())},
           {"p", row.p ? p_text(row.p) : ""}};
 }
 
@@ -112,14 +119,15 @@ const std::optional<Explanation>& model_of(const LoopReport& loop_report) {
 
 Fields parts(const LoopReport& loop_report) {
   const std::optional<Explanation>& model = model_of(loop_report);
-  return {{"judged_now", judged_now(loop_report)},
-          {"trouble", loop_report.trouble},
-          {"any_picture", !loop_report.pictures.empty()},
-          {"pictures", picture_rows(loop_report.pictures)},
-          {"chain", model ? chain_table(*model, loop_report.chain) : Markup()},
-          {"explanation", model ? explanation_table(*model) : Markup()},
-          {"repairs", repairs_table(loop_report.repairs, loop_report.zone)},
-          {"data", data_section(loop_report)}};
+  return {
+      {"judged_now", judged_now(loop_report)},
+      {"trouble", loop_report.trouble},
+      {"any_picture", !loop_report.pictures.empty()},
+      {"pictures", picture_rows(loop_report.pictures)},
+      {"chain", model ? chain_table(*model, loop_report.chain) : Markup()},
+      {"explanation", model ? explanation_table(*model, loop_report.row.pv_unit) : Markup()},
+      {"repairs", repairs_table(loop_report.repairs, loop_report.zone, loop_report.row.pv_unit)},
+      {"data", data_section(loop_report)}};
 }
 
 Fields stage(const std::string& words, const std::string& figures, const std::string& before,
@@ -128,8 +136,8 @@ Fields stage(const std::string& words, const std::string& figures, const std::st
           {"after", after}, {"evidence", evidence}, {"p", p}};
 }
 
-List stages(const Explanation& explanation) {
-  List all = {stage("Linear model", explanation.baseline.description, kUnknown,
+List stages(const Explanation& explanation, const std::string& pv_unit) {
+  List all = {stage("Linear model", in_pv_unit(explanation.baseline.description, pv_unit), kUnknown,
                     digits(explanation.baseline.holdout_error), kUnknown, kUnknown)};
   for (const Step& step : explanation.steps)
     all.push_back(stage("+ " + in_words(name(step.effect)), parameters_text(step),
@@ -140,8 +148,9 @@ List stages(const Explanation& explanation) {
   return all;
 }
 
-std::vector<std::string> rest_texts(const Explanation& explanation) {
-  std::vector<std::string> texts = {core::diagnosis::unexplained_text(explanation)};
+std::vector<std::string> rest_texts(const Explanation& explanation, const std::string& pv_unit) {
+  std::vector<std::string> texts = {
+      in_pv_unit(core::diagnosis::unexplained_text(explanation), pv_unit)};
   if (explanation.closed_loop)
     texts.push_back(core::diagnosis::closed_loop_text(*explanation.closed_loop));
   if (!explanation.process_doubt.empty()) texts.push_back(explanation.process_doubt);
@@ -150,12 +159,13 @@ std::vector<std::string> rest_texts(const Explanation& explanation) {
 
 }  // namespace
 
-Markup explanation_table(const Explanation& explanation) {
+Markup explanation_table(const Explanation& explanation, const std::string& pv_unit) {
   return render("explanation_table", {{"excited", explanation.excited},
                                       {"excitation", explanation.excitation},
                                       {"error_kind", in_words(name(explanation.error_kind))},
-                                      {"stages", stages(explanation)},
-                                      {"rest", rest_texts(explanation)}});
+                                      {"squares", in_pv_unit("pv units", pv_unit)},
+                                      {"stages", stages(explanation, pv_unit)},
+                                      {"rest", rest_texts(explanation, pv_unit)}});
 }
 
 Markup loop_section(const LoopReport& loop_report) {

@@ -32,7 +32,9 @@ struct LoopReport {
 /// data, repairs.
 [[nodiscard]] Markup loop_section(const LoopReport& loop_report);
 
-/// The table of the model's errors before and after each effect, and what is left.
-[[nodiscard]] Markup explanation_table(const core::model::Explanation& explanation);
+/// The table of the model's errors before and after each effect, and what is left; in `pv_unit`
+/// where it is known (empty = not).
+[[nodiscard]] Markup explanation_table(const core::model::Explanation& explanation,
+                                       const std::string& pv_unit = {});
 
 }  // namespace loopscope::daemon

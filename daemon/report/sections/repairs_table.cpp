@@ -4,6 +4,7 @@
 
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/report/text/pv_unit.hpp"
 #include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
@@ -18,7 +19,7 @@ std::string change_of(const storage::RepairFigure& figure) {
                      digits(figure.change_low), digits(figure.change_high));
 }
 
-List figure_rows(const RepairRow& repair) {
+List figure_rows(const RepairRow& repair, const std::string& pv_unit) {
   List pairs;
   for (const storage::RepairFigure& figure : repair.figures) {
     if (!figure.before && !figure.after) continue;
@@ -26,13 +27,13 @@ List figure_rows(const RepairRow& repair) {
                               {"name", in_words(figure.name)},
                               {"before", digits(figure.before)},
                               {"after", digits(figure.after)},
-                              {"unit", figure.unit},
+                              {"unit", in_pv_unit(figure.unit, pv_unit)},
                               {"change", change_of(figure)}});
   }
   return pairs;
 }
 
-Fields repair_fields(const RepairRow& repair, const TimeZone& zone) {
+Fields repair_fields(const RepairRow& repair, const TimeZone& zone, const std::string& pv_unit) {
   const std::string unknown = repair.windows_before == 0 ? "not judged" : "too early";
   return {{"name", repair.loop_name},
           {"done_us", repair.done_at_us},
@@ -42,14 +43,15 @@ Fields repair_fields(const RepairRow& repair, const TimeZone& zone) {
           {"word_class", repair.word.value_or("unknown")},
           {"word", repair.word.value_or(unknown)},
           {"statement", with_times_in_zone(repair.statement, zone)},
-          {"figures", figure_rows(repair)}};
+          {"figures", figure_rows(repair, pv_unit)}};
 }
 
 }  // namespace
 
-Markup repairs_table(const std::vector<RepairRow>& repairs, const TimeZone& zone) {
+Markup repairs_table(const std::vector<RepairRow>& repairs, const TimeZone& zone,
+                     const std::string& pv_unit) {
   if (repairs.empty()) return {};
-  const auto fields = [&](const RepairRow& repair) { return repair_fields(repair, zone); };
+  const auto fields = [&](const RepairRow& repair) { return repair_fields(repair, zone, pv_unit); };
   return render("repairs_table", {{"repairs", rows(repairs, fields)}});
 }
 

@@ -35,4 +35,8 @@ std::string as_heading(std::string_view code) {
   return words;
 }
 
+std::string status_words(const std::string& status) {
+  return status == "watch" ? "not yet confirmed" : status;
+}
+
 }  // namespace loopscope::daemon

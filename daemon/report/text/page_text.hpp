@@ -28,4 +28,7 @@ inline constexpr const char* kUnknown = "\u2013";
 /// The number; empty = there is none.
 [[nodiscard]] std::string number_text(const std::optional<std::int64_t>& number);
 
+/// The status of a loop on the list in words: "watch" is "not yet confirmed".
+[[nodiscard]] std::string status_words(const std::string& status);
+
 }  // namespace loopscope::daemon

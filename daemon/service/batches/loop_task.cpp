@@ -10,6 +10,7 @@
 #include "daemon/output/analysis_json.hpp"
 #include "daemon/output/model_json.hpp"
 #include "daemon/service/batches/data_problems.hpp"
+#include "daemon/service/windows/loop_facts.hpp"
 #include "daemon/service/windows/slot.hpp"
 
 namespace loopscope::daemon {
@@ -65,11 +66,6 @@ core::Diagnosis staged_diagnosis(const LoopInput& input, const core::AnalysisSet
                              }};
   const LoopWindow* longer = input.long_window ? &*input.long_window : nullptr;
   return core::diagnose(input.first, settings, facts, longer, plan);
-}
-
-std::optional<double> pv_span_of(const storage::CatalogueEntry& loop) {
-  if (!loop.pv_range) return std::nullopt;
-  return loop.pv_range->high - loop.pv_range->low;
 }
 
 void describe_window(const LoopWindowAtSlot& at_slot, storage::AnalysisRecord& record) {
@@ -168,10 +164,7 @@ storage::AnalysisRecord analyse_window(const storage::CatalogueEntry& loop, cons
         std::string(LOOPSCOPE_VERSION " ") + std::string(core::hos::processor_path());
     record.settings_json = settings_json;
     record.pv_past = input.at_slot.window.pv_past;
-    record.diagnosis = staged_diagnosis(input, settings,
-                                        {.integrating = core::is_integrating_type(loop.loop_type),
-                                         .seed = core::signal::window_seed(input.at_slot.window),
-                                         .pv_span = pv_span_of(loop)},
+    record.diagnosis = staged_diagnosis(input, settings, loop_facts(loop, input.at_slot.window),
                                         wish, driver, record);
     describe_json(record);
   });

@@ -77,6 +77,7 @@ FlaggedRow read_flagged(const pqxx::row& row) {
   flagged.loop_name = row["loop_name"].c_str();
   flagged.source = row["source"].c_str();
   flagged.loop_type = maybe_text(row["loop_type"]);
+  flagged.pv_unit = read_text(row["pv_unit"]);
   flagged.code = row["code"].c_str();
   flagged.score = row["score"].as<double>();
   flagged.severity = row["severity"].as<double>();

@@ -17,6 +17,7 @@ struct FlaggedRow {
   std::int64_t loop_id = 0;
   std::string loop_name, source;
   std::optional<std::string> loop_type;  ///< flow, pressure, ...; nullopt = not said
+  std::string pv_unit;                   ///< of sp and pv; empty = not said
   std::string code;                      ///< the verdict
   double score = 0.0;                    ///< severity x importance x kind_weight x believed()
   double severity = 0.0;                 ///< 0 to 1

@@ -11,7 +11,9 @@ std::string us(const std::string& time) {
 
 /// The columns of a FlaggedRow out of a row of flagged_loop.
 std::string flagged_columns() {
-  return R"(rank, loop_id, loop_name, source, loop_type, code, score, severity, importance,
+  return R"((SELECT named.pv_unit FROM loopscope.loop AS named WHERE named.name = loop_name)
+              AS pv_unit,
+            rank, loop_id, loop_name, source, loop_type, code, score, severity, importance,
             kind_weight, confidence, combined_confidence, fault_probability, p, nonlinear_p,
             status, )" +
          us("since") + " AS since_us, " + us("slot_end") + R"( AS slot_end_us, algorithm_revision,

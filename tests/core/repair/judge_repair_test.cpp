@@ -156,7 +156,7 @@ TEST(JudgeRepair, NothingIsSaidWithoutWindowsOnBothSides) {
   RepairWindows windows;
   RepairJudgement judged = judge_repair(windows);
   EXPECT_FALSE(judged.outcome);
-  EXPECT_THAT(judged.statement, StartsWith("Not judged: no usable window lies before"));
+  EXPECT_THAT(judged.statement, StartsWith("Cannot be compared: no usable window"));
   windows.before = windows_of(kSticks);
   EXPECT_THAT(judge_repair(windows).statement,
               StartsWith("Not judged yet: no window lies wholly after the work"));

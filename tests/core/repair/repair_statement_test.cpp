@@ -81,7 +81,8 @@ TEST(RepairStatement, SaysWhyThereIsNoOutcome) {
             "Not judged yet: the data after the work cannot be used: pv is constant.");
   windows.before.clear();
   EXPECT_EQ(said(windows),
-            "Not judged: no usable window lies before this work and after any earlier one.");
+            "Cannot be compared: no usable window of the loop from before this work, and after any "
+            "earlier work, is known.");
 }
 
 TEST(RepairStatement, SaysThatTheErrorIsNotKnown) {

@@ -28,6 +28,13 @@ TEST(Phrases, FixedDecimals) {
   EXPECT_EQ(fixed(1234.4, 0), "1234");
 }
 
+TEST(Phrases, SizesInAnUnknownUnit) {
+  EXPECT_EQ(units_of_pv(1.0), "1 unit of pv");
+  EXPECT_EQ(units_of_pv(0.9999), "1 unit of pv");
+  EXPECT_EQ(units_of_pv(-12.0), "-12 units of pv");
+  EXPECT_EQ(units_of_pv(0.5), "0.5 units of pv");
+}
+
 TEST(Phrases, PValuesEndWhereTheirDigitsSayNothing) {
   EXPECT_EQ(p_text(0.0312), "0.031");
   EXPECT_EQ(p_text(1.0), "1");

@@ -36,8 +36,8 @@ TEST(UnknownWord, CommandsAndTheirActions) {
   EXPECT_EQ(said_of("loops lst --config f"),
             "loopscope loops has no action \"lst\" HINT: did you mean \"list\"? loopscope loops "
             "--help lists them");
-  EXPECT_EQ(said_of("loops --config f lode"),
-            "loopscope loops has no action \"lode\" HINT: did you mean \"load\"? loopscope loops "
+  EXPECT_EQ(said_of("loops --config f laod"),
+            "loopscope loops has no action \"laod\" HINT: did you mean \"load\"? loopscope loops "
             "--help lists them");
 }
 

@@ -45,8 +45,8 @@ TEST(AnalysisText, EveryLineOfAWindowWithoutAModel) {
             "  peak          bic2 0.500 at (0.1250, 0.0625) cycles per sample: periods 80 s and "
             "160 s\n"
             "  oscillation   present; period 120 s, regularity 4.5, persistence 0.9, amplitude "
-            "1.25 pv units\n"
-            "  performance   Harris 0.25 to 0.5; error std 0.75 pv units; valve travel - %/h, - "
+            "1.25 units of pv\n"
+            "  performance   Harris 0.25 to 0.5; error std 0.75 units of pv; valve travel - %/h, - "
             "reversals/h; op at a limit -\n"
             "  shape         shape index -, Horch dtau - drho -, ellipse - %, mv-op width - %\n"
             "  data          missing -, flags: short, pv_held\n");
@@ -61,7 +61,7 @@ TEST(AnalysisText, EveryLineOfAWindowWithoutAModel) {
   evidence.oscillation.period_s = 35.0;
   EXPECT_THAT(analysis_text("f.csv", 10.0, diagnosis),
               HasSubstr("  oscillation   none found; best candidate: period 35 s, regularity -, "
-                        "persistence -, amplitude - pv units\n"));
+                        "persistence -, amplitude -\n"));
   EXPECT_THAT(calm, HasSubstr("; op at a limit 30 %\n"));
   EXPECT_THAT(calm, HasSubstr("  data          missing 2.5 %, flags: none\n"));
 }

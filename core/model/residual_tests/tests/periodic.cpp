@@ -45,7 +45,7 @@ std::vector<SeenLine> merged(const LineSearch& residual, const LineSearch& pv, d
 std::string words_of(const SeenLine& line, double sample_interval_s) {
   return "period " + text::duration(line.line.period_samples * sample_interval_s) + " (" +
          text::number(line.line.period_samples) + " samples), amplitude " +
-         text::number(line.line.amplitude) + " pv units in " + (line.in_pv ? "pv" : "the residual");
+         text::units_of_pv(line.line.amplitude) + " in " + (line.in_pv ? "pv" : "the residual");
 }
 
 }  // namespace

@@ -36,10 +36,9 @@ std::optional<TestOutcome> test_response_level(const ResidualContext& context) {
   TestOutcome answer{{"response_level", score.p, {}}, {}};
   if (score.p > kSignificant) return answer;
   answer.question.statement =
-      "The residual follows the square of the model's response (which spans a standard deviation "
-      "of " +
-      text::number(context.response->std) +
-      " pv units): the process gain depends on the operating point.";
+      "The process gain depends on the operating point: the residual follows the square of the "
+      "model's response, whose standard deviation is " +
+      text::units_of_pv(context.response->std) + ".";
   answer.nominations = {{.effect = EffectKind::process_nonlinearity, .p = score.p}};
   return answer;
 }

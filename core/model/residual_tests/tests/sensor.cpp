@@ -88,7 +88,7 @@ std::optional<TestOutcome> test_grid(const ResidualContext& context) {
   const bool coarse = grid.step >= kHarmlessStep * noise_std;
   TestOutcome answer{{"grid", coarse ? grid.p : 1.0, {}}, {}};
   if (answer.question.p > kSignificant) return answer;
-  answer.question.statement = "pv moves in steps of " + text::number(grid.step) + " pv units (" +
+  answer.question.statement = "pv moves in steps of " + text::units_of_pv(grid.step) + " (" +
                               std::to_string(grid.levels) + " values), " +
                               text::number(grid.step / noise_std) + " times its fast noise.";
   answer.nominations = {

@@ -7,7 +7,7 @@ namespace loopscope::core::model {
 namespace {
 
 std::string words_of(const Outburst& event, const ResidualContext& context) {
-  return text::number(event.mean * context.fresh.std) + " pv units" +
+  return text::units_of_pv(event.mean * context.fresh.std) +
          (event.samples > 1 ? " over " + std::to_string(event.samples) + " samples " : " ") +
          text::at_place(event.at_sample, context.view.sample_interval_s);
 }

@@ -89,9 +89,10 @@ TEST(Catalogue, EveryEffectSaysInASentenceWhatItDoes) {
             "The process behaves as a vessel whose outflow grows with the square root of its "
             "level: curvature 0.4, gain and time constant change with the process variable.");
   EXPECT_EQ(said(LoadStep(500), {1500.0, -12.0}),
-            "The load moved 25 min into the window, by -12 pv units, and stayed.");
-  EXPECT_EQ(said(InputLoad(300, 600), {90.0, 3.0}),
-            "The load before the process moved 90 s into the window, by 3 pv units, and stayed.");
+            "The load moved 25 min into the window, by -12 units of pv, and stayed.");
+  EXPECT_EQ(
+      said(InputLoad(300, 600), {90.0, 3.0}),
+      "The load before the process moved 90 s into the window, by 3 units of pv, and stayed.");
   EXPECT_EQ(said(GainChange(300, 300), {1500.0, 0.5}),
             "The gain of the process changes to 0.5 times what it was, from 25 min into the "
             "window on.");
@@ -102,7 +103,7 @@ TEST(Catalogue, EveryEffectSaysInASentenceWhatItDoes) {
 
 TEST(Catalogue, AWaveSaysItsPeriodAndItsShape) {
   const std::string period = "An oscillation of period 2.5 min";
-  const std::string end = " reaches the loop from outside, amplitude 0.8 pv units.";
+  const std::string end = " reaches the loop from outside, amplitude 0.8 units of pv.";
   EXPECT_EQ(said(ExternalOscillation(50.0), {150.0, 0.8}), period + end);
   EXPECT_EQ(said(ExternalOscillation(50.0, 3), {150.0, 0.8}), period + " and with harmonics" + end);
   EXPECT_EQ(said(ExternalOscillation(50.0, 1, 4), {150.0, 0.8}),

@@ -44,7 +44,7 @@ TEST(SensorSteps, AGridIsAStepThatLowersNothing) {
   const SensorFinding finding = find_sensor_steps(kError, {grid_of(0.5, 0.0)});
   ASSERT_TRUE(finding.quantisation);
   EXPECT_EQ(finding.quantisation->statement,
-            "The values of pv lie on a grid of 0.5 pv units, coarse beside their fast noise.");
+            "The values of pv lie on a grid of 0.5 units of pv, coarse beside their fast noise.");
   EXPECT_EQ(finding.quantisation->parameters.at(0).value, 0.5);
   EXPECT_EQ(finding.quantisation->holdout_error_after, finding.quantisation->holdout_error_before);
   EXPECT_GT(finding.quantisation->evidence, 1000.0);  // finite for a p of nothing

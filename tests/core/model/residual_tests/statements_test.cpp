@@ -49,25 +49,26 @@ TEST(ResidualStatements, EveryQuestionSaysWhatItFoundInASentence) {
              "Moves of op have more effect at one end of its range than at the other: the residual "
              "follows the square of op."},
         Case{"nonlinear_process", "response_level",
-             "The residual follows the square of the model's response (which spans a standard "
-             "deviation of 10.5 pv units): the process gain depends on the operating point."},
+             "The process gain depends on the operating point: the residual follows the square of "
+             "the model's response, whose standard deviation is 10.5 units of pv."},
         Case{"process_gain_change", "time_gain",
              "The process responds about 2.41 times as strongly from 35.4 min into the window "
              "(sample 2121) on."},
         Case{"quantised_sensor", "time_spread",
              "The residual is 1.72 times as large from 107 s into the window (sample 107) on."},
         Case{"load_upsets", "time_event",
-             "Sudden disturbances beyond the noise: -19.8 pv units 30.7 min into the window "
-             "(sample 1844); 14.7 pv units 47.8 min into the window (sample 2868); 11.8 pv units "
+             "Sudden disturbances beyond the noise: -19.8 units of pv 30.7 min into the window "
+             "(sample 1844); 14.7 units of pv 47.8 min into the window (sample 2868); 11.8 units "
+             "of pv "
              "13.7 min into the window (sample 820)."},
         Case{"outside_oscillation", "periodic",
-             "A line in the spectrum: period 60 s (60 samples), amplitude 1.67 pv units in pv."},
+             "A line in the spectrum: period 60 s (60 samples), amplitude 1.67 units of pv in pv."},
         Case{"process_gain_change", "periodic",
-             "Lines in the spectrum: period 3.99 min (240 samples), amplitude 0.928 pv units in "
-             "pv; period 2.85 min (171 samples), amplitude 0.609 pv units in pv; period 70.5 s "
-             "(70.5 samples), amplitude 0.317 pv units in pv."},
+             "Lines in the spectrum: period 3.99 min (240 samples), amplitude 0.928 units of pv in "
+             "pv; period 2.85 min (171 samples), amplitude 0.609 units of pv in pv; period 70.5 s "
+             "(70.5 samples), amplitude 0.317 units of pv in pv."},
         Case{"quantised_sensor", "grid",
-             "pv moves in steps of 1 pv units (5 values), 2.12 times its fast noise."},
+             "pv moves in steps of 1 unit of pv (5 values), 2.12 times its fast noise."},
         Case{"holding_sensor", "held", "pv is renewed only every 12 samples (12 s)."},
         Case{"healthy_flow", "held", ""}}) {
     EXPECT_EQ(statement_in(test_residual(residual_of(one.scenario).view()), one.question),
@@ -95,9 +96,10 @@ TEST(ResidualStatements, ASensorThatFreezesOrSkipsIsToldWithItsSamples) {
 TEST(ResidualStatements, OneSuddenDisturbanceIsNoPlural) {
   tests::Series innovation = tests::white(tests::White::gaussian, 4096, 5);
   innovation[2000] += 12.0;
-  EXPECT_EQ(statement_in(test_residual(tests::closed_loop(innovation, 5).view()), "time_event"),
-            "A sudden disturbance beyond the noise: 13.9 pv units 33.3 min into the window (sample "
-            "2000).");
+  EXPECT_EQ(
+      statement_in(test_residual(tests::closed_loop(innovation, 5).view()), "time_event"),
+      "A sudden disturbance beyond the noise: 13.9 units of pv 33.3 min into the window (sample "
+      "2000).");
 }
 
 TEST(ResidualStatements, CouplingIsNamedInWords) {

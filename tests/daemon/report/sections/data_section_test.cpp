@@ -35,7 +35,7 @@ TEST(DataSection, FiguresOfTheWindowHaveTheirUnits) {
             start +
                 "<p class=\"note\">4096 samples at 2 s; missing \u2013, frozen \u2013, op at a "
                 "limit \u2013; archive complete, compression factor \u2013, quantisation factor "
-                "\u2013; error std \u2013 pv units, Harris \u2013 to \u2013, valve travel \u2013 "
+                "\u2013; error std \u2013, Harris \u2013 to \u2013, valve travel \u2013 "
                 "%/h, \u2013 reversals/h; flags: none.</p>");
   quality.missing_fraction = 0.02;
   quality.frozen_fraction = 0.0;
@@ -50,13 +50,19 @@ TEST(DataSection, FiguresOfTheWindowHaveTheirUnits) {
   work.harris_high = 0.4;
   work.valve_travel_per_h = 120.0;
   work.reversals_per_h = 60.0;
-  EXPECT_EQ(data_section(told).html,
-            start +
-                "<p>Tests for nonlinearity refused: the setpoint moves too often.</p>\n"
-                "<p class=\"note\">4096 samples at 2 s; missing 2 %, frozen 0 %, op at a limit "
-                "30 %; archive complete, compression factor 5, quantisation factor 0.25; error std "
-                "0.5 pv units, Harris 0.2 to 0.4, valve travel 120 %/h, 60 reversals/h; flags: pv "
-                "held, short.</p>");
+  EXPECT_EQ(
+      data_section(told).html,
+      start +
+          "<p>Tests for nonlinearity refused: the setpoint moves too often.</p>\n"
+          "<p class=\"note\">4096 samples at 2 s; missing 2 %, frozen 0 %, op at a limit "
+          "30 %; archive complete, compression factor 5, quantisation factor 0.25; error std "
+          "0.5 units of pv, Harris 0.2 to 0.4, valve travel 120 %/h, 60 reversals/h; flags: pv "
+          "held, short.</p>");
+  told.row.pv_unit = "m3/h";
+  EXPECT_NE(data_section(told).html.find("error std 0.5 m3/h, Harris"), std::string::npos);
+  told.row.pv_unit.clear();
+  work.error_std = 1.0;
+  EXPECT_NE(data_section(told).html.find("error std 1 unit of pv, Harris"), std::string::npos);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(PlantSection, TellsCountsFactorsAndWhatToDo) {
   EXPECT_THAT(text, HasSubstr("2026-03-01 12:00 <span class=\"fresh\">new</span>"));
   EXPECT_THAT(text, HasSubstr("Plant-wide oscillation 1: period 2 min, 1 loop"));
   EXPECT_THAT(text, HasSubstr("<span class=\"word improved\">improved</span>"));
-  EXPECT_THAT(text, HasSubstr("error std 2 \u2192 1 pv units (\u00d7 0.5, 0.44 to 0.57)"));
+  EXPECT_THAT(text, HasSubstr("error std 2 \u2192 1 units of pv (\u00d7 0.5, 0.44 to 0.57)"));
 }
 
 TEST(PlantSection, AMemberSwingsAheadOfTheSourceOrBehindIt) {

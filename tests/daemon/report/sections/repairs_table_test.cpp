@@ -52,10 +52,15 @@ TEST(RepairsTable, ARowSaysWhatWasDoneWhatCameOfItAndByHowMuch) {
             "data-label=\"Done\" data-sort=\"1772366400000000\">2026-03-01 12:00 UTC</td>"
             "<td data-label=\"Work\">valve: <bdi>new packing</bdi></td><td data-label=\"Result\">"
             "<span class=\"word improved\">improved</span></td><td data-label=\"Why\">Improved: "
-            "the error is smaller. <small><span class=\"pair\">error std 2 \u2192 1 pv units "
+            "the error is smaller. <small><span class=\"pair\">error std 2 \u2192 1 units of pv "
             "(\u00d7 0.5, 0.44 to 0.57)</span> <span class=\"pair\">nli 0.3 \u2192 0.1 (by -0.2, "
             "-0.25 to -0.15)</span> <span class=\"pair\">valve deadband width 4 \u2192 \u2013 %"
             "</span></small></td></tr>");
+}
+
+TEST(RepairsTable, OfOneLoopInItsUnit) {
+  EXPECT_NE(repairs_table({repair()}, {}, "m3/h").html.find("error std 2 \u2192 1 m3/h (\u00d7"),
+            std::string::npos);
 }
 
 TEST(RepairsTable, WithoutRepairsThereIsNone) {

@@ -32,7 +32,7 @@ TEST(SectionWords, ALoopOfTheList) {
   EXPECT_EQ(
       words_of(loop_section(told).html),
       "7 FIC101\n"
-      "flow loop, source plant, score 0.504 = severity 0.80 \u00d7 importance 1 \u00d7 kind 1.00 "
+      "flow loop, source plant, priority 0.504 = severity 0.80 \u00d7 importance 1 \u00d7 kind 1.00 "
       "\u00d7 confidence 0.63\n"
       "Valve stiction confidence 0.63 confirmed since 2026-03-01 12:00 UTC window until 2026-03-01 "
       "12:00 UTC\n"
@@ -137,17 +137,17 @@ TEST(SectionWords, ThePlant) {
       "Not on the list: 4 loops affected by a shared oscillation, 5 findings that people have "
       "acknowledged, suppressed or marked as false, 6 faults not sure enough (view hidden_loop).\n"
       "Work list\n"
-      "Dead measurements first, then by score = severity (1 less the middle of the Harris index) "
-      "\u00d7 importance of the loop \u00d7 weight of the kind of fault \u00d7 confidence. Status: "
-      "watch until a second window that shares no sample with the first says the same.\n"
-      "Rank | Loop | Verdict | Confidence | Status | Since (UTC) | Severity | Impor\u00adtance | "
-      "Kind | Score | Action\n"
+      "Dead measurements first, then by priority = severity (1 less the middle of the Harris index) "
+      "\u00d7 importance of the loop \u00d7 weight of the kind of fault \u00d7 confidence, shown "
+      "with each loop. Status: not yet confirmed until a second window that shares no sample with "
+      "the first says the same.\n"
+      "Rank | Loop | Verdict | Confidence | Status | Since (UTC) | Priority | Action\n"
       "1 | FIC101 FIC101 source of oscillation 1 | Valve stiction | 0.63 | confirmed | "
-      "2026-03-01 12:00 new | 0.80 | 1 | 1.00 | 0.504 | FIC101\n"
+      "2026-03-01 12:00 new | 0.504 | FIC101\n"
       "Repairs, before and after\n"
       "Loop | Done | Work | Result | Why\n"
-      "FIC101 | 2026-03-01 12:00 UTC | valve: FIC101 | improved | FIC101 error std 2 \u2192 1 pv "
-      "units (\u00d7 0.5, 0.44 to 0.57)\n"
+      "FIC101 | 2026-03-01 12:00 UTC | valve: FIC101 | improved | FIC101 error std 2 \u2192 1 "
+      "units of pv (\u00d7 0.5, 0.44 to 0.57)\n"
       "In brackets the change with its 90 % interval, which holds the ordinary change of a loop "
       "that nobody touched.\n"
       "Loops without a controller\n"
@@ -221,7 +221,7 @@ TEST(SectionWords, TheStepsOfAModel) {
   told.baseline = {"one lag", 0.125, {}};
   told.process_doubt = "The process is doubtful.";
   EXPECT_EQ(words_of(explanation_table(told).html),
-            "Errors are mean squares in pv units squared, one step, on samples that the fit has "
+            "Errors are mean squares in units of pv squared, one step, on samples that the fit has "
             "not seen; evidence is n ln(before / after).\n"
             "Stage | Figures (90 % interval) | Error before | Error after | Evidence | p\n"
             "Linear model | one lag | \u2013 | 0.125 | \u2013 | \u2013\n"
@@ -230,6 +230,9 @@ TEST(SectionWords, TheStepsOfAModel) {
             "Noise floor | what a perfect model would leave | \u2013 | 0.04 | \u2013 | \u2013\n"
             "The model explains all of the explainable error (residual whiteness p 1).\n"
             "The process is doubtful.\n");
+  told.baseline = {"one lag, gain 2.5 pv per %", 0.125, {}};
+  EXPECT_NE(words_of(explanation_table(told, "m3/h").html).find("gain 2.5 m3/h per %"),
+            std::string::npos);
   told.excited = false;
   told.excitation = "Not excited: op does not move.";
   EXPECT_EQ(words_of(explanation_table(told).html),

@@ -1,0 +1,55 @@
+#include "core/diagnosis/valve_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/diagnosis/verdicts/verdict_catalogue.hpp"
+#include "tests/core/diagnosis/explanations.hpp"
+
+namespace loopscope::core::diagnosis {
+namespace {
+
+Evidence evidence_of_band(model::EffectKind effect, double band) {
+  model::Step step = clear_step(effect);
+  step.parameters = {{"S", "%", band, {}, {}}};
+  Evidence evidence = evidence_with(explanation_of({step}));
+  evidence.op_in_percent = true;
+  return evidence;
+}
+
+TEST(ValveWords, TheStepsOfTheTestFitTheBand) {
+  const auto action = [](double band) {
+    return stroke_test_action(evidence_of_band(model::EffectKind::valve_stiction, band));
+  };
+  EXPECT_EQ(action(4.2),
+            "Check in the field: put the controller in manual, step the output by about 1 % at a "
+            "time (a quarter of the 4.2 % found) and watch when the stem moves; then packing, "
+            "actuator and positioner.");
+  EXPECT_NE(action(9.0).find("by about 2 % at a time"), std::string::npos);
+  EXPECT_NE(action(1.3).find("by about 0.3 % at a time"), std::string::npos);
+  EXPECT_NE(action(0.2).find("by about 0.1 % at a time"), std::string::npos);
+}
+
+TEST(ValveWords, WithoutABandInPercentTheUsualStepIsSaid) {
+  const std::string usual(catalogue_entry(VerdictCode::valve_stiction).action);
+  Evidence evidence = evidence_of_band(model::EffectKind::valve_stiction, 4.0);
+  evidence.op_in_percent = false;
+  EXPECT_EQ(stroke_test_action(evidence), usual);
+  evidence = evidence_of_band(model::EffectKind::load_step, 4.0);
+  EXPECT_EQ(stroke_test_action(evidence), usual);
+  EXPECT_EQ(stroke_test_action(quiet_evidence()), usual);
+}
+
+/// "It sticks" and "it has dead band" in one finding contradict each other.
+TEST(ValveWords, DeadBandFoundInALoopThatSticksIsSaid) {
+  const Evidence band = evidence_of_band(model::EffectKind::valve_deadband, 5.0);
+  EXPECT_EQ(valve_summary(VerdictCode::valve_stiction, band),
+            "Hysteresis of the valve keeps the loop cycling: it sticks or has dead band, a stroke "
+            "test tells which.");
+  EXPECT_EQ(valve_summary(VerdictCode::valve_deadband, band), "");
+  EXPECT_EQ(valve_summary(VerdictCode::valve_stiction,
+                          evidence_of_band(model::EffectKind::valve_stiction, 5.0)),
+            "");
+}
+
+}  // namespace
+}  // namespace loopscope::core::diagnosis
