@@ -14,8 +14,6 @@
 namespace loopscope::daemon {
 namespace {
 
-using storage::CatalogueEntry;
-
 /// A group with its roles.
 struct Named {
   TagGroup group;

@@ -41,8 +41,8 @@ void add_parts(const std::string& tag, const TagParts& parts, Modules& modules) 
       {tag, parts.word, std::string(stem.module), block + parts.behind, parts.glued});
 }
 
-/// One loop where the module has one controller at most.
-void add_module(const std::string& path, Blocks blocks, std::vector<TagGroup>& groups) {
+/// One loop where the module has one controller at most. Takes the candidates out of `blocks`.
+void add_module(const std::string& path, Blocks& blocks, std::vector<TagGroup>& groups) {
   const std::size_t controllers = blocks.size() - (blocks.contains("") ? 1 : 0);
   if (controllers > 1) {
     for (auto& [block, candidates] : blocks) {
@@ -90,7 +90,7 @@ GroupedTags by_name(std::span<const std::string> tags, const NamingRules& rules)
       grouped.unmatched.push_back(tag);
     }
   }
-  for (auto& [path, blocks] : modules) add_module(path, std::move(blocks), grouped.groups);
+  for (auto& [path, blocks] : modules) add_module(path, blocks, grouped.groups);
   shorten_names(grouped.groups);
   return grouped;
 }
