@@ -36,7 +36,11 @@ constexpr std::array kServiceSettings = {
     Setting{"/results/owner_connection", in_results<&ResultsSettings::owner_connection>,
             any(Form::optional_connection),
             "the same database; login of the schema's owner (`migrate`, `maintain`, `loops`, "
-            "`maintenance`, `import`); empty = `connection`"},
+            "`import`); empty = `connection`"},
+    Setting{"/results/engineer_connection", in_results<&ResultsSettings::engineer_connection>,
+            any(Form::optional_connection),
+            "the same database; login of a member of `loopscope_engineer`, under which people "
+            "speak (`annotate`, `maintenance`); empty = `owner_connection`"},
     Setting{"/results/retention_months", in_results<&ResultsSettings::retention_months>,
             range(0, 1200, "months"),
             "age from which `maintain` deletes results; 0 = kept for ever"},

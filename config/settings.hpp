@@ -10,10 +10,12 @@ namespace loopscope::config {
 
 /// Where results, catalogue and schedule live.
 struct ResultsSettings {
-  std::string connection;        ///< libpq connection string of the worker; required
-  std::string owner_connection;  ///< of the schema's owner (migrate, maintain, loops, import);
-                                 ///< empty = connection
-  int retention_months = 24;     ///< months of results that maintain keeps, 0 to 1200; 0 = all
+  std::string connection;           ///< libpq connection string of the worker; required
+  std::string owner_connection;     ///< of the schema's owner (migrate, maintain, loops, import);
+                                    ///< empty = connection
+  std::string engineer_connection;  ///< of a member of loopscope_engineer (annotate, maintenance);
+                                    ///< empty = owner_connection
+  int retention_months = 24;        ///< months of results that maintain keeps, 0 to 1200; 0 = all
 };
 
 /// One historian: a connection, and where and how its tables keep the tags. `preset` gives the

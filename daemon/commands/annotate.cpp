@@ -8,6 +8,7 @@
 
 #include "config/nearest_name.hpp"
 #include "config/read_settings.hpp"
+#include "daemon/catalogue/on_behalf_of.hpp"
 #include "daemon/catalogue/unknown_loop.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/annotation_text.hpp"
@@ -24,6 +25,7 @@ namespace {
 
 struct AnnotateOptions {
   std::string config, loop, code, until, reason;
+  std::optional<std::string> on_behalf_of;
 };
 
 using SharedAnnotateOptions = std::shared_ptr<AnnotateOptions>;
@@ -35,7 +37,7 @@ struct AnnotationWork {
       : AnnotationWork(options, config::read_settings(options.config)) {}
   AnnotationWork(const AnnotateOptions& options, const config::Settings& settings)
       : zone(settings.plant.time_zone),
-        connection(owner_connection(settings)),
+        connection(engineer_connection(settings)),
         annotations(connection) {
     if (options.loop.empty()) return;
     storage::Catalogue catalogue(connection);
@@ -89,7 +91,9 @@ std::int64_t parse_until(const std::string& text, const TimeZone& zone) {
   return until_us;
 }
 
-void say(AnnotationWork& opened, const storage::Annotation& annotation) {
+/// In the name that the options say.
+void say(const AnnotateOptions& options, storage::Annotation annotation, AnnotationWork& opened) {
+  annotation.on_behalf_of = options.on_behalf_of;
   const std::optional<std::size_t> replaced = opened.annotations.add(annotation);
   if (!replaced) {
     throw Failure(ExitCode::usage,
@@ -103,8 +107,10 @@ void say(AnnotationWork& opened, const storage::Annotation& annotation) {
 void annotate_verdict(const AnnotateOptions& options, const char* kind) {
   require_loop_option(options);
   AnnotationWork opened(options);
-  say(opened, {options.loop, kind, verdict_meant(options, opened.annotations), std::nullopt,
-               options.reason, "", 0});
+  say(options,
+      {options.loop, kind, verdict_meant(options, opened.annotations), std::nullopt, options.reason,
+       "", 0},
+      opened);
 }
 
 void acknowledge(const AnnotateOptions& options) {
@@ -125,16 +131,18 @@ void suppress(const AnnotateOptions& options) {
   AnnotationWork opened(options, settings);
   require_known(options.code, opened.annotations.fault_codes());
   const bool any = options.code.empty() || options.code == kAnyCode;
-  say(opened, {options.loop, "suppressed", any ? std::nullopt : std::optional(options.code),
-               until_us, options.reason, "", 0});
+  say(options,
+      {options.loop, "suppressed", any ? std::nullopt : std::optional(options.code), until_us,
+       options.reason, "", 0},
+      opened);
 }
 
 void withdraw(const AnnotateOptions& options) {
   require_loop_option(options);
   AnnotationWork opened(options);
   const bool all = options.code.empty() || options.code == kAnyCode;
-  const std::size_t count =
-      opened.annotations.withdraw(options.loop, all ? std::nullopt : std::optional(options.code));
+  const std::size_t count = opened.annotations.withdraw(
+      options.loop, all ? std::nullopt : std::optional(options.code), options.on_behalf_of);
   if (count == 0) {
     throw Failure(ExitCode::usage, fmt::format("nothing to withdraw of loop \"{}\"", options.loop),
                   "loopscope annotate --config F list shows what holds");
@@ -162,6 +170,19 @@ CLI::App& add_action(CLI::App& annotate, const char* name, const char* descripti
   return command;
 }
 
+/// An action that writes, in somebody's name.
+CLI::App& add_statement(CLI::App& annotate, const char* name, const char* description,
+                        const SharedAnnotateOptions& options,
+                        void (*carry_out)(const AnnotateOptions&)) {
+  CLI::App& command = add_action(annotate, name, description, options, carry_out);
+  command.callback([options, carry_out] {
+    options->on_behalf_of = on_behalf_of(options->on_behalf_of);
+    carry_out(*options);
+  });
+  command.add_option("--on-behalf-of", options->on_behalf_of, kOnBehalfOfHelp);
+  return command;
+}
+
 void add_code(CLI::App& command, const SharedAnnotateOptions& options, const char* without) {
   command.add_option("--code", options->code,
                      fmt::format("Verdict that it is about, or any (default: {})", without));
@@ -182,14 +203,15 @@ void add_annotate(CLI::App& program) {
   annotate.require_subcommand(1);
   constexpr const char* kNewest = "the newest";
   constexpr const char* kWhatever = "any";
-  CLI::App& known = add_action(annotate, "acknowledge",
-                               "Known, work is planned: off the list until the work is entered "
-                               "(maintenance) and a window lies after it",
-                               options, acknowledge);
+  CLI::App& known = add_statement(annotate, "acknowledge",
+                                  "Known, work is planned: off the list until work done since is "
+                                  "entered (maintenance) and a window lies wholly after it, or "
+                                  "until withdrawn",
+                                  options, acknowledge);
   add_code(known, options, kNewest);
   add_reason(known, options);
-  CLI::App& quiet = add_action(annotate, "suppress", "Off the list until a time, for a reason",
-                               options, suppress);
+  CLI::App& quiet = add_statement(annotate, "suppress", "Off the list until a time, for a reason",
+                                  options, suppress);
   quiet
       .add_option(
           "--until", options->until,
@@ -198,12 +220,12 @@ void add_annotate(CLI::App& program) {
   add_reason(quiet, options)->required();
   add_code(quiet, options, kWhatever);
   CLI::App& wrong =
-      add_action(annotate, "false-positive", "The verdict is wrong: off the list until withdrawn",
-                 options, call_false);
+      add_statement(annotate, "false-positive",
+                    "The verdict is wrong: off the list until withdrawn", options, call_false);
   add_code(wrong, options, kNewest);
   add_reason(wrong, options);
   CLI::App& back =
-      add_action(annotate, "withdraw", "Withdraws an active annotation", options, withdraw);
+      add_statement(annotate, "withdraw", "Withdraws an active annotation", options, withdraw);
   add_code(back, options, kWhatever);
   add_action(annotate, "list", "What holds, and who said it", options, list);
 }

@@ -5,13 +5,16 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "config/nearest_name.hpp"
 #include "config/read_settings.hpp"
 #include "daemon/catalogue/maintenance_csv.hpp"
+#include "daemon/catalogue/on_behalf_of.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
+#include "daemon/text/author_text.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
 #include "daemon/text/time_text.hpp"
@@ -29,6 +32,7 @@ struct MaintenanceOptions {
   std::string loop, at, kind;
   std::vector<std::string> words;
   std::string file;
+  std::optional<std::string> on_behalf_of;
 };
 
 using SharedMaintenanceOptions = std::shared_ptr<MaintenanceOptions>;
@@ -38,7 +42,7 @@ struct OpenedLog {
   explicit OpenedLog(const MaintenanceOptions& options)
       : OpenedLog(config::read_settings(options.config)) {}
   explicit OpenedLog(const config::Settings& settings)
-      : results(owner_connection(settings)), zone(settings.plant.time_zone) {}
+      : results(engineer_connection(settings)), zone(settings.plant.time_zone) {}
 
   storage::ConnectionSettings results;
   TimeZone zone;
@@ -75,7 +79,11 @@ Failure refusal(const MaintenanceEntry& entry, MaintenanceRefusal reason, const 
           "`loopscope maintenance --config F list` shows what is entered"};
 }
 
-void enter(const OpenedLog& opened, const std::vector<MaintenanceEntry>& entries) {
+/// In the name that the options say.
+void enter(const MaintenanceOptions& options, const OpenedLog& opened,
+           std::vector<MaintenanceEntry> entries) {
+  const std::optional<std::string> name = on_behalf_of(options.on_behalf_of);
+  for (MaintenanceEntry& entry : entries) entry.on_behalf_of = name;
   const auto refused = MaintenanceLog(opened.results).add(entries);
   if (!refused.empty())
     throw refusal(entries.at(refused.front().place), refused.front().reason, opened);
@@ -90,15 +98,16 @@ void add_work(const MaintenanceOptions& options) {
   } catch (const std::invalid_argument& problem) {
     throw Failure(ExitCode::usage, problem.what(), "see loopscope maintenance add --help");
   }
-  enter(opened, {entry});
+  enter(options, opened, {entry});
   std::cout << fmt::format("entered: {} {} {}\n", printable(entry.loop_name),
                            format_time(entry.done_at_us, opened.zone), entry.kind);
 }
 
 void load_work(const MaintenanceOptions& options) {
   const OpenedLog opened(options);
-  const auto entries = parse_maintenance(read_csv(options.file, is_header_of_maintenance), opened.zone);
-  enter(opened, entries);
+  const auto entries =
+      parse_maintenance(read_csv(options.file, is_header_of_maintenance), opened.zone);
+  enter(options, opened, entries);
   std::cout << fmt::format("{} entered\n", entries.size());
 }
 
@@ -110,9 +119,10 @@ void list_work(const MaintenanceOptions& options) {
   for (const storage::MaintenanceRow& row :
        log.list(options.loop.empty() ? std::nullopt : std::optional(options.loop))) {
     std::cout << fmt::format(
-        "{}  {}  {}  {}: {}\n    {}\n", format_time(row.entry.done_at_us, zone),
+        "{}  {}  {}  {}: {}\n    {}\n    Entered by {}\n", format_time(row.entry.done_at_us, zone),
         row.word.value_or("-"), printable(row.entry.loop_name), row.entry.kind,
-        printable(row.entry.description), printable(with_times_in_zone(row.statement, zone)));
+        printable(row.entry.description), printable(with_times_in_zone(row.statement, zone)),
+        printable(author_text(row.author, row.entry.on_behalf_of)));
   }
 }
 
@@ -135,6 +145,7 @@ void add_enter(CLI::App& maintenance, const SharedMaintenanceOptions& options) {
       ->required();
   add.add_option("--kind", options->kind, "valve, sensor, tuning, process or other")->required();
   add.add_option("TEXT", options->words, "What was done")->required();
+  add.add_option("--on-behalf-of", options->on_behalf_of, kOnBehalfOfHelp);
 }
 
 }  // namespace
@@ -146,10 +157,11 @@ void add_maintenance(CLI::App& program) {
   maintenance.add_option("--config", options->config, "Settings file")->required();
   maintenance.require_subcommand(1);
   add_enter(maintenance, options);
-  add_action(maintenance, "load", "Enters work from CSV (loop,at,kind,description), all or none",
-             options, load_work)
-      .add_option("FILE", options->file, "File to read")
-      ->required();
+  CLI::App& load = add_action(maintenance, "load",
+                              "Enters work from CSV (loop,at,kind,description), all or none",
+                              options, load_work);
+  load.add_option("FILE", options->file, "File to read")->required();
+  load.add_option("--on-behalf-of", options->on_behalf_of, kOnBehalfOfHelp);
   add_action(maintenance, "list", "Work, whether it fixed the loop, and why", options, list_work)
       .add_option("--loop", options->loop, "Of this loop only");
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/signal/microseconds.hpp"
+#include "daemon/text/author_text.hpp"
 #include "daemon/text/printable.hpp"
 #include "daemon/text/time_text.hpp"
 
@@ -11,14 +12,24 @@ namespace loopscope::daemon {
 namespace {
 
 /// `until` and `since` are as wide as a time with its offset.
-constexpr const char* kRow = "{0:<24} {1:<14} {2:<22} {3:<{7}} {4:<16} {5:<{7}} {6}\n";
+constexpr const char* kRow = "{0:<24} {1:<14} {2:<22} {3:<{7}} {4:<28} {5:<{7}} {6}\n";
+constexpr const char* kAcknowledged = "acknowledged";
 
 std::size_t time_width(const TimeZone& zone) {
   return format_time(0, zone).size();
 }
 
 std::string until_text(const storage::Annotation& annotation, const TimeZone& zone) {
-  return annotation.until_us ? format_time(*annotation.until_us, zone) : "withdrawn";
+  if (annotation.until_us) return format_time(*annotation.until_us, zone);
+  return annotation.kind == kAcknowledged ? "work is entered" : "withdrawn";
+}
+
+/// As the view annotation_history ends it.
+std::string end_of(const storage::Annotation& annotation, const TimeZone& zone) {
+  if (annotation.until_us) return "until " + format_time(*annotation.until_us, zone);
+  if (annotation.kind != kAcknowledged) return "until it is withdrawn";
+  return "until work done since is entered (loopscope maintenance) and a window lies wholly after "
+         "it, or until it is withdrawn";
 }
 
 /// Whole seconds are enough for people.
@@ -38,8 +49,8 @@ std::string annotation_table(const std::vector<storage::Annotation>& annotations
   for (const storage::Annotation& said : annotations) {
     table += fmt::format(kRow, printable(said.loop_name), said.kind,
                          printable(said.code.value_or("any")), until_text(said, zone),
-                         printable(said.author), entered_text(said, zone), printable(said.reason),
-                         width);
+                         printable(author_text(said.author, said.on_behalf_of)),
+                         entered_text(said, zone), printable(said.reason), width);
   }
   return table;
 }
@@ -47,9 +58,8 @@ std::string annotation_table(const std::vector<storage::Annotation>& annotations
 std::string annotation_line(const storage::Annotation& annotation, const TimeZone& zone) {
   const std::string about =
       annotation.code ? "verdict " + printable(*annotation.code) : "whatever the verdict";
-  return fmt::format(
-      "{} {}, {}, until {}", annotation.kind, printable(annotation.loop_name), about,
-      annotation.until_us ? format_time(*annotation.until_us, zone) : "it is withdrawn");
+  return fmt::format("{} {}, {}, {}", annotation.kind, printable(annotation.loop_name), about,
+                     end_of(annotation, zone));
 }
 
 }  // namespace loopscope::daemon

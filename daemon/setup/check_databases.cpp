@@ -75,6 +75,10 @@ int check_databases(const config::Settings& settings, storage::SchemaStage stage
     problems +=
         print_findings("results database, owner", storage::check_owner(owner_connection(settings)));
   }
+  if (!settings.results.engineer_connection.empty()) {
+    problems += print_findings("results database, engineer",
+                               storage::check_engineer(engineer_connection(settings), stage));
+  }
   return problems + check_historians(settings);
 }
 

@@ -8,7 +8,8 @@
 #   demo_sql FOLDER USER DB SQL... one psql, bare values
 #
 # plant      the historian, table public.history: written by the import, read by demo_historian
-# loopscope  results: owned by demo_owner's group, written by demo_worker, read by demo_reader
+# loopscope  results: owned by demo_owner's group, written by demo_worker, read by demo_reader, annotated by
+#            demo_engineer
 
 _DEMO_ROLES_SQL=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/roles.sql
 
@@ -40,7 +41,8 @@ _make_logins() {
   demo_psql "$1" postgres loopscope <<'SQL'
 SELECT format('CREATE ROLE %I LOGIN IN ROLE %I', login, grouping)
 FROM (VALUES ('demo_owner', 'loopscope_owner'), ('demo_worker', 'loopscope_worker'),
-             ('demo_reader', 'loopscope_reader'), ('demo_historian', 'loopscope_historian')) AS role (login, grouping)
+             ('demo_reader', 'loopscope_reader'), ('demo_engineer', 'loopscope_engineer'),
+             ('demo_historian', 'loopscope_historian')) AS role (login, grouping)
 WHERE to_regrole(login) IS NULL
 \gexec
 SQL
@@ -62,7 +64,8 @@ demo_settings() {
 {
   "results": {
     "connection": "$(demo_conninfo "$1" demo_worker loopscope)",
-    "owner_connection": "$(demo_conninfo "$1" demo_owner loopscope)"
+    "owner_connection": "$(demo_conninfo "$1" demo_owner loopscope)",
+    "engineer_connection": "$(demo_conninfo "$1" demo_engineer loopscope)"
   },
   "historians": [
     {

@@ -28,7 +28,8 @@ TEST(ReadSettings, MinimalFileHasTheDefaultsEverywhereElse) {
 
 TEST(ReadSettings, ValuesArriveWhereTheyBelong) {
   const Settings settings = parse_settings(
-      R"({"results": {"connection": "a", "owner_connection": "b", "retention_months": 6},
+      R"({"results": {"connection": "a", "owner_connection": "b",
+                      "engineer_connection": "c", "retention_months": 6},
           "historians": [{"name": "north", "connection": "c", "quality_rule": "zero"},
                          {"name": "south", "connection": "d", "quality_column": "",
                           "quality_rule": "none", "time_kind": "epoch_ms"}],
@@ -41,6 +42,7 @@ TEST(ReadSettings, ValuesArriveWhereTheyBelong) {
                        "performance": {"ar_order": 30}}})",
       "test.json");
   EXPECT_EQ(settings.results.owner_connection, "b");
+  EXPECT_EQ(settings.results.engineer_connection, "c");
   EXPECT_EQ(settings.results.retention_months, 6);
   ASSERT_EQ(settings.historians.size(), 2U);
   EXPECT_EQ(settings.historians[0].quality_rule, "zero");

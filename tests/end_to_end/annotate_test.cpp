@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "tests/end_to_end/told_plant.hpp"
+#include "tests/support/hostile_names.hpp"
 
 namespace loopscope::tests {
 namespace {
@@ -34,7 +35,10 @@ TEST_F(Annotate, TakesLoopsOffTheListAndPutsThemBack) {
   const ProgramResult known =
       annotate({"--loop", "FIC101", "acknowledge", "--reason", "order 4712"});
   EXPECT_EQ(known.exit_code, 0) << known.err;
-  EXPECT_EQ(known.out, "acknowledged FIC101, verdict valve_stiction, until it is withdrawn\n");
+  EXPECT_EQ(
+      known.out,
+      "acknowledged FIC101, verdict valve_stiction, until work done since is entered "
+      "(loopscope maintenance) and a window lies wholly after it, or until it is withdrawn\n");
   EXPECT_EQ(flagged(), "NEW1\nPIC200");
   EXPECT_EQ(
       annotate({"--loop", "PIC200", "suppress", "--until", "2199-01-01", "--reason", "turnaround"})
@@ -88,6 +92,38 @@ TEST_F(Annotate, ErrorsSayTheWayOut) {
                "see loopscope");
   expect_error({"--loop", "FIC103", "withdraw"}, "nothing to withdraw", "loopscope annotate");
   expect_error({}, "A subcommand is required", "see loopscope");
+}
+
+/// One login for all, as it is meant: the settings name it, and everybody speaks in his own name.
+TEST_F(Annotate, EverybodySpeaksInHisOwnNameUnderOneLogin) {
+  const std::string login = "ls_engineer_" + std::to_string(getpid());
+  plant_.plant().sql("CREATE ROLE " + login + " LOGIN IN ROLE loopscope_engineer");
+  plant_.plant().write_settings(
+      R"({"results": {"connection": "@RESULTS@", "engineer_connection": ")" +
+      plant_.plant().connection() + " user=" + login +
+      R"("}, "historians": [{"connection": "@CONNECTION@"}]})");
+  EXPECT_THAT(plant_.plant().loopscope("check-config").out,
+              HasSubstr("ok       engineer's login: results: INSERT (on_behalf_of) on"
+                        " loopscope.annotation"));
+  const std::string odd = "J. M\u00fcller <i>'\"{}";
+  EXPECT_EQ(annotate({"--loop", "FIC101", "acknowledge", "--on-behalf-of", odd}).exit_code, 0);
+  EXPECT_EQ(annotate({"--loop", "PIC200", "acknowledge"}).exit_code, 0);
+  EXPECT_THAT(annotate({"list"}).out, HasSubstr(odd + " (login " + login + ")"));
+  EXPECT_EQ(plant_.plant().sql("SELECT author FROM loopscope.hidden_loop WHERE on_behalf_of = " +
+                               sql_text(odd)),
+            login);
+  EXPECT_EQ(annotate({"--loop", "FIC101", "withdraw", "--on-behalf-of", "Eve"}).exit_code, 0);
+  EXPECT_EQ(plant_.plant().sql("SELECT withdrawn_by || ' for ' || withdrawn_on_behalf_of FROM"
+                               " loopscope.annotation_history WHERE on_behalf_of LIKE 'J. M%'"),
+            login + " for Eve");
+  for (const char* name : {"", " x", "a\nb", "\x1b[2J"}) {
+    const ProgramResult refused =
+        annotate({"--loop", "FIC101", "acknowledge", "--on-behalf-of", name});
+    EXPECT_EQ(refused.exit_code, 2) << name;
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("error: --on-behalf-of "), HasSubstr("HINT: ")));
+    EXPECT_TRUE(is_harmless_on_a_terminal(refused.err)) << refused.err;
+  }
+  plant_.plant().sql("DROP ROLE " + login);
 }
 
 TEST_F(Annotate, WhoMayNotIsToldOfTheRole) {

@@ -9,6 +9,12 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
+/// As `id` names who runs this test.
+std::string system_user() {
+  const std::string name = run_program({"/usr/bin/id", "-run"}).out;
+  return name.substr(0, name.find('\n'));
+}
+
 /// The log of work on loops, as a planner enters and reads it.
 class MaintenanceTest : public testing::Test {
  protected:
@@ -29,10 +35,17 @@ class MaintenanceTest : public testing::Test {
 TEST_F(MaintenanceTest, WorkIsEnteredAndListed) {
   EXPECT_EQ(add("FIC101", "2026-03-01T14:30:00+01:00", "valve").out,
             "entered: FIC101 2026-03-01T13:30:00Z valve\n");
+  const ProgramResult more =
+      plant.loopscope("maintenance", {"add", "--loop", "FIC101", "--at", "2026-03-02", "--kind",
+                                      "other", "--on-behalf-of", "J. Doe", "cleaned"});
+  EXPECT_EQ(more.exit_code, 0) << more.err;
   const ProgramResult list = plant.loopscope("maintenance", {"list", "--loop", "FIC101"});
   EXPECT_EQ(list.exit_code, 0) << list.err;
   EXPECT_THAT(list.out, AllOf(HasSubstr("2026-03-01T13:30:00Z  -  FIC101  valve: new packing\n"),
-                              HasSubstr("    Not judged yet: a running service judges it")));
+                              HasSubstr("    Not judged yet: a running service judges it"),
+                              HasSubstr("    Entered by J. Doe (login ")));
+  EXPECT_EQ(plant.sql("SELECT on_behalf_of FROM loopscope.maintenance_event WHERE kind = 'valve'"),
+            system_user());
 }
 
 TEST_F(MaintenanceTest, TimesAreThoseOfThePlant) {

@@ -47,8 +47,9 @@ class SharedDatabase : public testing::Test {
   void write_settings() const {
     std::ofstream(settings_file())
         << R"({"results": {"connection": ")" << as("worker") << R"(", "owner_connection": ")"
-        << as("owner") << R"("}, "historians": [{"name": "plant", "connection": ")"
-        << as("historian") << R"(", "writer_connection": ")" << as("site")
+        << as("owner") << R"(", "engineer_connection": ")" << as("engineer")
+        << R"("}, "historians": [{"name": "plant", "connection": ")" << as("historian")
+        << R"(", "writer_connection": ")" << as("site")
         << R"(", "table": "site.history"}], "schedule": {"settle_s": 0}})";
   }
 

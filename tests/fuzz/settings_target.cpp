@@ -33,6 +33,7 @@ void check_round_trip(const config::Settings& settings) {
 void check_use(const config::Settings& settings) {
   (void)daemon::results_connection(settings);
   (void)daemon::owner_connection(settings);
+  (void)daemon::engineer_connection(settings);
   for (const config::HistorianSettings& historian : settings.historians) {
     (void)daemon::historian_connection(historian);
     (void)daemon::historian_layout(historian);

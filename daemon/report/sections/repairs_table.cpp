@@ -5,6 +5,7 @@
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/report/text/pv_unit.hpp"
+#include "daemon/text/author_text.hpp"
 #include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
@@ -40,6 +41,7 @@ Fields repair_fields(const RepairRow& repair, const TimeZone& zone, const std::s
           {"done", minute_in_zone(repair.done_at_us, zone)},
           {"kind", repair.kind},
           {"description", repair.description},
+          {"author", author_text(repair.author, repair.on_behalf_of)},
           {"word_class", repair.word.value_or("unknown")},
           {"word", repair.word.value_or(unknown)},
           {"statement", with_times_in_zone(repair.statement, zone)},

@@ -2,6 +2,7 @@
 
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/text/page_text.hpp"
+#include "daemon/text/author_text.hpp"
 #include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
@@ -33,13 +34,21 @@ std::string deed_words(const std::string& hidden_by) {
   return hidden_by == "false_positive" ? "Marked as a false positive" : as_heading(hidden_by);
 }
 
+/// As the view annotation_history ends it; empty = when it is withdrawn.
+std::string until(const HiddenRow& row, const TimeZone& zone) {
+  if (row.until_us) return minute_in_zone(*row.until_us, zone);
+  return row.hidden_by == "acknowledged"
+             ? "work done since is entered and a window lies wholly after it"
+             : "";
+}
+
 Fields by_somebody(const HiddenRow& row, const TimeZone& zone) {
   return {{"oscillation", false},
           {"by_the_list", false},
           {"deed", deed_words(row.hidden_by)},
-          {"author", row.author},
+          {"author", author_text(row.author, row.on_behalf_of)},
           {"entered", minute_in_zone(row.entered_us, zone)},
-          {"until", row.until_us ? minute_in_zone(*row.until_us, zone) : ""},
+          {"until", until(row, zone)},
           {"reason", row.reason}};
 }
 

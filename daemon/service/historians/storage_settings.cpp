@@ -148,6 +148,11 @@ storage::ConnectionSettings owner_connection(const config::Settings& settings) {
                     "owner", false);
 }
 
+storage::ConnectionSettings engineer_connection(const config::Settings& settings) {
+  if (settings.results.engineer_connection.empty()) return owner_connection(settings);
+  return connection(settings.results.engineer_connection, "engineer", false);
+}
+
 storage::ConnectionSettings reader_connection(const config::Settings& settings) {
   return connection(settings.results.connection, "reader", true);
 }

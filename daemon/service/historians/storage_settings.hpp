@@ -14,8 +14,10 @@ namespace loopscope::daemon {
 
 /// The worker's connection: no wait takes longer than a third of what a claim holds.
 [[nodiscard]] storage::ConnectionSettings results_connection(const config::Settings& settings);
-/// The schema owner's connection (migrate, maintain, loops, maintenance, import).
+/// The schema owner's connection (migrate, maintain, loops, import).
 [[nodiscard]] storage::ConnectionSettings owner_connection(const config::Settings& settings);
+/// The connection under which people speak (annotate, maintenance).
+[[nodiscard]] storage::ConnectionSettings engineer_connection(const config::Settings& settings);
 /// The results for somebody who only reads them (report, export): no lease waits for him.
 [[nodiscard]] storage::ConnectionSettings reader_connection(const config::Settings& settings);
 [[nodiscard]] storage::ConnectionSettings historian_connection(

@@ -11,14 +11,16 @@ namespace {
 
 const Statement kListAnnotations{"list_annotations", R"(
     SELECT loop_name, kind, code, (extract(epoch FROM until) * 1000000)::bigint AS until_us,
-           reason, author, (extract(epoch FROM entered_at) * 1000000)::bigint AS entered_at_us
+           reason, author, on_behalf_of,
+           (extract(epoch FROM entered_at) * 1000000)::bigint AS entered_at_us
     FROM loopscope.annotation_in_force
     ORDER BY loop_name, entered_at)"};
 
-// Only withdrawn_at is written: an engineer may change nothing else of what was said. It is asked
+// Only the withdrawal is written: an engineer may change nothing else of what was said. It is asked
 // for again, since another may have taken it back while this one waited for the row.
 const Statement kReplaceAnnotations{"replace_annotations", R"(
-    UPDATE loopscope.annotation AS said SET withdrawn_at = now()
+    UPDATE loopscope.annotation AS said
+    SET withdrawn_at = now(), withdrawn_on_behalf_of = nullif($4, '')
     FROM loopscope.annotation_in_force AS holds
     WHERE holds.annotation_id = said.annotation_id AND said.withdrawn_at IS NULL
       AND holds.loop_name = $1 AND holds.kind = $2
@@ -26,13 +28,15 @@ const Statement kReplaceAnnotations{"replace_annotations", R"(
     RETURNING said.annotation_id)"};
 
 const Statement kAddAnnotation{"add_annotation", R"(
-    INSERT INTO loopscope.annotation (loop_id, kind, code, until, reason)
-    SELECT loop_id, $2, nullif($3, ''), nullif($4, '')::timestamptz, nullif($5, '')
+    INSERT INTO loopscope.annotation (loop_id, kind, code, until, reason, on_behalf_of)
+    SELECT loop_id, $2, nullif($3, ''), nullif($4, '')::timestamptz, nullif($5, ''),
+           nullif($6, '')
     FROM loopscope.loop WHERE name = $1
     RETURNING annotation_id)"};
 
 const Statement kWithdrawAnnotations{"withdraw_annotations", R"(
-    UPDATE loopscope.annotation AS said SET withdrawn_at = now()
+    UPDATE loopscope.annotation AS said
+    SET withdrawn_at = now(), withdrawn_on_behalf_of = nullif($3, '')
     FROM loopscope.annotation_in_force AS holds
     WHERE holds.annotation_id = said.annotation_id AND said.withdrawn_at IS NULL
       AND holds.loop_name = $1 AND ($2 = '' OR holds.code = $2)
@@ -52,18 +56,21 @@ Annotation read_annotation(const pqxx::row& row) {
   annotation.until_us = read_integer(row["until_us"]);
   annotation.reason = read_text(row["reason"]);
   annotation.author = row["author"].c_str();
+  annotation.on_behalf_of = maybe_text(row["on_behalf_of"]);
   annotation.entered_at_us = row["entered_at_us"].as<std::int64_t>();
   return annotation;
 }
 
 std::optional<std::size_t> replace(Transaction& transaction, const Annotation& annotation) {
   const std::string code = annotation.code.value_or("");
+  const std::string name = make_storable(annotation.on_behalf_of.value_or(""));
   const std::size_t replaced =
-      transaction.run(kReplaceAnnotations, {annotation.loop_name, annotation.kind, code}).size();
+      transaction.run(kReplaceAnnotations, {annotation.loop_name, annotation.kind, code, name})
+          .size();
   const std::string until = annotation.until_us ? timestamp_text(*annotation.until_us) : "";
   const pqxx::result added = transaction.run(
       kAddAnnotation,
-      {annotation.loop_name, annotation.kind, code, until, make_storable(annotation.reason)});
+      {annotation.loop_name, annotation.kind, code, until, make_storable(annotation.reason), name});
   if (added.empty()) return std::nullopt;
   return replaced;
 }
@@ -99,11 +106,15 @@ std::optional<std::size_t> Annotations::add(const Annotation& annotation) {
 }
 
 std::size_t Annotations::withdraw(const std::string& loop_name,
-                                  const std::optional<std::string>& code) {
+                                  const std::optional<std::string>& code,
+                                  const std::optional<std::string>& on_behalf_of) {
   if (!is_storable(loop_name)) return 0;
   return impl_->session.transact([&](Transaction& transaction) {
     return static_cast<std::size_t>(
-        transaction.run(kWithdrawAnnotations, {loop_name, code.value_or("")}).size());
+        transaction
+            .run(kWithdrawAnnotations,
+                 {loop_name, code.value_or(""), make_storable(on_behalf_of.value_or(""))})
+            .size());
   });
 }
 

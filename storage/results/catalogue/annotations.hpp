@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -21,7 +22,14 @@ struct Annotation {
   // As the server notes it; add() takes neither.
   std::string author;              ///< the login
   std::int64_t entered_at_us = 0;  ///< microseconds UTC since 1970, as until_us
+  /// In whose name, as the login says; nullopt = in its own. What may stand there:
+  /// kLongestOnBehalfOf.
+  std::optional<std::string> on_behalf_of = std::nullopt;
 };
+
+/// Characters of the name of those for whom something is entered; one line of printable text
+/// without blanks around it. The database refuses another.
+inline constexpr std::size_t kLongestOnBehalfOf = 200;
 
 /// What people say about findings. The rights of loopscope_engineer are enough; who said it is the
 /// login of the connection. Every function is one transaction and throws DatabaseError. Not shared
@@ -34,12 +42,13 @@ class Annotations {
 
   /// Those that hold now, by loop.
   [[nodiscard]] std::vector<Annotation> in_force();
-  /// Adds it and withdraws those of its kind about the same verdict of the same loop that it takes
-  /// the place of. Returns how many these were; nullopt = there is no such loop.
+  /// Adds it and withdraws, in the same name, those of its kind about the same verdict of the same
+  /// loop that it takes the place of. Returns how many these were; nullopt = there is no such loop.
   std::optional<std::size_t> add(const Annotation& annotation);
   /// Withdraws what holds of the loop: all, or what is about `code`. Returns how many; 0 for an
   /// unknown loop too.
-  std::size_t withdraw(const std::string& loop_name, const std::optional<std::string>& code);
+  std::size_t withdraw(const std::string& loop_name, const std::optional<std::string>& code,
+                       const std::optional<std::string>& on_behalf_of = std::nullopt);
   /// The newest verdict of the loop; nullopt = it was never analysed, or there is none.
   [[nodiscard]] std::optional<std::string> newest_code(const std::string& loop_name);
   /// Every verdict that somebody should act on, by code.

@@ -24,31 +24,32 @@ const Statement kRefuseMaintenance{"refuse_maintenance", R"(
     ORDER BY place)"};
 
 const Statement kAddMaintenance{"add_maintenance", R"(
-    INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description)
-    SELECT loop.loop_id, entry.done_at, entry.kind, entry.description
-    FROM unnest($1::text[], $2::timestamptz[], $3::text[], $4::text[])
-      AS entry (loop_name, done_at, kind, description)
+    INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description, on_behalf_of)
+    SELECT loop.loop_id, entry.done_at, entry.kind, entry.description, nullif(entry.name, '')
+    FROM unnest($1::text[], $2::timestamptz[], $3::text[], $4::text[], $5::text[])
+      AS entry (loop_name, done_at, kind, description, name)
     JOIN loopscope.loop ON loop.name = entry.loop_name)",
                                 Rows::none};
 
 /// $1 = whether of these names only, $2 = names.
 const Statement kListMaintenance{"list_maintenance", R"(
     SELECT maintenance_event_id, loop_name, (extract(epoch FROM done_at) * 1000000)::bigint
-             AS done_at_us, kind, description, word, statement
+             AS done_at_us, kind, description, word, statement, author, on_behalf_of
     FROM loopscope.before_after_maintenance
     WHERE NOT $1::boolean OR loop_id IN (SELECT loop_id FROM loopscope.loop
                                          WHERE name = ANY ($2::text[]))
     ORDER BY loop_name, done_at, maintenance_event_id)"};
 
 std::vector<std::string> entry_parameters(std::span<const MaintenanceEntry> entries) {
-  ArrayLiteral loop_name, done_at, kind, description;
+  ArrayLiteral loop_name, done_at, kind, description, on_behalf_of;
   for (const MaintenanceEntry& entry : entries) {
     loop_name.add_text(entry.loop_name);
     done_at.add_time(entry.done_at_us);
     kind.add_text(entry.kind);
     description.add_text(entry.description);
+    on_behalf_of.add_text(entry.on_behalf_of.value_or(""));
   }
-  return {loop_name.text(), done_at.text(), kind.text(), description.text()};
+  return {loop_name.text(), done_at.text(), kind.text(), description.text(), on_behalf_of.text()};
 }
 
 MaintenanceRefusal refusal_of(const std::string& reason) {
@@ -61,9 +62,11 @@ MaintenanceRow read_maintenance(const pqxx::row& row) {
   MaintenanceRow read;
   read.maintenance_event_id = row["maintenance_event_id"].as<std::int64_t>();
   read.entry = {read_text(row["loop_name"]), row["done_at_us"].as<std::int64_t>(),
-                read_text(row["kind"]), read_text(row["description"])};
+                read_text(row["kind"]), read_text(row["description"]),
+                maybe_text(row["on_behalf_of"])};
   if (!row["word"].is_null()) read.word = read_text(row["word"]);
   read.statement = read_text(row["statement"]);
+  read.author = read_text(row["author"]);
   return read;
 }
 
@@ -89,7 +92,8 @@ std::vector<RefusedMaintenance> MaintenanceLog::add(std::span<const MaintenanceE
   const std::vector<std::string> parameters = entry_parameters(entries);
   return impl_->session.transact([&](Transaction& transaction) {
     std::vector<RefusedMaintenance> refused;
-    for (const pqxx::row& row : transaction.run(kRefuseMaintenance, parameters)) {
+    for (const pqxx::row& row :
+         transaction.run(kRefuseMaintenance, {parameters.begin(), parameters.begin() + 4})) {
       refused.push_back({row["place"].as<std::size_t>() - 1, refusal_of(read_text(row["reason"]))});
     }
     if (refused.empty()) transaction.run(kAddMaintenance, parameters);

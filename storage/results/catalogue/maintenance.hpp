@@ -22,6 +22,8 @@ struct MaintenanceEntry {
   std::int64_t done_at_us = 0;  ///< when it was finished, microseconds UTC since 1970
   std::string kind;             ///< one of maintenance_kinds()
   std::string description;      ///< what was done; not empty
+  /// In whose name, as Annotation::on_behalf_of.
+  std::optional<std::string> on_behalf_of = std::nullopt;
 };
 
 /// Why an entry is not taken.
@@ -41,6 +43,7 @@ struct MaintenanceRow {
   MaintenanceEntry entry;
   std::optional<std::string> word;  ///< fixed, improved, unchanged, worse; nullopt = cannot be said
   std::string statement;            ///< in words; without a word, why there is none
+  std::string author;               ///< login that entered it
 };
 
 /// The log of work on loops. Every function is one transaction and throws DatabaseError. Not shared

@@ -35,7 +35,9 @@ RepairRow read_repair(const pqxx::row& row) {
           maybe_text(row["code_after"]),
           {},
           read_integer(row["windows_before"]),
-          read_integer(row["windows_after"])};
+          read_integer(row["windows_after"]),
+          read_text(row["author"]),
+          maybe_text(row["on_behalf_of"])};
 }
 
 }  // namespace
@@ -115,10 +117,14 @@ HistoryPoint read_history_point(const pqxx::row& row) {
 }
 
 HiddenRow read_hidden(const pqxx::row& row) {
-  return {row["hidden_by"].c_str(),           read_text(row["reason"]),
-          read_text(row["author"]),           read_integer(row["entered_us"]).value_or(0),
-          read_integer(row["until_us"]),      read_integer(row["plant_oscillation_number"]),
-          maybe_text(row["source_loop_name"])};
+  return {row["hidden_by"].c_str(),
+          read_text(row["reason"]),
+          read_text(row["author"]),
+          read_integer(row["entered_us"]).value_or(0),
+          read_integer(row["until_us"]),
+          read_integer(row["plant_oscillation_number"]),
+          maybe_text(row["source_loop_name"]),
+          maybe_text(row["on_behalf_of"])};
 }
 
 DataProblemRow read_problem(const pqxx::row& row) {

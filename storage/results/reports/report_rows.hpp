@@ -118,6 +118,9 @@ struct RepairRow {
   std::vector<RepairFigure> figures;                   ///< by name; empty = none can be compared
   /// That were compared; nullopt = not judged yet.
   std::optional<std::int64_t> windows_before = std::nullopt, windows_after = std::nullopt;
+  std::string author = {};  ///< login that entered it
+  /// In whose name, as the login says; nullopt = in its own.
+  std::optional<std::string> on_behalf_of = std::nullopt;
 };
 
 /// One oscillation that loops share, of the newest plant round; the one with most loops first.
@@ -167,6 +170,8 @@ struct HiddenRow {
   std::optional<std::int64_t> until_us;  ///< nullopt = when withdrawn, or the next plant round
   std::optional<std::int64_t> plant_oscillation_number;  ///< that it is a victim of
   std::optional<std::string> source_name;                ///< of that; nullopt = outside or unknown
+  /// In whose name, as the author says; nullopt = in the author's own.
+  std::optional<std::string> on_behalf_of = std::nullopt;
 };
 
 /// What is wrong with a loop's newest data, and what mends it.

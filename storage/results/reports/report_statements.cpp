@@ -26,7 +26,7 @@ std::string repairs_where(const std::string& condition) {
   return "SELECT repair.maintenance_event_id, repair.loop_id, repair.loop_name, " +
          us("repair.done_at") + R"( AS done_at_us, repair.kind, repair.description, repair.word,
            repair.statement, repair.code_before, repair.code_after, repair.windows_before,
-           repair.windows_after, each.figure, said.unit, said.meaning, value.*
+           repair.windows_after, repair.author, repair.on_behalf_of, each.figure, said.unit, said.meaning, value.*
     FROM loopscope.before_after_maintenance AS repair
     LEFT JOIN LATERAL jsonb_each(repair.figures) AS each (figure, object) ON true
     LEFT JOIN LATERAL jsonb_to_record(each.object) AS value (
@@ -135,7 +135,7 @@ const Statement kHiddenBy{"hidden_by",
                           R"(
     SELECT hidden_by, reason, author, )" +
                               us("entered_at") + " AS entered_us, " + us("until") + R"( AS until_us,
-           plant_oscillation_number, source_loop_name
+           plant_oscillation_number, source_loop_name, on_behalf_of
     FROM loopscope.hidden_loop WHERE loop_id = $1::bigint
     ORDER BY plant_oscillation_number NULLS LAST, entered_at)"};
 

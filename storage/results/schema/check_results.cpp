@@ -33,15 +33,24 @@ Finding check_right(const pqxx::row& row) {
           "connect as a login that is only a member of loopscope_worker", true};
 }
 
+Finding check_engineer_right(const pqxx::row& row) {
+  const std::string what = row["what"].c_str();
+  if (row["granted"].as<bool>()) return {true, "the engineer has " + what, "", false};
+  return {false, "the engineer has no right to " + what + ", results database",
+          "make the user a member of loopscope_engineer and run `loopscope migrate --config F` as "
+          "the owner, which grants that role's rights",
+          false};
+}
+
 /// Whose the schema is decides what runs in it, and with which rights.
 void name_owner(const SchemaOwner& found, std::vector<Finding>& findings) {
   if (!found.owner.empty())
     findings.push_back({true, "the schema loopscope belongs to " + found.owner, "", false});
 }
 
-}  // namespace
-
-std::vector<Finding> check_results(const ConnectionSettings& settings, SchemaStage stage) {
+/// `judge` says what is to be said of a row of `rights`.
+std::vector<Finding> check_schema(const ConnectionSettings& settings, const Statement& rights,
+                                  Finding (*judge)(const pqxx::row&), SchemaStage stage) {
   std::vector<Finding> findings;
   try {
     findings = check_connection(settings);
@@ -55,13 +64,23 @@ std::vector<Finding> check_results(const ConnectionSettings& settings, SchemaSta
     }
     require_schema_version(session);
     findings.push_back({true, "the schema loopscope has this program's version", "", false});
-    const pqxx::result rights = session.transact(
-        [](Transaction& transaction) { return transaction.run(statements::kCheckRights); });
-    for (const pqxx::row& row : rights) findings.push_back(check_right(row));
+    const pqxx::result rows =
+        session.transact([&](Transaction& transaction) { return transaction.run(rights); });
+    for (const pqxx::row& row : rows) findings.push_back(judge(row));
   } catch (const DatabaseError& error) {
     findings.push_back({false, error.what(), error.hint(), false});
   }
   return findings;
+}
+
+}  // namespace
+
+std::vector<Finding> check_results(const ConnectionSettings& settings, SchemaStage stage) {
+  return check_schema(settings, statements::kCheckRights, check_right, stage);
+}
+
+std::vector<Finding> check_engineer(const ConnectionSettings& settings, SchemaStage stage) {
+  return check_schema(settings, statements::kCheckEngineerRights, check_engineer_right, stage);
 }
 
 }  // namespace loopscope::storage

@@ -15,4 +15,8 @@ enum class SchemaStage { migrated, to_be_made };
 [[nodiscard]] std::vector<Finding> check_results(const ConnectionSettings& settings,
                                                  SchemaStage stage = SchemaStage::migrated);
 
+/// The same of what annotating and the log of work need, as a member of loopscope_engineer.
+[[nodiscard]] std::vector<Finding> check_engineer(const ConnectionSettings& settings,
+                                                  SchemaStage stage = SchemaStage::migrated);
+
 }  // namespace loopscope::storage

@@ -140,6 +140,7 @@ const Statement kCheckRights{"check_rights", R"(
       ('INSERT', 'loopscope.plant_oscillation', true), ('UPDATE', 'loopscope.plant_oscillation', true),
       ('INSERT', 'loopscope.plant_round', true), ('UPDATE', 'loopscope.plant_round', true),
       ('INSERT', 'loopscope.flag_notice', true), ('UPDATE', 'loopscope.flag_notice', true),
+      ('INSERT', 'loopscope.flag_total', true), ('UPDATE', 'loopscope.flag_total', true),
       ('UPDATE', 'loopscope.task_lease', true),
       ('SELECT', 'loopscope.parameter', true), ('UPDATE', 'loopscope.parameter', true),
       ('SELECT', 'loopscope.schema_migration', true),
@@ -149,5 +150,14 @@ const Statement kCheckRights{"check_rights", R"(
       ('EXECUTE', 'function loopscope.verdict_run(bigint, timestamptz, text)', true),
       ('USAGE', 'sequence loopscope.analysis_id', true)
     ) AS checked (privilege, object, needed))"};
+
+const Statement kCheckEngineerRights{"check_engineer_rights", R"(
+    SELECT privilege || ' (' || name || ') on loopscope.' || relation AS what,
+           has_column_privilege('loopscope.' || relation, name, privilege) AS granted
+    FROM (VALUES
+      ('SELECT', 'loop', 'name'), ('SELECT', 'annotation_in_force', 'reason'),
+      ('INSERT', 'annotation', 'on_behalf_of'), ('UPDATE', 'annotation', 'withdrawn_at'),
+      ('INSERT', 'maintenance_event', 'on_behalf_of')
+    ) AS checked (privilege, relation, name))"};
 
 }  // namespace loopscope::storage::statements

@@ -26,6 +26,7 @@ extern const Statement kDropPartition;      ///< name
 extern const Statement kDeleteOldRows;      ///< retention_months
 extern const Statement kDeleteLostWorkers;
 extern const Statement kDeleteOldCosts;
-extern const Statement kCheckRights;  ///< -> what, needed, granted
+extern const Statement kCheckRights;          ///< -> what, needed, granted
+extern const Statement kCheckEngineerRights;  ///< -> what, granted
 
 }  // namespace loopscope::storage::statements

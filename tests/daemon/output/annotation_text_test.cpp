@@ -14,19 +14,27 @@ TEST(AnnotationText, ALineSaysWhatHoldsAndUntilWhen) {
             "suppressed FIC101, whatever the verdict, until 2026-01-01T00:00:00Z");
   EXPECT_EQ(
       annotation_line({"FIC101", "acknowledged", "valve_stiction", std::nullopt, "", "", 0}, {}),
-      "acknowledged FIC101, verdict valve_stiction, until it is withdrawn");
+      "acknowledged FIC101, verdict valve_stiction, until work done since is entered "
+      "(loopscope maintenance) and a window lies wholly after it, or until it is withdrawn");
+  EXPECT_EQ(
+      annotation_line({"FIC101", "false_positive", std::nullopt, std::nullopt, "", "", 0}, {}),
+      "false_positive FIC101, whatever the verdict, until it is withdrawn");
 }
 
 TEST(AnnotationText, ATableOfWhatHolds) {
   EXPECT_EQ(annotation_table({}, {}), "no annotation holds\n");
   const std::string table = annotation_table(
-      {{"FIC101", "suppressed", std::nullopt, kNewYear, "shutdown", "anna", kNewYear + 500'000}},
+      {{"FIC101", "suppressed", std::nullopt, kNewYear, "shutdown", "anna", kNewYear + 500'000},
+       {"FIC102", "acknowledged", "valve_stiction", std::nullopt, "", "ls_engineer", kNewYear,
+        "J. Doe"}},
       {});
   EXPECT_EQ(table,
             "loop                     what           verdict                until                "
-            "by               since                reason\n"
+            "by                           since                reason\n"
             "FIC101                   suppressed     any                    2026-01-01T00:00:00Z "
-            "anna             2026-01-01T00:00:00Z shutdown\n");
+            "anna                         2026-01-01T00:00:00Z shutdown\n"
+            "FIC102                   acknowledged   valve_stiction         work is entered      "
+            "J. Doe (login ls_engineer)   2026-01-01T00:00:00Z \n");
 }
 
 TEST(AnnotationText, TimesAreThoseOfThePlant) {
@@ -38,15 +46,15 @@ TEST(AnnotationText, TimesAreThoseOfThePlant) {
           {{"FIC101", "suppressed", std::nullopt, kNewYear, "shutdown", "anna", kNewYear}},
           kolkata),
       "loop                     what           verdict                until                     "
-      "by               since                     reason\n"
+      "by                           since                     reason\n"
       "FIC101                   suppressed     any                    2026-01-01T05:30:00+05:30 "
-      "anna             2026-01-01T05:30:00+05:30 shutdown\n");
+      "anna                         2026-01-01T05:30:00+05:30 shutdown\n");
 }
 
 TEST(AnnotationText, WordsSteerNoTerminal) {
   const std::string table = annotation_table(
-      {{"a\nb", "acknowledged", "x\x1b", std::nullopt, "y\x1b[2J", "z\r", kNewYear}}, {});
-  for (const char* word : {"a\\x0ab", "x\\x1b", "y\\x1b[2J", "z\\x0d"})
+      {{"a\nb", "acknowledged", "x\x1b", std::nullopt, "y\x1b[2J", "z\r", kNewYear, "w\n"}}, {});
+  for (const char* word : {"a\\x0ab", "x\\x1b", "y\\x1b[2J", "w\\x0a (login z\\x0d)"})
     EXPECT_THAT(table, HasSubstr(word));
 }
 

@@ -63,6 +63,16 @@ TEST(RepairsTable, OfOneLoopInItsUnit) {
             std::string::npos);
 }
 
+TEST(RepairsTable, WhoEnteredItIsNamed) {
+  storage::RepairRow entered = repair();
+  entered.author = "ls_engineer";
+  entered.on_behalf_of = "J. Doe";
+  EXPECT_NE(row_of(entered).find("<bdi>new packing</bdi> <small>entered by <bdi>J. Doe (login "
+                                 "ls_engineer)</bdi></small></td>"),
+            std::string::npos)
+      << row_of(entered);
+}
+
 TEST(RepairsTable, WithoutRepairsThereIsNone) {
   EXPECT_EQ(repairs_table({}, {}).html, "");
 }

@@ -31,6 +31,10 @@ TEST(WhyNotListed, EveryReasonIsASentence) {
       "<bdi>shut down</bdi>");
   EXPECT_EQ(said_of({"false_positive", "", "eve", kEnteredUs, {}, {}, {}}),
             "Marked as a false positive by <bdi>eve</bdi>, 2026-03-01 12:00 UTC.");
+  EXPECT_EQ(
+      said_of({"acknowledged", "order 4711", "ls", kEnteredUs, {}, {}, {}, "<J. Doe>"}),
+      "Acknowledged by <bdi>&lt;J. Doe&gt; (login ls)</bdi>, 2026-03-01 12:00 UTC, until work "
+      "done since is entered and a window lies wholly after it: <bdi>order 4711</bdi>");
 }
 
 TEST(WhyNotListed, NothingHidesNothingIsSaid) {

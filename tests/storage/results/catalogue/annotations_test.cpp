@@ -6,6 +6,7 @@
 
 #include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/views_fixture.hpp"
+#include "tests/support/hostile_names.hpp"
 #include "tests/support/login_session.hpp"
 
 namespace loopscope::storage {
@@ -51,6 +52,62 @@ TEST_F(AnnotationsTest, HideAndAreListedWithTheirAuthor) {
   EXPECT_EQ(list[0].reason, "shutdown");
   EXPECT_EQ(list[0].author, login);
   EXPECT_NEAR(static_cast<double>(list[0].entered_at_us), static_cast<double>(until) - 3.6e9, 6e7);
+}
+
+TEST_F(AnnotationsTest, AreMadeAndTakenBackInSomebodysName) {
+  annotations().add({"a", "acknowledged", {}, {}, "ordered", "", 0, "J. Doe"});
+  annotations().add({"b", "acknowledged", {}, {}, "", "", 0});
+  const std::vector<Annotation> list = annotations().in_force();
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0].author, login) << "as the server notes it, beside the name";
+  EXPECT_EQ(list[0].on_behalf_of, "J. Doe");
+  EXPECT_EQ(list[1].on_behalf_of, std::nullopt);
+  EXPECT_EQ(value("SELECT author || ' for ' || on_behalf_of FROM loopscope.hidden_loop"
+                  " WHERE loop_name = 'a'"),
+            login + " for J. Doe");
+  annotations().add({"a", "acknowledged", {}, {}, "", "", 0, "Eve"});
+  EXPECT_EQ(annotations().withdraw("a", {}, "Bob"), 1U);
+  EXPECT_EQ(column("SELECT on_behalf_of || ', withdrawn by ' || withdrawn_by || ' for '"
+                   " || withdrawn_on_behalf_of FROM loopscope.annotation_history"
+                   " WHERE loop_name = 'a' ORDER BY annotation_id"),
+            (std::vector<std::string>{"J. Doe, withdrawn by " + login + " for Eve",
+                                      "Eve, withdrawn by " + login + " for Bob"}));
+}
+
+/// What the program refuses in words the database refuses too: pages and other programs will write.
+TEST_F(AnnotationsTest, AHostileNameIsStoredAsItIsOrRefused) {
+  const tests::LoginSession session(database->conninfo(login));
+  const std::string insert =
+      "INSERT INTO loopscope.maintenance_event (loop_id, done_at, kind, description, on_behalf_of)"
+      " SELECT loop_id, now(), 'valve', 'x', ";
+  const auto state_of = [&](const std::string& name) {
+    return session.state_of(insert + tests::sql_text(name) +
+                            " FROM loopscope.loop WHERE name = 'a'");
+  };
+  for (const tests::HostileName& hostile : tests::hostile_names()) {
+    const std::string& name = hostile.name;
+    const bool is_line = tests::is_harmless_on_a_terminal(name) &&
+                         name.find('\n') == std::string::npos && name.front() != ' ' &&
+                         name.back() != ' ' && name.size() <= 200;
+    EXPECT_EQ(state_of(name), is_line ? "" : "23514") << hostile.about << ": " << tests::hex(name);
+  }
+  EXPECT_EQ(state_of(std::string(kLongestOnBehalfOf, 'x')), "");
+  EXPECT_EQ(state_of(std::string(kLongestOnBehalfOf + 1, 'x')), "23514");
+  EXPECT_EQ(state_of(""), "23514");
+}
+
+TEST_F(AnnotationsTest, NobodyIsNamedForAWithdrawalThatIsNone) {
+  annotations().add({"a", "acknowledged", {}, {}, "", "", 0});
+  tests::SqlConnection(database->conninfo(login))
+      .run("UPDATE loopscope.annotation SET withdrawn_on_behalf_of = 'boss'");
+  EXPECT_EQ(value("SELECT coalesce(withdrawn_on_behalf_of, state) FROM"
+                  " loopscope.annotation_history"),
+            "in_force");
+  EXPECT_EQ(annotations().withdraw("a", {}), 1U);
+  EXPECT_EQ(tests::LoginSession(database->conninfo(login))
+                .state_of("UPDATE loopscope.annotation SET withdrawn_on_behalf_of = 'boss'"),
+            "23514")
+      << "what was taken back stays so";
 }
 
 TEST_F(AnnotationsTest, ANewOneTakesThePlaceOfItsKind) {

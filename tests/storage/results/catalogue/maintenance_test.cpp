@@ -40,6 +40,18 @@ TEST_F(MaintenanceTest, WhatIsEnteredIsListed) {
   EXPECT_THAT(log().list("c"), IsEmpty());
 }
 
+TEST_F(MaintenanceTest, WorkIsEnteredInSomebodysName) {
+  add_loops({"a", "b"});
+  MaintenanceEntry named = packing("a", 1);
+  named.on_behalf_of = "J. Doe";
+  EXPECT_THAT(log().add(std::vector{named, packing("b", 1)}), IsEmpty());
+  const std::vector<MaintenanceRow> rows = log().list();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].entry.on_behalf_of, "J. Doe");
+  EXPECT_EQ(rows[1].entry.on_behalf_of, std::nullopt);
+  EXPECT_EQ(rows[0].author, database->owner()) << "the login";
+}
+
 TEST_F(MaintenanceTest, OneBadEntryKeepsAllOut) {
   add_loops({"a"});
   const auto refused = log().add(std::vector{packing("a", 1), packing("x", 1)});
