@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "daemon/monitor/labelled_family.hpp"
+#include "daemon/monitor/plant_metrics.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -112,6 +113,7 @@ struct Metrics::Impl {
                "Values whose quality code nobody has explained; they count as bad"),
       "source"};
 
+  PlantMetrics plant{registry};
   OldestSnapshot oldest_snapshot;
 
   void know_subject(const std::string& subject) {
@@ -247,6 +249,11 @@ void Metrics::set(const storage::ScheduleHealth& health, int retention_months) {
       impl_->oldest_snapshot.seconds_kept(health.oldest_snapshot, Clock::now()));
 }
 
+void Metrics::set(const storage::PlantFigures& figures) {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->plant.set(figures);
+}
+
 void Metrics::settings_reload(bool success) {
   impl_->reload.Add({}).Set(success ? 1.0 : 0.0);
 }
@@ -256,12 +263,11 @@ void Metrics::since_progress(double seconds) {
 }
 
 std::string Metrics::text() const {
-  {
-    const std::lock_guard lock(impl_->mutex);
-    const auto now = Clock::now();
-    for (const auto& [source, born] : impl_->newest_row)
-      impl_->data_age.at(source).Set(std::chrono::duration<double>(now - born).count());
-  }
+  // To the end: no scrape sees the figures of the plant while they are exchanged.
+  const std::lock_guard lock(impl_->mutex);
+  const auto now = Clock::now();
+  for (const auto& [source, born] : impl_->newest_row)
+    impl_->data_age.at(source).Set(std::chrono::duration<double>(now - born).count());
   std::ostringstream text;
   prometheus::TextSerializer().Serialize(text, impl_->registry.Collect());
   return text.str();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "storage/results/leases/schedule_health.hpp"
+#include "storage/results/plant/plant_figures.hpp"
 #include "storage/results/results_database.hpp"
 #include "storage/stage_cost.hpp"
 
@@ -63,6 +64,7 @@ class Metrics {
 
   /// `retention_months`: what the settings keep, 0 = all.
   void set(const storage::ScheduleHealth& health, int retention_months);
+  void set(const storage::PlantFigures& figures);
   /// All clocks that were compared; others are forgotten.
   void set_clocks(std::span<const ClockFigure> clocks);
   void settings_reload(bool success);

@@ -47,6 +47,7 @@ class ServiceWatch {
   void run(const std::stop_token& stop);
   void look(ResultsLink& link, const config::Settings& settings);
   void recall_stray(ResultsLink& link, double settle_s);
+  void look_at_plant(ResultsLink& link);
   [[nodiscard]] std::shared_ptr<const config::Settings> settings();
 
   SharedServices& tools_;
@@ -54,7 +55,8 @@ class ServiceWatch {
   std::mutex mutex_;  ///< over settings_ and pulsed_at_
   std::shared_ptr<const config::Settings> settings_;
   Clock::time_point pulsed_at_ = Clock::now();
-  Clock::time_point stopping_since_;  ///< the scheduling thread's
+  Clock::time_point stopping_since_;             ///< the scheduling thread's
+  std::optional<Clock::time_point> plant_seen_;  ///< the own thread's
   std::condition_variable_any changed_;
   Health health_;
   LivePages pages_;

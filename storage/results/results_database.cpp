@@ -226,6 +226,10 @@ ScheduleHealth ResultsDatabase::schedule_health() {
                                   impl_->watermarks->of({}).place().value_or(kBeforeAll));
 }
 
+PlantFigures ResultsDatabase::plant_figures() {
+  return storage::plant_figures(impl_->session);
+}
+
 void ResultsDatabase::set_parameter(const std::string& name, double value) {
   impl_->session.transact([&](Transaction& transaction) {
     if (transaction.run(kSetParameter, {name, number_text(value)}).empty()) {

@@ -15,6 +15,7 @@
 #include "storage/loop_work.hpp"
 #include "storage/results/leases/claim_watermark.hpp"
 #include "storage/results/leases/schedule_health.hpp"
+#include "storage/results/plant/plant_figures.hpp"
 #include "storage/server_clock.hpp"
 #include "storage/stage_cost.hpp"
 
@@ -100,6 +101,8 @@ class ResultsDatabase {
   [[nodiscard]] std::size_t count_enabled_loops();
   /// How far the work as a whole is behind.
   [[nodiscard]] ScheduleHealth schedule_health();
+  /// How the plant stands, in figures.
+  [[nodiscard]] PlantFigures plant_figures();
   /// Stores the settings that the views compute with (table loopscope.parameter). Throws (give_up)
   /// for a name that the table does not have.
   void set_parameter(const std::string& name, double value);

@@ -45,6 +45,8 @@ void fill(Metrics& metrics) {
   metrics.observe_batch(0.2);
   metrics.data_age("plant", 12.5);
   metrics.set(storage::ScheduleHealth{100, 7, 42.5, 3, 2, 5}, 24);
+  metrics.set(storage::PlantFigures{{{.area = "a", .control_sum = 0.5, .control_loops = 1}},
+                                    {{"valve_stiction", 1}}});
   metrics.since_progress(1.5);
 }
 
@@ -71,7 +73,9 @@ TEST_F(MetricsTest, HasExactlyTheNamesOfTheRunbook) {
           Pair("loopscope_default_partition_rows", "gauge"),
           Pair("loopscope_oldest_partition_months", "gauge"),
           Pair("loopscope_oldest_snapshot_seconds", "gauge"),
-          Pair("loopscope_retention_months", "gauge")));
+          Pair("loopscope_retention_months", "gauge"), Pair("loopscope_flagged_loops", "gauge"),
+          Pair("loopscope_loops_by_state", "gauge"), Pair("loopscope_service_factor", "gauge"),
+          Pair("loopscope_flags_total", "counter")));
 }
 
 TEST_F(MetricsTest, BeginsAtZeroWhereSomethingIsCountedAndSaysNothingThatItDoesNotKnow) {
