@@ -48,7 +48,8 @@ loopscope_debian_files(${DOC_DIR}/examples/prometheus
 configure_file(${DEPLOY_DIR}/queries/QUERIES.md ${PACKAGE_DIR}/queries.md COPYONLY)
 loopscope_debian_files(${DOC_DIR} ${PACKAGE_DIR}/queries.md)
 loopscope_debian_files(${DOC_DIR}/examples/grafana
-  ${DEPLOY_DIR}/grafana/loopscope.json ${DEPLOY_DIR}/grafana/datasources.yml ${DEPLOY_DIR}/grafana/dashboards.yml)
+  ${DEPLOY_DIR}/grafana/loopscope.json ${DEPLOY_DIR}/grafana/datasources.yml ${DEPLOY_DIR}/grafana/dashboards.yml
+  ${DEPLOY_DIR}/grafana/README.md)
 loopscope_debian_files(${DOC_DIR}/examples/hooks ${DEPLOY_DIR}/hooks/loopscope-hook.service)
 install(PROGRAMS ${DEPLOY_DIR}/hooks/loopscope-hook DESTINATION ${DOC_DIR}/examples/hooks
   COMPONENT debian EXCLUDE_FROM_ALL)
