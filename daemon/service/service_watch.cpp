@@ -185,9 +185,9 @@ void ServiceWatch::look(ResultsLink& link, const config::Settings& settings) {
 void ServiceWatch::look_at_plant(ResultsLink& link) {
   const Clock::time_point now = Clock::now();
   if (plant_seen_ && now - *plant_seen_ < kBetweenPlantFigures) return;
+  plant_seen_ = now;  // also where it fails: what is dear is not asked for at every poll
   tools_.metrics.set(
       link.with([](storage::ResultsDatabase& database) { return database.plant_figures(); }));
-  plant_seen_ = now;
 }
 
 void ServiceWatch::recall_stray(ResultsLink& link, double settle_s) {

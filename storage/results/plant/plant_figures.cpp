@@ -60,7 +60,7 @@ std::int64_t* count_of(AreaFigures& area, const std::string& figure) {
 
 void add(const pqxx::row& row, PlantFigures& figures) {
   const std::string figure = row["figure"].c_str(), area = row["area"].c_str();
-  const double value = row["value"].as<double>();
+  const auto value = row["value"].as<double>();
   const auto count = static_cast<std::int64_t>(value);
   if (figure == "announced") {
     figures.announced[row["code"].c_str()] = count;
