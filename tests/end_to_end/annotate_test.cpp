@@ -15,10 +15,10 @@ using testing::Not;
 class Annotate : public testing::Test {
  protected:
   [[nodiscard]] ProgramResult annotate(const std::vector<std::string>& rest) const {
-    return plant_.plant().loopscope("annotate", rest);
+    return plant.plant().loopscope("annotate", rest);
   }
   [[nodiscard]] std::string flagged() const {
-    return plant_.plant().sql("SELECT loop_name FROM loopscope.flagged_loop ORDER BY loop_name");
+    return plant.plant().sql("SELECT loop_name FROM loopscope.flagged_loop ORDER BY loop_name");
   }
   void expect_error(const std::vector<std::string>& rest, const std::string& words,
                     const std::string& hint) const {
@@ -27,7 +27,7 @@ class Annotate : public testing::Test {
     EXPECT_THAT(result.err, HasSubstr(words));
     EXPECT_THAT(result.err, HasSubstr("HINT: " + hint));
   }
-  ToldPlant plant_;
+  ToldPlant plant;
 };
 
 TEST_F(Annotate, TakesLoopsOffTheListAndPutsThemBack) {
@@ -54,7 +54,7 @@ TEST_F(Annotate, TakesLoopsOffTheListAndPutsThemBack) {
   }
   EXPECT_THAT(annotate({"--loop", "NEW1", "list"}).out,
               AllOf(HasSubstr("NEW1"), Not(HasSubstr("PIC200"))));
-  plant_.plant().write_settings(Plant::settings(R"("plant": {"time_zone": "Asia/Kolkata"})"));
+  plant.plant().write_settings(Plant::settings(R"("plant": {"time_zone": "Asia/Kolkata"})"));
   EXPECT_THAT(annotate({"list"}).out, HasSubstr("2199-01-01T05:30:00+05:30"));
   EXPECT_THAT(
       annotate({"--loop", "PIC200", "suppress", "--until", "2199-01-01", "--reason", "x"}).out,
@@ -68,8 +68,8 @@ TEST_F(Annotate, OfAKindOneStands) {
   EXPECT_EQ(annotate({"--loop", "FIC101", "acknowledge"}).exit_code, 0);
   EXPECT_THAT(annotate({"--loop", "FIC101", "acknowledge", "--reason", "ordered"}).out,
               HasSubstr("it takes the place of an older one"));
-  EXPECT_EQ(plant_.plant().sql("SELECT count(*) FROM loopscope.annotation_in_force"
-                               " WHERE loop_name = 'FIC101'"),
+  EXPECT_EQ(plant.plant().sql("SELECT count(*) FROM loopscope.annotation_in_force"
+                              " WHERE loop_name = 'FIC101'"),
             "1");
 }
 
@@ -97,24 +97,25 @@ TEST_F(Annotate, ErrorsSayTheWayOut) {
 /// One login for all, as it is meant: the settings name it, and everybody speaks in his own name.
 TEST_F(Annotate, EverybodySpeaksInHisOwnNameUnderOneLogin) {
   const std::string login = "ls_engineer_" + std::to_string(getpid());
-  plant_.plant().sql("CREATE ROLE " + login + " LOGIN IN ROLE loopscope_engineer");
-  plant_.plant().write_settings(
+  plant.plant().sql("CREATE ROLE " + login + " LOGIN IN ROLE loopscope_engineer");
+  plant.plant().write_settings(
       R"({"results": {"connection": "@RESULTS@", "engineer_connection": ")" +
-      plant_.plant().connection() + " user=" + login +
+      plant.plant().connection() + " user=" + login +
       R"("}, "historians": [{"connection": "@CONNECTION@"}]})");
-  EXPECT_THAT(plant_.plant().loopscope("check-config").out,
-              HasSubstr("ok       engineer's login: results: INSERT (on_behalf_of) on"
-                        " loopscope.annotation"));
+  EXPECT_THAT(
+      plant.plant().loopscope("check-config").out,
+      HasSubstr("ok       results database, engineer: the engineer has INSERT (on_behalf_of)"
+                " on loopscope.annotation"));
   const std::string odd = "J. M\u00fcller <i>'\"{}";
   EXPECT_EQ(annotate({"--loop", "FIC101", "acknowledge", "--on-behalf-of", odd}).exit_code, 0);
   EXPECT_EQ(annotate({"--loop", "PIC200", "acknowledge"}).exit_code, 0);
   EXPECT_THAT(annotate({"list"}).out, HasSubstr(odd + " (login " + login + ")"));
-  EXPECT_EQ(plant_.plant().sql("SELECT author FROM loopscope.hidden_loop WHERE on_behalf_of = " +
-                               sql_text(odd)),
+  EXPECT_EQ(plant.plant().sql("SELECT author FROM loopscope.hidden_loop WHERE on_behalf_of = " +
+                              sql_text(odd)),
             login);
   EXPECT_EQ(annotate({"--loop", "FIC101", "withdraw", "--on-behalf-of", "Eve"}).exit_code, 0);
-  EXPECT_EQ(plant_.plant().sql("SELECT withdrawn_by || ' for ' || withdrawn_on_behalf_of FROM"
-                               " loopscope.annotation_history WHERE on_behalf_of LIKE 'J. M%'"),
+  EXPECT_EQ(plant.plant().sql("SELECT withdrawn_by || ' for ' || withdrawn_on_behalf_of FROM"
+                              " loopscope.annotation_history WHERE on_behalf_of LIKE 'J. M%'"),
             login + " for Eve");
   for (const char* name : {"", " x", "a\nb", "\x1b[2J"}) {
     const ProgramResult refused =
@@ -123,24 +124,24 @@ TEST_F(Annotate, EverybodySpeaksInHisOwnNameUnderOneLogin) {
     EXPECT_THAT(refused.err, AllOf(HasSubstr("error: --on-behalf-of "), HasSubstr("HINT: ")));
     EXPECT_TRUE(is_harmless_on_a_terminal(refused.err)) << refused.err;
   }
-  plant_.plant().sql("DROP ROLE " + login);
+  plant.plant().sql("DROP ROLE " + login);
 }
 
 TEST_F(Annotate, WhoMayNotIsToldOfTheRole) {
   const std::string login = "anna_" + std::to_string(getpid());
-  plant_.plant().sql("CREATE ROLE " + login + " LOGIN IN ROLE loopscope_reader");
-  const std::string mine = plant_.plant().connection() + " user=" + login;
-  plant_.plant().write_settings(R"({"results": {"connection": ")" + mine +
-                                R"("}, "historians": [{"connection": "@CONNECTION@"}]})");
+  plant.plant().sql("CREATE ROLE " + login + " LOGIN IN ROLE loopscope_reader");
+  const std::string mine = plant.plant().connection() + " user=" + login;
+  plant.plant().write_settings(R"({"results": {"connection": ")" + mine +
+                               R"("}, "historians": [{"connection": "@CONNECTION@"}]})");
   const ProgramResult refused = annotate({"--loop", "FIC101", "acknowledge"});
   EXPECT_EQ(refused.exit_code, 4);
   EXPECT_THAT(refused.err, HasSubstr("loopscope_engineer to annotate"));
-  plant_.plant().sql("GRANT loopscope_engineer TO " + login);
+  plant.plant().sql("GRANT loopscope_engineer TO " + login);
   EXPECT_EQ(annotate({"--loop", "FIC101", "acknowledge"}).exit_code, 0);
-  EXPECT_EQ(plant_.plant().sql("SELECT author FROM loopscope.annotation_in_force"
-                               " WHERE loop_name = 'FIC101'"),
+  EXPECT_EQ(plant.plant().sql("SELECT author FROM loopscope.annotation_in_force"
+                              " WHERE loop_name = 'FIC101'"),
             login);
-  plant_.plant().sql("DROP ROLE " + login);
+  plant.plant().sql("DROP ROLE " + login);
 }
 
 }  // namespace

@@ -44,8 +44,17 @@ TEST_F(MaintenanceTest, WorkIsEnteredAndListed) {
   EXPECT_THAT(list.out, AllOf(HasSubstr("2026-03-01T13:30:00Z  -  FIC101  valve: new packing\n"),
                               HasSubstr("    Not judged yet: a running service judges it"),
                               HasSubstr("    Entered by J. Doe (login ")));
-  EXPECT_EQ(plant.sql("SELECT on_behalf_of FROM loopscope.maintenance_event WHERE kind = 'valve'"),
-            system_user());
+}
+
+/// By the real user id, whatever the environment says.
+TEST_F(MaintenanceTest, WithoutANameItIsEnteredInThatOfTheSystemsUser) {
+  std::vector<std::string> words = plant.command_line("maintenance");
+  words.insert(words.begin(), {"/usr/bin/env", "USER=boss", "LOGNAME=boss"});
+  words.insert(words.end(),
+               {"add", "--loop", "FIC101", "--at", "2026-03-01", "--kind", "valve", "x"});
+  const ProgramResult entered = run_program(words);
+  EXPECT_EQ(entered.exit_code, 0) << entered.err;
+  EXPECT_EQ(plant.sql("SELECT on_behalf_of FROM loopscope.maintenance_event"), system_user());
 }
 
 TEST_F(MaintenanceTest, TimesAreThoseOfThePlant) {

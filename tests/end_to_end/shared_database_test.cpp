@@ -22,26 +22,26 @@ class SharedDatabase : public testing::Test {
  protected:
   void SetUp() override {
     if (!test_server()) GTEST_SKIP() << kNoServer;
-    database_.emplace();
-    database_->execute("CREATE TABLE public.of_somebody (x int)");
-    const std::string outsider = database_->make_login("");
-    database_->execute("GRANT CREATE ON SCHEMA public TO " + outsider);
-    outsider_.emplace(database_->conninfo(outsider));  // stays, and with it what is temporary
-    outsider_->run(content_of(source_dir() / "tests" / "support" / "traps.sql"));
+    database.emplace();
+    database->execute("CREATE TABLE public.of_somebody (x int)");
+    const std::string somebody = database->make_login("");
+    database->execute("GRANT CREATE ON SCHEMA public TO " + somebody);
+    outsider.emplace(database->conninfo(somebody));  // stays, and with it what is temporary
+    outsider->run(content_of(source_dir() / "tests" / "support" / "traps.sql"));
   }
 
   /// As deploy/SECURITY.md tells to make them.
   void make_logins() {
     for (const char* group : {"owner", "worker", "reader", "engineer", "historian"}) {
-      logins_[group] = database_->make_login("loopscope_" + std::string(group));
-      database_->execute("ALTER ROLE " + logins_[group] + " SET search_path = pg_catalog, pg_temp");
+      logins[group] = database->make_login("loopscope_" + std::string(group));
+      database->execute("ALTER ROLE " + logins[group] + " SET search_path = pg_catalog, pg_temp");
     }
     // The site's own: its tables are named with their schema.
-    logins_["site"] = database_->make_login("");
-    database_->execute(
-        "CREATE SCHEMA site AUTHORIZATION " + logins_["site"] +
+    logins["site"] = database->make_login("");
+    database->execute(
+        "CREATE SCHEMA site AUTHORIZATION " + logins["site"] +
         "; GRANT USAGE ON SCHEMA site TO loopscope_historian; ALTER DEFAULT PRIVILEGES FOR ROLE " +
-        logins_["site"] + " IN SCHEMA site GRANT SELECT ON TABLES TO loopscope_historian");
+        logins["site"] + " IN SCHEMA site GRANT SELECT ON TABLES TO loopscope_historian");
   }
 
   void write_settings() const {
@@ -54,9 +54,9 @@ class SharedDatabase : public testing::Test {
   }
 
   [[nodiscard]] std::string as(const std::string& role) const {
-    return database_->conninfo(logins_.at(role));
+    return database->conninfo(logins.at(role));
   }
-  [[nodiscard]] std::string settings_file() const { return folder_.path() / "loopscope.json"; }
+  [[nodiscard]] std::string settings_file() const { return folder.path() / "loopscope.json"; }
 
   /// Runs a command to its end; none steps into a trap.
   std::string loopscope(const std::string& command, std::vector<std::string> words = {}) const {
@@ -77,38 +77,38 @@ class SharedDatabase : public testing::Test {
 
   /// Whether something of the outsider's was executed: a sequence forgets nothing.
   [[nodiscard]] bool sprung() const {
-    return database_->value("SELECT is_called FROM public.sprung") == "t";
+    return database->value("SELECT is_called FROM public.sprung") == "t";
   }
 
   /// A mail program that takes everything.
   [[nodiscard]] std::string reads_all() const {
-    const std::filesystem::path program = folder_.path() / "mail";
+    const std::filesystem::path program = folder.path() / "mail";
     std::ofstream(program) << "#!/bin/sh\ncat >/dev/null\n";
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
     return program;
   }
 
   void import_loop() const {
-    const std::string file = folder_.path() / "r.csv";
+    const std::string file = folder.path() / "r.csv";
     run("simulate",
         {LOOPSCOPE_PROGRAM, "simulate", "sticking_valve", "--seed", "5", "--no-mv", "--out", file});
     loopscope("import", {"--create-table", "--loop", "FIC1", file});
   }
 
-  TemporaryFolder folder_;
-  std::optional<TestDatabase> database_;
-  std::optional<SqlConnection> outsider_;
-  std::map<std::string, std::string> logins_;
+  TemporaryFolder folder;
+  std::optional<TestDatabase> database;
+  std::optional<SqlConnection> outsider;
+  std::map<std::string, std::string> logins;
 };
 
 TEST_F(SharedDatabase, TheTrapsAreTraps) {
-  const SqlConnection careless(database_->conninfo());
+  const SqlConnection careless(database->conninfo());
   EXPECT_THROW(careless.run("SELECT format('%I', 'x'::name)"), std::runtime_error);
   EXPECT_TRUE(sprung());
 }
 
 TEST_F(SharedDatabase, ScriptsAndCommandsExecuteNothingOfAnOutsiders) {
-  psql(database_->conninfo(), {"-f", source_dir() / "deploy" / "roles.sql"});
+  psql(database->conninfo(), {"-f", source_dir() / "deploy" / "roles.sql"});
   make_logins();
   write_settings();
   loopscope("migrate");
@@ -116,14 +116,14 @@ TEST_F(SharedDatabase, ScriptsAndCommandsExecuteNothingOfAnOutsiders) {
   for (const char* command : {"check-config", "once", "maintain"}) loopscope(command);
   run("init",
       {LOOPSCOPE_PROGRAM, "init", "--results", as("worker"), "--owner", as("owner"), "--historian",
-       as("historian"), "--table", "site.history", "--out", folder_.path() / "init.json"});
+       as("historian"), "--table", "site.history", "--out", folder.path() / "init.json"});
   loopscope("loops", {"list"});
   loopscope("loops", {"check"});
   loopscope("loops", {"discover"});
-  loopscope("report", {"--out", folder_.path()});
+  loopscope("report", {"--out", folder.path()});
   loopscope("export", {"flagged_loop"});
-  loopscope("window", {"--loop", "FIC1", "--out", folder_.path() / "w.csv"});
-  loopscope("replay", {database_->value("SELECT max(analysis_id) FROM loopscope.analysis")});
+  loopscope("window", {"--loop", "FIC1", "--out", folder.path() / "w.csv"});
+  loopscope("replay", {database->value("SELECT max(analysis_id) FROM loopscope.analysis")});
   loopscope("annotate", {"--loop", "FIC1", "acknowledge"});
   loopscope("annotate", {"--loop", "FIC1", "withdraw"});
   loopscope("maintenance",
@@ -133,11 +133,11 @@ TEST_F(SharedDatabase, ScriptsAndCommandsExecuteNothingOfAnOutsiders) {
 
 /// By logins that are made as the README tells, in sessions of psql.
 TEST_F(SharedDatabase, WhatPeopleAskExecutesNothingOfAnOutsiders) {
-  psql(database_->conninfo(), {"-f", source_dir() / "deploy" / "roles.sql"});
+  psql(database->conninfo(), {"-f", source_dir() / "deploy" / "roles.sql"});
   make_logins();
   write_settings();
   loopscope("migrate");
-  psql(database_->conninfo(), {"-f", source_dir() / "tests" / "support" / "told_plant.sql"});
+  psql(database->conninfo(), {"-f", source_dir() / "tests" / "support" / "told_plant.sql"});
   for (const ReadyQuery& query : ready_queries())
     psql(as(query.writes() ? "engineer" : "reader"), {"-c", query.statement});
   // Between backquotes, as tests/deploy/runbook_sql_test finds them.
@@ -154,19 +154,19 @@ TEST_F(SharedDatabase, WhatPeopleAskExecutesNothingOfAnOutsiders) {
 
 /// It makes its sessions safe by itself, whatever login it is given.
 TEST_F(SharedDatabase, TheHookExecutesNothingOfAnOutsiders) {
-  psql(database_->conninfo(), {"-f", source_dir() / "deploy" / "roles.sql"});
+  psql(database->conninfo(), {"-f", source_dir() / "deploy" / "roles.sql"});
   make_logins();
   write_settings();
   loopscope("migrate");
-  psql(database_->conninfo(), {"-f", source_dir() / "tests" / "support" / "told_plant.sql"});
-  const std::string login = database_->make_login("loopscope_reader");
+  psql(database->conninfo(), {"-f", source_dir() / "tests" / "support" / "told_plant.sql"});
+  const std::string login = database->make_login("loopscope_reader");
   const std::string host =
       std::regex_replace(*test_server(), std::regex("^.*host=([^ ]*).*$"), "$1");
   const EnvironmentVariable where("PGHOST", host), user("PGUSER", login),
-      name("PGDATABASE", database_->name()), to("LOOPSCOPE_HOOK_MAIL_TO", "us@example.org"),
-      mailer("SENDMAIL", reads_all()), state("LOOPSCOPE_HOOK_STATE", folder_.path());
-  const std::filesystem::path sent = folder_.path() / "sent-flagged", log = folder_.path() / "log";
-  std::ofstream{sent};  // nobody was told of anything yet
+      name("PGDATABASE", database->name()), to("LOOPSCOPE_HOOK_MAIL_TO", "us@example.org"),
+      mailer("SENDMAIL", reads_all()), state("LOOPSCOPE_HOOK_STATE", folder.path());
+  const std::filesystem::path sent = folder.path() / "sent-flagged", log = folder.path() / "log";
+  std::ofstream(sent).close();  // nobody was told of anything yet
   const BackgroundProgram hook({source_dir() / "deploy" / "hooks" / "loopscope-hook"}, log);
   for (int tries = 0; tries < 300 && content_of(sent).empty(); ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(100));

