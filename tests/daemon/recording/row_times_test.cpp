@@ -19,7 +19,7 @@ std::vector<std::int64_t> times_of(const std::string& column,
   std::string text = column + ",pv\n";
   for (const char* cell : cells) text += std::string(cell) + ",1\n";
   const CsvTable table = parse_csv(text, "f.csv");
-  return read_times(table, find_columns(table), zone);
+  return read_times(table, find_columns(table), {}, zone);
 }
 
 Failure times_failure(const std::string& column, std::initializer_list<const char*> cells,
