@@ -200,7 +200,7 @@ TEST_F(BeforeAfterTest, VerdictsBelowTheFlagsConfidenceAreNone) {
 
 TEST_F(BeforeAfterTest, NothingIsSaidTooEarly) {
   EXPECT_EQ(of("word"), "NULL");
-  EXPECT_THAT(of("statement"), StartsWith("Not judged: no usable window"));
+  EXPECT_THAT(of("statement"), StartsWith("Cannot be compared: no usable window"));
   see({16}, {});
   EXPECT_EQ(of("word"), "NULL");
   EXPECT_THAT(of("statement"), StartsWith("Not judged yet: no window lies wholly after"));
