@@ -76,8 +76,7 @@ HeaderTest header_test(const RecordingForm& form) {
 
 }  // namespace
 
-Recording parse_recording(const CsvTable& table, const RecordingForm& form,
-                          const TimeZone& zone) {
+Recording parse_recording(const CsvTable& table, const RecordingForm& form, const TimeZone& zone) {
   const Columns columns = find_columns(table, form);
   const char decimal_sign = find_decimal_sign(table, number_columns(columns), form.decimal_sign);
   const std::vector<std::int64_t> times =
@@ -99,15 +98,14 @@ Recording parse_recording(const CsvTable& table, const RecordingForm& form,
   return recording;
 }
 
-Recording parse_recording(std::string_view text, const std::string& name,
-                          const RecordingForm& form,
+Recording parse_recording(std::string_view text, const std::string& name, const RecordingForm& form,
                           const TimeZone& zone) {
   return parse_recording(parse_csv(text, name, find_csv_form(text, name, header_test(form))), form,
                          zone);
 }
 
 Recording read_recording(const std::filesystem::path& file, const RecordingForm& form,
-                          const TimeZone& zone) {
+                         const TimeZone& zone) {
   return parse_recording(read_csv(file, header_test(form)), form, zone);
 }
 

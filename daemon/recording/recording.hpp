@@ -36,13 +36,11 @@ struct Recording {
 
 /// The same of a file's text; `name` stands for it in messages. Throws as parse_csv(), too.
 [[nodiscard]] Recording parse_recording(std::string_view text, const std::string& name,
-                                        const RecordingForm& form = {},
-                                        const TimeZone& zone = {});
+                                        const RecordingForm& form = {}, const TimeZone& zone = {});
 
 /// The same of a file. Throws as read_csv(), too.
 [[nodiscard]] Recording read_recording(const std::filesystem::path& file,
-                                       const RecordingForm& form = {},
-                                        const TimeZone& zone = {});
+                                       const RecordingForm& form = {}, const TimeZone& zone = {});
 
 /// The last `max_samples` samples of the recording, of those up to `end_us` where it is given, on
 /// its own grid (the usual spacing of its rows; 1 s where it has none). Size 0 without such rows.

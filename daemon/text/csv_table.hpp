@@ -40,8 +40,7 @@ using HeaderTest = std::function<bool(const std::vector<std::string>& header)>;
 /// Throws Failure (unusable_data): a missing, empty or unreadable file, one of more than 512 MiB or
 /// 60 million cells, an open quote, a row with another number of cells than the header. Waits ten
 /// minutes at most for a pipe (read_bounded()).
-[[nodiscard]] CsvTable read_csv(const std::filesystem::path& file,
-                                const HeaderTest& fits = {});
+[[nodiscard]] CsvTable read_csv(const std::filesystem::path& file, const HeaderTest& fits = {});
 
 /// The same from text; `name` stands for the file in messages.
 [[nodiscard]] CsvTable parse_csv(std::string_view text, const std::string& name, CsvForm form = {});

@@ -80,8 +80,9 @@ TEST_F(MaintenanceTest, APassJudgesIt) {
   const ProgramResult pass = plant.loopscope("once");
   EXPECT_EQ(pass.exit_code, 0) << pass.err;
   EXPECT_THAT(pass.err, HasSubstr("repairs: 1 judged"));
-  EXPECT_THAT(plant.loopscope("maintenance", {"list"}).out,
-              HasSubstr("    Cannot be compared: no usable window of the loop from before this work"));
+  EXPECT_THAT(
+      plant.loopscope("maintenance", {"list"}).out,
+      HasSubstr("    Cannot be compared: no usable window of the loop from before this work"));
 }
 
 TEST_F(MaintenanceTest, MistakesAreExplained) {

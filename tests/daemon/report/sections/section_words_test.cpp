@@ -32,7 +32,8 @@ TEST(SectionWords, ALoopOfTheList) {
   EXPECT_EQ(
       words_of(loop_section(told).html),
       "7 FIC101\n"
-      "flow loop, source plant, priority 0.504 = severity 0.80 \u00d7 importance 1 \u00d7 kind 1.00 "
+      "flow loop, source plant, priority 0.504 = severity 0.80 \u00d7 importance 1 \u00d7 kind "
+      "1.00 "
       "\u00d7 confidence 0.63\n"
       "Valve stiction confidence 0.63 confirmed since 2026-03-01 12:00 UTC window until 2026-03-01 "
       "12:00 UTC\n"
@@ -137,7 +138,8 @@ TEST(SectionWords, ThePlant) {
       "Not on the list: 4 loops affected by a shared oscillation, 5 findings that people have "
       "acknowledged, suppressed or marked as false, 6 faults not sure enough (view hidden_loop).\n"
       "Work list\n"
-      "Dead measurements first, then by priority = severity (1 less the middle of the Harris index) "
+      "Dead measurements first, then by priority = severity (1 less the middle of the Harris "
+      "index) "
       "\u00d7 importance of the loop \u00d7 weight of the kind of fault \u00d7 confidence, shown "
       "with each loop. Status: not yet confirmed until a second window that shares no sample with "
       "the first says the same.\n"
