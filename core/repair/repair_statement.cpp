@@ -57,8 +57,7 @@ class Sentence {
   [[nodiscard]] std::string text() const {
     if (windows_.before.empty())
       return "Cannot be compared: no usable window of the loop from before this work, and after "
-             "any "
-             "earlier work, is known.";
+             "any earlier work, is known.";
     if (windows_.after.empty()) return not_yet();
     return what_came_of_it() + spread_text(figures_.spread) + what_is_left() + what_is_back();
   }

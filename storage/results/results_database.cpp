@@ -191,9 +191,8 @@ void ResultsDatabase::see_worker(const WorkerSign& sign) {
 }
 
 void ResultsDatabase::leave_worker(const std::string& worker) {
-  impl_->transact_in_time([&](Transaction& transaction) {
-    transaction.run(kLeaveWorker, {make_storable(worker)});
-  });
+  impl_->transact_in_time(
+      [&](Transaction& transaction) { transaction.run(kLeaveWorker, {make_storable(worker)}); });
 }
 
 std::optional<double> ResultsDatabase::next_due_in_s(double within_s) {

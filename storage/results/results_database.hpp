@@ -55,8 +55,9 @@ class ResultsDatabase {
   /// Claims loops for slots of the past (loop_id, slot_end_us; of each loop one) without disturbing
   /// the work on their newest slots: the claim ends when the loop falls due, `lease_s` from now at
   /// the latest, and finish() leaves the schedule as it was. While any worker is at work,
-  /// as seen within `lease_s`, only loops that nobody holds and that are not due for `reserve_s` (>= 0), or half
-  /// of their period; else all but those of a living lease. No suspects. In the order of loop_id.
+  /// as seen within `lease_s`, only loops that nobody holds and that are not due for `reserve_s`
+  /// (>= 0), or half of their period; else all but those of a living lease. No suspects. In the
+  /// order of loop_id.
   [[nodiscard]] std::vector<ClaimedLoop> claim_past(
       const std::string& owner, double lease_s, double reserve_s,
       std::span<const std::pair<std::int64_t, std::int64_t>> loop_and_slot);

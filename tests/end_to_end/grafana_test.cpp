@@ -42,7 +42,8 @@ std::vector<std::string> values_of(const Json& part, const std::string& key) {
 /// For the last 45 days and a loop of that name.
 std::string expanded(const std::string& statement, const std::string& loop) {
   const auto now_s = static_cast<std::int64_t>(std::time(nullptr)) + 1;  // what is new as well
-  return expand_macros(with_variable(statement, "loop", loop), now_s - std::int64_t{45} * 86'400, now_s);
+  return expand_macros(with_variable(statement, "loop", loop), now_s - std::int64_t{45} * 86'400,
+                       now_s);
 }
 
 /// The statements for the source of that variable.

@@ -26,7 +26,7 @@ class UpgradeTest : public testing::Test {
     database->execute(kRows);
     for (const char* table :
          {"loop", "schedule", "analysis", "verdict", "annotation", "plant_round", "parameter",
-          "explanation_step", "flag_notice", "standing_problem", "data_problem_kind", "task_lease"})
+          "explanation_step", "flag_notice", "standing_problem", "task_lease"})
       selects.push_back(database->value(
           std::string(
               "SELECT 'SELECT row(' || string_agg(attname, ', ' ORDER BY attnum) || ')::text"
