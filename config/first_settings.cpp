@@ -16,6 +16,14 @@ constexpr const char* kHead =
     "// Passwords are refused here: they stand in ~/.pgpass (mode 0600) or in what PGPASSFILE "
     "names.\n";
 
+/// What sites change first, ready to be let in.
+constexpr const char* kEngineer =
+    "    // The login under which people annotate and enter work; without it the owner's:\n"
+    "    // \"engineer_connection\": \"host=... dbname=... user=loopscope_engineer_1\",\n";
+constexpr const char* kPlant =
+    "  // The clock of the plant, for times that people read and write; without it UTC:\n"
+    "  // \"plant\": { \"time_zone\": \"Europe/Berlin\" },\n";
+
 std::string text_of(const std::string& text) {
   return nlohmann::json(text).dump();
 }
@@ -57,9 +65,10 @@ std::string first_settings_text(const FirstSettings& first) {
   std::string notes;
   for (const std::string& note : first.notes) notes += comment(note);
   return std::string(kHead) + "{\n  \"results\": {\n    \"connection\": " + text_of(first.results) +
-         ",\n    // Of the schema's owner: migrate, maintain, loops. Workers alone need none.\n" +
-         "    \"owner_connection\": " + text_of(first.owner) +
-         "\n  },\n  \"historians\": [\n    {\n" + notes + historian_text(first.historian) +
+         ",\n" + kEngineer +
+         "    // Of the schema's owner: migrate, maintain, loops. Workers alone need none.\n" +
+         "    \"owner_connection\": " + text_of(first.owner) + "\n  },\n" + kPlant +
+         "  \"historians\": [\n    {\n" + notes + historian_text(first.historian) +
          "\n    }\n  ]\n}\n";
 }
 

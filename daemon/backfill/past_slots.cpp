@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/diagnosis/diagnose.hpp"
+#include "daemon/service/historians/source_gate.hpp"
 #include "daemon/service/windows/slot.hpp"
 
 namespace loopscope::daemon {
@@ -15,9 +16,9 @@ using storage::ClaimedLoop;
 constexpr std::size_t kLoopsAtOnce = 16;
 /// A batch of that size with a model for each takes two seconds, and longer when others work.
 constexpr double kReserve_s = 30.0;
-/// A loop whose work fails so often is given up; the pauses between span a restart of a server.
-constexpr int kFailures = 3;
-constexpr double kFailurePause_s = 30.0;
+/// A loop whose work fails so often in a row is given up; with the pauses between of a poll each, a
+/// server has restarted meanwhile.
+constexpr int kFailures = 6;
 /// For a loop that cannot be claimed.
 constexpr double kLongestWait_s = 3600.0;
 
@@ -85,8 +86,13 @@ std::vector<PastSlots::PlaceNumber> PastSlots::take() {
       std::min(kLoopsAtOnce, static_cast<std::size_t>(settings_->schedule.batch_loops));
   std::vector<PlaceNumber> places;
   while (places.size() < most && !ready_.empty()) {
-    places.push_back(ready_.begin()->second);
+    const PlaceNumber number = ready_.begin()->second;
+    // Of a batch that failed each is tried alone: it shows then whose fault it was.
+    const bool alone = loops_[number].failures > 0;
+    if (alone && !places.empty()) break;
+    places.push_back(number);
     ready_.erase(ready_.begin());
+    if (alone) break;
   }
   return places;
 }
@@ -101,7 +107,8 @@ void PastSlots::leave_out_stored(std::vector<PlaceNumber>& places) {
   for (const storage::StoredDigest& row : results_.with_retry(tools_.perseverance, ask, [] {})) {
     const PlaceNumber number = by_id_.at(row.loop_id);
     std::erase(places, number);
-    ++stored_;
+    // Of a batch that failed in part the rows of the others are there already.
+    if (!loops_[number].tried) ++stored_;
     advance(number);
   }
 }
@@ -130,16 +137,18 @@ std::vector<ClaimedLoop> PastSlots::claim(AnalysisWorker& worker,
 void PastSlots::done(const std::vector<ClaimedLoop>& claims, const storage::WriteCount& count) {
   const std::lock_guard lock(mutex_);
   in_hand_ -= claims.size();
+  const bool went_well = count.failed == 0 && count.fenced_off == 0;
+  if (went_well) unrecorded_ += count.unchanged;
   for (const ClaimedLoop& claim : claims) {
     const PlaceNumber number = by_id_.at(claim.loop.loop_id);
     Place& place = loops_[number];
-    // Which of a batch failed shows when it is tried again: the others are stored then.
-    if (count.failed == 0 && count.fenced_off == 0) {
+    place.tried = true;
+    if (went_well) {
       advance(number);
     } else if (count.failed > 0 && ++place.failures >= kFailures) {
       give_up(number);
     } else {
-      put_off(number, count.failed > 0 ? kFailurePause_s : settings_->schedule.poll_s);
+      put_off(number, source_pause_s(settings_->schedule));
     }
   }
   changed_.notify_all();
@@ -149,6 +158,7 @@ void PastSlots::advance(PlaceNumber number) {
   Place& place = loops_[number];
   const std::int64_t slot_us = slot_of(place);
   place.failures = 0;
+  place.tried = false;
   place.free_until = Clock::time_point::max();
   do {
     ++place.next;
@@ -168,6 +178,11 @@ void PastSlots::give_up(PlaceNumber number) {
 std::size_t PastSlots::stored() const {
   const std::lock_guard lock(mutex_);
   return stored_;
+}
+
+std::size_t PastSlots::unrecorded() const {
+  const std::lock_guard lock(mutex_);
+  return unrecorded_;
 }
 
 std::vector<std::string> PastSlots::given_up() const {

@@ -39,8 +39,9 @@ class PastSlots : public ClaimSource {
   [[nodiscard]] std::size_t settled() const override { return settled_; }
   /// Slots of all loops together, done or not.
   [[nodiscard]] std::size_t total() const { return loops_.size() * times_us_.size(); }
-  /// Of those, which were stored before.
+  /// Of those, how many were stored before this backfill, and how many lie where pv has no row.
   [[nodiscard]] std::size_t stored() const;
+  [[nodiscard]] std::size_t unrecorded() const;
   /// Loops that were given up: their work failed several times, or nobody could claim them.
   [[nodiscard]] std::vector<std::string> given_up() const;
 
@@ -51,6 +52,7 @@ class PastSlots : public ClaimSource {
     storage::CatalogueEntry loop;
     std::size_t next = 0;                                     ///< of times_us_
     int failures = 0;                                         ///< in a row, at this slot
+    bool tried = false;                                       ///< at this slot: its row may be ours
     Clock::time_point free_until = Clock::time_point::max();  ///< given up then if not claimed
   };
   using PlaceNumber = std::size_t;
@@ -83,6 +85,7 @@ class PastSlots : public ClaimSource {
   std::atomic<std::size_t> settled_ =
       0;  ///< read without the lock, which is held while claims wait
   std::size_t stored_ = 0;
+  std::size_t unrecorded_ = 0;
   std::vector<std::string> given_up_;
 };
 

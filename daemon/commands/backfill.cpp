@@ -6,7 +6,6 @@
 #include <memory>
 #include <stop_token>
 #include <string>
-#include <sys/resource.h>
 
 #include "config/read_settings.hpp"
 #include "core/signal/microseconds.hpp"
@@ -17,6 +16,7 @@
 #include "daemon/plant/judge_repairs.hpp"
 #include "daemon/service/observe/log.hpp"
 #include "daemon/service/shared/compare_clocks.hpp"
+#include "daemon/service/threads/core_gate.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
 #include "daemon/text/time_text.hpp"
 
@@ -30,12 +30,9 @@ struct BackfillCommand {
   BackfillOptions backfill;
 };
 
-/// The daemon and people go first, on the processor; each window has to be read from the historian
-/// all the same, one connection a core.
-void yield_to_others() {
-  constexpr int kNice = 19;
-  ::setpriority(PRIO_PROCESS, 0, kNice);
-}
+/// Behind the daemon and what it leaves to people. The servers' work has no such order: one
+/// connection to the historian a core.
+constexpr int kNice = 19;
 
 std::int64_t newest_settled_us(const std::shared_ptr<const config::Settings>& settings,
                                SharedServices& tools) {
@@ -57,7 +54,7 @@ std::string summary(const PassResult& pass, const PastSlots& slots) {
   std::string text =
       fmt::format("{} of {}: {} judged, {} had been judged before, {} without a sample of pv",
                   slots.settled(), counted(slots.total(), "window", "windows"), pass.count.inserted,
-                  slots.stored(), pass.count.unchanged);
+                  slots.stored(), slots.unrecorded());
   if (pass.signal != 0) text += "; stopped by a signal, the same command goes on with the others";
   return text;
 }
@@ -93,7 +90,7 @@ void backfill(const BackfillCommand& options) {
                            format_time(plan.times_us.front(), zone),
                            format_time(plan.times_us.back(), zone))
             << std::flush;
-  yield_to_others();
+  yield_to_analysis(kNice);  // inherited by the workers
   const PassResult pass =
       run_workers(settings, tools, stop, {slots, cores, slots.total(), "windows"});
   std::cout << summary(pass, slots) << std::endl;

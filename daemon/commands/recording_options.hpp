@@ -19,9 +19,8 @@ struct RecordingOptions {
 /// Adds FILE and the options that say what a file does not show itself.
 void add_recording_options(CLI::App& command, RecordingOptions& options);
 
-/// The file, read; what a reader should know of how it was understood goes to standard error.
-/// Throws as read_recording() and parse_columns().
-/// Times without an offset are meant in `zone`.
+/// The file, read, times without an offset in `zone`; what a reader should know of how it was
+/// understood goes to standard error. Throws as read_recording() and parse_columns().
 [[nodiscard]] Recording read_recording(const RecordingOptions& options, const TimeZone& zone);
 
 }  // namespace loopscope::daemon

@@ -75,8 +75,8 @@ void hand_out_results(const SiteLogins& logins, const std::string& folder) {
   if (!logins.worker.works())
     wanted.logins.push_back({logins.worker.target.user, "loopscope_worker"});
   if (!logins.database_is_there()) {
-    wanted.logins.push_back({"loopscope_reader_1", "loopscope_reader"});
-    wanted.logins.push_back({"loopscope_engineer_1", "loopscope_engineer"});
+    for (const PeoplesLogin& login : kPeoplesLogins)
+      wanted.logins.push_back({login.name, login.group});
   }
   hand_out({"the results server", "results.sql", "postgres", storage::results_sql(wanted)},
            logins.worker.target, folder);
@@ -184,7 +184,8 @@ class SiteSetup {
         "  loopscope migrate --config {0}\n"
         "  loopscope loops --config {0} discover --out loops.csv   (review it)\n"
         "  loopscope loops --config {0} load loops.csv\n"
-        "  loopscope once --config {0}\n",
+        "  loopscope once --config {0}\n"
+        "Then the past, a report, and who annotates: README.md, \"On your own plant\".\n",
         file);
   }
 

@@ -72,13 +72,15 @@ SiteLogins try_logins(const config::Settings& settings) {
 
 std::vector<std::string> password_lines(const SiteLogins& logins) {
   std::vector<std::string> lines;
-  for (const SiteLogin* login : {&logins.worker, &logins.owner, &logins.reader}) {
-    if (login->works()) continue;
-    const storage::ConnectionTarget& to = login->target;
+  const auto add = [&](const storage::ConnectionTarget& to, const std::string& user) {
     lines.push_back(fmt::format("{}:{}:{}:{}:PASSWORD",
                                 to.host.empty() ? "localhost" : field(first_of(to.host)),
-                                field(first_of(to.port)), field(to.database), field(to.user)));
-  }
+                                field(first_of(to.port)), field(to.database), field(user)));
+  };
+  for (const SiteLogin* login : {&logins.worker, &logins.owner, &logins.reader})
+    if (!login->works()) add(login->target, login->target.user);
+  if (logins.database_is_there()) return lines;
+  for (const PeoplesLogin& login : kPeoplesLogins) add(logins.worker.target, login.name);
   return lines;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,15 @@
 #include "storage/historian/setup/try_login.hpp"
 
 namespace loopscope::daemon {
+
+/// A login that people get with a new database, beside those that the settings name.
+struct PeoplesLogin {
+  const char* name;
+  const char* group;  ///< role of deploy/roles.sql
+};
+inline constexpr std::array kPeoplesLogins{
+    PeoplesLogin{"loopscope_reader_1", "loopscope_reader"},
+    PeoplesLogin{"loopscope_engineer_1", "loopscope_engineer"}};
 
 /// A login that the settings name, where it goes, and whether it works.
 struct SiteLogin {
@@ -35,7 +45,8 @@ void complete_connections(config::Settings& settings);
 /// not answer: no SQL would help.
 [[nodiscard]] SiteLogins try_logins(const config::Settings& settings);
 
-/// A line each for the password file, of those that do not work yet.
+/// A line each for the password file, of those that do not work yet; of people's logins too where
+/// the database is to be made.
 [[nodiscard]] std::vector<std::string> password_lines(const SiteLogins& logins);
 
 }  // namespace loopscope::daemon

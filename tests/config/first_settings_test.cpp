@@ -42,5 +42,18 @@ TEST(FirstSettings, NameWhatDiffersFromThePresetAndNoMore) {
                           Not(HasSubstr("time_column")), Not(HasSubstr("tag_column"))));
 }
 
+/// As somebody lets in what is offered.
+TEST(FirstSettings, WhatIsOfferedCanBeLetIn) {
+  std::string text = first_settings_text({"service=w", "service=o", site_of("narrow"), {}});
+  for (const std::string offered : {"// \"engineer_connection\"", "// \"plant\""}) {
+    const std::size_t at = text.find(offered);
+    ASSERT_NE(at, std::string::npos) << offered;
+    text.erase(at, 3);
+  }
+  const Settings read = parse_settings(text, "x");
+  EXPECT_EQ(read.plant.time_zone, "Europe/Berlin");
+  EXPECT_EQ(read.results.engineer_connection, "host=... dbname=... user=loopscope_engineer_1");
+}
+
 }  // namespace
 }  // namespace loopscope::config::tests

@@ -131,6 +131,22 @@ TEST_F(Backfill, EarlierWorkIsJudged) {
   EXPECT_NE(plant.sql(judged), before);
 }
 
+/// Loops that were not recorded then write no row by which they could be told from one that fails.
+TEST_F(Backfill, ALoopThatFailsIsLeftAloneAndHoldsUpNoOther) {
+  plant.write_settings(
+      Plant::settings(R"("schedule": {"settle_s": 0, "default_period_s": 21600, "poll_s": 0.1})"));
+  make_months();
+  EXPECT_EQ(plant.loopscope("loops", {"add", "LOST", "--pv-tag", "LOST.PV"}).exit_code, 0);
+  plant.sql("UPDATE loopscope.loop SET source = 'nowhere' WHERE name = 'LOST'");
+  const ProgramResult result = backfill(18);
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_THAT(result.out,
+              HasSubstr("8 of 12 windows: 7 judged, 0 had been judged before, 1 without"));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("error: 1 loop was left, the first \"LOST\""),
+                                HasSubstr("the same command goes on with what is left")));
+  EXPECT_EQ(plant.sql("SELECT count(*) FROM loopscope.schedule WHERE attempts > 0"), "0");
+}
+
 TEST_F(Backfill, MistakesAreExplained) {
   const auto expect = [&](const std::vector<std::string>& arguments, int code,
                           const std::string& what, const std::string& hint) {

@@ -44,11 +44,11 @@ class Init : public testing::Test {
  protected:
   void SetUp() override {
     auto results = std::async(std::launch::async, [] { return std::make_unique<TlsServer>(); });
-    historian_ = std::make_unique<TlsServer>();
-    results_ = results.get();
-    historian_->execute("CREATE DATABASE plant");
+    historian_server = std::make_unique<TlsServer>();
+    results_server = results.get();
+    historian_server->execute("CREATE DATABASE plant");
     write("pgpass", "", 0600);
-    password_file_.emplace("PGPASSFILE", file("pgpass"));
+    password_file.emplace("PGPASSFILE", file("pgpass"));
     const std::string csv = file("recording.csv");
     ASSERT_EQ(
         run_program({LOOPSCOPE_PROGRAM, "simulate", "sticking_valve", "--seed", "1", "--out", csv})
@@ -56,14 +56,14 @@ class Init : public testing::Test {
         0);
     std::string sql = kHistorian;
     sql.replace(sql.find("@CSV@"), 5, csv);
-    psql(*historian_, "plant", "fill.sql", sql);
+    psql(*historian_server, "plant", "fill.sql", sql);
   }
 
-  [[nodiscard]] std::string file(const std::string& name) const { return folder_.path() / name; }
+  [[nodiscard]] std::string file(const std::string& name) const { return folder.path() / name; }
 
   void write(const std::string& name, const std::string& text, unsigned mode) const {
-    std::ofstream(folder_.path() / name) << text;
-    std::filesystem::permissions(folder_.path() / name, std::filesystem::perms(mode));
+    std::ofstream(folder.path() / name) << text;
+    std::filesystem::permissions(folder.path() / name, std::filesystem::perms(mode));
   }
 
   /// Runs a script as the superuser; psql, which has no terminal here, reads passwords from its
@@ -84,8 +84,8 @@ class Init : public testing::Test {
 
   [[nodiscard]] ProgramResult init(const std::vector<std::string>& more) const {
     std::vector<std::string> arguments{LOOPSCOPE_PROGRAM, "init",
-                                       "--results",       address(*results_, "loopscope"),
-                                       "--historian",     address(*historian_, "plant")};
+                                       "--results",       address(*results_server, "loopscope"),
+                                       "--historian",     address(*historian_server, "plant")};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_program(arguments);
   }
@@ -109,13 +109,13 @@ class Init : public testing::Test {
       line.replace(line.rfind("PASSWORD"), 8, kPassword);
       passwords += line.substr(line.find_first_not_of(' ')) + "\n";
     }
-    EXPECT_EQ(std::ranges::count(passwords, '\n'), 3) << said;
+    EXPECT_EQ(std::ranges::count(passwords, '\n'), 5) << said;
     write("pgpass", passwords, 0600);
   }
 
   [[nodiscard]] std::string verdict_of(const std::string& loop) const {
     return run_program(
-               {kPsql, "-XAt", "-d", results_->superuser() + " dbname=loopscope", "-c",
+               {kPsql, "-XAt", "-d", results_server->superuser() + " dbname=loopscope", "-c",
                 "SELECT code FROM loopscope.latest_verdict WHERE loop_name = '" + loop + "'"})
         .out;
   }
@@ -138,8 +138,10 @@ class Init : public testing::Test {
     const std::size_t historian = first.out.find("-- Loopscope, for the historian");
     const std::size_t passwords = first.out.find("\nTheir passwords");
     ASSERT_TRUE(results < historian && historian < passwords) << first.out;
-    psql(*results_, "postgres", "results.sql", first.out.substr(results, historian - results));
-    psql(*historian_, "plant", "historian.sql", first.out.substr(historian, passwords - historian));
+    psql(*results_server, "postgres", "results.sql",
+         first.out.substr(results, historian - results));
+    psql(*historian_server, "plant", "historian.sql",
+         first.out.substr(historian, passwords - historian));
     keep_passwords(first.out);
   }
 
@@ -166,9 +168,9 @@ class Init : public testing::Test {
                 HasSubstr("warning  results database, owner: no password for this login"));
   }
 
-  std::unique_ptr<TlsServer> results_, historian_;
-  TemporaryFolder folder_;
-  std::optional<EnvironmentVariable> password_file_;
+  std::unique_ptr<TlsServer> results_server, historian_server;
+  TemporaryFolder folder;
+  std::optional<EnvironmentVariable> password_file;
 };
 
 TEST_F(Init, LeadsFromTwoBareServersToVerdicts) {
@@ -193,15 +195,15 @@ TEST_F(Init, LeadsFromTwoBareServersToVerdicts) {
   EXPECT_THAT(which.out, AllOf(HasSubstr("telegraf.opcua: preset telegraf"),
                                HasSubstr("public.archive: preset narrow")));
   EXPECT_THAT(which.err, HasSubstr("--table"));
-  const std::vector<std::string> archive{"--table", "archive",      "--name", "archive",
-                                         "--sql",   folder_.path(), "--out",  file("b.json")};
+  const std::vector<std::string> archive{"--table", "archive",     "--name", "archive",
+                                         "--sql",   folder.path(), "--out",  file("b.json")};
   const ProgramResult lacking = init(archive);
   EXPECT_EQ(lacking.exit_code, 4);
   EXPECT_THAT(lacking.out, HasSubstr("has no right to read it"));
   EXPECT_THAT(content_of(file("historian.sql")),
               EndsWith("GRANT USAGE ON SCHEMA \"public\" TO \"loopscope_historian_1\";\n"
                        "GRANT SELECT ON \"public\".\"archive\" TO \"loopscope_historian_1\";\n"));
-  psql(*historian_, "plant", "again.sql", content_of(file("historian.sql")));
+  psql(*historian_server, "plant", "again.sql", content_of(file("historian.sql")));
   const ProgramResult last = init(archive);
   EXPECT_EQ(last.exit_code, 0) << last.out << last.err;
   loopscope("a.json", {"loops", "disable", "FIC101"});

@@ -5,9 +5,8 @@
 
 namespace loopscope::daemon {
 
-void yield_to_analysis() {
-  constexpr int kNice = 10;
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
+void yield_to_analysis(int nice) {
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), nice);
 }
 
 }  // namespace loopscope::daemon

@@ -37,6 +37,7 @@ class CoreGate {
 
 /// The scheduler prefers the threads that analyse to the calling one and to the programs that it
 /// starts. A sandbox may refuse: then it is one thread among others.
-void yield_to_analysis();
+/// `nice` is 1 to 19: what threads that it starts later inherit.
+void yield_to_analysis(int nice = 10);
 
 }  // namespace loopscope::daemon

@@ -12,6 +12,7 @@ using storage::LoginTrial;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+using testing::SizeIs;
 
 config::Settings completed(const std::string& results, const std::string& historian,
                            const std::string& owner = "") {
@@ -60,8 +61,14 @@ TEST(SiteLogins, LinesOfThePasswordFileAreEscaped) {
   logins.worker.trial.state = LoginTrial::State::refused;
   logins.owner.target = {"", "5432", "loopscope", "own"};
   logins.owner.trial.state = LoginTrial::State::refused;
-  EXPECT_THAT(password_lines(logins), ElementsAre(R"(\:\:1:5432:loopscope:a\:b:PASSWORD)",
-                                                  "localhost:5432:loopscope:own:PASSWORD"));
+  logins.reader.trial.state = LoginTrial::State::works;
+  EXPECT_THAT(
+      password_lines(logins),
+      ElementsAre(R"(\:\:1:5432:loopscope:a\:b:PASSWORD)", "localhost:5432:loopscope:own:PASSWORD",
+                  R"(\:\:1:5432:loopscope:loopscope_reader_1:PASSWORD)",
+                  R"(\:\:1:5432:loopscope:loopscope_engineer_1:PASSWORD)"));
+  logins.owner.trial.state = LoginTrial::State::works;
+  EXPECT_THAT(password_lines(logins), SizeIs(1)) << "the database is there";
 }
 
 TEST(Scripts, TheCommandIsOneThatAShellTakes) {
