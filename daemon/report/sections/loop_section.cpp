@@ -60,7 +60,8 @@ Fields heading(const LoopReport& loop_report) {
           {"any_fault", row.fault_probability ? two_decimals(*row.fault_probability) : ""},
           {"status_class", listed ? row.status : ""},
           {"status", listed ? status_words(row.status) : "not flagged"},
-          {"since", minute_in_zone(row.since_us, loop_report.zone)},
+          {"since",
+           minute_in_zone(row.since_us, loop_report.zone) + (row.or_earlier ? " or earlier" : "")},
           {"until", minute_in_zone(row.slot_end_us, loop_report.zone)}};
 }
 

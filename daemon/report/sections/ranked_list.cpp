@@ -32,7 +32,8 @@ Fields ranked_fields(const FlaggedRow& row, std::int64_t since_us, LoopLinks lin
           {"confidence", two_decimals(row.believed())},
           {"since_us", row.since_us},
           {"since", minute_below_zone(row.since_us, zone)},
-          {"is_new", row.since_us > since_us},
+          {"or_earlier", row.or_earlier},
+          {"is_new", row.since_us > since_us && !row.or_earlier},
           {"score_sort", sort_key(row.score)},
           {"score", digits(row.score)},
           {"action", row.action}};

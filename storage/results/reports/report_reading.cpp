@@ -92,6 +92,7 @@ FlaggedRow read_flagged(const pqxx::row& row) {
   flagged.nonlinear_p = read_number(row["nonlinear_p"]);
   flagged.status = row["status"].c_str();
   flagged.since_us = integer(row["since_us"]);
+  flagged.or_earlier = row["or_earlier"].as<bool>();
   flagged.slot_end_us = integer(row["slot_end_us"]);
   flagged.algorithm_revision = row["algorithm_revision"].as<int>();
   flagged.input_revision = row["input_revision"].as<int>();

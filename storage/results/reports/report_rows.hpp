@@ -30,7 +30,8 @@ struct FlaggedRow {
   std::optional<double> p;                  ///< of the test behind the verdict; nullopt = a fact
   std::optional<double> nonlinear_p;
   std::string status;         ///< "watch" or "confirmed"
-  std::int64_t since_us = 0;  ///< slot of the first verdict of the unbroken run of this code
+  std::int64_t since_us = 0;  ///< slot of the first verdict of the run, or of the stay on the list
+  bool or_earlier = false;    ///< no window before it was judged
   std::int64_t slot_end_us = 0;
   int algorithm_revision = 0, input_revision = 0;
   std::int64_t analysis_id = 0;
@@ -71,7 +72,7 @@ struct PlantCounts {
   std::int64_t not_controlling = 0;      ///< enabled, no controller acts on them
   std::optional<double> service_factor;  ///< mean share of the week with a controller, 0 to 1
   std::int64_t flagged = 0;              ///< rows of flagged_loop
-  std::int64_t new_flags = 0;            ///< of those: their run began after `since_us`
+  std::int64_t new_flags = 0;            ///< of those: known to have begun after `since_us`
   std::int64_t fixed = 0;                ///< jobs with work after `since_us` whose word is "fixed"
   std::int64_t unjudgeable = 0;          ///< enabled, the newest window was not usable
   std::int64_t never_analysed = 0;       ///< enabled, without any verdict

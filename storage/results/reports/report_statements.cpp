@@ -9,14 +9,22 @@ std::string us(const std::string& time) {
   return "(extract(epoch FROM " + time + ") * 1000000)::bigint";
 }
 
-/// The columns of a FlaggedRow out of a row of flagged_loop.
+/// Whether no window of a listed loop was judged before its fault was seen.
+const std::string kOrEarlier =
+    "listed.since <= (SELECT first.slot_end FROM loopscope.verdict AS first"
+    " WHERE first.loop_id = listed.loop_id"
+    " AND first.code NOT IN ('insufficient_data', 'not_controlling')"
+    " ORDER BY first.slot_end LIMIT 1) AS or_earlier";
+
+/// The columns of a FlaggedRow out of a row `listed` of flagged_loop.
 std::string flagged_columns() {
-  return R"((SELECT named.pv_unit FROM loopscope.loop AS named WHERE named.name = loop_name)
-              AS pv_unit,
+  return R"((SELECT named.pv_unit FROM loopscope.loop AS named
+             WHERE named.loop_id = listed.loop_id) AS pv_unit,
             rank, loop_id, loop_name, source, loop_type, code, score, severity, importance,
             kind_weight, confidence, combined_confidence, fault_probability, p, nonlinear_p,
             status, )" +
-         us("since") + " AS since_us, " + us("slot_end") + R"( AS slot_end_us, algorithm_revision,
+         us("since") + " AS since_us, " + kOrEarlier + ", " + us("slot_end") +
+         R"( AS slot_end_us, algorithm_revision,
             input_revision, analysis_id, summary, reasons, action, ngi, nli, oscillation_period_s,
             harris_low, harris_high, plant_oscillation_number )";
 }
@@ -44,8 +52,8 @@ std::string repairs_where(const std::string& condition) {
 const Statement kReportNow{"report_now", "SELECT " + us("now()") + " AS now_us", Rows::one};
 
 const Statement kReportCounts{"report_counts",
-                              R"(
-    WITH flagged AS MATERIALIZED (SELECT since FROM loopscope.flagged_loop),
+                              "WITH flagged AS MATERIALIZED (SELECT since, " + kOrEarlier +
+                                  R"( FROM loopscope.flagged_loop AS listed),
     hidden AS MATERIALIZED (SELECT loop_id, hidden_by FROM loopscope.hidden_loop),
     newest AS MATERIALIZED (SELECT code FROM loopscope.own_verdict WHERE enabled),
     catalogue AS (SELECT count(*) AS loops, count(*) FILTER (WHERE enabled) AS enabled
@@ -60,7 +68,7 @@ const Statement kReportCounts{"report_counts",
             WHERE hidden_by IN ('probability', 'chance')) AS unlisted,
            enabled - (SELECT count(*) FROM newest) AS never_analysed,
            (SELECT count(*) FROM flagged) AS flagged,
-           (SELECT count(*) FROM flagged WHERE since > $1::timestamptz) AS new_flags,
+           (SELECT count(*) FROM flagged WHERE since > $1::timestamptz AND NOT or_earlier) AS new_flags,
            (SELECT count(DISTINCT (loop_id, job.begins_at))
             FROM loopscope.before_after_maintenance AS repair
             JOIN loopscope.maintenance_job AS job USING (maintenance_event_id, loop_id)
@@ -96,7 +104,8 @@ const Statement kNotControlling{"not_controlling", R"(
     FROM loopscope.service_factor WHERE NOT controlling ORDER BY area NULLS LAST, loop_name)"};
 
 const Statement kReportFlagged{
-    "report_flagged", "SELECT " + flagged_columns() + "FROM loopscope.flagged_loop ORDER BY rank"};
+    "report_flagged",
+    "SELECT " + flagged_columns() + "FROM loopscope.flagged_loop AS listed ORDER BY rank"};
 
 const Statement kReportLatest{"report_latest", "SELECT " + flagged_columns() + R"(
     FROM (
@@ -113,7 +122,7 @@ const Statement kReportLatest{"report_latest", "SELECT " + flagged_columns() + R
       JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
       LEFT JOIN LATERAL loopscope.verdict_run(latest.loop_id, latest.slot_end, latest.code) AS run
         ON true
-      WHERE latest.loop_name = $1) AS one)"};
+      WHERE latest.loop_name = $1) AS listed)"};
 
 const Statement kReportHistory{"report_history", "SELECT DISTINCT ON (given.slot_end) " +
                                                      us("given.slot_end") + R"( AS slot_end_us,
@@ -184,7 +193,7 @@ const Statement kWhatIf{"what_if", R"(
       FROM other LEFT JOIN present USING (loop_id)
       UNION ALL
       SELECT 'lost', present.* FROM present
-      WHERE loop_id NOT IN (SELECT loop_id FROM other)) AS compared
+      WHERE loop_id NOT IN (SELECT loop_id FROM other)) AS listed
     ORDER BY change = 'lost', rank)"};
 
 }  // namespace loopscope::storage::statements

@@ -45,29 +45,33 @@ TextRows columns_of_views(const tests::TestDatabase& database) {
       " ORDER BY 1, attnum");
 }
 
-TEST_F(EarlierSchema, OfVersion106KeepsEveryRowAndTheOrderOfItsColumns) {
-  tests::TestDatabase made;
-  make(made, 106);
-  const std::string said =
-      "SELECT row(annotation_id, loop_id, kind, code, until, reason, author, entered_at,"
-      " withdrawn_at, withdrawn_by)::text FROM loopscope.annotation ORDER BY annotation_id";
-  const std::string work =
-      "SELECT row(maintenance_event_id, loop_id, done_at, kind, description, author,"
-      " entered_at)::text FROM loopscope.maintenance_event";
-  const std::string list = "SELECT row(list.*)::text FROM loopscope.flagged_loop AS list";
-  const TextRows annotations = made.rows(said), events = made.rows(work), listed = made.rows(list);
-  const TextRows columns = columns_of_views(made);
-  EXPECT_EQ(migrate(settings_for(made, login)).front(), "0107_names_and_totals");
-  EXPECT_EQ(made.rows(said), annotations);
-  EXPECT_EQ(made.rows(work), events);
-  EXPECT_EQ(made.rows(list), listed);
-  const TextRows after = columns_of_views(made);
-  for (const auto& column : columns)
-    EXPECT_THAT(after, testing::Contains(column)) << column[0] << '.' << column[2];
-  EXPECT_THAT(made.rows("SELECT 1 FROM loopscope.annotation WHERE on_behalf_of IS NOT NULL"),
-              IsEmpty());
-  EXPECT_EQ(made.rows("SELECT code, announced FROM loopscope.flag_total"),
-            (TextRows{{"valve_stiction", "1"}}));
+TEST_F(EarlierSchema, KeepsEveryRowAndTheOrderOfItsColumns) {
+  for (const auto& [version, next] :
+       {std::pair{106, "0107_names_and_totals"}, {108, "0109_runs"}}) {
+    tests::TestDatabase made;
+    make(made, version);
+    const std::string said =
+        "SELECT row(annotation_id, loop_id, kind, code, until, reason, author, entered_at,"
+        " withdrawn_at, withdrawn_by)::text FROM loopscope.annotation ORDER BY annotation_id";
+    const std::string work =
+        "SELECT row(maintenance_event_id, loop_id, done_at, kind, description, author,"
+        " entered_at)::text FROM loopscope.maintenance_event";
+    const std::string list = "SELECT row(list.*)::text FROM loopscope.flagged_loop AS list";
+    const TextRows annotations = made.rows(said), events = made.rows(work),
+                   listed = made.rows(list);
+    const TextRows columns = columns_of_views(made);
+    EXPECT_EQ(migrate(settings_for(made, login)).front(), next);
+    EXPECT_EQ(made.rows(said), annotations);
+    EXPECT_EQ(made.rows(work), events);
+    EXPECT_EQ(made.rows(list), listed);
+    const TextRows after = columns_of_views(made);
+    for (const auto& column : columns)
+      EXPECT_THAT(after, testing::Contains(column)) << column[0] << '.' << column[2];
+    EXPECT_THAT(made.rows("SELECT 1 FROM loopscope.annotation WHERE on_behalf_of IS NOT NULL"),
+                IsEmpty());
+    EXPECT_EQ(made.rows("SELECT code, announced FROM loopscope.flag_total"),
+              (TextRows{{"valve_stiction", "1"}}));
+  }
 }
 
 /// The statements of a program of version 106, by the logins that it has.

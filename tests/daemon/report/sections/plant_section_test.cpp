@@ -10,6 +10,7 @@
 namespace loopscope::daemon {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -25,6 +26,12 @@ TEST(PlantSection, TellsCountsFactorsAndWhatToDo) {
   EXPECT_THAT(text, HasSubstr("href=\"#loop-1\""));
   EXPECT_THAT(text, HasSubstr("data-sort=\"0.504\""));
   EXPECT_THAT(text, HasSubstr("2026-03-01 12:00 <span class=\"fresh\">new</span>"));
+  PlantFacts first = plant_facts("FIC101");
+  first.flagged.resize(1);
+  first.flagged[0].or_earlier = true;
+  EXPECT_THAT(plant_section(first, LoopLinks::sections).html,
+              AllOf(HasSubstr("2026-03-01 12:00 <small>or earlier</small></td>"),
+                    Not(HasSubstr("class=\"fresh\""))));
   EXPECT_THAT(text, HasSubstr("Plant-wide oscillation 1: period 2 min, 1 loop"));
   EXPECT_THAT(text, HasSubstr("<span class=\"word improved\">improved</span>"));
   EXPECT_THAT(text, HasSubstr("error std 2 \u2192 1 units of pv (\u00d7 0.5, 0.44 to 0.57)"));

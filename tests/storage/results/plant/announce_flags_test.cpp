@@ -98,6 +98,20 @@ TEST_F(AnnounceFlagsTest, TellsWhenAFlagIsConfirmed) {
   EXPECT_EQ(history(), (TextRows{{"a", "valve_stiction", "confirmed", "t", "NULL", "t"}}));
 }
 
+/// Windows of times before that are judged later, by `loopscope backfill`.
+TEST_F(AnnounceFlagsTest, ListAndHistoryAgreeSinceWhenAFaultIsThere) {
+  tell({{.loop = "a", .slot_hours = 9}});
+  static_cast<void>(announce());
+  tell({{.loop = "a", .code = VerdictCode::healthy, .slot_hours = 1},
+        {.loop = "a", .slot_hours = 3},
+        {.loop = "a", .slot_hours = 5}});
+  EXPECT_THAT(announce().flagged, IsEmpty());
+  const TextRows third_hour{{"2026-01-01 03:00:00"}};
+  for (const std::string view : {"flagged_loop", "flag_history"})
+    EXPECT_EQ(database->rows("SELECT since AT TIME ZONE 'UTC' FROM loopscope." + view), third_hour)
+        << view;
+}
+
 TEST_F(AnnounceFlagsTest, AnotherVerdictIsTheSameStay) {
   tell({{.loop = "a", .slot_hours = 1}});
   static_cast<void>(announce());
