@@ -25,14 +25,13 @@ std::vector<std::string> fields_of(const std::string& line) {
 std::optional<NearPassword> compare(const std::string& line, const ConnectionTarget& target) {
   const std::vector<std::string> fields = fields_of(line);
   if (line.starts_with('#') || fields.size() <= 4) return std::nullopt;
-  const bool socket = target.host.empty() || target.host.front() == '/';
-  const std::array parts{NearPassword{"host", socket ? "localhost" : target.host},
+  const std::array parts{NearPassword{"host", target.host.empty() ? "localhost" : target.host},
                          NearPassword{"port", target.port}, NearPassword{"dbname", target.database},
                          NearPassword{"user", target.user}};
-  std::optional<NearPassword> differs;
+  NearPassword differs;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (fields[k] == "*" || fields[k] == parts[k].other) continue;
-    if (differs || parts[k].part == "user") return std::nullopt;
+    if (!differs.part.empty() || parts[k].part == "user") return std::nullopt;
     differs = {parts[k].part, fields[k]};
   }
   return differs;
@@ -42,10 +41,12 @@ std::optional<NearPassword> compare(const std::string& line, const ConnectionTar
 
 std::optional<NearPassword> find_near_password(const ConnectionTarget& target) {
   std::ifstream lines(target.password_file);
+  std::optional<NearPassword> nearest;
   for (std::string line; std::getline(lines, line);) {
-    if (auto near = compare(line, target)) return near;
+    const auto near = compare(line, target);
+    if (near && (!nearest || near->part.empty())) nearest = near;
   }
-  return std::nullopt;
+  return nearest;
 }
 
 }  // namespace loopscope::storage

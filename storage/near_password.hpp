@@ -13,9 +13,9 @@ struct NearPassword {
   std::string other;
 };
 
-/// A line of the target's password file that fits but for one part, which is perhaps mistyped, in
-/// the file or in the connection string: libpq then says that there is no password. nullopt = there
-/// is none, or the file cannot be read. Shows no password.
+/// A line of the target's password file that libpq did not take: it fits but for one part, which is
+/// perhaps mistyped, in the file or in the connection string, or all of it fits and the file is
+/// ignored. nullopt = there is none, or the file cannot be read. Shows no password.
 [[nodiscard]] std::optional<NearPassword> find_near_password(const ConnectionTarget& target);
 
 }  // namespace loopscope::storage

@@ -22,7 +22,7 @@ std::string names_of(const std::vector<storage::SeenTable>& tables) {
   for (const auto& table : tables) names.push_back(table.schema + "." + table.name);
   const bool more = names.size() > kMost;
   names.resize(std::min(names.size(), kMost));
-  return names.empty() ? "none" : fmt::format("{}{}", fmt::join(names, ", "), more ? ", ..." : "");
+  return fmt::format("{}{}", fmt::join(names, ", "), more ? ", ..." : "");
 }
 
 const SeenColumn& column_of(const LayoutCandidate& layout, const std::string& name) {
@@ -84,6 +84,10 @@ std::string fill_time(storage::HistorianSurvey& survey, const std::string& time_
 
 LayoutCandidate choose_layout(const std::vector<storage::SeenTable>& tables,
                               const LayoutWishes& wishes, Questions& questions) {
+  if (tables.empty()) {
+    throw Failure(ExitCode::unusable_data, "the historian's database has no tables",
+                  "is dbname in --historian right? `psql -l` lists the databases of a server");
+  }
   const std::vector<LayoutCandidate> found = recognise_layouts(tables, wishes);
   if (found.empty()) {
     throw Failure(

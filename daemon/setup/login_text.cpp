@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "daemon/text/printable.hpp"
+#include "storage/quoted_identifier.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -27,6 +28,7 @@ Trouble no_password(const SiteLogin& login) {
     return {what, source.what + ": " + source.hint};
   }
   if (!login.near) return {what, ""};
+  if (login.near->part.empty()) return {what, password_file(login) + " has a line for it: see it"};
   return {what,
           fmt::format("{0} has one for {1}={2}: is {1} in {3} spelt right? If so, add the "
                       "line below",
@@ -59,6 +61,10 @@ Trouble trouble_of(const SiteLogin& login) {
       return {"the login works, but the server has no such database",
               fmt::format("is dbname={} in {} spelt right?", login.target.database, login.option)};
     case Refusal::no_right:
+      return {"the login is there, but may not connect to the database",
+              fmt::format("as its owner: GRANT CONNECT ON DATABASE {} TO {}",
+                          storage::quoted_identifier(login.target.database),
+                          storage::quoted_identifier(login.target.user))};
     case Refusal::other:
       break;
   }

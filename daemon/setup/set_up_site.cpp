@@ -75,12 +75,12 @@ void hand_out_historian(const SiteLogins& logins, const storage::ReaderWanted& w
            logins.reader.target, folder);
 }
 
-/// Before anybody has looked: the table that was said, or those of the vendor.
+/// Before anybody has looked: the table that was said with its schema, or those of the vendor.
 std::vector<storage::TableName> told_tables(const LayoutWishes& wishes) {
   const std::string& table = wishes.table;
   if (table.empty()) return usual_tables(wishes.preset);
   const std::size_t dot = table.find('.');
-  if (dot == std::string::npos) return {{"public", table}};
+  if (dot == std::string::npos) return {};
   return {{table.substr(0, dot), table.substr(dot + 1)}};
 }
 

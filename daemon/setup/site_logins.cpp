@@ -91,7 +91,9 @@ std::vector<std::string> password_lines(const SiteLogins& logins) {
   std::vector<std::string> lines;
   const auto lacks_password = [](const SiteLogin& login) {
     using enum LoginTrial::Refusal;
-    return !login.works() && !login.refused_by(no_database) && !login.refused_by(no_right);
+    const bool has_line = login.near && login.near->part.empty();
+    return !login.works() && !has_line && !login.refused_by(no_database) &&
+           !login.refused_by(no_right);
   };
   const auto add = [&](const storage::ConnectionTarget& to, const std::string& user) {
     lines.push_back(fmt::format("{}:{}:{}:{}:PASSWORD",

@@ -37,12 +37,15 @@ struct SiteLogin {
   [[nodiscard]] bool refused_by(storage::LoginTrial::Refusal refusal) const {
     return !works() && trial.refusal == refusal;
   }
-  /// Its password is kept for another database of the same server: dbname is mistyped, or new.
-  [[nodiscard]] bool has_other_database() const { return near && near->part == "dbname"; }
+  /// A password is kept for it which libpq did not take: dbname is mistyped or new, or the file is
+  /// ignored.
+  [[nodiscard]] bool has_kept_password() const {
+    return near && (near->part.empty() || near->part == "dbname");
+  }
   /// As far as is known nobody has to make it.
   [[nodiscard]] bool exists() const {
     using enum storage::LoginTrial::Refusal;
-    return works() || seen || has_other_database() || refused_by(no_database) ||
+    return works() || seen || has_kept_password() || refused_by(no_database) ||
            refused_by(no_right);
   }
   [[nodiscard]] bool works() const { return trial.state == storage::LoginTrial::State::works; }
@@ -64,7 +67,7 @@ struct SiteLogins {
   }
   /// Whether SQL is missing, and not only the right password or the right name.
   [[nodiscard]] bool results_need_sql() const {
-    if (worker.has_other_database() && owner.has_other_database()) return false;
+    if (worker.has_kept_password() && owner.has_kept_password()) return false;
     return !database_is_there() || !worker.exists() || !owner.exists();
   }
 };

@@ -25,15 +25,20 @@ TEST(NearPassword, OnePartMayDifferThoughNotTheLogin) {
   EXPECT_EQ(near_to(target, "*:5433:plnt:reader:geheim\n"), "port=5433");
   EXPECT_EQ(near_to(target, "db2:5432:plnt:writer:geheim\n"), "");
   EXPECT_EQ(near_to(target, "db1:5432:plant:reader:geheim\n"), "");
-  EXPECT_EQ(near_to(target, "db2:5432:plnt:reader:geheim\n"), "");
   EXPECT_EQ(near_to(target, "# db2:5432:plant:reader:geheim\n\ndb2:5432:plant:reader\n"), "");
 }
 
-TEST(NearPassword, EscapesAreReadAndASocketIsTheLocalHost) {
+TEST(NearPassword, AllOfTheLineFitsInAFileThatIsIgnored) {
+  EXPECT_EQ(near_to({"db2", "5432", "plnt", "reader"},
+                    "db2:5432:plant:reader:geheim\n*:*:plnt:reader:geheim\n"),
+            "=");
+}
+
+TEST(NearPassword, EscapesAreReadAndTheUsualSocketIsTheLocalHost) {
   EXPECT_EQ(near_to({"::1", "5432", "x", "a:b"}, "\\:\\:1:5432:y\\\\z:a\\:b:geheim\n"),
             "dbname=y\\z");
   EXPECT_EQ(near_to({"", "5432", "x", "a"}, "localhost:5432:y:a:geheim\n"), "dbname=y");
-  EXPECT_EQ(near_to({"/run", "5432", "x", "a"}, "localhost:5432:y:a:geheim\n"), "dbname=y");
+  EXPECT_EQ(near_to({"/run", "5432", "x", "a"}, "/run:5432:y:a:geheim\n"), "dbname=y");
 }
 
 TEST(NearPassword, WithoutAFileThereIsNone) {

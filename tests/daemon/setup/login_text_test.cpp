@@ -63,6 +63,9 @@ TEST(LoginText, WhatIsNotThereIsNamed) {
   EXPECT_EQ(said_of(refused(Refusal::no_database)),
             "the login works, but the server has no such database\n"
             "         HINT: is dbname=loopscope in --results spelt right?\n");
+  EXPECT_EQ(said_of(refused(Refusal::no_right)),
+            "the login is there, but may not connect to the database\n"
+            "         HINT: as its owner: GRANT CONNECT ON DATABASE \"loopscope\" TO \"w\"\n");
   EXPECT_EQ(said_of(refused(Refusal::other)), "what the server says\n         HINT: its hint\n");
 }
 
