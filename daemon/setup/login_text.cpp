@@ -81,8 +81,8 @@ std::string login_text(const SiteLogin& login) {
   const Trouble trouble = trouble_of(login);
   const std::string text =
       fmt::format("not yet  {}: {}\n", printable(whom), printable(trouble.what));
-  if (trouble.hint.empty()) return text;
-  return text + fmt::format("         HINT: {}\n", printable(trouble.hint));
+  return trouble.hint.empty() ? text
+                              : text + fmt::format("         HINT: {}\n", printable(trouble.hint));
 }
 
 }  // namespace loopscope::daemon
