@@ -23,19 +23,58 @@ std::vector<std::string> read_names() {
   return names;
 }
 
+using Names = std::vector<std::string>;
+
+/// The name among `parts` that is nearest, as the zone of the same place in `zones`. Cities are
+/// short names: two wrong letters of six make Munich of Zurich.
+std::optional<std::string> zone_of_nearest(std::string_view name, const Names& parts,
+                                           const Names& zones) {
+  const auto nearest = nearest_name(name, parts);
+  const std::size_t most = std::max<std::size_t>(name.size() / 4, 1);
+  if (!nearest || spelling_distance(name, *nearest) > most) return std::nullopt;
+  return zones[static_cast<std::size_t>(std::ranges::find(parts, *nearest) - parts.begin())];
+}
+
+Names places_of(const Names& zones) {
+  Names places;
+  for (const std::string& zone : zones) places.push_back(zone.substr(zone.rfind('/') + 1));
+  return places;
+}
+
 /// "berlin" stands for Europe/Berlin: whoever names no continent names the place, or a zone without
 /// one.
-std::optional<std::string> nearest_zone(std::string_view name, std::vector<std::string> names) {
-  if (name.find('/') != std::string_view::npos) return nearest_name(name, names);
-  std::stable_partition(names.begin(), names.end(), [](const std::string& zone) {
+std::optional<std::string> nearest_place(std::string_view name, Names zones) {
+  std::stable_partition(zones.begin(), zones.end(), [](const std::string& zone) {
     return zone.find('/') == std::string::npos;
   });
-  std::vector<std::string> places;
-  for (const std::string& zone : names) places.push_back(zone.substr(zone.rfind('/') + 1));
-  const auto nearest = nearest_name(name, places);
-  if (!nearest) return std::nullopt;
-  const auto at = std::ranges::find(places, *nearest) - places.begin();
-  return names[static_cast<std::size_t>(at)];
+  return zone_of_nearest(name, places_of(zones), zones);
+}
+
+/// Within its region: the letters of "Europe/" are no likeness of two cities. A place may also
+/// stand behind the wrong region.
+std::optional<std::string> nearest_in_region(std::string_view name, const Names& zones) {
+  const std::size_t slash = name.find('/');
+  Names regions;
+  for (const std::string& zone : zones) regions.push_back(zone.substr(0, zone.find('/')));
+  const auto region = nearest_name(name.substr(0, slash), regions);
+  Names cities, of_region;
+  for (const std::string& zone : zones) {
+    if (!region || !zone.starts_with(*region + "/")) continue;
+    cities.push_back(zone.substr(region->size() + 1));
+    of_region.push_back(zone);
+  }
+  if (auto zone = zone_of_nearest(name.substr(slash + 1), cities, of_region)) return zone;
+  const std::string_view place = name.substr(name.rfind('/') + 1);
+  const Names places = places_of(zones);
+  const auto same = std::ranges::find_if(
+      places, [&](const std::string& known) { return spelling_distance(place, known) == 0; });
+  if (same == places.end()) return std::nullopt;
+  return zones[static_cast<std::size_t>(same - places.begin())];
+}
+
+std::optional<std::string> nearest_zone(std::string_view name, const Names& zones) {
+  return name.find('/') == std::string_view::npos ? nearest_place(name, zones)
+                                                  : nearest_in_region(name, zones);
 }
 
 }  // namespace
@@ -54,8 +93,8 @@ std::string time_zone_hint(std::string_view name) {
   if (names.empty())
     return "this system has no time zone database: apt-get install tzdata, or leave it at \"UTC\"";
   if (const auto nearest = nearest_zone(name, names)) return "did you mean \"" + *nearest + "\"?";
-  return R"(write a name of the IANA database, e.g. "Europe/Berlin"; `timedatectl list-timezones` )"
-         "lists them";
+  return "write a name of the IANA database, region and a large city of the zone, e.g. "
+         "\"Europe/Berlin\"; `timedatectl list-timezones` lists them";
 }
 
 }  // namespace loopscope::config

@@ -1,5 +1,6 @@
 #include "storage/connection_target.hpp"
 
+#include <cstdlib>
 #include <libpq-fe.h>
 #include <map>
 #include <memory>
@@ -43,6 +44,12 @@ std::string plain_value(const std::string& value) {
   return plain ? value : quoted_value(value);
 }
 
+/// libpq names its usual place only to whoever has no password.
+std::string password_file(const std::string& named) {
+  const char* home = std::getenv("HOME");
+  return !named.empty() || home == nullptr ? named : std::string(home) + "/.pgpass";
+}
+
 }  // namespace
 
 ConnectionTarget connection_target(const ConnectionSettings& settings) {
@@ -57,7 +64,7 @@ ConnectionTarget connection_target(const ConnectionSettings& settings) {
   ConnectionOptions options = options_of({PQconninfo(connection.get()), &PQconninfoFree});
   const std::string& host = options["host"];
   return {host.empty() ? options["hostaddr"] : host, options["port"], options["dbname"],
-          options["user"]};
+          options["user"], password_file(options["passfile"])};
 }
 
 bool says_user(const ConnectionSettings& settings) {

@@ -13,6 +13,7 @@ struct ConnectionTarget {
   std::string port;
   std::string database;
   std::string user;
+  std::string password_file = {};  ///< where libpq looks for the password; empty = nowhere
 };
 
 /// Connects to nothing. Throws DatabaseError (give_up) for a string that libpq cannot read, and for

@@ -39,7 +39,7 @@ std::int64_t since_of(const BackfillOptions& options, std::int64_t newest_us,
   if (since_us <= newest_us) return since_us;
   throw Failure(ExitCode::usage,
                 fmt::format("--since {} lies after {}, the newest window that is complete",
-                            format_time(since_us, zone), format_time(newest_us, zone)),
+                            second_in_zone(since_us, zone), second_in_zone(newest_us, zone)),
                 "backfill judges the past; once and run judge what is new");
 }
 

@@ -7,6 +7,7 @@
 #include "core/text/counted.hpp"
 #include "daemon/catalogue/entry_fields.hpp"
 #include "daemon/text/printable.hpp"
+#include "daemon/text/shell_word.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -78,23 +79,46 @@ std::string roles_text(const std::vector<CatalogueEntry>& loops) {
   return fmt::format("{}", fmt::join(counts, ", "));
 }
 
-std::vector<std::string> texts_of(const std::vector<Proposal>& proposals, bool filled) {
+std::vector<std::string> filled_in(const std::vector<Proposal>& proposals) {
   std::vector<std::string> texts;
   for (const Proposal& proposal : proposals) {
-    if ((proposal.apply != nullptr) != filled) continue;
-    texts.push_back(filled
-                        ? fmt::format("{} {} ({})", proposal.loop, proposal.fields, proposal.reason)
-                        : fmt::format("{} ({})", proposal.loop, proposal.reason));
+    if (proposal.apply != nullptr)
+      texts.push_back(fmt::format("{} {} ({})", proposal.loop, proposal.fields, proposal.reason));
   }
   return texts;
 }
 
+/// With the commands that answer it, of which one is right.
+std::string question_text(const Proposal& question, const std::string& config) {
+  std::string text =
+      printable(fmt::format("         {}: {}", question.loop, question.reason)) + '\n';
+  for (const std::string& answer : question.answers) {
+    text += printable(fmt::format("           loopscope loops --config {} set {} {}",
+                                  shell_word(config), shell_word(question.loop), answer)) +
+            '\n';
+  }
+  return text;
+}
+
+std::string questions_text(const std::vector<Proposal>& proposals, const std::string& config) {
+  std::string text;
+  std::size_t questions = 0;
+  for (const Proposal& proposal : proposals) {
+    if (proposal.apply == nullptr && questions++ < kShown) text += question_text(proposal, config);
+  }
+  if (questions == 0) return {};
+  if (questions > kShown) text += fmt::format("         ... and {} more\n", questions - kShown);
+  return fmt::format(
+      "{:>8} {} that history leaves open; who knows the answer says it, once the loop "
+      "is in the catalogue, by:\n{}",
+      questions, questions == 1 ? "question" : "questions", text);
+}
+
 }  // namespace
 
-std::string proposals_text(const std::vector<Proposal>& proposals) {
-  return line("proposed by history and name", texts_of(proposals, true)) +
-         line("question that history leaves open", "questions that history leaves open",
-              texts_of(proposals, false));
+std::string proposals_text(const std::vector<Proposal>& proposals, const std::string& config) {
+  return line("proposed by history and name", filled_in(proposals)) +
+         questions_text(proposals, config);
 }
 
 std::string discovery_text(const DiscoveryReport& report) {
@@ -118,7 +142,7 @@ std::string discovery_text(const DiscoveryReport& report) {
               "names taken by other loops of the catalogue, left out", report.taken) +
          line("tag is no loop's by its name", "tags are no loop's by their names",
               found.unmatched) +
-         proposals_text(report.proposals);
+         proposals_text(report.proposals, report.config);
 }
 
 }  // namespace loopscope::daemon

@@ -27,25 +27,47 @@ constexpr std::array kSignalRanges{SignalRange{4.0, 20.0, "4 to 20 (mA)"},
                                    SignalRange{3.0, 15.0, "3 to 15 (psi)"},
                                    SignalRange{1.0, 5.0, "1 to 5 (V)"}};
 
-/// What speaks against filling it in; empty = nothing. An output of a few percent may be any other
-/// signal as well, one near 0 a share or the percentage of a valve that is shut, and counts have
-/// many full scales.
-std::string ambiguity(const core::signal::OpValues& values, const OpRange& range) {
+std::string range_answer(const char* of, double low, double high) {
+  return fmt::format("--{0}-low={1} --{0}-high={2}", of, low, high);
+}
+
+std::string op_answer(const OpRange& range) {
+  return range_answer("op", range.low, range.high);
+}
+
+struct Ambiguity {
+  std::string question;  ///< empty = nothing speaks against filling it in
+  std::vector<std::string> answers;
+};
+
+/// An output of a few percent may be any other signal as well, one near 0 a share or the percentage
+/// of a valve that is shut, and counts have many full scales.
+Ambiguity ambiguity(const core::signal::OpValues& values, const OpRange& range) {
   constexpr double kShut = 0.2;
+  constexpr OpRange kPercent{0.0, 100.0};
   if (range.high == 100.0) {
-    std::string others;
+    Ambiguity found{"0 to 100 (%)", {op_answer(range)}};
     for (const SignalRange& signal : kSignalRanges) {
-      if (values.low >= signal.low && values.high <= signal.high)
-        others += std::string(" or ") + signal.text;
+      if (values.low < signal.low || values.high > signal.high) continue;
+      found.question += std::string(" or ") + signal.text;
+      found.answers.push_back(range_answer("op", signal.low, signal.high));
     }
-    return others.empty() ? "" : "0 to 100 (%)" + others + "?";
+    return found.answers.size() > 1 ? Ambiguity{found.question + "?", found.answers} : Ambiguity{};
   }
-  if (range.high == 1.0 && values.high < kShut) return "0 to 1, or the percentage of a shut valve?";
-  return range.high > 100.0 ? core::signal::range_text(range) + " (counts)?" : "";
+  if (range.high == 1.0 && values.high < kShut)
+    return {"0 to 1, or the percentage of a shut valve?", {op_answer(range), op_answer(kPercent)}};
+  if (range.high > 100.0)
+    return {core::signal::range_text(range) + " (counts)?", {op_answer(range)}};
+  return {};
 }
 
 std::string fields_of(const OpRange& range) {
   return fmt::format("op_low={} op_high={}", range.low, range.high);
+}
+
+Proposal question(const CatalogueEntry& entry, const std::string& text,
+                  std::vector<std::string> answers) {
+  return {entry.name, "", text, nullptr, std::move(answers)};
 }
 
 void propose_op(const CatalogueEntry& entry, const core::signal::Samples& op,
@@ -57,12 +79,14 @@ void propose_op(const CatalogueEntry& entry, const core::signal::Samples& op,
                                        core::text::counted(op.size(), "value", "values"));
   if (found.source == RangeSource::set) return;
   if (!found.range) {
-    proposals.push_back({entry.name, "", seen + ": no usual range; set op_low and op_high"});
+    proposals.push_back(
+        question(entry, seen + ": no usual range; which is it?", {"--op-low=LOW --op-high=HIGH"}));
     return;
   }
   const OpRange range = *found.range;
-  if (const std::string doubt = ambiguity(*values, range); !doubt.empty() && !entry.op_range) {
-    proposals.push_back({entry.name, "", seen + ": " + doubt});
+  const Ambiguity open = ambiguity(*values, range);
+  if (!open.question.empty() && !entry.op_range) {
+    proposals.push_back(question(entry, seen + ": " + open.question, open.answers));
     return;
   }
   const std::string reason = found.doubt.empty()
@@ -70,7 +94,9 @@ void propose_op(const CatalogueEntry& entry, const core::signal::Samples& op,
                                  : found.doubt;
   // What a person has set only a person replaces.
   if (entry.op_range) {
-    proposals.push_back({entry.name, "", reason + ": " + fields_of(range) + "?"});
+    proposals.push_back(question(entry,
+                                 reason + ": is its range " + core::signal::range_text(range) + "?",
+                                 {op_answer(range)}));
     return;
   }
   proposals.push_back({entry.name, fields_of(range), reason,
@@ -104,7 +130,9 @@ void ask_for_pv(const CatalogueEntry& entry, const core::signal::Samples& pv,
   if (entry.pv_range) seen += ", not within " + core::signal::range_text(*entry.pv_range);
   const double low = spread->low < 0.0 ? -round_above(-spread->low) : 0.0;
   const double high = spread->high > 0.0 ? round_above(spread->high) : 0.0;
-  proposals.push_back({entry.name, "", fmt::format("{}: pv_low={} pv_high={}?", seen, low, high)});
+  proposals.push_back(
+      question(entry, fmt::format("{}: is its transmitter's range {} to {}?", seen, low, high),
+               {range_answer("pv", low, high)}));
 }
 
 void propose_type(const CatalogueEntry& entry, std::vector<Proposal>& proposals) {

@@ -17,6 +17,8 @@ struct Proposal {
   std::string fields;  ///< "op_low=0 op_high=1"; empty = nothing to fill in, a person has to look
   std::string reason;
   std::function<void(storage::CatalogueEntry&)> apply = nullptr;  ///< null = nothing to fill in
+  /// What a person may answer, as options of `loops set`: "--op-low=0 --op-high=1".
+  std::vector<std::string> answers = {};
 };
 
 /// Values of the tags of a loop over its history, as far as it was looked at.

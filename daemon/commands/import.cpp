@@ -100,10 +100,10 @@ void require_no_history(storage::HistorianReader& historian, const CatalogueEntr
                         const std::string& hint) {
   const auto newest = historian.newest(std::vector{entry.pv_tag}, to_us).front();
   if (!newest || *newest < from_us) return;
-  throw Failure(
-      ExitCode::usage,
-      fmt::format("tag \"{}\" already has rows up to {}", entry.pv_tag, format_time(*newest, zone)),
-      hint);
+  throw Failure(ExitCode::usage,
+                fmt::format("tag \"{}\" already has rows up to {}", entry.pv_tag,
+                            second_in_zone(*newest, zone)),
+                hint);
 }
 
 /// Gives a recording that counts seconds from its own start its place in time.

@@ -110,7 +110,7 @@ void tell_proposals(const CheckOptions& options, Historians& historians,
   const std::vector<Proposal> proposals = proposals_for(historians, entries, changed);
   // A CSV may go to standard output: nothing else must get into it.
   std::ostream& told = options.out == "-" || options.propose == "-" ? std::cerr : std::cout;
-  told << proposals_text(proposals);
+  told << proposals_text(proposals, *options.config);
   if (!options.propose.empty()) write_csv(options.propose, catalogue_csv(changed));
   if (changed.empty() || options.propose == "-") return;
   told << (options.propose.empty()

@@ -101,6 +101,10 @@ void put_out(const DiscoverOptions& options, const DiscoveryReport& report,
   } else if (!options.out.empty()) {
     write_csv(options.out, catalogue_csv(loops));
     if (options.out == "-") return;
+    if (loops.empty()) {
+      std::cout << "nothing new: " << printable(options.out) << " has no loop to load\n";
+      return;
+    }
     std::cout << fmt::format("review {0}, then: loopscope loops --config {1} load {0}\n",
                              printable(options.out), printable(*options.config));
   } else {
@@ -117,6 +121,7 @@ void discover(const DiscoverOptions& options) {
       storage::list_tags(historian_connection(source), historian_layout(source));
   DiscoveryReport report;
   report.source = source.name;
+  report.config = *options.config;
   report.tags = tags.size();
   report.discovery = discover_loops(tags, rules);
   keep_new(catalogue.list(), settings.schedule.default_period_s, report);

@@ -70,6 +70,9 @@ void maintain(const MaintainOptions& options) {
                                          options.accept_clock, past_since(settings, options)});
   for (const std::string& name : result.created) std::cout << "created " << name << '\n';
   for (const std::string& name : result.dropped) std::cout << "dropped " << name << '\n';
+  if (!result.created.empty() || !result.dropped.empty()) return;
+  std::cout << fmt::format("partitions from {} to {} are there already; nothing to drop\n",
+                           result.first_month, result.last_month);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "daemon/commands/unknown_word.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -50,10 +53,22 @@ Names commands_of(const CLI::App& command) {
   return names;
 }
 
+/// The one that is spelt nearly so, else those that begin so: "simul".
+Names likely_names(const std::string& word, const Names& known) {
+  if (auto nearest = config::nearest_name(word, known)) return {*std::move(nearest)};
+  Names begun;
+  std::ranges::copy_if(known, std::back_inserter(begun),
+                       [&](const std::string& name) { return name.starts_with(word); });
+  constexpr std::size_t kMost = 3;
+  return begun.size() <= kMost ? begun : Names{};
+}
+
 std::string hint_for(const std::string& word, const Names& known, const std::string& command) {
-  const auto nearest = config::nearest_name(word, known);
+  const Names likely = likely_names(word, known);
   const std::string all = command + " --help lists them";
-  return nearest ? fmt::format("did you mean \"{}\"? {}", *nearest, all) : all;
+  return likely.empty()
+             ? all
+             : fmt::format("did you mean \"{}\"? {}", fmt::join(likely, "\" or \""), all);
 }
 
 UnknownWord unknown_option(const std::string& word, const Chain& chain) {

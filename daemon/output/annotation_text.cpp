@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "core/signal/microseconds.hpp"
 #include "daemon/text/author_text.hpp"
 #include "daemon/text/printable.hpp"
 #include "daemon/text/time_text.hpp"
@@ -32,12 +31,6 @@ std::string end_of(const storage::Annotation& annotation, const TimeZone& zone) 
          "it, or until it is withdrawn";
 }
 
-/// Whole seconds are enough for people.
-std::string entered_text(const storage::Annotation& annotation, const TimeZone& zone) {
-  return format_time(annotation.entered_at_us / core::signal::kSecond_us * core::signal::kSecond_us,
-                     zone);
-}
-
 }  // namespace
 
 std::string annotation_table(const std::vector<storage::Annotation>& annotations,
@@ -50,7 +43,7 @@ std::string annotation_table(const std::vector<storage::Annotation>& annotations
     table += fmt::format(kRow, printable(said.loop_name), said.kind,
                          printable(said.code.value_or("any")), until_text(said, zone),
                          printable(author_text(said.author, said.on_behalf_of)),
-                         entered_text(said, zone), printable(said.reason), width);
+                         second_in_zone(said.entered_at_us, zone), printable(said.reason), width);
   }
   return table;
 }

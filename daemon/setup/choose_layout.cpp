@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "config/time_zones.hpp"
 #include "core/text/counted.hpp"
 #include "daemon/setup/recognise_layouts.hpp"
 #include "daemon/setup/row_contents.hpp"
@@ -21,7 +22,7 @@ std::string names_of(const std::vector<storage::SeenTable>& tables) {
   for (const auto& table : tables) names.push_back(table.schema + "." + table.name);
   const bool more = names.size() > kMost;
   names.resize(std::min(names.size(), kMost));
-  return names.empty() ? "none" : fmt::format("{}{}", fmt::join(names, ", "), more ? ", ..." : "");
+  return fmt::format("{}{}", fmt::join(names, ", "), more ? ", ..." : "");
 }
 
 const SeenColumn& column_of(const LayoutCandidate& layout, const std::string& name) {
@@ -50,6 +51,14 @@ TimeGuess guess_time(storage::HistorianSurvey& survey, const LayoutCandidate& la
   return {historian.time_kind, ""};
 }
 
+/// Before a settings file with it is written. Without a database of zones the server has to say.
+void require_zone(const std::string& zone) {
+  if (zone.empty() || config::time_zone_names().empty() || config::is_time_zone(zone)) return;
+  throw Failure(ExitCode::usage,
+                fmt::format("--time-zone: \"{}\" is not the name of a time zone", zone),
+                config::time_zone_hint(zone));
+}
+
 std::string fill_time(storage::HistorianSurvey& survey, const std::string& time_zone,
                       Questions& questions, LayoutCandidate& layout) {
   config::HistorianSettings& historian = layout.historian;
@@ -67,6 +76,7 @@ std::string fill_time(storage::HistorianSurvey& survey, const std::string& time_
   historian.time_zone =
       questions.text(time_zone, "--time-zone",
                      guess.note + ". Their zone, as PostgreSQL names it, e.g. Europe/Berlin", "");
+  require_zone(historian.time_zone);
   return {};
 }
 
@@ -74,6 +84,10 @@ std::string fill_time(storage::HistorianSurvey& survey, const std::string& time_
 
 LayoutCandidate choose_layout(const std::vector<storage::SeenTable>& tables,
                               const LayoutWishes& wishes, Questions& questions) {
+  if (tables.empty()) {
+    throw Failure(ExitCode::unusable_data, "the historian's database has no tables",
+                  "is dbname in --historian right? `psql -l` lists the databases of a server");
+  }
   const std::vector<LayoutCandidate> found = recognise_layouts(tables, wishes);
   if (found.empty()) {
     throw Failure(

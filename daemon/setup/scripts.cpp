@@ -7,19 +7,10 @@
 
 #include "daemon/output/output_file.hpp"
 #include "daemon/text/printable.hpp"
+#include "daemon/text/shell_word.hpp"
 
 namespace loopscope::daemon {
 namespace {
-
-/// A word as a shell takes it; printable by itself.
-std::string shell_word(const std::string& text) {
-  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  std::string word = "'";
-  for (const char character : text)
-    word += character == '\'' ? std::string("'\\''") : std::string(1, character);
-  return word + "'";
-}
 
 /// Names are what somebody called his tables.
 void print_lines(const std::string& sql) {
@@ -40,18 +31,21 @@ void hand_out(const Script& script, const storage::ConnectionTarget& target,
               const std::string& folder) {
   const std::string file =
       folder.empty() ? script.file : (std::filesystem::path(folder) / script.file).string();
-  const std::string head = fmt::format(
-      "-- Loopscope, for {}. As a superuser of it, from a file, since psql asks for the "
-      "passwords:\n--   {}\n",
-      script.server, printable(psql_command(script, target, file)));
+  const std::string command = printable(psql_command(script, target, file));
+  const char* owner = script.owner_may ? ", or as the owner of the tables" : "";
+  const bool asks = script.sql.find("\\password") != std::string::npos;
+  const std::string head =
+      fmt::format("-- Loopscope, for {}. As a superuser of it{}{}:\n--   {}\n", script.server,
+                  owner, asks ? ", from a file, since psql asks for the passwords" : "", command);
   if (folder.empty()) {
     std::cout << '\n' << head;
     print_lines(script.sql);
     return;
   }
   write_file(file, head + script.sql);
-  std::cout << fmt::format("wrote {}; run it as a superuser of {}:\n  {}\n", printable(file),
-                           script.server, printable(psql_command(script, target, file)));
+  std::cout << fmt::format("wrote    {}; run it as a superuser of {}{}{}:\n  {}\n", printable(file),
+                           script.server, owner, asks ? "; psql asks for the passwords" : "",
+                           command);
 }
 
 }  // namespace loopscope::daemon

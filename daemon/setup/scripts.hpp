@@ -12,6 +12,7 @@ struct Script {
   std::string file;      ///< its name where it is kept as a file
   std::string database;  ///< to which psql connects
   std::string sql;
+  bool owner_may = false;  ///< the owner of the tables may run it too
 };
 
 /// The command that runs a script of this name.

@@ -1,5 +1,6 @@
 #include "daemon/setup/set_up_site.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <iostream>
@@ -13,12 +14,15 @@
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/setup/check_databases.hpp"
 #include "daemon/setup/choose_layout.hpp"
+#include "daemon/setup/login_text.hpp"
+#include "daemon/setup/next_commands.hpp"
 #include "daemon/setup/recognise_layouts.hpp"
 #include "daemon/setup/scripts.hpp"
 #include "daemon/setup/site_logins.hpp"
 #include "daemon/setup/vendor_layouts.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
+#include "daemon/text/time_text.hpp"
 #include "storage/historian/setup/reader_sql.hpp"
 #include "storage/results/schema/results_sql.hpp"
 
@@ -50,31 +54,13 @@ config::Settings ask_connections(SiteOptions& options, Questions& questions) {
   return settings;
 }
 
-/// Of a missing login or password the scripts and the lines of the password file say the rest.
-bool is_plain_refusal(const std::string& problem) {
-  return problem.find("password") != std::string::npos ||
-         problem.find("does not exist") != std::string::npos;
-}
-
-void print_login(const SiteLogin& login) {
-  const storage::ConnectionTarget& to = login.target;
-  if (login.works()) {
-    std::cout << fmt::format("ok       {}: {}, database {} at {}:{}\n", login.role,
-                             printable(to.user), printable(to.database), printable(to.host),
-                             printable(to.port));
-    return;
-  }
-  std::cout << fmt::format("not yet  {}: {}\n", login.role, printable(login.trial.problem));
-  if (!is_plain_refusal(login.trial.problem))
-    std::cout << "         HINT: " << printable(login.trial.hint) << '\n';
-}
-
 void hand_out_results(const SiteLogins& logins, const std::string& folder) {
   storage::ResultsWanted wanted{logins.worker.target.database, logins.database_is_there(), {}};
-  if (!logins.owner.works()) wanted.logins.push_back({logins.owner.target.user, "loopscope_owner"});
-  if (!logins.worker.works())
+  if (!logins.owner.exists())
+    wanted.logins.push_back({logins.owner.target.user, "loopscope_owner"});
+  if (!logins.worker.exists())
     wanted.logins.push_back({logins.worker.target.user, "loopscope_worker"});
-  if (!logins.database_is_there()) {
+  if (wanted.logins.size() == 2) {
     for (const PeoplesLogin& login : kPeoplesLogins)
       wanted.logins.push_back({login.name, login.group});
   }
@@ -85,25 +71,39 @@ void hand_out_results(const SiteLogins& logins, const std::string& folder) {
 void hand_out_historian(const SiteLogins& logins, const storage::ReaderWanted& wanted,
                         const std::string& folder) {
   hand_out({"the historian", "historian.sql", logins.reader.target.database,
-            storage::reader_sql(wanted)},
+            storage::reader_sql(wanted), wanted.login_exists},
            logins.reader.target, folder);
 }
 
-/// Before anybody has looked: the table that was said, or those of the vendor.
+/// Before anybody has looked: the table that was said with its schema, or those of the vendor.
 std::vector<storage::TableName> told_tables(const LayoutWishes& wishes) {
   const std::string& table = wishes.table;
   if (table.empty()) return usual_tables(wishes.preset);
   const std::size_t dot = table.find('.');
-  if (dot == std::string::npos) return {{"public", table}};
+  if (dot == std::string::npos) return {};
   return {{table.substr(0, dot), table.substr(dot + 1)}};
 }
 
-void print_passwords(const SiteLogins& logins) {
-  const std::vector<std::string> lines = password_lines(logins);
+void print_passwords(const std::vector<std::string>& lines) {
   if (lines.empty()) return;
   std::cout << "\nTheir passwords belong into ~/.pgpass (or the file that PGPASSFILE names), mode "
-               "0600, a line each:\n";
+               "0600, a line each, in place of a line with a wrong one:\n";
   for (const std::string& line : lines) std::cout << "  " << printable(line) << '\n';
+}
+
+/// "run the SQL above, see to the passwords": what of it there is.
+std::string what_to_do(bool sql, bool passwords) {
+  return fmt::format("{}{}{}", sql ? "run the SQL above" : "", sql && passwords ? ", " : "",
+                     passwords ? "see to the passwords"
+                     : sql     ? ""
+                               : "see the hints above");
+}
+
+/// In UTC, as the months of the results are.
+std::string day_a_week_ago() {
+  const auto ago = std::chrono::system_clock::now() - std::chrono::days(7);
+  return day_in_zone(std::chrono::floor<std::chrono::microseconds>(ago).time_since_epoch().count(),
+                     TimeZone());
 }
 
 class SiteSetup {
@@ -116,8 +116,9 @@ class SiteSetup {
     settings_ = ask_connections(options_, questions_);
     logins_ = try_logins(settings_);
     for (const SiteLogin* login : {&logins_.worker, &logins_.owner, &logins_.reader})
-      print_login(*login);
-    if (!logins_.results_work()) hand_out_results(logins_, options_.sql_folder);
+      std::cout << login_text(*login);
+    require_historian();
+    if (logins_.results_need_sql()) hand_out_results(logins_, options_.sql_folder);
     const bool historian_ready = look_at_historian();
     if (!logins_.results_work() || !historian_ready) ask_for_another_run();
     write();
@@ -125,12 +126,23 @@ class SiteSetup {
   }
 
  private:
+  /// No SQL makes a historian.
+  void require_historian() const {
+    const SiteLogin& reader = logins_.reader;
+    if (!reader.refused_by(storage::LoginTrial::Refusal::no_database)) return;
+    throw Failure(ExitCode::database, reader.trial.problem,
+                  fmt::format("is dbname={} in --historian spelt right? `psql -l` lists the "
+                              "databases of a server",
+                              reader.target.database));
+  }
+
   /// False while its administrator has something to do; the SQL for that has been handed out.
   bool look_at_historian() {
     const std::string& user = logins_.reader.target.user;
     if (!logins_.reader.works()) {
-      hand_out_historian(logins_, {user, false, told_tables(options_.layout), ""},
-                         options_.sql_folder);
+      if (!logins_.reader.exists())
+        hand_out_historian(logins_, {user, false, told_tables(options_.layout), ""},
+                           options_.sql_folder);
       return false;
     }
     storage::HistorianSurvey survey(historian_connection(settings_.historians.front()));
@@ -147,13 +159,17 @@ class SiteSetup {
   }
 
   [[noreturn]] void ask_for_another_run() const {
-    print_passwords(logins_);
+    const std::vector<std::string> passwords = password_lines(logins_);
+    print_passwords(passwords);
+    const bool sql =
+        logins_.results_need_sql() || !logins_.reader.exists() || (layout_ && !layout_->readable);
     throw Failure(ExitCode::database,
                   logins_.results_work()         ? "the historian is not ready yet"
                   : layout_ && layout_->readable ? "the results server is not ready yet"
                                                  : "the servers are not ready yet",
-                  "run the SQL above, see to the passwords, then run this `loopscope init` again: "
-                  "it goes on from there; nothing was written yet");
+                  what_to_do(sql, !passwords.empty()) +
+                      ", then run this `loopscope init` again: it goes on from there; no settings "
+                      "were written yet");
   }
 
   void write() {
@@ -179,14 +195,7 @@ class SiteSetup {
                                 "check-config --config {}",
                                 options_.out));
     }
-    std::cout << fmt::format(
-        "\nReview {0}, then:\n"
-        "  loopscope migrate --config {0}\n"
-        "  loopscope loops --config {0} discover --out loops.csv   (review it)\n"
-        "  loopscope loops --config {0} load loops.csv\n"
-        "  loopscope once --config {0}\n"
-        "Then the past, a report, and who annotates: README.md, \"On your own plant\".\n",
-        file);
+    std::cout << '\n' << next_commands(file, day_a_week_ago());
   }
 
   SiteOptions options_;

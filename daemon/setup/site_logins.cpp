@@ -28,11 +28,24 @@ void add_user(std::string& connection, const storage::ConnectionSettings& settin
   if (!storage::says_user(settings)) connection = storage::with_user(settings, user);
 }
 
-SiteLogin try_one(const std::string& role, const storage::ConnectionSettings& settings) {
-  SiteLogin login{role, storage::connection_target(settings), storage::try_login(settings)};
-  if (login.trial.state == LoginTrial::State::unreachable)
-    throw storage::DatabaseError(login.trial.problem, login.trial.hint, storage::Remedy::reconnect);
+SiteLogin try_one(const std::string& role, const std::string& option,
+                  const storage::ConnectionSettings& settings) {
+  SiteLogin login{role, option, storage::connection_target(settings), storage::try_login(settings)};
+  if (login.trial.state == LoginTrial::State::unreachable) {
+    throw storage::DatabaseError(login.trial.problem, login.trial.hint + " (" + option + ")",
+                                 storage::Remedy::reconnect);
+  }
+  if (login.refused_by(LoginTrial::Refusal::no_password)) {
+    login.near = storage::find_near_password(login.target);
+    login.password_sources = storage::check_password_sources(settings);
+  }
   return login;
+}
+
+/// Asks by the login of the same server that works whether the other one is there.
+void look_for(SiteLogin& login, const SiteLogin& other, const storage::ConnectionSettings& by) {
+  if (login.works() || !other.works()) return;
+  login.seen = storage::login_exists(by, login.target.user);
 }
 
 /// As libpq wants a field of its password file.
@@ -65,21 +78,31 @@ void complete_connections(config::Settings& settings) {
 }
 
 SiteLogins try_logins(const config::Settings& settings) {
-  return {try_one("worker", results_connection(settings)),
-          try_one("owner", owner_connection(settings)),
-          try_one("historian's reader", historian_connection(settings.historians.front()))};
+  const config::HistorianSettings& historian = settings.historians.front();
+  SiteLogins logins{try_one("worker", "--results", results_connection(settings)),
+                    try_one("owner", "--owner, or --results", owner_connection(settings)),
+                    try_one("historian's reader", "--historian", historian_connection(historian))};
+  look_for(logins.worker, logins.owner, owner_connection(settings));
+  look_for(logins.owner, logins.worker, results_connection(settings));
+  return logins;
 }
 
 std::vector<std::string> password_lines(const SiteLogins& logins) {
   std::vector<std::string> lines;
+  const auto lacks_password = [](const SiteLogin& login) {
+    using enum LoginTrial::Refusal;
+    const bool has_line = login.near && login.near->part.empty();
+    return !login.works() && !has_line && !login.refused_by(no_database) &&
+           !login.refused_by(no_right);
+  };
   const auto add = [&](const storage::ConnectionTarget& to, const std::string& user) {
     lines.push_back(fmt::format("{}:{}:{}:{}:PASSWORD",
                                 to.host.empty() ? "localhost" : field(first_of(to.host)),
                                 field(first_of(to.port)), field(to.database), field(user)));
   };
   for (const SiteLogin* login : {&logins.worker, &logins.owner, &logins.reader})
-    if (!login->works()) add(login->target, login->target.user);
-  if (logins.database_is_there()) return lines;
+    if (lacks_password(*login)) add(login->target, login->target.user);
+  if (logins.worker.exists() || logins.owner.exists()) return lines;
   for (const PeoplesLogin& login : kPeoplesLogins) add(logins.worker.target, login.name);
   return lines;
 }

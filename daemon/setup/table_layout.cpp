@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "config/historian_presets.hpp"
 #include "daemon/setup/column_roles.hpp"
+#include "daemon/setup/preset_fit.hpp"
 #include "daemon/setup/vendor_layouts.hpp"
 
 namespace loopscope::daemon {
@@ -13,8 +13,6 @@ namespace {
 
 using storage::SeenColumn;
 using storage::SeenTable;
-
-constexpr std::size_t kMostNamed = 6;
 
 std::string full_name(const SeenTable& table) {
   return table.schema + "." + table.name;
@@ -42,12 +40,6 @@ std::string likely_preset(const SeenTable& table, const ColumnRoles& roles) {
   if (numbers < 2) return "";
   if (!has_key) return "wide";
   return looks_like_telegraf(table, roles) ? "telegraf" : "loop_row";
-}
-
-std::string listed(std::vector<std::string> names) {
-  const std::size_t all = names.size();
-  names.resize(std::min(all, kMostNamed));
-  return fmt::format("{}{}", fmt::join(names, ", "), all > kMostNamed ? ", ..." : "");
 }
 
 /// A table that has the same number beside a name.
@@ -154,10 +146,8 @@ std::optional<LayoutCandidate> table_layout(const SeenTable& table,
   if (!wishes.preset.empty() && is_vendor(wishes.preset)) return std::nullopt;
   ColumnRoles roles = find_roles(table, wishes);
   if (!roles.time) return std::nullopt;
-  const std::string likely = likely_preset(table, roles);
-  const std::string preset = wishes.preset.empty() ? likely : wishes.preset;
-  const bool fits = preset == "narrow" ? roles.value.has_value() : !likely.empty();
-  if (preset.empty() || !fits) return std::nullopt;
+  const std::string preset = wishes.preset.empty() ? likely_preset(table, roles) : wishes.preset;
+  if (preset.empty() || !what_is_missing(roles, preset).empty()) return std::nullopt;
   return TableLayout(table, tables, std::move(roles), preset).make();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -125,6 +126,27 @@ std::optional<LayoutCandidate> find_vendor(const HistorianSettings& preset,
   return std::nullopt;
 }
 
+/// The table of this name in any schema, the fewest columns of it that are missing.
+std::string missing_of(const storage::TableName& usual, const std::set<std::string>& wanted,
+                       const std::vector<SeenTable>& tables) {
+  std::string best = fmt::format("no table {}", usual.table);
+  std::size_t fewest = wanted.size() + 1;
+  for (const SeenTable& table : tables) {
+    if (table.name != usual.table) continue;
+    std::vector<std::string> lacking;
+    for (const std::string& name : wanted) {
+      if (!has_columns(table, {name})) lacking.push_back(name);
+    }
+    if (lacking.size() >= fewest) continue;
+    fewest = lacking.size();
+    best = lacking.empty()
+               ? ""
+               : fmt::format("no {} {} in {}.{}", lacking.size() == 1 ? "column" : "columns",
+                             fmt::join(lacking, ", "), table.schema, table.name);
+  }
+  return best;
+}
+
 }  // namespace
 
 bool is_vendor(std::string_view preset) {
@@ -144,6 +166,19 @@ std::vector<LayoutCandidate> vendor_layouts(const std::vector<SeenTable>& tables
     }
   }
   return found;
+}
+
+std::string missing_of_vendor(const std::vector<SeenTable>& tables, const std::string& preset) {
+  const HistorianSettings historian = config::historian_preset(preset);
+  if (find_vendor(historian, tables)) return {};
+  std::string missing;
+  for (const TableSetting& setting : kTableSettings) {
+    if (!is_needed(historian, setting)) continue;
+    const std::string lacks =
+        missing_of(split(historian.*setting.table), columns_of(historian, setting), tables);
+    if (!lacks.empty()) missing += (missing.empty() ? "" : ", ") + lacks;
+  }
+  return missing.empty() ? "its tables lie in several schemas" : missing;
 }
 
 std::vector<storage::TableName> usual_tables(const std::string& preset) {

@@ -16,6 +16,10 @@ namespace loopscope::daemon {
 [[nodiscard]] std::vector<LayoutCandidate> vendor_layouts(
     const std::vector<storage::SeenTable>& tables);
 
+/// Which tables and columns of a vendor's preset are not there, in words; empty = they all are.
+[[nodiscard]] std::string missing_of_vendor(const std::vector<storage::SeenTable>& tables,
+                                            const std::string& preset);
+
 /// The tables that a preset names by itself; empty where the site says them. For who cannot look.
 [[nodiscard]] std::vector<storage::TableName> usual_tables(const std::string& preset);
 

@@ -42,6 +42,11 @@ std::string format_time(std::int64_t time_us, const TimeZone& zone) {
          offset_text(zone, offset_us);
 }
 
+std::string second_in_zone(std::int64_t time_us, const TimeZone& zone) {
+  const auto second = date::floor<std::chrono::seconds>(std::chrono::microseconds(time_us));
+  return format_time(std::chrono::microseconds(second).count(), zone);
+}
+
 std::string minute_in_zone(std::int64_t time_us, const TimeZone& zone) {
   const TimeZone::Period period = zone.period_at(time_us);
   return minute_of_clock(time_us + period.offset_us) + " " + period.words;

@@ -15,6 +15,9 @@ namespace loopscope::daemon {
 /// fractions only where there are any. What read_time() reads.
 [[nodiscard]] std::string format_time(std::int64_t time_us, const TimeZone& zone = {});
 
+/// The same to the second that has begun: nobody reads microseconds.
+[[nodiscard]] std::string second_in_zone(std::int64_t time_us, const TimeZone& zone);
+
 /// "2026-03-01 12:00 UTC", "2026-03-01 13:00 CET": to the minute, for reading.
 [[nodiscard]] std::string minute_in_zone(std::int64_t time_us, const TimeZone& zone);
 

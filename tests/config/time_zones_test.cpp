@@ -21,9 +21,18 @@ TEST(TimeZones, HintsNameTheNearest) {
   EXPECT_EQ(time_zone_hint("berlin"), "did you mean \"Europe/Berlin\"?");
   EXPECT_EQ(time_zone_hint("utc"), "did you mean \"UTC\"?");
   EXPECT_EQ(time_zone_hint("CEST"), "did you mean \"CET\"?");
-  EXPECT_EQ(time_zone_hint("at the seaside"),
-            "write a name of the IANA database, e.g. \"Europe/Berlin\"; `timedatectl "
-            "list-timezones` lists them");
+  EXPECT_EQ(time_zone_hint("Eurpoe/Berlin"), "did you mean \"Europe/Berlin\"?");
+  EXPECT_EQ(time_zone_hint("America/Berlin"), "did you mean \"Europe/Berlin\"?");
+  EXPECT_EQ(time_zone_hint("America/Argentina/Slata"), "did you mean \"America/Argentina/Salta\"?");
+}
+
+TEST(TimeZones, AnotherCityIsNoMisspelling) {
+  for (const char* name : {"Europe/Bonn", "Europe/Munich", "Mars/Olympus", "at the seaside"}) {
+    EXPECT_EQ(time_zone_hint(name),
+              "write a name of the IANA database, region and a large city of the zone, e.g. "
+              "\"Europe/Berlin\"; `timedatectl list-timezones` lists them")
+        << name;
+  }
 }
 
 }  // namespace

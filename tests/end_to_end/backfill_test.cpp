@@ -11,7 +11,9 @@ namespace loopscope::tests {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A window's worth and two slots of six hours, of samples of 10 s.
 constexpr const char* kSettings = R"("schedule": {"settle_s": 0, "default_period_s": 21600})";
@@ -153,6 +155,7 @@ TEST_F(Backfill, MistakesAreExplained) {
     const ProgramResult result = plant.loopscope("backfill", arguments);
     EXPECT_EQ(result.exit_code, code);
     EXPECT_THAT(result.err, AllOf(HasSubstr("error: " + what), HasSubstr("HINT: " + hint)));
+    EXPECT_THAT(result.err, Not(ContainsRegex("[0-9]\\.[0-9]"))) << "whole seconds are enough";
   };
   expect({"--since", "yesterday", "--every", "1d"}, 2, "--since \"yesterday\" is not a time",
          "write ISO 8601");

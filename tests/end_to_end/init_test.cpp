@@ -124,7 +124,11 @@ class Init : public testing::Test {
   void go_on_with(const std::string& settings) const {
     EXPECT_THAT(loopscope(settings, {"migrate"}), HasSubstr("is at version"));
     EXPECT_THAT(loopscope(settings, {"check-config"}), Not(HasSubstr("PROBLEM")));
-    EXPECT_THAT(loopscope(settings, {"loops", "discover", "--add"}), HasSubstr("1 loop added"));
+    EXPECT_THAT(loopscope(settings, {"maintain"}),
+                HasSubstr(" are there already; nothing to drop"));
+    EXPECT_THAT(
+        loopscope(settings, {"loops", "discover", "--add"}),
+        AllOf(HasSubstr("1 loop added"), HasSubstr("loopscope loops --config " + file(settings))));
     EXPECT_THAT(loopscope(settings, {"once"}), HasSubstr("0 failed"));
   }
 
@@ -168,6 +172,37 @@ class Init : public testing::Test {
                 HasSubstr("warning  results database, owner: no password for this login"));
   }
 
+  /// `line` of the password file by another one while init runs.
+  [[nodiscard]] std::string init_with(const std::string& part, const std::string& by,
+                                      const std::string& historian) const {
+    const std::string passwords = content_of(file("pgpass"));
+    std::string changed = passwords;
+    if (const std::size_t at = changed.find(part); at != std::string::npos)
+      changed.replace(at, part.size(), by);
+    write("pgpass", changed, 0600);
+    const ProgramResult done =
+        run_program({LOOPSCOPE_PROGRAM, "init", "--results", address(*results_server, "loopscope"),
+                     "--historian", address(*historian_server, historian), "--table",
+                     "telegraf.opcua", "--out", file("a.json")});
+    write("pgpass", passwords, 0600);
+    EXPECT_EQ(done.exit_code, 4) << done.out << done.err;
+    return done.out + done.err;
+  }
+
+  /// Once the logins are there, whoever mistypes something is not asked to make them again.
+  void expect_mistakes_to_be_named() const {
+    const auto makes_no_role = Not(HasSubstr("CREATE ROLE"));
+    const std::string worker = ":loopscope_worker_1:";
+    EXPECT_THAT(init_with(worker, worker + "not-", "plant"),
+                AllOf(HasSubstr("the password is wrong, the login is there"), makes_no_role));
+    EXPECT_THAT(init_with("", "", "plnt"),
+                AllOf(HasSubstr("has one for dbname=plant"), makes_no_role));
+    EXPECT_THAT(init_with(":plant:", ":*:", "plnt"),
+                AllOf(HasSubstr("database \"plnt\" does not exist"), makes_no_role));
+    EXPECT_THAT(init_with(":loopscope_historian_1:", ":loopscope_historian_1:not-", "plant"),
+                HasSubstr("the server does not tell which"));
+  }
+
   std::unique_ptr<TlsServer> results_server, historian_server;
   TemporaryFolder folder;
   std::optional<EnvironmentVariable> password_file;
@@ -175,11 +210,21 @@ class Init : public testing::Test {
 
 TEST_F(Init, LeadsFromTwoBareServersToVerdicts) {
   set_up_roles();
+  expect_mistakes_to_be_named();
   const ProgramResult second = init({"--table", "telegraf.opcua", "--out", file("a.json")});
   EXPECT_EQ(second.exit_code, 0) << second.out << second.err;
   EXPECT_THAT(second.out,
               AllOf(HasSubstr("telegraf.opcua: preset telegraf"), Not(HasSubstr("PROBLEM")),
-                    HasSubstr("loopscope migrate --config " + file("a.json"))));
+                    HasSubstr("loopscope migrate --config " + file("a.json")),
+                    HasSubstr("loopscope backfill --config " + file("a.json"))));
+  const ProgramResult nowhere =
+      init({"--table", "telegraf.opcua", "--out", file("c.json"), "--time-zone", "Europe/Bonn"});
+  EXPECT_EQ(nowhere.exit_code, 2) << nowhere.out;
+  EXPECT_THAT(nowhere.err, HasSubstr("--time-zone: \"Europe/Bonn\" is not the name"));
+  const ProgramResult misfit =
+      init({"--preset", "wide", "--table", "telegraf.opcua", "--out", file("c.json")});
+  EXPECT_EQ(misfit.exit_code, 2) << misfit.out;
+  EXPECT_THAT(misfit.err, HasSubstr("what fits: --preset telegraf --table telegraf.opcua"));
   go_on_with("a.json");
   EXPECT_EQ(verdict_of("FIC101"), "valve_stiction\n");
 

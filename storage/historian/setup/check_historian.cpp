@@ -40,6 +40,12 @@ std::optional<PqRows> newest_row(PqConnection& connection, const ResolvedLayout&
   }
 }
 
+/// Nobody reads microseconds.
+std::string second_text(std::int64_t time_us) {
+  const std::string text = timestamp_text(time_us);
+  return text.substr(0, text.find('.')) + " UTC";
+}
+
 Finding check_newest(PqConnection& connection, const ResolvedLayout& layout, std::int64_t now) {
   const TimeKind kind = layout.layout.time_kind;
   const std::optional<PqRows> found = newest_row(connection, layout, now);
@@ -56,13 +62,11 @@ Finding check_newest(PqConnection& connection, const ResolvedLayout& layout, std
   }
   const std::int64_t newest = microseconds(kind, decode_value(rows.bytes(0, 0)));
   if (newest > now) {
-    return {
-        true,
-        "the newest row lies in the future, at " + timestamp_text(newest) + ", " + layout.data.sql,
-        "check `time_kind`, the time zone of the recorder and its clock", true};
+    return {true,
+            "the newest row lies in the future, at " + second_text(newest) + ", " + layout.data.sql,
+            "check `time_kind`, the time zone of the recorder and its clock", true};
   }
-  return {true, "the newest row is of " + timestamp_text(newest) + ", " + layout.data.sql, "",
-          false};
+  return {true, "the newest row is of " + second_text(newest) + ", " + layout.data.sql, "", false};
 }
 
 void check_reading(PqConnection& connection, const ResolvedLayout& layout,

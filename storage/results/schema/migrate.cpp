@@ -184,6 +184,11 @@ MaintenanceResult maintain(const ConnectionSettings& owner, const MaintenanceOrd
   });
   if (orders.retention_months > 0) result.dropped = drop_expired(session, orders);
   delete_old_notes(session, orders);
+  session.transact([&](Transaction& transaction) {
+    const pqxx::row months = transaction.run(statements::kPartitionMonths)[0];
+    result.first_month = months["first"].c_str();
+    result.last_month = months["last"].c_str();
+  });
   return result;
 }
 

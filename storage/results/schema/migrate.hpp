@@ -25,8 +25,9 @@ std::vector<std::string> migrate(const ConnectionSettings& owner);
 
 /// What maintain() did.
 struct MaintenanceResult {
-  std::vector<std::string> created;  ///< partitions made ahead
-  std::vector<std::string> dropped;  ///< partitions older than the retention
+  std::vector<std::string> created;     ///< partitions made ahead
+  std::vector<std::string> dropped;     ///< partitions older than the retention
+  std::string first_month, last_month;  ///< that have partitions now: "2026-05"
 };
 
 /// What maintain() is to do.

@@ -88,6 +88,15 @@ const Statement kMakePastPartitions{"make_past_partitions", R"(
     FROM (SELECT age(date_trunc('month', now() AT TIME ZONE 'UTC'),
                      date_trunc('month', $1::timestamptz AT TIME ZONE 'UTC')) AS between) AS months)"};
 
+const Statement kPartitionMonths{"partition_months", R"(
+    SELECT coalesce(min(month.name), '') AS first, coalesce(max(month.name), '') AS last
+    FROM (SELECT replace(right(child.relname, 7), '_', '-') AS name
+          FROM pg_inherits AS inherits
+          JOIN pg_class AS child ON child.oid = inherits.inhrelid
+          WHERE inherits.inhparent = 'loopscope.analysis'::regclass
+            AND child.relname ~ '_[0-9]{4}_[0-9]{2}$') AS month)",
+                                 Rows::one};
+
 const Statement kGrantRights{"grant_rights", "SELECT loopscope.grant_rights()", Rows::one};
 
 const Statement kExpiredPartitions{"expired_partitions", R"(

@@ -20,6 +20,7 @@ extern const Statement kRecordMigration;    ///< version, name, sha256
 extern const Statement kMakePartitions;  ///< months, the running one included -> name of each made
 /// timestamptz -> the same of its month and those up to this one, which is not made
 extern const Statement kMakePastPartitions;
+extern const Statement kPartitionMonths;  ///< -> first, last month ("2026-01"), '' = there is none
 extern const Statement kGrantRights;
 extern const Statement kExpiredPartitions;  ///< retention_months -> name
 extern const Statement kDropPartition;      ///< name

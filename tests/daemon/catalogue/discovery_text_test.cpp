@@ -1,5 +1,6 @@
 #include "daemon/catalogue/discovery_text.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace loopscope::daemon {
@@ -58,13 +59,22 @@ TEST(DiscoveryText, ProposalsAndQuestions) {
   const std::vector<Proposal> proposals = {
       {"A", "op_low=0 op_high=1", "op is 0.4 to 0.6 in 300 values, never outside 0 to 1",
        [](storage::CatalogueEntry&) {}},
-      {"B", "", "pv is 12 to 43 in 300 values: pv_low=0 pv_high=50?"}};
-  EXPECT_EQ(proposals_text(proposals),
+      {"B 1",
+       "",
+       "op is 8 to 14 in 300 values: 0 to 100 (%) or 4 to 20 (mA)?",
+       nullptr,
+       {"--op-low=0 --op-high=100", "--op-low=4 --op-high=20"}}};
+  EXPECT_EQ(proposals_text(proposals, "a.json"),
             "       1 proposed by history and name: A op_low=0 op_high=1 (op is 0.4 to 0.6 in 300 "
             "values, never outside 0 to 1)\n"
-            "       1 question that history leaves open: B (pv is 12 to 43 in 300 values: "
-            "pv_low=0 pv_high=50?)\n");
-  EXPECT_EQ(proposals_text({}), "");
+            "       1 question that history leaves open; who knows the answer says it, once the "
+            "loop is in the catalogue, by:\n"
+            "         B 1: op is 8 to 14 in 300 values: 0 to 100 (%) or 4 to 20 (mA)?\n"
+            "           loopscope loops --config a.json set 'B 1' --op-low=0 --op-high=100\n"
+            "           loopscope loops --config a.json set 'B 1' --op-low=4 --op-high=20\n");
+  EXPECT_THAT(proposals_text(std::vector<Proposal>(12, proposals[1]), "f"),
+              testing::EndsWith("         ... and 2 more\n"));
+  EXPECT_EQ(proposals_text({}, "f"), "");
 }
 
 }  // namespace

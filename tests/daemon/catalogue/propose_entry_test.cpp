@@ -13,6 +13,7 @@ namespace {
 using core::signal::OpRange;
 using core::signal::Samples;
 using storage::CatalogueEntry;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -56,13 +57,15 @@ TEST(ProposeEntry, WhatIsNotClearIsAsked) {
   ASSERT_THAT(either, SizeIs(1));
   EXPECT_EQ(either[0].reason,
             "op is 8.01428 to 14 in 300 values: 0 to 100 (%) or 4 to 20 (mA) or 3 to 15 (psi)?");
+  EXPECT_THAT(either[0].answers, ElementsAre("--op-low=0 --op-high=100", "--op-low=4 --op-high=20",
+                                             "--op-low=3 --op-high=15"));
   EXPECT_FALSE(either[0].apply);
   EXPECT_THAT(about_op(wave(3.1, 14.8))[0].reason, HasSubstr("0 to 100 (%) or 3 to 15 (psi)?"));
   EXPECT_THAT(about_op(wave(1.9, 3.1))[0].reason, HasSubstr("0 to 100 (%) or 1 to 5 (V)?"));
   EXPECT_TRUE(about_op(wave(1.9, 21.0))[0].apply);
   EXPECT_FALSE(about_op(wave(310.5, 480.5))[0].apply);
   EXPECT_EQ(about_op(wave(-5000.0, 480.5))[0].reason,
-            "op is -4986.96 to 480.493 in 300 values: no usual range; set op_low and op_high");
+            "op is -4986.96 to 480.493 in 300 values: no usual range; which is it?");
   EXPECT_THAT(about_op(Samples(300, 0.0)), IsEmpty()) << "a closed valve says nothing";
 }
 
@@ -70,14 +73,16 @@ TEST(ProposeEntry, WhatAPersonHasSetIsDoubtedAndNotReplaced) {
   EXPECT_THAT(about_op(wave(20.0, 80.0), OpRange{}), IsEmpty());
   const auto doubted = about_op(wave(0.2, 0.9), OpRange{});
   ASSERT_THAT(doubted, SizeIs(1));
-  EXPECT_EQ(doubted[0].reason, "op never leaves 0 to 1 of 0 to 100: op_low=0 op_high=1?");
+  EXPECT_EQ(doubted[0].reason, "op never leaves 0 to 1 of 0 to 100: is its range 0 to 1?");
   EXPECT_FALSE(doubted[0].apply);
 }
 
 TEST(ProposeEntry, TheRangeOfPvIsAQuestion) {
   const auto proposals = propose(loop_named("loop"), {wave(12.0, 43.0), {}});
   ASSERT_THAT(proposals, SizeIs(1));
-  EXPECT_EQ(proposals[0].reason, "pv is 12.0738 to 43 in 300 values: pv_low=0 pv_high=50?");
+  EXPECT_EQ(proposals[0].reason,
+            "pv is 12.0738 to 43 in 300 values: is its transmitter's range 0 to 50?");
+  EXPECT_THAT(proposals[0].answers, ElementsAre("--pv-low=0 --pv-high=50"));
   EXPECT_FALSE(proposals[0].apply);
 }
 
@@ -86,8 +91,9 @@ TEST(ProposeEntry, OneThatPvLeavesIsAQuestionToo) {
   entry.pv_range = OpRange{0.0, 1.0};
   const auto proposals = propose(entry, {wave(12.0, 43.0), {}});
   ASSERT_THAT(proposals, SizeIs(1));
-  EXPECT_EQ(proposals[0].reason,
-            "pv is 12.0738 to 43 in 300 values, not within 0 to 1: pv_low=0 pv_high=50?");
+  EXPECT_EQ(
+      proposals[0].reason,
+      "pv is 12.0738 to 43 in 300 values, not within 0 to 1: is its transmitter's range 0 to 50?");
   EXPECT_FALSE(proposals[0].apply);
   entry.pv_range = OpRange{0.0, 42.0};
   EXPECT_THAT(propose(entry, {wave(12.0, 43.0), {}}), IsEmpty());

@@ -41,6 +41,16 @@ TEST(UnknownWord, CommandsAndTheirActions) {
             "--help lists them");
 }
 
+TEST(UnknownWord, ABeginningIsEnough) {
+  EXPECT_EQ(said_of("loop"),
+            "unknown command \"loop\" HINT: did you mean \"loops\"? loopscope --help lists them");
+  EXPECT_EQ(said_of("on"),
+            "unknown command \"on\" HINT: did you mean \"once\"? loopscope --help lists them");
+  EXPECT_EQ(said_of("loops l"),
+            "loopscope loops has no action \"l\" HINT: did you mean \"list\" or \"load\"? "
+            "loopscope loops --help lists them");
+}
+
 TEST(UnknownWord, Options) {
   EXPECT_EQ(said_of("once --confg f"),
             "loopscope once has no option \"--confg\" HINT: did you mean \"--config\"? loopscope "

@@ -51,6 +51,13 @@ TEST(ChooseLayout, NoHistoryIsUnusableData) {
     EXPECT_EQ(failure.exit_code(), ExitCode::unusable_data);
     EXPECT_THAT(failure.what(), HasSubstr("public.users"));
   }
+  try {
+    static_cast<void>(choose_layout({}, {}, questions));
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_STREQ(failure.what(), "the historian's database has no tables");
+    EXPECT_THAT(failure.hint(), HasSubstr("dbname in --historian"));
+  }
 }
 
 TEST(Questions, AnEmptyAnswerIsTheUsualOne) {

@@ -186,5 +186,51 @@ TEST(RecogniseLayouts, AWishThatIsNotThereIsSaid) {
   }
 }
 
+/// What is said of a preset that somebody wishes.
+std::string said_of(const std::vector<SeenTable>& tables, const std::string& preset,
+                    const std::string& table = "") {
+  LayoutWishes wishes = wish_of_table(table);
+  wishes.preset = preset;
+  try {
+    return recognise_layouts(tables, wishes).empty() ? "none" : "fits";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit_code(), ExitCode::usage);
+    return failure.what() + std::string(" HINT: ") + failure.hint();
+  }
+}
+
+TEST(RecogniseLayouts, APresetThatDoesNotFitSaysWhatIsMissingAndWhatFits) {
+  EXPECT_EQ(said_of({measurement()}, "wide"),
+            "--preset wide does not fit: public.plc has no column for each tag: name says whose a "
+            "row is HINT: what fits: --preset telegraf --table public.plc");
+  EXPECT_EQ(said_of({measurement()}, "narrow", "plc"),
+            "--preset narrow does not fit: public.plc has no one column of values (--value-column; "
+            "it has SP, PV, OP) HINT: what fits: --preset telegraf --table public.plc");
+  EXPECT_EQ(said_of({archive(), users()}, "loop_row"),
+            "--preset loop_row does not fit: public.archive has no columns for a loop's sp, pv and "
+            "op, only wert HINT: what fits: --preset narrow --table public.archive");
+  EXPECT_EQ(said_of({users()}, "narrow", "users"),
+            "--preset narrow does not fit: public.users has no column of times (--time-column), no "
+            "column of values (--value-column) HINT: no other preset fits either; "
+            "config/HISTORIANS.md says what each one needs");
+  EXPECT_EQ(said_of({measurement()}, "loop_row"), "fits");
+  EXPECT_EQ(said_of({users()}, "wide"), "none");
+}
+
+TEST(RecogniseLayouts, AVendorsPresetSaysWhichTablesAreMissing) {
+  EXPECT_EQ(
+      said_of({archive(), seen_table("pointvalues",
+                                     {{"id", "int8"}, {"datapointid", "int4"}, {"ts", "int8"}})},
+              "scada_lts"),
+      "--preset scada_lts does not fit: no table datapoints, no column pointvalue in "
+      "public.pointvalues HINT: what fits: --preset narrow --table public.archive");
+}
+
+TEST(RecogniseLayouts, AColumnThatIsNamedTellsTheTable) {
+  LayoutWishes wishes;
+  wishes.value_column = "wert";
+  EXPECT_EQ(only({measurement(), archive()}, wishes).table, "public.archive");
+}
+
 }  // namespace
 }  // namespace loopscope::daemon

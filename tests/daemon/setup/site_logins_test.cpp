@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "daemon/setup/next_commands.hpp"
 #include "daemon/setup/scripts.hpp"
 #include "daemon/text/failure.hpp"
 
@@ -69,6 +70,60 @@ TEST(SiteLogins, LinesOfThePasswordFileAreEscaped) {
                   R"(\:\:1:5432:loopscope:loopscope_engineer_1:PASSWORD)"));
   logins.owner.trial.state = LoginTrial::State::works;
   EXPECT_THAT(password_lines(logins), SizeIs(1)) << "the database is there";
+}
+
+TEST(SiteLogins, SqlIsForWhatIsNotThere) {
+  SiteLogins logins;
+  logins.worker.trial = {LoginTrial::State::refused, "", "", LoginTrial::Refusal::no_password};
+  logins.owner.trial = logins.worker.trial;
+  EXPECT_TRUE(logins.results_need_sql());
+  logins.worker.near = logins.owner.near = {"dbname", "loopscope"};
+  EXPECT_FALSE(logins.results_need_sql()) << "the name is wrong";
+  logins.worker.near = logins.owner.near = {"host", "db1"};
+  EXPECT_TRUE(logins.results_need_sql());
+  logins.owner.trial = {};
+  EXPECT_TRUE(logins.results_need_sql());
+  logins.worker.seen = true;
+  EXPECT_FALSE(logins.results_need_sql()) << "its password is all that is missing";
+}
+
+TEST(SiteLogins, TheHistoriansReaderSeesADatabaseOfBoth) {
+  SiteLogins logins;
+  logins.worker.trial.state = logins.owner.trial.state = LoginTrial::State::refused;
+  logins.worker.target = {"db1", "5432", "plant", "w"};
+  logins.reader.target = {"db1", "5432", "plant", "r"};
+  EXPECT_TRUE(logins.database_is_there());
+  logins.reader.target.database = "other";
+  EXPECT_FALSE(logins.database_is_there());
+}
+
+TEST(Scripts, OfGrantsAlonePsqlAsksForNothing) {
+  const storage::ConnectionTarget target{"db1", "5432", "", ""};
+  const auto printed = [&](const Script& script) {
+    testing::internal::CaptureStdout();
+    hand_out(script, target, "");
+    return testing::internal::GetCapturedStdout();
+  };
+  EXPECT_EQ(printed({"the historian", "historian.sql", "plant", "GRANT x;\n", true}),
+            "\n-- Loopscope, for the historian. As a superuser of it, or as the owner of the "
+            "tables:\n--   psql -h db1 -p 5432 -U postgres -d plant -f historian.sql\nGRANT x;\n");
+  EXPECT_THAT(printed({"the historian", "historian.sql", "plant", "\\password x\n"}),
+              HasSubstr("As a superuser of it, from a file, since psql asks for the passwords:"));
+}
+
+TEST(NextCommands, GoOnAsTheReadmeDoes) {
+  EXPECT_EQ(next_commands("a.json", "2026-11-22"),
+            "Review a.json, then:\n"
+            "  loopscope migrate --config a.json\n"
+            "  loopscope loops --config a.json discover --out loops.csv   (review it)\n"
+            "  loopscope loops --config a.json load loops.csv\n"
+            "  loopscope once --config a.json\n"
+            "The past week, so that the list knows since when:\n"
+            "  loopscope maintain --config a.json --since 2026-11-22\n"
+            "  loopscope backfill --config a.json --since 2026-11-22 --every 6h\n"
+            "What people read, and the service that goes on judging:\n"
+            "  loopscope report --config a.json --out report\n"
+            "  loopscope run --config a.json\n");
 }
 
 TEST(Scripts, TheCommandIsOneThatAShellTakes) {

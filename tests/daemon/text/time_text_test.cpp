@@ -10,6 +10,7 @@ namespace {
 TEST(TimeText, Utc) {
   EXPECT_EQ(format_time(kNoon_us), "2026-03-01T12:00:00Z");
   EXPECT_EQ(format_time(kNoon_us + 1), "2026-03-01T12:00:00.000001Z");
+  EXPECT_EQ(second_in_zone(kNoon_us + 999'999, {}), "2026-03-01T12:00:00Z");
   EXPECT_EQ(format_time(kNoon_us, TimeZone("UTC")), "2026-03-01T12:00:00Z");
   EXPECT_EQ(minute_in_zone(kNoon_us + 59 * kSecond_us, {}), "2026-03-01 12:00 UTC");
   EXPECT_EQ(minute_below_zone(kNoon_us, {}), "2026-03-01 12:00");

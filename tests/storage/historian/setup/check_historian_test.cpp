@@ -53,7 +53,7 @@ TEST_F(CheckHistorianTest, GoodTableWithFreshRowsIsAllRight) {
                   "an index serves the reading of windows, " + table,
                   "the plan of a window uses indexes only, " + table,
                   MatchesRegex("the window of a tag was read, rows: 1 in [0-9]+ ms, " + table),
-                  MatchesRegex("the newest row is of .*, " + table)));
+                  MatchesRegex("the newest row is of [-0-9]+ [0-9:]+ UTC, " + table)));
 }
 
 TEST_F(CheckHistorianTest, OldOrFutureRowsAreWarnedOf) {
