@@ -16,7 +16,7 @@ constexpr const char* kHead =
     "// Passwords are refused here: they stand in ~/.pgpass (mode 0600) or in what PGPASSFILE "
     "names.\n";
 
-/// What sites change first, ready to be let in.
+/// What sites change first, ready to be uncommented.
 constexpr const char* kEngineer =
     "    // The login under which people annotate and enter work; without it the owner's:\n"
     "    // \"engineer_connection\": \"host=... dbname=... user=loopscope_engineer_1\",\n";

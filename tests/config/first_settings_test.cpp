@@ -42,8 +42,8 @@ TEST(FirstSettings, NameWhatDiffersFromThePresetAndNoMore) {
                           Not(HasSubstr("time_column")), Not(HasSubstr("tag_column"))));
 }
 
-/// As somebody lets in what is offered.
-TEST(FirstSettings, WhatIsOfferedCanBeLetIn) {
+/// As somebody uncomments what is offered.
+TEST(FirstSettings, WhatIsOfferedCanBeUncommented) {
   std::string text = first_settings_text({"service=w", "service=o", site_of("narrow"), {}});
   for (const std::string offered : {"// \"engineer_connection\"", "// \"plant\""}) {
     const std::size_t at = text.find(offered);
