@@ -87,13 +87,15 @@ COMMENT ON COLUMN loopscope.flagged_loop.since IS
   'otherwise, one after the other, end, or of the stay on the list, the earlier one. Where the loop has no judged '
   'window before it, the fault may be older';
 
--- A stay that lasts began when the list says: windows that were judged later, of times before, count.
+-- A stay that lasts began when the list says: windows that were judged later, of times before, count. DISTINCT lets the
+-- planner leave the list out where nobody asks since when.
 CREATE OR REPLACE VIEW loopscope.flag_history AS
   SELECT notice.flag_notice_id, notice.loop_id, loop.name AS loop_name, notice.code, notice.flagged_at,
          least(standing.since, notice.since) AS since, notice.status, notice.confirmed_at, notice.ended_at,
          notice.ended_by, notice.ended_at IS NULL AS stands, notice.announced, notice.slot_end, notice.confidence,
          notice.rank, notice.score, notice.summary
   FROM loopscope.flag_notice AS notice JOIN loopscope.loop USING (loop_id)
-  LEFT JOIN loopscope.flagged_loop AS standing ON standing.loop_id = notice.loop_id AND notice.ended_at IS NULL;
+  LEFT JOIN (SELECT DISTINCT ON (loop_id) loop_id, since FROM loopscope.flagged_loop) AS standing
+    ON standing.loop_id = notice.loop_id AND notice.ended_at IS NULL;
 COMMENT ON COLUMN loopscope.flag_history.since IS
   'Slot of the first verdict of its run; of a stay that lasts as in flagged_loop, else as it was known when it came';

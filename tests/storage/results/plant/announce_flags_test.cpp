@@ -112,6 +112,15 @@ TEST_F(AnnounceFlagsTest, ListAndHistoryAgreeSinceWhenAFaultIsThere) {
         << view;
 }
 
+/// The list costs something: it is made where somebody asks since when.
+TEST_F(AnnounceFlagsTest, HistoryAsksTheListOnlyForWhatItTells) {
+  const auto lines = [&](const std::string& asked) {
+    return column("EXPLAIN SELECT " + asked + " FROM loopscope.flag_history").size();
+  };
+  EXPECT_GT(lines("since"), 20U);
+  EXPECT_LT(lines("code, flagged_at, ended_at"), 10U);
+}
+
 TEST_F(AnnounceFlagsTest, AnotherVerdictIsTheSameStay) {
   tell({{.loop = "a", .slot_hours = 1}});
   static_cast<void>(announce());
