@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnosis/evidence/figure.hpp"
@@ -30,6 +31,12 @@ const model::Step* band_step(const Evidence& evidence) {
   return most;
 }
 
+/// One significant digit.
+double rounded(double value) {
+  const double ten = std::pow(10.0, std::floor(std::log10(value)));
+  return std::round(value / ten) * ten;
+}
+
 /// What the figure adds to the log odds of the cause; 0 where it is none of its figures.
 double weight_in(const Causes& causes, VerdictCode code, std::size_t figure) {
   const auto cause = std::ranges::find(causes, code, &WeighedCause::code);
@@ -44,6 +51,15 @@ bool speaks_for_either(const Figure& figure) {
   return figure.name.starts_with("step.") || figure.name.starts_with("asked.");
 }
 
+/// Odds as people say them instead of their logarithm: "odds that ...: 30 to 1".
+std::string plain_figure(const Figure& figure, double value) {
+  constexpr std::string_view kLog = "log ";
+  if (!figure.words.starts_with(kLog)) return figure_text(figure, value);
+  const std::string ratio = text::number(rounded(std::exp(std::abs(value))));
+  return std::string(figure.words.substr(kLog.size())) + ": " +
+         (value < 0.0 ? "1 to " + ratio : ratio + " to 1");
+}
+
 /// The figure that speaks most for stiction beside dead band, in words: "op repeats its half cycle:
 /// 93 %"; empty where none was measured that does.
 std::string what_weighed(const Causes& causes, const Evidence& evidence) {
@@ -55,15 +71,9 @@ std::string what_weighed(const Causes& causes, const Evidence& evidence) {
                           weight_in(causes, VerdictCode::valve_deadband, k);
     if (!values[k] || weight <= most || speaks_for_either(all_figures()[k])) continue;
     most = weight;
-    words = figure_text(all_figures()[k], *values[k]);
+    words = plain_figure(all_figures()[k], *values[k]);
   }
   return words;
-}
-
-/// One significant digit.
-double rounded(double value) {
-  const double ten = std::pow(10.0, std::floor(std::log10(value)));
-  return std::round(value / ten) * ten;
 }
 
 }  // namespace

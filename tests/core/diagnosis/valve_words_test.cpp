@@ -52,7 +52,7 @@ TEST(ValveWords, DeadBandFoundInALoopThatSticksIsSaid) {
             "");
 }
 
-/// `odds` of this window, with the parts of two figures: the first speaks for either.
+/// Of these natural log odds, with the parts of two figures: the first speaks for either cause.
 Causes between(double stiction, double play) {
   const std::size_t either = figure_place("step.hysteresis").value();
   const std::size_t cycle = figure_place("cycle.op_coherence").value();
@@ -78,6 +78,14 @@ TEST(ValveWords, WhyItSticksAlthoughTheModelFoundDeadBand) {
   EXPECT_EQ(why(0.0, -0.1),
             "This window can hardly tell stiction (50 % probable) from dead band (48 %); for "
             "stiction speaks most: op repeats its half cycle: 90 %.");
+  band.cycle->evidence.travel = 5.0;
+  band.cycle->score = 0.5;
+  Causes by_odds = between(2.0, -2.0);
+  by_odds[1].parts.push_back({figure_place("band.odds").value(), 3.2, -2.0});
+  EXPECT_EQ(
+      why_stiction(VerdictCode::valve_stiction, band, by_odds, kLine),
+      "What tells stiction (88 % probable) from dead band (12 %): odds that a valve with this "
+      "band makes the cycle: 20 to 1.");
   EXPECT_EQ(why_stiction(VerdictCode::valve_deadband, band, between(2.0, -2.0), kLine), "");
   EXPECT_EQ(why_stiction(VerdictCode::valve_stiction,
                          evidence_of_band(model::EffectKind::valve_stiction, 5.0),
