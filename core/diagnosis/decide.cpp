@@ -154,6 +154,8 @@ Verdict by_odds(const Evidence& evidence, const NonlinearityFinding& nonlinearit
   if (combined)
     verdict.reasons.insert(verdict.reasons.begin(), windows_text(confidence_in(code, alone)));
   std::vector<std::string> plain = plain_evidence(code, evidence);
+  if (std::string why = why_stiction(code, evidence, alone, decision.line); !why.empty())
+    plain.insert(plain.begin() + (plain.empty() ? 0 : 1), std::move(why));
   if (!plain.empty()) plain.emplace_back(kFiguresFollow);
   verdict.reasons.insert(verdict.reasons.begin(), plain.begin(), plain.end());
   verdict.action = action_for(code, evidence, causes, decision.line);

@@ -8,6 +8,7 @@
 
 #include "core/diagnosis/effect_verdict.hpp"
 #include "core/diagnosis/evidence/structure.hpp"
+#include "core/diagnosis/model_words.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
@@ -56,9 +57,6 @@ std::string tuning_text(const model::ClosedLoop& loop) {
          " after a disturbance, each swing " + text::percent(decay_ratio(loop.damping)) +
          " of the one before.";
 }
-
-/// A model that leaves less than this of what could be explained is enough.
-constexpr double kNearlyAll = 0.1;
 
 /// Where no step says what comes from outside: that nothing within the loop does.
 std::string unaccounted_text(const model::Explanation& model) {

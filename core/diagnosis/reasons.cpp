@@ -9,6 +9,7 @@
 #include "core/diagnosis/evidence/figure.hpp"
 #include "core/diagnosis/evidence/structure.hpp"
 #include "core/diagnosis/loop_state.hpp"
+#include "core/diagnosis/model_words.hpp"
 #include "core/diagnosis/valve_words.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
@@ -44,19 +45,6 @@ std::string statement_of(const model::Step& step) {
   text += text::code_words(model::name(step.effect));
   if (!parameters.empty()) text.append(" (").append(parameters).append(")");
   return text + ".";
-}
-
-/// What is left of the error that a model can explain, in agreement with the test of whiteness.
-std::string left_text(const model::Unexplained& rest) {
-  const std::string left = text::percent(rest.fraction), p = text::p_text(rest.whiteness_p);
-  if (left != "0 %")
-    return "The model leaves " + left +
-           " of the explainable error unexplained (residual whiteness p " + p + ").";
-  if (rest.whiteness_p > model::kSignificant)
-    return "The model explains all of the explainable error (residual whiteness p " + p + ").";
-  return "The model explains nearly all of the explainable error, but its residual is not white "
-         "(p " +
-         p + ").";
 }
 
 bool is_tuning(VerdictCode code) {
@@ -175,7 +163,7 @@ std::string output_at_limit_text(const Evidence& evidence) {
 
 std::string unexplained_text(const model::Explanation& explanation) {
   const model::Unexplained& rest = explanation.unexplained;
-  std::string text = left_text(rest);
+  std::string text = left_text(explanation);
   if (!rest.statement.empty()) text += " " + rest.statement;
   for (const model::Question& question : explanation.questions) {
     const bool said = rest.statement.find(question.statement) != std::string::npos;

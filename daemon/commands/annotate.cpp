@@ -94,14 +94,14 @@ std::int64_t parse_until(const std::string& text, const TimeZone& zone) {
 /// In the name that the options say.
 void say(const AnnotateOptions& options, storage::Annotation annotation, AnnotationWork& opened) {
   annotation.on_behalf_of = options.on_behalf_of;
-  const std::optional<std::size_t> replaced = opened.annotations.add(annotation);
-  if (!replaced) {
+  const std::optional<storage::OthersInForce> others = opened.annotations.add(annotation);
+  if (!others) {
     throw Failure(ExitCode::usage,
                   fmt::format("loop \"{}\" has just been removed", annotation.loop_name),
                   "loopscope loops --config F lists them");
   }
-  std::cout << annotation_line(annotation, opened.zone)
-            << (*replaced > 0 ? "; it takes the place of an older one\n" : "\n");
+  std::cout << annotation_line(annotation, opened.zone) << '\n'
+            << others_in_force(*others, opened.zone);
 }
 
 void annotate_verdict(const AnnotateOptions& options, const char* kind) {

@@ -55,6 +55,8 @@ std::string summary(const PassResult& pass, const PastSlots& slots) {
       fmt::format("{} of {}: {} judged, {} had been judged before, {} without a sample of pv",
                   slots.settled(), counted(slots.total(), "window", "windows"), pass.count.inserted,
                   slots.stored(), slots.unrecorded());
+  // A window has none of its samples there: which of the three, the historian alone knows.
+  if (slots.unrecorded() > 0) text += " (before the tag's first row, in a gap or after its last)";
   if (pass.signal != 0) text += "; stopped by a signal, the same command goes on with the others";
   return text;
 }

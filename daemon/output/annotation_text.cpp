@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "core/text/phrases.hpp"
 #include "daemon/text/author_text.hpp"
 #include "daemon/text/printable.hpp"
 #include "daemon/text/time_text.hpp"
@@ -31,6 +32,19 @@ std::string end_of(const storage::Annotation& annotation, const TimeZone& zone) 
          "it, or until it is withdrawn";
 }
 
+std::string about(const storage::Annotation& annotation) {
+  return annotation.code ? "verdict " + printable(*annotation.code) : "whatever the verdict";
+}
+
+/// "acknowledged by J. Doe (login ls) since 2026-05-01T00:00:00Z, verdict any, until ...: why".
+std::string who_said(const storage::Annotation& said, const TimeZone& zone) {
+  return fmt::format("{} by {} since {}, {}{}{}", core::text::code_words(said.kind),
+                     printable(author_text(said.author, said.on_behalf_of)),
+                     second_in_zone(said.entered_at_us, zone), about(said),
+                     said.until_us ? ", until " + format_time(*said.until_us, zone) : "",
+                     said.reason.empty() ? "" : ": " + printable(said.reason));
+}
+
 }  // namespace
 
 std::string annotation_table(const std::vector<storage::Annotation>& annotations,
@@ -49,10 +63,20 @@ std::string annotation_table(const std::vector<storage::Annotation>& annotations
 }
 
 std::string annotation_line(const storage::Annotation& annotation, const TimeZone& zone) {
-  const std::string about =
-      annotation.code ? "verdict " + printable(*annotation.code) : "whatever the verdict";
-  return fmt::format("{} {}, {}, {}", annotation.kind, printable(annotation.loop_name), about,
-                     end_of(annotation, zone));
+  return fmt::format("{} {}, {}, {}", annotation.kind, printable(annotation.loop_name),
+                     about(annotation), end_of(annotation, zone));
+}
+
+std::string others_in_force(const storage::OthersInForce& others, const TimeZone& zone) {
+  std::string text;
+  for (const storage::Annotation& said : others.replaced)
+    text +=
+        fmt::format("  takes the place of what was in force already: {}\n", who_said(said, zone));
+  for (const storage::Annotation& said : others.beside)
+    text += fmt::format("  stands beside what is in force already: {}\n", who_said(said, zone));
+  if (!others.beside.empty())
+    text += "  `withdraw` takes back all that holds of the loop, with --code one verdict's\n";
+  return text;
 }
 
 }  // namespace loopscope::daemon

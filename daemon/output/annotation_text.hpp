@@ -16,4 +16,9 @@ namespace loopscope::daemon {
 [[nodiscard]] std::string annotation_line(const storage::Annotation& annotation,
                                           const TimeZone& zone);
 
+/// What else was said of the loop, a line each: what the new annotation takes the place of, what it
+/// stands beside, by whom, since when and why; empty where nothing was.
+[[nodiscard]] std::string others_in_force(const storage::OthersInForce& others,
+                                          const TimeZone& zone);
+
 }  // namespace loopscope::daemon

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/diagnosis/model_words.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
 #include "core/text/phrases.hpp"
@@ -45,6 +46,9 @@ std::string model_text(const core::model::Explanation& explanation) {
                       fmt::format("{}: {}", name(step.effect), core::diagnosis::step_text(step)));
     text += asked_lines(step);
   }
+  for (const std::string& words :
+       {core::diagnosis::effects_text(explanation), core::diagnosis::floor_text(explanation)})
+    if (!words.empty()) text += text_line("", words);
   text += text_line("  left", core::diagnosis::unexplained_text(explanation));
   if (explanation.closed_loop) {
     text += text_line("  closed loop", core::diagnosis::closed_loop_text(*explanation.closed_loop));

@@ -133,12 +133,11 @@ std::string page_of(const Content& content) {
   for (const LoopReport& loop_report : content.loop_reports)
     sections.push_back(loop_section(loop_report));
   const TimeZone& zone = facts.zone;
-  return page(
-      {.title = title_of(facts.plant),
-       .subtitle = fmt::format("Loopscope report, {} to {}", minute_in_zone(facts.since_us, zone),
-                               minute_in_zone(facts.counts.now_us, zone)),
-       .zone = zone.name()},
-      sections);
+  return page({.title = title_of(facts.plant),
+               .subtitle = {"Loopscope report,", minute_in_zone(facts.since_us, zone) + " to",
+                            minute_in_zone(facts.counts.now_us, zone)},
+               .zone = zone.name()},
+              sections);
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -9,6 +9,7 @@ namespace loopscope::tests {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -65,12 +66,21 @@ TEST_F(Annotate, TakesLoopsOffTheListAndPutsThemBack) {
 }
 
 TEST_F(Annotate, OfAKindOneStands) {
-  EXPECT_EQ(annotate({"--loop", "FIC101", "acknowledge"}).exit_code, 0);
+  EXPECT_EQ(
+      annotate({"--loop", "FIC101", "acknowledge", "--reason", "seen", "--on-behalf-of", "J. Doe"})
+          .exit_code,
+      0);
   EXPECT_THAT(annotate({"--loop", "FIC101", "acknowledge", "--reason", "ordered"}).out,
-              HasSubstr("it takes the place of an older one"));
+              ContainsRegex(
+                  "\n  takes the place of what was in force already: acknowledged by "
+                  "J\\. Doe \\(login [^)]+\\) since [-0-9T:]+Z, verdict valve_stiction: seen\n$"));
   EXPECT_EQ(plant.plant().sql("SELECT count(*) FROM loopscope.annotation_in_force"
                               " WHERE loop_name = 'FIC101'"),
             "1");
+  EXPECT_THAT(
+      annotate({"--loop", "FIC101", "suppress", "--until", "2199-01-01", "--reason", "x"}).out,
+      AllOf(HasSubstr("\n  stands beside what is in force already: acknowledged by "),
+            HasSubstr(", verdict valve_stiction: ordered\n"), HasSubstr("takes back all that")));
 }
 
 TEST_F(Annotate, ErrorsSayTheWayOut) {

@@ -111,8 +111,10 @@ TEST_F(Backfill, GoesOnWithWhatIsLeftAndTellsWhatIsNotRecorded) {
               AllOf(HasSubstr("1 loop, 1 window each, from " + iso(0)),
                     HasSubstr("1 of 1 window: 1 judged")));
   // FIC101 was recorded for less than twelve hours, TIC102 for longer.
-  EXPECT_THAT(backfill(18).out,
-              HasSubstr("8 of 8 windows: 6 judged, 1 had been judged before, 1 without a sample"));
+  EXPECT_THAT(
+      backfill(18).out,
+      HasSubstr("8 of 8 windows: 6 judged, 1 had been judged before, 1 without a sample of pv"
+                " (before the tag's first row, in a gap or after its last)\n"));
   EXPECT_EQ(plant.sql("SELECT count(*) FROM loopscope.analysis"), "7");
 }
 

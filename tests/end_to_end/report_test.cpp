@@ -59,7 +59,9 @@ TEST(Report, OneFileTellsOfEveryFlaggedLoopWithItsPictures) {
   };
   ASSERT_EQ(report_since("2026-03-01 17:30").exit_code, 0);
   const std::string local = content_of(folder + "/report.html");
-  EXPECT_THAT(local, HasSubstr("Loopscope report, 2026-03-01 17:30 IST to "));
+  EXPECT_THAT(
+      local,
+      HasSubstr("<p><span>Loopscope report,</span> <span>2026-03-01 17:30 IST to</span> <span>"));
   EXPECT_THAT(local, HasSubstr("<th>Since (Asia/Kolkata)</th>"));
   EXPECT_THAT(local, HasSubstr("All times are local, Asia/Kolkata."));
   EXPECT_THAT(local, Not(HasSubstr(" UTC")));

@@ -19,7 +19,7 @@ HttpAnswer page_answer(int status, std::string text) {
 
 /// Which server, and what it said, is the log's to tell: a page may be read by many.
 HttpAnswer away() {
-  HttpAnswer answer = page_answer(503, page({"Loopscope", "the results database does not answer"},
+  HttpAnswer answer = page_answer(503, page({"Loopscope", {"the results database does not answer"}},
                                             {render("results_away", {})}));
   answer.headers.emplace("Retry-After", "10");
   return answer;

@@ -26,7 +26,7 @@ std::string titled(const std::string& plant, const std::string& words) {
 }
 
 LivePage no_such_loop(const std::string& name, const TimeZone& zone) {
-  return {page({"No such loop", "", true, zone.name()}, {render("no_such_loop", {{"name", name}})}),
+  return {page({"No such loop", {}, true, zone.name()}, {render("no_such_loop", {{"name", name}})}),
           false};
 }
 
@@ -61,7 +61,7 @@ LivePage LiveReader::plant(const std::stop_token& stop) {
   PlantFacts facts = plant_facts();
   draw_events(facts, stop);
   const std::string now = minute_in_zone(facts.since_us + kNewWithinUs, zone_);
-  return {page({titled(facts.plant, "Control loops"), "as of " + now, true, zone_.name()},
+  return {page({titled(facts.plant, "Control loops"), {"as of " + now}, true, zone_.name()},
                {plant_section(facts, LoopLinks::pages)})};
 }
 
@@ -69,7 +69,8 @@ LivePage LiveReader::loops() {
   storage::ReportDatabase database(results_connection(*settings_));
   const auto rows = database.loops();
   return {page({titled(settings_->report.plant, "All loops"),
-                core::text::counted(static_cast<std::int64_t>(rows.size()), "loop", "loops"), true,
+                {core::text::counted(static_cast<std::int64_t>(rows.size()), "loop", "loops")},
+                true,
                 zone_.name()},
                {loop_list(rows, zone_)})};
 }
@@ -112,10 +113,11 @@ LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) 
     loop_report = read_loop_report(database, *row, zone_);
   }
   look(loop_report, stop);
-  return {page(
-      {titled(settings_->report.plant, name),
-       "window until " + minute_in_zone(loop_report.row.slot_end_us, zone_), true, zone_.name()},
-      {loop_section(loop_report)})};
+  return {page({titled(settings_->report.plant, name),
+                {"window until " + minute_in_zone(loop_report.row.slot_end_us, zone_)},
+                true,
+                zone_.name()},
+               {loop_section(loop_report)})};
 }
 
 }  // namespace loopscope::daemon

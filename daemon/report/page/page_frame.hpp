@@ -14,9 +14,9 @@ namespace loopscope::daemon {
 /// What stands around the content of a page.
 struct PageFrame {
   std::string title;
-  std::string subtitle;      ///< time span and zone
-  bool navigation = false;   ///< with links to the live pages
-  std::string zone = "UTC";  ///< name of the zone of all times, as TimeZone::name()
+  std::vector<std::string> subtitle;  ///< time span and zone, in parts that no line breaks up
+  bool navigation = false;            ///< with links to the live pages
+  std::string zone = "UTC";           ///< name of the zone of all times, as TimeZone::name()
 };
 
 /// A whole page in one file: head with its policy, style and script, `sections`, foot.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnosis/model_words.hpp"
 #include "core/diagnosis/plain_evidence.hpp"
 #include "core/diagnosis/reasons.hpp"
 #include "core/model/effects/effect_catalogue.hpp"
@@ -151,7 +152,9 @@ List stages(const Explanation& explanation, const std::string& pv_unit) {
 
 std::vector<std::string> rest_texts(const Explanation& explanation, const std::string& pv_unit) {
   std::vector<std::string> texts = {
+      core::diagnosis::effects_text(explanation), core::diagnosis::floor_text(explanation),
       in_pv_unit(core::diagnosis::unexplained_text(explanation), pv_unit)};
+  std::erase(texts, std::string());
   if (explanation.closed_loop)
     texts.push_back(core::diagnosis::closed_loop_text(*explanation.closed_loop));
   if (!explanation.process_doubt.empty()) texts.push_back(explanation.process_doubt);

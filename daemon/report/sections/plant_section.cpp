@@ -5,6 +5,7 @@
 #include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
+#include "daemon/report/sections/annotated_table.hpp"
 #include "daemon/report/sections/event_box.hpp"
 #include "daemon/report/sections/ranked_list.hpp"
 #include "daemon/report/sections/repairs_table.hpp"
@@ -110,6 +111,7 @@ Markup plant_section(const PlantFacts& facts, LoopLinks links) {
                  {"picture_trouble", facts.picture_trouble},
                  {"oscillations", event_boxes(facts, links)},
                  {"work_list", ranked_list(facts.flagged, facts.since_us, links, zone)},
+                 {"annotated", annotated_table(counts, links, zone)},
                  {"repairs", repairs_table(facts.repairs, zone)},
                  // What plants look at first: whether the controllers are in service at all.
                  {"any_without_controller", !counts.without_controller.empty()},

@@ -1,6 +1,7 @@
 #include "daemon/report/sections/why_not_listed.hpp"
 
 #include "daemon/report/page/template.hpp"
+#include "daemon/report/sections/annotated_table.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/text/author_text.hpp"
 #include "daemon/text/time_text.hpp"
@@ -27,11 +28,6 @@ Fields by_the_list(const HiddenRow& row) {
 
 bool is_by_the_list(const HiddenRow& row) {
   return row.hidden_by == "probability" || row.hidden_by == "chance";
-}
-
-/// "Suppressed", behind which the name stands.
-std::string deed_words(const std::string& hidden_by) {
-  return hidden_by == "false_positive" ? "Marked as a false positive" : as_heading(hidden_by);
 }
 
 /// As the view annotation_history ends it; empty = when it is withdrawn.

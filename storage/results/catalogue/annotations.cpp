@@ -1,5 +1,7 @@
 #include "storage/results/catalogue/annotations.hpp"
 
+#include <algorithm>
+
 #include "storage/results/rows/loop_row.hpp"
 #include "storage/results/schema/schema_version.hpp"
 #include "storage/results/session/session.hpp"
@@ -9,23 +11,33 @@
 namespace loopscope::storage {
 namespace {
 
-const Statement kListAnnotations{"list_annotations", R"(
-    SELECT loop_name, kind, code, (extract(epoch FROM until) * 1000000)::bigint AS until_us,
-           reason, author, on_behalf_of,
-           (extract(epoch FROM entered_at) * 1000000)::bigint AS entered_at_us
-    FROM loopscope.annotation_in_force
-    ORDER BY loop_name, entered_at)"};
+/// The columns of an Annotation out of a row of annotation_in_force.
+std::string annotation_columns() {
+  return R"(
+    holds.loop_name, holds.kind, holds.code,
+    (extract(epoch FROM holds.until) * 1000000)::bigint AS until_us, holds.reason, holds.author,
+    holds.on_behalf_of, (extract(epoch FROM holds.entered_at) * 1000000)::bigint AS entered_at_us)";
+}
+
+const Statement kListAnnotations{"list_annotations", "SELECT " + annotation_columns() + R"(
+    FROM loopscope.annotation_in_force AS holds
+    ORDER BY holds.loop_name, holds.entered_at, holds.annotation_id)"};
+
+const Statement kAnnotationsOf{"annotations_of", "SELECT " + annotation_columns() + R"(
+    FROM loopscope.annotation_in_force AS holds WHERE holds.loop_name = $1
+    ORDER BY holds.entered_at, holds.annotation_id)"};
 
 // Only the withdrawal is written: an engineer may change nothing else of what was said. It is asked
 // for again, since another may have taken it back while this one waited for the row.
-const Statement kReplaceAnnotations{"replace_annotations", R"(
+const Statement kReplaceAnnotations{"replace_annotations",
+                                    R"(
     UPDATE loopscope.annotation AS said
     SET withdrawn_at = now(), withdrawn_on_behalf_of = nullif($4, '')
     FROM loopscope.annotation_in_force AS holds
     WHERE holds.annotation_id = said.annotation_id AND said.withdrawn_at IS NULL
       AND holds.loop_name = $1 AND holds.kind = $2
       AND holds.code IS NOT DISTINCT FROM nullif($3, '')
-    RETURNING said.annotation_id)"};
+    RETURNING )" + annotation_columns()};
 
 const Statement kAddAnnotation{"add_annotation", R"(
     INSERT INTO loopscope.annotation (loop_id, kind, code, until, reason, on_behalf_of)
@@ -61,18 +73,26 @@ Annotation read_annotation(const pqxx::row& row) {
   return annotation;
 }
 
-std::optional<std::size_t> replace(Transaction& transaction, const Annotation& annotation) {
+std::vector<Annotation> read_annotations(const pqxx::result& rows) {
+  std::vector<Annotation> annotations;
+  for (const pqxx::row& row : rows) annotations.push_back(read_annotation(row));
+  return annotations;
+}
+
+std::optional<OthersInForce> replace(Transaction& transaction, const Annotation& annotation) {
   const std::string code = annotation.code.value_or("");
   const std::string name = make_storable(annotation.on_behalf_of.value_or(""));
-  const std::size_t replaced =
-      transaction.run(kReplaceAnnotations, {annotation.loop_name, annotation.kind, code, name})
-          .size();
+  OthersInForce others;
+  others.replaced = read_annotations(
+      transaction.run(kReplaceAnnotations, {annotation.loop_name, annotation.kind, code, name}));
+  std::ranges::sort(others.replaced, {}, &Annotation::entered_at_us);
+  others.beside = read_annotations(transaction.run(kAnnotationsOf, {annotation.loop_name}));
   const std::string until = annotation.until_us ? timestamp_text(*annotation.until_us) : "";
   const pqxx::result added = transaction.run(
       kAddAnnotation,
       {annotation.loop_name, annotation.kind, code, until, make_storable(annotation.reason), name});
   if (added.empty()) return std::nullopt;
-  return replaced;
+  return others;
 }
 
 }  // namespace
@@ -89,16 +109,11 @@ Annotations::Annotations(const ConnectionSettings& settings)
 Annotations::~Annotations() = default;
 
 std::vector<Annotation> Annotations::in_force() {
-  return impl_->session.transact([](Transaction& transaction) {
-    std::vector<Annotation> annotations;
-    for (const pqxx::row& row : transaction.run(kListAnnotations)) {
-      annotations.push_back(read_annotation(row));
-    }
-    return annotations;
-  });
+  return impl_->session.transact(
+      [](Transaction& transaction) { return read_annotations(transaction.run(kListAnnotations)); });
 }
 
-std::optional<std::size_t> Annotations::add(const Annotation& annotation) {
+std::optional<OthersInForce> Annotations::add(const Annotation& annotation) {
   // A name that PostgreSQL refuses cannot be in the catalogue.
   if (!is_storable(annotation.loop_name)) return std::nullopt;
   return impl_->session.transact(

@@ -31,6 +31,12 @@ struct Annotation {
 /// without blanks around it. The database refuses another.
 inline constexpr std::size_t kLongestOnBehalfOf = 200;
 
+/// What holds of a loop besides what was just said of it.
+struct OthersInForce {
+  std::vector<Annotation> replaced;  ///< held until now, and are withdrawn
+  std::vector<Annotation> beside;    ///< hold on: of another kind, or about another verdict
+};
+
 /// What people say about findings. The rights of loopscope_engineer are enough; who said it is the
 /// login of the connection. Every function is one transaction and throws DatabaseError. Not shared
 /// between threads.
@@ -43,8 +49,9 @@ class Annotations {
   /// Those that hold now, by loop.
   [[nodiscard]] std::vector<Annotation> in_force();
   /// Adds it and withdraws, in the same name, those of its kind about the same verdict of the same
-  /// loop that it takes the place of. Returns how many these were; nullopt = there is no such loop.
-  std::optional<std::size_t> add(const Annotation& annotation);
+  /// loop that it takes the place of. Returns these and what stands beside it, each oldest first;
+  /// nullopt = there is no such loop.
+  std::optional<OthersInForce> add(const Annotation& annotation);
   /// Withdraws what holds of the loop: all, or what is about `code`. Returns how many; 0 for an
   /// unknown loop too.
   std::size_t withdraw(const std::string& loop_name, const std::optional<std::string>& code,

@@ -63,6 +63,10 @@ PlantCounts ReportDatabase::counts(std::int64_t since_us) {
   counts.reasons = read_all(impl_->snapshot->run(statements::kUnjudgedReasons), read_reason);
   counts.without_controller =
       read_all(impl_->snapshot->run(statements::kNotControlling), read_not_controlling);
+  if (counts.annotated == 0) return counts;
+  const pqxx::result said = impl_->snapshot->run(statements::kAnnotatedFindings);
+  if (!said.empty()) counts.annotations = said[0]["annotations"].as<std::int64_t>();
+  counts.newest_annotations = read_all(said, read_annotated);
   return counts;
 }
 

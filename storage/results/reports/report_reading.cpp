@@ -128,6 +128,10 @@ HiddenRow read_hidden(const pqxx::row& row) {
           maybe_text(row["on_behalf_of"])};
 }
 
+AnnotatedRow read_annotated(const pqxx::row& row) {
+  return {integer(row["loop_id"]), row["loop_name"].c_str(), row["code"].c_str(), read_hidden(row)};
+}
+
 DataProblemRow read_problem(const pqxx::row& row) {
   return {row["problem"].c_str(),  read_text(row["role"]), read_text(row["tag"]),
           row["words"].c_str(),    row["remedy"].c_str(),  integer(row["since_us"]),

@@ -16,6 +16,7 @@ namespace loopscope::storage {
 [[nodiscard]] FlaggedRow read_flagged(const pqxx::row& row);
 [[nodiscard]] HistoryPoint read_history_point(const pqxx::row& row);
 [[nodiscard]] HiddenRow read_hidden(const pqxx::row& row);
+[[nodiscard]] AnnotatedRow read_annotated(const pqxx::row& row);
 [[nodiscard]] DataProblemRow read_problem(const pqxx::row& row);
 [[nodiscard]] LoopRow read_loop_row(const pqxx::row& row);
 

@@ -63,6 +63,27 @@ struct NotControllingRow {
   std::optional<double> week_fraction;   ///< share of the last seven days with a controller
 };
 
+/// What keeps a loop's newest fault from the list (view hidden_loop).
+struct HiddenRow {
+  std::string hidden_by;  ///< acknowledged, suppressed, false_positive, victim, probability, chance
+  std::string reason;     ///< "" = none was given
+  std::string author;     ///< "" = the program
+  std::int64_t entered_us = 0;           ///< 0 = never: it follows from the newest window
+  std::optional<std::int64_t> until_us;  ///< nullopt = when withdrawn, or the next plant round
+  std::optional<std::int64_t> plant_oscillation_number;  ///< that it is a victim of
+  std::optional<std::string> source_name;                ///< of that; nullopt = outside or unknown
+  /// In whose name, as the author says; nullopt = in the author's own.
+  std::optional<std::string> on_behalf_of = std::nullopt;
+};
+
+/// A finding that somebody took off the list.
+struct AnnotatedRow {
+  std::int64_t loop_id = 0;
+  std::string loop_name;
+  std::string code;  ///< the newest verdict, which is kept off
+  HiddenRow said;    ///< acknowledged, suppressed or false_positive
+};
+
 /// How the plant stands, for the first screen of a report. Enabled loops fall into `judged`,
 /// `not_controlling`, `unjudgeable` and `never_analysed`, whose sum is `enabled`.
 struct PlantCounts {
@@ -81,6 +102,8 @@ struct PlantCounts {
   std::int64_t unlisted = 0;             ///< enabled, a fault is probable, not enough for the list
   std::vector<UnjudgedReason> reasons;   ///< of the unjudgeable, most loops first
   std::vector<NotControllingRow> without_controller;  ///< by area and name
+  std::int64_t annotations = 0;                  ///< behind `annotated`; several may hide a finding
+  std::vector<AnnotatedRow> newest_annotations;  ///< of those, at most thirty, the newest first
   std::int64_t now_us = 0;  ///< the database's clock at the beginning of the view
 };
 
@@ -160,19 +183,6 @@ struct FollowedRow {
   /// What the loop's newest verdict is shown as: its code, but external_disturbance for a healthy
   /// loop that the oscillation shakes.
   std::string shown_code;
-};
-
-/// What keeps a loop's newest fault from the list (view hidden_loop).
-struct HiddenRow {
-  std::string hidden_by;  ///< acknowledged, suppressed, false_positive, victim, probability, chance
-  std::string reason;     ///< "" = none was given
-  std::string author;     ///< "" = the program
-  std::int64_t entered_us = 0;           ///< 0 = never: it follows from the newest window
-  std::optional<std::int64_t> until_us;  ///< nullopt = when withdrawn, or the next plant round
-  std::optional<std::int64_t> plant_oscillation_number;  ///< that it is a victim of
-  std::optional<std::string> source_name;                ///< of that; nullopt = outside or unknown
-  /// In whose name, as the author says; nullopt = in the author's own.
-  std::optional<std::string> on_behalf_of = std::nullopt;
 };
 
 /// What is wrong with a loop's newest data, and what mends it.

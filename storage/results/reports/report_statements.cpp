@@ -103,6 +103,15 @@ const Statement kNotControlling{"not_controlling", R"(
                                                        R"( AS since_us, week_fraction
     FROM loopscope.service_factor WHERE NOT controlling ORDER BY area NULLS LAST, loop_name)"};
 
+const Statement kAnnotatedFindings{"annotated_findings",
+                                   R"(
+    SELECT loop_id, loop_name, code, hidden_by, reason, author, )" +
+                                       us("entered_at") + " AS entered_us, " + us("until") +
+                                       R"( AS until_us, plant_oscillation_number,
+           source_loop_name, on_behalf_of, count(*) OVER () AS annotations
+    FROM loopscope.hidden_loop WHERE annotation_id IS NOT NULL
+    ORDER BY entered_at DESC, annotation_id DESC LIMIT 30)"};
+
 const Statement kReportFlagged{
     "report_flagged",
     "SELECT " + flagged_columns() + "FROM loopscope.flagged_loop AS listed ORDER BY rank"};
@@ -148,10 +157,13 @@ const Statement kHiddenBy{"hidden_by",
     FROM loopscope.hidden_loop WHERE loop_id = $1::bigint
     ORDER BY plant_oscillation_number NULLS LAST, entered_at)"};
 
+// Without a remedy it is nobody's to repair: a figure of the signal, which the section tells below.
 const Statement kLoopProblems{"loop_problems", R"(
     SELECT problem, role, tag, words, remedy, )" + us("since") +
                                                    R"( AS since_us, judged
-    FROM loopscope.data_problem WHERE loop_id = $1::bigint ORDER BY judged, since, problem)"};
+    FROM loopscope.data_problem
+    WHERE loop_id = $1::bigint AND remedy <> ''
+    ORDER BY judged, since, problem)"};
 
 const Statement kReportLoops{"report_loops",
                              R"(

@@ -10,6 +10,7 @@ extern const Statement kReportNow;
 extern const Statement kReportCounts;    ///< since
 extern const Statement kNotControlling;  ///< no parameter
 extern const Statement kUnjudgedReasons;
+extern const Statement kAnnotatedFindings;
 extern const Statement kReportFlagged;
 extern const Statement kReportLatest;   ///< loop name: the verdict of a loop that is not flagged
 extern const Statement kReportHistory;  ///< loop_id, from

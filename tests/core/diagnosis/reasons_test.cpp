@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(ModelWords, AStepNamesItsParametersAndErrors) {
+TEST(Reasons, AStepNamesItsParametersAndErrors) {
   model::Step step = clear_step(model::EffectKind::valve_stiction, 0.91, 0.4);
   step.parameters = {{"S", "%", 4.2, 4.0, 4.4}, {"J", "%", 1.1, {}, {}}};
   step.law = "kano";
@@ -22,7 +22,7 @@ TEST(ModelWords, AStepNamesItsParametersAndErrors) {
 }
 
 /// Tails that far out say nothing: no "p 0", no "p 1e-308".
-TEST(ModelWords, APThatIsNextToNothingIsABound) {
+TEST(Reasons, APThatIsNextToNothingIsABound) {
   model::Step step = clear_step(model::EffectKind::valve_stiction, 0.91, 0.4);
   for (const double p : {0.0, 1e-308, 9e-13}) {
     step.p = p;
@@ -33,31 +33,13 @@ TEST(ModelWords, APThatIsNextToNothingIsABound) {
   EXPECT_THAT(unexplained_text(explanation), HasSubstr("whiteness p < 1e-12)"));
 }
 
-TEST(ModelWords, WhatIsLeftIsToldWhereAnythingIs) {
-  model::Explanation explanation = explanation_of();
-  explanation.unexplained = {};
-  explanation.unexplained.whiteness_p = 0.31;
-  explanation.unexplained.fraction = 0.004;
-  EXPECT_EQ(unexplained_text(explanation),
-            "The model explains all of the explainable error (residual whiteness p 0.31).");
-  explanation.unexplained.whiteness_p = 0.0075;
-  EXPECT_EQ(unexplained_text(explanation),
-            "The model explains nearly all of the explainable error, but its residual is not white "
-            "(p 0.0075).");
-  explanation.unexplained.whiteness_p = 0.31;
-  explanation.unexplained.fraction = 0.12;
-  EXPECT_EQ(
-      unexplained_text(explanation),
-      "The model leaves 12 % of the explainable error unexplained (residual whiteness p 0.31).");
-}
-
-TEST(ModelWords, AStatementStandsForTheParameters) {
+TEST(Reasons, AStatementStandsForTheParameters) {
   model::Step step = clear_step(model::EffectKind::load_step, 0.91, 0.4);
   step.statement = "The load steps by 3 at 1200 s.";
   EXPECT_THAT(step_text(step), testing::StartsWith("The load steps by 3 at 1200 s. One-step"));
 }
 
-TEST(ModelWords, WhatIsLeftNamesTheQuestionsThatFoundSomething) {
+TEST(Reasons, WhatIsLeftNamesTheQuestionsThatFoundSomething) {
   model::Explanation explanation = explanation_of();
   explanation.unexplained.statement = "A slow wave is left.";
   explanation.questions[0].statement = "Errors follow the direction of op.";
@@ -69,7 +51,7 @@ TEST(ModelWords, WhatIsLeftNamesTheQuestionsThatFoundSomething) {
   EXPECT_EQ(unexplained_text(explanation), text) << "nothing twice";
 }
 
-TEST(ModelWords, AnUnstableLoopHasNoSensitivity) {
+TEST(Reasons, AnUnstableLoopHasNoSensitivity) {
   const std::string start = "Closed loop by the fitted model and the recorded controller: ";
   model::ClosedLoop loop = ringing_loop();
   EXPECT_EQ(closed_loop_text(loop),

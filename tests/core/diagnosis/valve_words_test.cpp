@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/diagnosis/evidence/figure.hpp"
 #include "core/diagnosis/verdicts/verdict_catalogue.hpp"
 #include "tests/core/diagnosis/explanations.hpp"
 
@@ -48,6 +49,47 @@ TEST(ValveWords, DeadBandFoundInALoopThatSticksIsSaid) {
   EXPECT_EQ(valve_summary(VerdictCode::valve_deadband, band), "");
   EXPECT_EQ(valve_summary(VerdictCode::valve_stiction,
                           evidence_of_band(model::EffectKind::valve_stiction, 5.0)),
+            "");
+}
+
+/// Of these natural log odds, with the parts of two figures: the first speaks for either cause.
+Causes between(double stiction, double play) {
+  const std::size_t either = figure_place("step.hysteresis").value();
+  const std::size_t cycle = figure_place("cycle.op_coherence").value();
+  return {{VerdictCode::valve_stiction, stiction, 0.1, {{either, 500.0, 2.0}, {cycle, 0.9, 0.4}}},
+          {VerdictCode::valve_deadband, play, 0.1, {{either, 500.0, 0.3}, {cycle, 0.9, -0.2}}}};
+}
+
+TEST(ValveWords, WhyItSticksAlthoughTheModelFoundDeadBand) {
+  constexpr double kLine = 0.3;
+  Evidence band = evidence_of_band(model::EffectKind::valve_deadband, 5.0);
+  const auto why = [&](double stiction, double play) {
+    return why_stiction(VerdictCode::valve_stiction, band, between(stiction, play), kLine);
+  };
+  EXPECT_EQ(why(2.0, -2.0),
+            "What tells stiction (88 % probable) from dead band (12 %): all figures together.");
+  EXPECT_EQ(why(0.0, -0.1),
+            "This window can hardly tell stiction (50 % probable) from dead band (48 %).");
+  band.cycle = model::CycleCause{};
+  band.cycle->evidence.op_coherence = 0.9;
+  EXPECT_EQ(why(2.0, -2.0),
+            "What tells stiction (88 % probable) from dead band (12 %): op repeats its half cycle: "
+            "90 %.");
+  EXPECT_EQ(why(0.0, -0.1),
+            "This window can hardly tell stiction (50 % probable) from dead band (48 %); for "
+            "stiction speaks most: op repeats its half cycle: 90 %.");
+  band.cycle->evidence.travel = 5.0;
+  band.cycle->score = 0.5;
+  Causes by_odds = between(2.0, -2.0);
+  by_odds[1].parts.push_back({figure_place("band.odds").value(), 3.2, -2.0});
+  EXPECT_EQ(
+      why_stiction(VerdictCode::valve_stiction, band, by_odds, kLine),
+      "What tells stiction (88 % probable) from dead band (12 %): odds that a valve with this "
+      "band makes the cycle: 20 to 1.");
+  EXPECT_EQ(why_stiction(VerdictCode::valve_deadband, band, between(2.0, -2.0), kLine), "");
+  EXPECT_EQ(why_stiction(VerdictCode::valve_stiction,
+                         evidence_of_band(model::EffectKind::valve_stiction, 5.0),
+                         between(2.0, -2.0), kLine),
             "");
 }
 

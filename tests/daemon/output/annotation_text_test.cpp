@@ -51,6 +51,20 @@ TEST(AnnotationText, TimesAreThoseOfThePlant) {
       "anna                         2026-01-01T05:30:00+05:30 shutdown\n");
 }
 
+TEST(AnnotationText, WhatElseHoldsIsToldWithItsAuthor) {
+  EXPECT_EQ(others_in_force({}, {}), "");
+  EXPECT_EQ(
+      others_in_force({{{"FIC101", "acknowledged", "valve_stiction", std::nullopt, "ordered",
+                         "ls_engineer", kNewYear, "J. Doe"}},
+                       {{"FIC101", "suppressed", std::nullopt, kNewYear, "", "anna", kNewYear}}},
+                      {}),
+      "  takes the place of what was in force already: acknowledged by J. Doe (login "
+      "ls_engineer) since 2026-01-01T00:00:00Z, verdict valve_stiction: ordered\n"
+      "  stands beside what is in force already: suppressed by anna since "
+      "2026-01-01T00:00:00Z, whatever the verdict, until 2026-01-01T00:00:00Z\n"
+      "  `withdraw` takes back all that holds of the loop, with --code one verdict's\n");
+}
+
 TEST(AnnotationText, WordsSteerNoTerminal) {
   const std::string table = annotation_table(
       {{"a\nb", "acknowledged", "x\x1b", std::nullopt, "y\x1b[2J", "z\r", kNewYear, "w\n"}}, {});

@@ -32,22 +32,27 @@ PlantFacts plant_facts(const std::string& text) {
   PlantFacts facts;
   facts.plant = text;
   facts.since_us = kSlot - 1;
-  facts.counts = {.loops = 13,
-                  .enabled = 12,
-                  .judged = 9,
-                  .not_controlling = 1,
-                  .service_factor = 0.93,
-                  .flagged = 2,
-                  .new_flags = 1,
-                  .fixed = 3,
-                  .unjudgeable = 1,
-                  .never_analysed = 1,
-                  .victims = 4,
-                  .annotated = 5,
-                  .unlisted = 6,
-                  .reasons = {{text, text, 3, {text, "TIC9"}}},
-                  .without_controller = {{3, text, text, "mode", kSlot, 0.25}},
-                  .now_us = kSlot};
+  facts.counts = {
+      .loops = 13,
+      .enabled = 12,
+      .judged = 9,
+      .not_controlling = 1,
+      .service_factor = 0.93,
+      .flagged = 2,
+      .new_flags = 1,
+      .fixed = 3,
+      .unjudgeable = 1,
+      .never_analysed = 1,
+      .victims = 4,
+      .annotated = 5,
+      .unlisted = 6,
+      .reasons = {{text, text, 3, {text, "TIC9"}}},
+      .without_controller = {{3, text, text, "mode", kSlot, 0.25}},
+      .annotations = 7,
+      .newest_annotations =
+          {{4, text, "valve_stiction", {"acknowledged", text, text, kSlot, {}, {}, {}, text}},
+           {5, text, "tight_tuning", {"suppressed", text, "eve", kSlot, kSlot, {}, {}}}},
+      .now_us = kSlot};
   facts.flagged = {flagged_row(1, text), flagged_row(2, text)};
   facts.oscillations = {
       {.number = 1,

@@ -106,10 +106,10 @@ TEST(LocalTimes, ListsAndBoxes) {
 }
 
 TEST(LocalTimes, ThePageNamesItsZoneForScreenAndPaper) {
-  const std::string local = page({.title = "Plant", .subtitle = "", .zone = "Europe/Berlin"}, {});
+  const std::string local = page({.title = "Plant", .subtitle = {}, .zone = "Europe/Berlin"}, {});
   EXPECT_THAT(local, AllOf(HasSubstr("All times are local, Europe/Berlin."),
                            HasSubstr("<header class=\"top\" data-zone=\"Europe/Berlin\">")));
-  EXPECT_THAT(page({.title = "Plant", .subtitle = ""}, {}),
+  EXPECT_THAT(page({.title = "Plant", .subtitle = {}}, {}),
               AllOf(HasSubstr("All times are UTC."), HasSubstr("data-zone=\"UTC\"")));
 }
 

@@ -119,9 +119,9 @@ TEST(LoopSection, AModelThatClaimsNothingSaysSo) {
 }
 
 TEST(LoopSection, NoHostileNameChangesTheMarkup) {
-  const auto plain = tags_of(page({"FIC101", "FIC101"}, {loop_section(loop_report("FIC101"))}));
+  const auto plain = tags_of(page({"FIC101", {"FIC101"}}, {loop_section(loop_report("FIC101"))}));
   for (const auto& [about, name] : tests::hostile_names())
-    EXPECT_EQ(tags_of(page({name, name}, {loop_section(loop_report(name))})), plain)
+    EXPECT_EQ(tags_of(page({name, {name}}, {loop_section(loop_report(name))})), plain)
         << about << ": " << name;
 }
 
@@ -160,7 +160,7 @@ TEST(Page, NamesItsStyleAndItsScriptAndNothingElse) {
   EXPECT_THAT(policy, HasSubstr("default-src 'none'"));
   EXPECT_THAT(policy, HasSubstr("script-src 'sha256-"));
   EXPECT_EQ(policy.find("unsafe"), std::string::npos);
-  const std::string text = page({"t", "s"}, {});
+  const std::string text = page({"t", {"s"}}, {});
   EXPECT_EQ(text.find("http:"), std::string::npos);
   EXPECT_EQ(text.find("https:"), std::string::npos);
   EXPECT_EQ(text.find("style=\""), std::string::npos);

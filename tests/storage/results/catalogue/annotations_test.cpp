@@ -16,7 +16,10 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Not;
-using testing::Optional;
+
+MATCHER_P2(others, replaced, beside, "") {
+  return arg && arg->replaced.size() == replaced && arg->beside.size() == beside;
+}
 
 /// By a login that is a member of loopscope_engineer alone.
 class AnnotationsTest : public ViewsTest {
@@ -41,7 +44,7 @@ class AnnotationsTest : public ViewsTest {
 TEST_F(AnnotationsTest, HideAndAreListedWithTheirAuthor) {
   const std::int64_t until = in_an_hour();
   EXPECT_THAT(annotations().add({"a", "suppressed", std::nullopt, until, "shutdown", "", 0}),
-              Optional(0U));
+              others(0U, 0U));
   EXPECT_THAT(flagged(), ElementsAre("b"));
   const std::vector<Annotation> list = annotations().in_force();
   ASSERT_EQ(list.size(), 1U);
@@ -111,17 +114,25 @@ TEST_F(AnnotationsTest, NobodyIsNamedForAWithdrawalThatIsNone) {
 }
 
 TEST_F(AnnotationsTest, ANewOneTakesThePlaceOfItsKind) {
-  EXPECT_THAT(annotations().add({"a", "acknowledged", "valve_stiction", {}, "", "", 0}),
-              Optional(0U));
-  EXPECT_THAT(annotations().add({"a", "acknowledged", "valve_stiction", {}, "ordered", "", 0}),
-              Optional(1U));
-  EXPECT_THAT(annotations().add({"a", "acknowledged", "tight_tuning", {}, "", "", 0}), Optional(0U))
-      << "about another verdict";
+  EXPECT_THAT(
+      annotations().add({"a", "acknowledged", "valve_stiction", {}, "seen", "", 0, "J. Doe"}),
+      others(0U, 0U));
+  const auto second =
+      annotations().add({"a", "acknowledged", "valve_stiction", {}, "ordered", "", 0});
+  EXPECT_THAT(second, others(1U, 0U));
+  EXPECT_EQ(second->replaced[0].reason, "seen");
+  EXPECT_EQ(second->replaced[0].on_behalf_of, "J. Doe");
+  EXPECT_EQ(second->replaced[0].author, login);
+  const auto third = annotations().add({"a", "acknowledged", "tight_tuning", {}, "", "", 0});
+  EXPECT_THAT(third, others(0U, 1U)) << "about another verdict";
+  EXPECT_EQ(third->beside[0].reason, "ordered");
   EXPECT_EQ(annotations().in_force().size(), 2U);
   EXPECT_EQ(value("SELECT count(*) FROM loopscope.annotation_history WHERE state = 'withdrawn'"
                   " AND withdrawn_by = '" +
                   login + "'"),
             "1");
+  EXPECT_THAT(annotations().add({"b", "acknowledged", {}, {}, "", "", 0}), others(0U, 0U))
+      << "another loop";
 }
 
 TEST_F(AnnotationsTest, AreTakenBackAllOrThoseOfAVerdict) {

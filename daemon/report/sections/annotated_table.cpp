@@ -1,0 +1,54 @@
+#include "daemon/report/sections/annotated_table.hpp"
+
+#include <fmt/format.h>
+
+#include "daemon/report/page/template.hpp"
+#include "daemon/report/text/page_text.hpp"
+#include "daemon/text/author_text.hpp"
+#include "daemon/text/time_text.hpp"
+
+namespace loopscope::daemon {
+namespace {
+
+using storage::AnnotatedRow;
+
+/// In as many words as `annotate list`; the note below the table has the rest.
+std::string until_words(const storage::HiddenRow& said, const TimeZone& zone) {
+  if (said.until_us) return minute_in_zone(*said.until_us, zone);
+  return said.hidden_by == "acknowledged" ? "work is entered" : "withdrawn";
+}
+
+Fields annotated_fields(const AnnotatedRow& row, LoopLinks links, const TimeZone& zone) {
+  const storage::HiddenRow& said = row.said;
+  return {{"link", links == LoopLinks::pages ? loop_link(links, row.loop_id, row.loop_name) : ""},
+          {"name", row.loop_name},
+          {"code", row.code},
+          {"verdict", as_heading(row.code)},
+          {"deed", deed_words(said.hidden_by)},
+          {"author", author_text(said.author, said.on_behalf_of)},
+          {"entered_us", said.entered_us},
+          {"entered", minute_in_zone(said.entered_us, zone)},
+          {"until", until_words(said, zone)},
+          {"reason", said.reason}};
+}
+
+std::string others_text(const storage::PlantCounts& counts) {
+  const auto shown = static_cast<std::int64_t>(counts.newest_annotations.size());
+  if (counts.annotations <= shown) return {};
+  return fmt::format("{} more, older than these: view hidden_loop. ", counts.annotations - shown);
+}
+
+}  // namespace
+
+std::string deed_words(const std::string& hidden_by) {
+  return hidden_by == "false_positive" ? "Marked as a false positive" : as_heading(hidden_by);
+}
+
+Markup annotated_table(const storage::PlantCounts& counts, LoopLinks links, const TimeZone& zone) {
+  if (counts.newest_annotations.empty()) return {};
+  const auto fields = [&](const AnnotatedRow& row) { return annotated_fields(row, links, zone); };
+  return render("annotated_table", {{"annotated", rows(counts.newest_annotations, fields)},
+                                    {"others", others_text(counts)}});
+}
+
+}  // namespace loopscope::daemon
