@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <optional>
 #include <random>
-#include <ranges>
 
 #include "tests/storage/results/views_fixture.hpp"
 
@@ -43,14 +42,14 @@ int vote(VerdictCode code) {
 int run_begins(const std::vector<Said>& history) {
   int begins = history.back().hours;
   std::optional<int> contrary;
-  for (const Said& said : std::views::reverse(history)) {
-    if (vote(said.code) > 0) {
-      begins = said.hours;
+  for (auto said = history.rbegin(); said != history.rend(); ++said) {
+    if (vote(said->code) > 0) {
+      begins = said->hours;
       contrary.reset();
     }
-    if (vote(said.code) < 0) {
-      if (contrary && *contrary - said.hours > 1) return begins;
-      if (!contrary) contrary = said.hours;
+    if (vote(said->code) < 0) {
+      if (contrary && *contrary - said->hours > 1) return begins;
+      if (!contrary) contrary = said->hours;
     }
   }
   return begins;
