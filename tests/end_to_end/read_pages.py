@@ -134,6 +134,39 @@ def require_order_of_cards(reader, place):
     require(rising == falling[::-1], f"{place}: cards in order {falling}, then {rising}")
 
 
+def names(reader):
+    return [cell.text for cell in reader.all("table.loops td.loop-name bdi:first-of-type")]
+
+
+def ask(reader, name, value):
+    """Takes a choice of the form of /loops and sends it."""
+    field = reader.all(f"form.filters [name={name}]")[0]
+    if field.tag_name == "select":
+        reader.run("arguments[0].value = arguments[1]", field, value)
+    else:
+        field.send_keys(value)
+    reader.all("form.filters button")[0].click()
+
+
+def require_questions(reader, base):
+    """Order and choice of /loops are the server's, on a phone as well."""
+    reader.open(base + "/loops", "desktop")
+    header = "table.loops th:first-child a"
+    reader.all(header)[0].click()
+    rising = names(reader)
+    require(rising == sorted(rising, key=str.lower) and len(rising) > 2, f"/loops by name: {rising}")
+    reader.all(header)[0].click()
+    require(names(reader) == rising[::-1], f"/loops backwards: {names(reader)}")
+    reader.open(base + "/loops", "phone")
+    ask(reader, "state", "flagged")
+    some = names(reader)
+    require(0 < len(some) < len(rising), f"/loops that are flagged: {some}")
+    ask(reader, "q", some[0])
+    require(names(reader) == [some[0]], f"/loops with {some[0]}: {names(reader)}")
+    ask(reader, "q", " nowhere")
+    require(not names(reader) and reader.all("main .note a"), "/loops: something fits what does not")
+
+
 def shown(reader):
     return len([row for row in reader.all("table.filterable tbody tr") if row.is_displayed()])
 
@@ -175,9 +208,7 @@ def read_live(reader, base, folder):
         for path in ["/", "/loops"]:
             reader.open(base + path, window)
             reader.shoot(folder / f"live_{path.strip('/') or 'plant'}_{window}.png")
-    require_order_of_cards(reader, "/loops")
-    reader.open(base + "/loops", "desktop")
-    require_sorting(reader, "/loops")
+    require_questions(reader, base)
     reader.open(base + "/", "desktop")
     require_filtering(reader, "/")
     links = [link.get_attribute("href") for link in reader.all("table.ranking td.loop-name a")]

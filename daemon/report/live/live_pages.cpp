@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "daemon/report/sections/loop_request.hpp"
 #include "daemon/report/page/page_frame.hpp"
 #include "daemon/report/page/template.hpp"
 #include "storage/error.hpp"
@@ -63,11 +64,12 @@ void LivePages::add_to(HttpServer& server) {
         },
         reply);
   });
-  server.handle_deferred("/loops", [this](const HttpRequest&, const HttpReply& reply) {
-    worker_.answer(
-        "/loops",
-        [this](const std::stop_token&) { return read_page([this] { return reader().loops(); }); },
-        reply);
+  server.handle_deferred("/loops", [this](const HttpRequest& request, const HttpReply& reply) {
+    const storage::LoopQuery query = loop_query(request.query);
+    const auto make = [this, query](const std::stop_token&) {
+      return read_page([&] { return reader().loops(query); });
+    };
+    worker_.answer(loops_address(query), make, reply);
   });
   server.handle_deferred("/loop", [this](const HttpRequest& request, const HttpReply& reply) {
     const std::string name = value_of(request, "name");

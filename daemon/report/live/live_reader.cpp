@@ -65,14 +65,14 @@ LivePage LiveReader::plant(const std::stop_token& stop) {
                {plant_section(facts, LoopLinks::pages)})};
 }
 
-LivePage LiveReader::loops() {
+LivePage LiveReader::loops(const storage::LoopQuery& query) {
   storage::ReportDatabase database(results_connection(*settings_));
-  const auto rows = database.loops();
+  const storage::LoopListing listing = database.loops(query);
   return {page({titled(settings_->report.plant, "All loops"),
-                {core::text::counted(static_cast<std::int64_t>(rows.size()), "loop", "loops")},
+                {core::text::counted(listing.all, "loop", "loops")},
                 true,
                 zone_.name()},
-               {loop_list(rows, zone_)})};
+               {loop_list(listing, query, zone_)})};
 }
 
 const LiveReader::Seen* LiveReader::seen(const storage::FlaggedRow& row) const {

@@ -11,7 +11,7 @@ namespace loopscope::daemon {
 const std::string& content_security_policy() {
   static const std::string policy = fmt::format(
       "default-src 'none'; img-src data:; style-src {}; script-src {}; base-uri 'none'; "
-      "form-action 'none'",
+      "form-action 'self'",
       csp_hash(page_style().sha256), csp_hash(page_script().sha256));
   return policy;
 }

@@ -1,11 +1,12 @@
 #include "daemon/report/sections/loop_list.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <fmt/format.h>
-#include <span>
 
 #include "daemon/report/page/template.hpp"
+#include "daemon/report/sections/loop_request.hpp"
 #include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/text/time_text.hpp"
@@ -13,10 +14,10 @@
 namespace loopscope::daemon {
 namespace {
 
+using storage::LoopListing;
+using storage::LoopOrder;
+using storage::LoopQuery;
 using storage::LoopRow;
-
-/// A browser lays out no more with ease; loopscope.latest_verdict has all.
-constexpr std::size_t kMostRows = 5000;
 
 std::string status_of(const LoopRow& row) {
   if (row.status) return status_words(*row.status);
@@ -36,32 +37,118 @@ std::string page_link(const LoopRow& row) {
 
 Fields loop_fields(const LoopRow& row, const TimeZone& zone) {
   const std::string code = code_shown(row);
-  return {{"verdict", as_heading(code)},
+  return {{"verdict", code.empty() ? "" : as_heading(code)},
           {"status", status_of(row)},
           {"link", page_link(row)},
           {"name", row.name},
           {"type", row.loop_type.value_or(kUnknown)},
-          {"source", row.source},
+          {"area", row.area.value_or(kUnknown)},
+          {"unit", row.unit.value_or(kUnknown)},
+          {"description", row.description.value_or("")},
           {"code", row.code ? code : ""},
           {"by_itself", row.code && code != *row.code ? *row.code : ""},
-          {"confidence_sort", fmt::format("{:.6g}", row.confidence.value_or(-1.0))},
           {"confidence", row.confidence ? two_decimals(*row.confidence) : kUnknown},
           {"follows", row.follows.value_or("")},
-          {"rank_sort", row.rank.value_or(1'000'000'000)},
           {"rank", row.rank ? std::to_string(*row.rank) : kUnknown},
           {"until", row.slot_end_us ? minute_in_zone(*row.slot_end_us, zone) : kUnknown},
           {"health", in_words(row.health)}};
 }
 
+/// A choice of the form, the one that is taken marked.
+List options(const std::vector<std::string>& values, const std::string& taken,
+             std::string (*words)(std::string_view)) {
+  List list;
+  for (const std::string& value : values)
+    list.emplace_back(Fields{{"value", value}, {"words", words(value)}, {"taken", value == taken}});
+  return list;
+}
+
+std::string as_it_is(std::string_view text) {
+  return std::string(text);
+}
+
+std::string verdict_words(std::string_view code) {
+  return code == "none" ? "never analysed" : as_heading(code);
+}
+
+struct Column {
+  LoopOrder order;
+  const char* words;
+  bool number = false;
+};
+constexpr std::array kColumns{Column{LoopOrder::name, "Loop"},
+                              Column{LoopOrder::area, "Area"},
+                              Column{LoopOrder::unit, "Unit"},
+                              Column{LoopOrder::verdict, "Verdict"},
+                              Column{LoopOrder::confidence, "Confidence", true},
+                              Column{LoopOrder::state, "State"},
+                              Column{LoopOrder::rank, "Rank", true},
+                              Column{LoopOrder::window, "Window until"}};
+
+/// A header leads to its order, and once that is taken to the same backwards.
+Fields header(const Column& column, LoopQuery query) {
+  const bool taken = query.order == column.order;
+  const std::string direction = !taken ? "" : query.backwards ? "descending" : "ascending";
+  query.backwards = taken && !query.backwards;
+  query.order = column.order;
+  query.skip = 0;
+  return {{"words", column.words},
+          {"number", column.number},
+          {"direction", direction},
+          {"address", loops_address(query)}};
+}
+
+Fields form(const LoopListing& listing, const LoopQuery& query) {
+  List orders;
+  for (const Column& column : kColumns)
+    orders.emplace_back(Fields{{"value", name(column.order)},
+                               {"words", column.words},
+                               {"taken", column.order == query.order}});
+  return {{"part", query.part},
+          {"areas", options(listing.areas, query.area, as_it_is)},
+          {"any_areas", !listing.areas.empty()},
+          {"units", options(listing.units, query.unit, as_it_is)},
+          {"any_units", !listing.units.empty()},
+          {"verdicts", options(listing.verdicts, query.verdict, verdict_words)},
+          {"states", options(listing.states, query.state, as_it_is)},
+          {"orders", orders},
+          {"backwards", query.backwards}};
+}
+
+/// The first and the last page and those around this one; the gaps between are not said.
+List pages(const LoopListing& listing, LoopQuery query) {
+  const std::int64_t here = query.skip / kLoopsOnPage;
+  const std::int64_t last = (listing.fitting - 1) / kLoopsOnPage;
+  List list;
+  for (std::int64_t page = 0; page <= last; ++page) {
+    if (page != 0 && page != last && std::abs(page - here) > 2) continue;
+    query.skip = page * kLoopsOnPage;
+    list.emplace_back(
+        Fields{{"number", page + 1}, {"here", page == here}, {"address", loops_address(query)}});
+  }
+  return list;
+}
+
+std::string range_words(const LoopListing& listing, const LoopQuery& query) {
+  if (listing.loops.empty()) return fmt::format("none of {} fits", listing.all);
+  const auto last = query.skip + static_cast<std::int64_t>(listing.loops.size());
+  return fmt::format("{} to {} of {}", query.skip + 1, last, listing.fitting) +
+         (listing.fitting == listing.all ? "" : fmt::format(" ({} in all)", listing.all));
+}
+
 }  // namespace
 
-Markup loop_list(const std::vector<LoopRow>& loops, const TimeZone& zone) {
+Markup loop_list(const LoopListing& listing, const LoopQuery& query, const TimeZone& zone) {
   const auto fields = [&](const LoopRow& row) { return loop_fields(row, zone); };
-  const auto shown = std::span(loops).first(std::min(loops.size(), kMostRows));
-  return render("loop_list", {{"loops", rows(shown, fields)},
-                              {"cut", loops.size() > kMostRows},
-                              {"shown", static_cast<std::int64_t>(shown.size())},
-                              {"all", static_cast<std::int64_t>(loops.size())}});
+  const auto header_of = [&](const Column& column) { return header(column, query); };
+  Fields all = form(listing, query);
+  all.insert(all.end(), {{"headers", rows(kColumns, header_of)},
+                         {"loops", rows(listing.loops, fields)},
+                         {"range", range_words(listing, query)},
+                         {"everything", loops_address({})},
+                         {"several", listing.fitting > kLoopsOnPage},
+                         {"pages", pages(listing, query)}});
+  return render("loop_list", all);
 }
 
 }  // namespace loopscope::daemon

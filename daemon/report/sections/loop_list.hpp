@@ -1,16 +1,16 @@
 #pragma once
 
-#include <vector>
-
 #include "daemon/report/page/fields.hpp"
 #include "daemon/text/time_zone.hpp"
-#include "storage/results/reports/report_rows.hpp"
+#include "storage/results/reports/loop_query.hpp"
 
 namespace loopscope::daemon {
 
-/// Every loop of the catalogue as a table that can be sorted and filtered, each with a link to its
-/// page: verdict, confidence, whether it is flagged and, if not, what hides it, and whether the
-/// monitor does its work there.
-[[nodiscard]] Markup loop_list(const std::vector<storage::LoopRow>& loops, const TimeZone& zone);
+/// A page of the catalogue's loops as a table, each with a link to its page: verdict, confidence,
+/// whether it is flagged and, if not, what hides it, and whether the monitor does its work there.
+/// Above it what was asked for, to be asked otherwise; its headers and the lines below lead to the
+/// other orders and pages.
+[[nodiscard]] Markup loop_list(const storage::LoopListing& listing, const storage::LoopQuery& query,
+                               const TimeZone& zone);
 
 }  // namespace loopscope::daemon

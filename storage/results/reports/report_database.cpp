@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "storage/array_literal.hpp"
+#include "storage/results/reports/list_loops.hpp"
 #include "storage/results/reports/plant_reading.hpp"
 #include "storage/results/reports/plant_report_statements.hpp"
 #include "storage/results/reports/report_reading.hpp"
@@ -123,8 +124,8 @@ std::optional<FlaggedRow> ReportDatabase::latest(const std::string& loop_name) {
   return read_flagged(rows[0]);
 }
 
-std::vector<LoopRow> ReportDatabase::loops() {
-  return read_all(impl_->snapshot->run(statements::kReportLoops), read_loop_row);
+LoopListing ReportDatabase::loops(const LoopQuery& query) {
+  return list_loops(*impl_->snapshot, query);
 }
 
 std::vector<WhatIfRow> ReportDatabase::what_if(std::optional<double> false_discovery_rate,

@@ -8,6 +8,7 @@
 
 #include "storage/connection_settings.hpp"
 #include "storage/error.hpp"
+#include "storage/results/reports/loop_query.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::storage {
@@ -51,8 +52,8 @@ class ReportDatabase {
   /// The newest verdict of any loop, flagged (with its rank) or not (rank 0); nullopt = there is
   /// no such loop, or it was never analysed.
   [[nodiscard]] std::optional<FlaggedRow> latest(const std::string& loop_name);
-  /// Every loop of the catalogue: the flagged ones by rank, then the others by name.
-  [[nodiscard]] std::vector<LoopRow> loops();
+  /// A page of the loops of the catalogue.
+  [[nodiscard]] LoopListing loops(const LoopQuery& query);
 
   /// What other thresholds would flag: the rows in their would-be order, then those that would be
   /// lost. nullopt = the present setting. `false_discovery_rate` 0 to 1, `dependence` 0 or 1

@@ -138,27 +138,6 @@ DataProblemRow read_problem(const pqxx::row& row) {
           row["judged"].as<bool>()};
 }
 
-LoopRow read_loop_row(const pqxx::row& row) {
-  LoopRow loop;
-  loop.loop_id = integer(row["loop_id"]);
-  loop.name = row["name"].c_str();
-  loop.source = row["source"].c_str();
-  loop.loop_type = maybe_text(row["loop_type"]);
-  loop.enabled = row["enabled"].as<bool>();
-  loop.importance = row["importance"].as<double>();
-  loop.code = maybe_text(row["code"]);
-  loop.confidence = read_number(row["confidence"]);
-  loop.slot_end_us = read_integer(row["slot_end_us"]);
-  loop.summary = maybe_text(row["summary"]);
-  loop.status = maybe_text(row["status"]);
-  loop.rank = read_integer(row["rank"]);
-  loop.hidden_by = maybe_text(row["hidden_by"]);
-  loop.health = row["state"].c_str();
-  loop.follows = maybe_text(row["follows"]);
-  loop.shown_code = maybe_text(row["shown_code"]);
-  return loop;
-}
-
 std::vector<RepairRow> read_repairs(const pqxx::result& rows) {
   std::vector<RepairRow> repairs;
   for (const pqxx::row& row : rows) {

@@ -18,7 +18,6 @@ namespace loopscope::storage {
 [[nodiscard]] HiddenRow read_hidden(const pqxx::row& row);
 [[nodiscard]] AnnotatedRow read_annotated(const pqxx::row& row);
 [[nodiscard]] DataProblemRow read_problem(const pqxx::row& row);
-[[nodiscard]] LoopRow read_loop_row(const pqxx::row& row);
 
 /// Figure by figure into repairs; the rows of one repair stand together.
 [[nodiscard]] std::vector<RepairRow> read_repairs(const pqxx::result& rows);

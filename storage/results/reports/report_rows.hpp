@@ -197,9 +197,10 @@ struct DataProblemRow {
 struct LoopRow {
   std::int64_t loop_id = 0;
   std::string name, source;
-  std::optional<std::string> loop_type;
+  std::optional<std::string> loop_type, area, unit, description;
   bool enabled = false;
   double importance = 0.0;
+  std::string state;                 ///< one of loop_states()
   std::optional<std::string> code;   ///< nullopt = never analysed, as the next three
   std::optional<double> confidence;  ///< 0 to 1
   std::optional<std::int64_t> slot_end_us;

@@ -165,34 +165,6 @@ const Statement kLoopProblems{"loop_problems", R"(
     WHERE loop_id = $1::bigint AND remedy <> ''
     ORDER BY judged, since, problem)"};
 
-const Statement kReportLoops{"report_loops",
-                             R"(
-    WITH flagged AS MATERIALIZED (SELECT loop_id, rank, status FROM loopscope.flagged_loop),
-    hidden AS MATERIALIZED (
-      SELECT loop_id, min(CASE WHEN hidden_by IN ('probability', 'chance') THEN reason
-                               WHEN hidden_by = 'victim' THEN 'affected by a shared oscillation'
-                               ELSE 'annotated' END) AS by
-      FROM loopscope.hidden_loop GROUP BY loop_id)
-    SELECT loop.loop_id, loop.name, loop.source, loop.loop_type, loop.enabled, loop.importance,
-           latest.code, latest.confidence, )" +
-                                 us("latest.slot_end") + R"( AS slot_end_us, latest.summary,
-           flagged.status, flagged.rank,
-           CASE WHEN flagged.rank IS NOT NULL THEN NULL
-                WHEN hidden.by IS NOT NULL THEN hidden.by
-                WHEN NOT kind.is_fault THEN NULL
-                WHEN NOT loop.enabled THEN 'disabled'
-                ELSE 'not sure enough for the list (probability '
-                     || round(coalesce(latest.combined_confidence, latest.confidence)::numeric, 2)
-                     || ')' END AS hidden_by,
-           health.state, latest.follows, latest.shown_code
-    FROM loopscope.loop
-    JOIN loopscope.monitor_health AS health USING (loop_id)
-    LEFT JOIN loopscope.own_verdict AS latest USING (loop_id)
-    LEFT JOIN loopscope.verdict_kind AS kind ON kind.code = latest.code
-    LEFT JOIN flagged USING (loop_id)
-    LEFT JOIN hidden USING (loop_id)
-    ORDER BY flagged.rank NULLS LAST, loop.name)"};
-
 const Statement kWhatIf{"what_if", R"(
     WITH present AS MATERIALIZED (SELECT * FROM loopscope.flagged_loop),
     other AS MATERIALIZED (

@@ -18,7 +18,6 @@ extern const Statement kReportRepairs;  ///< since
 extern const Statement kRepairsOfLoop;  ///< loop_id
 extern const Statement kHiddenBy;       ///< loop_id
 extern const Statement kLoopProblems;   ///< loop_id
-extern const Statement kReportLoops;
 extern const Statement kWhatIf;  ///< rate, dependence, least confidence; each empty = as it is set
 
 }  // namespace loopscope::storage::statements

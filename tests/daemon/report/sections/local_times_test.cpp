@@ -94,7 +94,8 @@ TEST(LocalTimes, ListsAndBoxes) {
   storage::LoopRow row;
   row.name = "TIC2";
   row.slot_end_us = kBerlinBack_us;
-  EXPECT_THAT(words_of(loop_list({row}, berlin).html), HasSubstr("| 2026-10-25 02:00 CET\n"));
+  EXPECT_THAT(words_of(loop_list({.loops = {row}, .fitting = 1, .all = 1}, {}, berlin).html),
+              HasSubstr("| 2026-10-25 02:00 CET\n"));
   storage::PlantOscillationRow event = sample_event(3);
   event.slot_end_us = kBerlinBack_us;
   EXPECT_THAT(words_of(event_box(event, {}, {}, LoopLinks::pages, berlin).html),

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/results/reports/report_rows.hpp"
+
+namespace loopscope::storage {
+
+/// By what a list of loops is in order; loops that are equal in it, or have none, by rank and name.
+enum class LoopOrder { rank, name, area, unit, verdict, confidence, state, window };
+
+/// Which loops of the catalogue are wanted; an empty text asks for any.
+struct LoopQuery {
+  std::string part = {};  ///< of the name, the description or the owner, whatever the case
+  std::string area = {}, unit = {};
+  std::string verdict = {};  ///< as it is shown: a code; "none" = never analysed
+  std::string state = {};    ///< one of loop_states()
+  LoopOrder order = LoopOrder::rank;
+  bool backwards = false;  ///< the last ones first; those that have none stay behind
+  std::int64_t skip = 0;   ///< rows before the first that is wanted, 0 and more
+  std::int64_t most = 0;   ///< rows, 1 and more
+};
+
+/// What a page of such a list shows.
+struct LoopListing {
+  std::vector<LoopRow> loops = {};
+  std::int64_t fitting = 0;  ///< loops that are asked for, on all pages
+  std::int64_t all = 0;      ///< of the catalogue
+  /// What can be asked for: each that a loop of the catalogue has, in order.
+  std::vector<std::string> areas = {}, units = {}, verdicts = {}, states = {};
+};
+
+/// flagged, off the list, not flagged, never analysed, disabled: each loop has one of them.
+[[nodiscard]] const std::vector<std::string>& loop_states();
+
+}  // namespace loopscope::storage
