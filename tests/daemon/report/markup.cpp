@@ -7,7 +7,7 @@
 namespace loopscope::daemon {
 namespace {
 
-constexpr std::array kEmptyElements{"img", "meta", "link", "!DOCTYPE", "br"};
+constexpr std::array kEmptyElements{"img", "input", "meta", "link", "!DOCTYPE", "br"};
 
 /// A tag without the values of its attributes, which may hold anything in quotes.
 std::string without_values(const std::string& html, std::size_t& at) {
