@@ -17,6 +17,7 @@ struct BackfillOptions {
   std::string since;               ///< a time, as time_option() reads it
   std::string every;               ///< as parse_duration() reads it
   std::vector<std::string> loops;  ///< names; empty = all enabled ones
+  bool again = false;              ///< whether windows that were judged before are looked at, too
 };
 
 /// Loops and times at which they are to be judged.

@@ -30,10 +30,12 @@ std::chrono::steady_clock::duration seconds(double s) {
 }  // namespace
 
 PastSlots::PastSlots(std::shared_ptr<const config::Settings> settings, SharedServices& tools,
-                     std::vector<storage::CatalogueEntry> loops, std::vector<std::int64_t> times_us)
+                     std::vector<storage::CatalogueEntry> loops, std::vector<std::int64_t> times_us,
+                     bool again)
     : settings_(std::move(settings)),
       tools_(tools),
       times_us_(std::move(times_us)),
+      again_(again),
       results_(settings_, tools.faults, tools.metrics, tools.clocks, tools.stop, tools.watermarks) {
   for (storage::CatalogueEntry& loop : loops) {
     by_id_[loop.loop_id] = loops_.size();
@@ -56,7 +58,7 @@ std::vector<ClaimedLoop> PastSlots::next(AnalysisWorker& worker) {
       continue;
     }
     std::vector<PlaceNumber> places = take();
-    leave_out_stored(places);
+    if (!again_) leave_out_stored(places);
     if (places.empty()) continue;
     std::vector<ClaimedLoop> claims = claim(worker, places);
     if (!claims.empty()) return claims;

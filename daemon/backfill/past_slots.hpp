@@ -22,7 +22,8 @@ namespace loopscope::daemon {
 /// The slots of the past that loops are to be judged at: of each loop its slots in their order,
 /// because what a window tells of pv and what was said of the loop last goes into the next one; of
 /// all loops the oldest first. A slot that is stored, under the algorithm in force, is left as it
-/// is, so that a backfill which was stopped goes on where it was.
+/// is, so that a backfill which was stopped goes on where it was; unless `again`, then it is read
+/// again and judged where its rows, the catalogue or the settings have changed.
 ///
 /// Work on the newest slots goes first: loops that are due soon, or that others hold, are waited
 /// for. Thread-safe.
@@ -31,7 +32,8 @@ class PastSlots : public ClaimSource {
   /// `times_us`: ascending, none twice, not after the newest slot that has settled; a loop's slot
   /// is the end of its period before, or at, each.
   PastSlots(std::shared_ptr<const config::Settings> settings, SharedServices& tools,
-            std::vector<storage::CatalogueEntry> loops, std::vector<std::int64_t> times_us);
+            std::vector<storage::CatalogueEntry> loops, std::vector<std::int64_t> times_us,
+            bool again);
 
   std::vector<storage::ClaimedLoop> next(AnalysisWorker& worker) override;
   void done(const std::vector<storage::ClaimedLoop>& claims,
@@ -39,7 +41,8 @@ class PastSlots : public ClaimSource {
   [[nodiscard]] std::size_t settled() const override { return settled_; }
   /// Slots of all loops together, done or not.
   [[nodiscard]] std::size_t total() const { return loops_.size() * times_us_.size(); }
-  /// Of those, how many were stored before this backfill, and how many lie where pv has no row.
+  /// Of those, how many were stored before this backfill, and how many lie where pv has no row
+  /// (where they are looked at again: or are as they were).
   [[nodiscard]] std::size_t stored() const;
   [[nodiscard]] std::size_t unrecorded() const;
   /// Loops that were given up: their work failed several times, or nobody could claim them.
@@ -74,6 +77,7 @@ class PastSlots : public ClaimSource {
   std::shared_ptr<const config::Settings> settings_;
   SharedServices& tools_;
   const std::vector<std::int64_t> times_us_;
+  const bool again_;
   ResultsLink results_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;

@@ -50,13 +50,26 @@ std::vector<std::int64_t> ids_of(const std::vector<storage::CatalogueEntry>& loo
   return ids;
 }
 
-std::string summary(const PassResult& pass, const PastSlots& slots) {
+/// A window without a sample: which of the three, the historian alone knows.
+std::string judged_words(const PassResult& pass, const PastSlots& slots) {
+  return fmt::format(
+      "{} judged, {} had been judged before, {} without a sample of pv{}", pass.count.inserted,
+      slots.stored(), slots.unrecorded(),
+      slots.unrecorded() > 0 ? " (before the tag's first row, in a gap or after its last)" : "");
+}
+
+std::string again_words(const PassResult& pass, const PastSlots& slots) {
+  return fmt::format(
+      "{} judged for the first time, {} again, since rows, catalogue or settings have changed, {} "
+      "as "
+      "they were or without a sample of pv",
+      pass.count.inserted, pass.count.revised, slots.unrecorded());
+}
+
+std::string summary(const PassResult& pass, const PastSlots& slots, bool again) {
   std::string text =
-      fmt::format("{} of {}: {} judged, {} had been judged before, {} without a sample of pv",
-                  slots.settled(), counted(slots.total(), "window", "windows"), pass.count.inserted,
-                  slots.stored(), slots.unrecorded());
-  // A window has none of its samples there: which of the three, the historian alone knows.
-  if (slots.unrecorded() > 0) text += " (before the tag's first row, in a gap or after its last)";
+      fmt::format("{} of {}: {}", slots.settled(), counted(slots.total(), "window", "windows"),
+                  again ? again_words(pass, slots) : judged_words(pass, slots));
   if (pass.signal != 0) text += "; stopped by a signal, the same command goes on with the others";
   return text;
 }
@@ -84,7 +97,7 @@ void backfill(const BackfillCommand& options) {
   SharedServices tools(cores, RetryLimit::endless, stop.get_token());
   BackfillPlan plan =
       plan_backfill(*settings, options.backfill, newest_settled_us(settings, tools));
-  PastSlots slots(settings, tools, plan.loops, plan.times_us);
+  PastSlots slots(settings, tools, plan.loops, plan.times_us, options.backfill.again);
   const TimeZone zone(settings->plant.time_zone);
   std::cout << fmt::format("{}, {} each, from {} to {}\n",
                            counted(plan.loops.size(), "loop", "loops"),
@@ -95,8 +108,9 @@ void backfill(const BackfillCommand& options) {
   yield_to_analysis(kNice);  // inherited by the workers
   const PassResult pass =
       run_workers(settings, tools, stop, {slots, cores, slots.total(), "windows"});
-  std::cout << summary(pass, slots) << std::endl;
-  if (pass.count.inserted > 0) judge_repairs_anew(*settings, tools, ids_of(plan.loops));
+  std::cout << summary(pass, slots, options.backfill.again) << std::endl;
+  if (pass.count.inserted + pass.count.revised > 0)
+    judge_repairs_anew(*settings, tools, ids_of(plan.loops));
   if (pass.signal != 0) {
     // Whoever waits for this program learns from its end that not all is done.
     std::signal(pass.signal, SIG_DFL);
@@ -119,6 +133,9 @@ void add_backfill(CLI::App& program) {
       ->required();
   command.add_option("--loop", options->backfill.loops,
                      "Loop; may be given several times (default: all enabled loops)");
+  command.add_flag("--again", options->backfill.again,
+                   "Also windows that were judged before: where rows, catalogue or settings have "
+                   "changed since, they are judged again");
   command.callback([options] { backfill(*options); });
 }
 

@@ -99,3 +99,9 @@ CREATE OR REPLACE VIEW loopscope.flag_history AS
     ON standing.loop_id = notice.loop_id AND notice.ended_at IS NULL;
 COMMENT ON COLUMN loopscope.flag_history.since IS
   'Slot of the first verdict of its run; of a stay that lasts as in flagged_loop, else as it was known when it came';
+
+UPDATE loopscope.data_problem_kind SET
+  words = 'Most rows of the window are of bad quality, or have no value',
+  remedy = 'Check transmitter, wiring and interface; where the historian keeps the value of such a tag in another '
+           'column, name that in the settings (more_value_columns)'
+WHERE code = 'bad_quality';

@@ -118,6 +118,24 @@ TEST_F(Backfill, GoesOnWithWhatIsLeftAndTellsWhatIsNotRecorded) {
   EXPECT_EQ(plant.sql("SELECT count(*) FROM loopscope.analysis"), "7");
 }
 
+/// A mistake of the settings or the catalogue is found when the past has been judged.
+TEST_F(Backfill, JudgesAgainWhatHasChanged) {
+  make_months();
+  EXPECT_EQ(backfill(6).exit_code, 0);
+  EXPECT_THAT(backfill(6, {"--again"}).out,
+              HasSubstr("4 of 4 windows: 0 judged for the first time, 0 again, since rows, "
+                        "catalogue or settings have changed, 4 as they were"));
+  EXPECT_EQ(plant.loopscope("loops", {"set", "FIC101", "--op-low=0", "--op-high=120"}).exit_code,
+            0);
+  EXPECT_THAT(backfill(6).out, HasSubstr("4 had been judged before"));
+  EXPECT_THAT(backfill(6, {"--again"}).out,
+              HasSubstr("0 judged for the first time, 2 again, since rows, catalogue"));
+  EXPECT_EQ(plant.sql("SELECT count(*), count(*) FILTER (WHERE input_revision = 2) FROM"
+                      " loopscope.analysis"),
+            "4|2");
+  EXPECT_EQ(plant.sql("SELECT count(*) FROM loopscope.flag_notice"), "0");
+}
+
 /// Work that was done before the program was there.
 TEST_F(Backfill, EarlierWorkIsJudged) {
   make_months();
