@@ -22,10 +22,33 @@ bool is_shown(const CauseReport& cause, VerdictCode verdict) {
   return cause.probability >= kLeast;
 }
 
+/// Said in the drawing itself: the program that makes a PDF draws it without the page's style.
+const char* colour(VerdictCode cause) {
+  switch (cause) {
+    case VerdictCode::valve_stiction:
+    case VerdictCode::valve_deadband:
+    case VerdictCode::valve_saturation:
+    case VerdictCode::valve_characteristic:
+    case VerdictCode::valve_oversized:
+      return "#b34700";
+    case VerdictCode::tight_tuning:
+    case VerdictCode::sluggish_tuning:
+      return "#0072b2";
+    case VerdictCode::process_nonlinearity:
+    case VerdictCode::process_change:
+      return "#009e73";
+    case VerdictCode::external_disturbance:
+      return "#99467a";
+    case VerdictCode::sensor_fault:
+      return "#e69f00";
+    default:
+      return "#7a8794";
+  }
+}
+
 Fields bar(const CauseReport& cause) {
-  const std::string code(core::diagnosis::name(cause.code));
-  return {{"words", in_words(code)},
-          {"code", code},
+  return {{"words", in_words(core::diagnosis::name(cause.code))},
+          {"colour", colour(cause.code)},
           {"percent", std::lround(100.0 * cause.probability)},
           {"weights", weights(cause.in_favour, cause.against)}};
 }

@@ -26,7 +26,7 @@ TEST(CauseBars, ABarIsAsLongAsItsCauseIsProbable) {
                     {VerdictCode::tight_tuning, 0.2, 0.1, {}, {"a <b> & more"}},
                     {VerdictCode::healthy, 0.01, 0.2, {"never shown"}, {}}};
   const std::string page = cause_bars(verdict).html;
-  EXPECT_THAT(page, HasSubstr("<rect class=\"valve_stiction\" width=\"83\""));
+  EXPECT_THAT(page, HasSubstr("<rect fill=\"#b34700\" width=\"83\""));
   EXPECT_THAT(page, HasSubstr("<span class=\"share\">20 %</span>"));
   EXPECT_THAT(page, HasSubstr("<p>For</p><ul><li>op repeats its half cycle: 93 % (odds times 3)"));
   EXPECT_THAT(page, HasSubstr("<p>Against</p><ul><li>a &lt;b&gt; &amp; more</li></ul>"));
