@@ -18,8 +18,7 @@ constexpr const char* kHead =
 
 /// What sites change first, ready to be uncommented.
 constexpr const char* kEngineer =
-    "    // The login under which people annotate and enter work; without it the owner's:\n"
-    "    // \"engineer_connection\": \"host=... dbname=... user=loopscope_engineer_1\",\n";
+    "    // The login under which people annotate and enter work; without it the owner's:\n";
 constexpr const char* kPlant =
     "  // The clock of the plant, for times that people read and write; without it UTC:\n"
     "  // \"plant\": { \"time_zone\": \"Europe/Berlin\" },\n";
@@ -65,7 +64,7 @@ std::string first_settings_text(const FirstSettings& first) {
   std::string notes;
   for (const std::string& note : first.notes) notes += comment(note);
   return std::string(kHead) + "{\n  \"results\": {\n    \"connection\": " + text_of(first.results) +
-         ",\n" + kEngineer +
+         ",\n" + kEngineer + "    // \"engineer_connection\": " + text_of(first.engineer) + ",\n" +
          "    // Of the schema's owner: migrate, maintain, loops. Workers alone need none.\n" +
          "    \"owner_connection\": " + text_of(first.owner) + "\n  },\n" + kPlant +
          "  \"historians\": [\n    {\n" + notes + historian_text(first.historian) +

@@ -11,6 +11,7 @@ namespace loopscope::config {
 struct FirstSettings {
   std::string results;             ///< connection string of the worker
   std::string owner;               ///< of the schema's owner
+  std::string engineer;            ///< of people who annotate, offered as a comment
   HistorianSettings historian;     ///< with its connection
   std::vector<std::string> notes;  ///< on the historian, for whoever reviews the file: a line each
 };

@@ -14,6 +14,8 @@ struct Finding {
   std::string what;      ///< what was checked, or "what, where" of the problem
   std::string hint;      ///< how to mend it; empty when ok without a warning
   bool warning = false;  ///< ok, but better changed: `hint` says how
+  /// Where an index is what is missing: the SQL that makes it, and the owner of the table.
+  std::string index_sql = {}, table_owner = {};
 };
 
 /// Warnings about where libpq looks for this connection's password: a password file that it ignores

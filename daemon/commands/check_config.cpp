@@ -16,7 +16,7 @@ namespace {
 void check_config(const std::string& file) {
   const config::Settings settings = config::read_settings(file);
   std::cout << fmt::format("{:<8} {}: no problem in the file\n", "ok", file);
-  if (const int problems = check_databases(settings); problems > 0) {
+  if (const int problems = check_databases(settings, file).problems; problems > 0) {
     throw Failure(ExitCode::database,
                   core::text::counted(problems, "problem", "problems") + " with the databases",
                   "each PROBLEM above has its own hint");

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/http_address.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/printable.hpp"
+#include "daemon/text/shell_word.hpp"
 #include "storage/historian/setup/check_historian.hpp"
 #include "storage/historian/setup/check_writer.hpp"
 #include "storage/results/schema/check_owner.hpp"
@@ -15,18 +17,37 @@
 namespace loopscope::daemon {
 namespace {
 
-/// Prints the findings about one database; returns how many are problems.
-int print_findings(const std::string& about, const std::vector<storage::Finding>& findings) {
-  int problems = 0;
-  for (const storage::Finding& finding : findings) {
-    const char* judgement = !finding.ok ? "PROBLEM" : finding.warning ? "warning" : "ok";
-    std::cout << fmt::format("{:<8} {}: {}\n", judgement, printable(about),
-                             printable(finding.what));
-    if (!finding.ok) ++problems;
-    if (!finding.hint.empty()) std::cout << "         HINT: " << printable(finding.hint) << '\n';
-  }
-  return problems;
+/// storage/ knows no files: its commands have an F there.
+std::string with_file(std::string text, const std::string& file) {
+  constexpr std::string_view kAnyFile = "--config F`";
+  const std::size_t at = text.find(kAnyFile);
+  return at == std::string::npos
+             ? text
+             : text.replace(at, kAnyFile.size(), "--config " + shell_word(file) + "`");
 }
+
+/// Prints what is found and keeps count.
+class Report {
+ public:
+  explicit Report(const std::string& file) : file_(file) {}
+
+  void add(const std::string& about, const std::vector<storage::Finding>& findings) {
+    for (const storage::Finding& finding : findings) {
+      const char* judgement = !finding.ok ? "PROBLEM" : finding.warning ? "warning" : "ok";
+      std::cout << fmt::format("{:<8} {}: {}\n", judgement, printable(about),
+                               printable(finding.what));
+      if (!finding.hint.empty())
+        std::cout << fmt::format("         HINT: {}\n", printable(with_file(finding.hint, file_)));
+      if (!finding.ok) ++check_.problems;
+      if (!finding.index_sql.empty()) check_.indexes.push_back(finding);
+    }
+  }
+  [[nodiscard]] const DatabaseCheck& check() const { return check_; }
+
+ private:
+  const std::string& file_;
+  DatabaseCheck check_;
+};
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
@@ -51,35 +72,33 @@ std::vector<storage::Finding> check_http(const config::DaemonSettings& daemon) {
       names};
 }
 
-int check_historians(const config::Settings& settings) {
-  int problems = 0;
+void check_historians(const config::Settings& settings, Report& report) {
   for (const config::HistorianSettings& historian : settings.historians) {
-    problems += print_findings(
+    report.add(
         "historian " + historian.name,
         storage::check_historian(historian_connection(historian), historian_layout(historian)));
     if (historian.writer_connection.empty()) continue;
-    problems += print_findings(
+    report.add(
         "import into " + historian.name,
         storage::check_writer(historian_writer_connection(historian), historian_layout(historian)));
   }
-  return problems;
 }
 
 }  // namespace
 
-int check_databases(const config::Settings& settings, storage::SchemaStage stage) {
-  print_findings("HTTP", check_http(settings.daemon));
-  int problems = print_findings("results database",
-                                storage::check_results(results_connection(settings), stage));
-  if (!settings.results.owner_connection.empty()) {
-    problems +=
-        print_findings("results database, owner", storage::check_owner(owner_connection(settings)));
-  }
+DatabaseCheck check_databases(const config::Settings& settings, const std::string& settings_file,
+                              storage::SchemaStage stage) {
+  Report report(settings_file);
+  report.add("HTTP", check_http(settings.daemon));
+  report.add("results database", storage::check_results(results_connection(settings), stage));
+  if (!settings.results.owner_connection.empty())
+    report.add("results database, owner", storage::check_owner(owner_connection(settings)));
   if (!settings.results.engineer_connection.empty()) {
-    problems += print_findings("results database, engineer",
-                               storage::check_engineer(engineer_connection(settings), stage));
+    report.add("results database, engineer",
+               storage::check_engineer(engineer_connection(settings), stage));
   }
-  return problems + check_historians(settings);
+  check_historians(settings, report);
+  return report.check();
 }
 
 }  // namespace loopscope::daemon

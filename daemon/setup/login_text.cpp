@@ -43,10 +43,11 @@ Trouble wrong_password(const SiteLogin& login) {
             fmt::format("{}; a superuser sets a new one in psql: \\password {}", correct,
                         login.target.user)};
   }
-  return {"the password is wrong, or there is no such login: the server does not tell which",
-          fmt::format("if the login is there, {}; the SQL below is for a login that is not there "
-                      "yet, and sets a new password",
-                      correct)};
+  return {
+      "the password is wrong, or there is no such login: the server does not tell which",
+      fmt::format("if the login is there, {}; the SQL that this hands out is for a login that is "
+                  "not there yet, and sets a new password",
+                  correct)};
 }
 
 Trouble trouble_of(const SiteLogin& login) {

@@ -18,34 +18,59 @@ void print_lines(const std::string& sql) {
   for (std::string line; std::getline(lines, line);) std::cout << printable(line) << '\n';
 }
 
-}  // namespace
-
-std::string psql_command(const Script& script, const storage::ConnectionTarget& target,
-                         const std::string& file) {
-  const std::string host = target.host.empty() ? "" : " -h " + shell_word(target.host);
-  return fmt::format("psql{} -p {} -U postgres -d {} -f {}", host, shell_word(target.port),
-                     shell_word(script.database), shell_word(file));
+/// It holds no secrets, and postgres has to read it: psql asks for passwords.
+void write_for_all(const std::string& file, const std::string& content) {
+  using std::filesystem::perms;
+  write_file(file, content);
+  std::error_code ignored;  // somebody else's file: then it is as he wants it
+  std::filesystem::permissions(file, perms::group_read | perms::others_read,
+                               std::filesystem::perm_options::add, ignored);
 }
 
-void hand_out(const Script& script, const storage::ConnectionTarget& target,
-              const std::string& folder) {
-  const std::string file =
+/// Both commands, a line each that begins with `margin`.
+std::string commands(const Script& script, const storage::ConnectionTarget& target,
+                     const std::string& file, const std::string& margin) {
+  const std::string run = " -f " + shell_word(file);
+  return printable(margin + psql_on_its_host(target, script.database) + run) + "\n" +
+         printable(margin + psql_as("postgres", target, script.database) + run) + "\n";
+}
+
+}  // namespace
+
+std::string psql_as(const std::string& user, const storage::ConnectionTarget& target,
+                    const std::string& database) {
+  const std::string host = target.host.empty() ? "" : " -h " + shell_word(target.host);
+  return fmt::format("psql{} -p {} -U {} -d {}", host, shell_word(target.port), shell_word(user),
+                     shell_word(database));
+}
+
+std::string psql_on_its_host(const storage::ConnectionTarget& target, const std::string& database) {
+  return fmt::format("sudo -u postgres psql -p {} -d {}", shell_word(target.port),
+                     shell_word(database));
+}
+
+std::string hand_out(const Script& script, const storage::ConnectionTarget& target,
+                     const std::string& folder) {
+  constexpr const char* kWays =
+      "on its own host, where postgres can read the file, or over the network with a password";
+  std::string file =
       folder.empty() ? script.file : (std::filesystem::path(folder) / script.file).string();
-  const std::string command = printable(psql_command(script, target, file));
-  const char* owner = script.owner_may ? ", or as the owner of the tables" : "";
-  const bool asks = script.sql.find("\\password") != std::string::npos;
+  const char* owner = script.owner_may ? " or as the owner of the tables" : "";
+  const char* asks = script.sql.find("\\password") == std::string::npos
+                         ? ""
+                         : " (from the file: psql asks for the new passwords)";
   const std::string head =
-      fmt::format("-- Loopscope, for {}. As a superuser of it{}{}:\n--   {}\n", script.server,
-                  owner, asks ? ", from a file, since psql asks for the passwords" : "", command);
+      fmt::format("-- Loopscope, for {}. As a superuser of it{}{},\n-- {}:\n{}", script.server,
+                  owner, asks, kWays, commands(script, target, file, "--   "));
   if (folder.empty()) {
     std::cout << '\n' << head;
     print_lines(script.sql);
-    return;
+    return "the SQL above";
   }
-  write_file(file, head + script.sql);
-  std::cout << fmt::format("wrote    {}; run it as a superuser of {}{}{}:\n  {}\n", printable(file),
-                           script.server, owner, asks ? "; psql asks for the passwords" : "",
-                           command);
+  write_for_all(file, head + script.sql);
+  std::cout << fmt::format("wrote    {}; run it as a superuser of {}{}{}, {}:\n{}", printable(file),
+                           script.server, owner, asks, kWays, commands(script, target, file, ""));
+  return file;
 }
 
 }  // namespace loopscope::daemon

@@ -1,5 +1,6 @@
 #include "daemon/setup/set_up_site.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -54,7 +55,7 @@ config::Settings ask_connections(SiteOptions& options, Questions& questions) {
   return settings;
 }
 
-void hand_out_results(const SiteLogins& logins, const std::string& folder) {
+[[nodiscard]] std::string hand_out_results(const SiteLogins& logins, const std::string& folder) {
   storage::ResultsWanted wanted{logins.worker.target.database, logins.database_is_there(), {}};
   if (!logins.owner.exists())
     wanted.logins.push_back({logins.owner.target.user, "loopscope_owner"});
@@ -64,15 +65,16 @@ void hand_out_results(const SiteLogins& logins, const std::string& folder) {
     for (const PeoplesLogin& login : kPeoplesLogins)
       wanted.logins.push_back({login.name, login.group});
   }
-  hand_out({"the results server", "results.sql", "postgres", storage::results_sql(wanted)},
-           logins.worker.target, folder);
+  return hand_out({"the results server", "results.sql", "postgres", storage::results_sql(wanted)},
+                  logins.worker.target, folder);
 }
 
-void hand_out_historian(const SiteLogins& logins, const storage::ReaderWanted& wanted,
-                        const std::string& folder) {
-  hand_out({"the historian", "historian.sql", logins.reader.target.database,
-            storage::reader_sql(wanted), wanted.login_exists},
-           logins.reader.target, folder);
+[[nodiscard]] std::string hand_out_historian(const SiteLogins& logins,
+                                             const storage::ReaderWanted& wanted,
+                                             const std::string& folder) {
+  return hand_out({"the historian", "historian.sql", logins.reader.target.database,
+                   storage::reader_sql(wanted), wanted.login_exists},
+                  logins.reader.target, folder);
 }
 
 /// Before anybody has looked: the table that was said with its schema, or those of the vendor.
@@ -88,15 +90,18 @@ void print_passwords(const std::vector<std::string>& lines) {
   if (lines.empty()) return;
   std::cout << "\nTheir passwords belong into ~/.pgpass (or the file that PGPASSFILE names), mode "
                "0600, a line each, in place of a line with a wrong one:\n";
-  for (const std::string& line : lines) std::cout << "  " << printable(line) << '\n';
+  for (const std::string& line : lines) std::cout << printable(line) << '\n';
 }
 
-/// "run the SQL above, see to the passwords": what of it there is.
-std::string what_to_do(bool sql, bool passwords) {
-  return fmt::format("{}{}{}", sql ? "run the SQL above" : "", sql && passwords ? ", " : "",
-                     passwords ? "see to the passwords"
-                     : sql     ? ""
-                               : "see the hints above");
+/// "run results.sql and historian.sql, see to the passwords": what of it there is.
+std::string what_to_do(std::vector<std::string> scripts, bool passwords) {
+  scripts.erase(std::unique(scripts.begin(), scripts.end()), scripts.end());
+  std::string run;
+  for (const std::string& script : scripts) run += (run.empty() ? "run " : " and ") + script;
+  return fmt::format("{}{}{}", run, !run.empty() && passwords ? ", " : "",
+                     passwords     ? "see to the passwords"
+                     : run.empty() ? "see the hints above"
+                                   : "");
 }
 
 /// In UTC, as the months of the results are.
@@ -118,7 +123,8 @@ class SiteSetup {
     for (const SiteLogin* login : {&logins_.worker, &logins_.owner, &logins_.reader})
       std::cout << login_text(*login);
     require_historian();
-    if (logins_.results_need_sql()) hand_out_results(logins_, options_.sql_folder);
+    if (logins_.results_need_sql())
+      scripts_.push_back(hand_out_results(logins_, options_.sql_folder));
     const bool historian_ready = look_at_historian();
     if (!logins_.results_work() || !historian_ready) ask_for_another_run();
     write();
@@ -140,9 +146,7 @@ class SiteSetup {
   bool look_at_historian() {
     const std::string& user = logins_.reader.target.user;
     if (!logins_.reader.works()) {
-      if (!logins_.reader.exists())
-        hand_out_historian(logins_, {user, false, told_tables(options_.layout), ""},
-                           options_.sql_folder);
+      if (!logins_.reader.exists()) ask_historian({user, false, told_tables(options_.layout), ""});
       return false;
     }
     storage::HistorianSurvey survey(historian_connection(settings_.historians.front()));
@@ -150,24 +154,25 @@ class SiteSetup {
     std::cout << fmt::format("ok       {}\n", printable(describe(*layout_)));
     if (!layout_->readable) {
       std::cout << fmt::format("not yet  {} has no right to read it\n", printable(user));
-      hand_out_historian(logins_, {user, true, layout_->tables, layout_->maker},
-                         options_.sql_folder);
+      ask_historian({user, true, layout_->tables, layout_->maker});
       return false;
     }
     notes_ = look_at_rows(survey, options_.time_zone, questions_, *layout_);
     return true;
   }
 
+  void ask_historian(const storage::ReaderWanted& wanted) {
+    scripts_.push_back(hand_out_historian(logins_, wanted, options_.sql_folder));
+  }
+
   [[noreturn]] void ask_for_another_run() const {
     const std::vector<std::string> passwords = password_lines(logins_);
     print_passwords(passwords);
-    const bool sql =
-        logins_.results_need_sql() || !logins_.reader.exists() || (layout_ && !layout_->readable);
     throw Failure(ExitCode::database,
                   logins_.results_work()         ? "the historian is not ready yet"
                   : layout_ && layout_->readable ? "the results server is not ready yet"
                                                  : "the servers are not ready yet",
-                  what_to_do(sql, !passwords.empty()) +
+                  what_to_do(scripts_, !passwords.empty()) +
                       ", then run this `loopscope init` again: it goes on from there; no settings "
                       "were written yet");
   }
@@ -177,7 +182,8 @@ class SiteSetup {
     historian.name = options_.name;
     historian.connection = settings_.historians.front().connection;
     const std::string text = config::first_settings_text(
-        {settings_.results.connection, settings_.results.owner_connection, historian, notes_});
+        {settings_.results.connection, settings_.results.owner_connection,
+         storage::with_user(results_connection(settings_), kEngineerLogin), historian, notes_});
     settings_ = config::parse_settings(text, options_.out);
     refuse_existing(options_);
     write_file(options_.out, text);
@@ -186,16 +192,20 @@ class SiteSetup {
   }
 
   void check() const {
-    const int problems = check_databases(settings_, storage::SchemaStage::to_be_made);
-    const std::string file = printable(options_.out);
-    if (problems > 0) {
-      throw Failure(ExitCode::database,
-                    core::text::counted(problems, "problem", "problems") + " with the databases",
-                    fmt::format("each PROBLEM above has its own hint; afterwards: loopscope "
-                                "check-config --config {}",
-                                options_.out));
+    const DatabaseCheck found =
+        check_databases(settings_, options_.out, storage::SchemaStage::to_be_made);
+    if (found.problems > 0) {
+      throw Failure(
+          ExitCode::database,
+          core::text::counted(found.problems, "problem", "problems") + " with the databases",
+          fmt::format("each PROBLEM above has its own hint; afterwards: loopscope "
+                      "check-config --config {}",
+                      options_.out));
     }
-    std::cout << '\n' << next_commands(file, day_a_week_ago());
+    std::cout << '\n';
+    for (const storage::Finding& index : found.indexes)
+      std::cout << index_command(index, logins_.reader.target);
+    std::cout << next_commands(printable(options_.out), day_a_week_ago());
   }
 
   SiteOptions options_;
@@ -204,6 +214,7 @@ class SiteSetup {
   SiteLogins logins_;
   std::optional<LayoutCandidate> layout_;
   std::vector<std::string> notes_;
+  std::vector<std::string> scripts_;  ///< what was handed out, as hand_out() calls it
 };
 
 }  // namespace

@@ -18,9 +18,9 @@ struct PeoplesLogin {
   const char* name;
   const char* group;  ///< role of deploy/roles.sql
 };
-inline constexpr std::array kPeoplesLogins{
-    PeoplesLogin{"loopscope_reader_1", "loopscope_reader"},
-    PeoplesLogin{"loopscope_engineer_1", "loopscope_engineer"}};
+inline constexpr const char* kEngineerLogin = "loopscope_engineer_1";
+inline constexpr std::array kPeoplesLogins{PeoplesLogin{"loopscope_reader_1", "loopscope_reader"},
+                                           PeoplesLogin{kEngineerLogin, "loopscope_engineer"}};
 
 /// A login that the settings name, where it goes, and whether it works.
 struct SiteLogin {

@@ -66,6 +66,16 @@ bool holds_all(const std::string& columns, const std::vector<std::string>& wante
   });
 }
 
+/// A warning: what cannot be read in time without the index is found where a window is read.
+Finding advise(const std::string& what, const IndexAdvice& advice) {
+  return {true,
+          what,
+          "as the owner of the table, " + advice.owner + ", on the historian: " + advice.sql,
+          true,
+          advice.sql,
+          advice.owner};
+}
+
 }  // namespace
 
 Finding check_index(PqConnection& connection, const ResolvedLayout& layout) {
@@ -84,18 +94,17 @@ Finding check_index(PqConnection& connection, const ResolvedLayout& layout) {
     if (holds_all(rows.text(row, 1), wanted.include))
       return {true, "an index serves the reading of windows, " + relation, "", false};
   }
+  const std::string key = plain_list(wanted.key);
   if (!has_key) {
-    return {false,
-            "no index starts with (" + plain_list(wanted.key) +
-                "), so every window would scan the table, " + relation,
-            index_advice(connection, layout.data, wanted), false};
+    return advise("no index starts with (" + key +
+                      "), so every window scans the table, which is slow, " + relation,
+                  index_advice(connection, layout.data, wanted));
   }
-  return {true,
-          "the index on (" + plain_list(wanted.key) +
-              ") does not include the value: where the rows of a tag lie far apart, reading is up "
-              "to three times slower than it could be, " +
-              relation,
-          index_advice(connection, layout.data, wanted), true};
+  return advise("the index on (" + key +
+                    ") does not include the value: where the rows of a tag lie far apart, reading "
+                    "is up to three times slower than it could be, " +
+                    relation,
+                index_advice(connection, layout.data, wanted));
 }
 
 bool has_key_index(PqConnection& connection, const ResolvedLayout& layout) {

@@ -48,7 +48,7 @@ std::string each_partition(const PqConnection& connection, const FoundRelation& 
            connection.quote(partitions.text(row, 2)) + columns + "; ALTER INDEX " +
            connection.quote(home) + "." + whole + " ATTACH PARTITION " + schema + "." + part;
   }
-  return sql;
+  return sql + ";";
 }
 
 std::string of_partitioned(PqConnection& connection, const FoundRelation& table,
@@ -58,20 +58,24 @@ std::string of_partitioned(PqConnection& connection, const FoundRelation& table,
   if (are_plain(partitions) && partitions.size() <= kMostPartitionsShown)
     return each_partition(connection, table, home, partitions, columns);
   return "CREATE INDEX ON " + table.sql + columns +
-         " -- keeps writers waiting meanwhile. Without that: CREATE INDEX ... ON ONLY the table, "
-         "then for each partition CREATE INDEX CONCURRENTLY and ALTER INDEX ... ATTACH PARTITION";
+         " /* keeps writers waiting meanwhile. Without that: CREATE INDEX ... ON ONLY the table, "
+         "then for each partition CREATE INDEX CONCURRENTLY and ALTER INDEX ... ATTACH PARTITION */;";
+}
+
+std::string sql_of(PqConnection& connection, const FoundRelation& table, const PqRows& kind,
+                   const std::string& columns) {
+  if (kind.text(0, 1) == "t")
+    return "CREATE INDEX ON " + table.sql + columns + " WITH (timescaledb.transaction_per_chunk);";
+  if (kind.text(0, 0) == "p") return of_partitioned(connection, table, kind.text(0, 2), columns);
+  return "CREATE INDEX CONCURRENTLY ON " + table.sql + columns + ";";
 }
 
 }  // namespace
 
-std::string index_advice(PqConnection& connection, const FoundRelation& table,
+IndexAdvice index_advice(PqConnection& connection, const FoundRelation& table,
                          const WantedIndex& wanted) {
-  const std::string columns = columns_sql(connection, wanted);
   const PqRows kind = connection.run(historian_statements::kTableKind, {std::to_string(table.oid)});
-  if (kind.text(0, 1) == "t")
-    return "CREATE INDEX ON " + table.sql + columns + " WITH (timescaledb.transaction_per_chunk)";
-  if (kind.text(0, 0) == "p") return of_partitioned(connection, table, kind.text(0, 2), columns);
-  return "CREATE INDEX CONCURRENTLY ON " + table.sql + columns;
+  return {sql_of(connection, table, kind, columns_sql(connection, wanted)), kind.text(0, 3)};
 }
 
 }  // namespace loopscope::storage

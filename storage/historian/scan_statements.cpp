@@ -37,6 +37,13 @@ std::string key_is_requested(const ResolvedLayout& layout) {
   return sql;
 }
 
+/// "h"."key"::text, ...
+std::string keys_as_text(const ResolvedLayout& layout) {
+  std::string sql;
+  for (const ResolvedKey& key : layout.key) sql += key.column + "::text, ";
+  return sql;
+}
+
 /// SELECT `what` of every relation, put together; " AS u" still has to follow.
 std::string all_of(const std::vector<std::string>& relations, const std::string& what,
                    const std::string& condition) {
@@ -230,21 +237,31 @@ Statement newest_rows(const ResolvedLayout& layout, const std::vector<std::strin
 }
 
 Statement newest_row(const ResolvedLayout& layout, const std::string& relation) {
-  return {"newest_row", "SELECT " + time_sql(layout) + " FROM " + relation + " AS h WHERE " +
-                            layout.time + " >= " + bound_sql(layout, parameter(1, native(layout))) +
-                            " AND " + layout.time +
-                            " <= " + bound_sql(layout, parameter(2, native(layout))) +
+  return {"newest_row", "SELECT " + keys_as_text(layout) + time_sql(layout) + " FROM " + relation +
+                            " AS h WHERE " + layout.time +
+                            " >= " + bound_sql(layout, parameter(1, native(layout))) + " AND " +
+                            layout.time + " <= " + bound_sql(layout, parameter(2, native(layout))) +
                             " ORDER BY " + layout.time + " DESC LIMIT 1"};
 }
 
+Statement times_of_key(const ResolvedLayout& layout, const std::string& relation) {
+  std::string within;
+  std::size_t next = 1;
+  for (const ResolvedKey& key : layout.key)
+    within += key.column + " = " + parameter(next++, key.type) + " AND ";
+  const std::string from = parameter(next, native(layout)),
+                    to = parameter(next + 1, native(layout));
+  return {"times_of_key", "SELECT " + time_sql(layout) + " FROM " + relation + " AS h WHERE " +
+                              within + layout.time + " >= " + bound_sql(layout, from) + " AND " +
+                              layout.time + " <= " + bound_sql(layout, to) + " ORDER BY " +
+                              layout.time + " DESC LIMIT " + parameter(next + 2, "int8")};
+}
+
 Statement any_row(const ResolvedLayout& layout, const std::string& relation) {
-  std::string keys, present;
-  for (const ResolvedKey& key : layout.key) {
-    keys += key.column + "::text, ";
-    present += key.column + " IS NOT NULL AND ";
-  }
-  return {"any_row", "SELECT " + keys + time_sql(layout) + " FROM " + relation + " AS h WHERE " +
-                         present + layout.time + " IS NOT NULL LIMIT 1"};
+  std::string present;
+  for (const ResolvedKey& key : layout.key) present += key.column + " IS NOT NULL AND ";
+  return {"any_row", "SELECT " + keys_as_text(layout) + time_sql(layout) + " FROM " + relation +
+                         " AS h WHERE " + present + layout.time + " IS NOT NULL LIMIT 1"};
 }
 
 Statement try_read(const ResolvedLayout& layout, const std::string& value) {

@@ -37,8 +37,13 @@ struct HeapOrderStatements {
                                     const std::vector<std::string>& relations,
                                     const std::string& column);
 
-/// Time of the newest row of a whole table: lower bound, upper bound.
+/// The newest row of a whole table: lower bound, upper bound -> each part of its key as text, its
+/// time.
 [[nodiscard]] Statement newest_row(const ResolvedLayout& layout, const std::string& relation);
+
+/// Times of the rows of a key, newest first: each part of the key, lower bound, upper bound, rows
+/// at most.
+[[nodiscard]] Statement times_of_key(const ResolvedLayout& layout, const std::string& relation);
 
 /// Some row: each part of its key as text, its time.
 [[nodiscard]] Statement any_row(const ResolvedLayout& layout, const std::string& relation);

@@ -94,7 +94,8 @@ const Statement kTableKind{"table_kind", R"(
       SELECT FROM pg_catalog.pg_inherits AS i
       JOIN pg_catalog.pg_class AS chunk ON chunk.oid = i.inhrelid
       JOIN pg_catalog.pg_namespace AS n ON n.oid = chunk.relnamespace
-      WHERE i.inhparent = c.oid AND n.nspname = '_timescaledb_internal'), home.nspname
+      WHERE i.inhparent = c.oid AND n.nspname = '_timescaledb_internal'), home.nspname,
+      pg_catalog.pg_get_userbyid(c.relowner)
     FROM pg_catalog.pg_class AS c
     JOIN pg_catalog.pg_namespace AS home ON home.oid = c.relnamespace WHERE c.oid = $1::oid)",
                            Rows::one};

@@ -16,7 +16,8 @@ extern const Statement kStillThere;
 extern const Statement kColumns;  ///< relation oid -> name, type
 /// relation oid -> key columns, all columns: names in hexadecimal digits, comma-separated
 extern const Statement kIndexes;
-/// relation oid -> relkind, whether it is a hypertable of TimescaleDB, schema
+/// relation oid -> relkind, whether it is a hypertable of TimescaleDB, schema,
+/// owner
 extern const Statement kTableKind;
 /// relation oid -> oid, schema, name and relkind of each of its partitions, by name
 extern const Statement kPartitions;

@@ -25,7 +25,9 @@ TEST(FirstSettings, AreReadAsTheyWereMeant) {
   for (const std::string_view preset : preset_names()) {
     const HistorianSettings historian = site_of(preset);
     const Settings read = parse_settings(
-        first_settings_text({"service=w", "service=o", historian, {"look\n\"here\" */"}}), "x");
+        first_settings_text(
+            {"service=w", "service=o", "service=e", historian, {"look\n\"here\" */"}}),
+        "x");
     EXPECT_EQ(read.historians.at(0), historian) << preset;
     EXPECT_EQ(read.results.connection, "service=w");
     EXPECT_EQ(read.results.owner_connection, "service=o");
@@ -36,7 +38,8 @@ TEST(FirstSettings, NameWhatDiffersFromThePresetAndNoMore) {
   HistorianSettings historian = site_of("narrow");
   historian.quality_rule = "codes";
   historian.good_codes = {"1"};
-  const std::string text = first_settings_text({"service=w", "service=o", historian, {"a note"}});
+  const std::string text =
+      first_settings_text({"service=w", "service=o", "service=e", historian, {"a note"}});
   EXPECT_THAT(text, AllOf(HasSubstr("      // a note\n      \"name\": \"plant\",\n"),
                           HasSubstr("\"quality_rule\": \"codes\",\n      \"good_codes\": [\"1\"]"),
                           Not(HasSubstr("time_column")), Not(HasSubstr("tag_column"))));
@@ -44,7 +47,8 @@ TEST(FirstSettings, NameWhatDiffersFromThePresetAndNoMore) {
 
 /// As somebody uncomments what is offered.
 TEST(FirstSettings, WhatIsOfferedCanBeUncommented) {
-  std::string text = first_settings_text({"service=w", "service=o", site_of("narrow"), {}});
+  std::string text =
+      first_settings_text({"service=w", "service=o", "service=e", site_of("narrow"), {}});
   for (const std::string offered : {"// \"engineer_connection\"", "// \"plant\""}) {
     const std::size_t at = text.find(offered);
     ASSERT_NE(at, std::string::npos) << offered;
@@ -52,7 +56,7 @@ TEST(FirstSettings, WhatIsOfferedCanBeUncommented) {
   }
   const Settings read = parse_settings(text, "x");
   EXPECT_EQ(read.plant.time_zone, "Europe/Berlin");
-  EXPECT_EQ(read.results.engineer_connection, "host=... dbname=... user=loopscope_engineer_1");
+  EXPECT_EQ(read.results.engineer_connection, "service=e");
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ using testing::Not;
 
 constexpr const char* kPassword = "Zq9-geheim-77";
 
-/// A historian as Telegraf writes it (times without a zone, a row a metric, fields of one loop),
-/// and a plain table whose columns are called otherwise.
+/// A historian as Telegraf writes it (no index, times without a zone, a row a metric, fields of one
+/// loop), and a plain table whose columns are called otherwise.
 constexpr const char* kHistorian = R"(
 CREATE TEMPORARY TABLE recording (t_s float8, sp float8, pv float8, op float8, mv float8);
 \copy recording FROM '@CSV@' CSV HEADER
@@ -32,12 +32,13 @@ CREATE TABLE telegraf.opcua (time timestamp without time zone, host text, loop t
   "SP" double precision, "PV" double precision, "OP" double precision, "MODE" text);
 INSERT INTO telegraf.opcua SELECT at AT TIME ZONE 'UTC', 'plc1', 'FIC101', NULL, pv, op, 'AUTO' FROM moment;
 INSERT INTO telegraf.opcua SELECT at AT TIME ZONE 'UTC', 'plc1', 'FIC101', sp, NULL, NULL, NULL FROM moment;
-CREATE INDEX ON telegraf.opcua (loop, time);
 CREATE TABLE public.archive (tagname text, ts timestamptz, val real, status smallint);
 INSERT INTO public.archive SELECT 'FIC201.' || tag, at, value, 192
   FROM moment, LATERAL (VALUES ('SP', sp), ('PV', pv), ('OP', op)) AS of_loop (tag, value);
 CREATE INDEX ON public.archive (tagname, ts) INCLUDE (val, status);
 )";
+
+const std::string kIndex = R"(CREATE INDEX CONCURRENTLY ON "telegraf"."opcua" ("loop", "time");)";
 
 /// Two fresh servers whose logins need passwords, none of which is there yet.
 class Init : public testing::Test {
@@ -107,7 +108,7 @@ class Init : public testing::Test {
     for (std::string line; std::getline(lines, line);) {
       if (!line.ends_with(":PASSWORD")) continue;
       line.replace(line.rfind("PASSWORD"), 8, kPassword);
-      passwords += line.substr(line.find_first_not_of(' ')) + "\n";
+      passwords += line + "\n";
     }
     EXPECT_EQ(std::ranges::count(passwords, '\n'), 5) << said;
     write("pgpass", passwords, 0600);
@@ -215,8 +216,18 @@ TEST_F(Init, LeadsFromTwoBareServersToVerdicts) {
   EXPECT_EQ(second.exit_code, 0) << second.out << second.err;
   EXPECT_THAT(second.out,
               AllOf(HasSubstr("telegraf.opcua: preset telegraf"), Not(HasSubstr("PROBLEM")),
+                    HasSubstr("<<'SQL'\n" + kIndex + "\nSQL\nReview "),
+                    HasSubstr("not migrated yet: there is no schema loopscope"),
                     HasSubstr("loopscope migrate --config " + file("a.json")),
                     HasSubstr("loopscope backfill --config " + file("a.json"))));
+  EXPECT_THAT(content_of(file("a.json")),
+              HasSubstr(" port=" + std::to_string(results_server->port()) +
+                        " dbname=loopscope user=loopscope_engineer_1\""));
+  EXPECT_THAT(loopscope("a.json", {"check-config"}, 4),
+              AllOf(HasSubstr("PROBLEM  results database: not migrated yet: there is no schema"),
+                    HasSubstr("`loopscope migrate --config " + file("a.json") + "` makes it"),
+                    HasSubstr("1 problem with")));
+  psql(*historian_server, "plant", "index.sql", kIndex);
   const ProgramResult nowhere =
       init({"--table", "telegraf.opcua", "--out", file("c.json"), "--time-zone", "Europe/Bonn"});
   EXPECT_EQ(nowhere.exit_code, 2) << nowhere.out;
@@ -245,6 +256,9 @@ TEST_F(Init, LeadsFromTwoBareServersToVerdicts) {
   const ProgramResult lacking = init(archive);
   EXPECT_EQ(lacking.exit_code, 4);
   EXPECT_THAT(lacking.out, HasSubstr("has no right to read it"));
+  EXPECT_THAT(lacking.err, HasSubstr("run " + file("historian.sql") + ", then run this"));
+  EXPECT_EQ(std::filesystem::status(file("historian.sql")).permissions(),
+            std::filesystem::perms(0644));
   EXPECT_THAT(content_of(file("historian.sql")),
               EndsWith("GRANT USAGE ON SCHEMA \"public\" TO \"loopscope_historian_1\";\n"
                        "GRANT SELECT ON \"public\".\"archive\" TO \"loopscope_historian_1\";\n"));

@@ -58,8 +58,10 @@ std::vector<Finding> check_schema(const ConnectionSettings& settings, const Stat
     findings.push_back({true, "connected to the " + describe_target(settings), "", false});
     const SchemaOwner owner = session.transact(find_schema_owner);
     name_owner(owner, findings);
-    if (stage == SchemaStage::to_be_made && session.transact(schema_version) == 0) {
-      findings.push_back({true, "there is no schema loopscope yet: migrate makes it", "", false});
+    if (session.transact(schema_version) == 0) {
+      findings.push_back({stage == SchemaStage::to_be_made,
+                          "not migrated yet: there is no schema loopscope",
+                          "`loopscope migrate --config F` makes it", false});
       return findings;
     }
     require_schema_version(session);

@@ -49,8 +49,8 @@ TEST(LoginText, AWrongPasswordIsToldFromAMissingLoginWhereSomebodyHasSeenIt) {
   EXPECT_EQ(said_of(login),
             "the password is wrong, or there is no such login: the server does not tell which\n"
             "         HINT: if the login is there, correct its line in /home/x/.pgpass, of which "
-            "the first that fits counts; the SQL below is for a login that is not there yet, and "
-            "sets a new password\n");
+            "the first that fits counts; the SQL that this hands out is for a login that is not "
+            "there yet, and sets a new password\n");
   login.seen = true;
   EXPECT_EQ(said_of(login),
             "the password is wrong, the login is there\n"

@@ -101,14 +101,18 @@ TEST(Scripts, OfGrantsAlonePsqlAsksForNothing) {
   const storage::ConnectionTarget target{"db1", "5432", "", ""};
   const auto printed = [&](const Script& script) {
     testing::internal::CaptureStdout();
-    hand_out(script, target, "");
+    EXPECT_EQ(hand_out(script, target, ""), "the SQL above");
     return testing::internal::GetCapturedStdout();
   };
   EXPECT_EQ(printed({"the historian", "historian.sql", "plant", "GRANT x;\n", true}),
-            "\n-- Loopscope, for the historian. As a superuser of it, or as the owner of the "
-            "tables:\n--   psql -h db1 -p 5432 -U postgres -d plant -f historian.sql\nGRANT x;\n");
-  EXPECT_THAT(printed({"the historian", "historian.sql", "plant", "\\password x\n"}),
-              HasSubstr("As a superuser of it, from a file, since psql asks for the passwords:"));
+            "\n-- Loopscope, for the historian. As a superuser of it or as the owner of the "
+            "tables,\n-- on its own host, where postgres can read the file, or over the network "
+            "with a password:\n"
+            "--   sudo -u postgres psql -p 5432 -d plant -f historian.sql\n"
+            "--   psql -h db1 -p 5432 -U postgres -d plant -f historian.sql\nGRANT x;\n");
+  EXPECT_THAT(
+      printed({"the historian", "historian.sql", "plant", "\\password x\n"}),
+      HasSubstr("As a superuser of it (from the file: psql asks for the new passwords),\n"));
 }
 
 TEST(NextCommands, GoOnAsTheReadmeDoes) {
@@ -126,12 +130,21 @@ TEST(NextCommands, GoOnAsTheReadmeDoes) {
             "  loopscope run --config a.json\n");
 }
 
+TEST(NextCommands, AnIndexComesFirstReadyToBeCopied) {
+  storage::Finding index;
+  index.index_sql = R"(CREATE INDEX ON "t" ("id");)";
+  index.table_owner = "telegraf";
+  EXPECT_EQ(index_command(index, {"db2", "5433", "plant", "r"}),
+            "First the index of the historian: without it all works, but slowly. As telegraf, who "
+            "owns the table,\nor on its own host with `sudo -u postgres psql -p 5433 -d plant`:\n"
+            "psql -h db2 -p 5433 -U telegraf -d plant <<'SQL'\n"
+            "CREATE INDEX ON \"t\" (\"id\");\nSQL\n");
+}
+
 TEST(Scripts, TheCommandIsOneThatAShellTakes) {
-  const Script script{"the historian", "historian.sql", "my 'plant'", ""};
-  EXPECT_EQ(psql_command(script, {"db1", "5432", "", ""}, "a b/historian.sql"),
-            R"(psql -h db1 -p 5432 -U postgres -d 'my '\''plant'\''' -f 'a b/historian.sql')");
-  EXPECT_EQ(psql_command({"", "", "x", ""}, {"", "5432", "", ""}, "f"),
-            "psql -p 5432 -U postgres -d x -f f");
+  EXPECT_EQ(psql_as("a b", {"db1", "5432", "", ""}, "my 'plant'"),
+            R"(psql -h db1 -p 5432 -U 'a b' -d 'my '\''plant'\''')");
+  EXPECT_EQ(psql_as("u", {"", "5432", "", ""}, "x"), "psql -p 5432 -U u -d x");
 }
 
 }  // namespace

@@ -230,6 +230,7 @@ TEST_F(RightsTest, CheckTurnsProblemsIntoFindings) {
   tests::TestDatabase empty;
   EXPECT_THAT(check_results(settings_for(empty)),
               Contains(AllOf(Field(&Finding::ok, false),
+                             Field(&Finding::what, HasSubstr("not migrated yet")),
                              Field(&Finding::hint, HasSubstr("loopscope migrate")))));
   const std::string stranger = database->make_login("");
   EXPECT_THAT(check_results(settings_for(*database, stranger)),
