@@ -72,8 +72,8 @@ std::string verdict_words(std::string_view code) {
 }
 
 struct Column {
-  LoopOrder order;
-  const char* words;
+  LoopOrder order = LoopOrder::rank;
+  const char* words = "";
   bool number = false;
 };
 constexpr std::array kColumns{Column{LoopOrder::name, "Loop"},
