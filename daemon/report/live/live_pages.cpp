@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "daemon/report/sections/loop_request.hpp"
 #include "daemon/report/page/page_frame.hpp"
 #include "daemon/report/page/template.hpp"
+#include "daemon/report/sections/loop_request.hpp"
 #include "storage/error.hpp"
 
 namespace loopscope::daemon {

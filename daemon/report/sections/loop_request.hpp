@@ -8,7 +8,8 @@
 
 namespace loopscope::daemon {
 
-/// Rows of a page of loops: with so many a page stays below 200 kB whatever their names and reasons.
+/// Rows of a page of loops: with so many a page stays below 200 kB whatever their names and
+/// reasons.
 inline constexpr std::int64_t kLoopsOnPage = 150;
 
 /// What the query of an address asks for: q (words), area, unit, verdict, state, order (a name of
