@@ -59,7 +59,8 @@ std::string of_partitioned(PqConnection& connection, const FoundRelation& table,
     return each_partition(connection, table, home, partitions, columns);
   return "CREATE INDEX ON " + table.sql + columns +
          " /* keeps writers waiting meanwhile. Without that: CREATE INDEX ... ON ONLY the table, "
-         "then for each partition CREATE INDEX CONCURRENTLY and ALTER INDEX ... ATTACH PARTITION */;";
+         "then for each partition CREATE INDEX CONCURRENTLY and ALTER INDEX ... ATTACH PARTITION "
+         "*/;";
 }
 
 std::string sql_of(PqConnection& connection, const FoundRelation& table, const PqRows& kind,
