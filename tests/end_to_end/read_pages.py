@@ -15,6 +15,8 @@ from pathlib import Path
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
+from selenium.webdriver.support.expected_conditions import staleness_of
+from selenium.webdriver.support.ui import WebDriverWait
 
 WINDOWS = {"desktop": (1440, 900), "phone": (390, 844)}
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
@@ -138,6 +140,13 @@ def names(reader):
     return [cell.text for cell in reader.all("table.loops td.loop-name bdi:first-of-type")]
 
 
+def go(reader, element):
+    """To the page that the element leads to."""
+    element.click()
+    WebDriverWait(reader.driver, 30).until(staleness_of(element))
+    WebDriverWait(reader.driver, 30).until(lambda _: reader.run("document.readyState") == "complete")
+
+
 def ask(reader, name, value):
     """Takes a choice of the form of /loops and sends it."""
     field = reader.all(f"form.filters [name={name}]")[0]
@@ -145,17 +154,17 @@ def ask(reader, name, value):
         reader.run("arguments[0].value = arguments[1]", field, value)
     else:
         field.send_keys(value)
-    reader.all("form.filters button")[0].click()
+    go(reader, reader.all("form.filters button")[0])
 
 
 def require_questions(reader, base):
     """Order and choice of /loops are the server's, on a phone as well."""
     reader.open(base + "/loops", "desktop")
     header = "table.loops th:first-child a"
-    reader.all(header)[0].click()
+    go(reader, reader.all(header)[0])
     rising = names(reader)
     require(rising == sorted(rising, key=str.lower) and len(rising) > 2, f"/loops by name: {rising}")
-    reader.all(header)[0].click()
+    go(reader, reader.all(header)[0])
     require(names(reader) == rising[::-1], f"/loops backwards: {names(reader)}")
     reader.open(base + "/loops", "phone")
     ask(reader, "state", "flagged")
