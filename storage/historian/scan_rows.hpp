@@ -19,9 +19,6 @@ namespace loopscope::storage {
 [[nodiscard]] std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
                                                        const ResolvedLayout& layout);
 
-/// How far back a row before the window is looked for: a setpoint may stand still for months.
-inline constexpr std::int64_t kReachBefore_us = std::int64_t{366} * 86'400 * 1'000'000;
-
 /// In which order an answer's arrays have their rows.
 enum class RowOrder { newest_first, any };
 
