@@ -13,6 +13,8 @@ namespace loopscope::storage::historian_statements {
 extern const Statement kFindRelation;
 /// Those of a list of oids that are relations.
 extern const Statement kStillThere;
+/// relation oid -> whether any of its rows come out of a foreign table, below views and partitions
+extern const Statement kIsForeign;
 extern const Statement kColumns;  ///< relation oid -> name, type
 /// relation oid -> key columns, all columns: names in hexadecimal digits, comma-separated
 extern const Statement kIndexes;
