@@ -195,8 +195,9 @@ Statement list_keys(const ResolvedLayout& layout, const std::string& relation, b
   return {"list_keys", "SELECT " + keys.texts + " FROM (" + sql + ") AS key" + keys.joins};
 }
 
-Statement explain(const Statement& statement) {
-  return {"explain", "EXPLAIN (COSTS off) " + statement.sql};
+Statement explain(const Statement& statement, bool with_sent) {
+  const std::string verbose = with_sent ? "VERBOSE, " : "";
+  return {"explain", "EXPLAIN (" + verbose + "COSTS off) " + statement.sql};
 }
 
 Statement has_rows(const PlainTable& table, const std::string& tag_type) {

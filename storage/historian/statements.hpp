@@ -53,8 +53,9 @@ extern const Statement kFindZone;  ///< name of a time zone -> a row
 [[nodiscard]] Statement list_keys(const ResolvedLayout& layout, const std::string& relation,
                                   bool loose_scan);
 
-/// The plan of `statement` as text, a row a line.
-[[nodiscard]] Statement explain(const Statement& statement);
+/// The plan of `statement` as text, a row a line; `with_sent` = with what other servers are
+/// sent.
+[[nodiscard]] Statement explain(const Statement& statement, bool with_sent);
 
 /// The plain narrow table that recordings are loaded into, quoted.
 struct PlainTable {
