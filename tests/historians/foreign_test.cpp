@@ -1,15 +1,19 @@
 #include <bit>
+#include <chrono>
+#include <cstdlib>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <random>
+#include <sstream>
 
 #include "daemon/service/historians/storage_settings.hpp"
 #include "storage/historian/historian_reader.hpp"
 #include "storage/historian/list_tags.hpp"
 #include "storage/historian/setup/check_historian.hpp"
+#include "tests/historians/foreign_fixture.hpp"
 #include "tests/historians/truth.hpp"
 #include "tests/historians/vendor.hpp"
-#include "tests/support/mariadb.hpp"
 
 namespace loopscope::tests {
 namespace {
@@ -20,80 +24,7 @@ using storage::TagRequest;
 using testing::HasSubstr;
 using testing::Not;
 
-// 2026-03-30 00:00 UTC: the clocks of Berlin were put forward the day before.
-constexpr std::int64_t kEnd_us = 1'774'828'800'000'000;
 constexpr std::int64_t kSecond_us = 1'000'000;
-
-/// A history of five tags: one a second with rows of one time and values that are bad, one that
-/// keeps still for days, one with fractions of a second, one that died in January, one never there.
-constexpr const char* kHistory = R"(
-    CREATE TABLE native (tag text NOT NULL, time timestamp NOT NULL, value float8, quality int);
-    SELECT setseed(0.32);
-    INSERT INTO native SELECT 'FIC1', timestamp '2026-03-30' - k * interval '1 second',
-      random() * 1e3, CASE WHEN random() < 0.1 THEN n ELSE 192 + n END
-      FROM generate_series(0, 8000) AS k, generate_series(0, (random() * 1.2)::int) AS n;
-    INSERT INTO native SELECT 'SP1', timestamp '2026-03-29' - k * k * interval '1 hour',
-      k / 7.0 + random(), 192 + n FROM generate_series(0, 60) AS k, generate_series(0, (random() * 2)::int) AS n;
-    INSERT INTO native SELECT 'odd ''tag''',
-      timestamp '2026-03-30' - (k * 1234567.0 * random()) * interval '1 microsecond',
-      exp(random() * 600 - 300) - random(), CASE WHEN random() < 0.1 THEN 64 ELSE 192 END
-      FROM generate_series(0, 4000) AS k;
-    INSERT INTO native SELECT 'DEAD', timestamp '2026-01-05 12:00' - k * interval '0.5 second',
-      k, 192 FROM generate_series(0, 500) AS k;
-    CREATE INDEX ON native (tag, time))";
-
-/// The rows of a table of PostgreSQL as an INSERT for MariaDB.
-std::string as_insert(const TestDatabase& database, const std::string& table) {
-  std::string columns;
-  for (const auto& row :
-       database.rows("SELECT attname FROM pg_attribute WHERE attnum > 0 AND attrelid = '" + table +
-                     "'::regclass ORDER BY attnum")) {
-    columns += (columns.empty() ? "" : " || ',' || ") + ("quote_nullable(" + row[0] + "::text)");
-  }
-  const std::string values =
-      database.value("SELECT string_agg('(' || " + columns + " || ')', ',') FROM " + table);
-  return "INSERT INTO " + table + " VALUES " + values + ";";
-}
-
-class Foreign : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!test_server()) GTEST_SKIP() << kNoServer;
-    if (!has_mariadb()) GTEST_SKIP() << kNoMariaDb;
-    database.emplace();
-    mariadb.emplace();
-    database->execute(mariadb->server_sql());
-  }
-
-  void make_history() {
-    database->execute(kHistory);
-    mariadb->execute(
-        "CREATE TABLE native (tag varchar(80) CHARACTER SET utf8mb4 COLLATE utf8mb4_bin NOT NULL,"
-        " time datetime(6) NOT NULL, value double, quality int, KEY (tag, time));" +
-        as_insert(*database, "native"));
-    database->execute(
-        "CREATE FOREIGN TABLE elsewhere (tag text, time timestamp, value float8, quality int)"
-        " SERVER mariadb OPTIONS (dbname 'plant', table_name 'native')");
-  }
-
-  [[nodiscard]] storage::ConnectionSettings connection() const {
-    storage::ConnectionSettings settings;
-    settings.conninfo = database->conninfo();
-    settings.purpose = "historian";
-    return settings;
-  }
-
-  static SourceLayout layout_of(const std::string& table, storage::TimeKind kind) {
-    SourceLayout layout;
-    layout.relation = "public." + table;
-    layout.time_kind = kind;
-    if (kind == storage::TimeKind::timestamp_local) layout.time_zone = "Europe/Berlin";
-    return layout;
-  }
-
-  std::optional<TestDatabase> database;
-  std::optional<MariaDb> mariadb;
-};
 
 /// Spans that end within three days, some of them without rows, some cut by the number of rows.
 std::vector<TagRequest> random_requests(std::mt19937& random) {
@@ -184,6 +115,45 @@ TEST_F(Foreign, TimesGoOverAndTheOrderOfValuesDoesNot) {
   }
 }
 
+/// Rows that the server read of its indexes since it started.
+std::int64_t rows_read(const MariaDb& mariadb) {
+  return std::stoll(mariadb.execute(
+      "SELECT sum(variable_value) FROM information_schema.global_status WHERE variable_name IN"
+      " ('HANDLER_READ_KEY', 'HANDLER_READ_NEXT', 'HANDLER_READ_PREV')"));
+}
+
+/// LOOPSCOPE_ROWS=20000000 is 230 days of one tag, one row a second.
+TEST_F(Foreign, CostDoesNotGrowWithTheHistory) {
+  const char* wanted = std::getenv("LOOPSCOPE_ROWS");
+  const std::string rows = wanted == nullptr ? "100000" : wanted;
+  mariadb->execute(
+      "CREATE TABLE lengths (tag varchar(80) NOT NULL, time datetime(3) NOT NULL,"
+      " value double, quality int, KEY (tag, time))");
+  for (const auto& [tag, length] : {std::pair{"short", std::string("10000")}, {"long", rows}}) {
+    mariadb->execute(
+        "INSERT INTO lengths SELECT '" + std::string(tag) +
+        "', timestamp('2026-03-30') - INTERVAL seq SECOND, sin(seq), 192 FROM seq_1_to_" + length);
+  }
+  make_foreign("lengths", "lengths");
+  storage::HistorianReader reader(connection(),
+                                  layout_of("lengths", storage::TimeKind::timestamp_utc));
+  std::vector<std::int64_t> cost;
+  for (const std::string tag : {"short", "long"}) {
+    const std::int64_t before = rows_read(*mariadb);
+    const auto start = std::chrono::steady_clock::now();
+    const auto window = reader.read(std::vector<TagRequest>{
+        {tag, kEnd_us - 4096 * kSecond_us, kEnd_us, 4096, RowBefore::yes, false}});
+    const auto newest = reader.newest(std::vector{tag}, kEnd_us);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    EXPECT_EQ(newest[0], kEnd_us - kSecond_us);
+    EXPECT_EQ(window[0].time_us.size(), 4097U);
+    cost.push_back(rows_read(*mariadb) - before);
+    std::cout << tag << ": rows read " << cost.back() << ", ms " << took.count() << "\n";
+  }
+  EXPECT_EQ(cost[0], cost[1]);
+  EXPECT_LT(cost[1], 4096 + 2 * 3600 + 4096) << "the window, an hour before it, the last hour";
+}
+
 TEST_F(Foreign, CheckConfigFindsNoFault) {
   database->execute(
       "CREATE TABLE native (tag text, time timestamp, value float8, quality int);"
@@ -193,9 +163,7 @@ TEST_F(Foreign, CheckConfigFindsNoFault) {
       "CREATE TABLE native (tag varchar(80), time datetime(3), value double,"
       " quality int, KEY (tag, time));" +
       as_insert(*database, "native"));
-  database->execute(
-      "CREATE FOREIGN TABLE elsewhere (tag text, time timestamp, value float8, quality int)"
-      " SERVER mariadb OPTIONS (dbname 'plant', table_name 'native')");
+  make_foreign("elsewhere", "native");
   const auto words_of = [this](const std::string& table) {
     std::string words;
     for (const storage::Finding& finding : storage::check_historian(
