@@ -1,11 +1,13 @@
 #include "storage/historian/historian_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "storage/array_literal.hpp"
 #include "storage/historian/find_partitions.hpp"
 #include "storage/historian/find_tags.hpp"
+#include "storage/historian/growing_spans.hpp"
 #include "storage/historian/merge_series.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
@@ -28,6 +30,12 @@ constexpr std::size_t kMaxNewestKeys = 1024;
 // How far back the newest row of a tag is looked for: archives of old recordings are analysed too,
 // and the bound only keeps the planner from giving up the index.
 constexpr std::int64_t kNewestReachUs = 30 * kReachBefore_us;
+constexpr auto kNewestSpans_us = [] {
+  std::array<std::int64_t, kGrowingSpans_us.size() + 1> spans{};
+  std::ranges::copy(kGrowingSpans_us, spans.begin());
+  spans.back() = kNewestReachUs;
+  return spans;
+}();
 
 ConnectionSettings as_reader(ConnectionSettings settings) {
   settings.read_only = true;
@@ -49,16 +57,29 @@ struct KeyOfTags {
 
 /// By the column of their values (empty in narrow tables): a column may be dead while its row
 /// lives.
-std::map<std::string, std::vector<KeyOfTags>> keys_by_column(const Places& places) {
+using KeysByColumn = std::map<std::string, std::vector<KeyOfTags>>;
+
+KeysByColumn keys_by_column(const Places& places) {
   std::map<std::pair<std::string, std::vector<std::string>>, std::vector<std::size_t>> tags_of;
   for (std::size_t tag = 0; tag < places.size(); ++tag) {
     for (const TagPlace& place : places[tag]) tags_of[{place.column, place.key}].push_back(tag);
   }
-  std::map<std::string, std::vector<KeyOfTags>> keys;
+  KeysByColumn keys;
   for (auto& [place, tags] : tags_of) {
     keys[place.first].push_back({place.second, std::move(tags)});
   }
   return keys;
+}
+
+/// Keys all of whose tags have a row already: what other ids of a tag have is older.
+void forget_found(KeysByColumn& keys, const std::vector<std::optional<std::int64_t>>& newest) {
+  for (auto& [column, of_column] : keys) {
+    std::erase_if(of_column, [&newest](const KeyOfTags& key) {
+      return std::ranges::all_of(key.tags,
+                                 [&newest](std::size_t tag) { return newest[tag].has_value(); });
+    });
+  }
+  std::erase_if(keys, [](const auto& of_column) { return of_column.second.empty(); });
 }
 
 std::vector<std::string> newest_parameters(std::span<const KeyOfTags> batch,
@@ -120,6 +141,23 @@ struct HistorianReader::Impl {
                 });
   }
 
+  /// The same of all keys, within a span.
+  void newest_within(std::int64_t earliest_us, std::int64_t latest_us, const KeysByColumn& keys,
+                     std::vector<std::optional<std::int64_t>>& newest) {
+    const std::vector<std::string> tables = relations(earliest_us, latest_us);
+    if (tables.empty()) return;
+    for (const auto& [column, of_column] : keys) {
+      if (!column.empty() && !layout.data.types.contains(column)) continue;
+      const std::string quoted = column.empty() ? "" : "h." + connection.quote(column);
+      const Statement statement = historian_statements::newest_rows(layout, tables, quoted);
+      for (std::size_t done = 0; done < of_column.size(); done += kMaxNewestKeys) {
+        const std::size_t count = std::min(kMaxNewestKeys, of_column.size() - done);
+        newest_of(statement, std::span(of_column).subspan(done, count), earliest_us, latest_us,
+                  newest);
+      }
+    }
+  }
+
   PqConnection connection;
   ResolvedLayout layout;
   std::optional<Partitions> partitions;
@@ -158,18 +196,11 @@ std::vector<std::optional<std::int64_t>> HistorianReader::newest(std::span<const
   const Places places = find_tags(impl_->connection, impl_->layout, tags);
   impl_->look_again(places);
   std::vector<std::optional<std::int64_t>> newest(tags.size());
-  const std::int64_t earliest_us = clamp_time(not_after_us) - kNewestReachUs;
-  const std::vector<std::string> tables = impl_->relations(earliest_us, not_after_us);
-  if (tables.empty()) return newest;
-  for (const auto& [column, keys] : keys_by_column(places)) {
-    if (!column.empty() && !impl_->layout.data.types.contains(column)) continue;
-    const std::string quoted = column.empty() ? "" : "h." + impl_->connection.quote(column);
-    const Statement statement = historian_statements::newest_rows(impl_->layout, tables, quoted);
-    for (std::size_t done = 0; done < keys.size(); done += kMaxNewestKeys) {
-      const auto batch =
-          std::span(keys).subspan(done, std::min(kMaxNewestKeys, keys.size() - done));
-      impl_->newest_of(statement, batch, earliest_us, not_after_us, newest);
-    }
+  auto keys = keys_by_column(places);
+  for (const std::int64_t span_us : kNewestSpans_us) {
+    impl_->newest_within(clamp_time(not_after_us) - span_us, not_after_us, keys, newest);
+    forget_found(keys, newest);
+    if (keys.empty()) break;
   }
   return newest;
 }

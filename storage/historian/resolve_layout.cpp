@@ -37,6 +37,7 @@ class Resolver {
     resolved.layout = layout_;
     if (layout_.partitions) resolved.partitions = partition_list(*layout_.partitions);
     resolved.data = data_of(resolved);
+    resolved.foreign = is_foreign(resolved.data);
     for (std::size_t part = 0; part < layout_.key.size(); ++part) {
       resolved.key.push_back(key_part(resolved.data.types, layout_.key[part], part));
     }
@@ -88,6 +89,11 @@ class Resolver {
       if (auto any = partitions.any()) return *std::move(any);
     }
     return table(layout_.relation, "table");
+  }
+
+  bool is_foreign(const FoundRelation& data) {
+    return connection_.run(historian_statements::kIsForeign, {std::to_string(data.oid)})
+               .text(0, 0) == "t";
   }
 
   ResolvedKey key_part(const ColumnTypes& types, const KeyPart& part, std::size_t index) {

@@ -35,7 +35,8 @@ struct ResolvedPartitions {
 /// of the data as h."column".
 struct ResolvedLayout {
   SourceLayout layout;
-  FoundRelation data;  ///< the table, or the first of the listed ones
+  FoundRelation data;    ///< the table, or the first of the listed ones
+  bool foreign = false;  ///< rows come from another server: a foreign table, or one below `data`
   std::vector<ResolvedKey> key;
   std::string time, nanos, tiebreak;  ///< nanos and tiebreak may be empty
   std::string zone;                   ///< of timestamp_local, as a literal

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "storage/historian/growing_spans.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/scan_statements.hpp"
@@ -25,6 +26,10 @@ std::pair<std::int64_t, std::int64_t> reach_of(const std::vector<Scan>& batch) {
 }  // namespace
 
 void ScanReader::read(const std::vector<Scan>& batch, const TablesOf& tables_of, Parts& parts) {
+  if (layout_.foreign) {
+    read_elsewhere(batch, tables_of, parts);
+    return;
+  }
   std::vector<Scan> rest;
   for (std::vector<Scan>& alike : by_span(batch)) {
     const bool fits = HeapOrder::fits(alike, layout_);
@@ -35,6 +40,18 @@ void ScanReader::read(const std::vector<Scan>& batch, const TablesOf& tables_of,
   if (rest.empty()) return;
   const auto [from, to] = reach_of(rest);
   read_by_index(rest, tables_of(from, to), parts);
+}
+
+void ScanReader::read_elsewhere(const std::vector<Scan>& batch, const TablesOf& tables_of,
+                                Parts& parts) {
+  std::vector<Scan> alone, with_before;
+  for (const Scan& scan : batch) (wants_before(scan) ? with_before : alone).push_back(scan);
+  for (std::vector<Scan>* scans : {&alone, &with_before}) {
+    for (const std::vector<Scan>& alike : by_span(std::move(*scans))) {
+      const auto [from, to] = reach_of(alike);
+      read_by_index(alike, tables_of(from, to), parts);
+    }
+  }
 }
 
 void ScanReader::read_by_index(const std::vector<Scan>& batch,

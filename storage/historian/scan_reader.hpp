@@ -15,7 +15,8 @@
 namespace loopscope::storage {
 
 /// Reads batches of scans, by the index of the keys or in the order of the table (heap_order.hpp):
-/// the rows are the same.
+/// the rows are the same. Those of another
+/// server (foreign tables) by its index.
 class ScanReader {
  public:
   /// By request and place (ScanTarget).
@@ -33,6 +34,9 @@ class ScanReader {
   void read(const std::vector<Scan>& batch, const TablesOf& tables_of, Parts& parts);
 
  private:
+  /// Of a foreign table: a statement for the scans of each span, and none looks for a row before
+  /// that is not wanted.
+  void read_elsewhere(const std::vector<Scan>& batch, const TablesOf& tables_of, Parts& parts);
   void read_by_index(const std::vector<Scan>& batch, const std::vector<std::string>& tables,
                      Parts& parts);
   /// False, and nothing is read, where one index scan a key is better.

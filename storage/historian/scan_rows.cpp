@@ -7,6 +7,7 @@
 #include "core/signal/loop_window.hpp"
 #include "core/signal/microseconds.hpp"
 #include "storage/array_literal.hpp"
+#include "storage/historian/growing_spans.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/timestamp.hpp"
 
@@ -136,6 +137,20 @@ std::int64_t first_time(const Scan& scan, const ResolvedLayout& layout) {
   return from - fraction;
 }
 
+/// The scans' one span (scan_parameters).
+void add_constants(const std::vector<Scan>& batch, const ResolvedLayout& layout,
+                   std::vector<std::string>& parameters) {
+  const TimeKind kind = layout.layout.time_kind;
+  ArrayLiteral max_rows;
+  for (const Scan& scan : batch) max_rows.add_integer(std::max<std::int64_t>(scan.max_rows, 0));
+  parameters.push_back(max_rows.text());
+  const std::int64_t from = first_time(batch.front(), layout);
+  parameters.push_back(native_bound(kind, from, Bound::lower));
+  parameters.push_back(native_bound(kind, batch.front().to_us, Bound::upper));
+  for (const std::int64_t span_us : kGrowingSpans_us)
+    parameters.push_back(native_bound(kind, clamp_time(from) - span_us, Bound::lower));
+}
+
 }  // namespace
 
 std::string bound_before(const Scan& scan, const ResolvedLayout& layout) {
@@ -152,6 +167,10 @@ std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
     ArrayLiteral keys;
     for (const Scan& scan : batch) keys.add_text(scan.key[part]);
     parameters.push_back(keys.text());
+  }
+  if (layout.foreign) {
+    add_constants(batch, layout, parameters);
+    return parameters;
   }
   ArrayLiteral from, to, max_rows, before;
   for (const Scan& scan : batch) {

@@ -15,12 +15,11 @@ namespace loopscope::storage {
 [[nodiscard]] std::string bound_before(const Scan& scan, const ResolvedLayout& layout);
 
 /// Parameters of the statement read_scans() for a batch: one array per part of the key, then lower
-/// bounds, upper bounds, largest numbers of rows, lower bounds of the row before.
+/// bounds, upper bounds, largest numbers of rows, lower bounds of the row before. Where the rows
+/// are on another server, the batch must be of one span: the arrays of the key, largest numbers of
+/// rows, then the lower and the upper bound and those of the growing spans before it.
 [[nodiscard]] std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
                                                        const ResolvedLayout& layout);
-
-/// How far back a row before the window is looked for: a setpoint may stand still for months.
-inline constexpr std::int64_t kReachBefore_us = std::int64_t{366} * 86'400 * 1'000'000;
 
 /// In which order an answer's arrays have their rows.
 enum class RowOrder { newest_first, any };

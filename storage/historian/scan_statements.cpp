@@ -1,41 +1,11 @@
 #include "storage/historian/scan_statements.hpp"
 
-#include "storage/historian/native_time.hpp"
+#include "storage/historian/growing_spans.hpp"
+#include "storage/historian/row_before.hpp"
+#include "storage/historian/scan_sql.hpp"
 
 namespace loopscope::storage::historian_statements {
 namespace {
-
-/// The eight-byte type that native_time reads.
-std::string native(const ResolvedLayout& layout) {
-  return native_type(layout.layout.time_kind);
-}
-
-/// The time as that type.
-std::string time_sql(const ResolvedLayout& layout) {
-  if (!layout.zone.empty()) return "(" + layout.time + " AT TIME ZONE " + layout.zone + ")";
-  if (layout.nanos.empty()) return layout.time + "::" + native(layout);
-  return "(date_trunc('second', " + layout.time + ") + (" + layout.nanos +
-         " / 1000) * interval '1 microsecond')";
-}
-
-/// A bound in the column's own type: a conversion of the column would keep its index from use.
-std::string bound_sql(const ResolvedLayout& layout, const std::string& bound) {
-  return layout.zone.empty() ? bound : "(" + bound + " AT TIME ZONE " + layout.zone + ")";
-}
-
-/// $number::type
-std::string parameter(std::size_t number, const std::string& type) {
-  return "$" + std::to_string(number) + "::" + type;
-}
-
-/// "h"."key" = request.k0 AND ...
-std::string key_is_requested(const ResolvedLayout& layout) {
-  std::string sql;
-  for (std::size_t part = 0; part < layout.key.size(); ++part) {
-    sql += layout.key[part].column + " = request.k" + std::to_string(part) + " AND ";
-  }
-  return sql;
-}
 
 /// "h"."key"::text, ...
 std::string keys_as_text(const ResolvedLayout& layout) {
@@ -44,33 +14,10 @@ std::string keys_as_text(const ResolvedLayout& layout) {
   return sql;
 }
 
-/// SELECT `what` of every relation, put together; " AS u" still has to follow.
-std::string all_of(const std::vector<std::string>& relations, const std::string& what,
-                   const std::string& condition) {
-  std::string sql;
-  for (const std::string& relation : relations) {
-    sql += (sql.empty() ? "(" : " UNION ALL ");
-    sql += "SELECT " + what + " FROM " + relation + " AS h WHERE " + condition;
-  }
-  return sql + ")";
-}
-
-/// The columns that rows are ordered by, as they are: o0, o1, ...
-struct Order {
-  std::string columns;       ///< "h.time AS o0, h.id AS o1, "
-  std::string newest_first;  ///< "u.o0 DESC, u.o1 DESC"
-};
-
-Order order_of(const ResolvedLayout& layout) {
-  Order order;
-  int number = 0;
-  for (const std::string* column : {&layout.time, &layout.nanos, &layout.tiebreak}) {
-    if (column->empty()) continue;
-    const std::string name = "o" + std::to_string(number++);
-    order.columns += *column + " AS " + name + ", ";
-    order.newest_first += (order.newest_first.empty() ? "u." : ", u.") + name + " DESC";
-  }
-  return order;
+/// Rows to be ordered as order_of() says: nanoseconds are an expression, which mysql_fdw cannot
+/// order by.
+std::string in_order(const ResolvedLayout& layout, const std::string& rows) {
+  return layout.foreign && !layout.nanos.empty() ? fenced(rows) : rows;
 }
 
 /// A row of a scan, and what many of them are put together to.
@@ -95,46 +42,6 @@ ScanRow scan_row(const ResolvedLayout& layout, const std::vector<ScanColumn>& co
   return row;
 }
 
-/// AND ...: rows of other fields must not take the place of a scan's own. Such scans have one
-/// column.
-std::string has_value(const ResolvedLayout& layout, const std::string& value) {
-  return layout.layout.null_is_absent ? " AND " + value + " IS NOT NULL" : "";
-}
-
-/// The newest row of one column before each request's span.
-std::string before_sql(const ResolvedLayout& layout, const std::vector<std::string>& relations,
-                       const std::string& value) {
-  const Order order = order_of(layout);
-  std::string within = key_is_requested(layout) + layout.time +
-                       " >= " + bound_sql(layout, "request.before_time") + " AND " + layout.time +
-                       " < " + bound_sql(layout, "request.from_time");
-  within += has_value(layout, value);
-  const std::string row = order.columns + time_sql(layout) + " AS time, " + value + " AS value";
-  // As in a series: of rows with one time the largest value counts where nothing tells them apart.
-  const std::string ties = layout.tiebreak.empty() ? ", u.value DESC NULLS LAST" : "";
-  return "SELECT u.time, u.value FROM " + all_of(relations, row, within) + " AS u ORDER BY " +
-         order.newest_first + ties + " LIMIT 1";
-}
-
-/// The newest row of each column that wants it before each request's span.
-struct RowsBefore {
-  std::string columns;  ///< ", b0.time, b0.value, ..."
-  std::string joins;
-};
-
-RowsBefore rows_before(const ResolvedLayout& layout, const std::vector<std::string>& relations,
-                       const std::vector<ScanColumn>& columns) {
-  RowsBefore before;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    if (!columns[k].before) continue;
-    const std::string name = "b" + std::to_string(k);
-    before.columns += ", " + name + ".time, " + name + ".value";
-    before.joins += " LEFT JOIN LATERAL (" + before_sql(layout, relations, columns[k].value) +
-                    ") AS " + name + " ON true";
-  }
-  return before;
-}
-
 /// Arrays of the key's parts as parameters from $1 on, and the names of their elements.
 struct KeyArrays {
   std::string parameters, names;
@@ -149,6 +56,33 @@ KeyArrays key_arrays(const ResolvedLayout& layout) {
   return arrays;
 }
 
+/// Requests of one span: a server elsewhere takes constants for bounds of an index, but of a
+/// parameter mysql_fdw drops the fraction of a second, and a conversion to local time it does not
+/// send at all. Only the keys and the numbers of rows differ.
+std::string requests_elsewhere(const ResolvedLayout& layout) {
+  const KeyArrays keys = key_arrays(layout);
+  std::size_t next = layout.key.size() + 1;
+  const std::string max_rows = parameter(next++, "int8[]");
+  std::string bounds = parameter(next++, native(layout)) + " AS from_time, ";
+  bounds += parameter(next++, native(layout)) + " AS to_time";
+  for (std::size_t k = 0; k < kGrowingSpans_us.size(); ++k)
+    bounds += ", " + parameter(next++, native(layout)) + " AS before_" + std::to_string(k);
+  return "(SELECT r.*, " + bounds + " FROM unnest(" + keys.parameters + max_rows +
+         ") WITH ORDINALITY AS r (" + keys.names + "max_rows, slot)) AS request";
+}
+
+/// The scans that read_scans() is asked for.
+std::string requests_sql(const ResolvedLayout& layout) {
+  if (layout.foreign) return requests_elsewhere(layout);
+  const KeyArrays keys = key_arrays(layout);
+  const std::size_t next = layout.key.size() + 1;
+  const std::string times = native(layout) + "[]";
+  return "unnest(" + keys.parameters + parameter(next, times) + ", " + parameter(next + 1, times) +
+         ", " + parameter(next + 2, "int8[]") + ", " + parameter(next + 3, times) +
+         ") WITH ORDINALITY AS request (" + keys.names +
+         "from_time, to_time, max_rows, before_time, slot)";
+}
+
 /// One table of arrays per request: its span.
 std::string span_sql(const ResolvedLayout& layout, const std::vector<std::string>& relations,
                      const std::vector<ScanColumn>& columns) {
@@ -159,8 +93,8 @@ std::string span_sql(const ResolvedLayout& layout, const std::vector<std::string
                              layout.time + " <= " + bound_sql(layout, "request.to_time") +
                              has_value(layout, columns.front().value);  // before the limit
   return "SELECT " + row.arrays + " FROM (SELECT u.* FROM " +
-         all_of(relations, order.columns + row.columns, within) + " AS u ORDER BY " +
-         order.newest_first + " LIMIT request.max_rows) AS x";
+         in_order(layout, all_of(relations, order.columns + row.columns, within)) +
+         " AS u ORDER BY " + order.newest_first + " LIMIT request.max_rows) AS x";
 }
 
 std::string values_of_span(const std::vector<ScanColumn>& columns) {
@@ -177,17 +111,11 @@ std::string values_of_span(const std::vector<ScanColumn>& columns) {
 // that the limit reaches each of them.
 Statement read_scans(const ResolvedLayout& layout, const std::vector<std::string>& relations,
                      const std::vector<ScanColumn>& columns) {
-  const KeyArrays keys = key_arrays(layout);
-  const std::size_t next = layout.key.size() + 1;
-  const std::string times = native(layout) + "[]";
   const RowsBefore before = rows_before(layout, relations, columns);
-  return {"read_scans",
-          "SELECT request.slot, span.times, span.unknown" + values_of_span(columns) +
-              before.columns + " FROM unnest(" + keys.parameters + parameter(next, times) + ", " +
-              parameter(next + 1, times) + ", " + parameter(next + 2, "int8[]") + ", " +
-              parameter(next + 3, times) + ") WITH ORDINALITY AS request (" + keys.names +
-              "from_time, to_time, max_rows, before_time, slot) CROSS JOIN LATERAL (" +
-              span_sql(layout, relations, columns) + ") AS span" + before.joins};
+  return {"read_scans", "SELECT request.slot, span.times, span.unknown" + values_of_span(columns) +
+                            before.columns + " FROM " + requests_sql(layout) +
+                            " CROSS JOIN LATERAL (" + span_sql(layout, relations, columns) +
+                            ") AS span" + before.joins};
 }
 
 // One pass over the table for all keys. The order of its rows is that of the table, so no index
@@ -232,7 +160,8 @@ Statement newest_rows(const ResolvedLayout& layout, const std::vector<std::strin
   return {"newest_rows",
           "SELECT request.slot, newest.time FROM " + request +
               " CROSS JOIN LATERAL (SELECT u.time" + " FROM " +
-              all_of(relations, order.columns + time_sql(layout) + " AS time", within) +
+              in_order(layout,
+                       all_of(relations, order.columns + time_sql(layout) + " AS time", within)) +
               " AS u ORDER BY " + order.newest_first + " LIMIT 1) AS newest"};
 }
 

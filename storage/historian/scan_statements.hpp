@@ -14,7 +14,8 @@ namespace loopscope::storage::historian_statements {
 /// Newest rows of many keys, newest first: one array per part of the key, lower bounds, upper
 /// bounds, largest numbers of rows, lower bounds for the row before -> slot, times, rows of unknown
 /// quality, values of each column, and time and value of the row before of each column that wants
-/// it. Bad values are NULL. `relations` (at least one) hold the span and what lies before it.
+/// it. Bad values are NULL. `relations` (at least one) hold the span and what lies before it. Of
+/// rows on another server the scans are of one span (scan_parameters).
 [[nodiscard]] Statement read_scans(const ResolvedLayout& layout,
                                    const std::vector<std::string>& relations,
                                    const std::vector<ScanColumn>& columns);

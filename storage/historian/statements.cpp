@@ -65,6 +65,22 @@ const Statement kFindRelation{"find_relation", R"(
 const Statement kStillThere{"still_there",
                             "SELECT oid FROM pg_catalog.pg_class WHERE oid = ANY ($1::oid[])"};
 
+const Statement kIsForeign{"is_foreign", R"(
+    WITH RECURSIVE below (oid) AS (
+      SELECT $1::oid
+      UNION
+      SELECT next.oid FROM below CROSS JOIN LATERAL (
+        SELECT i.inhrelid FROM pg_catalog.pg_inherits AS i WHERE i.inhparent = below.oid
+        UNION ALL
+        SELECT d.refobjid FROM pg_catalog.pg_rewrite AS r
+        JOIN pg_catalog.pg_depend AS d
+          ON d.classid = 'pg_catalog.pg_rewrite'::regclass AND d.objid = r.oid
+        WHERE r.ev_class = below.oid AND d.refclassid = 'pg_catalog.pg_class'::regclass
+      ) AS next (oid))
+    SELECT EXISTS (SELECT FROM below JOIN pg_catalog.pg_class AS c ON c.oid = below.oid
+                   WHERE c.relkind = 'f'))",
+                           Rows::one};
+
 const Statement kColumns{"columns", R"(
     SELECT a.attname, CASE WHEN t.typtype = 'd' THEN base.typname ELSE t.typname END
     FROM pg_catalog.pg_attribute AS a
@@ -166,8 +182,8 @@ Statement list_names(const ResolvedNames& names) {
 
 Statement list_keys(const ResolvedLayout& layout, const std::string& relation, bool loose_scan) {
   const Keys keys = keys_of(layout);
-  std::string sql =
-      "SELECT DISTINCT " + keys.columns + " FROM " + relation + " AS h WHERE " + keys.present;
+  std::string sql = "SELECT " + keys.columns + " FROM " + relation + " AS h WHERE " + keys.present +
+                    " GROUP BY " + keys.order;  // DISTINCT would fetch every row of a foreign table
   if (loose_scan) {
     // PostgreSQL has no skip scan: the recursion looks the next larger key up in the index.
     const std::string first = "SELECT " + keys.columns + " FROM " + relation + " AS h WHERE ";
@@ -179,8 +195,9 @@ Statement list_keys(const ResolvedLayout& layout, const std::string& relation, b
   return {"list_keys", "SELECT " + keys.texts + " FROM (" + sql + ") AS key" + keys.joins};
 }
 
-Statement explain(const Statement& statement) {
-  return {"explain", "EXPLAIN (COSTS off) " + statement.sql};
+Statement explain(const Statement& statement, bool with_sent) {
+  const std::string verbose = with_sent ? "VERBOSE, " : "";
+  return {"explain", "EXPLAIN (" + verbose + "COSTS off) " + statement.sql};
 }
 
 Statement has_rows(const PlainTable& table, const std::string& tag_type) {

@@ -13,6 +13,8 @@ namespace loopscope::storage::historian_statements {
 extern const Statement kFindRelation;
 /// Those of a list of oids that are relations.
 extern const Statement kStillThere;
+/// relation oid -> whether any of its rows come out of a foreign table, below views and partitions
+extern const Statement kIsForeign;
 extern const Statement kColumns;  ///< relation oid -> name, type
 /// relation oid -> key columns, all columns: names in hexadecimal digits, comma-separated
 extern const Statement kIndexes;
@@ -51,8 +53,9 @@ extern const Statement kFindZone;  ///< name of a time zone -> a row
 [[nodiscard]] Statement list_keys(const ResolvedLayout& layout, const std::string& relation,
                                   bool loose_scan);
 
-/// The plan of `statement` as text, a row a line.
-[[nodiscard]] Statement explain(const Statement& statement);
+/// The plan of `statement` as text, a row a line; `with_sent` = with what other servers are
+/// sent.
+[[nodiscard]] Statement explain(const Statement& statement, bool with_sent);
 
 /// The plain narrow table that recordings are loaded into, quoted.
 struct PlainTable {

@@ -10,6 +10,7 @@
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/scan_statements.hpp"
 #include "storage/timestamp.hpp"
+#include "storage/utf8.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -17,6 +18,10 @@ namespace {
 constexpr std::int64_t kSecondUs = 1'000'000;
 // Without an index on the time alone the newest row needs a scan of the span: look at a week.
 constexpr std::int64_t kRecentUs = std::int64_t{7} * 86'400 * kSecondUs;
+
+// Clocks that went wrong say 2036 or 2099. The end of the calendar is no bound to send: in local
+// time it lies in the year 10000, which the DATETIME of MySQL and MariaDB does not have.
+constexpr std::int64_t kFutureUs = std::int64_t{100} * 366 * 86'400 * kSecondUs;
 
 // A day, since a tag that is stored on change may be quiet at night; every 5 s has 17 280 rows.
 constexpr std::int64_t kPaceSpanUs = 86'400 * kSecondUs;
@@ -56,20 +61,69 @@ std::vector<std::int64_t> gaps_of(const PqRows& rows, TimeKind kind) {
   return gaps;
 }
 
-/// Of the tag of the newest row (parts of its key, then its time); nullopt = too few rows.
-std::optional<Pace> pace_before(PqConnection& connection, const ResolvedLayout& layout,
-                                const PqRows& newest, std::int64_t newest_us) {
+/// Times of the rows of a tag, newest first; `key` has the parts of its key as text.
+std::optional<PqRows> times_of(PqConnection& connection, const ResolvedLayout& layout,
+                               const PqRows& key, std::int64_t from_us, std::int64_t to_us,
+                               std::int64_t most) {
   const TimeKind kind = layout.layout.time_kind;
   const int parts = static_cast<int>(layout.key.size());
   std::vector<std::string> parameters;
-  for (int part = 0; part < parts; ++part) parameters.push_back(newest.text(0, part));
-  parameters.push_back(native_bound(kind, newest_us - kPaceSpanUs, Bound::lower));
-  parameters.push_back(native_bound(kind, newest_us, Bound::upper));
-  parameters.push_back(std::to_string(kPaceRows));
-  const auto rows = run_if_quick(
-      connection, historian_statements::times_of_key(layout, layout.data.sql), parameters);
+  for (int part = 0; part < parts; ++part) parameters.push_back(key.text(0, part));
+  parameters.push_back(native_bound(kind, from_us, Bound::lower));
+  parameters.push_back(native_bound(kind, to_us, Bound::upper));
+  parameters.push_back(std::to_string(most));
+  return run_if_quick(connection, historian_statements::times_of_key(layout, layout.data.sql),
+                      parameters);
+}
+
+/// A newest row: parts of its key; whether there is one, its time.
+struct Newest {
+  PqRows key;
+  std::optional<std::int64_t> time_us;
+  std::string whose;  ///< "row" or "row of TIC101"
+};
+
+/// nullopt = not found in time.
+std::optional<Newest> newest_of_table(PqConnection& connection, const ResolvedLayout& layout,
+                                      std::int64_t now_us) {
+  const TimeKind kind = layout.layout.time_kind;
+  std::optional<PqRows> found =
+      run_if_quick(connection, historian_statements::newest_row(layout, layout.data.sql),
+                   {native_bound(kind, now_us - kRecentUs, Bound::lower),
+                    native_bound(kind, now_us + kFutureUs, Bound::upper)});
+  if (!found) return std::nullopt;
+  std::optional<std::int64_t> time_us;
+  if (found->size() > 0)
+    time_us =
+        microseconds(kind, decode_value(found->bytes(0, static_cast<int>(layout.key.size()))));
+  return Newest{*std::move(found), time_us, "row"};
+}
+
+/// A server elsewhere would have to read and sort the week of all tags, and no deadline ends that.
+std::optional<Newest> newest_of_some_tag(PqConnection& connection, const ResolvedLayout& layout,
+                                         std::int64_t now_us) {
+  PqRows key = connection.run(historian_statements::any_row(layout, layout.data.sql), {},
+                              ResultFormat::binary);
+  if (key.size() == 0) return Newest{std::move(key), std::nullopt, "row"};
+  const auto times = times_of(connection, layout, key, now_us - kRecentUs, now_us + kFutureUs, 1);
+  if (!times) return std::nullopt;
+  std::string whose = "row of";
+  for (int part = 0; part < static_cast<int>(layout.key.size()); ++part)
+    whose += " " + make_storable(key.text(0, part));
+  std::optional<std::int64_t> time_us;
+  if (times->size() > 0)
+    time_us = microseconds(layout.layout.time_kind, decode_value(times->bytes(0, 0)));
+  return Newest{std::move(key), time_us, whose};
+}
+
+/// Of the tag of the newest row; nullopt = too few rows.
+std::optional<Pace> pace_before(PqConnection& connection, const ResolvedLayout& layout,
+                                const Newest& newest) {
+  const std::int64_t newest_us = newest.time_us.value();
+  const auto rows =
+      times_of(connection, layout, newest.key, newest_us - kPaceSpanUs, newest_us, kPaceRows);
   if (!rows) return std::nullopt;
-  std::vector<std::int64_t> gaps = gaps_of(*rows, kind);
+  std::vector<std::int64_t> gaps = gaps_of(*rows, layout.layout.time_kind);
   if (gaps.size() < kFewestGaps) return std::nullopt;
   std::ranges::sort(gaps);
   return Pace{gaps[gaps.size() / 2], gaps.back()};
@@ -85,12 +139,13 @@ std::string second_text(std::int64_t time_us) {
   return text.substr(0, text.find('.')) + " UTC";
 }
 
-Finding judge_age(PqConnection& connection, const ResolvedLayout& layout, const PqRows& newest,
-                  std::int64_t newest_us, std::int64_t age_us) {
-  const std::string when = "the newest row is of " + second_text(newest_us) + ", " +
-                           in_words(age_us) + " ago, " + layout.data.sql;
+Finding judge_age(PqConnection& connection, const ResolvedLayout& layout, const Newest& newest,
+                  std::int64_t age_us) {
+  const std::string when = "the newest " + newest.whose + " is of " +
+                           second_text(newest.time_us.value()) + ", " + in_words(age_us) +
+                           " ago, " + layout.data.sql;
   if (age_us <= kLateUs) return {true, when, "", false};
-  const std::optional<Pace> pace = pace_before(connection, layout, newest, newest_us);
+  const std::optional<Pace> pace = pace_before(connection, layout, newest);
   if (!pace || age_us <= kBeyond * pace->longest_us) return {true, when, "", false};
   return {true, "rows of a tag come every " + in_words(pace->usual_us) + ", and " + when,
           "either the recording stands still, or its times are of another time zone (`loopscope "
@@ -101,28 +156,24 @@ Finding judge_age(PqConnection& connection, const ResolvedLayout& layout, const 
 }  // namespace
 
 Finding check_newest(PqConnection& connection, const ResolvedLayout& layout, std::int64_t now_us) {
-  const TimeKind kind = layout.layout.time_kind;
-  const std::optional<PqRows> found =
-      run_if_quick(connection, historian_statements::newest_row(layout, layout.data.sql),
-                   {native_bound(kind, now_us - kRecentUs, Bound::lower),
-                    native_bound(kind, kLatestTimeUs, Bound::upper)});
-  if (!found) {
+  const bool by_tag = layout.foreign && !layout.key.empty();
+  const std::optional<Newest> newest = by_tag ? newest_of_some_tag(connection, layout, now_us)
+                                              : newest_of_table(connection, layout, now_us);
+  if (!newest) {
     return {true, "the newest row was not found in time, " + layout.data.sql,
             "it is only this check that wants an index on the time alone", true};
   }
-  if (found->size() == 0) {
-    return {true, "no row is younger than a week, " + layout.data.sql,
+  if (!newest->time_us) {
+    return {true, "no " + newest->whose + " is younger than a week, " + layout.data.sql,
             "check that the historian records, and `time_kind`", true};
   }
-  const std::int64_t newest_us =
-      microseconds(kind, decode_value(found->bytes(0, static_cast<int>(layout.key.size()))));
-  if (newest_us > now_us) {
-    return {
-        true,
-        "the newest row lies in the future, at " + second_text(newest_us) + ", " + layout.data.sql,
-        "check `time_kind`, the time zone of the recorder and its clock", true};
+  if (*newest->time_us > now_us) {
+    return {true,
+            "the newest " + newest->whose + " lies in the future, at " +
+                second_text(*newest->time_us) + ", " + layout.data.sql,
+            "check `time_kind`, the time zone of the recorder and its clock", true};
   }
-  return judge_age(connection, layout, *found, newest_us, now_us - newest_us);
+  return judge_age(connection, layout, *newest, now_us - *newest->time_us);
 }
 
 }  // namespace loopscope::storage

@@ -8,6 +8,7 @@
 #include "storage/historian/refuse.hpp"
 #include "storage/historian/scan_rows.hpp"
 #include "storage/historian/scan_statements.hpp"
+#include "storage/historian/setup/check_foreign.hpp"
 #include "storage/historian/statements.hpp"
 #include "storage/historian/tag_value.hpp"
 
@@ -24,17 +25,21 @@ Scan scan_of(const PqConnection& connection, const ResolvedLayout& layout, std::
   return scan;
 }
 
-/// No index helps where the planner does not use one: a view that converts its columns, statistics
-/// that are out of date.
-Finding check_plan(PqConnection& connection, const ResolvedLayout& layout, std::int64_t now_us) {
+/// The plan of a window of the last week.
+PqRows plan_of_window(PqConnection& connection, const ResolvedLayout& layout, std::int64_t now_us) {
   Scan scan = scan_of(connection, layout, now_us - 7 * kDayUs, now_us);
   for (const ResolvedKey& key : layout.key) {
     // A key that fits the type and that no row need have.
     scan.key.emplace_back(key.type == "uuid" ? "00000000-0000-0000-0000-000000000000" : "0");
   }
   const Statement plan = historian_statements::explain(
-      historian_statements::read_scans(layout, {layout.data.sql}, scan.columns));
-  const PqRows rows = connection.run(plan, scan_parameters({scan}, layout));
+      historian_statements::read_scans(layout, {layout.data.sql}, scan.columns), layout.foreign);
+  return connection.run(plan, scan_parameters({scan}, layout));
+}
+
+/// No index helps where the planner does not use one: a view that converts its columns, statistics
+/// that are out of date.
+Finding check_plan(const PqRows& rows, const ResolvedLayout& layout) {
   for (int row = 0; row < rows.size(); ++row) {
     const std::string line = rows.text(row, 0);
     if (line.find("Seq Scan") == std::string::npos) continue;
@@ -106,7 +111,9 @@ std::string any_value(const PqConnection& connection, const ResolvedLayout& layo
 
 std::vector<Finding> check_window(PqConnection& connection, const ResolvedLayout& layout,
                                   std::int64_t now_us) {
-  std::vector<Finding> findings{check_plan(connection, layout, now_us)};
+  const PqRows plan = plan_of_window(connection, layout, now_us);
+  std::vector<Finding> findings =
+      layout.foreign ? check_foreign(plan, layout.data.sql) : std::vector{check_plan(plan, layout)};
   if (auto reading = check_reading(connection, layout)) findings.push_back(*std::move(reading));
   return findings;
 }

@@ -125,6 +125,30 @@ TEST_F(ReaderTest, ManyTagsComeInSeveralRoundTrips) {
   }
 }
 
+/// By growing spans as by one look at the whole history.
+TEST_F(ReaderTest, NewestRowsOfRandomHistoriesAreThoseOfAPlainStatement) {
+  database->execute(
+      "SELECT setseed(0.5); INSERT INTO public.history SELECT 't' || tag,"
+      " timestamptz '2026-01-01 00:00:00+00' -"
+      " exp(random() * 20.5) * interval '1 second', 1, 192"
+      " FROM generate_series(1, 40) AS tag, generate_series(1, tag / 4) AS k");
+  std::vector<std::string> tags;
+  for (int tag = 1; tag <= 41; ++tag) tags.push_back("t" + std::to_string(tag));
+  HistorianReader historian = reader();
+  for (const std::int64_t back_s : {0, 1800, 5000, 200'000, 6'000'000, 100'000'000}) {
+    const auto newest = historian.newest(tags, second(-back_s));
+    for (std::size_t k = 0; k < tags.size(); ++k) {
+      const std::string expected = database->value(
+          "SELECT coalesce((extract(epoch FROM max(time)) * 1000000)::int8::text, 'none')"
+          " FROM public.history WHERE tag = '" +
+          tags[k] + "' AND time <= to_timestamp(" + std::to_string(second(-back_s) / 1'000'000) +
+          ") AND time >= to_timestamp(" +
+          std::to_string(second(-back_s - std::int64_t{30} * 366 * 86'400) / 1'000'000) + ")");
+      EXPECT_EQ(newest[k] ? std::to_string(*newest[k]) : "none", expected) << tags[k] << back_s;
+    }
+  }
+}
+
 TEST_F(ReaderTest, NewestRowOfEachTag) {
   import_rows(settings(), layout, std::vector{rows_of("a", {0, 1, 2}), rows_of("b", {0})}, false);
   insert("old", "2024-01-01 00:00:00+00", "1");

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <optional>
+#include <string>
+
+#include "storage/connection_settings.hpp"
+#include "storage/historian/source_layout.hpp"
+#include "tests/support/mariadb.hpp"
+#include "tests/support/test_database.hpp"
+
+namespace loopscope::tests {
+
+// 2026-03-30 00:00 UTC: the clocks of Berlin were put forward the day before.
+inline constexpr std::int64_t kEnd_us = 1'774'828'800'000'000;
+
+/// The rows of a table of PostgreSQL as an INSERT for MariaDB.
+[[nodiscard]] std::string as_insert(const TestDatabase& database, const std::string& table);
+
+/// A database and a MariaDB for each test; skipped, visibly, without them.
+class Foreign : public testing::Test {
+ protected:
+  void SetUp() override;
+  /// Two tables of one content: native, in PostgreSQL, and the foreign table elsewhere.
+  void make_history();
+  /// A foreign table of (tag, time, value, quality) over one of MariaDB.
+  void make_foreign(const std::string& name, const std::string& remote) const;
+  [[nodiscard]] storage::ConnectionSettings connection() const;
+  [[nodiscard]] static storage::SourceLayout layout_of(const std::string& table,
+                                                       storage::TimeKind kind);
+
+  std::optional<TestDatabase> database;
+  std::optional<MariaDb> mariadb;
+};
+
+}  // namespace loopscope::tests
