@@ -82,8 +82,9 @@ TEST_F(Trap, TelegrafSendsTwiceAddsColumnsAndHasNoIndex) {
   bool missing = false;
   for (const storage::Finding& finding : storage::check_historian(
            daemon::historian_connection(settings), daemon::historian_layout(settings))) {
-    missing = missing || (!finding.ok && finding.hint.starts_with("CREATE INDEX CONCURRENTLY ON"
-                                                                  " \"public\".\"control\""));
+    missing =
+        missing || (finding.warning && finding.index_sql.starts_with("CREATE INDEX CONCURRENTLY ON"
+                                                                     " \"public\".\"control\""));
   }
   EXPECT_TRUE(missing);
 }
