@@ -42,7 +42,7 @@ class PastSlots : public ClaimSource {
   /// Slots of all loops together, done or not.
   [[nodiscard]] std::size_t total() const { return loops_.size() * times_us_.size(); }
   /// Of those, how many were stored before this backfill, and how many lie where pv has no row
-  /// (where they are looked at again: or are as they were).
+  /// (if looked at again: or have not changed).
   [[nodiscard]] std::size_t stored() const;
   [[nodiscard]] std::size_t unrecorded() const;
   /// Loops that were given up: their work failed several times, or nobody could claim them.

@@ -70,7 +70,9 @@ std::string summary(const PassResult& pass, const PastSlots& slots, bool again) 
   std::string text =
       fmt::format("{} of {}: {}", slots.settled(), counted(slots.total(), "window", "windows"),
                   again ? again_words(pass, slots) : judged_words(pass, slots));
-  if (pass.signal != 0) text += "; stopped by a signal, the same command goes on with the others";
+  if (pass.signal != 0)
+    text += again ? "; stopped by a signal, the same command looks at all of them again"
+                  : "; stopped by a signal, the same command goes on with the others";
   return text;
 }
 

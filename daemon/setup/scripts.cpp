@@ -45,7 +45,9 @@ std::string psql_as(const std::string& user, const storage::ConnectionTarget& ta
 }
 
 std::string psql_on_its_host(const storage::ConnectionTarget& target, const std::string& database) {
-  return fmt::format("sudo -u postgres psql -p {} -d {}", shell_word(target.port),
+  // A server whose sockets lie elsewhere is another one than that of the packages.
+  const std::string folder = target.host.starts_with('/') ? " -h " + shell_word(target.host) : "";
+  return fmt::format("sudo -u postgres psql{} -p {} -d {}", folder, shell_word(target.port),
                      shell_word(database));
 }
 

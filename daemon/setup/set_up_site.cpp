@@ -23,6 +23,7 @@
 #include "daemon/setup/vendor_layouts.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
+#include "daemon/text/shell_word.hpp"
 #include "daemon/text/time_text.hpp"
 #include "storage/historian/setup/reader_sql.hpp"
 #include "storage/results/schema/results_sql.hpp"
@@ -205,7 +206,7 @@ class SiteSetup {
     std::cout << '\n';
     for (const storage::Finding& index : found.indexes)
       std::cout << index_command(index, logins_.reader.target);
-    std::cout << next_commands(printable(options_.out), day_a_week_ago());
+    std::cout << next_commands(printable(shell_word(options_.out)), day_a_week_ago());
   }
 
   SiteOptions options_;

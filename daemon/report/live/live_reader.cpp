@@ -65,9 +65,13 @@ LivePage LiveReader::plant(const std::stop_token& stop) {
                {plant_section(facts, LoopLinks::pages)})};
 }
 
-LivePage LiveReader::loops(const storage::LoopQuery& query) {
+LivePage LiveReader::loops(storage::LoopQuery query) {
   storage::ReportDatabase database(results_connection(*settings_));
-  const storage::LoopListing listing = database.loops(query);
+  storage::LoopListing listing = database.loops(query);
+  if (listing.loops.empty() && listing.fitting > 0) {  // a page behind the last one
+    query.skip = (listing.fitting - 1) / query.most * query.most;
+    listing = database.loops(query);
+  }
   return {page({titled(settings_->report.plant, "All loops"),
                 {core::text::counted(listing.all, "loop", "loops")},
                 true,

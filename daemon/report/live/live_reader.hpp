@@ -32,8 +32,8 @@ class LiveReader {
   /// The first screen, with what is new since a week; without a plotting program no trends and
   /// spectra of shared oscillations.
   [[nodiscard]] LivePage plant(const std::stop_token& stop);
-  /// Loops of the catalogue.
-  [[nodiscard]] LivePage loops(const storage::LoopQuery& query);
+  /// Loops of the catalogue; behind the last page that one.
+  [[nodiscard]] LivePage loops(storage::LoopQuery query);
   /// One loop with its pictures; without a plotting program its words and figures.
   [[nodiscard]] LivePage loop(const std::string& name, const std::stop_token& stop);
 

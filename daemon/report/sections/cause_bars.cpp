@@ -41,9 +41,14 @@ const char* colour(VerdictCode cause) {
       return "#99467a";
     case VerdictCode::sensor_fault:
       return "#e69f00";
-    default:
-      return "#7a8794";
+    case VerdictCode::healthy:
+    case VerdictCode::nonlinear_unexplained:
+    case VerdictCode::unexplained:
+    case VerdictCode::not_controlling:
+    case VerdictCode::insufficient_data:
+      break;
   }
+  return "#7a8794";
 }
 
 Fields bar(const CauseReport& cause) {

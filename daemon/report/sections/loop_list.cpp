@@ -1,5 +1,6 @@
 #include "daemon/report/sections/loop_list.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -19,10 +20,9 @@ using storage::LoopOrder;
 using storage::LoopQuery;
 using storage::LoopRow;
 
+/// The state that can be asked for; of a flagged loop whether it is confirmed.
 std::string status_of(const LoopRow& row) {
-  if (row.status) return status_words(*row.status);
-  if (row.hidden_by) return "not on the list: " + *row.hidden_by;
-  return row.code ? "not flagged" : "never analysed";
+  return row.status ? row.state + ", " + status_words(*row.status) : row.state;
 }
 
 /// A loop that is healthy by itself and shaken by others is not shown as healthy.
@@ -39,6 +39,7 @@ Fields loop_fields(const LoopRow& row, const TimeZone& zone) {
   const std::string code = code_shown(row);
   return {{"verdict", code.empty() ? "" : as_heading(code)},
           {"status", status_of(row)},
+          {"reason", row.hidden_by == row.state ? "" : row.hidden_by.value_or("")},
           {"link", page_link(row)},
           {"name", row.name},
           {"type", row.loop_type.value_or(kUnknown)},
@@ -58,8 +59,12 @@ Fields loop_fields(const LoopRow& row, const TimeZone& zone) {
 List options(const std::vector<std::string>& values, const std::string& taken,
              std::string (*words)(std::string_view)) {
   List list;
-  for (const std::string& value : values)
+  const auto add = [&](const std::string& value) {
     list.emplace_back(Fields{{"value", value}, {"words", words(value)}, {"taken", value == taken}});
+  };
+  for (const std::string& value : values) add(value);
+  // No loop has it (any more): it is asked for all the same.
+  if (!taken.empty() && std::ranges::find(values, taken) == values.end()) add(taken);
   return list;
 }
 
@@ -75,20 +80,22 @@ struct Column {
   LoopOrder order = LoopOrder::rank;
   const char* words = "";
   bool number = false;
+  bool largest_first = false;
 };
 constexpr std::array kColumns{Column{LoopOrder::name, "Loop"},
                               Column{LoopOrder::area, "Area"},
                               Column{LoopOrder::unit, "Unit"},
                               Column{LoopOrder::verdict, "Verdict"},
-                              Column{LoopOrder::confidence, "Confidence", true},
+                              Column{LoopOrder::confidence, "Confidence", true, true},
                               Column{LoopOrder::state, "State"},
                               Column{LoopOrder::rank, "Rank", true},
-                              Column{LoopOrder::window, "Window until"}};
+                              Column{LoopOrder::window, "Window until", false, true}};
 
 /// A header leads to its order, and once that is taken to the same backwards.
 Fields header(const Column& column, LoopQuery query) {
   const bool taken = query.order == column.order;
-  const std::string direction = !taken ? "" : query.backwards ? "descending" : "ascending";
+  const bool falls = query.backwards != column.largest_first;
+  const std::string direction = !taken ? "" : falls ? "descending" : "ascending";
   query.backwards = taken && !query.backwards;
   query.order = column.order;
   query.skip = 0;
@@ -106,9 +113,9 @@ Fields form(const LoopListing& listing, const LoopQuery& query) {
                                {"taken", column.order == query.order}});
   return {{"part", query.part},
           {"areas", options(listing.areas, query.area, as_it_is)},
-          {"any_areas", !listing.areas.empty()},
+          {"any_areas", !listing.areas.empty() || !query.area.empty()},
           {"units", options(listing.units, query.unit, as_it_is)},
-          {"any_units", !listing.units.empty()},
+          {"any_units", !listing.units.empty() || !query.unit.empty()},
           {"verdicts", options(listing.verdicts, query.verdict, verdict_words)},
           {"states", options(listing.states, query.state, as_it_is)},
           {"orders", orders},

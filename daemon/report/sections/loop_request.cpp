@@ -1,9 +1,8 @@
 #include "daemon/report/sections/loop_request.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <string_view>
+#include <vector>
 
 #include "daemon/report/text/html_text.hpp"
 
@@ -13,8 +12,8 @@ namespace {
 using storage::LoopOrder;
 using storage::LoopQuery;
 
-constexpr std::array<std::string_view, 8> kOrders{"rank",    "name",       "area",  "unit",
-                                                  "verdict", "confidence", "state", "window"};
+/// Every link of a page repeats them.
+constexpr std::size_t kLongestWords = 200;
 /// More rows than any catalogue has.
 constexpr std::int64_t kLastPage = 1'000'000;
 
@@ -27,7 +26,7 @@ std::int64_t page_number(const std::string& text) {
 }  // namespace
 
 std::string name(LoopOrder order) {
-  return std::string(kOrders.at(static_cast<std::size_t>(order)));
+  return storage::loop_orders().at(static_cast<std::size_t>(order));
 }
 
 LoopQuery loop_query(const std::multimap<std::string, std::string>& query) {
@@ -36,13 +35,14 @@ LoopQuery loop_query(const std::multimap<std::string, std::string>& query) {
     return found == query.end() ? std::string() : found->second;
   };
   LoopQuery asked;
-  asked.part = value("q");
+  asked.part = value("q").substr(0, kLongestWords);
   asked.area = value("area");
   asked.unit = value("unit");
   asked.verdict = value("verdict");
   asked.state = value("state");
-  const auto order = std::ranges::find(kOrders, value("order"));
-  if (order != kOrders.end()) asked.order = static_cast<LoopOrder>(order - kOrders.begin());
+  const std::vector<std::string>& orders = storage::loop_orders();
+  const auto order = std::ranges::find(orders, value("order"));
+  if (order != orders.end()) asked.order = static_cast<LoopOrder>(order - orders.begin());
   asked.backwards = value("dir") == "desc";
   asked.most = kLoopsOnPage;
   asked.skip = (page_number(value("page")) - 1) * kLoopsOnPage;

@@ -57,6 +57,11 @@ const Statement kWithdrawAnnotations{"withdraw_annotations", R"(
 const Statement kNewestCode{"newest_code",
                             "SELECT code FROM loopscope.own_verdict WHERE loop_name = $1"};
 
+// Of several who speak of a loop at once each sees what the one before has said.
+const Statement kLockAnnotations{
+    "lock_annotations",
+    "SELECT pg_advisory_xact_lock(hashtextextended('loopscope annotation ' || $1, 0))"};
+
 const Statement kFaultCodes{"fault_codes",
                             "SELECT code FROM loopscope.verdict_kind WHERE is_fault ORDER BY code"};
 
@@ -82,6 +87,7 @@ std::vector<Annotation> read_annotations(const pqxx::result& rows) {
 std::optional<OthersInForce> replace(Transaction& transaction, const Annotation& annotation) {
   const std::string code = annotation.code.value_or("");
   const std::string name = make_storable(annotation.on_behalf_of.value_or(""));
+  transaction.run(kLockAnnotations, {annotation.loop_name});
   OthersInForce others;
   others.replaced = read_annotations(
       transaction.run(kReplaceAnnotations, {annotation.loop_name, annotation.kind, code, name}));

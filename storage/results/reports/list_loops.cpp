@@ -1,8 +1,5 @@
 #include "storage/results/reports/list_loops.hpp"
 
-#include <algorithm>
-#include <array>
-
 #include "storage/results/rows/loop_row.hpp"
 #include "storage/statement.hpp"
 #include "storage/utf8.hpp"
@@ -78,9 +75,6 @@ const Statement kLoopChoices{"loop_choices", R"(
     UNION SELECT 'verdict', coalesce(shown_code, code) FROM loopscope.own_verdict
     ORDER BY choice, value)"};
 
-constexpr std::array kOrders{"rank",    "name",       "area",  "unit",
-                             "verdict", "confidence", "state", "window"};
-
 LoopRow read_listed(const pqxx::row& row) {
   LoopRow loop;
   loop.loop_id = row["loop_id"].as<std::int64_t>();
@@ -120,6 +114,12 @@ void read_choices(const pqxx::result& rows, LoopListing& listing) {
 
 }  // namespace
 
+const std::vector<std::string>& loop_orders() {
+  static const std::vector<std::string> orders{"rank",    "name",       "area",  "unit",
+                                               "verdict", "confidence", "state", "window"};
+  return orders;
+}
+
 const std::vector<std::string>& loop_states() {
   static const std::vector<std::string> states{"flagged", "off the list", "not flagged",
                                                "never analysed", "disabled"};
@@ -133,7 +133,7 @@ LoopListing list_loops(Snapshot& snapshot, const LoopQuery& query) {
       kLoopList,
       {make_storable(query.part), make_storable(query.area), make_storable(query.unit),
        make_storable(query.verdict), make_storable(query.state),
-       kOrders.at(static_cast<std::size_t>(query.order)), query.backwards ? "true" : "false",
+       loop_orders().at(static_cast<std::size_t>(query.order)), query.backwards ? "true" : "false",
        std::to_string(query.most), std::to_string(query.skip)});
   for (const pqxx::row& row : rows) {
     listing.all = row["every"].as<std::int64_t>();

@@ -12,9 +12,13 @@ namespace loopscope::storage {
 /// By what a list of loops is in order; loops that are equal in it, or have none, by rank and name.
 enum class LoopOrder { rank, name, area, unit, verdict, confidence, state, window };
 
+/// Their names, in that order.
+[[nodiscard]] const std::vector<std::string>& loop_orders();
+
 /// Which loops of the catalogue are wanted; an empty text asks for any.
 struct LoopQuery {
-  std::string part = {};  ///< of the name, the description or the owner, whatever the case
+  std::string part = {};  ///< of the name, the description or the owner, whatever the case (as the
+                          ///< database knows it)
   std::string area = {}, unit = {};
   std::string verdict = {};  ///< as it is shown: a code; "none" = never analysed
   std::string state = {};    ///< one of loop_states()

@@ -145,6 +145,10 @@ TEST(Scripts, TheCommandIsOneThatAShellTakes) {
   EXPECT_EQ(psql_as("a b", {"db1", "5432", "", ""}, "my 'plant'"),
             R"(psql -h db1 -p 5432 -U 'a b' -d 'my '\''plant'\''')");
   EXPECT_EQ(psql_as("u", {"", "5432", "", ""}, "x"), "psql -p 5432 -U u -d x");
+  EXPECT_EQ(psql_on_its_host({"db1", "5432", "", ""}, "x"), "sudo -u postgres psql -p 5432 -d x");
+  EXPECT_EQ(psql_on_its_host({"/srv/my pg", "5432", "", ""}, "x"),
+            "sudo -u postgres psql -h '/srv/my pg' -p 5432 -d x")
+      << "never another server of that port";
 }
 
 }  // namespace

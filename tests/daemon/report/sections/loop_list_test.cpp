@@ -20,11 +20,15 @@ TEST(LoopList, LinksToLoopsThatHaveAPage) {
   seen.name = "a&b";
   seen.code = "healthy";
   never.name = "never";
+  seen.state = "disabled";
+  seen.hidden_by = "disabled";
+  never.state = "never analysed";
   const std::string text = loop_list({.loops = {seen, never}, .fitting = 2, .all = 2}, {}, {}).html;
   EXPECT_THAT(text, HasSubstr("href=\"/loop?name=a%26b\""));
   EXPECT_THAT(text, HasSubstr("<bdi>never</bdi>"));
   EXPECT_THAT(text, Not(HasSubstr("name=never")));
-  EXPECT_THAT(text, HasSubstr("never analysed"));
+  EXPECT_THAT(text, HasSubstr("<td data-label=\"State\">never analysed</td>"));
+  EXPECT_THAT(text, HasSubstr("<td data-label=\"State\">disabled</td>"));
   EXPECT_EQ(unbalanced(text), "");
 }
 
@@ -58,7 +62,30 @@ TEST(LoopList, LeadsToOtherPagesAndOrdersOfTheSameQuestion) {
 TEST(LoopList, WhereNoLoopFitsItSaysSo) {
   const std::string text = loop_list({.all = 24}, loop_query({{"q", "x"}}), {}).html;
   EXPECT_THAT(text, HasSubstr("none of 24 fits"));
-  EXPECT_THAT(text, HasSubstr("No loop is like that. <a href=\"/loops\">All loops</a>"));
+  EXPECT_THAT(text, HasSubstr("No loop fits. <a href=\"/loops\">All loops</a>"));
+}
+
+/// The largest come first, and the arrow says so.
+TEST(LoopList, ArrowsSayWhichWayTheRowsGo) {
+  const auto header_of = [](const char* order, const char* direction) {
+    const std::string text =
+        loop_list(many(), loop_query({{"order", order}, {"dir", direction}}), {}).html;
+    const std::size_t at = text.find("aria-sort=\"") + 11;
+    return text.substr(at, text.find('"', at) - at);
+  };
+  EXPECT_EQ(header_of("confidence", ""), "descending");
+  EXPECT_EQ(header_of("confidence", "desc"), "ascending");
+  EXPECT_EQ(header_of("window", ""), "descending");
+  EXPECT_EQ(header_of("rank", ""), "ascending");
+  EXPECT_EQ(header_of("area", "desc"), "descending");
+}
+
+/// As in a bookmark.
+TEST(LoopList, SaysWhatWasAskedForAlsoWhereNoLoopHasIt) {
+  const std::string text =
+      loop_list({.all = 24}, loop_query({{"area", "gone"}, {"verdict", "tight_tuning"}}), {}).html;
+  EXPECT_THAT(text, HasSubstr("<option value=\"gone\" selected>gone</option>"));
+  EXPECT_THAT(text, HasSubstr("<option value=\"tight_tuning\" selected>Tight tuning</option>"));
 }
 
 /// Long names, every field filled.

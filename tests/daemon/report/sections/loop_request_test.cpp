@@ -36,6 +36,10 @@ TEST(LoopRequest, WhatMakesNoSenseIsTheFirstPage) {
   }
 }
 
+TEST(LoopRequest, OfManyWordsTheFirst) {
+  EXPECT_EQ(loop_query({{"q", std::string(8000, 'x')}}).part.size(), 200U);
+}
+
 /// Pages are kept by their address.
 TEST(LoopRequest, AddressesSayTheSameAgain) {
   const std::string address = "/loops?q=a%20%26b&area=%22x&order=area&dir=desc&page=2";

@@ -190,14 +190,16 @@ TEST(SectionWords, AllLoops) {
   row.hidden_by = "affected by a shared oscillation";
   row.follows = "62 % of its error follows";
   row.health = "no_data";
+  row.state = "off the list";
   storage::LoopRow never;
   never.name = "LIC3";
+  never.state = "never analysed";
   EXPECT_EQ(
       words_of(loop_list({.loops = {row, never}, .fitting = 2, .all = 24}, {}, {}).html),
       "All verdicts\nAll states\nby Loop\nby Area\nby Unit\nby Verdict\nby Confidence\nby State\n"
-      "by Rank\nby Window until\nlast first\nShow\n1 to 2 of 2 (24 in all)\n"
+      "by Rank\nby Window until\nreverse order\nShow\n1 to 2 of 2 (24 in all)\n"
       "Loop | Area | Unit | Verdict | Confidence | State | Rank | Window until | Monitor\n"
-      "TIC2 | \u2013 | \u2013 | External disturbance by itself healthy | 0.93 | not on the list: "
+      "TIC2 | \u2013 | \u2013 | External disturbance by itself healthy | 0.93 | off the list "
       "affected by a shared oscillation 62 % of its error follows | \u2013 | \u2013 | no data\n"
       "LIC3 | \u2013 | \u2013 | \u2013 | \u2013 | never analysed | \u2013 | \u2013\n");
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <future>
 #include <gmock/gmock.h>
+#include <thread>
 
 #include "storage/results/schema/migrate.hpp"
 #include "tests/storage/results/views_fixture.hpp"
@@ -40,6 +41,18 @@ class AnnotationsTest : public ViewsTest {
   }
   std::string login;
 };
+
+TEST_F(AnnotationsTest, OfSeveralWhoSayTheSameAtOnceOneHolds) {
+  {
+    std::vector<std::jthread> people;
+    for (int person = 0; person < 4; ++person)
+      people.emplace_back([&] {
+        annotations().add({"a", "acknowledged", "valve_stiction", std::nullopt, "x", "", 0});
+      });
+  }
+  EXPECT_EQ(annotations().in_force().size(), 1U);
+  EXPECT_EQ(value("SELECT count(*) FROM loopscope.annotation"), "4");
+}
 
 TEST_F(AnnotationsTest, HideAndAreListedWithTheirAuthor) {
   const std::int64_t until = in_an_hour();
