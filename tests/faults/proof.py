@@ -8,8 +8,9 @@ import plant
 # What tells when, how often and how fast something was done, and not what was found.
 CIRCUMSTANCES = {"loop_id", "analysis_id", "fence", "analysed_at", "input_revision", "fetch_ms",
                  "analyse_ms", "prepare_ms", "statistics_ms", "model_ms", "decided_at",
-                 # What was known of pv when the slot was judged: it follows from the visits before.
-                 "past_pv_flat_s", "past_pv_step"}
+                 # What was known of pv when the slot was judged, and with it what the slot tells the
+                 # next: they follow from the visits before, and late ones leave slots out.
+                 "past_pv_flat_s", "past_pv_step", "pv_flat_s", "pv_step"}
 TABLES = ("analysis", "verdict", "bicoherence_peak", "explanation_step")
 
 

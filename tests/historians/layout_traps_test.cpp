@@ -49,8 +49,8 @@ TEST_F(Trap, RowsOfOtherFieldsDoNotTakeTheTagsPlaces) {
       "ALTER TABLE control ADD COLUMN a float8; INSERT INTO control (time, loop, a)"
       " SELECT time + interval '1 ms', loop, 1 FROM control, generate_series(1, 5)");
   storage::HistorianReader historian = reader();
-  const std::vector<TagRequest> wanted{
-      {"FIC1.pv", Truth::time_us(0), Truth::time_us(kRows - 1), 2 * kRows, RowBefore::no}};
+  const std::vector<TagRequest> wanted{{"FIC1.pv", Truth::time_us(0), Truth::time_us(kRows - 1),
+                                        std::int64_t{2} * kRows, RowBefore::no}};
   EXPECT_EQ(historian.read(wanted).at(0).value.size(), static_cast<std::size_t>(kRows));
 }
 

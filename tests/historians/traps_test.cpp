@@ -12,7 +12,6 @@ using core::signal::RawSeries;
 using storage::RowBefore;
 using storage::TagRequest;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsNan;
 
 TEST_F(Trap, IgnitionOnly192IsGoodAndTheQueryModeTellsTheInterpolation) {
