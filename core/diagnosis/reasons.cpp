@@ -209,7 +209,7 @@ CauseReport report_of(const WeighedCause& cause) {
   }
   if (std::abs(unknown) >= kLeastWeight) {
     std::vector<std::string>& side = unknown > 0.0 ? report.in_favour : report.against;
-    side.push_back("figures that this window does not give" + odds_text(unknown));
+    side.push_back("some figures cannot be measured in this window" + odds_text(unknown));
   }
   return report;
 }

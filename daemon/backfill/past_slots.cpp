@@ -123,17 +123,26 @@ std::vector<ClaimedLoop> PastSlots::claim(AnalysisWorker& worker,
   std::vector<ClaimedLoop> claims = worker.claim_past(kReserve_s, wishes);
   std::set<PlaceNumber> refused(places.begin(), places.end());
   for (const ClaimedLoop& claim : claims) refused.erase(by_id_.at(claim.loop.loop_id));
+  wait_for(refused);
+  in_hand_ += claims.size();
+  return claims;
+}
+
+void PastSlots::wait_for(const std::set<PlaceNumber>& refused) {
+  if (refused.empty()) return;
+  std::vector<std::int64_t> ids;
+  for (const PlaceNumber number : refused) ids.push_back(loops_[number].loop.loop_id);
+  const auto ask = [&](storage::ResultsDatabase& database) { return database.enabled_of(ids); };
+  const auto enabled = results_.with_retry(tools_.perseverance, ask, [] {});
   for (const PlaceNumber number : refused) {
     Place& place = loops_[number];
-    // Whoever judges its newest slot lets go of it soon; one that was disabled meanwhile stays
-    // away.
+    // Whoever judges its newest slot lets go of it soon.
     const auto limit =
         seconds(std::min(2.0 * place.loop.period_s, kLongestWait_s) + settings_->schedule.lease_s);
     place.free_until = std::min(place.free_until, Clock::now() + limit);
-    place.free_until < Clock::now() ? give_up(number) : put_off(number, settings_->schedule.poll_s);
+    const bool away = !enabled.contains(place.loop.loop_id) || place.free_until < Clock::now();
+    away ? give_up(number) : put_off(number, settings_->schedule.poll_s);
   }
-  in_hand_ += claims.size();
-  return claims;
 }
 
 void PastSlots::done(const std::vector<ClaimedLoop>& claims, const storage::WriteCount& count) {

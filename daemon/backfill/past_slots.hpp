@@ -69,6 +69,8 @@ class PastSlots : public ClaimSource {
   void leave_out_stored(std::vector<PlaceNumber>& places);
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim(AnalysisWorker& worker,
                                                         const std::vector<PlaceNumber>& places);
+  /// Loops that could not be claimed come again later, but for those that were disabled meanwhile.
+  void wait_for(const std::set<PlaceNumber>& refused);
   /// The slot is done: the place goes on to its next one.
   void advance(PlaceNumber number);
   void put_off(PlaceNumber number, double pause_s);

@@ -82,7 +82,7 @@ void require_all(const PassResult& pass, const std::vector<std::string>& given_u
                            ", the first \"" + given_up.front() + "\"";
   const std::string again = "the same command goes on with what is left";
   if (!pass.first_failure) {
-    throw Failure(ExitCode::database, left + ": nobody could claim it",
+    throw Failure(ExitCode::database, left + ": disabled meanwhile, or nobody could claim it",
                   "loopscope.monitor_health says what becomes of it; " + again);
   }
   throw Failure(pass.first_failure->exit_code(),

@@ -81,6 +81,10 @@ const Statement kLeaveWorker{"leave_worker", R"(
 const Statement kCountEnabled{"count_enabled_loops",
                               "SELECT count(*) FROM loopscope.loop WHERE enabled", Rows::one};
 
+const Statement kEnabledOf{
+    "enabled_of",
+    "SELECT loop_id FROM loopscope.loop WHERE loop_id = ANY ($1::bigint[]) AND enabled"};
+
 }  // namespace
 
 struct ResultsDatabase::Impl {
@@ -209,6 +213,17 @@ std::optional<double> ResultsDatabase::next_due_in_s(double within_s) {
 std::size_t ResultsDatabase::count_enabled_loops() {
   return impl_->session.transact([](Transaction& transaction) {
     return transaction.run(kCountEnabled)[0][0].as<std::size_t>();
+  });
+}
+
+std::set<std::int64_t> ResultsDatabase::enabled_of(std::span<const std::int64_t> loop_ids) {
+  ArrayLiteral wanted;
+  for (const std::int64_t loop_id : loop_ids) wanted.add_integer(loop_id);
+  return impl_->session.transact([&](Transaction& transaction) {
+    std::set<std::int64_t> enabled;
+    for (const pqxx::row& row : transaction.run(kEnabledOf, {wanted.text()}))
+      enabled.insert(row[0].as<std::int64_t>());
+    return enabled;
   });
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -100,6 +101,8 @@ class ResultsDatabase {
   /// What a person has said of clocks that differ (table loopscope.accepted_clock).
   [[nodiscard]] AcceptedClocks accepted_clocks();
   [[nodiscard]] std::size_t count_enabled_loops();
+  /// Those of the loops that are still in the catalogue and enabled.
+  [[nodiscard]] std::set<std::int64_t> enabled_of(std::span<const std::int64_t> loop_ids);
   /// How far the work as a whole is behind.
   [[nodiscard]] ScheduleHealth schedule_health();
   /// How the plant stands, in figures.

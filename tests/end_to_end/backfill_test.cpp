@@ -169,6 +169,20 @@ TEST_F(Backfill, ALoopThatFailsIsLeftAloneAndHoldsUpNoOther) {
   EXPECT_EQ(plant.sql("SELECT count(*) FROM loopscope.schedule WHERE attempts > 0"), "0");
 }
 
+/// It is not waited for: nobody enables it again because of this.
+TEST_F(Backfill, ALoopThatIsDisabledMeanwhileIsLeftAlone) {
+  make_months();
+  plant.sql(
+      "CREATE FUNCTION public.disable() RETURNS trigger SECURITY DEFINER LANGUAGE plpgsql AS $$ "
+      "BEGIN"
+      " UPDATE loopscope.loop SET enabled = false WHERE name = 'TIC102'; RETURN NULL; END $$;"
+      "CREATE TRIGGER disable AFTER INSERT ON loopscope.analysis FOR EACH ROW"
+      " EXECUTE FUNCTION public.disable()");
+  const ProgramResult result = backfill(6);
+  EXPECT_EQ(result.exit_code, 4) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("1 loop was left, the first \"TIC102\": disabled meanwhile"));
+}
+
 TEST_F(Backfill, MistakesAreExplained) {
   const auto expect = [&](const std::vector<std::string>& arguments, int code,
                           const std::string& what, const std::string& hint) {

@@ -42,7 +42,6 @@ Fields loop_fields(const LoopRow& row, const TimeZone& zone) {
           {"reason", row.hidden_by == row.state ? "" : row.hidden_by.value_or("")},
           {"link", page_link(row)},
           {"name", row.name},
-          {"type", row.loop_type.value_or(kUnknown)},
           {"area", row.area.value_or(kUnknown)},
           {"unit", row.unit.value_or(kUnknown)},
           {"description", row.description.value_or("")},

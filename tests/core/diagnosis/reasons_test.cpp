@@ -88,7 +88,7 @@ TEST(Reasons, PartsForAndAgainstInWordsWithTheirNumbers) {
                   "(odds times 1.16)"));
   EXPECT_THAT(report.against,
               ElementsAre("test whether an oscillation is present: p = 1 (odds divided by 2.01)",
-                          "figures that this window does not give (odds divided by 1.22)"));
+                          "some figures cannot be measured in this window (odds divided by 1.22)"));
 }
 
 NonlinearityFinding finding() {
@@ -166,11 +166,12 @@ TEST(Reasons, ALinearLoopWithAPositionerAndAnOscillationIsToldInFull) {
 TEST(Reasons, PartsStandBeforeWhatWasMeasured) {
   CauseReport cause;
   cause.in_favour = {"op repeats its half cycle: 93 % (odds times 2.72)"};
-  cause.against = {"figures that this window does not give (odds divided by 1.22)"};
-  EXPECT_THAT(reasons_for(cause, quiet_evidence(), finding()),
-              ElementsAre("For: op repeats its half cycle: 93 % (odds times 2.72).",
-                          "Against: figures that this window does not give (odds divided by 1.22).",
-                          finding().reason));
+  cause.against = {"some figures cannot be measured in this window (odds divided by 1.22)"};
+  EXPECT_THAT(
+      reasons_for(cause, quiet_evidence(), finding()),
+      ElementsAre("For: op repeats its half cycle: 93 % (odds times 2.72).",
+                  "Against: some figures cannot be measured in this window (odds divided by 1.22).",
+                  finding().reason));
 }
 
 /// What is to be done where a valve that is to be repaired stands beside the verdict, or does not.

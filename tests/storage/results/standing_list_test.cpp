@@ -217,8 +217,8 @@ TEST_F(StandingListTest, ALoopThatWouldFillTheListIsToldSo) {
   tell({{.loop = "a", .fault_probability = 0.93}});
   EXPECT_EQ(
       value("SELECT reason FROM loopscope.hidden_loop"),
-      "not sure enough for the list (probability 0.93): with the surer ones, more than 2 % of "
-      "the list would be no fault");
+      "a fault is probable (0.93), but the surer ones fill the list: with this loop more than 2 % "
+      "of the loops on it would be expected to have no fault");
 }
 
 }  // namespace

@@ -99,8 +99,8 @@ TEST(LoopList, APageIsBelow200KB) {
     row.confidence = 0.75;
     row.slot_end_us = 1;
     row.hidden_by =
-        "not sure enough for the list (probability 0.75): with the surer ones, more than 3 % of "
-        "the list would be no fault";
+        "a fault is probable (0.75), but the surer ones fill the list: with this loop more than "
+        "3 % of the loops on it would be expected to have no fault";
     row.follows = "follows LIC-201's oscillation of 19.6 min (23 % of its error)";
     row.health = "never_analysed";
   }
