@@ -14,6 +14,7 @@
 #include "core/text/counted.hpp"
 #include "daemon/commands/commands.hpp"
 #include "daemon/output/what_if_text.hpp"
+#include "daemon/report/report_page.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/cells.hpp"
 #include "daemon/text/failure.hpp"
@@ -104,6 +105,10 @@ void report(const CommandOptions& options) {
   const ReportResult result = write_report(settings, wanted);
   for (const auto& file : result.files) std::cout << "wrote " << file.string() << '\n';
   std::cout << core::text::counted(result.flagged, "flagged loop", "flagged loops") << '\n';
+  if (result.sections < result.flagged)
+    std::cerr << fmt::format(
+        "note: {} of them in the work list alone, so that the file stays below {} MB\n",
+        result.flagged - result.sections, kMostPageBytes / 1'000'000);
   if (result.unpictured == 0 || options.no_pictures) return;
   std::cerr << fmt::format(
       "note: {} of them without pictures of their window, the first because "

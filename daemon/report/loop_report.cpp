@@ -58,7 +58,6 @@ LoopReport read_loop_report(storage::ReportDatabase& database, const storage::Fl
   loop_report.zone = zone;
   loop_report.row = row;
   loop_report.history = database.history(row.loop_id, row.slot_end_us - kHistoryReachUs);
-  if (row.rank == 0) loop_report.hidden = database.hidden_by(row.loop_id);  // a flagged one is not
   loop_report.followed = database.followed_by(row.loop_id);
   loop_report.problems = database.data_problems(row.loop_id);
   loop_report.repairs = database.repairs_of(row.loop_id);

@@ -15,8 +15,7 @@
 #include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/loop_report.hpp"
 #include "daemon/report/make_pdf.hpp"
-#include "daemon/report/page/page_frame.hpp"
-#include "daemon/report/sections/plant_section.hpp"
+#include "daemon/report/report_page.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/threads/in_threads.hpp"
 #include "daemon/text/failure.hpp"
@@ -27,9 +26,9 @@
 namespace loopscope::daemon {
 namespace {
 
-/// With more flagged loops than that the page would grow beyond what a browser likes to open; a
-/// plant like that has other worries than the picture of its 101st loop.
-constexpr std::size_t kMostPictured = 100;
+/// As many as the page has room for (kMostPageBytes, some 180 kB each); a plant with more has
+/// other worries than the picture of its 26th loop.
+constexpr std::size_t kMostPictured = 25;
 
 struct Content {
   PlantFacts facts;
@@ -51,9 +50,13 @@ LoopsById catalogue_of(const config::Settings& settings) {
 Content read_content(const config::Settings& settings, std::int64_t since_us) {
   storage::ReportDatabase database(results_connection(settings));
   Content content;
-  content.facts = {settings.report.plant,         since_us,
-                   database.counts(since_us),     database.flagged(),
-                   database.plant_oscillations(), database.repairs(since_us)};
+  content.facts = {settings.report.plant,
+                   since_us,
+                   database.counts(since_us),
+                   database.flagged(),
+                   database.plant_oscillations(),
+                   database.repairs(since_us),
+                   database.loops()};
   content.facts.zone = TimeZone(settings.plant.time_zone);
   for (const storage::FlaggedRow& row : content.facts.flagged)
     content.loop_reports.push_back(read_loop_report(database, row, content.facts.zone));
@@ -115,29 +118,8 @@ void add_pictures(const config::Settings& settings, bool wanted,
   const std::size_t pictured = wanted ? std::min(loop_reports.size(), kMostPictured) : 0;
   const std::span<LoopReport> all(loop_reports);
   if (pictured > 0) illustrate_all(settings, all.first(pictured), stop);
-  leave_without_pictures(
-      all.subspan(pictured),
-      wanted ? fmt::format("only the {} worst loops have them; the daemon's page /loop has those "
-                           "of any loop.",
-                           kMostPictured)
-             : std::string("none were asked for."));
-}
-
-std::string title_of(const std::string& plant) {
-  return plant.empty() ? "Control loops of the plant" : plant + ": control loops";
-}
-
-std::string page_of(const Content& content) {
-  const PlantFacts& facts = content.facts;
-  std::vector<Markup> sections = {plant_section(facts, LoopLinks::sections)};
-  for (const LoopReport& loop_report : content.loop_reports)
-    sections.push_back(loop_section(loop_report));
-  const TimeZone& zone = facts.zone;
-  return page({.title = title_of(facts.plant),
-               .subtitle = {"Loopscope report,", minute_in_zone(facts.since_us, zone) + " to",
-                            minute_in_zone(facts.counts.now_us, zone)},
-               .zone = zone.name()},
-              sections);
+  leave_without_pictures(all.subspan(pictured),
+                         wanted ? kNoRoomForPictures : "none were asked for.");
 }
 
 void make_folder(const std::filesystem::path& folder) {
@@ -161,8 +143,8 @@ ReportResult write_report(const config::Settings& settings, const ReportOptions&
   add_event_pictures(content.facts, options.pictures, stop);
   if (stop.stop_requested())
     throw Failure(ExitCode::fault, "stopped before the report was made", "make it again");
-  const std::string page = page_of(content);
-  const std::string pdf = engine ? make_pdf(page, *engine, stop) : "";
+  const ReportPage page = report_page(content.facts, content.loop_reports);
+  const std::string pdf = engine ? make_pdf(page.html, *engine, stop) : "";
   make_folder(options.folder);
   ReportResult result;
   const auto write = [&](const char* ending, const std::string& text) {
@@ -171,11 +153,14 @@ ReportResult write_report(const config::Settings& settings, const ReportOptions&
   };
   // The page last: a report whose page is there is complete, and the daemon makes no other.
   if (options.pdf) write(".pdf", pdf);
-  write(".html", page);
-  result.flagged = content.loop_reports.size();
+  write(".html", page.html);
+  result.flagged = content.facts.flagged.size();
+  result.sections = page.sections;
+  result.unpictured = page.sections - page.pictured;
   for (const LoopReport& loop_report : content.loop_reports) {
     if (loop_report.trouble.empty()) continue;
-    if (result.unpictured++ == 0) result.first_trouble = loop_report.trouble;
+    result.first_trouble = loop_report.trouble;
+    break;
   }
   return result;
 }

@@ -22,8 +22,9 @@ struct ReportOptions {
 
 struct ReportResult {
   std::vector<std::filesystem::path> files;
-  std::size_t flagged = 0;     ///< loops with a section
-  std::size_t unpictured = 0;  ///< of those, without the pictures of their window
+  std::size_t flagged = 0;     ///< loops of the work list
+  std::size_t sections = 0;    ///< of those, with a section (report_page.hpp)
+  std::size_t unpictured = 0;  ///< of those with one, without the pictures of their window
   std::string first_trouble;   ///< of those, why the first one has none
 };
 

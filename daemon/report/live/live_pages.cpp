@@ -1,5 +1,10 @@
 #include "daemon/report/live/live_pages.hpp"
 
+#include <charconv>
+#include <cstdint>
+#include <exception>
+#include <fmt/format.h>
+#include <system_error>
 #include <utility>
 
 #include "daemon/report/page/page_frame.hpp"
@@ -41,10 +46,25 @@ std::string value_of(const HttpRequest& request, const std::string& name) {
   return found == request.query.end() ? "" : found->second;
 }
 
+/// 0 for what is none.
+std::int64_t whole_number(const std::string& text) {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size() ? number : 0;
+}
+
 }  // namespace
 
 LivePages::LivePages(std::function<std::shared_ptr<const config::Settings>()> settings)
-    : settings_(std::move(settings)) {}
+    : settings_(std::move(settings)), worker_({}, [this] { keep_ready(); }) {}
+
+void LivePages::keep_ready() {
+  try {
+    reader().keep_ready();
+  } catch (const std::exception&) {
+    // Whoever asks for a page is told; a database that is away the log has from those who work.
+  }
+}
 
 LiveReader& LivePages::reader() {
   const std::shared_ptr<const config::Settings> now_in_force = settings_();
@@ -58,14 +78,19 @@ LiveReader& LivePages::reader() {
 void LivePages::add_to(HttpServer& server) {
   server.handle_deferred("/", [this](const HttpRequest&, const HttpReply& reply) {
     worker_.answer(
-        "/",
-        [this](const std::stop_token& stop) {
-          return read_page([&] { return reader().plant(stop); });
-        },
+        "/", [this](const std::stop_token&) { return read_page([&] { return reader().plant(); }); },
         reply);
   });
+  server.handle_deferred("/oscillation",
+                         [this](const HttpRequest& request, const HttpReply& reply) {
+                           const std::int64_t number = whole_number(value_of(request, "number"));
+                           const auto make = [this, number](const std::stop_token& stop) {
+                             return read_page([&] { return reader().oscillation(number, stop); });
+                           };
+                           worker_.answer(fmt::format("/oscillation {}", number), make, reply);
+                         });
   server.handle_deferred("/loops", [this](const HttpRequest& request, const HttpReply& reply) {
-    const storage::LoopQuery query = loop_query(request.query);
+    const LoopQuery query = loop_query(request.query);
     const auto make = [this, query](const std::stop_token&) {
       return read_page([&] { return reader().loops(query); });
     };

@@ -23,6 +23,7 @@ class LivePages {
 
  private:
   [[nodiscard]] LiveReader& reader();
+  void keep_ready();
 
   std::function<std::shared_ptr<const config::Settings>()> settings_;
   std::shared_ptr<const config::Settings> read_with_;  ///< the worker's

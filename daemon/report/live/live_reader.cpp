@@ -1,5 +1,8 @@
 #include "daemon/report/live/live_reader.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
 #include <utility>
 
 #include "core/text/counted.hpp"
@@ -7,19 +10,28 @@
 #include "daemon/report/loop_report.hpp"
 #include "daemon/report/page/page_frame.hpp"
 #include "daemon/report/page/template.hpp"
+#include "daemon/report/plant/event_box.hpp"
+#include "daemon/report/plant/plant_section.hpp"
 #include "daemon/report/sections/loop_list.hpp"
-#include "daemon/report/sections/plant_section.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/time_text.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
+#include "storage/results/reports/report_database.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-/// What is new on a page without a beginning of its own.
-constexpr std::int64_t kNewWithinUs = std::int64_t{7} * 86'400 * 1'000'000;
 constexpr std::size_t kMostSeen = 8;
+
+/// Results change by slots of minutes and more, but whoever loads a page again wants to see what
+/// has happened since he did so before.
+constexpr auto kFresh = std::chrono::seconds(5);
+/// So often without a reader, for so long after the last one: half a second of the database each.
+constexpr auto kReadEvery = std::chrono::seconds(60);
+constexpr auto kReadyFor = std::chrono::hours(12);
+/// Older than what is kept ready is by itself: nobody has read for long, or the database was away.
+constexpr auto kShownFor = 2 * kReadEvery;
 
 std::string titled(const std::string& plant, const std::string& words) {
   return plant.empty() ? words : plant + ": " + words;
@@ -47,36 +59,66 @@ void LiveReader::draw_events(PlantFacts& facts, const std::stop_token& stop) {
   }
 }
 
-PlantFacts LiveReader::plant_facts() const {
-  storage::ReportDatabase database(results_connection(*settings_));
-  const std::int64_t since_us = database.now_us() - kNewWithinUs;
-  PlantFacts facts{settings_->report.plant,       since_us,
-                   database.counts(since_us),     database.flagged(),
-                   database.plant_oscillations(), database.repairs(since_us)};
-  facts.zone = zone_;
-  return facts;
+const PlantSnapshot& LiveReader::snapshot() {
+  asked_at_ = PlantSnapshot::Clock::now();
+  if (!snapshot_ || asked_at_ - snapshot_->read_at > kShownFor)
+    snapshot_ = read_plant(*settings_, zone_);
+  return *snapshot_;
 }
 
-LivePage LiveReader::plant(const std::stop_token& stop) {
-  PlantFacts facts = plant_facts();
-  draw_events(facts, stop);
-  const std::string now = minute_in_zone(facts.since_us + kNewWithinUs, zone_);
-  return {page({titled(facts.plant, "Control loops"), {"as of " + now}, true, zone_.name()},
-               {plant_section(facts, LoopLinks::pages)})};
+void LiveReader::keep_ready() {
+  const auto now = PlantSnapshot::Clock::now();
+  if (now - asked_at_ > kReadyFor || now - tried_at_ < kFresh) return;
+  const bool was_shown = snapshot_ && snapshot_->read_at <= asked_at_;
+  const auto wanted_after = was_shown ? kFresh : kReadEvery;
+  if (snapshot_ && now - snapshot_->read_at < wanted_after) return;
+  tried_at_ = now;
+  snapshot_ = read_plant(*settings_, zone_);
 }
 
-LivePage LiveReader::loops(storage::LoopQuery query) {
-  storage::ReportDatabase database(results_connection(*settings_));
-  storage::LoopListing listing = database.loops(query);
-  if (listing.loops.empty() && listing.fitting > 0) {  // a page behind the last one
-    query.skip = (listing.fitting - 1) / query.most * query.most;
-    listing = database.loops(query);
-  }
-  return {page({titled(settings_->report.plant, "All loops"),
-                {core::text::counted(listing.all, "loop", "loops")},
+std::string LiveReader::in_small_letters(const std::string& words) const {
+  const auto is_ascii = [](char character) { return static_cast<unsigned char>(character) < 128; };
+  if (!std::ranges::all_of(words, is_ascii))  // what is a small letter there, the database knows
+    return storage::ReportDatabase(results_connection(*settings_)).in_small_letters(words);
+  std::string small = words;
+  for (char& character : small)
+    if (character >= 'A' && character <= 'Z') character += 'a' - 'A';
+  return small;
+}
+
+LivePage LiveReader::plant() {
+  const PlantFacts& facts = snapshot().facts;
+  return {page({titled(facts.plant, "Control loops"),
+                {"as of " + minute_in_zone(facts.counts.now_us, zone_)},
+                true,
+                zone_.name()},
+               {plant_section(facts, LoopLinks::pages())})};
+}
+
+LivePage LiveReader::loops(const LoopQuery& query) {
+  const PlantFacts& facts = snapshot().facts;
+  const LoopListing listing = choose_loops(facts.loops, query, in_small_letters(query.part));
+  return {page({titled(facts.plant, "All loops"),
+                {core::text::counted(listing.all, "loop", "loops") + ",",
+                 "as of " + minute_in_zone(facts.counts.now_us, zone_)},
                 true,
                 zone_.name()},
                {loop_list(listing, query, zone_)})};
+}
+
+LivePage LiveReader::oscillation(std::int64_t number, const std::stop_token& stop) {
+  const std::vector<storage::PlantOscillationRow>& all = snapshot().facts.oscillations;
+  const auto event = std::ranges::find(all, number, &storage::PlantOscillationRow::number);
+  const std::string words = fmt::format("Oscillation {}", number);
+  const std::string title = titled(snapshot_->facts.plant, words);
+  if (event == all.end())
+    return {page({title, {}, true, zone_.name()}, {render("no_such_oscillation", {})}), false};
+  PlantFacts facts;
+  facts.oscillations = {*event};
+  draw_events(facts, stop);
+  return {page({title, {"as of " + minute_in_zone(event->slot_end_us, zone_)}, true, zone_.name()},
+               {event_boxes(facts.oscillations, facts.album, facts.picture_trouble,
+                            LoopLinks::pages(), zone_)})};
 }
 
 const LiveReader::Seen* LiveReader::seen(const storage::FlaggedRow& row) const {
@@ -111,10 +153,13 @@ void LiveReader::look(LoopReport& loop_report, const std::stop_token& stop) {
 LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) {
   LoopReport loop_report;
   {
+    const PlantSnapshot& plant = snapshot();
     storage::ReportDatabase database(results_connection(*settings_));
-    const auto row = database.latest(name);
+    const storage::FlaggedRow* const listed = plant.flagged(name);
+    const auto row = listed ? std::optional(*listed) : database.newest(name);
     if (!row) return no_such_loop(name, zone_);
     loop_report = read_loop_report(database, *row, zone_);
+    if (!listed) loop_report.hidden = plant.hidden_by(row->loop_id);
   }
   look(loop_report, stop);
   return {page({titled(settings_->report.plant, name),

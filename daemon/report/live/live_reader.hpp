@@ -3,21 +3,22 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 
 #include "config/settings.hpp"
 #include "daemon/report/evidence/window_source.hpp"
+#include "daemon/report/live/plant_snapshot.hpp"
+#include "daemon/report/sections/loop_query.hpp"
 #include "daemon/report/sections/loop_section.hpp"
-#include "daemon/report/sections/plant_section.hpp"
 #include "daemon/text/time_zone.hpp"
-#include "storage/results/reports/report_database.hpp"
 
 namespace loopscope::daemon {
 
 struct LivePage {
   std::string html;
-  bool found = true;  ///< false: there is no such loop, or it was never analysed
+  bool found = true;  ///< false: there is no such loop or oscillation, or none was found yet
 };
 
 /// Reads and writes the daemon's pages; for one thread at a time. A loop that was looked at a
@@ -29,13 +30,17 @@ class LiveReader {
   explicit LiveReader(std::shared_ptr<const config::Settings> settings)
       : settings_(std::move(settings)), zone_(settings_->plant.time_zone), windows_(*settings_) {}
 
-  /// The first screen, with what is new since a week; without a plotting program no trends and
-  /// spectra of shared oscillations.
-  [[nodiscard]] LivePage plant(const std::stop_token& stop);
+  /// The first screen, with what is new since a week.
+  [[nodiscard]] LivePage plant();
   /// Loops of the catalogue; behind the last page that one.
-  [[nodiscard]] LivePage loops(storage::LoopQuery query);
+  [[nodiscard]] LivePage loops(const LoopQuery& query);
+  /// One shared oscillation; without a plotting program no trends and spectra of it.
+  [[nodiscard]] LivePage oscillation(std::int64_t number, const std::stop_token& stop);
   /// One loop with its pictures; without a plotting program its words and figures.
   [[nodiscard]] LivePage loop(const std::string& name, const std::stop_token& stop);
+  /// To be called between pages: reads the plant anew where a page is likely to need it soon, so
+  /// that whoever comes does not wait for the database. Throws as the others.
+  void keep_ready();
 
  private:
   /// The costly part of a report, by the analysis that it belongs to.
@@ -45,8 +50,10 @@ class LiveReader {
     LoopReport loop_report;
   };
 
-  /// What the first screen tells but its pictures; the view of the results is let go with it.
-  [[nodiscard]] PlantFacts plant_facts() const;
+  /// The plant as it is shown now; seconds old at most, but for the first reader after an hour.
+  const PlantSnapshot& snapshot();
+  /// As LoopRow::searched has them.
+  [[nodiscard]] std::string in_small_letters(const std::string& words) const;
   /// Once for each round: a page is asked for more often than a round is made.
   void draw_events(PlantFacts& facts, const std::stop_token& stop);
   void look(LoopReport& loop_report, const std::stop_token& stop);
@@ -54,6 +61,9 @@ class LiveReader {
 
   std::shared_ptr<const config::Settings> settings_;
   TimeZone zone_;
+  std::optional<PlantSnapshot> snapshot_;
+  /// When a page last wanted it, and when it was last read without one.
+  PlantSnapshot::Clock::time_point asked_at_ = PlantSnapshot::Clock::now(), tried_at_ = {};
   WindowSource windows_;
   std::deque<Seen> seen_;  ///< newest first
   EventAlbum album_;       ///< that was drawn last

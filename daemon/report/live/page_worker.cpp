@@ -33,7 +33,8 @@ HttpAnswer made(const PageWorker::Make& make, const std::string& key, const std:
 
 }  // namespace
 
-PageWorker::PageWorker(Limits limits) : limits_(limits) {
+PageWorker::PageWorker(Limits limits, std::function<void()> between)
+    : limits_(limits), between_(std::move(between)) {
   // Signals are the main thread's.
   sigset_t all, before;
   sigfillset(&all);
@@ -78,19 +79,31 @@ void PageWorker::hand_out(const std::string& key, const Answer& answer) {
   });
 }
 
+void PageWorker::make_next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+  forget_readers_that_left();
+  if (waiting_.empty()) return;
+  const std::string key = waiting_.front().key;
+  const Make make = waiting_.front().make;
+  lock.unlock();
+  const auto answer = std::make_shared<const HttpAnswer>(made(make, key, stop));
+  lock.lock();
+  keep(key, answer);
+  hand_out(key, answer);
+}
+
 void PageWorker::run(const std::stop_token& stop) {
   yield_to_analysis();
   std::unique_lock lock(mutex_);
-  while (changed_.wait(lock, stop, [this] { return !waiting_.empty(); })) {
-    forget_readers_that_left();
-    if (waiting_.empty()) continue;
-    const std::string key = waiting_.front().key;
-    const Make make = waiting_.front().make;
-    lock.unlock();
-    const auto answer = std::make_shared<const HttpAnswer>(made(make, key, stop));
-    lock.lock();
-    keep(key, answer);
-    hand_out(key, answer);
+  while (!stop.stop_requested()) {
+    const bool somebody_waits = changed_.wait_for(lock, stop, std::chrono::seconds(1),
+                                                  [this] { return !waiting_.empty(); });
+    if (somebody_waits) {
+      make_next(lock, stop);
+    } else if (between_ && !stop.stop_requested()) {
+      lock.unlock();
+      between_();
+      lock.lock();
+    }
   }
 }
 

@@ -32,7 +32,9 @@ class PageWorker {
   };
 
   PageWorker() : PageWorker(Limits{}) {}
-  explicit PageWorker(Limits limits);
+  /// `between`: what is done every second in which nobody waits, on the same thread; it must not
+  /// throw, and lives as long as this.
+  explicit PageWorker(Limits limits, std::function<void()> between = {});
   /// What is being made is told to stop, and awaited.
   ~PageWorker() = default;
   PageWorker(const PageWorker&) = delete;
@@ -61,8 +63,10 @@ class PageWorker {
   void keep(const std::string& key, Answer answer);
   void hand_out(const std::string& key, const Answer& answer);
   void run(const std::stop_token& stop);
+  void make_next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
 
   Limits limits_;
+  std::function<void()> between_;
   std::mutex mutex_;  ///< over all below
   std::condition_variable_any changed_;
   std::map<std::string, Page> pages_;

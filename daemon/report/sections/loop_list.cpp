@@ -8,16 +8,13 @@
 
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/sections/loop_request.hpp"
-#include "daemon/report/text/html_text.hpp"
+#include "daemon/report/text/loop_links.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
-using storage::LoopListing;
-using storage::LoopOrder;
-using storage::LoopQuery;
 using storage::LoopRow;
 
 /// The state that can be asked for; of a flagged loop whether it is confirmed.
@@ -25,19 +22,14 @@ std::string status_of(const LoopRow& row) {
   return row.status ? row.state + ", " + status_words(*row.status) : row.state;
 }
 
-/// A loop that is healthy by itself and shaken by others is not shown as healthy.
-std::string code_shown(const LoopRow& row) {
-  return row.shown_code ? *row.shown_code : row.code.value_or("");
-}
-
 /// A loop that was never analysed has no page.
 std::string page_link(const LoopRow& row) {
-  return row.code ? loop_link(LoopLinks::pages, row.loop_id, row.name) : "";
+  return row.code ? LoopLinks::pages().to_page(row.name) : "";
 }
 
 Fields loop_fields(const LoopRow& row, const TimeZone& zone) {
-  const std::string code = code_shown(row);
-  return {{"verdict", code.empty() ? "" : as_heading(code)},
+  const std::string code = shown_verdict(row);
+  return {{"verdict", row.code ? as_heading(code) : ""},
           {"status", status_of(row)},
           {"reason", row.hidden_by == row.state ? "" : row.hidden_by.value_or("")},
           {"link", page_link(row)},
@@ -116,7 +108,7 @@ Fields form(const LoopListing& listing, const LoopQuery& query) {
           {"units", options(listing.units, query.unit, as_it_is)},
           {"any_units", !listing.units.empty() || !query.unit.empty()},
           {"verdicts", options(listing.verdicts, query.verdict, verdict_words)},
-          {"states", options(listing.states, query.state, as_it_is)},
+          {"states", options(loop_states(), query.state, as_it_is)},
           {"orders", orders},
           {"backwards", query.backwards}};
 }

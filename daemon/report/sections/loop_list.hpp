@@ -1,8 +1,8 @@
 #pragma once
 
 #include "daemon/report/page/fields.hpp"
+#include "daemon/report/sections/loop_query.hpp"
 #include "daemon/text/time_zone.hpp"
-#include "storage/results/reports/loop_query.hpp"
 
 namespace loopscope::daemon {
 
@@ -10,7 +10,7 @@ namespace loopscope::daemon {
 /// whether it is flagged and, if not, what hides it, and whether the monitor does its work there.
 /// Above it what was asked for, to be asked otherwise; its headers and the lines below lead to the
 /// other orders and pages.
-[[nodiscard]] Markup loop_list(const storage::LoopListing& listing, const storage::LoopQuery& query,
+[[nodiscard]] Markup loop_list(const LoopListing& listing, const LoopQuery& query,
                                const TimeZone& zone);
 
 }  // namespace loopscope::daemon

@@ -9,9 +9,6 @@
 namespace loopscope::daemon {
 namespace {
 
-using storage::LoopOrder;
-using storage::LoopQuery;
-
 /// Every link of a page repeats them.
 constexpr std::size_t kLongestWords = 200;
 /// More rows than any catalogue has.
@@ -26,7 +23,7 @@ std::int64_t page_number(const std::string& text) {
 }  // namespace
 
 std::string name(LoopOrder order) {
-  return storage::loop_orders().at(static_cast<std::size_t>(order));
+  return loop_orders().at(static_cast<std::size_t>(order));
 }
 
 LoopQuery loop_query(const std::multimap<std::string, std::string>& query) {
@@ -40,7 +37,7 @@ LoopQuery loop_query(const std::multimap<std::string, std::string>& query) {
   asked.unit = value("unit");
   asked.verdict = value("verdict");
   asked.state = value("state");
-  const std::vector<std::string>& orders = storage::loop_orders();
+  const std::vector<std::string>& orders = loop_orders();
   const auto order = std::ranges::find(orders, value("order"));
   if (order != orders.end()) asked.order = static_cast<LoopOrder>(order - orders.begin());
   asked.backwards = value("dir") == "desc";

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "storage/results/reports/loop_query.hpp"
+#include "daemon/report/sections/loop_query.hpp"
 
 namespace loopscope::daemon {
 
@@ -15,11 +15,11 @@ inline constexpr std::int64_t kLoopsOnPage = 150;
 /// What the query of an address asks for: q (words), area, unit, verdict, state, order (a name of
 /// LoopOrder), dir (desc = backwards), page (1 and more). What it does not say, or says in another
 /// way, is as in LoopQuery.
-[[nodiscard]] storage::LoopQuery loop_query(const std::multimap<std::string, std::string>& query);
+[[nodiscard]] LoopQuery loop_query(const std::multimap<std::string, std::string>& query);
 
 /// The address of that list, the same for equal queries; ready for an attribute.
-[[nodiscard]] std::string loops_address(const storage::LoopQuery& query);
+[[nodiscard]] std::string loops_address(const LoopQuery& query);
 
-[[nodiscard]] std::string name(storage::LoopOrder order);
+[[nodiscard]] std::string name(LoopOrder order);
 
 }  // namespace loopscope::daemon

@@ -1,7 +1,6 @@
 #include "daemon/report/sections/why_not_listed.hpp"
 
 #include "daemon/report/page/template.hpp"
-#include "daemon/report/sections/annotated_table.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/text/author_text.hpp"
 #include "daemon/text/time_text.hpp"

@@ -58,9 +58,4 @@ std::string url_value(std::string_view text) {
   return value;
 }
 
-std::string loop_link(LoopLinks links, std::int64_t loop_id, const std::string& loop_name) {
-  if (links == LoopLinks::sections) return fmt::format("#loop-{}", loop_id);
-  return "/loop?name=" + url_value(loop_name);
-}
-
 }  // namespace loopscope::daemon

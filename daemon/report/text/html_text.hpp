@@ -15,11 +15,4 @@ namespace loopscope::daemon {
 /// `text` as the value of a query: everything but letters, digits and - . _ ~ as %XX (RFC 3986).
 [[nodiscard]] std::string url_value(std::string_view text);
 
-/// Where a loop's name leads: to its section of the same page, or to a page of its own.
-enum class LoopLinks { sections, pages };
-
-/// Address of a loop's section or page, ready for an attribute.
-[[nodiscard]] std::string loop_link(LoopLinks links, std::int64_t loop_id,
-                                    const std::string& loop_name);
-
 }  // namespace loopscope::daemon

@@ -39,4 +39,8 @@ std::string status_words(const std::string& status) {
   return status == "watch" ? "not yet confirmed" : status;
 }
 
+std::string deed_words(const std::string& hidden_by) {
+  return hidden_by == "false_positive" ? "Marked as a false positive" : as_heading(hidden_by);
+}
+
 }  // namespace loopscope::daemon

@@ -31,4 +31,8 @@ inline constexpr const char* kUnknown = "\u2013";
 /// The status of a loop on the list in words: "watch" is "not yet confirmed".
 [[nodiscard]] std::string status_words(const std::string& status);
 
+/// What somebody did to take a finding off the list: "Suppressed", "Marked as a false positive";
+/// behind it stands the name.
+[[nodiscard]] std::string deed_words(const std::string& hidden_by);
+
 }  // namespace loopscope::daemon

@@ -1,14 +1,18 @@
 #pragma once
 
-#include <pqxx/pqxx>
+#include <span>
+#include <vector>
 
-#include "storage/results/reports/loop_query.hpp"
+#include "storage/results/reports/report_rows.hpp"
 #include "storage/results/session/snapshot.hpp"
 
 namespace loopscope::storage {
 
-/// One page of the catalogue's loops as they stand in the snapshot. A text of `query` that no loop
-/// can have, because PostgreSQL refuses it, fits none. Throws DatabaseError.
-[[nodiscard]] LoopListing list_loops(Snapshot& snapshot, const LoopQuery& query);
+/// The catalogue's loops as they stand in the snapshot, flagged ones first by rank, then by name.
+/// `flagged` and `hidden`: the work list and what is kept off it, of the same snapshot. Throws
+/// DatabaseError.
+[[nodiscard]] std::vector<LoopRow> list_loops(Snapshot& snapshot,
+                                              std::span<const FlaggedRow> flagged,
+                                              std::span<const HiddenLoopRow> hidden);
 
 }  // namespace loopscope::storage

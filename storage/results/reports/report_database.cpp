@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "storage/array_literal.hpp"
+#include "storage/results/reports/count_lists.hpp"
 #include "storage/results/reports/list_loops.hpp"
 #include "storage/results/reports/plant_reading.hpp"
 #include "storage/results/reports/plant_report_statements.hpp"
@@ -42,9 +43,16 @@ struct ReportDatabase::Impl {
     return *list;
   }
 
+  /// What is kept off it; asked once.
+  const std::vector<HiddenLoopRow>& hidden() {
+    if (!off_list) off_list = read_all(snapshot->run(statements::kHiddenLoops), read_hidden_loop);
+    return *off_list;
+  }
+
   Session session;
   std::optional<Snapshot> snapshot;
   std::optional<std::vector<FlaggedRow>> list;
+  std::optional<std::vector<HiddenLoopRow>> off_list;
 };
 
 ReportDatabase::ReportDatabase(const ConnectionSettings& settings)
@@ -61,13 +69,10 @@ PlantCounts ReportDatabase::counts(std::int64_t since_us) {
   const pqxx::result rows =
       impl_->snapshot->run(statements::kReportCounts, {timestamp_text(since_us)});
   PlantCounts counts = read_counts(rows[0]);
+  count_lists(impl_->flagged(), impl_->hidden(), since_us, counts);
   counts.reasons = read_all(impl_->snapshot->run(statements::kUnjudgedReasons), read_reason);
   counts.without_controller =
       read_all(impl_->snapshot->run(statements::kNotControlling), read_not_controlling);
-  if (counts.annotated == 0) return counts;
-  const pqxx::result said = impl_->snapshot->run(statements::kAnnotatedFindings);
-  if (!said.empty()) counts.annotations = said[0]["annotations"].as<std::int64_t>();
-  counts.newest_annotations = read_all(said, read_annotated);
   return counts;
 }
 
@@ -103,9 +108,15 @@ std::optional<FollowedRow> ReportDatabase::followed_by(std::int64_t loop_id) {
   return read_followed(rows[0]);
 }
 
+std::vector<HiddenLoopRow> ReportDatabase::hidden() {
+  return impl_->hidden();
+}
+
 std::vector<HiddenRow> ReportDatabase::hidden_by(std::int64_t loop_id) {
-  return read_all(impl_->snapshot->run(statements::kHiddenBy, {std::to_string(loop_id)}),
-                  read_hidden);
+  std::vector<HiddenRow> said;
+  for (const HiddenLoopRow& row : impl_->hidden())
+    if (row.loop_id == loop_id) said.push_back(row.said);
+  return said;
 }
 
 std::vector<DataProblemRow> ReportDatabase::data_problems(std::int64_t loop_id) {
@@ -117,6 +128,10 @@ std::optional<FlaggedRow> ReportDatabase::latest(const std::string& loop_name) {
   const std::vector<FlaggedRow>& list = impl_->flagged();
   const auto found = std::ranges::find(list, loop_name, &FlaggedRow::loop_name);
   if (found != list.end()) return *found;
+  return newest(loop_name);
+}
+
+std::optional<FlaggedRow> ReportDatabase::newest(const std::string& loop_name) {
   // A name that PostgreSQL refuses cannot be in the catalogue.
   if (!is_storable(loop_name)) return std::nullopt;
   const pqxx::result rows = impl_->snapshot->run(statements::kReportLatest, {loop_name});
@@ -124,8 +139,13 @@ std::optional<FlaggedRow> ReportDatabase::latest(const std::string& loop_name) {
   return read_flagged(rows[0]);
 }
 
-LoopListing ReportDatabase::loops(const LoopQuery& query) {
-  return list_loops(*impl_->snapshot, query);
+std::vector<LoopRow> ReportDatabase::loops() {
+  return list_loops(*impl_->snapshot, impl_->flagged(), impl_->hidden());
+}
+
+std::string ReportDatabase::in_small_letters(const std::string& text) {
+  if (!is_storable(text)) return {};
+  return impl_->snapshot->run(statements::kSmallLetters, {text})[0]["text"].c_str();
 }
 
 std::vector<WhatIfRow> ReportDatabase::what_if(std::optional<double> false_discovery_rate,

@@ -8,7 +8,6 @@
 
 #include "storage/connection_settings.hpp"
 #include "storage/error.hpp"
-#include "storage/results/reports/loop_query.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::storage {
@@ -45,6 +44,8 @@ class ReportDatabase {
   [[nodiscard]] std::vector<PlantOscillationRow> plant_oscillations();
   /// The shared oscillation that a loop follows; nullopt = none, or it is its source.
   [[nodiscard]] std::optional<FollowedRow> followed_by(std::int64_t loop_id);
+  /// Findings that are kept off the list, by loop.
+  [[nodiscard]] std::vector<HiddenLoopRow> hidden();
   /// What keeps the newest fault of a loop from the list; empty = nothing does, or it has none.
   [[nodiscard]] std::vector<HiddenRow> hidden_by(std::int64_t loop_id);
   /// What is wrong with the newest data of a loop.
@@ -52,8 +53,13 @@ class ReportDatabase {
   /// The newest verdict of any loop, flagged (with its rank) or not (rank 0); nullopt = there is
   /// no such loop, or it was never analysed.
   [[nodiscard]] std::optional<FlaggedRow> latest(const std::string& loop_name);
-  /// A page of the loops of the catalogue.
-  [[nodiscard]] LoopListing loops(const LoopQuery& query);
+  /// The newest verdict of a loop as if it were not on the list: rank 0. Does not read the list.
+  [[nodiscard]] std::optional<FlaggedRow> newest(const std::string& loop_name);
+  /// Every loop of the catalogue, by rank and name.
+  [[nodiscard]] std::vector<LoopRow> loops();
+  /// `text` in small letters as the database has them (LoopRow::searched); empty where no text of
+  /// the database can hold it.
+  [[nodiscard]] std::string in_small_letters(const std::string& text);
 
   /// What other thresholds would flag: the rows in their would-be order, then those that would be
   /// lost. nullopt = the present setting. `false_discovery_rate` 0 to 1, `dependence` 0 or 1

@@ -40,6 +40,17 @@ RepairRow read_repair(const pqxx::row& row) {
           maybe_text(row["on_behalf_of"])};
 }
 
+HiddenRow read_hidden(const pqxx::row& row) {
+  return {row["hidden_by"].c_str(),
+          read_text(row["reason"]),
+          read_text(row["author"]),
+          read_integer(row["entered_us"]).value_or(0),
+          read_integer(row["until_us"]),
+          read_integer(row["plant_oscillation_number"]),
+          maybe_text(row["source_loop_name"]),
+          maybe_text(row["on_behalf_of"])};
+}
+
 }  // namespace
 
 PlantCounts read_counts(const pqxx::row& row) {
@@ -47,15 +58,10 @@ PlantCounts read_counts(const pqxx::row& row) {
   counts.loops = integer(row["loops"]);
   counts.enabled = integer(row["enabled"]);
   counts.judged = integer(row["judged"]);
-  counts.flagged = integer(row["flagged"]);
-  counts.new_flags = integer(row["new_flags"]);
   counts.fixed = integer(row["fixed"]);
   counts.unjudgeable = integer(row["unjudgeable"]);
   counts.never_analysed = integer(row["never_analysed"]);
-  counts.victims = integer(row["victims"]);
-  counts.annotated = integer(row["annotated"]);
   counts.not_controlling = integer(row["not_controlling"]);
-  counts.unlisted = integer(row["unlisted"]);
   counts.service_factor = read_number(row["service_factor"]);
   counts.now_us = integer(row["now_us"]);
   return counts;
@@ -79,6 +85,9 @@ FlaggedRow read_flagged(const pqxx::row& row) {
   flagged.loop_name = row["loop_name"].c_str();
   flagged.source = row["source"].c_str();
   flagged.loop_type = maybe_text(row["loop_type"]);
+  flagged.area = maybe_text(row["area"]);
+  flagged.unit = maybe_text(row["unit"]);
+  flagged.description = maybe_text(row["description"]);
   flagged.pv_unit = read_text(row["pv_unit"]);
   flagged.code = row["code"].c_str();
   flagged.score = row["score"].as<double>();
@@ -117,19 +126,9 @@ HistoryPoint read_history_point(const pqxx::row& row) {
           read_number(row["harris_high"]), read_number(row["oscillation_period_s"])};
 }
 
-HiddenRow read_hidden(const pqxx::row& row) {
-  return {row["hidden_by"].c_str(),
-          read_text(row["reason"]),
-          read_text(row["author"]),
-          read_integer(row["entered_us"]).value_or(0),
-          read_integer(row["until_us"]),
-          read_integer(row["plant_oscillation_number"]),
-          maybe_text(row["source_loop_name"]),
-          maybe_text(row["on_behalf_of"])};
-}
-
-AnnotatedRow read_annotated(const pqxx::row& row) {
-  return {integer(row["loop_id"]), row["loop_name"].c_str(), row["code"].c_str(), read_hidden(row)};
+HiddenLoopRow read_hidden_loop(const pqxx::row& row) {
+  return {integer(row["loop_id"]), row["loop_name"].c_str(), row["code"].c_str(), read_hidden(row),
+          read_integer(row["annotation_id"])};
 }
 
 DataProblemRow read_problem(const pqxx::row& row) {

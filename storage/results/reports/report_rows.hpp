@@ -17,13 +17,14 @@ struct FlaggedRow {
   std::int64_t loop_id = 0;
   std::string loop_name, source;
   std::optional<std::string> loop_type;  ///< flow, pressure, ...; nullopt = not said
-  std::string pv_unit;                   ///< of sp and pv; empty = not said
-  std::string code;                      ///< the verdict
-  double score = 0.0;                    ///< severity x importance x kind_weight x believed()
-  double severity = 0.0;                 ///< 0 to 1
-  double importance = 0.0;               ///< > 0, 1 = ordinary
-  double kind_weight = 0.0;              ///< > 0; 0 = the verdict is no fault
-  double confidence = 0.0;               ///< 0 to 1, by the newest window
+  std::optional<std::string> area = std::nullopt, unit = std::nullopt, description = std::nullopt;
+  std::string pv_unit;       ///< of sp and pv; empty = not said
+  std::string code;          ///< the verdict
+  double score = 0.0;        ///< severity x importance x kind_weight x believed()
+  double severity = 0.0;     ///< 0 to 1
+  double importance = 0.0;   ///< > 0, 1 = ordinary
+  double kind_weight = 0.0;  ///< > 0; 0 = the verdict is no fault
+  double confidence = 0.0;   ///< 0 to 1, by the newest window
   /// The same by all windows together; nullopt = the code is no cause, or nothing was combined.
   std::optional<double> combined_confidence;
   std::optional<double> fault_probability;  ///< that anything is wrong; nullopt = not weighed
@@ -76,12 +77,14 @@ struct HiddenRow {
   std::optional<std::string> on_behalf_of = std::nullopt;
 };
 
-/// A finding that somebody took off the list.
-struct AnnotatedRow {
+/// A row of the view `hidden_loop`: a finding that is kept off the list.
+struct HiddenLoopRow {
   std::int64_t loop_id = 0;
   std::string loop_name;
-  std::string code;  ///< the newest verdict, which is kept off
-  HiddenRow said;    ///< acknowledged, suppressed or false_positive
+  std::string code;  ///< the newest verdict
+  HiddenRow said;
+  /// By which somebody took it off; nullopt = it follows from the newest windows.
+  std::optional<std::int64_t> annotation_id = std::nullopt;
 };
 
 /// How the plant stands, for the first screen of a report. Enabled loops fall into `judged`,
@@ -102,8 +105,8 @@ struct PlantCounts {
   std::int64_t unlisted = 0;             ///< enabled, a fault is probable, not enough for the list
   std::vector<UnjudgedReason> reasons;   ///< of the unjudgeable, most loops first
   std::vector<NotControllingRow> without_controller;  ///< by area and name
-  std::int64_t annotations = 0;                  ///< behind `annotated`; several may hide a finding
-  std::vector<AnnotatedRow> newest_annotations;  ///< of those, at most thirty, the newest first
+  std::int64_t annotations = 0;  ///< behind `annotated`; several may hide a finding
+  std::vector<HiddenLoopRow> newest_annotations;  ///< of those, at most thirty, the newest first
   std::int64_t now_us = 0;  ///< the database's clock at the beginning of the view
 };
 
@@ -198,18 +201,20 @@ struct LoopRow {
   std::int64_t loop_id = 0;
   std::string name, source;
   std::optional<std::string> loop_type, area, unit, description;
+  std::string searched;  ///< name, description and owner in small letters, as the database has them
+  /// Places in the order of the database's collation, whatever the case; equal texts have one
+  /// place. nullopt = the loop has none.
+  std::optional<std::int64_t> name_place, area_place, unit_place;
   bool enabled = false;
   double importance = 0.0;
-  std::string state;                 ///< one of loop_states()
+  std::string state;  ///< flagged, off the list, not flagged, never analysed, disabled
   std::optional<std::string> code;   ///< nullopt = never analysed, as the next three
   std::optional<double> confidence;  ///< 0 to 1
   std::optional<std::int64_t> slot_end_us;
   std::optional<std::string> summary;
   std::optional<std::string> status;  ///< watch or confirmed; nullopt = not flagged
   std::optional<std::int64_t> rank;   ///< in flagged_loop
-  /// Why a fault is not flagged: "annotated", "victim", "confidence", "control" (not
-  /// probable enough by all windows, or the false-discovery control) or "disabled"; nullopt =
-  /// flagged, or no fault.
+  /// Why a fault is not flagged, in words; nullopt = flagged, or no fault.
   std::optional<std::string> hidden_by;
   std::string health;                     ///< state of monitor_health
   std::optional<std::string> follows;     ///< the shared oscillation, in words; nullopt = none

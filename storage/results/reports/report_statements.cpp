@@ -20,7 +20,7 @@ const std::string kOrEarlier =
 std::string flagged_columns() {
   return R"((SELECT named.pv_unit FROM loopscope.loop AS named
              WHERE named.loop_id = listed.loop_id) AS pv_unit,
-            rank, loop_id, loop_name, source, loop_type, code, score, severity, importance,
+            rank, loop_id, loop_name, source, loop_type, area, unit, description, code, score, severity, importance,
             kind_weight, confidence, combined_confidence, fault_probability, p, nonlinear_p,
             status, )" +
          us("since") + " AS since_us, " + kOrEarlier + ", " + us("slot_end") +
@@ -51,11 +51,10 @@ std::string repairs_where(const std::string& condition) {
 
 const Statement kReportNow{"report_now", "SELECT " + us("now()") + " AS now_us", Rows::one};
 
-const Statement kReportCounts{"report_counts",
-                              "WITH flagged AS MATERIALIZED (SELECT since, " + kOrEarlier +
-                                  R"( FROM loopscope.flagged_loop AS listed),
-    hidden AS MATERIALIZED (SELECT loop_id, hidden_by FROM loopscope.hidden_loop),
-    newest AS MATERIALIZED (SELECT code FROM loopscope.own_verdict WHERE enabled),
+const Statement kSmallLetters{"small_letters", "SELECT lower($1::text) AS text", Rows::one};
+
+const Statement kReportCounts{"report_counts", R"(
+    WITH newest AS MATERIALIZED (SELECT code FROM loopscope.own_verdict WHERE enabled),
     catalogue AS (SELECT count(*) AS loops, count(*) FILTER (WHERE enabled) AS enabled
                   FROM loopscope.loop)
     SELECT loops, enabled,
@@ -64,18 +63,11 @@ const Statement kReportCounts{"report_counts",
            (SELECT count(*) FROM newest WHERE code = 'insufficient_data') AS unjudgeable,
            (SELECT count(*) FROM newest WHERE code = 'not_controlling') AS not_controlling,
            (SELECT avg(week_fraction) FROM loopscope.service_factor)::float8 AS service_factor,
-           (SELECT count(DISTINCT loop_id) FROM hidden
-            WHERE hidden_by IN ('probability', 'chance')) AS unlisted,
            enabled - (SELECT count(*) FROM newest) AS never_analysed,
-           (SELECT count(*) FROM flagged) AS flagged,
-           (SELECT count(*) FROM flagged WHERE since > $1::timestamptz AND NOT or_earlier) AS new_flags,
            (SELECT count(DISTINCT (loop_id, job.begins_at))
             FROM loopscope.before_after_maintenance AS repair
             JOIN loopscope.maintenance_job AS job USING (maintenance_event_id, loop_id)
             WHERE repair.done_at > $1::timestamptz AND repair.word = 'fixed') AS fixed,
-           (SELECT count(DISTINCT loop_id) FROM hidden WHERE hidden_by = 'victim') AS victims,
-           (SELECT count(DISTINCT loop_id) FROM hidden
-            WHERE hidden_by NOT IN ('victim', 'probability', 'chance')) AS annotated,
            )" + us("now()") + R"( AS now_us
     FROM catalogue)",
                               Rows::one};
@@ -102,15 +94,6 @@ const Statement kNotControlling{"not_controlling", R"(
                                                        us("lost_since") +
                                                        R"( AS since_us, week_fraction
     FROM loopscope.service_factor WHERE NOT controlling ORDER BY area NULLS LAST, loop_name)"};
-
-const Statement kAnnotatedFindings{"annotated_findings",
-                                   R"(
-    SELECT loop_id, loop_name, code, hidden_by, reason, author, )" +
-                                       us("entered_at") + " AS entered_us, " + us("until") +
-                                       R"( AS until_us, plant_oscillation_number,
-           source_loop_name, on_behalf_of, count(*) OVER () AS annotations
-    FROM loopscope.hidden_loop WHERE annotation_id IS NOT NULL
-    ORDER BY entered_at DESC, annotation_id DESC LIMIT 30)"};
 
 const Statement kReportFlagged{
     "report_flagged",
@@ -149,13 +132,13 @@ const Statement kReportRepairs{"report_repairs",
 
 const Statement kRepairsOfLoop{"repairs_of_loop", repairs_where("repair.loop_id = $1::bigint")};
 
-const Statement kHiddenBy{"hidden_by",
-                          R"(
-    SELECT hidden_by, reason, author, )" +
-                              us("entered_at") + " AS entered_us, " + us("until") + R"( AS until_us,
+const Statement kHiddenLoops{"hidden_loops", R"(
+    SELECT loop_id, loop_name, code, hidden_by, reason, author, )" +
+                                                 us("entered_at") + " AS entered_us, " +
+                                                 us("until") +
+                                                 R"( AS until_us, annotation_id,
            plant_oscillation_number, source_loop_name, on_behalf_of
-    FROM loopscope.hidden_loop WHERE loop_id = $1::bigint
-    ORDER BY plant_oscillation_number NULLS LAST, entered_at)"};
+    FROM loopscope.hidden_loop ORDER BY loop_id, plant_oscillation_number NULLS LAST, entered_at)"};
 
 // Without a remedy it is nobody's to repair: a figure of the signal, which the section tells below.
 const Statement kLoopProblems{"loop_problems", R"(

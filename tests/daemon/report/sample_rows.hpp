@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "daemon/report/sections/plant_section.hpp"
+#include "daemon/report/plant/plant_section.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {

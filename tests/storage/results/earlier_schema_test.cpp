@@ -47,7 +47,7 @@ TextRows columns_of_views(const tests::TestDatabase& database) {
 
 TEST_F(EarlierSchema, KeepsEveryRowAndTheOrderOfItsColumns) {
   for (const auto& [version, next] :
-       {std::pair{106, "0107_names_and_totals"}, {108, "0109_runs"}}) {
+       {std::pair{106, "0107_names_and_totals"}, {108, "0109_runs"}, {109, "0110_hidden_loops"}}) {
     tests::TestDatabase made;
     make(made, version);
     const std::string said =
@@ -57,6 +57,10 @@ TEST_F(EarlierSchema, KeepsEveryRowAndTheOrderOfItsColumns) {
         "SELECT row(maintenance_event_id, loop_id, done_at, kind, description, author,"
         " entered_at)::text FROM loopscope.maintenance_event";
     const std::string list = "SELECT row(list.*)::text FROM loopscope.flagged_loop AS list";
+    const std::string off_the_list =
+        "SELECT loop_name, hidden_by, cause, probability::text FROM loopscope.hidden_loop"
+        " ORDER BY 1, 2";
+    const TextRows hidden = made.rows(off_the_list);
     const TextRows annotations = made.rows(said), events = made.rows(work),
                    listed = made.rows(list);
     const TextRows columns = columns_of_views(made);
@@ -64,6 +68,7 @@ TEST_F(EarlierSchema, KeepsEveryRowAndTheOrderOfItsColumns) {
     EXPECT_EQ(made.rows(said), annotations);
     EXPECT_EQ(made.rows(work), events);
     EXPECT_EQ(made.rows(list), listed);
+    EXPECT_EQ(made.rows(off_the_list), hidden);
     const TextRows after = columns_of_views(made);
     for (const auto& column : columns)
       EXPECT_THAT(after, testing::Contains(column)) << column[0] << '.' << column[2];

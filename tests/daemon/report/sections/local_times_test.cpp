@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "daemon/report/page/page_frame.hpp"
-#include "daemon/report/sections/event_box.hpp"
+#include "daemon/report/plant/event_box.hpp"
+#include "daemon/report/plant/plant_section.hpp"
 #include "daemon/report/sections/loop_list.hpp"
 #include "daemon/report/sections/loop_section.hpp"
-#include "daemon/report/sections/plant_section.hpp"
 #include "daemon/report/sections/why_not_listed.hpp"
 #include "tests/daemon/report/event_rows.hpp"
 #include "tests/daemon/report/markup.hpp"
@@ -31,7 +31,7 @@ std::string plant_words(std::int64_t time_us, const std::string& zone) {
   facts.counts.without_controller.front().since_us = time_us;
   facts.counts.reasons.front().remedy = "Wait until 2026-03-01 12:00 UTC";
   for (storage::FlaggedRow& row : facts.flagged) row.since_us = row.slot_end_us = time_us;
-  return words_of(plant_section(facts, LoopLinks::sections).html);
+  return words_of(plant_section(facts, LoopLinks::sections({1, 2})).html);
 }
 
 std::string loop_words(std::int64_t time_us, const std::string& zone) {
@@ -98,7 +98,7 @@ TEST(LocalTimes, ListsAndBoxes) {
               HasSubstr("| 2026-10-25 02:00 CET\n"));
   storage::PlantOscillationRow event = sample_event(3);
   event.slot_end_us = kBerlinBack_us;
-  EXPECT_THAT(words_of(event_box(event, {}, {}, LoopLinks::pages, berlin).html),
+  EXPECT_THAT(words_of(event_box(event, {}, LoopLinks::pages(), berlin).html),
               HasSubstr("2026-10-25 02:00 CET"));
   const storage::HiddenRow hidden{"suppressed",      "shut down", "eve", kBerlinForward_us - 1,
                                   kBerlinForward_us, {},          {}};

@@ -32,16 +32,15 @@ TEST(LoopList, LinksToLoopsThatHaveAPage) {
   EXPECT_EQ(unbalanced(text), "");
 }
 
-storage::LoopListing many() {
-  storage::LoopListing listing{std::vector<storage::LoopRow>(kLoopsOnPage), 1001, 5000};
+LoopListing many() {
+  LoopListing listing{std::vector<storage::LoopRow>(kLoopsOnPage), 1001, 5000};
   listing.areas = {"north", "south"};
   listing.verdicts = {"healthy", "none"};
-  listing.states = storage::loop_states();
   return listing;
 }
 
 TEST(LoopList, LeadsToOtherPagesAndOrdersOfTheSameQuestion) {
-  const storage::LoopQuery query =
+  const LoopQuery query =
       loop_query({{"area", "north"}, {"page", "3"}, {"order", "name"}, {"q", "FIC"}});
   const std::string text = loop_list(many(), query, {}).html;
   EXPECT_THAT(text, HasSubstr("<output>301 to 450 of 1001 (5000 in all)</output>"));
@@ -90,7 +89,7 @@ TEST(LoopList, SaysWhatWasAskedForAlsoWhereNoLoopHasIt) {
 
 /// Long names, every field filled.
 TEST(LoopList, APageIsBelow200KB) {
-  storage::LoopListing listing = many();
+  LoopListing listing = many();
   for (storage::LoopRow& row : listing.loops) {
     row.name = "NORTH/CRUDE/FIC-10234A/PID1";
     row.area = row.unit = "North, crude distillation";
@@ -118,9 +117,9 @@ TEST(LoopList, NoHostileNameChangesTheMarkup) {
     hidden.hidden_by = text;
     hidden.shown_code = "external_disturbance";
     row.area = row.unit = row.description = text;
-    storage::LoopListing listing{.loops = {row, hidden}, .fitting = 500, .all = 500};
-    listing.areas = listing.units = listing.verdicts = listing.states = {text};
-    storage::LoopQuery query;
+    LoopListing listing{.loops = {row, hidden}, .fitting = 500, .all = 500};
+    listing.areas = listing.units = listing.verdicts = {text};
+    LoopQuery query;
     query.part = query.area = text;
     return loop_list(listing, query, {}).html;
   };

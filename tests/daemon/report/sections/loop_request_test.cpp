@@ -5,8 +5,6 @@
 namespace loopscope::daemon {
 namespace {
 
-using storage::LoopOrder;
-
 TEST(LoopRequest, ReadsWhatAnAddressAsksFor) {
   const auto asked = loop_query({{"q", "FIC 1"},
                                  {"area", "north"},

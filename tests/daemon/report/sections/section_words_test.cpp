@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "daemon/report/plant/event_box.hpp"
+#include "daemon/report/plant/plant_section.hpp"
 #include "daemon/report/sections/chain_table.hpp"
-#include "daemon/report/sections/event_box.hpp"
 #include "daemon/report/sections/loop_list.hpp"
 #include "daemon/report/sections/loop_section.hpp"
-#include "daemon/report/sections/plant_section.hpp"
 #include "tests/daemon/report/event_rows.hpp"
 #include "tests/daemon/report/markup.hpp"
 #include "tests/daemon/report/sample_rows.hpp"
@@ -93,7 +93,7 @@ TEST(SectionWords, ALoopThatIsOnlyShaken) {
 TEST(SectionWords, AnOscillationOfThreeLoops) {
   storage::PlantOscillationRow event = sample_event(3);
   event.members[0].reasons = {"It leads.", "Against it: the others lead it."};
-  EXPECT_EQ(words_of(event_box(event, {}, {}, LoopLinks::pages, {}).html),
+  EXPECT_EQ(words_of(event_box(event, {}, LoopLinks::pages(), {}).html),
             "Plant-wide oscillation 1: period 40 s, 3 loops\n"
             "Source: L1. L1 leads.\n"
             "Found in windows until 1970-01-01 00:00 UTC.\n"
@@ -127,26 +127,30 @@ TEST(SectionWords, ThePlant) {
   facts.oscillations.clear();
   facts.flagged.resize(1);
   EXPECT_EQ(
-      words_of(plant_section(facts, LoopLinks::sections).html),
+      words_of(plant_section(facts, LoopLinks::sections({1, 2})).html),
       "13 loops 12 enabled\n"
       "9 judged newest window could be judged\n"
       "1 not in control service factor 93 %\n"
       "2 flagged action needed\n"
       "1 new since 2026-03-01 11:59 UTC\n"
       "3 fixed repairs since then\n"
-      "1 unjudgeable 3 \u00d7 FIC101; 1 never analysed\n"
-      "Not on the list: 4 loops affected by a shared oscillation, 5 findings that people have "
-      "acknowledged, suppressed or marked as false (below), 6 faults not sure enough (view "
-      "hidden_loop).\n"
+      "1 unjudgeable why: below; 1 never analysed\n"
       "Work list\n"
+      "Rank | Loop | Verdict | Confidence | Status | Since (UTC) | Priority\n"
+      "1 | FIC101 FIC101 source of oscillation 1 | Valve stiction | 0.63 | confirmed | "
+      "2026-03-01 12:00 new | 0.504\n"
       "Dead measurements first, then by priority = severity (1 less the middle of the Harris "
       "index) "
       "\u00d7 importance of the loop \u00d7 weight of the kind of fault \u00d7 confidence, shown "
       "with each loop. Status: not yet confirmed until a second window that shares no sample with "
       "the first says the same.\n"
-      "Rank | Loop | Verdict | Confidence | Status | Since (UTC) | Priority | Action\n"
-      "1 | FIC101 FIC101 source of oscillation 1 | Valve stiction | 0.63 | confirmed | "
-      "2026-03-01 12:00 new | 0.504 | FIC101\n"
+      "Not on the list: 4 loops affected by a shared oscillation, 5 findings that people have "
+      "acknowledged, suppressed or marked as false (below), 6 faults not sure enough (view "
+      "hidden_loop).\n"
+      "What to do\n"
+      "Kind of fault | Loops | New | Action\n"
+      "Valve stiction | 1 | 1 | Check in the field: put the controller in manual, step the output "
+      "by 0.5 % at a time and watch when the stem moves; then packing, actuator and positioner.\n"
       "Taken off the list by people\n"
       "Loop | Verdict | What was said | By | When | Until | Reason\n"
       "FIC101 | Valve stiction | Acknowledged | FIC101 | 2026-03-01 12:00 UTC | work is entered | "
@@ -168,14 +172,14 @@ TEST(SectionWords, ThePlant) {
       "Loops that cannot be judged\n"
       "Loops | Reason | Which | What to do\n"
       "3 | FIC101 | FIC101, TIC9 and 1 more | FIC101\n");
-  EXPECT_EQ(words_of(plant_section({}, LoopLinks::sections).html),
+  EXPECT_EQ(words_of(plant_section({}, LoopLinks::sections({1, 2})).html),
             "0 loops 0 enabled\n"
             "0 judged newest window could be judged\n"
             "0 not in control no mode or output recorded\n"
             "0 flagged action needed\n"
             "0 new since 1970-01-01 00:00 UTC\n"
             "0 fixed repairs since then\n"
-            "0 unjudgeable 0 never analysed\n"
+            "0 unjudgeable why: below; 0 never analysed\n"
             "Work list\n"
             "No loop is flagged: nothing to act on.\n");
 }
@@ -196,7 +200,8 @@ TEST(SectionWords, AllLoops) {
   never.state = "never analysed";
   EXPECT_EQ(
       words_of(loop_list({.loops = {row, never}, .fitting = 2, .all = 24}, {}, {}).html),
-      "All verdicts\nAll states\nby Loop\nby Area\nby Unit\nby Verdict\nby Confidence\nby State\n"
+      "All verdicts\nAll states\nflagged\noff the list\nnot flagged\nnever analysed\ndisabled\n"
+      "by Loop\nby Area\nby Unit\nby Verdict\nby Confidence\nby State\n"
       "by Rank\nby Window until\nreverse order\nShow\n1 to 2 of 2 (24 in all)\n"
       "Loop | Area | Unit | Verdict | Confidence | State | Rank | Window until | Monitor\n"
       "TIC2 | \u2013 | \u2013 | External disturbance by itself healthy | 0.93 | off the list "

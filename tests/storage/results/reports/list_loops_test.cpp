@@ -4,13 +4,13 @@
 #include "storage/results/reports/report_database.hpp"
 #include "tests/storage/results/views_fixture.hpp"
 
-/// Pages of the catalogue's loops: what fits, in which order, and how many there are.
+/// Every loop of the catalogue with its place on the lists and in the orders of the database.
 namespace loopscope::storage {
 namespace {
 
 using core::diagnosis::VerdictCode;
-using testing::ElementsAre;
-using testing::IsEmpty;
+using testing::Optional;
+using testing::StartsWith;
 
 class ListLoopsTest : public ViewsTest {
  protected:
@@ -18,84 +18,64 @@ class ListLoopsTest : public ViewsTest {
     ViewsTest::SetUp();
     tell({{.loop = "FIC1"},
           {.loop = "FIC2", .confidence = 0.9, .slot_hours = 2},
-          {.loop = "LIC3", .code = VerdictCode::healthy, .confidence = 0.7},
+          {.loop = "lic3", .code = VerdictCode::healthy, .confidence = 0.7},
           {.loop = "TIC4", .code = VerdictCode::tight_tuning, .confidence = 0.1},
-          {.loop = "off", .code = VerdictCode::healthy, .confidence = 0.8}});
+          {.loop = "off", .confidence = 0.8}});
     add_loops({"new"});
     database->execute(
         "UPDATE loopscope.loop SET area = 'north', description = 'Reflux', owner = 'Dr. Meier'"
-        " WHERE name IN ('FIC1', 'LIC3');"
+        " WHERE name IN ('FIC1', 'lic3');"
         "UPDATE loopscope.loop SET area = 'South', unit = 'crude' WHERE name = 'FIC2'");
     Catalogue(settings_for(*database)).set_enabled(std::vector<std::string>{"off"}, false);
   }
-  [[nodiscard]] LoopListing list(LoopQuery query) const {
-    if (query.most == 0) query.most = 100;
-    return ReportDatabase(settings_for(*database)).loops(query);
+  [[nodiscard]] std::vector<LoopRow> list() const {
+    return ReportDatabase(settings_for(*database)).loops();
   }
-  [[nodiscard]] std::vector<std::string> names(const LoopQuery& query) const {
-    std::vector<std::string> found;
-    for (const LoopRow& loop : list(query).loops) found.push_back(loop.name);
-    return found;
+  [[nodiscard]] LoopRow find(const std::string& name) const {
+    for (const LoopRow& loop : list())
+      if (loop.name == name) return loop;
+    return {};
   }
 };
 
-TEST_F(ListLoopsTest, FindsByAreaUnitVerdictStateAndWords) {
-  EXPECT_THAT(names({.area = "north"}), ElementsAre("FIC1", "LIC3"));
-  EXPECT_THAT(names({.unit = "crude"}), ElementsAre("FIC2"));
-  EXPECT_THAT(names({.verdict = "healthy"}), ElementsAre("LIC3", "off"));
-  EXPECT_THAT(names({.verdict = "none"}), ElementsAre("new"));
-  EXPECT_THAT(names({.state = "flagged"}), ElementsAre("FIC1", "FIC2"));
-  EXPECT_THAT(names({.state = "off the list"}), ElementsAre("TIC4"));
-  EXPECT_THAT(names({.state = "not flagged"}), ElementsAre("LIC3"));
-  EXPECT_THAT(names({.state = "never analysed"}), ElementsAre("new"));
-  EXPECT_THAT(names({.state = "disabled"}), ElementsAre("off"));
-  EXPECT_THAT(names({.part = "ic"}), ElementsAre("FIC1", "FIC2", "LIC3", "TIC4"));
-  EXPECT_THAT(names({.part = "refLUX"}), ElementsAre("FIC1", "LIC3"));
-  EXPECT_THAT(names({.part = "meier", .state = "flagged"}), ElementsAre("FIC1"));
-  EXPECT_THAT(names({.part = "%"}), IsEmpty()) << "words, no pattern";
-  EXPECT_THAT(names({.part = std::string("\0\xff", 2)}), IsEmpty());
+TEST_F(ListLoopsTest, TellsTheStateOfEachAndWhyItIsNotListed) {
+  std::vector<std::string> states;
+  for (const LoopRow& loop : list()) states.push_back(loop.name + ": " + loop.state);
+  EXPECT_EQ(states.at(0) + ", " + states.at(1), "FIC1: flagged, FIC2: flagged");
+  EXPECT_THAT(std::vector(states.begin() + 2, states.end()),
+              testing::UnorderedElementsAre("TIC4: off the list", "lic3: not flagged",
+                                            "new: never analysed", "off: disabled"));
+  EXPECT_THAT(find("TIC4").hidden_by, Optional(StartsWith("not sure enough for the list (prob")));
+  EXPECT_THAT(find("off").hidden_by, Optional(std::string("disabled")));
+  EXPECT_EQ(find("lic3").hidden_by, std::nullopt);
+  EXPECT_EQ(find("FIC1").rank, 1);
+  EXPECT_EQ(find("FIC1").status, "watch");
+  EXPECT_EQ(find("FIC1").health, "ok");
+  EXPECT_EQ(find("new").confidence, std::nullopt);
 }
 
-/// What has none of what the order goes by stands behind, whichever way.
-TEST_F(ListLoopsTest, InEveryOrderAndBackwards) {
-  EXPECT_THAT(names({}), ElementsAre("FIC1", "FIC2", "LIC3", "TIC4", "new", "off"));
-  EXPECT_THAT(names({.order = LoopOrder::name, .backwards = true}),
-              ElementsAre("TIC4", "off", "new", "LIC3", "FIC2", "FIC1"));
-  EXPECT_THAT(names({.part = "IC", .order = LoopOrder::area}),
-              ElementsAre("FIC1", "LIC3", "FIC2", "TIC4"));
-  EXPECT_THAT(names({.part = "IC", .order = LoopOrder::area, .backwards = true}),
-              ElementsAre("FIC2", "FIC1", "LIC3", "TIC4"));
-  EXPECT_THAT(names({.order = LoopOrder::confidence}),
-              ElementsAre("FIC1", "FIC2", "off", "LIC3", "TIC4", "new"));
-  EXPECT_THAT(names({.order = LoopOrder::confidence, .backwards = true}),
-              ElementsAre("TIC4", "LIC3", "off", "FIC2", "FIC1", "new"));
-  EXPECT_THAT(names({.order = LoopOrder::verdict}),
-              ElementsAre("LIC3", "off", "TIC4", "FIC1", "FIC2", "new"));
-  EXPECT_EQ(names({.order = LoopOrder::window}).front(), "FIC2");
+TEST_F(ListLoopsTest, TellsWhoTookAFaultOffTheList) {
+  database->execute(
+      "INSERT INTO loopscope.annotation (loop_id, kind) SELECT loop_id, 'acknowledged'"
+      " FROM loopscope.loop WHERE name = 'FIC1'");
+  EXPECT_EQ(find("FIC1").state, "off the list");
+  EXPECT_EQ(find("FIC1").hidden_by, "annotated");
+  EXPECT_EQ(find("FIC1").rank, std::nullopt);
+  EXPECT_EQ(find("FIC2").rank, 1);
 }
 
-TEST_F(ListLoopsTest, PagesHoldEveryLoopOnce) {
-  std::vector<std::string> seen;
-  for (const std::int64_t skip : {0, 4, 8}) {
-    const LoopListing page = list({.order = LoopOrder::state, .skip = skip, .most = 4});
-    EXPECT_EQ(page.all, 6);
-    EXPECT_EQ(page.fitting, 6) << "on all pages, also where none is left for this one";
-    for (const LoopRow& loop : page.loops) seen.push_back(loop.name);
-  }
-  EXPECT_THAT(seen, testing::UnorderedElementsAre("FIC1", "FIC2", "LIC3", "TIC4", "new", "off"));
-  const LoopListing none = list({.area = "west"});
-  EXPECT_EQ(none.fitting, 0);
-  EXPECT_EQ(none.all, 6);
-}
-
-TEST_F(ListLoopsTest, OffersWhatLoopsHave) {
-  const LoopListing page = list({.area = "north"});
-  EXPECT_THAT(page.areas, testing::UnorderedElementsAre("north", "South"));
-  EXPECT_THAT(page.units, ElementsAre("crude"));
-  EXPECT_THAT(page.verdicts, ElementsAre("healthy", "tight_tuning", "valve_stiction", "none"));
-  EXPECT_EQ(page.states, loop_states());
-  EXPECT_EQ(page.loops.front().description, "Reflux");
-  EXPECT_EQ(page.loops.front().health, "ok");
+/// Places are those of the database's collation, whatever the case.
+TEST_F(ListLoopsTest, TellsTheDatabasesOrderAndSmallLetters) {
+  EXPECT_LT(find("FIC2").name_place, find("lic3").name_place);
+  EXPECT_LT(find("lic3").name_place, find("TIC4").name_place);
+  EXPECT_EQ(find("FIC1").area_place, find("lic3").area_place);
+  EXPECT_LT(find("FIC1").area_place, find("FIC2").area_place);
+  EXPECT_EQ(find("TIC4").area_place, std::nullopt);
+  EXPECT_EQ(find("TIC4").unit_place, std::nullopt);
+  EXPECT_EQ(find("FIC1").searched, "fic1 reflux dr. meier");
+  ReportDatabase database_of(settings_for(*database));
+  EXPECT_EQ(database_of.in_small_letters("reFLUX"), "reflux");
+  EXPECT_EQ(database_of.in_small_letters("\xff"), "") << "no text of the database can hold it";
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ TEST_F(ReportOfPeopleTest, FindingsTakenOffTheListAreToldNewestFirst) {
   const PlantCounts counts = report().counts(0);
   EXPECT_EQ(counts.annotations, 2) << "what hides no fault is not told";
   ASSERT_THAT(counts.newest_annotations, SizeIs(2));
-  const AnnotatedRow& b = counts.newest_annotations[0];
-  const AnnotatedRow& a = counts.newest_annotations[1];
+  const HiddenLoopRow& b = counts.newest_annotations[0];
+  const HiddenLoopRow& a = counts.newest_annotations[1];
   EXPECT_EQ(b.loop_name + ": " + b.said.hidden_by + ", " + b.said.reason,
             "b: suppressed, shutdown");
   EXPECT_EQ(b.said.until_us, until_us);

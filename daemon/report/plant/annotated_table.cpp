@@ -1,4 +1,4 @@
-#include "daemon/report/sections/annotated_table.hpp"
+#include "daemon/report/plant/annotated_table.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 namespace loopscope::daemon {
 namespace {
 
-using storage::AnnotatedRow;
+using storage::HiddenLoopRow;
 
 /// In as many words as `annotate list`; the note below the table has the rest.
 std::string until_words(const storage::HiddenRow& said, const TimeZone& zone) {
@@ -18,9 +18,9 @@ std::string until_words(const storage::HiddenRow& said, const TimeZone& zone) {
   return said.hidden_by == "acknowledged" ? "work is entered" : "withdrawn";
 }
 
-Fields annotated_fields(const AnnotatedRow& row, LoopLinks links, const TimeZone& zone) {
+Fields annotated_fields(const HiddenLoopRow& row, const LoopLinks& links, const TimeZone& zone) {
   const storage::HiddenRow& said = row.said;
-  return {{"link", links == LoopLinks::pages ? loop_link(links, row.loop_id, row.loop_name) : ""},
+  return {{"link", links.to_page(row.loop_name)},
           {"name", row.loop_name},
           {"code", row.code},
           {"verdict", as_heading(row.code)},
@@ -40,13 +40,10 @@ std::string others_text(const storage::PlantCounts& counts) {
 
 }  // namespace
 
-std::string deed_words(const std::string& hidden_by) {
-  return hidden_by == "false_positive" ? "Marked as a false positive" : as_heading(hidden_by);
-}
-
-Markup annotated_table(const storage::PlantCounts& counts, LoopLinks links, const TimeZone& zone) {
+Markup annotated_table(const storage::PlantCounts& counts, const LoopLinks& links,
+                       const TimeZone& zone) {
   if (counts.newest_annotations.empty()) return {};
-  const auto fields = [&](const AnnotatedRow& row) { return annotated_fields(row, links, zone); };
+  const auto fields = [&](const HiddenLoopRow& row) { return annotated_fields(row, links, zone); };
   return render("annotated_table", {{"annotated", rows(counts.newest_annotations, fields)},
                                     {"others", others_text(counts)}});
 }

@@ -1,4 +1,4 @@
-#include "daemon/report/sections/event_box.hpp"
+#include "daemon/report/plant/event_box.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,9 @@
 #include "core/text/counted.hpp"
 #include "core/text/phrases.hpp"
 #include "daemon/report/page/template.hpp"
+#include "daemon/report/plant/follow_map.hpp"
 #include "daemon/report/sections/cause_bars.hpp"
-#include "daemon/report/sections/follow_map.hpp"
 #include "daemon/report/sections/picture_rows.hpp"
-#include "daemon/report/text/html_text.hpp"
 #include "daemon/report/text/page_text.hpp"
 #include "daemon/text/time_text.hpp"
 
@@ -30,15 +29,6 @@ constexpr double kLeastOdds = 0.03;
 constexpr std::size_t kMostRowsOfBox = 16;
 /// Statements begin so that speak against a loop (core/plant/source_evidence).
 constexpr std::string_view kAgainst = "Against it: ";
-
-/// A victim has no section of its own in a report: it is not in the work list.
-std::string link_to(const Member& member, std::span<const storage::FlaggedRow> flagged,
-                    LoopLinks links) {
-  const bool listed =
-      std::ranges::find(flagged, member.loop_id, &storage::FlaggedRow::loop_id) != flagged.end();
-  if (links == LoopLinks::sections && !listed) return {};
-  return loop_link(links, member.loop_id, member.loop_name);
-}
 
 /// The colour stands in the drawing: WeasyPrint 57 gives those in a page no style of the page.
 Fields odds_fields(double probability, const char* colour) {
@@ -117,10 +107,9 @@ Fields member_fields(const Member& member, const PlantOscillationRow& event, std
 }  // namespace
 
 Markup event_box(const PlantOscillationRow& event, std::span<const Picture> pictures,
-                 std::span<const storage::FlaggedRow> flagged, LoopLinks links,
-                 const TimeZone& zone) {
+                 const LoopLinks& links, const TimeZone& zone) {
   const auto fields = [&](const Member& member) {
-    return member_fields(member, event, link_to(member, flagged, links));
+    return member_fields(member, event, links.to_loop(member.loop_id, member.loop_name));
   };
   const std::span<const Member> members(event.members);
   const std::size_t shown = std::min(kMostRowsOfBox, members.size());
@@ -130,6 +119,7 @@ Markup event_box(const PlantOscillationRow& event, std::span<const Picture> pict
   return render(
       "event_box",
       {{"number", event.number},
+       {"folded", !links.is_live()},
        {"period", core::text::duration(event.period_s)},
        {"loops", core::text::counted(static_cast<std::int64_t>(members.size()), "loop", "loops")},
        {"source", event.source_name.value_or("")},
@@ -143,6 +133,16 @@ Markup event_box(const PlantOscillationRow& event, std::span<const Picture> pict
        {"members", rows(members.first(shown), fields)},
        {"others", others == 0 ? "" : core::text::counted(others, "loop", "loops")},
        {"smaller", rows(members.subspan(shown), fields)}});
+}
+
+Markup event_boxes(std::span<const PlantOscillationRow> events, const EventAlbum& album,
+                   const std::string& picture_trouble, const LoopLinks& links,
+                   const TimeZone& zone) {
+  if (events.empty()) return {};
+  std::vector<Markup> boxes;
+  for (const PlantOscillationRow& event : events)
+    boxes.push_back(event_box(event, album.of_event(event.number), links, zone));
+  return render("event_boxes", {{"picture_trouble", picture_trouble}, {"boxes", boxes}});
 }
 
 }  // namespace loopscope::daemon

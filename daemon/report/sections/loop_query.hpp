@@ -1,19 +1,22 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "storage/results/reports/report_rows.hpp"
 
-namespace loopscope::storage {
+namespace loopscope::daemon {
 
 /// By what a list of loops is in order; loops that are equal in it, or have none, by rank and name.
 enum class LoopOrder { rank, name, area, unit, verdict, confidence, state, window };
 
 /// Their names, in that order.
 [[nodiscard]] const std::vector<std::string>& loop_orders();
+
+/// flagged, off the list, not flagged, never analysed, disabled: each loop has one of them.
+[[nodiscard]] const std::vector<std::string>& loop_states();
 
 /// Which loops of the catalogue are wanted; an empty text asks for any.
 struct LoopQuery {
@@ -30,14 +33,20 @@ struct LoopQuery {
 
 /// What a page of such a list shows.
 struct LoopListing {
-  std::vector<LoopRow> loops = {};
+  std::vector<storage::LoopRow> loops = {};
   std::int64_t fitting = 0;  ///< loops that are asked for, on all pages
   std::int64_t all = 0;      ///< of the catalogue
   /// What can be asked for: each that a loop of the catalogue has, in order.
-  std::vector<std::string> areas = {}, units = {}, verdicts = {}, states = {};
+  std::vector<std::string> areas = {}, units = {}, verdicts = {};
 };
 
-/// flagged, off the list, not flagged, never analysed, disabled: each loop has one of them.
-[[nodiscard]] const std::vector<std::string>& loop_states();
+/// A page of `loops`, which are by rank and name (ReportDatabase::loops). `part` is that of the
+/// query in small letters. Behind the last page that one.
+[[nodiscard]] LoopListing choose_loops(std::span<const storage::LoopRow> loops,
+                                       const LoopQuery& query, const std::string& part);
 
-}  // namespace loopscope::storage
+/// A loop's verdict as it is shown, of one that others shake "external_disturbance"; "none" = it
+/// was never analysed.
+[[nodiscard]] std::string shown_verdict(const storage::LoopRow& loop);
+
+}  // namespace loopscope::daemon

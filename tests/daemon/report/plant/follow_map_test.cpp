@@ -1,4 +1,4 @@
-#include "daemon/report/sections/follow_map.hpp"
+#include "daemon/report/plant/follow_map.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,9 @@
-#include "daemon/report/sections/event_box.hpp"
+#include "daemon/report/plant/event_box.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "daemon/report/text/html_text.hpp"
 #include "tests/daemon/report/event_rows.hpp"
 #include "tests/daemon/report/markup.hpp"
 #include "tests/daemon/report/sample_rows.hpp"
@@ -15,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string box_of(const storage::PlantOscillationRow& event) {
-  return event_box(event, {}, {}, LoopLinks::pages, {}).html;
+  return event_box(event, {}, LoopLinks::pages(), {}).html;
 }
 
 TEST(EventBox, SaysHowProbableEachSourceIsAndWhatSpeaksForIt) {
@@ -62,7 +63,7 @@ TEST(EventBox, ManyMembersAreNamedBelowTheTable) {
 
 TEST(EventBox, ShowsItsPictures) {
   const std::vector<Picture> pictures = {{"Trends", "words", "<svg/>", 560, 400}};
-  const std::string text = event_box(sample_event(3), pictures, {}, LoopLinks::pages, {}).html;
+  const std::string text = event_box(sample_event(3), pictures, LoopLinks::pages(), {}).html;
   EXPECT_THAT(text, HasSubstr("<figcaption>Trends</figcaption>"));
   EXPECT_THAT(text, HasSubstr("<figcaption>Who follows whom</figcaption>"));
 }
@@ -83,10 +84,19 @@ TEST(EventBox, ARoundOfAProgramOfBeforeShowsWhatThereIs) {
 }
 
 TEST(EventBox, AReportLinksToLoopsOfItsListOnly) {
-  const std::vector<storage::FlaggedRow> flagged = {flagged_row(2, "L2")};
-  const std::string text = event_box(sample_event(3), {}, flagged, LoopLinks::sections, {}).html;
+  std::string text = event_box(sample_event(3), {}, LoopLinks::sections({2}), {}).html;
   EXPECT_THAT(text, HasSubstr("<a href=\"#loop-2\">"));
   EXPECT_THAT(text, Not(HasSubstr("href=\"#loop-3\"")));
+  EXPECT_THAT(text, Not(HasSubstr("/loop?name=L3")));
+  text = event_box(sample_event(3), {}, LoopLinks::sections({2}, "https://pages"), {}).html;
+  EXPECT_THAT(text, HasSubstr("<a href=\"https://pages/loop?name=L3\">"));
+}
+
+TEST(EventBox, IsFoldedInAReport) {
+  EXPECT_THAT(event_box(sample_event(3), {}, LoopLinks::sections({}), {}).html,
+              HasSubstr("<details class=\"fold\"><summary>"));
+  EXPECT_THAT(event_box(sample_event(3), {}, LoopLinks::pages(), {}).html,
+              Not(HasSubstr("class=\"fold\"")));
 }
 
 TEST(EventBox, NoHostileNameChangesTheMarkup) {
@@ -96,7 +106,7 @@ TEST(EventBox, NoHostileNameChangesTheMarkup) {
     for (auto& member : event.members) member.loop_name = member.role = text;
     event.members[0].reasons = {text, "Against it: " + text};
     const std::vector<Picture> pictures = {{text, text, "<svg/>", 560, 400}};
-    return event_box(event, pictures, {}, LoopLinks::pages, {}).html;
+    return event_box(event, pictures, LoopLinks::pages(), {}).html;
   };
   for (const auto& [about, name] : tests::hostile_names()) {
     EXPECT_EQ(tags_of(box_with(name)), tags_of(box_with("words"))) << about << ": " << name;

@@ -1,4 +1,4 @@
-#include "daemon/report/sections/annotated_table.hpp"
+#include "daemon/report/plant/annotated_table.hpp"
 
 #include <gmock/gmock.h>
 
@@ -30,7 +30,7 @@ storage::PlantCounts counts() {
 }
 
 TEST(AnnotatedTable, TellsWhoSaidWhatAndUntilWhen) {
-  const std::string text = annotated_table(counts(), LoopLinks::pages, {}).html;
+  const std::string text = annotated_table(counts(), LoopLinks::pages(), {}).html;
   EXPECT_THAT(text, AllOf(HasSubstr("<a href=\"/loop?name=FIC101\"><bdi>FIC101</bdi></a>"),
                           HasSubstr("<span class=\"verdict valve_stiction\">Valve stiction</span>"),
                           HasSubstr(">Acknowledged</td>"),
@@ -46,10 +46,10 @@ TEST(AnnotatedTable, TellsWhoSaidWhatAndUntilWhen) {
 TEST(AnnotatedTable, WhatIsNotShownIsCounted) {
   storage::PlantCounts many = counts();
   many.annotations = 43;
-  EXPECT_THAT(annotated_table(many, LoopLinks::sections, {}).html,
+  EXPECT_THAT(annotated_table(many, LoopLinks::sections({1, 2}), {}).html,
               AllOf(HasSubstr("40 more, older than these: view hidden_loop. An acknowledged"),
                     Not(HasSubstr("href"))));
-  EXPECT_EQ(annotated_table({}, LoopLinks::pages, {}).html, "");
+  EXPECT_EQ(annotated_table({}, LoopLinks::pages(), {}).html, "");
 }
 
 }  // namespace
