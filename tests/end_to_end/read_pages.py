@@ -9,13 +9,12 @@ import json
 import shutil
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 from selenium import webdriver
+from selenium.common.exceptions import WebDriverException
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
-from selenium.webdriver.support.expected_conditions import staleness_of
 from selenium.webdriver.support.ui import WebDriverWait
 
 WINDOWS = {"desktop": (1440, 900), "phone": (390, 844)}
@@ -23,9 +22,10 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-
          "--disable-background-networking", "--disable-component-update", "--disable-sync",
          "--disable-dev-shm-usage", "--hide-scrollbars"]
 
-# The live pages answer 503 with Retry-After: 2 when a page takes longer than 4 s.
-RETRY_AFTER_S = 2
-PATIENCE = 20
+# Of a page that the server makes behind whoever analyses: until then it answers 503 every 4 s, and
+# the browser asks again by itself.
+PATIENCE_S = 120
+COME_AGAIN = 503
 
 
 def require(condition, words):
@@ -48,24 +48,35 @@ class Reader:
         width, height = WINDOWS[window]
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": height, "deviceScaleFactor": 1, "mobile": window == "phone"})
-        complaints = self.load(url)
-        # The server draws pages behind whoever analyses: where all are busy it asks to come again.
-        for _ in range(PATIENCE):
-            if not any("status of 503" in words for words in complaints):
-                break
-            time.sleep(RETRY_AFTER_S)
-            complaints = self.load(url)
-        require(not complaints, f"{url}: the console says {complaints}")
-        asked = list(self.requests())
-        require(asked == [url], f"{url} asks for {asked}")
-        self.require_width(url, window)
-
-    def load(self, url):
-        """What the page says on the console."""
         self.driver.get_log("browser")
         self.driver.get_log("performance")
         self.driver.get(url)
-        return [entry["message"] for entry in self.driver.get_log("browser")]
+        self.arrive(lambda address: address == url, url)
+        complaints = self.complaints()
+        require(not complaints, f"{url}: the console says {complaints}")
+        asked = set(self.requests())
+        require(asked == {url}, f"{url} asks for {asked}")
+        self.require_width(url, window)
+
+    def arrive(self, is_right, words):
+        """Waits until a page at an address that is_right is there whole, and is not the one that
+        asks to come again. No element of the page before is looked at: between two pages such a
+        question fails in many ways."""
+        def arrived(_):
+            try:
+                state, status, address = self.run(
+                    "[document.readyState, "
+                    "performance.getEntriesByType('navigation')[0].responseStatus, location.href]")
+            except WebDriverException:  # between two pages
+                return False
+            return state == "complete" and status != COME_AGAIN and is_right(address)
+
+        WebDriverWait(self.driver, PATIENCE_S).until(arrived, f"{words} does not come")
+
+    def complaints(self):
+        """What was said on the console, but for answers that ask to come again."""
+        said = [entry["message"] for entry in self.driver.get_log("browser")]
+        return [words for words in said if f"status of {COME_AGAIN}" not in words]
 
     def requests(self):
         for entry in self.driver.get_log("performance"):
@@ -137,14 +148,15 @@ def require_order_of_cards(reader, place):
 
 
 def names(reader):
-    return [cell.text for cell in reader.all("table.loops td.loop-name bdi:first-of-type")]
+    return reader.run("Array.from(document.querySelectorAll("
+                      "'table.loops td.loop-name bdi:first-of-type')).map(b => b.textContent)")
 
 
 def go(reader, element):
-    """To the page that the element leads to."""
+    """To the page that the element leads to, which has another address."""
+    before = reader.run("location.href")
     element.click()
-    WebDriverWait(reader.driver, 30).until(staleness_of(element))
-    WebDriverWait(reader.driver, 30).until(lambda _: reader.run("document.readyState") == "complete")
+    reader.arrive(lambda address: address != before, f"the page behind {before}")
 
 
 def ask(reader, name, value):
