@@ -17,6 +17,8 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
 
+from read_trend import require, require_trend
+
 WINDOWS = {"desktop": (1440, 900), "phone": (390, 844)}
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
          "--disable-background-networking", "--disable-component-update", "--disable-sync",
@@ -26,11 +28,6 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-
 # the browser asks again by itself.
 PATIENCE_S = 120
 COME_AGAIN = 503
-
-
-def require(condition, words):
-    if not condition:
-        raise AssertionError(words)
 
 
 class Reader:
@@ -234,10 +231,12 @@ def read_live(reader, base, folder):
     require_filtering(reader, "/")
     links = [link.get_attribute("href") for link in reader.all("table.ranking td.loop-name a")]
     require(links, "the plant's page links to no loop")
-    for link in links:
+    for number, link in enumerate(links):
         for window in WINDOWS:
             reader.open(link, window)
             require_pictures(reader, link)
+            if number == 0:
+                require_trend(reader, link, window, folder)
     reader.shoot(folder / "live_loop_phone.png")
 
 
