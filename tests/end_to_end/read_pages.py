@@ -26,8 +26,9 @@ FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-
 
 # Of a page that the server makes behind whoever analyses: until then it answers 503 every 4 s, and
 # the browser asks again by itself.
-PATIENCE_S = 120
 COME_AGAIN = 503
+PATIENCE_S = 120
+PATIENCE = 10
 
 
 class Reader:
@@ -45,15 +46,25 @@ class Reader:
         width, height = WINDOWS[window]
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": height, "deviceScaleFactor": 1, "mobile": window == "phone"})
+        complaints = self.load(url)
+        for _ in range(PATIENCE):
+            if not any(f"status of {COME_AGAIN}" in words for words in complaints):
+                break
+            # The page that asked to come again has no icon, and is not what is read here: the one
+            # that came is at hand.
+            complaints = self.load(url)
+        require(not complaints, f"{url}: the console says {complaints}")
+        asked = list(self.requests())
+        require(asked == [url], f"{url} asks for {asked}")
+        self.require_width(url, window)
+
+    def load(self, url):
+        """What is said on the console until the page is there."""
         self.driver.get_log("browser")
         self.driver.get_log("performance")
         self.driver.get(url)
         self.arrive(lambda address: address == url, url)
-        complaints = self.complaints()
-        require(not complaints, f"{url}: the console says {complaints}")
-        asked = set(self.requests())
-        require(asked == {url}, f"{url} asks for {asked}")
-        self.require_width(url, window)
+        return self.complaints()
 
     def arrive(self, is_right, words):
         """Waits until a page at an address that is_right is there whole, and is not the one that
@@ -71,9 +82,8 @@ class Reader:
         WebDriverWait(self.driver, PATIENCE_S).until(arrived, f"{words} does not come")
 
     def complaints(self):
-        """What was said on the console, but for answers that ask to come again."""
-        said = [entry["message"] for entry in self.driver.get_log("browser")]
-        return [words for words in said if f"status of {COME_AGAIN}" not in words]
+        """What was said on the console since it was asked."""
+        return [entry["message"] for entry in self.driver.get_log("browser")]
 
     def requests(self):
         for entry in self.driver.get_log("performance"):
