@@ -1,8 +1,10 @@
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 
 #include "tests/end_to_end/plant.hpp"
 #include "tests/support/source_dir.hpp"
@@ -11,6 +13,9 @@ namespace loopscope::tests {
 namespace {
 
 using testing::HasSubstr;
+
+/// An hour is judged when it ends: the imports end where the hour before did.
+constexpr const char* kAtOnce = R"("schedule": {"settle_s": 0})";
 
 /// Several kinds of fault, under names that would break out of a page that lets them.
 void make_hostile_plant(const Plant& plant) {
@@ -30,11 +35,15 @@ bool can_browse() {
 
 TEST(Browser, ReportAndLivePagesAreWhatTheyShouldBe) {
   if (!can_browse()) GTEST_SKIP() << "no chromium, chromium-driver or python3-selenium";
+  // The daemon's pages are of the hour that the imports belong to.
+  wait_for_hour_with(std::chrono::seconds(60));
   const Plant plant;
+  plant.write_settings(Plant::settings(kAtOnce));
   make_hostile_plant(plant);
   const std::string folder = plant.folder() / "reports";
   ASSERT_EQ(plant.loopscope("report", {"--out", folder}).exit_code, 0);
-  plant.write_settings(Plant::settings(R"("daemon": {"http_address": "127.0.0.1:0"})"));
+  plant.write_settings(
+      Plant::settings(std::string(kAtOnce) + R"(, "daemon": {"http_address": "127.0.0.1:0"})"));
   const std::filesystem::path log = plant.folder() / "daemon.log";
   BackgroundProgram daemon(plant.command_line("run"), log);
   const std::string address = pages_of(log);

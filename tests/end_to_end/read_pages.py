@@ -9,28 +9,26 @@ import json
 import shutil
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 from selenium import webdriver
+from selenium.common.exceptions import WebDriverException
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
-from selenium.webdriver.support.expected_conditions import staleness_of
 from selenium.webdriver.support.ui import WebDriverWait
+
+from read_trend import require, require_trend
 
 WINDOWS = {"desktop": (1440, 900), "phone": (390, 844)}
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
          "--disable-background-networking", "--disable-component-update", "--disable-sync",
          "--disable-dev-shm-usage", "--hide-scrollbars"]
 
-# The live pages answer 503 with Retry-After: 2 when a page takes longer than 4 s.
-RETRY_AFTER_S = 2
-PATIENCE = 20
-
-
-def require(condition, words):
-    if not condition:
-        raise AssertionError(words)
+# Of a page that the server makes behind whoever analyses: until then it answers 503 every 4 s, and
+# the browser asks again by itself.
+COME_AGAIN = 503
+PATIENCE_S = 120
+PATIENCE = 10
 
 
 class Reader:
@@ -49,11 +47,11 @@ class Reader:
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": height, "deviceScaleFactor": 1, "mobile": window == "phone"})
         complaints = self.load(url)
-        # The server draws pages behind whoever analyses: where all are busy it asks to come again.
         for _ in range(PATIENCE):
-            if not any("status of 503" in words for words in complaints):
+            if not any(f"status of {COME_AGAIN}" in words for words in complaints):
                 break
-            time.sleep(RETRY_AFTER_S)
+            # The page that asked to come again has no icon, and is not what is read here: the one
+            # that came is at hand.
             complaints = self.load(url)
         require(not complaints, f"{url}: the console says {complaints}")
         asked = list(self.requests())
@@ -61,10 +59,30 @@ class Reader:
         self.require_width(url, window)
 
     def load(self, url):
-        """What the page says on the console."""
+        """What is said on the console until the page is there."""
         self.driver.get_log("browser")
         self.driver.get_log("performance")
         self.driver.get(url)
+        self.arrive(lambda address: address == url, url)
+        return self.complaints()
+
+    def arrive(self, is_right, words):
+        """Waits until a page at an address that is_right is there whole, and is not the one that
+        asks to come again. No element of the page before is looked at: between two pages such a
+        question fails in many ways."""
+        def arrived(_):
+            try:
+                state, status, address = self.run(
+                    "[document.readyState, "
+                    "performance.getEntriesByType('navigation')[0].responseStatus, location.href]")
+            except WebDriverException:  # between two pages
+                return False
+            return state == "complete" and status != COME_AGAIN and is_right(address)
+
+        WebDriverWait(self.driver, PATIENCE_S).until(arrived, f"{words} does not come")
+
+    def complaints(self):
+        """What was said on the console since it was asked."""
         return [entry["message"] for entry in self.driver.get_log("browser")]
 
     def requests(self):
@@ -137,14 +155,15 @@ def require_order_of_cards(reader, place):
 
 
 def names(reader):
-    return [cell.text for cell in reader.all("table.loops td.loop-name bdi:first-of-type")]
+    return reader.run("Array.from(document.querySelectorAll("
+                      "'table.loops td.loop-name bdi:first-of-type')).map(b => b.textContent)")
 
 
 def go(reader, element):
-    """To the page that the element leads to."""
+    """To the page that the element leads to, which has another address."""
+    before = reader.run("location.href")
     element.click()
-    WebDriverWait(reader.driver, 30).until(staleness_of(element))
-    WebDriverWait(reader.driver, 30).until(lambda _: reader.run("document.readyState") == "complete")
+    reader.arrive(lambda address: address != before, f"the page behind {before}")
 
 
 def ask(reader, name, value):
@@ -222,10 +241,12 @@ def read_live(reader, base, folder):
     require_filtering(reader, "/")
     links = [link.get_attribute("href") for link in reader.all("table.ranking td.loop-name a")]
     require(links, "the plant's page links to no loop")
-    for link in links:
+    for number, link in enumerate(links):
         for window in WINDOWS:
             reader.open(link, window)
             require_pictures(reader, link)
+            if number == 0:
+                require_trend(reader, link, window, folder)
     reader.shoot(folder / "live_loop_phone.png")
 
 

@@ -77,7 +77,8 @@ std::vector<Picture> draw_figures(std::span<const Figure> figures,
   std::vector<Picture> pictures;
   for (std::size_t k = 0; k < figures.size(); ++k) {
     const Figure& figure = figures[k];
-    pictures.push_back({figure.title, figure.alt, documents[k], figure.width, figure.height});
+    pictures.push_back(
+        {figure.title, figure.alt, documents[k], figure.width, figure.height, figure.whole_window});
   }
   return pictures;
 }

@@ -14,6 +14,7 @@ struct Figure {
       script;        ///< of gnuplot: its data blocks and one plot, on a canvas `width` by `height`
   int width = 520;   ///< CSS pixels
   int height = 320;  ///< CSS pixels
+  bool whole_window = false;  ///< a live page shows a trend that can be zoomed in its place
 };
 
 /// A drawn figure.
@@ -23,6 +24,7 @@ struct Picture {
   std::string svg;
   int width = 0;
   int height = 0;
+  bool whole_window = false;  ///< as of its figure
 };
 
 }  // namespace loopscope::daemon

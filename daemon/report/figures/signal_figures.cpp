@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "core/signal/grid.hpp"
 #include "core/signal/order/spread.hpp"
@@ -157,7 +158,9 @@ Stretch telling_stretch(const LoopEvidence& evidence) {
 
 std::vector<Figure> trend_figures(const LoopEvidence& evidence, const TimeZone& zone) {
   if (evidence.prepared.pv.empty()) return {};
-  return {trend(evidence, {0, evidence.prepared.pv.size()}, zone, "Trends, whole window"),
+  Figure whole = trend(evidence, {0, evidence.prepared.pv.size()}, zone, "Trends, whole window");
+  whole.whole_window = true;
+  return {std::move(whole),
           trend(evidence, telling_stretch(evidence), zone, "Trends, a few cycles of it")};
 }
 

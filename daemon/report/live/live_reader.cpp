@@ -7,6 +7,7 @@
 
 #include "core/text/counted.hpp"
 #include "daemon/report/figures/draw_figures.hpp"
+#include "daemon/report/live/live_trend.hpp"
 #include "daemon/report/loop_report.hpp"
 #include "daemon/report/page/page_frame.hpp"
 #include "daemon/report/page/template.hpp"
@@ -162,11 +163,15 @@ LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) 
     if (!listed) loop_report.hidden = plant.hidden_by(row->loop_id);
   }
   look(loop_report, stop);
+  const Markup trend = loop_report.evidence
+                           ? live_trend(*loop_report.evidence, loop_report.row.pv_unit, zone_)
+                           : Markup();
   return {page({titled(settings_->report.plant, name),
                 {"window until " + minute_in_zone(loop_report.row.slot_end_us, zone_)},
                 true,
-                zone_.name()},
-               {loop_section(loop_report)})};
+                zone_.name(),
+                !trend.html.empty()},
+               {loop_section(loop_report, trend)})};
 }
 
 }  // namespace loopscope::daemon

@@ -1,5 +1,5 @@
-# Writes OUTPUT, a source file that holds page.css and page.js of FOLDER with their digests, which a
-# page's Content-Security-Policy names, and the templates of FOLDER/templates.
+# Writes OUTPUT, a source file that holds page.css, page.js and the script of FOLDER/trend with their
+# digests, which a page's Content-Security-Policy names, and the templates of FOLDER/templates.
 
 # `text` as a raw string, which ends where its delimiter stands.
 function(raw_string result file text)
@@ -17,6 +17,19 @@ function(read_asset result file)
   set(${result} "{${string}, \"${digest}\"}" PARENT_SCOPE)
 endfunction()
 
+# The files of FOLDER/trend as one script with names of its own; trend.js, which starts it, is the last.
+function(read_trend result)
+  set(script "(function () {\n\"use strict\";\n\n")
+  foreach(name samples clock view scale paint controls trend)
+    file(READ ${FOLDER}/trend/${name}.js text)
+    string(APPEND script "${text}\n")
+  endforeach()
+  string(APPEND script "})();\n")
+  string(SHA256 digest "${script}")
+  raw_string(string trend "${script}")
+  set(${result} "{${string}, \"${digest}\"}" PARENT_SCOPE)
+endfunction()
+
 function(read_template result file)
   file(READ ${file} text)
   raw_string(string ${file} "${text}")
@@ -26,6 +39,7 @@ endfunction()
 
 read_asset(style page.css)
 read_asset(script page.js)
+read_trend(trend)
 set(templates "")
 file(GLOB files ${FOLDER}/templates/*.html)
 foreach(file IN LISTS files)
@@ -49,6 +63,10 @@ PageAsset page_style() {
 
 PageAsset page_script() {
   return ${script};
+}
+
+PageAsset trend_script() {
+  return ${trend};
 }
 
 std::span<const PageTemplate> page_templates() {

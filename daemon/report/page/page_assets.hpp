@@ -4,7 +4,7 @@
 
 namespace loopscope::daemon {
 
-/// A file of this folder that stands in every page, compiled in by embed_page.cmake.
+/// What stands in a page as it is, compiled in by embed_page.cmake.
 struct PageAsset {
   const char* text;
   const char* sha256;  ///< of its text, 64 hexadecimal digits
@@ -12,6 +12,8 @@ struct PageAsset {
 
 [[nodiscard]] PageAsset page_style();
 [[nodiscard]] PageAsset page_script();
+/// Of a loop's live page alone: the files of trend/, one behind the other.
+[[nodiscard]] PageAsset trend_script();
 
 /// A file of templates/, compiled in by embed_page.cmake.
 struct PageTemplate {

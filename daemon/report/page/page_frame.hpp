@@ -8,7 +8,7 @@
 namespace loopscope::daemon {
 
 /// The policy of every page: no outside request whatever, pictures out of the page itself, and only
-/// the style and the script that this program was built with.
+/// the style and the scripts that this program was built with.
 [[nodiscard]] const std::string& content_security_policy();
 
 /// What stands around the content of a page.
@@ -17,6 +17,7 @@ struct PageFrame {
   std::vector<std::string> subtitle;  ///< time span and zone, in parts that no line breaks up
   bool navigation = false;            ///< with links to the live pages
   std::string zone = "UTC";           ///< name of the zone of all times, as TimeZone::name()
+  bool trend = false;                 ///< with the script of a trend that can be zoomed
 };
 
 /// A whole page in one file: head with its policy, style and script, `sections`, foot.

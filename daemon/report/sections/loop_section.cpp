@@ -172,8 +172,8 @@ Markup explanation_table(const Explanation& explanation, const std::string& pv_u
                                       {"rest", rest_texts(explanation, pv_unit)}});
 }
 
-Markup loop_section(const LoopReport& loop_report) {
-  Fields fields;
+Markup loop_section(const LoopReport& loop_report, const Markup& trend) {
+  Fields fields = {{"trend", trend}};
   for (Fields& part :
        std::array{heading(loop_report), following(loop_report), findings(loop_report),
                   reasons(loop_report.row), parts(loop_report)})

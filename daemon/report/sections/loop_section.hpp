@@ -29,8 +29,9 @@ struct LoopReport {
 };
 
 /// One loop as HTML: cause, action, evidence, pictures, what led to the explanation and its errors,
-/// data, repairs.
-[[nodiscard]] Markup loop_section(const LoopReport& loop_report);
+/// data, repairs. A live page has a `trend` that takes the place of the picture of the whole window
+/// where a script runs.
+[[nodiscard]] Markup loop_section(const LoopReport& loop_report, const Markup& trend = {});
 
 /// The table of the model's errors before and after each effect, and what is left; in `pv_unit`
 /// where it is known (empty = not).

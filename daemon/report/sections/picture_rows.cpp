@@ -6,11 +6,9 @@ namespace loopscope::daemon {
 namespace {
 
 Fields picture_fields(const Picture& picture) {
-  return {{"title", picture.title},
-          {"src", svg_uri(picture.svg)},
-          {"width", picture.width},
-          {"height", picture.height},
-          {"alt", picture.alt}};
+  return {{"title", picture.title}, {"src", svg_uri(picture.svg)},
+          {"width", picture.width}, {"height", picture.height},
+          {"alt", picture.alt},     {"whole_window", picture.whole_window}};
 }
 
 }  // namespace
