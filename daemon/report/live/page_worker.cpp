@@ -95,8 +95,8 @@ void PageWorker::run(const std::stop_token& stop) {
   yield_to_analysis();
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
-    const bool somebody_waits = changed_.wait_for(lock, stop, std::chrono::seconds(1),
-                                                  [this] { return !waiting_.empty(); });
+    const bool somebody_waits =
+        changed_.wait_for(lock, stop, limits_.pause, [this] { return !waiting_.empty(); });
     if (somebody_waits) {
       make_next(lock, stop);
     } else if (between_ && !stop.stop_requested()) {

@@ -29,10 +29,11 @@ class PageWorker {
     /// Readers that wait at a time: half of the connections that one address may have, so that
     /// others of that address (a proxy, this host) get theirs (ConnectionTable).
     std::size_t most_waiting = 128;
+    Clock::duration pause = std::chrono::seconds(1);  ///< after which nobody is expected at once
   };
 
   PageWorker() : PageWorker(Limits{}) {}
-  /// `between`: what is done every second in which nobody waits, on the same thread; it must not
+  /// `between`: what is done after every pause in which nobody waited, on the same thread; it must not
   /// throw, and lives as long as this.
   explicit PageWorker(Limits limits, std::function<void()> between = {});
   /// What is being made is told to stop, and awaited.

@@ -133,6 +133,13 @@ TEST(PageWorker, AFailureIsAnAnswerWithoutItsWords) {
   EXPECT_EQ(answer(worker, "/b", saying("well")).body, "well");
 }
 
+TEST(PageWorker, HasSomethingToDoWhileNobodyWaits) {
+  std::atomic<int> times = 0;
+  PageWorker worker({.pause = 1ms}, [&times] { ++times; });
+  while (times < 3) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(answer(worker, "/", saying("well")).body, "well");
+}
+
 TEST(PageWorker, TellsWhatIsBeingMadeToStop) {
   std::atomic<bool> stopped = false;
   ReplySlot slot;
