@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 
 #include "storage/array_literal.hpp"
 #include "storage/historian/find_partitions.hpp"
 #include "storage/historian/find_tags.hpp"
 #include "storage/historian/growing_spans.hpp"
+#include "storage/historian/largest_time.hpp"
 #include "storage/historian/merge_series.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
@@ -40,6 +42,14 @@ constexpr auto kNewestSpans_us = [] {
 ConnectionSettings as_reader(ConnectionSettings settings) {
   settings.read_only = true;
   return settings;
+}
+
+/// The spans in which newest rows are looked for, shortest first. Where one look tells, however far
+/// back, the longest will do; but each table of a list is a look of its own.
+std::span<const std::int64_t> newest_spans(const ResolvedLayout& layout) {
+  const bool at_once =
+      layout.largest_elsewhere && !layout.partitions && layout.layout.shape == Shape::narrow;
+  return std::span(kNewestSpans_us).last(at_once ? 1 : kNewestSpans_us.size());
 }
 
 /// The parts that were read of every request, one a place.
@@ -105,9 +115,10 @@ struct HistorianReader::Impl {
         layout(resolve_layout(connection, source)),
         scans(connection, layout) {
     if (layout.partitions) partitions.emplace(connection, layout);
-    if (source.shape != Shape::narrow) return;
-    connection.run(
-        historian_statements::try_read(layout, value_of(connection, layout, "").value()));
+    if (source.shape == Shape::narrow)
+      connection.run(
+          historian_statements::try_read(layout, value_of(connection, layout, "").value()));
+    layout.largest_elsewhere = asks_for_largest(connection, layout);
   }
 
   std::vector<std::string> relations(std::int64_t from_us, std::int64_t to_us) {
@@ -121,7 +132,10 @@ struct HistorianReader::Impl {
       return of_tag.empty() || of_tag.front().column.empty() ||
              layout.data.types.contains(of_tag.front().column);
     });
-    if (!all_known) layout = resolve_layout(connection, layout.layout);
+    if (all_known) return;
+    const bool largest_elsewhere = layout.largest_elsewhere;
+    layout = resolve_layout(connection, layout.layout);
+    layout.largest_elsewhere = largest_elsewhere;
   }
 
   /// Raises the entries of `newest` that the batch's keys stand for.
@@ -197,7 +211,7 @@ std::vector<std::optional<std::int64_t>> HistorianReader::newest(std::span<const
   impl_->look_again(places);
   std::vector<std::optional<std::int64_t>> newest(tags.size());
   auto keys = keys_by_column(places);
-  for (const std::int64_t span_us : kNewestSpans_us) {
+  for (const std::int64_t span_us : newest_spans(impl_->layout)) {
     impl_->newest_within(clamp_time(not_after_us) - span_us, not_after_us, keys, newest);
     forget_found(keys, newest);
     if (keys.empty()) break;

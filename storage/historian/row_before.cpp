@@ -1,6 +1,7 @@
 #include "storage/historian/row_before.hpp"
 
 #include "storage/historian/growing_spans.hpp"
+#include "storage/historian/largest_time.hpp"
 #include "storage/historian/scan_sql.hpp"
 
 namespace loopscope::storage::historian_statements {
@@ -19,20 +20,36 @@ std::string row_of(const ResolvedLayout& layout, const std::string& value) {
   return order_of(layout).columns + time_sql(layout) + " AS time, " + value + " AS value";
 }
 
-/// The newest time before each request's span, as the column has it.
-std::string newest_time_elsewhere(const ResolvedLayout& layout,
-                                  const std::vector<std::string>& relations,
-                                  const std::string& value) {
+/// WHERE of one of the growing spans before a request's.
+std::string before_within(const ResolvedLayout& layout, std::size_t span,
+                          const std::string& value) {
+  return key_is_requested(layout) + layout.time +
+         " >= " + bound_sql(layout, "request.before_" + std::to_string(span)) + " AND " +
+         before_span(layout) + has_value(layout, value);
+}
+
+std::string newest_of_spans(const ResolvedLayout& layout, const std::vector<std::string>& relations,
+                            const std::string& value) {
   std::string spans;
   for (std::size_t k = 0; k < kGrowingSpans_us.size(); ++k) {
-    const std::string from = bound_sql(layout, "request.before_" + std::to_string(k));
-    const std::string within = key_is_requested(layout) + layout.time + " >= " + from + " AND " +
-                               before_span(layout) + has_value(layout, value);
     spans += (k == 0 ? "" : " UNION ALL ") +
-             ("(SELECT u.o0 FROM " + all_of(relations, layout.time + " AS o0", within) +
+             ("(SELECT u.o0 FROM " +
+              all_of(relations, layout.time + " AS o0", before_within(layout, k, value)) +
               " AS u ORDER BY u.o0 DESC LIMIT 1)");
   }
   return "SELECT n.o0 FROM (" + spans + ") AS n LIMIT 1";
+}
+
+/// The newest time before each request's span, as the column has it. That a value has to be there
+/// is not in the index of the other server: it would read the year for the largest time.
+std::string newest_time_elsewhere(const ResolvedLayout& layout,
+                                  const std::vector<std::string>& relations,
+                                  const std::string& value) {
+  if (!layout.largest_elsewhere || layout.layout.null_is_absent)
+    return newest_of_spans(layout, relations, value);
+  const std::string within = before_within(layout, kGrowingSpans_us.size() - 1, value);
+  return "SELECT n.o0 FROM (" + largest_time(layout, relations, within) +
+         ") AS n WHERE n.o0 IS NOT NULL";
 }
 
 // Only the order of the times goes over to the other server: mysql_fdw offers a CASE for ordering

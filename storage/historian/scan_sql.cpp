@@ -8,9 +8,13 @@ std::string native(const ResolvedLayout& layout) {
   return native_type(layout.layout.time_kind);
 }
 
+std::string time_sql(const ResolvedLayout& layout, const std::string& time) {
+  if (!layout.zone.empty()) return "(" + time + " AT TIME ZONE " + layout.zone + ")";
+  return time + "::" + native(layout);
+}
+
 std::string time_sql(const ResolvedLayout& layout) {
-  if (!layout.zone.empty()) return "(" + layout.time + " AT TIME ZONE " + layout.zone + ")";
-  if (layout.nanos.empty()) return layout.time + "::" + native(layout);
+  if (layout.nanos.empty() || !layout.zone.empty()) return time_sql(layout, layout.time);
   return "(date_trunc('second', " + layout.time + ") + (" + layout.nanos +
          " / 1000) * interval '1 microsecond')";
 }

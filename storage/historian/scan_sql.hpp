@@ -15,6 +15,8 @@ namespace loopscope::storage::historian_statements {
 
 /// The time as that type.
 [[nodiscard]] std::string time_sql(const ResolvedLayout& layout);
+/// The same of another expression than the column, without nanoseconds.
+[[nodiscard]] std::string time_sql(const ResolvedLayout& layout, const std::string& time);
 
 /// A bound in the column's own type: a conversion of the column would keep its index from use.
 [[nodiscard]] std::string bound_sql(const ResolvedLayout& layout, const std::string& bound);

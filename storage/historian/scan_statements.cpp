@@ -1,6 +1,7 @@
 #include "storage/historian/scan_statements.hpp"
 
 #include "storage/historian/growing_spans.hpp"
+#include "storage/historian/largest_time.hpp"
 #include "storage/historian/row_before.hpp"
 #include "storage/historian/scan_sql.hpp"
 
@@ -97,6 +98,21 @@ std::string span_sql(const ResolvedLayout& layout, const std::vector<std::string
          " AS u ORDER BY " + order.newest_first + " LIMIT request.max_rows) AS x";
 }
 
+std::string newest_first(const ResolvedLayout& layout, const std::vector<std::string>& relations,
+                         const std::string& within) {
+  const Order order = order_of(layout);
+  return "SELECT u.time FROM " +
+         in_order(layout,
+                  all_of(relations, order.columns + time_sql(layout) + " AS time", within)) +
+         " AS u ORDER BY " + order.newest_first + " LIMIT 1";
+}
+
+std::string largest(const ResolvedLayout& layout, const std::vector<std::string>& relations,
+                    const std::string& within) {
+  return "SELECT " + time_sql(layout, "n.o0") + " AS time FROM (" +
+         largest_time(layout, relations, within) + ") AS n WHERE n.o0 IS NOT NULL";
+}
+
 std::string values_of_span(const std::vector<ScanColumn>& columns) {
   std::string names;
   for (std::size_t k = 0; k < columns.size(); ++k) names += ", span.v" + std::to_string(k);
@@ -152,17 +168,16 @@ Statement newest_rows(const ResolvedLayout& layout, const std::vector<std::strin
       layout.key.empty() ? "(SELECT 1::int8 AS slot) AS request"
                          : "unnest(" + keys.parameters.substr(0, keys.parameters.size() - 2) +
                                ") WITH ORDINALITY AS request (" + keys.names + "slot)";
-  const Order order = order_of(layout);
   std::string within = key_is_requested(layout) + layout.time +
                        " >= " + bound_sql(layout, parameter(next, type)) + " AND " + layout.time +
                        " <= " + bound_sql(layout, parameter(next + 1, type));
   if (!column.empty()) within += " AND " + column + " IS NOT NULL";
-  return {"newest_rows",
-          "SELECT request.slot, newest.time FROM " + request +
-              " CROSS JOIN LATERAL (SELECT u.time" + " FROM " +
-              in_order(layout,
-                       all_of(relations, order.columns + time_sql(layout) + " AS time", within)) +
-              " AS u ORDER BY " + order.newest_first + " LIMIT 1) AS newest"};
+  const bool largest_tells = layout.largest_elsewhere && column.empty();
+  return {"newest_rows", "SELECT request.slot, newest.time FROM " + request +
+                             " CROSS JOIN LATERAL (" +
+                             (largest_tells ? largest(layout, relations, within)
+                                            : newest_first(layout, relations, within)) +
+                             ") AS newest"};
 }
 
 Statement newest_row(const ResolvedLayout& layout, const std::string& relation) {

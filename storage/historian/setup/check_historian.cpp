@@ -5,6 +5,7 @@
 
 #include "storage/check_connection.hpp"
 #include "storage/historian/check_index.hpp"
+#include "storage/historian/largest_time.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
 #include "storage/historian/scan_statements.hpp"
@@ -40,13 +41,14 @@ std::vector<Finding> check_historian(const ConnectionSettings& settings,
     findings = check_connection(reader);
     PqConnection connection(reader);
     findings.push_back({true, "connected to the " + connection.target(), "", false});
-    const ResolvedLayout resolved = resolve_layout(connection, layout);
+    ResolvedLayout resolved = resolve_layout(connection, layout);
     if (const auto lacking = check_read_rights(connection, resolved)) {
       findings.push_back(*lacking);
       return findings;
     }
     connection.run(historian_statements::try_read(resolved, any_value(connection, resolved)));
     findings.push_back({true, resolved.data.sql + " has the columns and can be read", "", false});
+    resolved.largest_elsewhere = asks_for_largest(connection, resolved);
     check_reading(connection, resolved, findings);
   } catch (const DatabaseError& error) {
     findings.push_back({false, error.what(), error.hint(), false});
