@@ -6,6 +6,7 @@
 #include <span>
 
 #include "storage/array_literal.hpp"
+#include "storage/error.hpp"
 #include "storage/historian/find_partitions.hpp"
 #include "storage/historian/find_tags.hpp"
 #include "storage/historian/growing_spans.hpp"
@@ -20,6 +21,7 @@
 #include "storage/historian/statements.hpp"
 #include "storage/historian/tag_value.hpp"
 #include "storage/timestamp.hpp"
+#include "storage/utf8.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -42,6 +44,18 @@ constexpr auto kNewestSpans_us = [] {
 ConnectionSettings as_reader(ConnectionSettings settings) {
   settings.read_only = true;
   return settings;
+}
+
+// SQLSTATE of a data exception: other windows can be read.
+constexpr const char* kOneWindow = "22000";
+
+/// While the table is being written, no loop of the historian can be judged.
+[[noreturn]] void refuse_missing(const ResolvedLayout& layout, const Partitions::Missing& missing) {
+  throw DatabaseError("no foreign table " + make_storable(missing.name) + ", which " +
+                          layout.layout.partitions->relation + " lists, historian " +
+                          layout.layout.source,
+                      "import it: loopscope check-config prints the statement", Remedy::give_up,
+                      missing.last ? "" : kOneWindow);
 }
 
 /// The spans in which newest rows are looked for, shortest first. Where one look tells, however far
@@ -125,6 +139,14 @@ struct HistorianReader::Impl {
     return partitions ? partitions->within(from_us, to_us) : std::vector{layout.data.sql};
   }
 
+  /// A listed table that is not in PostgreSQL was dropped by the historian; but of another server
+  /// it is mostly there and was not imported here, and its rows would be missing without a word.
+  void require_imported(std::int64_t from_us, std::int64_t to_us) const {
+    if (!layout.foreign || !partitions) return;
+    const auto missing = partitions->missing(from_us, to_us);
+    if (!missing.empty()) refuse_missing(layout, missing.front());
+  }
+
   /// Historians add columns and tables while they run.
   void look_again(std::span<const std::vector<TagPlace>> places) {
     if (partitions) partitions->refresh();
@@ -189,6 +211,8 @@ std::vector<RawSeries> HistorianReader::read(std::span<const TagRequest> request
   for (const TagRequest& request : requests) tags.push_back(request.tag);
   const Places places = find_tags(impl_->connection, impl_->layout, tags);
   impl_->look_again(places);
+  for (const TagRequest& request : requests)
+    impl_->require_imported(request.from_us, request.to_us);
   std::vector<std::vector<RawSeries>> parts = empty_parts(places);
   const auto tables_of = [this](std::int64_t from_us, std::int64_t to_us) {
     return impl_->relations(from_us, to_us);
@@ -209,6 +233,7 @@ std::vector<std::optional<std::int64_t>> HistorianReader::newest(std::span<const
                                                                  std::int64_t not_after_us) {
   const Places places = find_tags(impl_->connection, impl_->layout, tags);
   impl_->look_again(places);
+  impl_->require_imported(not_after_us, not_after_us);
   std::vector<std::optional<std::int64_t>> newest(tags.size());
   auto keys = keys_by_column(places);
   for (const std::int64_t span_us : newest_spans(impl_->layout)) {

@@ -9,6 +9,7 @@
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
 #include "storage/historian/scan_statements.hpp"
+#include "storage/historian/setup/check_foreign_table.hpp"
 #include "storage/historian/setup/check_newest.hpp"
 #include "storage/historian/setup/check_window.hpp"
 #include "storage/historian/setup/read_grants.hpp"
@@ -24,6 +25,8 @@ void check_reading(PqConnection& connection, const ResolvedLayout& layout,
                    std::vector<Finding>& findings) {
   const std::int64_t now_us = std::stoll(connection.run(historian_statements::kNow).text(0, 0));
   findings.push_back(check_index(connection, layout));
+  for (Finding& found : check_foreign_table(connection, layout, now_us))
+    findings.push_back(std::move(found));
   for (Finding& found : check_window(connection, layout, now_us))
     findings.push_back(std::move(found));
   findings.push_back(check_newest(connection, layout, now_us));
