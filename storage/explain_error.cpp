@@ -156,9 +156,13 @@ constexpr char kConstraint[] = "the value breaks a rule of the schema: see the d
 constexpr char kQueueOfMessages[] =
     "a limit of the server was reached; of too many notifications: a listening session has an open "
     "transaction, the server's log names its process";
+constexpr char kOtherServer[] =
+    "the server behind a foreign table does not answer, or not as PostgreSQL asks: try it from the "
+    "machine of PostgreSQL, and look at CREATE SERVER, CREATE USER MAPPING and the columns of the "
+    "foreign table";
 constexpr char kServerFault[] = "a fault of the server: read its log";
 
-constexpr std::array<StateRule, 27> kStates{{
+constexpr std::array<StateRule, 28> kStates{{
     {"08", Remedy::reconnect, fixed<kGone>},
     {"57P04", Remedy::give_up, fixed<kDatabase>},
     {"57P", Remedy::reconnect, fixed<kGone>},
@@ -183,6 +187,7 @@ constexpr std::array<StateRule, 27> kStates{{
     {"28", Remedy::give_up, fixed<kPassword>},
     {"2BP01", Remedy::give_up, fixed<kDependent>},
     {"3D000", Remedy::give_up, fixed<kDatabase>},
+    {"HV", Remedy::give_up, fixed<kOtherServer>},
     {"XX", Remedy::give_up, fixed<kServerFault>},
     {"58", Remedy::give_up, fixed<kServerFault>},
     {"", Remedy::give_up, fixed<kServerFault>},

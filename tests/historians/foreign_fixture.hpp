@@ -9,6 +9,7 @@
 #include "storage/historian/source_layout.hpp"
 #include "storage/historian/tag_request.hpp"
 #include "tests/support/mariadb.hpp"
+#include "tests/support/mariadb_tables.hpp"
 #include "tests/support/test_database.hpp"
 
 namespace loopscope::tests {
@@ -16,11 +17,6 @@ namespace loopscope::tests {
 inline constexpr std::int64_t kSecond_us = 1'000'000;
 // 2026-03-30 00:00 UTC: the clocks of Berlin were put forward the day before.
 inline constexpr std::int64_t kEnd_us = 1'774'828'800'000'000;
-
-/// The rows of a table of PostgreSQL as an INSERT for MariaDB.
-[[nodiscard]] std::string as_insert(const TestDatabase& database, const std::string& table);
-/// The table itself, without keys, in MariaDB's types.
-[[nodiscard]] std::string as_create(const TestDatabase& database, const std::string& table);
 
 /// Bit for bit.
 void expect_same(const core::signal::RawSeries& read, const core::signal::RawSeries& expected,
