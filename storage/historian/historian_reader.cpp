@@ -110,7 +110,8 @@ std::vector<std::string> newest_parameters(std::span<const KeyOfTags> batch,
                                            const ResolvedLayout& layout, std::int64_t earliest_us,
                                            std::int64_t latest_us) {
   std::vector<std::string> parameters;
-  for (std::size_t part = 0; part < layout.key.size(); ++part) {
+  if (layout.foreign) parameters = batch.front().key;
+  for (std::size_t part = 0; !layout.foreign && part < layout.key.size(); ++part) {
     ArrayLiteral keys;
     for (const KeyOfTags& tagged : batch) keys.add_text(tagged.key[part]);
     parameters.push_back(keys.text());
@@ -182,12 +183,13 @@ struct HistorianReader::Impl {
                      std::vector<std::optional<std::int64_t>>& newest) {
     const std::vector<std::string> tables = relations(earliest_us, latest_us);
     if (tables.empty()) return;
+    const std::size_t at_a_time = layout.foreign ? 1 : kMaxNewestKeys;
     for (const auto& [column, of_column] : keys) {
       if (!column.empty() && !layout.data.types.contains(column)) continue;
       const std::string quoted = column.empty() ? "" : "h." + connection.quote(column);
       const Statement statement = historian_statements::newest_rows(layout, tables, quoted);
-      for (std::size_t done = 0; done < of_column.size(); done += kMaxNewestKeys) {
-        const std::size_t count = std::min(kMaxNewestKeys, of_column.size() - done);
+      for (std::size_t done = 0; done < of_column.size(); done += at_a_time) {
+        const std::size_t count = std::min(at_a_time, of_column.size() - done);
         newest_of(statement, std::span(of_column).subspan(done, count), earliest_us, latest_us,
                   newest);
       }

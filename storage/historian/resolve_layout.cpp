@@ -91,12 +91,14 @@ class Resolver {
     return table(layout_.relation, "table");
   }
 
+  /// For a value that is found at run time tds_fdw 2.0 sends "CAST(NULL AS text)".
   /// Of a timestamptz mysql_fdw sends bounds with their offset, which MySQL and MariaDB leave out:
   /// windows would be hours too early or too late.
   void look_elsewhere(ResolvedLayout& resolved) {
     const PqRows rows =
         connection_.run(historian_statements::kElsewhere, {std::to_string(resolved.data.oid)});
     resolved.foreign = rows.text(0, 0) == "t";
+    resolved.parameters_elsewhere = rows.text(0, 2) != "t";
     const auto time = resolved.data.types.find(layout_.time_column);
     if (rows.text(0, 1) != "mysql_fdw" || time == resolved.data.types.end() ||
         time->second != "timestamptz")

@@ -28,6 +28,21 @@ std::string before_within(const ResolvedLayout& layout, std::size_t span,
          before_span(layout) + has_value(layout, value);
 }
 
+/// As before_elsewhere() for who cannot be sent the newest time: the rows of a span are settled
+/// here.
+std::string before_by_constants(const ResolvedLayout& layout,
+                                const std::vector<std::string>& relations,
+                                const std::string& value) {
+  std::string spans;
+  for (std::size_t k = 0; k < kGrowingSpans_us.size(); ++k) {
+    spans += (k == 0 ? "" : " UNION ALL ") +
+             ("(SELECT u.time, u.value FROM " +
+              fenced(all_of(relations, row_of(layout, value), before_within(layout, k, value))) +
+              " AS u ORDER BY " + order_of(layout).newest_first + ties(layout) + " LIMIT 1)");
+  }
+  return "SELECT n.time, n.value FROM (" + spans + ") AS n LIMIT 1";
+}
+
 std::string newest_of_spans(const ResolvedLayout& layout, const std::vector<std::string>& relations,
                             const std::string& value) {
   std::string spans;
@@ -70,6 +85,7 @@ std::string before_elsewhere(const ResolvedLayout& layout,
 /// The newest row of one column before each request's span.
 std::string before_sql(const ResolvedLayout& layout, const std::vector<std::string>& relations,
                        const std::string& value) {
+  if (!layout.parameters_elsewhere) return before_by_constants(layout, relations, value);
   if (layout.foreign) return before_elsewhere(layout, relations, value);
   const std::string within = key_is_requested(layout) + layout.time +
                              " >= " + bound_sql(layout, "request.before_time") + " AND " +

@@ -77,12 +77,11 @@ const Statement kElsewhere{"elsewhere", R"(
           ON d.classid = 'pg_catalog.pg_rewrite'::regclass AND d.objid = r.oid
         WHERE r.ev_class = below.oid AND d.refclassid = 'pg_catalog.pg_class'::regclass
       ) AS next (oid))
-    SELECT EXISTS (SELECT FROM below JOIN pg_catalog.pg_class AS c ON c.oid = below.oid
-                   WHERE c.relkind = 'f'),
-           (SELECT w.fdwname FROM pg_catalog.pg_foreign_table AS t
-            JOIN pg_catalog.pg_foreign_server AS s ON s.oid = t.ftserver
-            JOIN pg_catalog.pg_foreign_data_wrapper AS w ON w.oid = s.srvfdw
-            WHERE t.ftrelid = $1::oid))",
+    SELECT count(*) > 0, max(w.fdwname) FILTER (WHERE t.ftrelid = $1::oid),
+           coalesce(bool_or(w.fdwname = 'tds_fdw'), false)
+    FROM below JOIN pg_catalog.pg_foreign_table AS t ON t.ftrelid = below.oid
+    JOIN pg_catalog.pg_foreign_server AS s ON s.oid = t.ftserver
+    JOIN pg_catalog.pg_foreign_data_wrapper AS w ON w.oid = s.srvfdw)",
                            Rows::one};
 
 const Statement kForeignTable{"foreign_table", R"(

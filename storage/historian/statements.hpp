@@ -14,7 +14,8 @@ extern const Statement kFindRelation;
 /// Those of a list of oids that are relations.
 extern const Statement kStillThere;
 /// relation oid -> whether any of its rows come out of a foreign table, below views and partitions;
-/// the foreign data wrapper of the relation itself, NULL = it is no foreign table
+/// the foreign data wrapper of the relation itself, NULL = it is no foreign table; whether any of
+/// them is of tds_fdw
 extern const Statement kElsewhere;
 /// oid of a foreign table -> its server, wrapper, options dbname and fetch_size (NULL = not set),
 /// whether the server itself has a fetch_size
