@@ -47,7 +47,7 @@ std::string largest_time(const ResolvedLayout& layout, const std::vector<std::st
 
 bool asks_for_largest(PqConnection& connection, const ResolvedLayout& layout) {
   // Beside nanoseconds the time alone does not tell which row is the newest.
-  if (!layout.foreign || !layout.nanos.empty()) return false;
+  if (!layout.foreign || !layout.parameters_elsewhere || !layout.nanos.empty()) return false;
   const Statement plan =
       historian_statements::explain(historian_statements::largest_times(layout), true);
   const std::string bound = native_bound(layout.layout.time_kind, 0, Bound::upper);
