@@ -45,9 +45,8 @@ std::string_view rest_of_line(std::string_view message, std::string_view start) 
 /// The rights that the statement needs on an object of this kind.
 std::string needed_rights(std::string_view kind, std::string_view statement) {
   if (kind == "database") return "CREATE ON DATABASE ";
-  if (kind == "schema") {
+  if (kind == "schema")
     return statement == "create_table" ? "USAGE, CREATE ON SCHEMA " : "USAGE ON SCHEMA ";
-  }
   const bool writes = statement == "copy_rows" || statement == "delete_rows";
   return writes ? "SELECT, INSERT, DELETE ON " : "SELECT ON ";
 }
@@ -271,9 +270,8 @@ DatabaseError explain_connecting(const RawError& error, const ErrorPlace& place)
   };
   // Several hosts give several lines: the words may stand in any of them.
   for (const WordsRule& rule : kConnecting) {
-    if (error.message.find(rule.words) != std::string::npos) {
+    if (error.message.find(rule.words) != std::string::npos)
       return {what_of(rule.words), rule.hint, rule.remedy};
-    }
   }
   const std::string what = what_of({});
   const bool no_database = error.message.find("database \"") != std::string::npos &&
@@ -286,18 +284,15 @@ DatabaseError explain_connecting(const RawError& error, const ErrorPlace& place)
 
 DatabaseError explain(const RawError& error, const ErrorPlace& place) {
   if (error.sqlstate.empty() && place.statement.empty()) return explain_connecting(error, place);
-  if (const auto setting = lost_setting(error.message)) {
+  if (const auto setting = lost_setting(error.message))
     return explain_lost_session(*setting, place.target);
-  }
   const std::string what = primary_message(error) + ", " + place_text(place);
-  if (error.sqlstate.empty() || error.connection_lost) {
+  if (error.sqlstate.empty() || error.connection_lost)
     return {what, kGone, Remedy::reconnect, error.sqlstate};
-  }
   if (refuses_setting(error, place)) return {what, kOwnSetting, Remedy::give_up, error.sqlstate};
   for (const StateRule& rule : kStates) {
-    if (error.sqlstate.starts_with(rule.code)) {
+    if (error.sqlstate.starts_with(rule.code))
       return {what, rule.hint(error, place), rule.remedy, error.sqlstate};
-    }
   }
   return {what, kServerFault, Remedy::give_up, error.sqlstate};
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "storage/historian/pq_rows.hpp"
+#include "storage/historian/resolve_layout.hpp"
 
 namespace loopscope::storage {
 
@@ -15,5 +16,11 @@ struct ForeignScan {
 
 /// Those of the lines of EXPLAIN (VERBOSE), in their order.
 [[nodiscard]] std::vector<ForeignScan> foreign_scans(const PqRows& plan);
+
+/// Whether the server that has the rows of a foreign table is itself asked for the largest time of
+/// a key. Its index on (tag, time) then answers at once, however far back the newest row lies.
+/// Where PostgreSQL would fetch the rows to find it, as with wrappers that send no aggregates and
+/// below partitions or views that convert columns, false. Throws DatabaseError.
+[[nodiscard]] bool asks_for_largest(PqConnection& connection, const ResolvedLayout& layout);
 
 }  // namespace loopscope::storage

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "storage/historian/growing_spans.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
+#include "storage/historian/scan.hpp"
 #include "storage/historian/scan_statements.hpp"
 #include "storage/timestamp.hpp"
 

@@ -7,8 +7,8 @@
 #include "core/signal/loop_window.hpp"
 #include "core/signal/microseconds.hpp"
 #include "storage/array_literal.hpp"
-#include "storage/historian/growing_spans.hpp"
 #include "storage/historian/native_time.hpp"
+#include "storage/historian/scan.hpp"
 #include "storage/timestamp.hpp"
 
 namespace loopscope::storage {

@@ -34,6 +34,12 @@ namespace loopscope::storage::historian_statements {
 /// `rows` (all_of) so that no order of their expressions is offered to the server that has them.
 [[nodiscard]] std::string fenced(const std::string& rows);
 
+/// A query with one row, o0: the largest time among the rows of `relations` of which `within`
+/// holds, as the column has it; NULL = there is none.
+[[nodiscard]] std::string largest_time(const ResolvedLayout& layout,
+                                       const std::vector<std::string>& relations,
+                                       const std::string& within);
+
 /// AND ...: rows of other fields must not take the place of a scan's own. Such scans have one
 /// column.
 [[nodiscard]] std::string has_value(const ResolvedLayout& layout, const std::string& value);

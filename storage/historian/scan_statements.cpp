@@ -1,8 +1,7 @@
 #include "storage/historian/scan_statements.hpp"
 
-#include "storage/historian/growing_spans.hpp"
-#include "storage/historian/largest_time.hpp"
 #include "storage/historian/row_before.hpp"
+#include "storage/historian/scan.hpp"
 #include "storage/historian/scan_sql.hpp"
 
 namespace loopscope::storage::historian_statements {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "storage/historian/find_partitions.hpp"
-#include "storage/historian/growing_spans.hpp"
+#include "storage/historian/scan.hpp"
 #include "storage/historian/statements.hpp"
 #include "storage/quoted_identifier.hpp"
 #include "storage/timestamp.hpp"

@@ -5,7 +5,7 @@
 
 #include "storage/check_connection.hpp"
 #include "storage/historian/check_index.hpp"
-#include "storage/historian/largest_time.hpp"
+#include "storage/historian/foreign_plan.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
 #include "storage/historian/scan_statements.hpp"
