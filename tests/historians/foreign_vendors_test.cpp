@@ -141,7 +141,8 @@ TEST_F(ForeignIgnition, AMonthThatWasNotImportedIsNotPassedOver) {
   // As config/FOREIGN_TABLES.md makes tables ahead.
   database->execute(
       "CREATE FOREIGN TABLE elsewhere.sqlt_data_2_2026_03 (tagid int, intvalue bigint,"
-      " floatvalue float8, stringvalue text, datevalue timestamp, dataintegrity int, t_stamp bigint)"
+      " floatvalue float8, stringvalue text, datevalue timestamp, dataintegrity int, t_stamp "
+      "bigint)"
       " SERVER mariadb OPTIONS (dbname 'plant', table_name 'sqlt_data_2_2026_03')");
   EXPECT_EQ(refusal(reader, 17'900, ""), "") << "found at the next read";
 }
