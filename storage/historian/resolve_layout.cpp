@@ -7,6 +7,7 @@
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/refuse.hpp"
 #include "storage/historian/statements.hpp"
+#include "storage/timestamp.hpp"
 #include "storage/utf8.hpp"
 
 namespace loopscope::storage {
@@ -87,8 +88,19 @@ class Resolver {
     if (resolved.partitions) {
       Partitions partitions(connection_, resolved);
       if (auto any = partitions.any()) return *std::move(any);
+      const auto missing = partitions.missing(kEarliestTimeUs, kLatestTimeUs);
+      if (!missing.empty() && !find_relation(connection_, split_relation(layout_.relation)))
+        refuse_missing(missing.back().name);
     }
     return table(layout_.relation, "table");
+  }
+
+  [[noreturn]] void refuse_missing(const std::string& name) {
+    refuse(layout_,
+           "none of the tables that " + layout_.partitions->relation + " lists is there, e.g. " +
+               make_storable(name),
+           "foreign tables have to be imported: IMPORT FOREIGN SCHEMA (config/FOREIGN_TABLES.md); "
+           "others stand in the schema of `partition_table`");
   }
 
   /// For a value that is found at run time tds_fdw 2.0 sends "CAST(NULL AS text)".

@@ -106,6 +106,13 @@ TEST_F(ForeignHistorians, OnceRunAndWindowGiveWhatTheNativeOneGives) {
   EXPECT_EQ(plant.sql("select count(*) from loopscope.analysis"), "8");
   EXPECT_EQ(different_columns(), "");
 
+  plant.sql("drop foreign table gateway.sqlt_data_1_2026_01");
+  const ProgramResult lacking = plant.loopscope("check-config");
+  EXPECT_EQ(lacking.exit_code, 4) << lacking.out;
+  EXPECT_THAT(lacking.out,
+              AllOf(HasSubstr("none of the tables that gateway.sqlth_partitions lists"),
+                    HasSubstr("IMPORT FOREIGN SCHEMA")));
+
   mariadb.reset();
   const ProgramResult away = plant.loopscope("check-config");
   EXPECT_EQ(away.exit_code, 4) << away.out;
