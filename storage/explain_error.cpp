@@ -45,9 +45,8 @@ std::string_view rest_of_line(std::string_view message, std::string_view start) 
 /// The rights that the statement needs on an object of this kind.
 std::string needed_rights(std::string_view kind, std::string_view statement) {
   if (kind == "database") return "CREATE ON DATABASE ";
-  if (kind == "schema") {
+  if (kind == "schema")
     return statement == "create_table" ? "USAGE, CREATE ON SCHEMA " : "USAGE ON SCHEMA ";
-  }
   const bool writes = statement == "copy_rows" || statement == "delete_rows";
   return writes ? "SELECT, INSERT, DELETE ON " : "SELECT ON ";
 }
@@ -156,9 +155,13 @@ constexpr char kConstraint[] = "the value breaks a rule of the schema: see the d
 constexpr char kQueueOfMessages[] =
     "a limit of the server was reached; of too many notifications: a listening session has an open "
     "transaction, the server's log names its process";
+constexpr char kOtherServer[] =
+    "the server behind a foreign table does not answer, or not as PostgreSQL asks: try it from the "
+    "machine of PostgreSQL, and look at CREATE SERVER, CREATE USER MAPPING and the columns of the "
+    "foreign table";
 constexpr char kServerFault[] = "a fault of the server: read its log";
 
-constexpr std::array<StateRule, 27> kStates{{
+constexpr std::array<StateRule, 28> kStates{{
     {"08", Remedy::reconnect, fixed<kGone>},
     {"57P04", Remedy::give_up, fixed<kDatabase>},
     {"57P", Remedy::reconnect, fixed<kGone>},
@@ -183,6 +186,7 @@ constexpr std::array<StateRule, 27> kStates{{
     {"28", Remedy::give_up, fixed<kPassword>},
     {"2BP01", Remedy::give_up, fixed<kDependent>},
     {"3D000", Remedy::give_up, fixed<kDatabase>},
+    {"HV", Remedy::give_up, fixed<kOtherServer>},
     {"XX", Remedy::give_up, fixed<kServerFault>},
     {"58", Remedy::give_up, fixed<kServerFault>},
     {"", Remedy::give_up, fixed<kServerFault>},
@@ -266,9 +270,8 @@ DatabaseError explain_connecting(const RawError& error, const ErrorPlace& place)
   };
   // Several hosts give several lines: the words may stand in any of them.
   for (const WordsRule& rule : kConnecting) {
-    if (error.message.find(rule.words) != std::string::npos) {
+    if (error.message.find(rule.words) != std::string::npos)
       return {what_of(rule.words), rule.hint, rule.remedy};
-    }
   }
   const std::string what = what_of({});
   const bool no_database = error.message.find("database \"") != std::string::npos &&
@@ -281,18 +284,15 @@ DatabaseError explain_connecting(const RawError& error, const ErrorPlace& place)
 
 DatabaseError explain(const RawError& error, const ErrorPlace& place) {
   if (error.sqlstate.empty() && place.statement.empty()) return explain_connecting(error, place);
-  if (const auto setting = lost_setting(error.message)) {
+  if (const auto setting = lost_setting(error.message))
     return explain_lost_session(*setting, place.target);
-  }
   const std::string what = primary_message(error) + ", " + place_text(place);
-  if (error.sqlstate.empty() || error.connection_lost) {
+  if (error.sqlstate.empty() || error.connection_lost)
     return {what, kGone, Remedy::reconnect, error.sqlstate};
-  }
   if (refuses_setting(error, place)) return {what, kOwnSetting, Remedy::give_up, error.sqlstate};
   for (const StateRule& rule : kStates) {
-    if (error.sqlstate.starts_with(rule.code)) {
+    if (error.sqlstate.starts_with(rule.code))
       return {what, rule.hint(error, place), rule.remedy, error.sqlstate};
-    }
   }
   return {what, kServerFault, Remedy::give_up, error.sqlstate};
 }

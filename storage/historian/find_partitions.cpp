@@ -37,7 +37,7 @@ void Partitions::forget_dropped() {
 }
 
 void Partitions::take(const PqRows& rows) {
-  std::map<std::string, Entry> spans;
+  entries_.clear();
   for (int row = 0; row < rows.size(); ++row) {
     const auto time_at = [&](int column) {
       return microseconds(time_kind_, decode_value(rows.bytes(row, column)));
@@ -46,25 +46,37 @@ void Partitions::take(const PqRows& rows) {
     std::int64_t to = rows.is_null(row, 2) ? kLatestTimeUs : time_at(2);
     // The table that is being written may have no end yet.
     if (to < from) to = kLatestTimeUs;
-    const std::string name = rows.text(row, 0);
-    const auto relation = quoted(name);
-    if (!relation) continue;
-    const auto [entry, first] = spans.try_emplace(name, Entry{*relation, from, to});
-    if (!first) {
-      entry->second.from_us = std::min(entry->second.from_us, from);
-      entry->second.to_us = std::max(entry->second.to_us, to);
-    }
+    take(rows.text(row, 0), from, to);
   }
-  entries_.clear();
-  for (auto& [name, entry] : spans) entries_.push_back(std::move(entry));
+}
+
+void Partitions::take(const std::string& name, std::int64_t from_us, std::int64_t to_us) {
+  const auto [known, first] =
+      entries_.try_emplace(name, Entry{quoted(name).value_or(""), from_us, to_us});
+  if (first) return;
+  known->second.from_us = std::min(known->second.from_us, from_us);
+  known->second.to_us = std::max(known->second.to_us, to_us);
 }
 
 std::vector<std::string> Partitions::within(std::int64_t from_us, std::int64_t to_us) const {
   std::vector<std::string> relations;
-  for (const Entry& entry : entries_) {
-    if (entry.from_us <= to_us && entry.to_us >= from_us) relations.push_back(entry.relation);
+  for (const auto& [name, entry] : entries_) {
+    if (!entry.relation.empty() && entry.from_us <= to_us && entry.to_us >= from_us)
+      relations.push_back(entry.relation);
   }
   return relations;
+}
+
+std::vector<Partitions::Missing> Partitions::missing(std::int64_t from_us,
+                                                     std::int64_t to_us) const {
+  std::int64_t last_us = kEarliestTimeUs;
+  for (const auto& [name, entry] : entries_) last_us = std::max(last_us, entry.from_us);
+  std::vector<Missing> missing;
+  for (const auto& [name, entry] : entries_) {
+    if (entry.relation.empty() && entry.from_us <= to_us && entry.to_us >= from_us)
+      missing.push_back({name, entry.from_us, entry.from_us == last_us});
+  }
+  return missing;
 }
 
 std::optional<FoundRelation> Partitions::any() {

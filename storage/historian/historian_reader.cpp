@@ -3,21 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 
 #include "storage/array_literal.hpp"
+#include "storage/error.hpp"
 #include "storage/historian/find_partitions.hpp"
 #include "storage/historian/find_tags.hpp"
-#include "storage/historian/growing_spans.hpp"
+#include "storage/historian/foreign_plan.hpp"
 #include "storage/historian/merge_series.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
+#include "storage/historian/scan.hpp"
 #include "storage/historian/scan_reader.hpp"
 #include "storage/historian/scan_rows.hpp"
 #include "storage/historian/scan_statements.hpp"
 #include "storage/historian/statements.hpp"
 #include "storage/historian/tag_value.hpp"
 #include "storage/timestamp.hpp"
+#include "storage/utf8.hpp"
 
 namespace loopscope::storage {
 namespace {
@@ -40,6 +44,26 @@ constexpr auto kNewestSpans_us = [] {
 ConnectionSettings as_reader(ConnectionSettings settings) {
   settings.read_only = true;
   return settings;
+}
+
+// SQLSTATE of a data exception: other windows can be read.
+constexpr const char* kOneWindow = "22000";
+
+/// While the table is being written, no loop of the historian can be judged.
+[[noreturn]] void refuse_missing(const ResolvedLayout& layout, const Partitions::Missing& missing) {
+  throw DatabaseError("no foreign table " + make_storable(missing.name) + ", which " +
+                          layout.layout.partitions->relation + " lists, historian " +
+                          layout.layout.source,
+                      "import it: loopscope check-config prints the statement", Remedy::give_up,
+                      missing.last ? "" : kOneWindow);
+}
+
+/// The spans in which newest rows are looked for, shortest first. Where one look tells, however far
+/// back, the longest will do; but each table of a list is a look of its own.
+std::span<const std::int64_t> newest_spans(const ResolvedLayout& layout) {
+  const bool at_once =
+      layout.largest_elsewhere && !layout.partitions && layout.layout.shape == Shape::narrow;
+  return std::span(kNewestSpans_us).last(at_once ? 1 : kNewestSpans_us.size());
 }
 
 /// The parts that were read of every request, one a place.
@@ -86,7 +110,8 @@ std::vector<std::string> newest_parameters(std::span<const KeyOfTags> batch,
                                            const ResolvedLayout& layout, std::int64_t earliest_us,
                                            std::int64_t latest_us) {
   std::vector<std::string> parameters;
-  for (std::size_t part = 0; part < layout.key.size(); ++part) {
+  if (layout.foreign) parameters = batch.front().key;
+  for (std::size_t part = 0; !layout.foreign && part < layout.key.size(); ++part) {
     ArrayLiteral keys;
     for (const KeyOfTags& tagged : batch) keys.add_text(tagged.key[part]);
     parameters.push_back(keys.text());
@@ -105,13 +130,22 @@ struct HistorianReader::Impl {
         layout(resolve_layout(connection, source)),
         scans(connection, layout) {
     if (layout.partitions) partitions.emplace(connection, layout);
-    if (source.shape != Shape::narrow) return;
-    connection.run(
-        historian_statements::try_read(layout, value_of(connection, layout, "").value()));
+    if (source.shape == Shape::narrow)
+      connection.run(
+          historian_statements::try_read(layout, value_of(connection, layout, "").value()));
+    layout.largest_elsewhere = asks_for_largest(connection, layout);
   }
 
   std::vector<std::string> relations(std::int64_t from_us, std::int64_t to_us) {
     return partitions ? partitions->within(from_us, to_us) : std::vector{layout.data.sql};
+  }
+
+  /// A listed table that is not in PostgreSQL was dropped by the historian; but of another server
+  /// it is mostly there and was not imported here, and its rows would be missing without a word.
+  void require_imported(std::int64_t from_us, std::int64_t to_us) const {
+    if (!layout.foreign || !partitions) return;
+    const auto missing = partitions->missing(from_us, to_us);
+    if (!missing.empty()) refuse_missing(layout, missing.front());
   }
 
   /// Historians add columns and tables while they run.
@@ -121,7 +155,10 @@ struct HistorianReader::Impl {
       return of_tag.empty() || of_tag.front().column.empty() ||
              layout.data.types.contains(of_tag.front().column);
     });
-    if (!all_known) layout = resolve_layout(connection, layout.layout);
+    if (all_known) return;
+    const bool largest_elsewhere = layout.largest_elsewhere;
+    layout = resolve_layout(connection, layout.layout);
+    layout.largest_elsewhere = largest_elsewhere;
   }
 
   /// Raises the entries of `newest` that the batch's keys stand for.
@@ -146,12 +183,13 @@ struct HistorianReader::Impl {
                      std::vector<std::optional<std::int64_t>>& newest) {
     const std::vector<std::string> tables = relations(earliest_us, latest_us);
     if (tables.empty()) return;
+    const std::size_t at_a_time = layout.foreign ? 1 : kMaxNewestKeys;
     for (const auto& [column, of_column] : keys) {
       if (!column.empty() && !layout.data.types.contains(column)) continue;
       const std::string quoted = column.empty() ? "" : "h." + connection.quote(column);
       const Statement statement = historian_statements::newest_rows(layout, tables, quoted);
-      for (std::size_t done = 0; done < of_column.size(); done += kMaxNewestKeys) {
-        const std::size_t count = std::min(kMaxNewestKeys, of_column.size() - done);
+      for (std::size_t done = 0; done < of_column.size(); done += at_a_time) {
+        const std::size_t count = std::min(at_a_time, of_column.size() - done);
         newest_of(statement, std::span(of_column).subspan(done, count), earliest_us, latest_us,
                   newest);
       }
@@ -175,6 +213,8 @@ std::vector<RawSeries> HistorianReader::read(std::span<const TagRequest> request
   for (const TagRequest& request : requests) tags.push_back(request.tag);
   const Places places = find_tags(impl_->connection, impl_->layout, tags);
   impl_->look_again(places);
+  for (const TagRequest& request : requests)
+    impl_->require_imported(request.from_us, request.to_us);
   std::vector<std::vector<RawSeries>> parts = empty_parts(places);
   const auto tables_of = [this](std::int64_t from_us, std::int64_t to_us) {
     return impl_->relations(from_us, to_us);
@@ -195,9 +235,10 @@ std::vector<std::optional<std::int64_t>> HistorianReader::newest(std::span<const
                                                                  std::int64_t not_after_us) {
   const Places places = find_tags(impl_->connection, impl_->layout, tags);
   impl_->look_again(places);
+  impl_->require_imported(not_after_us, not_after_us);
   std::vector<std::optional<std::int64_t>> newest(tags.size());
   auto keys = keys_by_column(places);
-  for (const std::int64_t span_us : kNewestSpans_us) {
+  for (const std::int64_t span_us : newest_spans(impl_->layout)) {
     impl_->newest_within(clamp_time(not_after_us) - span_us, not_after_us, keys, newest);
     forget_found(keys, newest);
     if (keys.empty()) break;

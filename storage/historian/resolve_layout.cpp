@@ -7,6 +7,7 @@
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/refuse.hpp"
 #include "storage/historian/statements.hpp"
+#include "storage/timestamp.hpp"
 #include "storage/utf8.hpp"
 
 namespace loopscope::storage {
@@ -37,7 +38,7 @@ class Resolver {
     resolved.layout = layout_;
     if (layout_.partitions) resolved.partitions = partition_list(*layout_.partitions);
     resolved.data = data_of(resolved);
-    resolved.foreign = is_foreign(resolved.data);
+    look_elsewhere(resolved);
     for (std::size_t part = 0; part < layout_.key.size(); ++part) {
       resolved.key.push_back(key_part(resolved.data.types, layout_.key[part], part));
     }
@@ -87,13 +88,37 @@ class Resolver {
     if (resolved.partitions) {
       Partitions partitions(connection_, resolved);
       if (auto any = partitions.any()) return *std::move(any);
+      const auto missing = partitions.missing(kEarliestTimeUs, kLatestTimeUs);
+      if (!missing.empty() && !find_relation(connection_, split_relation(layout_.relation)))
+        refuse_missing(missing.back().name);
     }
     return table(layout_.relation, "table");
   }
 
-  bool is_foreign(const FoundRelation& data) {
-    return connection_.run(historian_statements::kIsForeign, {std::to_string(data.oid)})
-               .text(0, 0) == "t";
+  [[noreturn]] void refuse_missing(const std::string& name) {
+    refuse(layout_,
+           "none of the tables that " + layout_.partitions->relation + " lists is there, e.g. " +
+               make_storable(name),
+           "foreign tables have to be imported: IMPORT FOREIGN SCHEMA (config/FOREIGN_TABLES.md); "
+           "others stand in the schema of `partition_table`");
+  }
+
+  /// For a value that is found at run time tds_fdw 2.0 sends "CAST(NULL AS text)".
+  /// Of a timestamptz mysql_fdw sends bounds with their offset, which MySQL and MariaDB leave out:
+  /// windows would be hours too early or too late.
+  void look_elsewhere(ResolvedLayout& resolved) {
+    const PqRows rows =
+        connection_.run(historian_statements::kElsewhere, {std::to_string(resolved.data.oid)});
+    resolved.foreign = rows.text(0, 0) == "t";
+    resolved.parameters_elsewhere = rows.text(0, 2) != "t";
+    const auto time = resolved.data.types.find(layout_.time_column);
+    if (rows.text(0, 1) != "mysql_fdw" || time == resolved.data.types.end() ||
+        time->second != "timestamptz")
+      return;
+    refuse(layout_,
+           "column \"" + layout_.time_column +
+               "\" of the foreign table is timestamptz, which MySQL and MariaDB do not have",
+           "declare it as timestamp, and set `time_kind` to timestamp_utc or timestamp_local");
   }
 
   ResolvedKey key_part(const ColumnTypes& types, const KeyPart& part, std::size_t index) {

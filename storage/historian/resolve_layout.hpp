@@ -37,6 +37,10 @@ struct ResolvedLayout {
   SourceLayout layout;
   FoundRelation data;    ///< the table, or the first of the listed ones
   bool foreign = false;  ///< rows come from another server: a foreign table, or one below `data`
+  /// The other server is asked for the largest time of a key (asks_for_largest, for who reads).
+  bool largest_elsewhere = false;
+  /// What is found at run time can be sent to the other server, not constants alone.
+  bool parameters_elsewhere = true;
   std::vector<ResolvedKey> key;
   std::string time, nanos, tiebreak;  ///< nanos and tiebreak may be empty
   std::string zone;                   ///< of timestamp_local, as a literal

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "storage/historian/growing_spans.hpp"
 #include "storage/historian/native_time.hpp"
 #include "storage/historian/pq_connection.hpp"
+#include "storage/historian/scan.hpp"
 #include "storage/historian/scan_statements.hpp"
 #include "storage/timestamp.hpp"
 
@@ -44,13 +44,9 @@ void ScanReader::read(const std::vector<Scan>& batch, const TablesOf& tables_of,
 
 void ScanReader::read_elsewhere(const std::vector<Scan>& batch, const TablesOf& tables_of,
                                 Parts& parts) {
-  std::vector<Scan> alone, with_before;
-  for (const Scan& scan : batch) (wants_before(scan) ? with_before : alone).push_back(scan);
-  for (std::vector<Scan>* scans : {&alone, &with_before}) {
-    for (const std::vector<Scan>& alike : by_span(std::move(*scans))) {
-      const auto [from, to] = reach_of(alike);
-      read_by_index(alike, tables_of(from, to), parts);
-    }
+  for (const Scan& scan : batch) {
+    const auto [from, to] = reach_of({scan});
+    read_by_index({scan}, tables_of(from, to), parts);
   }
 }
 

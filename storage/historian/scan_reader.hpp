@@ -34,8 +34,7 @@ class ScanReader {
   void read(const std::vector<Scan>& batch, const TablesOf& tables_of, Parts& parts);
 
  private:
-  /// Of a foreign table: a statement for the scans of each span, and none looks for a row before
-  /// that is not wanted.
+  /// Of a foreign table: a statement for each scan.
   void read_elsewhere(const std::vector<Scan>& batch, const TablesOf& tables_of, Parts& parts);
   void read_by_index(const std::vector<Scan>& batch, const std::vector<std::string>& tables,
                      Parts& parts);

@@ -7,8 +7,8 @@
 #include "core/signal/loop_window.hpp"
 #include "core/signal/microseconds.hpp"
 #include "storage/array_literal.hpp"
-#include "storage/historian/growing_spans.hpp"
 #include "storage/historian/native_time.hpp"
+#include "storage/historian/scan.hpp"
 #include "storage/timestamp.hpp"
 
 namespace loopscope::storage {
@@ -137,18 +137,16 @@ std::int64_t first_time(const Scan& scan, const ResolvedLayout& layout) {
   return from - fraction;
 }
 
-/// The scans' one span (scan_parameters).
-void add_constants(const std::vector<Scan>& batch, const ResolvedLayout& layout,
-                   std::vector<std::string>& parameters) {
+std::vector<std::string> constants_of(const Scan& scan, const ResolvedLayout& layout) {
   const TimeKind kind = layout.layout.time_kind;
-  ArrayLiteral max_rows;
-  for (const Scan& scan : batch) max_rows.add_integer(std::max<std::int64_t>(scan.max_rows, 0));
-  parameters.push_back(max_rows.text());
-  const std::int64_t from = first_time(batch.front(), layout);
+  std::vector<std::string> parameters = scan.key;
+  parameters.push_back(std::to_string(std::max<std::int64_t>(scan.max_rows, 0)));
+  const std::int64_t from = first_time(scan, layout);
   parameters.push_back(native_bound(kind, from, Bound::lower));
-  parameters.push_back(native_bound(kind, batch.front().to_us, Bound::upper));
+  parameters.push_back(native_bound(kind, scan.to_us, Bound::upper));
   for (const std::int64_t span_us : kGrowingSpans_us)
     parameters.push_back(native_bound(kind, clamp_time(from) - span_us, Bound::lower));
+  return parameters;
 }
 
 }  // namespace
@@ -161,16 +159,13 @@ std::string bound_before(const Scan& scan, const ResolvedLayout& layout) {
 
 std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
                                          const ResolvedLayout& layout) {
+  if (layout.foreign) return constants_of(batch.front(), layout);
   const TimeKind kind = layout.layout.time_kind;
   std::vector<std::string> parameters;
   for (std::size_t part = 0; part < layout.key.size(); ++part) {
     ArrayLiteral keys;
     for (const Scan& scan : batch) keys.add_text(scan.key[part]);
     parameters.push_back(keys.text());
-  }
-  if (layout.foreign) {
-    add_constants(batch, layout, parameters);
-    return parameters;
   }
   ArrayLiteral from, to, max_rows, before;
   for (const Scan& scan : batch) {

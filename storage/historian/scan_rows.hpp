@@ -16,8 +16,8 @@ namespace loopscope::storage {
 
 /// Parameters of the statement read_scans() for a batch: one array per part of the key, then lower
 /// bounds, upper bounds, largest numbers of rows, lower bounds of the row before. Where the rows
-/// are on another server, the batch must be of one span: the arrays of the key, largest numbers of
-/// rows, then the lower and the upper bound and those of the growing spans before it.
+/// are on another server, of the first scan alone: the parts of its key, largest number of rows,
+/// then the lower and the upper bound and those of the growing spans before it.
 [[nodiscard]] std::vector<std::string> scan_parameters(const std::vector<Scan>& batch,
                                                        const ResolvedLayout& layout);
 

@@ -3,14 +3,29 @@
 #include "storage/historian/native_time.hpp"
 
 namespace loopscope::storage::historian_statements {
+namespace {
+
+/// The table of expressions keeps PostgreSQL from making ORDER BY time LIMIT 1 of max(time), which
+/// it would send without the limit: the rows of a year would be sorted there.
+std::string largest_of(const ResolvedLayout& layout, const std::string& relation,
+                       const std::string& within) {
+  return "(WITH none AS (SELECT) SELECT max(" + layout.time + ") AS o0 FROM " + relation +
+         " AS h WHERE " + within + ")";
+}
+
+}  // namespace
 
 std::string native(const ResolvedLayout& layout) {
   return native_type(layout.layout.time_kind);
 }
 
+std::string time_sql(const ResolvedLayout& layout, const std::string& time) {
+  if (!layout.zone.empty()) return "(" + time + " AT TIME ZONE " + layout.zone + ")";
+  return time + "::" + native(layout);
+}
+
 std::string time_sql(const ResolvedLayout& layout) {
-  if (!layout.zone.empty()) return "(" + layout.time + " AT TIME ZONE " + layout.zone + ")";
-  if (layout.nanos.empty()) return layout.time + "::" + native(layout);
+  if (layout.nanos.empty() || !layout.zone.empty()) return time_sql(layout, layout.time);
   return "(date_trunc('second', " + layout.time + ") + (" + layout.nanos +
          " / 1000) * interval '1 microsecond')";
 }
@@ -43,6 +58,14 @@ std::string all_of(const std::vector<std::string>& relations, const std::string&
 
 std::string fenced(const std::string& rows) {
   return "(SELECT * FROM " + rows + " AS every OFFSET 0)";
+}
+
+std::string largest_time(const ResolvedLayout& layout, const std::vector<std::string>& relations,
+                         const std::string& within) {
+  std::string each;
+  for (const std::string& relation : relations)
+    each += (each.empty() ? "" : " UNION ALL ") + largest_of(layout, relation, within);
+  return "SELECT max(p.o0) AS o0 FROM (" + each + ") AS p";
 }
 
 Order order_of(const ResolvedLayout& layout) {

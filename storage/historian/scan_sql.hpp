@@ -15,6 +15,8 @@ namespace loopscope::storage::historian_statements {
 
 /// The time as that type.
 [[nodiscard]] std::string time_sql(const ResolvedLayout& layout);
+/// The same of another expression than the column, without nanoseconds.
+[[nodiscard]] std::string time_sql(const ResolvedLayout& layout, const std::string& time);
 
 /// A bound in the column's own type: a conversion of the column would keep its index from use.
 [[nodiscard]] std::string bound_sql(const ResolvedLayout& layout, const std::string& bound);
@@ -31,6 +33,12 @@ namespace loopscope::storage::historian_statements {
 
 /// `rows` (all_of) so that no order of their expressions is offered to the server that has them.
 [[nodiscard]] std::string fenced(const std::string& rows);
+
+/// A query with one row, o0: the largest time among the rows of `relations` of which `within`
+/// holds, as the column has it; NULL = there is none.
+[[nodiscard]] std::string largest_time(const ResolvedLayout& layout,
+                                       const std::vector<std::string>& relations,
+                                       const std::string& within);
 
 /// AND ...: rows of other fields must not take the place of a scan's own. Such scans have one
 /// column.

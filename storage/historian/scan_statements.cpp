@@ -1,7 +1,7 @@
 #include "storage/historian/scan_statements.hpp"
 
-#include "storage/historian/growing_spans.hpp"
 #include "storage/historian/row_before.hpp"
+#include "storage/historian/scan.hpp"
 #include "storage/historian/scan_sql.hpp"
 
 namespace loopscope::storage::historian_statements {
@@ -56,24 +56,30 @@ KeyArrays key_arrays(const ResolvedLayout& layout) {
   return arrays;
 }
 
-/// Requests of one span: a server elsewhere takes constants for bounds of an index, but of a
-/// parameter mysql_fdw drops the fraction of a second, and a conversion to local time it does not
-/// send at all. Only the keys and the numbers of rows differ.
-std::string requests_elsewhere(const ResolvedLayout& layout) {
-  const KeyArrays keys = key_arrays(layout);
+/// The parts of one key as parameters from $1 on: "$1::text AS k0, 1::int8 AS slot".
+std::string one_key(const ResolvedLayout& layout) {
+  std::string key;
+  for (std::size_t part = 0; part < layout.key.size(); ++part)
+    key += parameter(part + 1, layout.key[part].type) + " AS k" + std::to_string(part) + ", ";
+  return key + "1::int8 AS slot";
+}
+
+/// One request, which PostgreSQL makes constants of before it asks: of what is found at run time
+/// mysql_fdw drops the fraction of a second, a conversion to local time it does not send at all,
+/// and tds_fdw sends no value.
+std::string request_elsewhere(const ResolvedLayout& layout) {
   std::size_t next = layout.key.size() + 1;
-  const std::string max_rows = parameter(next++, "int8[]");
-  std::string bounds = parameter(next++, native(layout)) + " AS from_time, ";
-  bounds += parameter(next++, native(layout)) + " AS to_time";
+  std::string columns = one_key(layout) + ", " + parameter(next++, "int8") + " AS max_rows, ";
+  columns += parameter(next++, native(layout)) + " AS from_time, ";
+  columns += parameter(next++, native(layout)) + " AS to_time";
   for (std::size_t k = 0; k < kGrowingSpans_us.size(); ++k)
-    bounds += ", " + parameter(next++, native(layout)) + " AS before_" + std::to_string(k);
-  return "(SELECT r.*, " + bounds + " FROM unnest(" + keys.parameters + max_rows +
-         ") WITH ORDINALITY AS r (" + keys.names + "max_rows, slot)) AS request";
+    columns += ", " + parameter(next++, native(layout)) + " AS before_" + std::to_string(k);
+  return "(SELECT " + columns + ") AS request";
 }
 
 /// The scans that read_scans() is asked for.
 std::string requests_sql(const ResolvedLayout& layout) {
-  if (layout.foreign) return requests_elsewhere(layout);
+  if (layout.foreign) return request_elsewhere(layout);
   const KeyArrays keys = key_arrays(layout);
   const std::size_t next = layout.key.size() + 1;
   const std::string times = native(layout) + "[]";
@@ -95,6 +101,29 @@ std::string span_sql(const ResolvedLayout& layout, const std::vector<std::string
   return "SELECT " + row.arrays + " FROM (SELECT u.* FROM " +
          in_order(layout, all_of(relations, order.columns + row.columns, within)) +
          " AS u ORDER BY " + order.newest_first + " LIMIT request.max_rows) AS x";
+}
+
+/// The keys that newest_rows() is asked for.
+std::string keys_sql(const ResolvedLayout& layout) {
+  if (layout.foreign || layout.key.empty()) return "(SELECT " + one_key(layout) + ") AS request";
+  const KeyArrays keys = key_arrays(layout);
+  return "unnest(" + keys.parameters.substr(0, keys.parameters.size() - 2) +
+         ") WITH ORDINALITY AS request (" + keys.names + "slot)";
+}
+
+std::string newest_first(const ResolvedLayout& layout, const std::vector<std::string>& relations,
+                         const std::string& within) {
+  const Order order = order_of(layout);
+  return "SELECT u.time FROM " +
+         in_order(layout,
+                  all_of(relations, order.columns + time_sql(layout) + " AS time", within)) +
+         " AS u ORDER BY " + order.newest_first + " LIMIT 1";
+}
+
+std::string largest(const ResolvedLayout& layout, const std::vector<std::string>& relations,
+                    const std::string& within) {
+  return "SELECT " + time_sql(layout, "n.o0") + " AS time FROM (" +
+         largest_time(layout, relations, within) + ") AS n WHERE n.o0 IS NOT NULL";
 }
 
 std::string values_of_span(const std::vector<ScanColumn>& columns) {
@@ -145,24 +174,18 @@ HeapOrderStatements read_in_heap_order(const ResolvedLayout& layout,
 
 Statement newest_rows(const ResolvedLayout& layout, const std::vector<std::string>& relations,
                       const std::string& column) {
-  const KeyArrays keys = key_arrays(layout);
   const std::size_t next = layout.key.size() + 1;
-  const std::string type = native(layout);
-  const std::string request =
-      layout.key.empty() ? "(SELECT 1::int8 AS slot) AS request"
-                         : "unnest(" + keys.parameters.substr(0, keys.parameters.size() - 2) +
-                               ") WITH ORDINALITY AS request (" + keys.names + "slot)";
-  const Order order = order_of(layout);
+  const std::string type = native(layout), request = keys_sql(layout);
   std::string within = key_is_requested(layout) + layout.time +
                        " >= " + bound_sql(layout, parameter(next, type)) + " AND " + layout.time +
                        " <= " + bound_sql(layout, parameter(next + 1, type));
   if (!column.empty()) within += " AND " + column + " IS NOT NULL";
-  return {"newest_rows",
-          "SELECT request.slot, newest.time FROM " + request +
-              " CROSS JOIN LATERAL (SELECT u.time" + " FROM " +
-              in_order(layout,
-                       all_of(relations, order.columns + time_sql(layout) + " AS time", within)) +
-              " AS u ORDER BY " + order.newest_first + " LIMIT 1) AS newest"};
+  const bool largest_tells = layout.largest_elsewhere && column.empty();
+  return {"newest_rows", "SELECT request.slot, newest.time FROM " + request +
+                             " CROSS JOIN LATERAL (" +
+                             (largest_tells ? largest(layout, relations, within)
+                                            : newest_first(layout, relations, within)) +
+                             ") AS newest"};
 }
 
 Statement newest_row(const ResolvedLayout& layout, const std::string& relation) {

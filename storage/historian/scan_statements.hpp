@@ -15,7 +15,7 @@ namespace loopscope::storage::historian_statements {
 /// bounds, largest numbers of rows, lower bounds for the row before -> slot, times, rows of unknown
 /// quality, values of each column, and time and value of the row before of each column that wants
 /// it. Bad values are NULL. `relations` (at least one) hold the span and what lies before it. Of
-/// rows on another server the scans are of one span (scan_parameters).
+/// rows on another server it reads one scan (scan_parameters).
 [[nodiscard]] Statement read_scans(const ResolvedLayout& layout,
                                    const std::vector<std::string>& relations,
                                    const std::vector<ScanColumn>& columns);
@@ -32,8 +32,9 @@ struct HeapOrderStatements {
                                                      const std::vector<std::string>& relations,
                                                      const std::vector<ScanColumn>& columns);
 
-/// Time of the newest row of each key: one array per part of the key, lower bound, upper bound ->
-/// slot, time. With a `column` (quoted, h."column") only rows count that have a value there.
+/// Time of the newest row of each key: one array per part of the key (of rows on another server:
+/// the part itself, of one key), lower bound, upper bound -> slot, time. With a `column` (quoted,
+/// h."column") only rows count that have a value there.
 [[nodiscard]] Statement newest_rows(const ResolvedLayout& layout,
                                     const std::vector<std::string>& relations,
                                     const std::string& column);

@@ -65,7 +65,7 @@ const Statement kFindRelation{"find_relation", R"(
 const Statement kStillThere{"still_there",
                             "SELECT oid FROM pg_catalog.pg_class WHERE oid = ANY ($1::oid[])"};
 
-const Statement kIsForeign{"is_foreign", R"(
+const Statement kElsewhere{"elsewhere", R"(
     WITH RECURSIVE below (oid) AS (
       SELECT $1::oid
       UNION
@@ -77,9 +77,29 @@ const Statement kIsForeign{"is_foreign", R"(
           ON d.classid = 'pg_catalog.pg_rewrite'::regclass AND d.objid = r.oid
         WHERE r.ev_class = below.oid AND d.refclassid = 'pg_catalog.pg_class'::regclass
       ) AS next (oid))
-    SELECT EXISTS (SELECT FROM below JOIN pg_catalog.pg_class AS c ON c.oid = below.oid
-                   WHERE c.relkind = 'f'))",
+    SELECT count(*) > 0, max(w.fdwname) FILTER (WHERE t.ftrelid = $1::oid),
+           coalesce(bool_or(w.fdwname = 'tds_fdw'), false)
+    FROM below JOIN pg_catalog.pg_foreign_table AS t ON t.ftrelid = below.oid
+    JOIN pg_catalog.pg_foreign_server AS s ON s.oid = t.ftserver
+    JOIN pg_catalog.pg_foreign_data_wrapper AS w ON w.oid = s.srvfdw)",
                            Rows::one};
+
+const Statement kForeignTable{"foreign_table", R"(
+    WITH given (server, wrapper, name, value, ours) AS (
+      SELECT s.srvname, w.fdwname, o.option_name, o.option_value, o.ours
+      FROM pg_catalog.pg_foreign_table AS t
+      JOIN pg_catalog.pg_foreign_server AS s ON s.oid = t.ftserver
+      JOIN pg_catalog.pg_foreign_data_wrapper AS w ON w.oid = s.srvfdw
+      LEFT JOIN LATERAL (
+        SELECT *, true FROM pg_catalog.pg_options_to_table(t.ftoptions)
+        UNION ALL SELECT *, false FROM pg_catalog.pg_options_to_table(s.srvoptions)
+      ) AS o (option_name, option_value, ours) ON true
+      WHERE t.ftrelid = $1::oid)
+    SELECT server, wrapper, max(value) FILTER (WHERE name = 'dbname'),
+           coalesce(max(value) FILTER (WHERE name = 'fetch_size' AND ours),
+                    max(value) FILTER (WHERE name = 'fetch_size')),
+           coalesce(bool_or(name = 'fetch_size' AND NOT ours), false)
+    FROM given GROUP BY server, wrapper)"};
 
 const Statement kColumns{"columns", R"(
     SELECT a.attname, CASE WHEN t.typtype = 'd' THEN base.typname ELSE t.typname END

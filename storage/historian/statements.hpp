@@ -13,8 +13,13 @@ namespace loopscope::storage::historian_statements {
 extern const Statement kFindRelation;
 /// Those of a list of oids that are relations.
 extern const Statement kStillThere;
-/// relation oid -> whether any of its rows come out of a foreign table, below views and partitions
-extern const Statement kIsForeign;
+/// relation oid -> whether any of its rows come out of a foreign table, below views and partitions;
+/// the foreign data wrapper of the relation itself, NULL = it is no foreign table; whether any of
+/// them is of tds_fdw
+extern const Statement kElsewhere;
+/// oid of a foreign table -> its server, wrapper, options dbname and fetch_size (NULL = not set),
+/// whether the server itself has a fetch_size
+extern const Statement kForeignTable;
 extern const Statement kColumns;  ///< relation oid -> name, type
 /// relation oid -> key columns, all columns: names in hexadecimal digits, comma-separated
 extern const Statement kIndexes;

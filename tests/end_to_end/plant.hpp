@@ -47,6 +47,7 @@ class Plant {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
   [[nodiscard]] std::string settings_file() const { return folder_.path() / "loopscope.json"; }
   [[nodiscard]] const std::string& connection() const { return connection_; }
+  [[nodiscard]] const TestDatabase& database() const { return database_; }
 
  private:
   TemporaryFolder folder_;

@@ -52,6 +52,22 @@ TEST_F(ThroughPooler, TransactionModeIsRefusedByEveryCommand) {
                       HasSubstr("pool_mode = session")))
         << command;
   }
+  const std::string checked = plant.loopscope("check-config").out;
+  EXPECT_THAT(checked, AllOf(HasSubstr("PROBLEM  results database: "),
+                             HasSubstr("PROBLEM  historian plant: ")))
+      << "each of the two is told";
+  EXPECT_EQ(plant.sql("select count(*) from loopscope.analysis"), "0");
+}
+
+TEST_F(ThroughPooler, AHistorianAloneBehindTransactionModeIsAway) {
+  start("transaction", "ignore_startup_parameters = options\n");
+  plant.write_settings(R"({"results": {"connection": "@RESULTS@"}, "historians": [{"name": "plant",
+      "connection": ")" +
+                       pooler->conninfo(plant.connection()) + R"("}]})");
+  const ProgramResult once = plant.loopscope("once");
+  EXPECT_NE(once.exit_code, 0) << once.out;
+  EXPECT_THAT(once.out + once.err,
+              AllOf(HasSubstr("historian plant"), HasSubstr("pool_mode = session")));
   EXPECT_EQ(plant.sql("select count(*) from loopscope.analysis"), "0");
 }
 

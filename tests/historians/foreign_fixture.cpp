@@ -1,5 +1,7 @@
 #include "tests/historians/foreign_fixture.hpp"
 
+#include <bit>
+
 namespace loopscope::tests {
 namespace {
 
@@ -23,16 +25,15 @@ constexpr const char* kHistory = R"(
 
 }  // namespace
 
-std::string as_insert(const TestDatabase& database, const std::string& table) {
-  std::string columns;
-  for (const auto& row :
-       database.rows("SELECT attname FROM pg_attribute WHERE attnum > 0 AND attrelid = '" + table +
-                     "'::regclass ORDER BY attnum")) {
-    columns += (columns.empty() ? "" : " || ',' || ") + ("quote_nullable(" + row[0] + "::text)");
+void expect_same(const core::signal::RawSeries& read, const core::signal::RawSeries& expected,
+                 const storage::TagRequest& request) {
+  ASSERT_EQ(read.time_us, expected.time_us) << request.tag << request.from_us;
+  for (std::size_t k = 0; k < expected.value.size(); ++k) {
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(read.value[k]),
+              std::bit_cast<std::uint64_t>(expected.value[k]))
+        << request.tag << k;
   }
-  const std::string values =
-      database.value("SELECT string_agg('(' || " + columns + " || ')', ',') FROM " + table);
-  return "INSERT INTO " + table + " VALUES " + values + ";";
+  EXPECT_EQ(read.unknown_quality, expected.unknown_quality) << request.tag;
 }
 
 void Foreign::SetUp() {
@@ -52,11 +53,12 @@ void Foreign::make_history() {
   make_foreign("elsewhere", "native");
 }
 
-void Foreign::make_foreign(const std::string& name, const std::string& remote) const {
+void Foreign::make_foreign(const std::string& name, const std::string& remote,
+                           const std::string& options) const {
   database->execute("CREATE FOREIGN TABLE " + name +
                     " (tag text, time timestamp, value float8, quality int)"
                     " SERVER mariadb OPTIONS (dbname 'plant', table_name '" +
-                    remote + "')");
+                    remote + "'" + options + ")");
 }
 
 storage::ConnectionSettings Foreign::connection() const {

@@ -48,6 +48,10 @@ TEST(ExplainErrorHints, OfAStatementByItsState) {
         Case{"2BP01",
              "an object of the site's own depends on what changes (the detail names it): "
              "let its owner drop it, repeat this, and create it again"},
+        Case{"HV00N",
+             "the server behind a foreign table does not answer, or not as PostgreSQL asks: try it "
+             "from the machine of PostgreSQL, and look at CREATE SERVER, CREATE USER MAPPING and "
+             "the columns of the foreign table"},
         Case{"XX000", "a fault of the server: read its log"},
         Case{"99999", "a fault of the server: read its log"}})
     EXPECT_EQ(hint(one.sqlstate), one.hint) << one.sqlstate;

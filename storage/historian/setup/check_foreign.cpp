@@ -1,45 +1,12 @@
 #include "storage/historian/setup/check_foreign.hpp"
 
-#include <optional>
 #include <string>
+#include <vector>
 
-#include "storage/utf8.hpp"
+#include "storage/historian/foreign_plan.hpp"
 
 namespace loopscope::storage {
 namespace {
-
-/// What is sent, as mysql_fdw and tds_fdw, postgres_fdw and oracle_fdw say it.
-constexpr const char* kSent[] = {"Remote query: ", "Remote SQL: ", "Oracle query: "};
-
-/// A node of a plan that reads a foreign table.
-struct ForeignScan {
-  std::string sent;    ///< empty = its wrapper does not tell
-  std::string filter;  ///< conditions that are left to PostgreSQL; empty = none
-};
-
-std::optional<std::string> after(const std::string& line, const std::string& words) {
-  const std::size_t at = line.find_first_not_of(' ');
-  if (at == std::string::npos || line.compare(at, words.size(), words) != 0) return std::nullopt;
-  return make_storable(line.substr(at + words.size()));
-}
-
-std::vector<ForeignScan> foreign_scans(const PqRows& plan) {
-  std::vector<ForeignScan> scans;
-  bool inside = false;
-  for (int row = 0; row < plan.size(); ++row) {
-    const std::string line = plan.text(row, 0);
-    if (line.find("->  ") != std::string::npos) {
-      inside = line.find("->  Foreign Scan") != std::string::npos;
-      if (inside) scans.emplace_back();
-    }
-    if (!inside) continue;
-    for (const char* words : kSent) {
-      if (auto sent = after(line, words)) scans.back().sent = *std::move(sent);
-    }
-    if (auto filter = after(line, "Filter: ")) scans.back().filter = *std::move(filter);
-  }
-  return scans;
-}
 
 Finding conditions(const std::vector<ForeignScan>& scans, const std::string& relation) {
   for (const ForeignScan& scan : scans) {

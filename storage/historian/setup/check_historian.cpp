@@ -5,9 +5,11 @@
 
 #include "storage/check_connection.hpp"
 #include "storage/historian/check_index.hpp"
+#include "storage/historian/foreign_plan.hpp"
 #include "storage/historian/pq_connection.hpp"
 #include "storage/historian/resolve_layout.hpp"
 #include "storage/historian/scan_statements.hpp"
+#include "storage/historian/setup/check_foreign_table.hpp"
 #include "storage/historian/setup/check_newest.hpp"
 #include "storage/historian/setup/check_window.hpp"
 #include "storage/historian/setup/read_grants.hpp"
@@ -23,6 +25,8 @@ void check_reading(PqConnection& connection, const ResolvedLayout& layout,
                    std::vector<Finding>& findings) {
   const std::int64_t now_us = std::stoll(connection.run(historian_statements::kNow).text(0, 0));
   findings.push_back(check_index(connection, layout));
+  for (Finding& found : check_foreign_table(connection, layout, now_us))
+    findings.push_back(std::move(found));
   for (Finding& found : check_window(connection, layout, now_us))
     findings.push_back(std::move(found));
   findings.push_back(check_newest(connection, layout, now_us));
@@ -40,13 +44,14 @@ std::vector<Finding> check_historian(const ConnectionSettings& settings,
     findings = check_connection(reader);
     PqConnection connection(reader);
     findings.push_back({true, "connected to the " + connection.target(), "", false});
-    const ResolvedLayout resolved = resolve_layout(connection, layout);
+    ResolvedLayout resolved = resolve_layout(connection, layout);
     if (const auto lacking = check_read_rights(connection, resolved)) {
       findings.push_back(*lacking);
       return findings;
     }
     connection.run(historian_statements::try_read(resolved, any_value(connection, resolved)));
     findings.push_back({true, resolved.data.sql + " has the columns and can be read", "", false});
+    resolved.largest_elsewhere = asks_for_largest(connection, resolved);
     check_reading(connection, resolved, findings);
   } catch (const DatabaseError& error) {
     findings.push_back({false, error.what(), error.hint(), false});
