@@ -68,7 +68,7 @@ std::set<std::int64_t> ids_of(const std::vector<Told>& told) {
 /// The heading of an area before the first of its loops.
 Markup area_heading(const AreaCounts& area, std::int64_t told) {
   return render("area_heading",
-                {{"anchor", area_anchor("", area.best_rank)},
+                {{"anchor", area_anchor(area.best_rank)},
                  {"area", area_words(area.area)},
                  {"flagged", core::text::counted(area.flagged, "flagged loop", "flagged loops")},
                  {"loops", area.loops},

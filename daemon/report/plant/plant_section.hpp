@@ -31,7 +31,7 @@ struct PlantFacts {
 /// verdict. A live page shows the head of long lists and leads to the rest.
 [[nodiscard]] Markup plant_section(const PlantFacts& facts, const LoopLinks& links);
 
-/// What marks the sections of the area whose worst loop has this rank, behind `before`.
-[[nodiscard]] std::string area_anchor(const std::string& before, std::int64_t best_rank);
+/// What marks the sections of the area whose worst loop has this rank.
+[[nodiscard]] std::string area_anchor(std::int64_t best_rank);
 
 }  // namespace loopscope::daemon

@@ -63,6 +63,14 @@ TEST(LongLists, EachKindOfFaultHasItsActionOnce) {
   EXPECT_THAT(words, HasSubstr("Before these 476 repairs more"));
 }
 
+TEST(LongLists, AReportHasATableOfContents) {
+  const std::string words = words_of(plant_section(crowded("north"), LoopLinks::sections({})).html);
+  EXPECT_THAT(words,
+              HasSubstr("Work list 2000 What to do Areas 20 Plant-wide oscillations 12 Taken "
+                        "off the list 7 Repairs 501 Without a controller 501 Cannot be "
+                        "judged 1 north0 100 north1 100"));
+}
+
 TEST(LongLists, AreasLeadToTheirLoops) {
   const std::string text = plant_section(crowded("north"), LoopLinks::pages()).html;
   EXPECT_THAT(text, HasSubstr("<a href=\"/loops?area=north7\"><bdi>north7</bdi></a>"));

@@ -24,7 +24,7 @@ TEST(PlantSection, TellsCountsFactorsAndWhatToDo) {
   EXPECT_THAT(text, HasSubstr("<b>2</b><span>flagged</span>"));
   EXPECT_THAT(text, HasSubstr("Not on the list: 4 loops affected by a shared oscillation, "));
   EXPECT_THAT(text, HasSubstr("marked as false (below), 6 faults not sure"));
-  EXPECT_THAT(text, HasSubstr("<h2>Taken off the list by people</h2>"));
+  EXPECT_THAT(text, HasSubstr("<h2 id=\"annotated\">Taken off the list by people</h2>"));
   EXPECT_THAT(text, HasSubstr("5 more, older than these"));
   EXPECT_THAT(text, HasSubstr("href=\"#loop-1\""));
   EXPECT_THAT(text, HasSubstr("data-sort=\"0.504\""));

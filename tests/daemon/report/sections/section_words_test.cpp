@@ -135,6 +135,8 @@ TEST(SectionWords, ThePlant) {
       "1 new since 2026-03-01 11:59 UTC\n"
       "3 fixed repairs since then\n"
       "1 unjudgeable why: below; 1 never analysed\n"
+      "Work list 1 What to do Taken off the list 7 Repairs 1 Without a controller 1 Cannot be "
+      "judged 1\n"
       "Work list\n"
       "Rank | Loop | Verdict | Confidence | Status | Since (UTC) | Priority\n"
       "1 | FIC101 FIC101 source of oscillation 1 | Valve stiction | 0.63 | confirmed | "
@@ -179,7 +181,7 @@ TEST(SectionWords, ThePlant) {
             "0 flagged action needed\n"
             "0 new since 1970-01-01 00:00 UTC\n"
             "0 fixed repairs since then\n"
-            "0 unjudgeable why: below; 0 never analysed\n"
+            "0 unjudgeable 0 never analysed\n"
             "Work list\n"
             "No loop is flagged: nothing to act on.\n");
 }
