@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 
+#include "config/acknowledge_rules.hpp"
 #include "config/historian_rules.hpp"
 #include "config/host_name.hpp"
 #include "config/http_address.hpp"
@@ -170,6 +171,7 @@ void check_cross_rules(const Settings& settings, ProblemList& problems) {
   check_schedule(settings.schedule, problems);
   check_http_address(settings.daemon.http_address, problems);
   check_http_names(settings.daemon.http_names, problems);
+  check_acknowledge(settings, problems);
   check_time_zone(settings.plant.time_zone, problems);
   check_report(settings.report, problems);
   check_list(settings.flags, problems);

@@ -18,6 +18,8 @@ constexpr auto in_schedule = target_at<&Settings::schedule, member>;
 template <auto member>
 constexpr auto in_daemon = target_at<&Settings::daemon, member>;
 template <auto member>
+constexpr auto in_acknowledge = target_at<&Settings::daemon, &DaemonSettings::acknowledge, member>;
+template <auto member>
 constexpr auto in_flags = target_at<&Settings::flags, member>;
 template <auto member>
 constexpr auto in_plant = target_at<&Settings::plant, member>;
@@ -40,7 +42,7 @@ constexpr std::array kServiceSettings = {
     Setting{"/results/engineer_connection", in_results<&ResultsSettings::engineer_connection>,
             any(Form::optional_connection),
             "the same database; login of a member of `loopscope_engineer`, under which people "
-            "speak (`annotate`, `maintenance`); empty = `owner_connection`"},
+            "speak (`annotate`, `maintenance`, the pages); empty = `owner_connection`"},
     Setting{"/results/retention_months", in_results<&ResultsSettings::retention_months>,
             range(0, 1200, "months"),
             "age from which `maintain` deletes results; 0 = kept for ever"},
@@ -94,6 +96,19 @@ constexpr std::array kServiceSettings = {
             "`localhost`; other requests are refused (421)"},
     Setting{"/daemon/max_lag_s", in_daemon<&DaemonSettings::max_lag_s>, range(1, 2592000, "s"),
             "delay of the most overdue loop beyond which `/readyz` says no"},
+    Setting{"/daemon/acknowledge/trusted_proxies",
+            in_acknowledge<&AcknowledgeSettings::trusted_proxies>, any(Form::texts),
+            "addresses or networks (`127.0.0.1`, `10.1.0.0/16`) of proxies that sign people in: "
+            "who comes by one may acknowledge, suppress and withdraw on the pages; empty = nobody "
+            "may, the pages are for reading"},
+    Setting{"/daemon/acknowledge/user_header", in_acknowledge<&AcknowledgeSettings::user_header>,
+            any(Form::text),
+            "header in which such a proxy says who it is; it has to overwrite what a browser sends "
+            "under that name"},
+    Setting{"/daemon/acknowledge/origin", in_acknowledge<&AcknowledgeSettings::origin>,
+            any(Form::optional_text),
+            "address under which people see the pages, `https://loopscope.plant.example`: what a "
+            "page of another address sends is refused"},
 
     Setting{"/flags/list_false_share", in_flags<&FlagSettings::list_false_share>, range(0, 0.5),
             "expected share of loops without a fault on the list: the mean of 1 less the "

@@ -13,8 +13,8 @@ struct ResultsSettings {
   std::string connection;           ///< libpq connection string of the worker; required
   std::string owner_connection;     ///< of the schema's owner (migrate, maintain, loops, import);
                                     ///< empty = connection
-  std::string engineer_connection;  ///< of a member of loopscope_engineer (annotate, maintenance);
-                                    ///< empty = owner_connection
+  std::string engineer_connection;  ///< of a member of loopscope_engineer (annotate, maintenance,
+                                    ///< pages); empty = owner_connection
   int retention_months = 24;        ///< months of results that maintain keeps, 0 to 1200; 0 = all
 };
 
@@ -94,6 +94,16 @@ struct ScheduleSettings {
   [[nodiscard]] double hold_s() const { return lease_s - poll_s; }
 };
 
+/// Who may say something of a finding on the pages (daemon/monitor/README.md, "Acknowledging").
+struct AcknowledgeSettings {
+  /// Addresses and networks whose requests name a user; empty = nobody writes. See ip_network.hpp.
+  std::vector<std::string> trusted_proxies;
+  std::string user_header = "X-Remote-User";  ///< in which they name him
+  std::string origin;  ///< under which people see the pages; see web_origin.hpp
+
+  [[nodiscard]] bool on() const { return !trusted_proxies.empty(); }
+};
+
 /// The process itself.
 struct DaemonSettings {
   int workers = 0;                              ///< cores to analyse on; 0 = all; 0 to 256
@@ -104,6 +114,7 @@ struct DaemonSettings {
   std::vector<std::string> http_names;          ///< it may be called so; see host_name.hpp
   /// Seconds that the most overdue loop may be late before /readyz says no, 1 to 2592000.
   double max_lag_s = 3600.0;
+  AcknowledgeSettings acknowledge;
 };
 
 /// Which loops are shown as flagged.

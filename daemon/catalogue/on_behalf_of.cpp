@@ -35,8 +35,14 @@ std::size_t count_characters(std::string_view text) {
   return count;
 }
 
-/// What is wrong with the name; empty = nothing.
-std::string complaint(const std::string& name) {
+void require_name(const std::string& of, const std::string& name, const char* hint) {
+  const std::string wrong = name_complaint(name);
+  if (!wrong.empty()) throw Failure(ExitCode::usage, of + " " + wrong, hint);
+}
+
+}  // namespace
+
+std::string name_complaint(const std::string& name) {
   if (name.empty()) return "is empty";
   if (printable(name) != name) return fmt::format("\"{}\" is not one line of printable text", name);
   if (name.front() == ' ' || name.back() == ' ')
@@ -47,13 +53,6 @@ std::string complaint(const std::string& name) {
                        storage::kLongestOnBehalfOf);
   return "";
 }
-
-void require_name(const std::string& of, const std::string& name, const char* hint) {
-  const std::string wrong = complaint(name);
-  if (!wrong.empty()) throw Failure(ExitCode::usage, of + " " + wrong, hint);
-}
-
-}  // namespace
 
 std::optional<std::string> on_behalf_of(const std::optional<std::string>& said) {
   if (said) {

@@ -9,6 +9,10 @@ namespace loopscope::daemon {
 inline constexpr const char* kOnBehalfOfHelp =
     "In whose name (default: the operating system's user who runs this)";
 
+/// What keeps a text from being a name: "is empty", "has blanks around the name", ...; empty =
+/// nothing does.
+[[nodiscard]] std::string name_complaint(const std::string& name);
+
 /// In whose name something is entered: `said` (--on-behalf-of), else the name of the operating
 /// system's user who runs this process, by its real user id: no environment variable changes it,
 /// and under sudo it is root. nullopt = the system has no name for that id. Throws Failure (usage)

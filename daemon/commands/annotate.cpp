@@ -1,13 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
 #include <optional>
 
-#include "config/nearest_name.hpp"
 #include "config/read_settings.hpp"
+#include "daemon/catalogue/annotation_wish.hpp"
 #include "daemon/catalogue/on_behalf_of.hpp"
 #include "daemon/catalogue/unknown_loop.hpp"
 #include "daemon/commands/commands.hpp"
@@ -15,8 +13,6 @@
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
-#include "daemon/text/read_time.hpp"
-#include "daemon/text/time_text.hpp"
 #include "storage/results/catalogue/annotations.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 
@@ -29,8 +25,6 @@ struct AnnotateOptions {
 };
 
 using SharedAnnotateOptions = std::shared_ptr<AnnotateOptions>;
-
-constexpr const char* kAnyCode = "any";
 
 struct AnnotationWork {
   explicit AnnotationWork(const AnnotateOptions& options)
@@ -54,43 +48,6 @@ void require_loop_option(const AnnotateOptions& options) {
   }
 }
 
-/// A verdict's code, or `any`; empty stands for what was not said.
-void require_known(const std::string& code, const std::vector<std::string>& codes) {
-  if (code.empty() || code == kAnyCode || std::ranges::count(codes, code) > 0) return;
-  const std::optional<std::string> nearest = config::nearest_name(code, codes);
-  throw Failure(ExitCode::usage, fmt::format("--code \"{}\" is not the verdict of a fault", code),
-                nearest ? fmt::format("did you mean {}? `loopscope export --config F verdict_kind` "
-                                      "lists them",
-                                      *nearest)
-                        : "`loopscope export --config F verdict_kind` lists them; `any` is all");
-}
-
-/// What is said about a verdict is about the newest one, unless another is named.
-std::optional<std::string> verdict_meant(const AnnotateOptions& options,
-                                         storage::Annotations& annotations) {
-  const std::vector<std::string> codes = annotations.fault_codes();
-  require_known(options.code, codes);
-  if (options.code == kAnyCode) return std::nullopt;
-  if (!options.code.empty()) return options.code;
-  std::optional<std::string> newest = annotations.newest_code(options.loop);
-  if (newest && std::ranges::count(codes, *newest) > 0) return newest;
-  throw Failure(ExitCode::usage,
-                fmt::format("loop \"{}\" has no fault: {}", options.loop,
-                            newest ? "its newest verdict is " + *newest : "it was never analysed"),
-                "name the verdict that is meant: --code CODE, or --code any");
-}
-
-std::int64_t parse_until(const std::string& text, const TimeZone& zone) {
-  const std::int64_t until_us = time_option("--until", text, zone);
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  if (until_us <= std::chrono::duration_cast<std::chrono::microseconds>(now).count()) {
-    throw Failure(ExitCode::usage,
-                  fmt::format("--until {} has passed", format_time(until_us, zone)),
-                  "name a time to come; without an offset it is meant in " + zone.name());
-  }
-  return until_us;
-}
-
 /// In the name that the options say.
 void say(const AnnotateOptions& options, storage::Annotation annotation, AnnotationWork& opened) {
   annotation.on_behalf_of = options.on_behalf_of;
@@ -104,37 +61,25 @@ void say(const AnnotateOptions& options, storage::Annotation annotation, Annotat
             << others_in_force(*others, opened.zone);
 }
 
-void annotate_verdict(const AnnotateOptions& options, const char* kind) {
+void annotate(const AnnotateOptions& options, const char* kind) {
   require_loop_option(options);
-  AnnotationWork opened(options);
-  say(options,
-      {options.loop, kind, verdict_meant(options, opened.annotations), std::nullopt, options.reason,
-       "", 0},
-      opened);
+  const config::Settings settings = config::read_settings(options.config);
+  const AnnotationWish wish{options.loop, kind, options.code, options.until, options.reason};
+  check_wish(wish, {}, TimeZone(settings.plant.time_zone));
+  AnnotationWork opened(options, settings);
+  say(options, annotation_meant(wish, {}, opened.zone, opened.annotations), opened);
 }
 
 void acknowledge(const AnnotateOptions& options) {
-  annotate_verdict(options, "acknowledged");
+  annotate(options, "acknowledged");
 }
 
 void call_false(const AnnotateOptions& options) {
-  annotate_verdict(options, "false_positive");
+  annotate(options, "false_positive");
 }
 
 void suppress(const AnnotateOptions& options) {
-  require_loop_option(options);
-  const config::Settings settings = config::read_settings(options.config);
-  const std::int64_t until_us = parse_until(options.until, TimeZone(settings.plant.time_zone));
-  if (options.reason.empty()) {
-    throw Failure(ExitCode::usage, "--reason is empty", "say why, for those who ask later");
-  }
-  AnnotationWork opened(options, settings);
-  require_known(options.code, opened.annotations.fault_codes());
-  const bool any = options.code.empty() || options.code == kAnyCode;
-  say(options,
-      {options.loop, "suppressed", any ? std::nullopt : std::optional(options.code), until_us,
-       options.reason, "", 0},
-      opened);
+  annotate(options, "suppressed");
 }
 
 void withdraw(const AnnotateOptions& options) {

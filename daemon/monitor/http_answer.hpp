@@ -15,7 +15,8 @@ struct HttpAnswer {
   int status = 200;
   std::string body;
   std::string content_type = "text/plain; charset=utf-8";
-  std::multimap<std::string, std::string> headers = {};  ///< more of them, never out of a request
+  std::multimap<std::string, std::string> headers =
+      {};                    ///< more of them; of a request nothing but %XX
   std::string gzipped = {};  ///< the body once more, for who wants it so; empty = not made
 };
 

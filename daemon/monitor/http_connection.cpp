@@ -3,20 +3,25 @@
 #include <array>
 #include <asio/buffer.hpp>
 #include <asio/dispatch.hpp>
+#include <asio/read.hpp>
 #include <asio/read_until.hpp>
 #include <asio/write.hpp>
 #include <utility>
 #include <variant>
+
+#include "daemon/monitor/form_head.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 using std::chrono::milliseconds;
 
-/// A head is one packet, or a few.
+/// A head is one packet, or a few; so is the body of a form.
 constexpr milliseconds kRequestPatience{5'000};
 /// Of a reader whose page is being made.
 constexpr milliseconds kPagePatience{4'000};
+/// Of who has sent a form: a database that is slow to answer shall say what it did.
+constexpr milliseconds kFormPatience{20'000};
 /// A page of megabytes over a slow line; it holds nothing but a place in the table.
 constexpr milliseconds kAnswerPatience{60'000};
 /// For what the client still sends after its answer.
@@ -36,6 +41,12 @@ HttpAnswer not_yet() {
   answer.headers.emplace("Retry-After", "2");
   answer.headers.emplace("Refresh", "2");  // browsers look at this one
   return answer;
+}
+
+HttpAnswer not_known() {
+  return {503,
+          "this takes too long: whether it was done is not known\n"
+          "HINT: go back and load the page again: it says what holds\n"};
 }
 
 }  // namespace
@@ -64,8 +75,9 @@ void HttpConnection::enter(Phase phase, Clock::duration patience) {
 }
 
 void HttpConnection::on_deadline() {
-  if (phase_ == Phase::waiting) return write(std::make_shared<const HttpAnswer>(not_yet()));
-  close();
+  if (phase_ != Phase::waiting) return close();
+  const bool form = request_.method == "POST";
+  write(std::make_shared<const HttpAnswer>(form ? not_known() : not_yet()));
 }
 
 void HttpConnection::close() {
@@ -101,6 +113,8 @@ void HttpConnection::on_head(const std::error_code& error, std::size_t bytes) {
   if (const auto* status = std::get_if<HttpRefusal>(&parsed))
     return refuse(*status, "this is not a request that can be answered\n");
   request_ = std::get<HttpRequest>(std::move(parsed));
+  request_.from = from_.to_string();
+  received_.erase(0, bytes);
   ask();
 }
 
@@ -110,7 +124,47 @@ void HttpConnection::ask() {
                   "nobody here is called what the header Host says\n"
                   "HINT: ask by address, or add the name to /daemon/http_names\n");
   }
-  enter(Phase::waiting, kPagePatience);
+  if (auto refusal = site_.routes.refusal(request_))
+    return write(std::make_shared<const HttpAnswer>(*std::move(refusal)));
+  site_.routes.takes_form(request_) ? read_form() : answer(kPagePatience);
+}
+
+void HttpConnection::read_form() {
+  auto head = read_form_head(request_);
+  if (auto* refusal = std::get_if<HttpAnswer>(&head))
+    return write(std::make_shared<const HttpAnswer>(std::move(*refusal)));
+  form_bytes_ = std::get<FormHead>(head).bytes;
+  enter(Phase::reading, kRequestPatience);
+  const bool has_begun = !received_.empty();
+  std::get<FormHead>(head).asks_to_go_on && !has_begun ? go_on() : read_rest();
+}
+
+void HttpConnection::go_on() {
+  static constexpr std::string_view kGoOn = "HTTP/1.1 100 Continue\r\n\r\n";
+  asio::async_write(socket_, asio::buffer(kGoOn),
+                    [self = shared_from_this()](const std::error_code& error, std::size_t) {
+                      if (self->phase_ != Phase::reading) return;
+                      error ? self->close() : self->read_rest();
+                    });
+}
+
+/// What stands behind the announced length is left: nothing is answered twice.
+void HttpConnection::read_rest() {
+  const std::size_t so_far = received_.size();
+  if (so_far >= form_bytes_) {
+    request_.body = received_.substr(0, form_bytes_);
+    return answer(kFormPatience);
+  }
+  received_.resize(form_bytes_);
+  asio::async_read(socket_, asio::buffer(received_.data() + so_far, form_bytes_ - so_far),
+                   [self = shared_from_this()](const std::error_code& error, std::size_t) {
+                     if (self->phase_ != Phase::reading) return;
+                     error ? self->close() : self->read_rest();
+                   });
+}
+
+void HttpConnection::answer(Clock::duration patience) {
+  enter(Phase::waiting, patience);
   site_.routes.answer(request_, reply());
 }
 

@@ -26,7 +26,8 @@ struct HttpSite {
 /// happens, happens on the thread of the io_context. Each phase has an end in time, so that a
 /// client that sends a byte now and then is closed like one that is silent.
 ///
-///   reading ── whole head ──► waiting ── reply ──► writing ── all out ──► finishing ──► closed
+///   reading ── whole head, ──► waiting ── reply ──► writing ── all out ──► finishing ──► closed
+///              of a form its body
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   using Clock = std::chrono::steady_clock;
@@ -54,6 +55,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void on_deadline();
   void on_head(const std::error_code& error, std::size_t bytes);
   void ask();
+  void read_form();
+  void go_on();
+  void read_rest();
+  void answer(Clock::duration patience);
   [[nodiscard]] HttpReply reply();
   void refuse(int status, const std::string& words);
   void write(std::shared_ptr<const HttpAnswer> answer);
@@ -70,6 +75,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   std::shared_ptr<std::atomic<bool>> waits_ = std::make_shared<std::atomic<bool>>(false);
   std::string received_;
   HttpRequest request_;
+  std::size_t form_bytes_ = 0;  ///< of the body that is read, or was
   HttpMessage message_;
 };
 

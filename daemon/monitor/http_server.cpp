@@ -141,6 +141,10 @@ void HttpServer::handle_deferred(const std::string& path, DeferredHandler handle
   impl_->site.routes.add_deferred(path, std::move(handler));
 }
 
+void HttpServer::handle_form(const std::string& path, FormRoute form) {
+  impl_->site.routes.add_form(path, std::move(form));
+}
+
 void HttpServer::start() {
   try {
     listen_at(impl_->acceptor, impl_->address);

@@ -23,9 +23,10 @@ class HttpServer {
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// See HttpRoutes; both before start().
+  /// See HttpRoutes; all before start().
   void handle(const std::string& path, HttpHandler handler);
   void handle_deferred(const std::string& path, DeferredHandler handler);
+  void handle_form(const std::string& path, FormRoute form);
 
   /// Listens from now on. Throws Failure (configuration) when the address cannot be had.
   void start();

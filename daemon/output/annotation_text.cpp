@@ -67,13 +67,19 @@ std::string annotation_line(const storage::Annotation& annotation, const TimeZon
                      about(annotation), end_of(annotation, zone));
 }
 
+std::vector<std::string> others_sentences(const storage::OthersInForce& others,
+                                          const TimeZone& zone) {
+  std::vector<std::string> sentences;
+  for (const storage::Annotation& said : others.replaced)
+    sentences.push_back("takes the place of what was in force already: " + who_said(said, zone));
+  for (const storage::Annotation& said : others.beside)
+    sentences.push_back("stands beside what is in force already: " + who_said(said, zone));
+  return sentences;
+}
+
 std::string others_in_force(const storage::OthersInForce& others, const TimeZone& zone) {
   std::string text;
-  for (const storage::Annotation& said : others.replaced)
-    text +=
-        fmt::format("  takes the place of what was in force already: {}\n", who_said(said, zone));
-  for (const storage::Annotation& said : others.beside)
-    text += fmt::format("  stands beside what is in force already: {}\n", who_said(said, zone));
+  for (const std::string& sentence : others_sentences(others, zone)) text += "  " + sentence + '\n';
   if (!others.beside.empty())
     text += "  `withdraw` takes back all that holds of the loop, with --code one verdict's\n";
   return text;

@@ -73,14 +73,14 @@ PlantSeries series_of(const core::signal::LoopWindow& window, SeriesWanted how,
   return series;
 }
 
-struct Batch {
+struct LoopBatch {
   Candidates candidates;
   std::span<const std::size_t> wanted;
   std::span<const std::size_t> numbers;
   SeriesWanted how;
 };
 
-void read_batch(storage::HistorianReader& historian, const Batch& batch,
+void read_batch(storage::HistorianReader& historian, const LoopBatch& batch,
                 core::signal::PrepareSettings settings, CoreGate& cores,
                 std::vector<PlantSeries>& series) {
   std::vector<LoopSlot> slots;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 #include <utility>
 
@@ -77,6 +78,9 @@ void ServiceWatch::open_pages() {
     const std::string& asked = settings_->daemon.http_address;
     spdlog::info("health, metrics and pages: http://{}:{}", asked.substr(0, asked.rfind(':')),
                  server_->port());
+    if (const auto& acknowledge = settings_->daemon.acknowledge; acknowledge.on())
+      spdlog::info("people acknowledge on the pages: signed in by {}, seen under {}",
+                   fmt::join(acknowledge.trusted_proxies, ", "), acknowledge.origin);
   } catch (const Failure& failure) {
     server_.reset();
     tools_.faults.fault("http", std::string(failure.what()) + " HINT: " + failure.hint());

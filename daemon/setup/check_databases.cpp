@@ -72,6 +72,31 @@ std::vector<storage::Finding> check_http(const config::DaemonSettings& daemon) {
       names};
 }
 
+/// Who may write on the pages, and what makes that more than was meant.
+std::vector<storage::Finding> check_acknowledge(const config::DaemonSettings& daemon) {
+  const config::AcknowledgeSettings& acknowledge = daemon.acknowledge;
+  if (!acknowledge.on()) return {};
+  std::vector<storage::Finding> findings = {
+      {true,
+       "is on: who comes by" + joined(acknowledge.trusted_proxies).substr(1) + " is whom " +
+           acknowledge.user_header + " names, and sees the pages under " + acknowledge.origin,
+       "whatever runs at these addresses can write in anybody's name: a proxy that signs people in "
+       "and always overwrites that header, nothing else",
+       false}};
+  const auto parsed = config::parse_http_address(daemon.http_address);
+  if (parsed && !parsed->loopback)
+    findings.push_back(
+        {true, daemon.http_address + " can be reached from elsewhere than the proxies",
+         "let a firewall admit the proxies alone, or write an address of the loopback "
+         "and run the proxy on this host",
+         true});
+  if (acknowledge.origin.starts_with("http://"))
+    findings.push_back({true,
+                        acknowledge.origin + " is not encrypted: logins can be read on the way",
+                        "let the proxy speak TLS, and write https:// here", true});
+  return findings;
+}
+
 void check_historians(const config::Settings& settings, Report& report) {
   for (const config::HistorianSettings& historian : settings.historians) {
     report.add(
@@ -90,6 +115,7 @@ DatabaseCheck check_databases(const config::Settings& settings, const std::strin
                               storage::SchemaStage stage) {
   Report report(settings_file);
   report.add("HTTP", check_http(settings.daemon));
+  report.add("acknowledging on the pages", check_acknowledge(settings.daemon));
   report.add("results database", storage::check_results(results_connection(settings), stage));
   if (!settings.results.owner_connection.empty())
     report.add("results database, owner", storage::check_owner(owner_connection(settings)));

@@ -106,6 +106,8 @@ constexpr std::array kExceptions = {
               "FFTW's planner is the one thing in core/ that all threads of a program share"},
     Exception{"config/http_address.cpp", "arpa/inet.h",
               "what is an address, and of the loopback, the system's own reader says"},
+    Exception{"config/ip_network.cpp", "arpa/inet.h",
+              "what is an address, and which bits it has, the system's own reader says"},
     Exception{"daemon/main.cpp", "daemon/lab/commands/commands.hpp",
               "the program has all commands; the daemon's library knows nothing of the lab"},
 };

@@ -27,7 +27,8 @@ TEST(SettingTable, EveryFieldOfEveryStructHasItsRow) {
   EXPECT_EQ(settings_in("/results"), field_count<ResultsSettings>());
   EXPECT_EQ(settings_in("/historians/*"), field_count<HistorianSettings>());
   EXPECT_EQ(settings_in("/schedule"), field_count<ScheduleSettings>());
-  EXPECT_EQ(settings_in("/daemon"), field_count<DaemonSettings>());
+  EXPECT_EQ(settings_in("/daemon") + 1, field_count<DaemonSettings>());
+  EXPECT_EQ(settings_in("/daemon/acknowledge"), field_count<AcknowledgeSettings>());
   EXPECT_EQ(settings_in("/flags"), field_count<FlagSettings>());
   EXPECT_EQ(settings_in("/plant"), field_count<PlantSettings>());
   EXPECT_EQ(settings_in("/discovery"), field_count<DiscoverySettings>());

@@ -1,3 +1,4 @@
+#include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -152,6 +153,66 @@ TEST_F(Annotate, WhoMayNotIsToldOfTheRole) {
                               " WHERE loop_name = 'FIC101'"),
             login);
   plant.plant().sql("DROP ROLE " + login);
+}
+
+/// The pages, behind a proxy at 127.0.0.2, asked by hostile_forms.py. Loops rest: their verdicts
+/// are those that were told.
+class AnnotateOnPages : public Annotate {
+ protected:
+  void SetUp() override {
+    const std::string evil =
+        R"(<script>alert(1)</script>"><img src=x onerror=alert(1)>'; DROP TABLE )"
+        "loopscope.annotation; --";
+    plant.plant().sql("CREATE ROLE " + login + " LOGIN IN ROLE loopscope_engineer");
+    plant.plant().sql(
+        "INSERT INTO loopscope.loop (name, source, pv_tag, interval_s, period_s)"
+        " VALUES (" +
+        sql_text(evil) + ", 'plant', 'x', 10, 3600)");
+    plant.plant().sql(
+        "UPDATE loopscope.loop SET period_s = 2592000;"
+        "UPDATE loopscope.schedule SET visible_at = now() + interval '20 days'");
+  }
+  void TearDown() override { plant.plant().sql("DROP ROLE " + login); }
+
+  /// With these settings of /daemon/acknowledge; what the script says.
+  void send_forms(const std::string& mode, const std::string& settings) const {
+    plant.plant().write_settings(
+        R"({"results": {"connection": "@RESULTS@", "engineer_connection": ")" +
+        plant.plant().connection() + " user=" + login + R"("}, "daemon": {"http_address": )" +
+        R"("127.0.0.1:0", "acknowledge": {)" + settings +
+        R"(}}, "historians": [{"connection": "@CONNECTION@"}]})");
+    const std::filesystem::path log = plant.plant().folder() / (mode + ".log");
+    BackgroundProgram daemon(plant.plant().command_line("run"), log);
+    const std::string address = pages_of(log);
+    ASSERT_NE(address, "") << content_of(log);
+    const ProgramResult sent = run_program(
+        {"/usr/bin/python3", source_dir() / "tests/end_to_end/hostile_forms.py", mode,
+         address.substr(address.rfind(':') + 1), origin, plant.plant().connection(), login});
+    EXPECT_EQ(sent.exit_code, 0) << sent.err << content_of(log);
+    daemon.send(SIGTERM);
+    EXPECT_EQ(daemon.wait(30), 0);
+    EXPECT_TRUE(is_harmless_on_a_terminal(content_of(log)));
+  }
+
+  const std::string login = "ls_pages_" + std::to_string(getpid());
+  const std::string origin = "https://loopscope.plant.example";
+};
+
+TEST_F(AnnotateOnPages, NothingThatABrowserSendsChangesAnythingWhileItIsOff) {
+  send_forms("off", R"("origin": ")" + origin + R"(")");
+}
+
+TEST_F(AnnotateOnPages, OnlyWhoIsSignedInWritesAndOnlyFromThePage) {
+  send_forms("on", R"("trusted_proxies": ["127.0.0.2"], "origin": ")" + origin + R"(")");
+  EXPECT_THAT(
+      plant.plant().loopscope("check-config").out,
+      HasSubstr("ok       acknowledging on the pages: is on: who comes by 127.0.0.2 is whom "
+                "X-Remote-User names, and sees the pages under " +
+                origin));
+  EXPECT_THAT(content_of(plant.plant().folder() / "on.log"),
+              AllOf(HasSubstr("entered from a page: acknowledged FIC101, verdict valve_stiction"),
+                    HasSubstr(", by anna, proxy 127.0.0.2"), HasSubstr("withdrawn from a page: "),
+                    HasSubstr("not entered from a page: ")));
 }
 
 }  // namespace

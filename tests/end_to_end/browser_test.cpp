@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
+#include <unistd.h>
 
 #include "tests/end_to_end/plant.hpp"
 #include "tests/support/source_dir.hpp"
@@ -33,6 +34,26 @@ bool can_browse() {
   return run_program({"/usr/bin/python3", "-c", "import selenium"}).exit_code == 0;
 }
 
+/// The login under which the daemon enters what people say.
+class Engineer {
+ public:
+  explicit Engineer(const Plant& plant) : plant_(plant) {
+    plant_.sql("CREATE ROLE " + login() + " LOGIN IN ROLE loopscope_engineer");
+  }
+  ~Engineer() { plant_.sql("DROP ROLE " + login()); }
+  Engineer(const Engineer&) = delete;
+  Engineer& operator=(const Engineer&) = delete;
+
+  [[nodiscard]] static std::string login() { return "ls_browser_" + std::to_string(getpid()); }
+
+ private:
+  const Plant& plant_;
+};
+
+constexpr const char* kAcknowledging =
+    R"({"http_address": "127.0.0.1:0", "acknowledge": )"
+    R"({"trusted_proxies": ["127.0.0.1"], "origin": "http://loopscope.localhost"}})";
+
 TEST(Browser, ReportAndLivePagesAreWhatTheyShouldBe) {
   if (!can_browse()) GTEST_SKIP() << "no chromium, chromium-driver or python3-selenium";
   // The daemon's pages are of the hour that the imports belong to.
@@ -42,8 +63,11 @@ TEST(Browser, ReportAndLivePagesAreWhatTheyShouldBe) {
   make_hostile_plant(plant);
   const std::string folder = plant.folder() / "reports";
   ASSERT_EQ(plant.loopscope("report", {"--out", folder}).exit_code, 0);
-  plant.write_settings(
-      Plant::settings(std::string(kAtOnce) + R"(, "daemon": {"http_address": "127.0.0.1:0"})"));
+  const Engineer engineer(plant);
+  plant.write_settings(R"({"results": {"connection": "@RESULTS@", "engineer_connection": ")" +
+                       plant.connection() + " user=" + Engineer::login() + R"("}, "daemon": )" +
+                       kAcknowledging + ", " + kAtOnce +
+                       R"(, "historians": [{"connection": "@CONNECTION@"}]})");
   const std::filesystem::path log = plant.folder() / "daemon.log";
   BackgroundProgram daemon(plant.command_line("run"), log);
   const std::string address = pages_of(log);
@@ -55,6 +79,13 @@ TEST(Browser, ReportAndLivePagesAreWhatTheyShouldBe) {
                    folder + "/report.html", address, pictures});
   EXPECT_EQ(read.exit_code, 0) << read.err << content_of(log);
   EXPECT_THAT(read.out, HasSubstr("read"));
+  const ProgramResult filled =
+      run_program({"/usr/bin/python3", source_dir() / "tests/end_to_end/fill_form.py", address,
+                   "FIC101", pictures});
+  EXPECT_EQ(filled.exit_code, 0) << filled.err << content_of(log);
+  EXPECT_EQ(plant.sql("SELECT string_agg(kind, ' ' ORDER BY annotation_id) || bool_and("
+                      "withdrawn_on_behalf_of = on_behalf_of) FROM loopscope.annotation"),
+            "acknowledged suppressed false_positivetrue");
   daemon.send(SIGTERM);
   EXPECT_EQ(daemon.wait(30), 0);
 }

@@ -32,10 +32,10 @@ PATIENCE = 10
 
 
 class Reader:
-    def __init__(self, profile):
+    def __init__(self, profile, flags=()):
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
-        for flag in FLAGS + ["--user-data-dir=" + profile]:
+        for flag in [*FLAGS, *flags, "--user-data-dir=" + profile]:
             options.add_argument(flag)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)

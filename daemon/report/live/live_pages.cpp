@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "daemon/report/page/page_answer.hpp"
 #include "daemon/report/page/page_frame.hpp"
 #include "daemon/report/page/template.hpp"
 #include "daemon/report/sections/loop_request.hpp"
@@ -14,14 +15,6 @@
 
 namespace loopscope::daemon {
 namespace {
-
-HttpAnswer page_answer(int status, std::string text) {
-  HttpAnswer answer{status, std::move(text), "text/html; charset=utf-8"};
-  answer.headers.emplace("Content-Security-Policy",
-                         content_security_policy() + "; frame-ancestors 'none'");
-  answer.headers.emplace("Referrer-Policy", "no-referrer");
-  return answer;
-}
 
 /// Which server, and what it said, is the log's to tell: a page may be read by many.
 HttpAnswer away() {
@@ -56,7 +49,9 @@ std::int64_t whole_number(const std::string& text) {
 }  // namespace
 
 LivePages::LivePages(std::function<std::shared_ptr<const config::Settings>()> settings)
-    : settings_(std::move(settings)), worker_({}, [this] { keep_ready(); }) {}
+    : settings_(settings),
+      worker_({}, [this] { keep_ready(); }),
+      annotate_(std::move(settings), [this] { show_changes(); }) {}
 
 void LivePages::keep_ready() {
   try {
@@ -66,16 +61,23 @@ void LivePages::keep_ready() {
   }
 }
 
+void LivePages::show_changes() {
+  changed_ = true;
+  worker_.forget_pages();
+}
+
 LiveReader& LivePages::reader() {
   const std::shared_ptr<const config::Settings> now_in_force = settings_();
   if (!reader_ || read_with_ != now_in_force) {
     read_with_ = now_in_force;
     reader_ = std::make_unique<LiveReader>(now_in_force);
   }
+  if (changed_.exchange(false)) reader_->forget_plant();
   return *reader_;
 }
 
 void LivePages::add_to(HttpServer& server) {
+  annotate_.add_to(server);
   server.handle_deferred("/", [this](const HttpRequest&, const HttpReply& reply) {
     worker_.answer(
         "/", [this](const std::stop_token&) { return read_page([&] { return reader().plant(); }); },

@@ -14,6 +14,7 @@
 #include "daemon/report/plant/event_box.hpp"
 #include "daemon/report/plant/plant_section.hpp"
 #include "daemon/report/sections/loop_list.hpp"
+#include "daemon/report/text/loop_links.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/time_text.hpp"
@@ -161,6 +162,7 @@ LivePage LiveReader::loop(const std::string& name, const std::stop_token& stop) 
     if (!row) return no_such_loop(name, zone_);
     loop_report = read_loop_report(database, *row, zone_);
     if (!listed) loop_report.hidden = plant.hidden_by(row->loop_id);
+    if (settings_->daemon.acknowledge.on()) loop_report.annotate_address = annotate_link(name);
   }
   look(loop_report, stop);
   const Markup trend = loop_report.evidence

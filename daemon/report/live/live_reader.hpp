@@ -41,6 +41,8 @@ class LiveReader {
   /// To be called between pages: reads the plant anew where a page is likely to need it soon, so
   /// that whoever comes does not wait for the database. Throws as the others.
   void keep_ready();
+  /// The plant is read anew for the next page.
+  void forget_plant() { snapshot_.reset(); }
 
  private:
   /// The costly part of a report, by the analysis that it belongs to.

@@ -59,8 +59,14 @@ void PageWorker::answer(const std::string& key, const Make& make, const HttpRepl
   if (const Page* page = at_hand(key)) return reply.send(page->answer);
   if (waiting_.size() >= limits_.most_waiting) forget_readers_that_left();
   if (waiting_.size() >= limits_.most_waiting) return reply.send(later());
-  waiting_.push_back({key, make, reply});
+  waiting_.push_back({key, make, reply, edition_});
   changed_.notify_one();
+}
+
+void PageWorker::forget_pages() {
+  const std::lock_guard lock(mutex_);
+  pages_.clear();
+  ++edition_;
 }
 
 void PageWorker::keep(const std::string& key, Answer answer) {
@@ -71,9 +77,9 @@ void PageWorker::keep(const std::string& key, Answer answer) {
   pages_[key] = {std::move(answer), Clock::now()};
 }
 
-void PageWorker::hand_out(const std::string& key, const Answer& answer) {
+void PageWorker::hand_out(const std::string& key, const Answer& answer, std::uint64_t edition) {
   std::erase_if(waiting_, [&](const Reader& reader) {
-    if (reader.key != key) return false;
+    if (reader.key != key || reader.edition > edition) return false;
     reader.reply.send(answer);
     return true;
   });
@@ -84,11 +90,12 @@ void PageWorker::make_next(std::unique_lock<std::mutex>& lock, const std::stop_t
   if (waiting_.empty()) return;
   const std::string key = waiting_.front().key;
   const Make make = waiting_.front().make;
+  const std::uint64_t edition = edition_;
   lock.unlock();
   const auto answer = std::make_shared<const HttpAnswer>(made(make, key, stop));
   lock.lock();
-  keep(key, answer);
-  hand_out(key, answer);
+  if (edition == edition_) keep(key, answer);
+  hand_out(key, answer, edition);
 }
 
 void PageWorker::run(const std::stop_token& stop) {

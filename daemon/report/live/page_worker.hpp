@@ -3,6 +3,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -33,8 +34,8 @@ class PageWorker {
   };
 
   PageWorker() : PageWorker(Limits{}) {}
-  /// `between`: what is done after every pause in which nobody waited, on the same thread; it must not
-  /// throw, and lives as long as this.
+  /// `between`: what is done after every pause in which nobody waited, on the same thread; it must
+  /// not throw, and lives as long as this.
   explicit PageWorker(Limits limits, std::function<void()> between = {});
   /// What is being made is told to stop, and awaited.
   ~PageWorker() = default;
@@ -46,6 +47,9 @@ class PageWorker {
   /// same, and there when it is asked for again. What `make` throws becomes 500 and a line of the
   /// log.
   void answer(const std::string& key, const Make& make, const HttpReply& reply);
+  /// What is at hand is handed out no more, and who asks from now on gets a page that was begun
+  /// from now on.
+  void forget_pages();
 
  private:
   using Answer = std::shared_ptr<const HttpAnswer>;
@@ -57,12 +61,14 @@ class PageWorker {
     std::string key;
     Make make;
     HttpReply reply;
+    std::uint64_t edition = 0;  ///< in which it was asked
   };
 
   [[nodiscard]] const Page* at_hand(const std::string& key) const;
   void forget_readers_that_left();
   void keep(const std::string& key, Answer answer);
-  void hand_out(const std::string& key, const Answer& answer);
+  /// To those who asked in this edition, or before it.
+  void hand_out(const std::string& key, const Answer& answer, std::uint64_t edition);
   void run(const std::stop_token& stop);
   void make_next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
 
@@ -72,6 +78,7 @@ class PageWorker {
   std::condition_variable_any changed_;
   std::map<std::string, Page> pages_;
   std::vector<Reader> waiting_;  ///< who came first is first
+  std::uint64_t edition_ = 0;    ///< how often pages were forgotten
   std::jthread thread_;          // last: it ends before what it uses
 };
 

@@ -20,6 +20,7 @@ const std::string& content_security_policy() {
 std::string page(const PageFrame& frame, const std::vector<Markup>& sections) {
   // Policy, style and scripts are the program's own; the digests are of the bytes as they are.
   const Markup whole = render("page", {{"policy", Markup(content_security_policy())},
+                                       {"referrer", frame.referrer},
                                        {"title", frame.title},
                                        {"style", Markup(page_style().text)},
                                        {"subtitle", frame.subtitle},

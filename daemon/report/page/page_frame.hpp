@@ -18,6 +18,9 @@ struct PageFrame {
   bool navigation = false;            ///< with links to the live pages
   std::string zone = "UTC";           ///< name of the zone of all times, as TimeZone::name()
   bool trend = false;                 ///< with the script of a trend that can be zoomed
+  /// Referrer-Policy. A form's page needs `same-origin`: under `no-referrer` browsers send
+  /// "Origin: null" with its form.
+  std::string referrer = "no-referrer";
 };
 
 /// A whole page in one file: head with its policy, style and script, `sections`, foot.

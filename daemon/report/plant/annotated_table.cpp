@@ -12,12 +12,6 @@ namespace {
 
 using storage::HiddenLoopRow;
 
-/// In as many words as `annotate list`; the note below the table has the rest.
-std::string until_words(const storage::HiddenRow& said, const TimeZone& zone) {
-  if (said.until_us) return minute_in_zone(*said.until_us, zone);
-  return said.hidden_by == "acknowledged" ? "work is entered" : "withdrawn";
-}
-
 Fields annotated_fields(const HiddenLoopRow& row, const LoopLinks& links, const TimeZone& zone) {
   const storage::HiddenRow& said = row.said;
   return {{"link", links.to_page(row.loop_name)},
@@ -28,7 +22,7 @@ Fields annotated_fields(const HiddenLoopRow& row, const LoopLinks& links, const 
           {"author", author_text(said.author, said.on_behalf_of)},
           {"entered_us", said.entered_us},
           {"entered", minute_in_zone(said.entered_us, zone)},
-          {"until", until_words(said, zone)},
+          {"until", until_words(said.hidden_by, said.until_us, zone)},
           {"reason", said.reason}};
 }
 
@@ -39,6 +33,12 @@ std::string others_text(const storage::PlantCounts& counts) {
 }
 
 }  // namespace
+
+std::string until_words(const std::string& kind, const std::optional<std::int64_t>& until_us,
+                        const TimeZone& zone) {
+  if (until_us) return minute_in_zone(*until_us, zone);
+  return kind == "acknowledged" ? "work is entered" : "withdrawn";
+}
 
 Markup annotated_table(const storage::PlantCounts& counts, const LoopLinks& links,
                        const TimeZone& zone) {

@@ -85,7 +85,9 @@ Markup causes_of(const LoopReport& loop_report) {
 Fields findings(const LoopReport& loop_report) {
   return {{"summary", loop_report.row.summary},
           {"source_of", number_text(loop_report.row.plant_oscillation_number)},
-          {"hidden", why_not_listed(loop_report.hidden, loop_report.zone)},
+          {"hidden",
+           why_not_listed(loop_report.hidden, loop_report.zone, loop_report.annotate_address)},
+          {"annotate", loop_report.annotate_address},
           {"action", loop_report.row.action},
           {"causes", causes_of(loop_report)}};
 }

@@ -26,6 +26,7 @@ struct LoopReport {
   std::vector<StepPictures> chain;  ///< of the steps of the loop model
   std::string trouble;  ///< why there are no pictures of the window, a sentence; empty = there are
   TimeZone zone;        ///< of all times that are told
+  std::string annotate_address;  ///< where people say something of it; empty = not on a page
 };
 
 /// One loop as HTML: cause, action, evidence, pictures, what led to the explanation and its errors,

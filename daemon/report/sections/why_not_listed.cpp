@@ -54,10 +54,12 @@ Fields hidden_fields(const HiddenRow& row, const TimeZone& zone) {
 
 }  // namespace
 
-Markup why_not_listed(const std::vector<HiddenRow>& hidden, const TimeZone& zone) {
+Markup why_not_listed(const std::vector<HiddenRow>& hidden, const TimeZone& zone,
+                      const std::string& annotate_address) {
   if (hidden.empty()) return {};
   const auto fields = [&](const HiddenRow& row) { return hidden_fields(row, zone); };
-  return render("why_not_listed", {{"hidden", rows(hidden, fields)}});
+  return render("why_not_listed",
+                {{"hidden", rows(hidden, fields)}, {"annotate", annotate_address}});
 }
 
 }  // namespace loopscope::daemon

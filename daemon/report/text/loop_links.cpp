@@ -34,4 +34,8 @@ std::string LoopLinks::to_loops(const std::string& query) const {
   return pages_address_ + "/loops" + query;
 }
 
+std::string annotate_link(const std::string& loop_name) {
+  return "/annotate?name=" + url_value(loop_name);
+}
+
 }  // namespace loopscope::daemon

@@ -30,4 +30,7 @@ class LoopLinks {
   std::string pages_address_;
 };
 
+/// Where people say something of a loop's findings, ready for an attribute.
+[[nodiscard]] std::string annotate_link(const std::string& loop_name);
+
 }  // namespace loopscope::daemon

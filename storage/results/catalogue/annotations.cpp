@@ -16,7 +16,8 @@ std::string annotation_columns() {
   return R"(
     holds.loop_name, holds.kind, holds.code,
     (extract(epoch FROM holds.until) * 1000000)::bigint AS until_us, holds.reason, holds.author,
-    holds.on_behalf_of, (extract(epoch FROM holds.entered_at) * 1000000)::bigint AS entered_at_us)";
+    holds.on_behalf_of, (extract(epoch FROM holds.entered_at) * 1000000)::bigint AS entered_at_us,
+    holds.annotation_id)";
 }
 
 const Statement kListAnnotations{"list_annotations", "SELECT " + annotation_columns() + R"(
@@ -54,6 +55,15 @@ const Statement kWithdrawAnnotations{"withdraw_annotations", R"(
       AND holds.loop_name = $1 AND ($2 = '' OR holds.code = $2)
     RETURNING said.annotation_id)"};
 
+const Statement kWithdrawOne{"withdraw_annotation",
+                             R"(
+    UPDATE loopscope.annotation AS said
+    SET withdrawn_at = now(), withdrawn_on_behalf_of = nullif($3, '')
+    FROM loopscope.annotation_in_force AS holds
+    WHERE holds.annotation_id = said.annotation_id AND said.withdrawn_at IS NULL
+      AND holds.loop_name = $1 AND holds.annotation_id = $2::bigint
+    RETURNING )" + annotation_columns()};
+
 const Statement kNewestCode{"newest_code",
                             "SELECT code FROM loopscope.own_verdict WHERE loop_name = $1"};
 
@@ -75,6 +85,7 @@ Annotation read_annotation(const pqxx::row& row) {
   annotation.author = row["author"].c_str();
   annotation.on_behalf_of = maybe_text(row["on_behalf_of"]);
   annotation.entered_at_us = row["entered_at_us"].as<std::int64_t>();
+  annotation.annotation_id = row["annotation_id"].as<std::int64_t>();
   return annotation;
 }
 
@@ -119,6 +130,13 @@ std::vector<Annotation> Annotations::in_force() {
       [](Transaction& transaction) { return read_annotations(transaction.run(kListAnnotations)); });
 }
 
+std::vector<Annotation> Annotations::in_force(const std::string& loop_name) {
+  if (!is_storable(loop_name)) return {};
+  return impl_->session.transact([&](Transaction& transaction) {
+    return read_annotations(transaction.run(kAnnotationsOf, {loop_name}));
+  });
+}
+
 std::optional<OthersInForce> Annotations::add(const Annotation& annotation) {
   // A name that PostgreSQL refuses cannot be in the catalogue.
   if (!is_storable(annotation.loop_name)) return std::nullopt;
@@ -136,6 +154,18 @@ std::size_t Annotations::withdraw(const std::string& loop_name,
             .run(kWithdrawAnnotations,
                  {loop_name, code.value_or(""), make_storable(on_behalf_of.value_or(""))})
             .size());
+  });
+}
+
+std::optional<Annotation> Annotations::withdraw_one(
+    const std::string& loop_name, std::int64_t annotation_id,
+    const std::optional<std::string>& on_behalf_of) {
+  if (!is_storable(loop_name)) return std::nullopt;
+  const std::vector<std::string> parameters = {loop_name, std::to_string(annotation_id),
+                                               make_storable(on_behalf_of.value_or(""))};
+  return impl_->session.transact([&](Transaction& transaction) -> std::optional<Annotation> {
+    const auto withdrawn = read_annotations(transaction.run(kWithdrawOne, parameters));
+    return withdrawn.empty() ? std::nullopt : std::optional(withdrawn.front());
   });
 }
 

@@ -25,6 +25,7 @@ struct Annotation {
   /// In whose name, as the login says; nullopt = in its own. What may stand there:
   /// kLongestOnBehalfOf.
   std::optional<std::string> on_behalf_of = std::nullopt;
+  std::int64_t annotation_id = 0;  ///< the server's number of it; add() takes none
 };
 
 /// Characters of the name of those for whom something is entered; one line of printable text
@@ -48,6 +49,8 @@ class Annotations {
 
   /// Those that hold now, by loop.
   [[nodiscard]] std::vector<Annotation> in_force();
+  /// Those of one loop, oldest first; empty for an unknown loop too.
+  [[nodiscard]] std::vector<Annotation> in_force(const std::string& loop_name);
   /// Adds it and withdraws, in the same name, those of its kind about the same verdict of the same
   /// loop that it takes the place of. Returns these and what stands beside it, each oldest first;
   /// nullopt = there is no such loop.
@@ -56,6 +59,10 @@ class Annotations {
   /// unknown loop too.
   std::size_t withdraw(const std::string& loop_name, const std::optional<std::string>& code,
                        const std::optional<std::string>& on_behalf_of = std::nullopt);
+  /// Withdraws one that holds of the loop and returns it; nullopt = it does not hold, or is of
+  /// another loop.
+  std::optional<Annotation> withdraw_one(const std::string& loop_name, std::int64_t annotation_id,
+                                         const std::optional<std::string>& on_behalf_of);
   /// The newest verdict of the loop; nullopt = it was never analysed, or there is none.
   [[nodiscard]] std::optional<std::string> newest_code(const std::string& loop_name);
   /// Every verdict that somebody should act on, by code.

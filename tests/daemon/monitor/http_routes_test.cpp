@@ -42,6 +42,36 @@ TEST(HttpRoutes, OnlyReadingIsAllowedWhateverThePath) {
   EXPECT_EQ(answer(routes, "/a", "HEAD").status, 200);
 }
 
+TEST(HttpRoutes, AFormIsThereWhileItIsOpen) {
+  bool open = false;
+  HttpRoutes routes;
+  routes.add_form("/f", {[&] { return open; },
+                         [](const HttpRequest& request) -> std::optional<HttpAnswer> {
+                           if (request.from.empty()) return HttpAnswer{403, "who?"};
+                           return std::nullopt;
+                         },
+                         [](const HttpRequest& request, const HttpReply& reply) {
+                           reply.send(HttpAnswer{200, request.body});
+                         }});
+  HttpRequest form{"/f", {}, "POST"};
+  EXPECT_FALSE(routes.takes_form(form));
+  EXPECT_FALSE(routes.refusal(form));
+  EXPECT_EQ(answer(routes, "/f").status, 404);
+  EXPECT_EQ(answer(routes, "/f", "POST").status, 405);
+  open = true;
+  EXPECT_TRUE(routes.takes_form(form));
+  EXPECT_EQ(routes.refusal(form)->status, 403);
+  form.from = "::1";
+  EXPECT_FALSE(routes.refusal(form));
+  EXPECT_EQ(answer(routes, "/f").status, 200);
+  for (const char* method : {"PUT", "DELETE", "OPTIONS", "post", ""}) {
+    form.method = method;
+    EXPECT_FALSE(routes.takes_form(form)) << method;
+    EXPECT_EQ(routes.refusal(form)->status, 405) << method;
+  }
+  EXPECT_EQ(answer(routes, "/g", "POST").status, 405);
+}
+
 TEST(HttpRoutes, FaultOfAHandlerKeepsItsWords) {
   HttpRoutes routes;
   routes.add("/a", [](const HttpRequest&) -> HttpAnswer { throw std::runtime_error("secret"); });

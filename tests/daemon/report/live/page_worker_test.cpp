@@ -54,6 +54,22 @@ TEST(PageWorker, MakesAPageOnceAndHandsItOutAgain) {
   EXPECT_EQ(answer(worker, "/other", saying("other")).body, "other");
 }
 
+TEST(PageWorker, ForgottenPagesAreMadeAnewAlsoWhereOneIsOnItsWay) {
+  PageWorker worker;
+  EXPECT_EQ(answer(worker, "/", saying("before")).body, "before");
+  worker.forget_pages();
+  EXPECT_EQ(answer(worker, "/", saying("after")).body, "after");
+  SlowPage slow;
+  ReplySlot early, late;
+  worker.answer("/slow", slow.make(), early.reply());
+  slow.await_begin();
+  worker.forget_pages();
+  worker.answer("/slow", saying("begun after it"), late.reply());
+  slow.open();
+  EXPECT_EQ(early.get().body, "at last");
+  EXPECT_EQ(late.get().body, "begun after it");
+}
+
 TEST(PageWorker, OneThatIsNoLongerFreshIsMadeAnew) {
   PageWorker worker({.freshness = 0s});
   EXPECT_EQ(answer(worker, "/", saying("old")).body, "old");

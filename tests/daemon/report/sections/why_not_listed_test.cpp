@@ -1,5 +1,6 @@
 #include "daemon/report/sections/why_not_listed.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace loopscope::daemon {
@@ -35,6 +36,15 @@ TEST(WhyNotListed, EveryReasonIsASentence) {
       said_of({"acknowledged", "order 4711", "ls", kEnteredUs, {}, {}, {}, "<J. Doe>"}),
       "Acknowledged by <bdi>&lt;J. Doe&gt; (login ls)</bdi>, 2026-03-01 12:00 UTC, until work "
       "done since is entered and a window lies wholly after it: <bdi>order 4711</bdi>");
+}
+
+TEST(WhyNotListed, OnAPageWhatWasSaidCanBeWithdrawn) {
+  const std::string address = "/annotate?name=A%26B";
+  EXPECT_THAT(
+      why_not_listed({{"false_positive", "", "eve", kEnteredUs, {}, {}, {}}}, {}, address).html,
+      testing::HasSubstr("12:00 UTC. <a href=\"/annotate?name=A%26B\">Withdraw…</a></dd>"));
+  EXPECT_THAT(why_not_listed({{"victim", "", "", 0, {}, 3, "FIC1"}}, {}, address).html,
+              testing::Not(testing::HasSubstr("annotate")));
 }
 
 TEST(WhyNotListed, NothingHidesNothingIsSaid) {

@@ -90,6 +90,27 @@ TEST_F(AnnotationsTest, AreMadeAndTakenBackInSomebodysName) {
                                       "Eve, withdrawn by " + login + " for Bob"}));
 }
 
+TEST_F(AnnotationsTest, OneOfSeveralIsTakenBackAndOnlyOfItsLoop) {
+  annotations().add({"a", "acknowledged", {}, {}, "ordered", "", 0});
+  annotations().add({"a", "false_positive", "valve_stiction", {}, "", "", 0});
+  annotations().add({"b", "acknowledged", {}, {}, "", "", 0});
+  const std::vector<Annotation> holds = annotations().in_force("a");
+  ASSERT_EQ(holds.size(), 2U);
+  EXPECT_EQ(holds[0].kind, "acknowledged");
+  EXPECT_TRUE(annotations().in_force("nowhere").empty());
+  EXPECT_TRUE(annotations().in_force(std::string("a\0b", 3)).empty());
+  EXPECT_FALSE(annotations().withdraw_one("b", holds[0].annotation_id, "Eve"));
+  const auto withdrawn = annotations().withdraw_one("a", holds[0].annotation_id, "Eve");
+  ASSERT_TRUE(withdrawn);
+  EXPECT_EQ(withdrawn->reason, "ordered");
+  EXPECT_FALSE(annotations().withdraw_one("a", holds[0].annotation_id, "Eve")) << "twice";
+  EXPECT_EQ(annotations().in_force().size(), 2U);
+  EXPECT_EQ(value("SELECT withdrawn_on_behalf_of FROM loopscope.annotation_history"
+                  " WHERE annotation_id = " +
+                  std::to_string(holds[0].annotation_id)),
+            "Eve");
+}
+
 /// What the program refuses in words the database refuses too: pages and other programs will write.
 TEST_F(AnnotationsTest, AHostileNameIsStoredAsItIsOrRefused) {
   const tests::LoginSession session(database->conninfo(login));
