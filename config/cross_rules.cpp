@@ -10,6 +10,7 @@
 #include "config/http_address.hpp"
 #include "config/number_text.hpp"
 #include "config/time_zones.hpp"
+#include "config/web_origin.hpp"
 #include "core/text/counted.hpp"
 
 namespace loopscope::config {
@@ -82,6 +83,10 @@ void check_time_zone(const std::string& zone, ProblemList& problems) {
 }
 
 void check_report(const ReportSettings& report, ProblemList& problems) {
+  if (!report.pages_origin.empty() && !is_web_origin(report.pages_origin))
+    problems.add_unless_refused({"/report/pages_origin"}, "is no address as browsers show it",
+                                R"(write "https://loopscope.plant.example", in small letters, )"
+                                R"(without path and slash at the end; "" = none)");
   if (report.folder.empty() || report.folder.starts_with('/')) return;
   problems.add_unless_refused(
       {"/report/folder"}, "is not an absolute path",

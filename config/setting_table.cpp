@@ -166,6 +166,11 @@ constexpr std::array kServiceSettings = {
 
     Setting{"/report/plant", in_report<&ReportSettings::plant>, any(Form::optional_text),
             "name of the plant in the titles of reports and pages"},
+    Setting{"/report/pages_origin", in_report<&ReportSettings::pages_origin>,
+            any(Form::optional_text),
+            "address under which people see the daemon's pages, `https://loopscope.plant.example`: "
+            "loops that have no section in a report lead there; empty = as "
+            "`/daemon/acknowledge/origin`, and without that nowhere"},
     Setting{"/report/folder", in_report<&ReportSettings::folder>, any(Form::optional_text),
             "folder in which `run` writes reports, an absolute path; empty = none"},
     Setting{

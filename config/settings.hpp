@@ -157,7 +157,10 @@ struct DiscoverySettings {
 
 /// The report that the daemon writes by itself (daemon/report/README.md, "Reports").
 struct ReportSettings {
-  std::string plant;         ///< name of the plant, for the title; empty = none
+  std::string plant;  ///< name of the plant, for the title; empty = none
+  /// Under which people see the daemon's pages (see web_origin.hpp): where a report leads; empty =
+  /// that of acknowledging, and without one nowhere.
+  std::string pages_origin;
   std::string folder;        ///< where `run` writes reports; empty = it writes none
   double every_s = 86400.0;  ///< seconds between two of them, 60 to 31622400
   bool pdf = false;          ///< whether a PDF is made beside the page

@@ -122,6 +122,11 @@ void add_pictures(const config::Settings& settings, bool wanted,
                          wanted ? kNoRoomForPictures : "none were asked for.");
 }
 
+const std::string& pages_origin(const config::Settings& settings) {
+  const std::string& own = settings.report.pages_origin;
+  return own.empty() ? settings.daemon.acknowledge.origin : own;
+}
+
 void make_folder(const std::filesystem::path& folder) {
   try {
     make_folders(folder);
@@ -143,7 +148,7 @@ ReportResult write_report(const config::Settings& settings, const ReportOptions&
   add_event_pictures(content.facts, options.pictures, stop);
   if (stop.stop_requested())
     throw Failure(ExitCode::fault, "stopped before the report was made", "make it again");
-  const ReportPage page = report_page(content.facts, content.loop_reports);
+  const ReportPage page = report_page(content.facts, content.loop_reports, pages_origin(settings));
   const std::string pdf = engine ? make_pdf(page.html, *engine, stop) : "";
   make_folder(options.folder);
   ReportResult result;

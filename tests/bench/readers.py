@@ -1,6 +1,7 @@
-"""What /livez and /metrics take while people read pages of a large catalogue and others hang.
+"""What pages of a large catalogue take, and /livez and /metrics while people read them and others hang.
 
-A daemon over some thousands of judged loops; `tests/support/crowd.py` plays the readers, the slow
+A daemon over some thousands of judged loops: first its pages one after the other, right after its
+start and later; `tests/support/crowd.py` plays the readers, the slow
 clients and the prober. Each crowd is measured twice: while the daemon rests, and while it analyses
 all loops again on every core.
 """
@@ -11,6 +12,7 @@ import os
 import socket
 import sys
 import time
+import urllib.request
 from pathlib import Path
 
 import measure
@@ -19,8 +21,11 @@ import plant
 sys.path.insert(0, str(plant.SOURCE_DIR / "tests/support"))
 import crowd  # noqa: E402
 
+PAGES = ("/", "/loops", "/loops?state=flagged", "/loops?order=name&dir=desc&page=20", "/loops?q=c12",
+         "/loop?name=FC0")
 CROWDS = ((0, 0), (50, 0), (0, 200), (50, 200))
 BOUND_MS = 100  # of /livez at the 99th percentile
+BOUND_PAGE_S, BOUND_PAGE_BYTES = 0.3, 200_000  # of a page of the plant, once the daemon has begun
 SETTLED_S = 60
 TODAY = "date_trunc('day', now())"
 
@@ -64,6 +69,20 @@ def analyse_again(results):
           (SELECT loop_id FROM loopscope.schedule WHERE owner IS NULL FOR UPDATE SKIP LOCKED)""")
 
 
+def read_page(port, path):
+    begun = time.monotonic()
+    with urllib.request.urlopen(f"http://127.0.0.1:{port}{path}") as answer:
+        body = answer.read()
+    return {"path": path, "bytes": len(body), "s": time.monotonic() - begun}
+
+
+def measure_pages(port):
+    """The first page waits for the first reading of the results; the others are new to the server."""
+    first = {**read_page(port, "/"), "path": "/, the first page after the start"}
+    time.sleep(10)  # what is at hand is no longer
+    return [first] + [read_page(port, path) for path in PAGES]
+
+
 def measure_crowds(results, port, seconds):
     pages = ["/loops", "/", "/loop?name=FC0", "/loop?name=FC20", "/loop?name=FC40"]
     found = []
@@ -92,14 +111,22 @@ def measure_readers(loops, seconds):
         daemon = serve(results, port)
         try:
             judge_all(results)
+            daemon.stop()
+            daemon.wait()
+            daemon = serve(results, port)
+            pages = measure_pages(port)
             crowds = measure_crowds(results, port, seconds)
         finally:
             daemon.stop()
-        return {"loops": loops, "seconds": seconds, "crowds": crowds, "daemon": daemon.wait()}
+        return {"loops": loops, "seconds": seconds, "pages": pages, "crowds": crowds,
+                "daemon": daemon.wait()}
 
 
 def table(found):
-    lines = [f"{found['loops']} loops, {found['seconds']:g} s each; ms",
+    lines = ["| page | kB | ms |", "|---|---|---|"]
+    lines += [f"| `{one['path']}` | {one['bytes'] / 1e3:.0f} | {1e3 * one['s']:.1f} |"
+              for one in found["pages"]]
+    lines += ["", f"{found['loops']} loops, {found['seconds']:g} s each; ms",
              "| readers | slow | daemon | /livez p50 | p99 | max | /metrics p99 | unanswered |"
              " pages: 200 | 503 | 406 | none | MB |", "|" + "---|" * 13]
     for one in found["crowds"]:
@@ -126,6 +153,11 @@ def main():
     worst = max(one["livez_ms"]["p99"] for one in found["crowds"])
     if worst > BOUND_MS:
         say(f"/livez at the 99th percentile: {worst:.0f} ms, above {BOUND_MS}")
+        sys.exit(1)
+    too_much = [one for one in found["pages"][1:] if not one["path"].startswith("/loop?") and
+                (one["bytes"] > BOUND_PAGE_BYTES or one["s"] > BOUND_PAGE_S)]
+    if too_much:
+        say(f"above {BOUND_PAGE_BYTES} bytes or {BOUND_PAGE_S} s: {too_much}")
         sys.exit(1)
 
 

@@ -69,8 +69,11 @@ TEST(CrossRules, HintsSayWhy) {
         Case{R"("analysis": {"window_samples": 1000, "min_usable_samples": 1001})",
              "no window could be judged"}})
     EXPECT_EQ(first_hint_of(minimal_with(one.members)), one.hint) << one.members;
-  EXPECT_THAT(lines_with(R"("report": {"folder": "reports"})"),
-              ElementsAre("/report/folder: is not an absolute path"));
+  EXPECT_THAT(lines_with(R"("report": {"pages_origin": "javascript:x"
+})"),
+              ElementsAre("/report/pages_origin: is no address as browsers show it"));
+EXPECT_THAT(lines_with(R"("report": {"folder": "reports"})"),
+            ElementsAre("/report/folder: is not an absolute path"));
 }
 
 TEST(CrossRules, TheTimeZoneIsOneThatTheSystemKnows) {

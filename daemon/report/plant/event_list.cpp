@@ -25,6 +25,7 @@ Markup event_list(std::span<const storage::PlantOscillationRow> events) {
   if (events.empty()) return {};
   const auto fields = [](const storage::PlantOscillationRow& event) {
     return Fields{{"number", event.number},
+                  {"link", fmt::format("/oscillation?number={}", event.number)},
                   {"period", core::text::duration(event.period_s)},
                   {"loops", static_cast<std::int64_t>(event.members.size())},
                   {"source", source_words(event)},
