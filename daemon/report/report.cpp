@@ -15,6 +15,7 @@
 #include "daemon/report/figures/draw_figures.hpp"
 #include "daemon/report/loop_report.hpp"
 #include "daemon/report/make_pdf.hpp"
+#include "daemon/report/read_plant_facts.hpp"
 #include "daemon/report/report_page.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/threads/in_threads.hpp"
@@ -50,14 +51,7 @@ LoopsById catalogue_of(const config::Settings& settings) {
 Content read_content(const config::Settings& settings, std::int64_t since_us) {
   storage::ReportDatabase database(results_connection(settings));
   Content content;
-  content.facts = {settings.report.plant,
-                   since_us,
-                   database.counts(since_us),
-                   database.flagged(),
-                   database.plant_oscillations(),
-                   database.repairs(since_us),
-                   database.loops()};
-  content.facts.zone = TimeZone(settings.plant.time_zone);
+  content.facts = read_plant_facts(database, settings, since_us);
   for (const storage::FlaggedRow& row : content.facts.flagged)
     content.loop_reports.push_back(read_loop_report(database, row, content.facts.zone));
   return content;

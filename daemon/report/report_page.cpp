@@ -49,7 +49,8 @@ std::vector<Told> sections_of(std::span<const LoopReport> loops, std::size_t mos
     if (bytes > most_bytes / 3) break;
     told.push_back({loop.row.loop_id, loop.row.area.value_or(""), std::move(section)});
   }
-  for (std::size_t k = 0; k < told.size() && !loops[k].pictures.empty(); ++k) {
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    if (loops[k].pictures.empty()) continue;
     Markup section = loop_section(loops[k]);
     bytes += section.html.size() - told[k].section.html.size();
     if (bytes > most_bytes) break;

@@ -28,10 +28,13 @@ constexpr std::size_t kMostSeen = 8;
 
 /// Results change by slots of minutes and more, but whoever loads a page again wants to see what
 /// has happened since he did so before.
-constexpr auto kFresh = std::chrono::seconds(5);
+constexpr PlantSnapshot::Clock::duration kFresh = std::chrono::seconds(5);
 /// So often without a reader, for so long after the last one: half a second of the database each.
-constexpr auto kReadEvery = std::chrono::seconds(60);
+constexpr PlantSnapshot::Clock::duration kReadEvery = std::chrono::seconds(60);
 constexpr auto kReadyFor = std::chrono::hours(12);
+constexpr int kRest = 20;
+/// A database that is away, or hangs, must not keep the thread that makes pages of what is at hand.
+constexpr auto kPauseAfterFailure = std::chrono::seconds(30);
 /// Older than what is kept ready is by itself: nobody has read for long, or the database was away.
 constexpr auto kShownFor = 2 * kReadEvery;
 
@@ -63,19 +66,20 @@ void LiveReader::draw_events(PlantFacts& facts, const std::stop_token& stop) {
 
 const PlantSnapshot& LiveReader::snapshot() {
   asked_at_ = PlantSnapshot::Clock::now();
-  if (!snapshot_ || asked_at_ - snapshot_->read_at > kShownFor)
-    snapshot_ = read_plant(*settings_, zone_);
+  if (!snapshot_ || asked_at_ - snapshot_->read_at > kShownFor) snapshot_ = read_plant(*settings_);
   return *snapshot_;
 }
 
 void LiveReader::keep_ready() {
   const auto now = PlantSnapshot::Clock::now();
-  if (now - asked_at_ > kReadyFor || now - tried_at_ < kFresh) return;
+  if (now - asked_at_ > kReadyFor || now < not_before_) return;
   const bool was_shown = snapshot_ && snapshot_->read_at <= asked_at_;
-  const auto wanted_after = was_shown ? kFresh : kReadEvery;
-  if (snapshot_ && now - snapshot_->read_at < wanted_after) return;
-  tried_at_ = now;
-  snapshot_ = read_plant(*settings_, zone_);
+  // Where people read all the time, a twentieth of a core of the database is enough.
+  const auto soon = snapshot_ ? std::max(kFresh, kRest * snapshot_->took) : kFresh;
+  if (snapshot_ && now - snapshot_->read_at < (was_shown ? soon : kReadEvery)) return;
+  not_before_ = now + kPauseAfterFailure;
+  snapshot_ = read_plant(*settings_);
+  not_before_ = {};
 }
 
 std::string LiveReader::in_small_letters(const std::string& words) const {
@@ -134,6 +138,7 @@ void LiveReader::look(LoopReport& loop_report, const std::stop_token& stop) {
   if (const Seen* before = seen(loop_report.row)) {
     loop_report.evidence = before->loop_report.evidence;
     loop_report.pictures = before->loop_report.pictures;
+    loop_report.chain = before->loop_report.chain;
     return;
   }
   const auto entry =

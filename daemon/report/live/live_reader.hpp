@@ -52,7 +52,8 @@ class LiveReader {
     LoopReport loop_report;
   };
 
-  /// The plant as it is shown now; seconds old at most, but for the first reader after an hour.
+  /// The plant as it is shown now: a minute old for whoever comes first, seconds for whoever loads
+  /// a page again; two minutes at most, where the database was away meanwhile.
   const PlantSnapshot& snapshot();
   /// As LoopRow::searched has them.
   [[nodiscard]] std::string in_small_letters(const std::string& words) const;
@@ -64,8 +65,8 @@ class LiveReader {
   std::shared_ptr<const config::Settings> settings_;
   TimeZone zone_;
   std::optional<PlantSnapshot> snapshot_;
-  /// When a page last wanted it, and when it was last read without one.
-  PlantSnapshot::Clock::time_point asked_at_ = PlantSnapshot::Clock::now(), tried_at_ = {};
+  /// When a page last wanted it, and before when it is not tried to be read without one.
+  PlantSnapshot::Clock::time_point asked_at_ = PlantSnapshot::Clock::now(), not_before_ = {};
   WindowSource windows_;
   std::deque<Seen> seen_;  ///< newest first
   EventAlbum album_;       ///< that was drawn last

@@ -101,16 +101,18 @@ void PageWorker::make_next(std::unique_lock<std::mutex>& lock, const std::stop_t
 void PageWorker::run(const std::stop_token& stop) {
   yield_to_analysis();
   std::unique_lock lock(mutex_);
+  Clock::time_point between_at = Clock::now();
   while (!stop.stop_requested()) {
     const bool somebody_waits =
         changed_.wait_for(lock, stop, limits_.pause, [this] { return !waiting_.empty(); });
-    if (somebody_waits) {
-      make_next(lock, stop);
-    } else if (between_ && !stop.stop_requested()) {
-      lock.unlock();
-      between_();
-      lock.lock();
-    }
+    if (somebody_waits) make_next(lock, stop);
+    // Also where readers come without a pause, as a display on a wall does.
+    const bool is_due = Clock::now() - between_at >= limits_.freshness;
+    if (!between_ || stop.stop_requested() || (somebody_waits && !is_due)) continue;
+    lock.unlock();
+    between_();
+    lock.lock();
+    between_at = Clock::now();
   }
 }
 

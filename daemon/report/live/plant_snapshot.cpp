@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "daemon/report/read_plant_facts.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "storage/results/reports/report_database.hpp"
 
@@ -25,21 +26,14 @@ std::vector<storage::HiddenRow> PlantSnapshot::hidden_by(std::int64_t loop_id) c
   return found == hidden.end() ? std::vector<storage::HiddenRow>() : found->second;
 }
 
-PlantSnapshot read_plant(const config::Settings& settings, const TimeZone& zone) {
+PlantSnapshot read_plant(const config::Settings& settings) {
   PlantSnapshot snapshot;
   snapshot.read_at = PlantSnapshot::Clock::now();
   storage::ReportDatabase database(results_connection(settings));
-  const std::int64_t since_us = database.now_us() - kNewWithinUs;
-  snapshot.facts = {settings.report.plant,
-                    since_us,
-                    database.counts(since_us),
-                    database.flagged(),
-                    database.plant_oscillations(),
-                    database.repairs(since_us),
-                    database.loops()};
-  snapshot.facts.zone = zone;
+  snapshot.facts = read_plant_facts(database, settings, database.now_us() - kNewWithinUs);
   for (storage::HiddenLoopRow& row : database.hidden())
     snapshot.hidden[row.loop_id].push_back(std::move(row.said));
+  snapshot.took = PlantSnapshot::Clock::now() - snapshot.read_at;
   return snapshot;
 }
 

@@ -7,7 +7,6 @@
 
 #include "config/settings.hpp"
 #include "daemon/report/plant/plant_section.hpp"
-#include "daemon/text/time_zone.hpp"
 #include "storage/results/reports/report_rows.hpp"
 
 namespace loopscope::daemon {
@@ -20,6 +19,7 @@ struct PlantSnapshot {
   PlantFacts facts;                                                ///< without pictures
   std::map<std::int64_t, std::vector<storage::HiddenRow>> hidden;  ///< by loop
   Clock::time_point read_at;
+  Clock::duration took{};  ///< the reading
 
   /// The loop's row of the work list; nullptr = it is not on it.
   [[nodiscard]] const storage::FlaggedRow* flagged(const std::string& loop_name) const;
@@ -27,6 +27,6 @@ struct PlantSnapshot {
 };
 
 /// What is new is so since a week. Throws storage::DatabaseError.
-[[nodiscard]] PlantSnapshot read_plant(const config::Settings& settings, const TimeZone& zone);
+[[nodiscard]] PlantSnapshot read_plant(const config::Settings& settings);
 
 }  // namespace loopscope::daemon

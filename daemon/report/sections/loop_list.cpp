@@ -115,7 +115,7 @@ Fields form(const LoopListing& listing, const LoopQuery& query) {
 
 /// The first and the last page and those around this one; the gaps between are not said.
 List pages(const LoopListing& listing, LoopQuery query) {
-  const std::int64_t here = query.skip / kLoopsOnPage;
+  const std::int64_t here = listing.skip / kLoopsOnPage;
   const std::int64_t last = (listing.fitting - 1) / kLoopsOnPage;
   List list;
   for (std::int64_t page = 0; page <= last; ++page) {
@@ -127,10 +127,10 @@ List pages(const LoopListing& listing, LoopQuery query) {
   return list;
 }
 
-std::string range_words(const LoopListing& listing, const LoopQuery& query) {
+std::string range_words(const LoopListing& listing) {
   if (listing.loops.empty()) return fmt::format("none of {} fits", listing.all);
-  const auto last = query.skip + static_cast<std::int64_t>(listing.loops.size());
-  return fmt::format("{} to {} of {}", query.skip + 1, last, listing.fitting) +
+  const auto last = listing.skip + static_cast<std::int64_t>(listing.loops.size());
+  return fmt::format("{} to {} of {}", listing.skip + 1, last, listing.fitting) +
          (listing.fitting == listing.all ? "" : fmt::format(" ({} in all)", listing.all));
 }
 
@@ -142,7 +142,7 @@ Markup loop_list(const LoopListing& listing, const LoopQuery& query, const TimeZ
   Fields all = form(listing, query);
   all.insert(all.end(), {{"headers", rows(kColumns, header_of)},
                          {"loops", rows(listing.loops, fields)},
-                         {"range", range_words(listing, query)},
+                         {"range", range_words(listing)},
                          {"everything", loops_address({})},
                          {"several", listing.fitting > kLoopsOnPage},
                          {"pages", pages(listing, query)}});

@@ -124,7 +124,7 @@ LoopListing choose_loops(std::span<const LoopRow> loops, const LoopQuery& query,
   add_choices(loops, listing);
   const std::int64_t last =
       std::max<std::int64_t>(listing.fitting - 1, 0) / query.most * query.most;
-  const std::int64_t first = std::min(query.skip, last);
+  const std::int64_t first = listing.skip = std::min(query.skip, last);
   for (std::int64_t k = first; k < std::min(first + query.most, listing.fitting); ++k)
     listing.loops.push_back(*fitting[static_cast<std::size_t>(k)].second);
   return listing;

@@ -34,6 +34,7 @@ struct LoopQuery {
 /// What a page of such a list shows.
 struct LoopListing {
   std::vector<storage::LoopRow> loops = {};
+  std::int64_t skip = 0;     ///< rows before the first of these
   std::int64_t fitting = 0;  ///< loops that are asked for, on all pages
   std::int64_t all = 0;      ///< of the catalogue
   /// What can be asked for: each that a loop of the catalogue has, in order.

@@ -9,8 +9,8 @@
 namespace loopscope::daemon {
 namespace {
 
-/// Every link of a page repeats them.
-constexpr std::size_t kLongestWords = 200;
+/// Every link of a page repeats them; no area of a plant has a longer name.
+constexpr std::size_t kLongestWords = 300;
 /// More rows than any catalogue has.
 constexpr std::int64_t kLastPage = 1'000'000;
 
@@ -18,6 +18,14 @@ std::int64_t page_number(const std::string& text) {
   std::int64_t number = 1;
   std::from_chars(text.data(), text.data() + text.size(), number);
   return std::clamp<std::int64_t>(number, 1, kLastPage);
+}
+
+/// Whole characters.
+std::string in_few_bytes(const std::string& text) {
+  std::size_t end = std::min(text.size(), kLongestWords);
+  const auto continues = [&](std::size_t at) { return (text[at] & '\xC0') == '\x80'; };
+  while (end > 0 && end < text.size() && continues(end)) --end;
+  return text.substr(0, end);
 }
 
 }  // namespace
@@ -32,11 +40,11 @@ LoopQuery loop_query(const std::multimap<std::string, std::string>& query) {
     return found == query.end() ? std::string() : found->second;
   };
   LoopQuery asked;
-  asked.part = value("q").substr(0, kLongestWords);
-  asked.area = value("area");
-  asked.unit = value("unit");
-  asked.verdict = value("verdict");
-  asked.state = value("state");
+  asked.part = in_few_bytes(value("q"));
+  asked.area = in_few_bytes(value("area"));
+  asked.unit = in_few_bytes(value("unit"));
+  asked.verdict = in_few_bytes(value("verdict"));
+  asked.state = in_few_bytes(value("state"));
   const std::vector<std::string>& orders = loop_orders();
   const auto order = std::ranges::find(orders, value("order"));
   if (order != orders.end()) asked.order = static_cast<LoopOrder>(order - orders.begin());

@@ -112,13 +112,6 @@ std::vector<HiddenLoopRow> ReportDatabase::hidden() {
   return impl_->hidden();
 }
 
-std::vector<HiddenRow> ReportDatabase::hidden_by(std::int64_t loop_id) {
-  std::vector<HiddenRow> said;
-  for (const HiddenLoopRow& row : impl_->hidden())
-    if (row.loop_id == loop_id) said.push_back(row.said);
-  return said;
-}
-
 std::vector<DataProblemRow> ReportDatabase::data_problems(std::int64_t loop_id) {
   return read_all(impl_->snapshot->run(statements::kLoopProblems, {std::to_string(loop_id)}),
                   read_problem);

@@ -46,8 +46,6 @@ class ReportDatabase {
   [[nodiscard]] std::optional<FollowedRow> followed_by(std::int64_t loop_id);
   /// Findings that are kept off the list, by loop.
   [[nodiscard]] std::vector<HiddenLoopRow> hidden();
-  /// What keeps the newest fault of a loop from the list; empty = nothing does, or it has none.
-  [[nodiscard]] std::vector<HiddenRow> hidden_by(std::int64_t loop_id);
   /// What is wrong with the newest data of a loop.
   [[nodiscard]] std::vector<DataProblemRow> data_problems(std::int64_t loop_id);
   /// The newest verdict of any loop, flagged (with its rank) or not (rank 0); nullopt = there is

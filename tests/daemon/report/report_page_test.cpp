@@ -84,6 +84,17 @@ TEST(ReportPage, StaysWithinItsSizeAndSaysWhatItLeftOut) {
   EXPECT_GT(count(page.html, "<bdi>FIC40</bdi>"), 0U) << "the list is whole";
 }
 
+TEST(ReportPage, ALoopWithoutPicturesTakesNothingFromThoseBehindIt) {
+  const PlantFacts facts = plant();
+  std::vector<LoopReport> loops = reports(facts, 10);
+  loops[0].pictures.clear();
+  loops[0].trouble = "the historian is away";
+  const ReportPage page = report_page(facts, loops);
+  EXPECT_EQ(page.pictured, 9U);
+  EXPECT_EQ(count(page.html, "the historian is away"), 1U);
+  EXPECT_EQ(count(page.html, html(kNoRoomForPictures)), 0U);
+}
+
 TEST(ReportPage, LeadsToTheDaemonsPagesOfTheOthers) {
   const PlantFacts facts = plant();
   const std::string text = report_page(facts, reports(facts), "https://pages", 100'000).html;

@@ -156,6 +156,18 @@ TEST(PageWorker, HasSomethingToDoWhileNobodyWaits) {
   EXPECT_EQ(answer(worker, "/", saying("well")).body, "well");
 }
 
+TEST(PageWorker, DoesItAlsoWhereReadersComeWithoutAPause) {
+  std::atomic<int> times = 0;
+  PageWorker worker({.freshness = 1ms}, [&times] { ++times; });  // the pause is a second
+  const auto begin = std::chrono::steady_clock::now();
+  for (int k = 0; times < 2 && k < 1000; ++k) {
+    static_cast<void>(answer(worker, std::to_string(k), saying("well")));
+    std::this_thread::sleep_for(1ms);
+  }
+  EXPECT_GE(times, 2);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 900ms);
+}
+
 TEST(PageWorker, TellsWhatIsBeingMadeToStop) {
   std::atomic<bool> stopped = false;
   ReplySlot slot;

@@ -33,7 +33,7 @@ TEST(LoopList, LinksToLoopsThatHaveAPage) {
 }
 
 LoopListing many() {
-  LoopListing listing{std::vector<storage::LoopRow>(kLoopsOnPage), 1001, 5000};
+  LoopListing listing{std::vector<storage::LoopRow>(kLoopsOnPage), 300, 1001, 5000};
   listing.areas = {"north", "south"};
   listing.verdicts = {"healthy", "none"};
   return listing;

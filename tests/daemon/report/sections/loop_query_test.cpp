@@ -99,6 +99,7 @@ TEST(ChooseLoops, PagesHoldEveryLoopOnce) {
   }
   EXPECT_THAT(seen, testing::UnorderedElementsAre("FIC1", "FIC2", "LIC3", "TIC4", "new", "off"));
   EXPECT_EQ(choose({.skip = 400, .most = 4}).loops.size(), 2U) << "the last page";
+  EXPECT_EQ(choose({.skip = 400, .most = 4}).skip, 4);
   EXPECT_EQ(choose({.area = "west", .skip = 4, .most = 4}).fitting, 0);
 }
 

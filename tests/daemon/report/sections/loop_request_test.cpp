@@ -35,7 +35,10 @@ TEST(LoopRequest, WhatMakesNoSenseIsTheFirstPage) {
 }
 
 TEST(LoopRequest, OfManyWordsTheFirst) {
-  EXPECT_EQ(loop_query({{"q", std::string(8000, 'x')}}).part.size(), 200U);
+  EXPECT_EQ(loop_query({{"q", std::string(8000, 'x')}}).part.size(), 300U);
+  std::string umlauts = "x";
+  for (int k = 0; k < 400; ++k) umlauts += "\u00fc";
+  EXPECT_EQ(loop_query({{"area", umlauts}}).area.size(), 299U) << "whole characters";
 }
 
 /// Pages are kept by their address.
