@@ -17,9 +17,9 @@ function beginDrag(shown, event, x) {
 }
 
 function goOn(shown, drag, x) {
-  const view = shown.state.view;
   if (drag.grabbed !== undefined) {
-    shown.show(moved(shown.trend, view, drag.grabbed - shown.layout.sampleAt(x)));
+    // From what is painted: the newest view may be a move further already.
+    shown.show(moved(shown.trend, shown.layout.view, drag.grabbed - shown.layout.sampleAt(x)));
   } else if (drag.from !== undefined) {
     shown.select(Math.abs(x - drag.from) < LEAST_DRAG_PX ? null : [drag.from, x]);
   }

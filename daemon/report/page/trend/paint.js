@@ -44,6 +44,7 @@ function layoutOf(context, trend, view, width, height) {
     panes: panes, left: left, plot: plot, right: left + plot, perSample: perSample,
     width: width, bottom: height - BOTTOM,
     x: function (sample) { return left + (sample - view.from) * perSample; },
+    view: view,
     sampleAt: function (x) { return view.from + (x - left) / perSample; },
     y: function (pane, value) {
       const scale = pane.scale;
