@@ -72,8 +72,8 @@ TEST(CrossRules, HintsSayWhy) {
   EXPECT_THAT(lines_with(R"("report": {"pages_origin": "javascript:x"
 })"),
               ElementsAre("/report/pages_origin: is no address as browsers show it"));
-EXPECT_THAT(lines_with(R"("report": {"folder": "reports"})"),
-            ElementsAre("/report/folder: is not an absolute path"));
+  EXPECT_THAT(lines_with(R"("report": {"folder": "reports"})"),
+              ElementsAre("/report/folder: is not an absolute path"));
 }
 
 TEST(CrossRules, TheTimeZoneIsOneThatTheSystemKnows) {
