@@ -73,8 +73,9 @@ void check_proxies(const std::vector<std::string>& proxies, ProblemList& problem
     const auto network = parse_ip_network(proxies[i]);
     const std::string path = std::string(kProxies) + '/' + std::to_string(i);
     if (!network)
-      problems.add_unless_refused({path}, "is no address and no network",
-                                  R"(write "127.0.0.1", "10.1.0.0/16" or "fd00::/8", no names)");
+      problems.add_unless_refused(
+          {path}, "is no address and no network",
+          R"(write "127.0.0.1", "10.1.0.0/16" or "fd00:1:2::/48", no names)");
     else if (network->bits == 0 || network->contains("0.0.0.0"))
       problems.add_unless_refused({path}, "is every address: anybody could write in anybody's name",
                                   "name the addresses of the proxies that sign people in");

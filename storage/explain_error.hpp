@@ -9,6 +9,9 @@ namespace loopscope::storage {
 /// Which database a connection is for: it decides what a hint tells the operator to do.
 enum class DatabaseKind { results, historian };
 
+/// SQLSTATE of a commit that was sent and not answered: whether it counts is not known.
+inline constexpr const char* kOutcomeUnknown = "08007";
+
 /// Where an error happened.
 struct ErrorPlace {
   DatabaseKind kind = DatabaseKind::results;

@@ -20,6 +20,10 @@ Character first_character(std::string_view text) {
   return {};
 }
 
+std::size_t count_characters(std::string_view text) {
+  return static_cast<std::size_t>(utf8::unchecked::distance(text.begin(), text.end()));
+}
+
 bool is_storable(std::string_view text) {
   return text.find('\0') == std::string_view::npos && utf8::is_valid(text);
 }

@@ -15,6 +15,9 @@ struct Character {
 /// The valid character that `text` starts with; none where it is empty or starts with a zero byte.
 [[nodiscard]] Character first_character(std::string_view text);
 
+/// Characters of `text`, which is_storable().
+[[nodiscard]] std::size_t count_characters(std::string_view text);
+
 /// Whether PostgreSQL takes `text` as it is: valid UTF-8 without a zero byte.
 [[nodiscard]] bool is_storable(std::string_view text);
 

@@ -8,7 +8,6 @@
 #include "config/nearest_name.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/read_time.hpp"
-#include "daemon/text/time_text.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -21,7 +20,7 @@ std::int64_t parse_until(const AnnotationWish& wish, const AnnotationWords& word
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   if (until_us <= std::chrono::duration_cast<std::chrono::microseconds>(now).count()) {
     throw Failure(ExitCode::usage,
-                  fmt::format("{} {} has passed", words.until, format_time(until_us, zone)),
+                  fmt::format("{} {} has passed", words.until, words.tell_time(until_us, zone)),
                   "name a time to come; without an offset it is meant in " + zone.name());
   }
   return until_us;
@@ -32,12 +31,9 @@ void require_known(const std::string& code, const AnnotationWords& words,
                    const std::vector<std::string>& codes) {
   if (code.empty() || code == kAnyCode || std::ranges::count(codes, code) > 0) return;
   const std::optional<std::string> nearest = config::nearest_name(code, codes);
-  throw Failure(ExitCode::usage,
-                fmt::format("{} \"{}\" is not the verdict of a fault", words.code, code),
-                nearest ? fmt::format("did you mean {}? `loopscope export --config F verdict_kind` "
-                                      "lists them",
-                                      *nearest)
-                        : "`loopscope export --config F verdict_kind` lists them; `any` is all");
+  throw Failure(
+      ExitCode::usage, fmt::format("{} \"{}\" is not the verdict of a fault", words.code, code),
+      (nearest ? fmt::format("did you mean {}? ", *nearest) : "") + words.list_of_verdicts);
 }
 
 std::string newest_fault(const AnnotationWish& wish, const AnnotationWords& words,

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "daemon/text/time_text.hpp"
 #include "daemon/text/time_zone.hpp"
 #include "storage/results/catalogue/annotations.hpp"
 
@@ -27,6 +28,9 @@ struct AnnotationWords {
   std::string until = "--until";
   std::string reason = "--reason";
   std::string name_the_verdict = "name the verdict that is meant: --code CODE, or --code any";
+  std::string list_of_verdicts =
+      "`loopscope export --config F verdict_kind` lists them; `any` is all";
+  std::string (*tell_time)(std::int64_t time_us, const TimeZone& zone) = format_time;
 };
 
 /// What is wrong with the wish by itself, without a look at any database: its time in `zone`, its

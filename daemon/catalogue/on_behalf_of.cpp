@@ -25,14 +25,20 @@ std::optional<std::string> system_user() {
   return std::string(found->pw_name);
 }
 
-/// Of valid UTF-8.
-std::size_t count_characters(std::string_view text) {
-  std::size_t count = 0;
+/// Blanks of Unicode, and what shows nothing: a name with one would pass for another name.
+constexpr std::u32string_view kBlanks =
+    U" \u00A0\u1680\u2000\u2001\u2002\u2003\u2004\u2005\u2006\u2007\u2008\u2009\u200A\u202F\u205F"
+    U"\u3000";
+constexpr std::u32string_view kFillers = U"\u00AD\u034F\u115F\u1160\u17B4\u17B5\u2800\u3164\uFFA0";
+
+std::u32string characters_of(std::string_view text) {
+  std::u32string characters;
   while (!text.empty()) {
-    text.remove_prefix(storage::first_character(text).length);
-    ++count;
+    const storage::Character first = storage::first_character(text);
+    characters += first.code;
+    text.remove_prefix(first.length);
   }
-  return count;
+  return characters;
 }
 
 void require_name(const std::string& of, const std::string& name, const char* hint) {
@@ -45,11 +51,14 @@ void require_name(const std::string& of, const std::string& name, const char* hi
 std::string name_complaint(const std::string& name) {
   if (name.empty()) return "is empty";
   if (printable(name) != name) return fmt::format("\"{}\" is not one line of printable text", name);
-  if (name.front() == ' ' || name.back() == ' ')
+  const std::u32string characters = characters_of(name);
+  if (kBlanks.find(characters.front()) != kBlanks.npos ||
+      kBlanks.find(characters.back()) != kBlanks.npos)
     return fmt::format("\"{}\" has blanks around the name", name);
-  const std::size_t characters = count_characters(name);
-  if (characters > storage::kLongestOnBehalfOf)
-    return fmt::format("has {} characters, {} are the most", characters,
+  if (characters.find_first_of(kFillers) != characters.npos)
+    return fmt::format("\"{}\" has characters that show nothing", name);
+  if (characters.size() > storage::kLongestOnBehalfOf)
+    return fmt::format("has {} characters, {} are the most", characters.size(),
                        storage::kLongestOnBehalfOf);
   return "";
 }

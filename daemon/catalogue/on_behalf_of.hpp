@@ -17,7 +17,7 @@ inline constexpr const char* kOnBehalfOfHelp =
 /// system's user who runs this process, by its real user id: no environment variable changes it,
 /// and under sudo it is root. nullopt = the system has no name for that id. Throws Failure (usage)
 /// for what is no name: empty, longer than storage::kLongestOnBehalfOf, with blanks around it, or
-/// with anything but printable UTF-8 of one line.
+/// with anything but printable UTF-8 of one line that shows something.
 [[nodiscard]] std::optional<std::string> on_behalf_of(const std::optional<std::string>& said);
 
 }  // namespace loopscope::daemon

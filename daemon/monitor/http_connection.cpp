@@ -20,7 +20,8 @@ using std::chrono::milliseconds;
 constexpr milliseconds kRequestPatience{5'000};
 /// Of a reader whose page is being made.
 constexpr milliseconds kPagePatience{4'000};
-/// Of who has sent a form: a database that is slow to answer shall say what it did.
+/// Of who has sent a form, or asks for its page, which is made for him alone: a database that is
+/// slow to answer shall say what it did.
 constexpr milliseconds kFormPatience{20'000};
 /// A page of megabytes over a slow line; it holds nothing but a place in the table.
 constexpr milliseconds kAnswerPatience{60'000};
@@ -41,6 +42,11 @@ HttpAnswer not_yet() {
   answer.headers.emplace("Retry-After", "2");
   answer.headers.emplace("Refresh", "2");  // browsers look at this one
   return answer;
+}
+
+/// Of what a browser must not ask for again by itself: each request is work for the database.
+HttpAnswer too_long() {
+  return {503, "this takes too long: the database is slow to answer\nHINT: load the page again\n"};
 }
 
 HttpAnswer not_known() {
@@ -77,7 +83,8 @@ void HttpConnection::enter(Phase phase, Clock::duration patience) {
 void HttpConnection::on_deadline() {
   if (phase_ != Phase::waiting) return close();
   const bool form = request_.method == "POST";
-  write(std::make_shared<const HttpAnswer>(form ? not_known() : not_yet()));
+  HttpAnswer answer = form ? not_known() : is_of_form_ ? too_long() : not_yet();
+  write(std::make_shared<const HttpAnswer>(std::move(answer)));
 }
 
 void HttpConnection::close() {
@@ -126,7 +133,9 @@ void HttpConnection::ask() {
   }
   if (auto refusal = site_.routes.refusal(request_))
     return write(std::make_shared<const HttpAnswer>(*std::move(refusal)));
-  site_.routes.takes_form(request_) ? read_form() : answer(kPagePatience);
+  if (site_.routes.takes_form(request_)) return read_form();
+  is_of_form_ = site_.routes.is_of_form(request_);
+  answer(is_of_form_ ? kFormPatience : kPagePatience);
 }
 
 void HttpConnection::read_form() {

@@ -75,6 +75,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   std::shared_ptr<std::atomic<bool>> waits_ = std::make_shared<std::atomic<bool>>(false);
   std::string received_;
   HttpRequest request_;
+  bool is_of_form_ = false;     ///< GET of a form's page
   std::size_t form_bytes_ = 0;  ///< of the body that is read, or was
   HttpMessage message_;
 };

@@ -61,6 +61,10 @@ bool HttpRoutes::takes_form(const HttpRequest& request) const {
   return request.method == "POST" && open_form(request) != nullptr;
 }
 
+bool HttpRoutes::is_of_form(const HttpRequest& request) const {
+  return open_form(request) != nullptr;
+}
+
 std::optional<HttpAnswer> HttpRoutes::refusal(const HttpRequest& request) const {
   const FormRoute* form = open_form(request);
   if (form == nullptr) return std::nullopt;

@@ -34,6 +34,8 @@ class HttpRoutes {
 
   /// Whether the request sends a form to one that is open.
   [[nodiscard]] bool takes_form(const HttpRequest& request) const;
+  /// Whether it asks for the page of one, or sends it.
+  [[nodiscard]] bool is_of_form(const HttpRequest& request) const;
   /// What the head alone is refused for; nullopt = nothing.
   [[nodiscard]] std::optional<HttpAnswer> refusal(const HttpRequest& request) const;
   /// Never throws for a handler's sake: what one throws goes to the log, its words not to the

@@ -45,6 +45,17 @@ std::string who_said(const storage::Annotation& said, const TimeZone& zone) {
                      said.reason.empty() ? "" : ": " + printable(said.reason));
 }
 
+/// What else was said of the loop, a sentence each.
+std::vector<std::string> others_sentences(const storage::OthersInForce& others,
+                                          const TimeZone& zone) {
+  std::vector<std::string> sentences;
+  for (const storage::Annotation& said : others.replaced)
+    sentences.push_back("takes the place of what was in force already: " + who_said(said, zone));
+  for (const storage::Annotation& said : others.beside)
+    sentences.push_back("stands beside what is in force already: " + who_said(said, zone));
+  return sentences;
+}
+
 }  // namespace
 
 std::string annotation_table(const std::vector<storage::Annotation>& annotations,
@@ -65,16 +76,6 @@ std::string annotation_table(const std::vector<storage::Annotation>& annotations
 std::string annotation_line(const storage::Annotation& annotation, const TimeZone& zone) {
   return fmt::format("{} {}, {}, {}", annotation.kind, printable(annotation.loop_name),
                      about(annotation), end_of(annotation, zone));
-}
-
-std::vector<std::string> others_sentences(const storage::OthersInForce& others,
-                                          const TimeZone& zone) {
-  std::vector<std::string> sentences;
-  for (const storage::Annotation& said : others.replaced)
-    sentences.push_back("takes the place of what was in force already: " + who_said(said, zone));
-  for (const storage::Annotation& said : others.beside)
-    sentences.push_back("stands beside what is in force already: " + who_said(said, zone));
-  return sentences;
 }
 
 std::string others_in_force(const storage::OthersInForce& others, const TimeZone& zone) {

@@ -16,12 +16,7 @@ namespace loopscope::daemon {
 [[nodiscard]] std::string annotation_line(const storage::Annotation& annotation,
                                           const TimeZone& zone);
 
-/// What else was said of the loop, a sentence each: "takes the place of what was in force already:
-/// acknowledged by J. Doe (login ls) since ...", "stands beside ...". Printable.
-[[nodiscard]] std::vector<std::string> others_sentences(const storage::OthersInForce& others,
-                                                        const TimeZone& zone);
-
-/// The same for a terminal, a line each: what the new annotation takes the place of, what it
+/// What else was said of the loop, a line each: what the new annotation takes the place of, what it
 /// stands beside, by whom, since when and why; empty where nothing was.
 [[nodiscard]] std::string others_in_force(const storage::OthersInForce& others,
                                           const TimeZone& zone);

@@ -1,5 +1,6 @@
 #include "daemon/setup/check_databases.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <iostream>
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "config/http_address.hpp"
+#include "config/ip_network.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/printable.hpp"
 #include "daemon/text/shell_word.hpp"
@@ -72,6 +74,27 @@ std::vector<storage::Finding> check_http(const config::DaemonSettings& daemon) {
       names};
 }
 
+/// Wider than /8 of IPv4, /32 of IPv6: more than one site's own.
+bool is_wide(const std::string& proxy) {
+  constexpr int kBitsBeforeIpv4 = 96;
+  const auto network = config::parse_ip_network(proxy);
+  const auto ipv4 = config::parse_ip_network("::ffff:0:0/96");
+  if (!network) return false;
+  const bool is_ipv4 =
+      network->bits >= kBitsBeforeIpv4 &&
+      std::equal(ipv4->address.begin(), ipv4->address.begin() + 12, network->address.begin());
+  return network->bits < (is_ipv4 ? kBitsBeforeIpv4 + 8 : 32);
+}
+
+void warn_of_wide_networks(const config::AcknowledgeSettings& acknowledge,
+                           std::vector<storage::Finding>& findings) {
+  for (const std::string& proxy : acknowledge.trusted_proxies) {
+    if (is_wide(proxy))
+      findings.push_back({true, proxy + " is a very wide network to trust",
+                          "name the addresses of the proxies that sign people in", true});
+  }
+}
+
 /// Who may write on the pages, and what makes that more than was meant.
 std::vector<storage::Finding> check_acknowledge(const config::DaemonSettings& daemon) {
   const config::AcknowledgeSettings& acknowledge = daemon.acknowledge;
@@ -94,6 +117,7 @@ std::vector<storage::Finding> check_acknowledge(const config::DaemonSettings& da
     findings.push_back({true,
                         acknowledge.origin + " is not encrypted: logins can be read on the way",
                         "let the proxy speak TLS, and write https:// here", true});
+  warn_of_wide_networks(acknowledge, findings);
   return findings;
 }
 

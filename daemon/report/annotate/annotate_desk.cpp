@@ -7,6 +7,7 @@
 
 #include "daemon/catalogue/annotation_wish.hpp"
 #include "daemon/output/annotation_text.hpp"
+#include "daemon/report/annotate/entry_text.hpp"
 #include "daemon/report/page/page_answer.hpp"
 #include "daemon/report/page/page_frame.hpp"
 #include "daemon/report/page/template.hpp"
@@ -14,16 +15,19 @@
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/text/failure.hpp"
 #include "daemon/text/printable.hpp"
+#include "daemon/text/time_text.hpp"
+#include "storage/explain_error.hpp"
 #include "storage/results/catalogue/catalogue.hpp"
 #include "storage/results/reports/report_database.hpp"
+#include "storage/utf8.hpp"
 
 namespace loopscope::daemon {
 namespace {
 
 /// A person waits: a database that takes longer is one that does not answer.
 constexpr int kPatience_s = 5;
-/// As the form has it; 500 characters.
-constexpr std::size_t kMostReasonBytes = 2000;
+/// Characters, as the form has it.
+constexpr std::size_t kLongestReason = 500;
 /// With `no-referrer` a browser would send "Origin: null" with the form.
 constexpr const char* kReferrer = "same-origin";
 
@@ -32,8 +36,12 @@ constexpr std::array kKinds{std::pair{"acknowledge", "acknowledged"},
                             std::pair{"false-positive", "false_positive"}};
 
 const AnnotationWords& words_of_the_page() {
-  static const AnnotationWords words{"the verdict", "until", "the reason",
-                                     "choose: whatever the verdict"};
+  static const AnnotationWords words{"the verdict",
+                                     "until",
+                                     "the reason",
+                                     "choose: whatever the verdict",
+                                     "choose one that the form offers",
+                                     minute_in_zone};
   return words;
 }
 
@@ -57,9 +65,14 @@ AnnotationWish wish_of(const AnnotateForm& form) {
   if (kind == kKinds.end()) throw refused("nothing was chosen", "choose what is to be entered");
   if (typed.reason.empty())
     throw refused("the reason is empty", "say why, for those who ask later");
-  if (typed.reason.size() > kMostReasonBytes)
-    throw refused("the reason is too long", "500 characters are the most");
-  if (typed.deed != std::string("suppress") && !typed.until.empty())
+  const std::size_t characters = storage::count_characters(typed.reason);
+  if (characters > kLongestReason)
+    throw refused("the reason is too long",
+                  fmt::format("it has {} characters, {} are the most", characters, kLongestReason));
+  const bool suppresses = typed.deed == "suppress";
+  if (suppresses && typed.until.empty())
+    throw refused("no time was chosen", "choose the time until which it is off the list");
+  if (!suppresses && !typed.until.empty())
     throw refused("a time ends a suppression alone", "suppress, or leave the time empty");
   return {form.loop, kind->second, typed.code, typed.until, typed.reason};
 }
@@ -67,8 +80,7 @@ AnnotationWish wish_of(const AnnotateForm& form) {
 std::string database_trouble(const storage::DatabaseError& error) {
   spdlog::warn("not entered from a page: {} HINT: {}", printable(error.what()),
                printable(error.hint()));
-  const bool in_doubt = std::string_view(error.what()).find("in doubt") != std::string_view::npos;
-  return in_doubt
+  return error.sqlstate() == storage::kOutcomeUnknown
              ? "The connection broke while this was entered: whether it holds is said below, or "
                "when this page is loaded again."
              : "Nothing was entered: the results database did not take it. The log says why; "
@@ -83,7 +95,7 @@ HttpAnswer go_to(const std::string& address) {
 
 /// false = there is no such loop.
 bool read_facts(AnnotateFacts& facts, const storage::ConnectionSettings& connection) {
-  facts.found = storage::ReportDatabase(connection).latest(facts.loop_name);
+  facts.found = storage::ReportDatabase(connection).newest(facts.loop_name);
   if (!facts.found && !storage::Catalogue(connection).find(facts.loop_name)) return false;
   facts.in_force = storage::Annotations(connection).in_force(facts.loop_name);
   return true;
@@ -91,36 +103,46 @@ bool read_facts(AnnotateFacts& facts, const storage::ConnectionSettings& connect
 
 }  // namespace
 
+std::optional<HttpAnswer> AnnotateDesk::open() {
+  now_ = settings_();
+  if (now_->daemon.acknowledge.on() && !now_->results.engineer_connection.empty())
+    return std::nullopt;
+  return HttpAnswer{404, "acknowledging from the page is off by now: nothing was entered\n"};
+}
+
 HttpAnswer AnnotateDesk::page_of(const AnnotateVisitor& visitor, const AnnotateForm& form,
                                  int status, const std::string& trouble) {
-  const Settings settings = settings_();
   AnnotateFacts facts;
   facts.loop_name = form.loop;
   facts.user = visitor.user;
   facts.trouble = trouble;
   facts.typed = form.typed;
-  facts.zone = TimeZone(settings->plant.time_zone);
+  facts.zone = TimeZone(now_->plant.time_zone);
   PageFrame frame{form.loop, {"what people say of it"}, true, facts.zone.name()};
   frame.referrer = kReferrer;
   try {
-    if (!read_facts(facts, patient(*settings)))
+    if (!read_facts(facts, patient(*now_)))
       return page_answer(404, page(frame, {render("no_such_loop", {{"name", form.loop}})}));
-    facts.told = users_.told(visitor.user, form.loop);
   } catch (const storage::DatabaseError&) {
     facts.away = true;
     status = std::max(status, 503);
   }
-  facts.token = users_.new_token(visitor.user, form.loop);
+  if (!visitor.sees_nothing) {
+    facts.told = users_.told(visitor.user, form.loop);
+    facts.token = users_.new_token(visitor.user, form.loop);
+  }
   return page_answer(status, page(frame, {annotate_section(facts)}), kReferrer);
 }
 
 HttpAnswer AnnotateDesk::show(const AnnotateVisitor& visitor, const std::string& loop) {
+  if (auto closed = open()) return *std::move(closed);
   AnnotateForm form;
   form.loop = loop;
   return page_of(visitor, form, 200, "");
 }
 
 HttpAnswer AnnotateDesk::take(const AnnotateVisitor& visitor, const std::string& body) {
+  if (auto closed = open()) return *std::move(closed);
   const std::optional<AnnotateForm> form = read_annotate_form(body);
   if (!form) return {400, "this is not what the form of a page sends\n"};
   if (!users_.take_token(visitor.user, form->loop, form->token))
@@ -151,36 +173,49 @@ HttpAnswer AnnotateDesk::carry_out(const AnnotateVisitor& visitor, const Annotat
 }
 
 HttpAnswer AnnotateDesk::say(const AnnotateVisitor& visitor, const AnnotateForm& form) {
-  const Settings settings = settings_();
-  const TimeZone zone(settings->plant.time_zone);
+  const TimeZone zone(now_->plant.time_zone);
   const AnnotationWish wish = wish_of(form);
   check_wish(wish, words_of_the_page(), zone);
-  storage::Annotations annotations(patient(*settings));
+  storage::Annotations annotations(patient(*now_));
   storage::Annotation annotation = annotation_meant(wish, words_of_the_page(), zone, annotations);
   annotation.on_behalf_of = visitor.user;
   const std::optional<storage::OthersInForce> others = annotations.add(annotation);
   if (!others) throw refused("the catalogue has no such loop", "it may have been removed");
-  written_();
-  spdlog::info("entered from a page: {}, by {}, proxy {}", annotation_line(annotation, {}),
-               printable(visitor.user), visitor.proxy);
-  std::vector<std::string> told = others_sentences(*others, zone);
-  const bool has_a_page = annotations.newest_code(form.loop).has_value();
-  if (told.empty() && has_a_page) return go_to(LoopLinks::pages().to_page(form.loop));
-  told.insert(told.begin(), "Entered: " + annotation_line(annotation, zone) + '.');
-  users_.tell(visitor.user, form.loop, std::move(told));
-  return go_to(annotate_link(form.loop));
+  return after_commit(visitor, form.loop, annotations, [&] {
+    spdlog::info("entered from a page: {}, by {}, proxy {}", annotation_line(annotation, {}),
+                 printable(visitor.user), visitor.proxy);
+    std::vector<std::string> told = others_told(*others, zone);
+    told.insert(told.begin(), entered_sentence(annotation, zone));
+    return told;
+  });
 }
 
 HttpAnswer AnnotateDesk::withdraw(const AnnotateVisitor& visitor, const AnnotateForm& form) {
-  storage::Annotations annotations(patient(*settings_()));
+  storage::Annotations annotations(patient(*now_));
   const auto withdrawn = annotations.withdraw_one(form.loop, form.annotation_id, visitor.user);
   if (!withdrawn)
     throw refused("that does not hold any more", "what holds now is shown here, if anything does");
-  written_();
-  spdlog::info("withdrawn from a page: {}, by {}, proxy {}", annotation_line(*withdrawn, {}),
-               printable(visitor.user), visitor.proxy);
-  const bool has_a_page = annotations.newest_code(form.loop).has_value();
-  return go_to(has_a_page ? LoopLinks::pages().to_page(form.loop) : annotate_link(form.loop));
+  return after_commit(visitor, form.loop, annotations, [&] {
+    spdlog::info("withdrawn from a page: {}, by {}, proxy {}", annotation_line(*withdrawn, {}),
+                 printable(visitor.user), visitor.proxy);
+    return std::vector<std::string>{"Withdrawn."};
+  });
+}
+
+/// What fails here, such as the question for the loop's page, refuses nothing: it is written.
+HttpAnswer AnnotateDesk::after_commit(const AnnotateVisitor& visitor, const std::string& loop,
+                                      storage::Annotations& annotations, const Sentences& told_of) {
+  try {
+    written_();
+    const std::vector<std::string> sentences = told_of();
+    users_.tell(visitor.user, loop, sentences);
+    if (sentences.size() > 1 || !annotations.newest_code(loop)) return go_to(annotate_link(loop));
+    static_cast<void>(users_.told(visitor.user, loop));  // the loop's page shows it
+    return go_to(LoopLinks::pages().to_page(loop));
+  } catch (const std::exception& error) {
+    spdlog::warn("entered from a page, and its answer was cut short: {}", printable(error.what()));
+    return go_to(annotate_link(loop));
+  }
 }
 
 }  // namespace loopscope::daemon

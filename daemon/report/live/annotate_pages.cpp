@@ -5,12 +5,6 @@
 #include "daemon/report/annotate/form_gate.hpp"
 
 namespace loopscope::daemon {
-namespace {
-
-/// Of people who press a button; each holds a connection of the engineer's for a moment.
-constexpr std::size_t kMostWaiting = 16;
-
-}  // namespace
 
 AnnotatePages::AnnotatePages(std::function<AnnotateDesk::Settings()> settings,
                              std::function<void()> written)
@@ -31,13 +25,13 @@ void AnnotatePages::answer(const HttpRequest& request, const HttpReply& reply) {
   const config::AcknowledgeSettings settings = settings_()->daemon.acknowledge;
   if (auto refusal = form_refusal(request, settings)) return reply.send(*std::move(refusal));
   const std::string user = std::get<std::string>(signed_in_user(request, settings));
-  if (!worker_) worker_.emplace(PageWorker::Limits{PageWorker::Clock::duration{0}, kMostWaiting});
-  const auto make = [this, request, user](const std::stop_token&) { return made(request, user); };
-  worker_->answer("annotate " + std::to_string(++requests_), make, reply);
+  if (!queue_) queue_.emplace();
+  queue_->add({user, request.method == "POST",
+               [this, request, user] { return made(request, user); }, reply});
 }
 
 HttpAnswer AnnotatePages::made(const HttpRequest& request, const std::string& user) {
-  const AnnotateVisitor visitor{user, request.from};
+  const AnnotateVisitor visitor{user, request.from, request.method == "HEAD"};
   if (request.method == "POST") return desk_.take(visitor, request.body);
   const auto name = request.query.find("name");
   return desk_.show(visitor, name == request.query.end() ? "" : name->second);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -8,13 +7,13 @@
 #include "config/settings.hpp"
 #include "daemon/monitor/http_server.hpp"
 #include "daemon/report/annotate/annotate_desk.hpp"
-#include "daemon/report/live/page_worker.hpp"
+#include "daemon/report/annotate/form_queue.hpp"
 
 namespace loopscope::daemon {
 
 /// `/annotate`, where people speak of findings: while /daemon/acknowledge is off it is not there.
-/// Requests are served one by one, on a thread that begins with the first; no page of one is handed
-/// to another, and who has gone, or was told that it takes too long, is not served any more.
+/// Requests are served one by one, on a thread that begins with the first (FormQueue); no page of
+/// one is handed to another, and whose time was over before his turn is not served any more.
 class AnnotatePages {
  public:
   /// As AnnotateDesk; `written` is called on the own thread.
@@ -28,9 +27,8 @@ class AnnotatePages {
   [[nodiscard]] HttpAnswer made(const HttpRequest& request, const std::string& user);
 
   std::function<AnnotateDesk::Settings()> settings_;
-  AnnotateDesk desk_;                 ///< the worker's
-  std::uint64_t requests_ = 0;        ///< the server's thread's, as the next one
-  std::optional<PageWorker> worker_;  // last: it ends before what it uses
+  AnnotateDesk desk_;               ///< the queue's
+  std::optional<FormQueue> queue_;  // the server's thread's; last: it ends before what it uses
 };
 
 }  // namespace loopscope::daemon

@@ -79,9 +79,10 @@ void Session::fail(const std::string& message, const std::string& sqlstate, bool
   place_.statement = statement_;
   // Its answer may have come all the same: that the statement was cancelled.
   const bool late = deadline_.expired();
-  const DatabaseError error = explain({late ? "the server did not answer in time" : message,
-                                       late ? "" : sqlstate, late || connection_lost},
-                                      place_);
+  const DatabaseError error =
+      explain({late ? "the server did not answer in time" : message,
+               late && sqlstate != kOutcomeUnknown ? "" : sqlstate, late || connection_lost},
+              place_);
   dead_ = error.remedy() == Remedy::reconnect;
   throw error;
 }
@@ -90,7 +91,7 @@ void Session::explain_current_exception() {
   try {
     throw;
   } catch (const pqxx::in_doubt_error& error) {
-    fail(std::string("commit in doubt: ") + error.what(), "", true);
+    fail(std::string("commit in doubt: ") + error.what(), kOutcomeUnknown, true);
   } catch (const pqxx::broken_connection& error) {
     fail(error.what(), "", true);
   } catch (const pqxx::insufficient_privilege& error) {

@@ -77,7 +77,7 @@ class Session {
 
   /// Runs `work(Transaction&)` in one transaction, commits it and returns what work returned.
   /// Throws DatabaseError, or what is no database's error as work threw it; then nothing was
-  /// stored, except when the message says "in doubt". Each statement waits patience() at most.
+  /// stored, except with the SQLSTATE kOutcomeUnknown. Each statement waits patience() at most.
   template <typename Work>
   auto transact(Work&& work) {
     return watched("begin", [&] {
