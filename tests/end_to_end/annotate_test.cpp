@@ -174,13 +174,16 @@ class AnnotateOnPages : public Annotate {
   }
   void TearDown() override { plant.plant().sql("DROP ROLE " + login); }
 
-  /// With these settings of /daemon/acknowledge; what the script says.
-  void send_forms(const std::string& mode, const std::string& settings) const {
+  void write_settings(const std::string& acknowledge) const {
     plant.plant().write_settings(
         R"({"results": {"connection": "@RESULTS@", "engineer_connection": ")" +
         plant.plant().connection() + " user=" + login + R"("}, "daemon": {"http_address": )" +
-        R"("127.0.0.1:0", "acknowledge": {)" + settings +
+        R"("127.0.0.1:0", "acknowledge": {)" + acknowledge +
         R"(}}, "historians": [{"connection": "@CONNECTION@"}]})");
+  }
+  /// With these settings of /daemon/acknowledge; what the script says.
+  void send_forms(const std::string& mode, const std::string& settings) const {
+    write_settings(settings);
     const std::filesystem::path log = plant.plant().folder() / (mode + ".log");
     BackgroundProgram daemon(plant.plant().command_line("run"), log);
     const std::string address = pages_of(log);
@@ -212,7 +215,14 @@ TEST_F(AnnotateOnPages, OnlyWhoIsSignedInWritesAndOnlyFromThePage) {
   EXPECT_THAT(content_of(plant.plant().folder() / "on.log"),
               AllOf(HasSubstr("entered from a page: acknowledged FIC101, verdict valve_stiction"),
                     HasSubstr(", by anna, proxy 127.0.0.2"), HasSubstr("withdrawn from a page: "),
-                    HasSubstr("not entered from a page: ")));
+                    HasSubstr("not entered from a page: "),
+                    HasSubstr("entered from a page, and its answer was cut short: ")));
+  write_settings(R"("trusted_proxies": ["128.0.0.0/7", "10.0.0.0/8", "fd00::/8"], "origin": ")" +
+                 origin + R"(")");
+  EXPECT_THAT(
+      plant.plant().loopscope("check-config").out,
+      AllOf(HasSubstr("128.0.0.0/7 is a very wide network to trust"),
+            HasSubstr("fd00::/8 is a very wide network"), Not(HasSubstr("10.0.0.0/8 is a"))));
 }
 
 }  // namespace

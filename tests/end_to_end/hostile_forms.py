@@ -204,13 +204,15 @@ def what_is_sent():
 def what_is_refused():
     for more, words in (({"until": "2020-01-01T00:00", "deed": "suppress"}, "has passed"),
                         ({"until": "soon", "deed": "suppress"}, "is not a time"),
-                        ({"until": "", "deed": "suppress"}, "is not a time"),
-                        ({"reason": "  "}, "the reason is empty"), ({"reason": "x" * 2001}, "too long"),
+                        ({"until": "", "deed": "suppress"}, "choose the time until which it is off the list"),
+                        ({"reason": "  "}, "the reason is empty"), ({"reason": "\u00fc" * 501}, "it has 501 characters"),
                         ({"until": "2199-01-01T00:00"}, "a suppression alone"),
                         ({"deed": "drop"}, "nothing was chosen"),
                         ({"code": "valve_sticktion"}, "is not the verdict of a fault"),
                         ({"deed": "withdraw", "annotation": "99999999"}, "does not hold any more")):
-        unchanged(f"refused: {more}"[:80], 422, post(fields(token(), **more)), words)
+        answer = post(fields(token(), **more))
+        unchanged(f"refused: {more}"[:80], 422, answer, words)
+        require("`" not in answer[2] and "--" not in answer[2].split("</style>")[-1], f"{more}: names a command line")
     for number in ("-1", "1 OR 1=1", "1e3"):
         unchanged(f"annotation {number}", 400, post(fields(token(), deed="withdraw", annotation=number)))
     answer = post(fields(token(), deed="suppress", reason=EVIL, until="soon"))
@@ -244,10 +246,11 @@ def what_is_done():
     unchanged.before = state()
     unchanged("token used again", 403, post(fields(first)), "used already")
     require_done(post(fields(second), user="ben"), "/annotate?name=FIC101")
+    require(send(request("HEAD", "/annotate?name=FIC101", user_line("ben")))[0] == 200, "HEAD")
     _, _, body = page(user="ben")
-    require("takes the place of what was in force already: acknowledged by anna (login " in body, body)
+    require("Takes the place of what was in force already: acknowledged by anna (login " in body, body)
     require_harmless(body, "whose it replaces")
-    require("takes the place of what was in force" not in page(user="ben")[2], "it is told twice")
+    require("Takes the place of what was in force" not in page(user="ben")[2], "it is told twice")
 
 
 def what_comes_after():
@@ -284,6 +287,18 @@ def too_much():
     require(post(fields(token(user="ben")), user="ben")[0] == 303, "another user is held up")
 
 
+def what_is_locked():
+    """Entered, though the loop's page cannot be asked for afterwards."""
+    form = fields(token("PIC200", "carl"), name="PIC200", deed="suppress", code="any", until="2199-01-01T00:00")
+    sql("BEGIN; LOCK TABLE loopscope.verdict IN ACCESS EXCLUSIVE MODE")
+    answer = post(form, user="carl")
+    sql("COMMIT")
+    require_done(answer, "/annotate?name=PIC200")
+    require(sql("SELECT on_behalf_of FROM loopscope.annotation_in_force WHERE loop_name = 'PIC200'") == "carl", state())
+    require("Entered: suppressed, whatever the verdict, until 2199-01-01 00:00 UTC." in page("PIC200", "carl")[2],
+            "what was entered is not told")
+
+
 unchanged.before = state()
 if MODE == "off":
     everything_off()
@@ -297,4 +312,5 @@ else:
     what_is_done()
     what_comes_after()
     too_much()
+    what_is_locked()
 print("done")

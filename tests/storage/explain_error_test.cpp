@@ -41,6 +41,13 @@ TEST(ExplainError, RemedyFollowsTheState) {
   }
 }
 
+TEST(ExplainError, ACommitInDoubtIsTold) {
+  const DatabaseError error = explain({"the server did not answer in time", kOutcomeUnknown, true},
+                                      {DatabaseKind::results, "T database", "anna", "commit"});
+  EXPECT_EQ(error.sqlstate(), "08007");
+  EXPECT_EQ(error.remedy(), Remedy::reconnect);
+}
+
 TEST(ExplainError, HintsNameTheCommandOrTheSetting) {
   EXPECT_THAT(explained("42P01", "ERROR:  relation \"loopscope.loop\" does not exist").hint(),
               HasSubstr("`loopscope migrate --config F`"));

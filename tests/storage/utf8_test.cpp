@@ -81,5 +81,10 @@ TEST(Utf8, FirstCharactersAreThoseOfUnicode) {
   EXPECT_EQ(texts.size(), 475'255U);
 }
 
+TEST(Utf8, CharactersAreCountedNotBytes) {
+  EXPECT_EQ(count_characters(""), 0U);
+  EXPECT_EQ(count_characters("a\u00fc\u738b\U0001F600"), 4U);
+}
+
 }  // namespace
 }  // namespace loopscope::storage

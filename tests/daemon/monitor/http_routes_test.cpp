@@ -55,11 +55,14 @@ TEST(HttpRoutes, AFormIsThereWhileItIsOpen) {
                          }});
   HttpRequest form{"/f", {}, "POST"};
   EXPECT_FALSE(routes.takes_form(form));
+  EXPECT_FALSE(routes.is_of_form({"/f", {}}));
   EXPECT_FALSE(routes.refusal(form));
   EXPECT_EQ(answer(routes, "/f").status, 404);
   EXPECT_EQ(answer(routes, "/f", "POST").status, 405);
   open = true;
   EXPECT_TRUE(routes.takes_form(form));
+  EXPECT_TRUE(routes.is_of_form({"/f", {}}));
+  EXPECT_FALSE(routes.is_of_form({"/g", {}}));
   EXPECT_EQ(routes.refusal(form)->status, 403);
   form.from = "::1";
   EXPECT_FALSE(routes.refusal(form));
