@@ -7,7 +7,6 @@ CONNECTION: of a superuser who sees the table of annotations; ENGINEER: the logi
 Fails when a request that is to change nothing changes a row of it.
 """
 import html
-import html.parser
 import re
 import socket
 import subprocess
@@ -15,6 +14,8 @@ import sys
 import threading
 import time
 import urllib.parse
+
+from running_parts import require_harmless
 
 TRUSTED, OTHER = "127.0.0.2", "127.0.0.1"
 FORM = "application/x-www-form-urlencoded"
@@ -95,24 +96,6 @@ def token(name="FIC101", user="anna"):
 
 def token_of(answer):
     return re.search(r'name="token" value="([0-9a-f]{64})"', answer[2]).group(1)
-
-
-class RunningParts(html.parser.HTMLParser):
-    def __init__(self, text):
-        super().__init__()
-        self.scripts, self.trouble = 0, []
-        self.feed(text)
-
-    def handle_starttag(self, tag, attrs):
-        self.scripts += tag == "script"
-        for name, value in attrs:
-            if name.startswith("on") or (name == "src" and not value.startswith("data:")) or tag == "b" and attrs:
-                self.trouble.append((tag, name, value))
-
-
-def require_harmless(text, words, scripts=1):
-    found = RunningParts(text)
-    require(found.scripts <= scripts and not found.trouble, f"{words}: {found.scripts} scripts, {found.trouble}")
 
 
 def unchanged(words, wanted, answer, text=""):
