@@ -121,7 +121,7 @@ def acknowledge(reader, loop, folder):
     require("has passed" in texts(reader, ".trouble")[0], "a time that has passed")
     require(typed_reason(reader) == "turnaround", "what was typed is lost")
     enter(reader, "suppress", "turnaround", "2199-01-01T00:00")
-    require("stands beside what is in force already" in reader.all("main")[0].text, "what it stands beside is not told")
+    require("Stands beside what is in force" in reader.all("main")[0].text, "what it stands beside is not told")
     for window in WINDOWS:
         reader.open(page, window)
         reader.shoot(folder / f"annotate_said_{window}.png")

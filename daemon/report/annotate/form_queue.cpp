@@ -26,7 +26,7 @@ HttpAnswer made(const std::function<HttpAnswer()>& make) {
     add_gzipped(answer);
     return answer;
   } catch (const std::exception& error) {
-    spdlog::error("page /annotate: {}", error.what());
+    spdlog::error("page {}: {}", "/annotate", error.what());
     return HttpAnswer{500, "this failed: the log says why\n"};
   }
 }
