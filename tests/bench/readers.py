@@ -12,6 +12,7 @@ import os
 import socket
 import sys
 import time
+import urllib.error
 import urllib.request
 from pathlib import Path
 
@@ -70,10 +71,17 @@ def analyse_again(results):
 
 
 def read_page(port, path):
+    """As a browser does: 503 asks to come again, and the wait counts."""
     begun = time.monotonic()
-    with urllib.request.urlopen(f"http://127.0.0.1:{port}{path}") as answer:
-        body = answer.read()
-    return {"path": path, "bytes": len(body), "s": time.monotonic() - begun}
+    while True:
+        try:
+            with urllib.request.urlopen(f"http://127.0.0.1:{port}{path}") as answer:
+                body = answer.read()
+            return {"path": path, "bytes": len(body), "s": time.monotonic() - begun}
+        except urllib.error.HTTPError as refusal:
+            if refusal.code != 503 or time.monotonic() - begun > 60:
+                raise
+            time.sleep(2)
 
 
 def measure_pages(port):

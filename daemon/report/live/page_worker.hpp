@@ -34,9 +34,9 @@ class PageWorker {
   };
 
   PageWorker() : PageWorker(Limits{}) {}
-  /// `between`: what is done after every pause in which nobody waited, and as
-  /// often as pages are made anew where there is none, on the same thread; it must
-  /// not throw, and lives as long as this.
+  /// `between`: what is done after every pause in which nobody waited, and as often as pages are
+  /// made anew where there is none, on the same thread; it must not throw, and lives as long as
+  /// this.
   explicit PageWorker(Limits limits, std::function<void()> between = {});
   /// What is being made is told to stop, and awaited.
   ~PageWorker() = default;

@@ -25,7 +25,7 @@ std::vector<Kind> kinds_of(std::span<const storage::FlaggedRow> flagged, std::in
         kinds, [&](const Kind& known) { return known.worst->code == row.code; });
     if (kind == kinds.end()) kind = kinds.insert(kind, {&row});
     ++kind->loops;
-    if (row.since_us > since_us && !row.or_earlier) ++kind->new_ones;
+    if (row.began_after(since_us)) ++kind->new_ones;
   }
   return kinds;
 }

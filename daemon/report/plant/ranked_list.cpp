@@ -43,7 +43,7 @@ Fields ranked_fields(const FlaggedRow& row, std::int64_t since_us, const LoopLin
           {"since_us", row.since_us},
           {"since", minute_below_zone(row.since_us, zone)},
           {"or_earlier", row.or_earlier},
-          {"is_new", row.since_us > since_us && !row.or_earlier},
+          {"is_new", row.began_after(since_us)},
           {"score_sort", sort_key(row.score)},
           {"score", digits(row.score)}};
 }

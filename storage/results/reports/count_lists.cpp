@@ -29,7 +29,7 @@ void count_lists(std::span<const FlaggedRow> flagged, std::span<const HiddenLoop
                  std::int64_t since_us, PlantCounts& counts) {
   counts.flagged = static_cast<std::int64_t>(flagged.size());
   counts.new_flags = std::ranges::count_if(
-      flagged, [&](const FlaggedRow& row) { return row.since_us > since_us && !row.or_earlier; });
+      flagged, [&](const FlaggedRow& row) { return row.began_after(since_us); });
   const auto is_victim = [](const HiddenLoopRow& row) { return row.said.hidden_by == "victim"; };
   counts.victims = loops_that(hidden, is_victim);
   counts.annotated = loops_that(hidden, by_people);

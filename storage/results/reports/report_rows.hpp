@@ -45,6 +45,10 @@ struct FlaggedRow {
   std::optional<std::int64_t> plant_oscillation_number;  ///< of the one that it is the source of
 
   [[nodiscard]] double believed() const { return combined_confidence.value_or(confidence); }
+  /// Whether it is known to have begun after that time.
+  [[nodiscard]] bool began_after(std::int64_t time_us) const {
+    return since_us > time_us && !or_earlier;
+  }
 };
 
 /// Why loops cannot be judged, in words, with what mends it.
