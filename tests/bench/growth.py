@@ -9,11 +9,10 @@ largest catalogues get their first slot only, by the daemon.
 import argparse
 import datetime
 import json
-import sys
 import time
 
 import plant
-from measure import PROGRAM, RunningProgram, run_program, stage_breakdown
+from builds import OURS, Build, RunningProgram, run_program, say, stage_breakdown
 
 MILLION = 1_000_000
 SECONDS_A_DAY = 86400
@@ -25,10 +24,6 @@ LEAST_COST = 1e-3  # a clock tick of CPU time and less
 SLOTS = ("first", "later")
 # The slots of both phases end at a midnight of UTC; a run may last beyond the next one.
 TODAY = f"timestamptz '{datetime.datetime.now(datetime.timezone.utc):%Y-%m-%d} 00:00:00+00'"
-
-
-def say(text):
-    print(text, file=sys.stderr, flush=True)
 
 
 def database_bytes(results):
@@ -58,7 +53,7 @@ class Meter:
 
 def first_slot(historian, results):
     meter = Meter(historian, results)
-    done = run_program("once", "--config", results.settings)
+    done = run_program(results.build.program, "once", "--config", results.settings)
     results.sql("VACUUM ANALYZE")
     return done | meter.read()
 
@@ -74,7 +69,7 @@ def daemon_slot(historian, results, loops):
     results.sql("UPDATE loopscope.schedule SET visible_at = now();"
                 " TRUNCATE loopscope.stage_cost")
     meter = Meter(historian, results)
-    daemon = RunningProgram("run", "--config", results.settings)
+    daemon = RunningProgram(results.build.program, "run", "--config", results.settings)
     while left_to_do(results) > 0:
         daemon.look()
         if daemon.ended():
@@ -141,9 +136,10 @@ def flatness(sizes):
 
 def measure(counts):
     schedule = {"model_all_up_to": 0}  # turns at every size, so that sizes can be compared
+    build = Build(OURS)
     with plant.Workshop() as shop:
         historian, server = shop.server(), shop.server()
-        plant.load_recordings(historian, PROGRAM, plant.WINDOW + plant.ROWS_A_DAY)
+        plant.load_recordings(historian, build.program, plant.WINDOW + plant.ROWS_A_DAY)
         plant.make_history(historian)
         yesterday = f"({TODAY} - interval '1 day')"
         plant.add_history(historian, plant.RECORDINGS, 0, plant.WINDOW - 1, yesterday)
@@ -151,7 +147,7 @@ def measure(counts):
         sizes, catalogues = [], []
         for loops in counts:
             say(f"{loops} loops ...")
-            results = plant.Results(server, PROGRAM, historian, shop.folder, loops,
+            results = plant.Results(server, build, historian, shop.folder, loops,
                                     plant.RECORDINGS, schedule)
             catalogues.append(results)
             sizes.append({"loops": loops})

@@ -4,43 +4,52 @@ import argparse
 import json
 import os
 import re
-import signal
 import statistics
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 import plant
+from builds import OURS, Build, Turns, compared_rows, say
+from passes import measure_passes, pass_rows
+from steady import measure_steady, steady_rows
 
-SOURCE_DIR = plant.SOURCE_DIR
-TESTS = SOURCE_DIR / "build/release/tests"
-PROGRAM = SOURCE_DIR / "build/release/loopscope"
-PARTS = ("kernel", "analysis", "model", "read", "pass")
+PARTS = ("kernel", "analysis", "model", "read", "pass", "steady")
 # Best first: what the program itself would choose.
 PATHS = ("avx512", "avx2", "portable")
 
 
-def say(text):
-    print(text, file=sys.stderr, flush=True)
+def google_benchmark(build, program, pattern):
+    """The results by name, of a program that knows them."""
+    out = plant.run([build.tests / program, f"--benchmark_filter={pattern}",
+                     "--benchmark_format=json"], stdin=subprocess.DEVNULL)
+    # "calibrated/avx2/iterations:1620" is calibrated/avx2.
+    return {"/".join(entry["run_name"].split("/")[:2]): entry
+            for entry in json.loads(out)["benchmarks"]}
 
 
-def google_benchmark(program, pattern, repetitions=1):
-    """Results by name: every repetition's CPU time in its own unit, and its counters."""
-    out = plant.run([TESTS / program, f"--benchmark_filter={pattern}", "--benchmark_format=json",
-                     f"--benchmark_repetitions={repetitions}"], stdin=subprocess.DEVNULL)
-    results = {}
-    for entry in json.loads(out)["benchmarks"]:
-        if entry.get("run_type", "iteration") == "iteration":
-            # "calibrated/avx2/iterations:1620" is calibrated/avx2.
-            name = "/".join(entry["run_name"].split("/")[:2])
-            results.setdefault(name, []).append(entry)
-    return results
+def benchmark_rounds(turns, program, pattern, rounds, after=lambda: None):
+    """The results of ours by name, one of each round; `after` is called with every round."""
+    entries = {}
+    for number in range(rounds):
+        for build in turns.of_round(number):
+            for name, entry in google_benchmark(build, program, pattern).items():
+                turns.note(name, build, _time(entry))
+                if build is turns.ours:
+                    entries.setdefault(name, []).append(entry)
+        after()
+    return entries
 
 
-def _cpu_times(entries):
-    return [entry["cpu_time"] for entry in entries]
+def _time(entry):
+    """Of the model, "real time" is the CPU time of explain alone, taken by hand: making the loops
+    is not counted."""
+    return entry["real_time" if entry["name"].startswith("model/") else "cpu_time"]
+
+
+def _medians(entries):
+    return {name: statistics.median(map(_time, of_rounds)) for name, of_rounds in entries.items()}
 
 
 def _write_signal(folder):
@@ -52,21 +61,21 @@ def _write_signal(folder):
     return file
 
 
-def measure_kernel(rounds):
+def _numpy_us(noise):
+    done = plant.run(["/usr/bin/python3", plant.SOURCE_DIR / "tests/bench/kernel_numpy.py", noise],
+                     env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"})
+    return json.loads(done)["kernel_numpy_us"]
+
+
+def measure_kernel(turns, rounds):
     """Ours, NumPy and the floor in turn, so that all see the same machine."""
-    times = {}
     numpy_us = []
     with tempfile.TemporaryDirectory() as folder:
         noise = _write_signal(folder)
-        for _ in range(rounds):
-            found = google_benchmark("hos_benchmark", "^(kernel|floor|calibrated|plant_noise)/")
-            for name, entries in found.items():
-                times.setdefault(name, []).extend(_cpu_times(entries))
-            done = plant.run(["/usr/bin/python3", SOURCE_DIR / "tests/bench/kernel_numpy.py", noise],
-                             env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"})
-            numpy_us.append(json.loads(done)["kernel_numpy_us"])
+        pattern = "^(kernel|floor|calibrated|plant_noise)/"
+        median = _medians(benchmark_rounds(turns, "hos_benchmark", pattern, rounds,
+                                           lambda: numpy_us.append(_numpy_us(noise))))
     numpy_us = statistics.median(numpy_us)
-    median = {name: statistics.median(values) for name, values in times.items()}
     paths = {}
     for path in PATHS:
         if f"kernel/{path}" not in median:
@@ -83,124 +92,40 @@ def measure_kernel(rounds):
     return {**paths[best], "instruction_set": best, "paths": paths}
 
 
-def measure_analysis(rounds):
-    found = google_benchmark("analysis_benchmark", "^analysis/", rounds)
-    return {f"{name.split('/')[1]}_us": statistics.median(_cpu_times(entries))
-            for name, entries in found.items()}
+def measure_analysis(turns, rounds):
+    found = _medians(benchmark_rounds(turns, "analysis_benchmark", "^analysis/", rounds))
+    return {f"{name.split('/')[1]}_us": value for name, value in found.items()}
 
 
-def measure_model():
-    found = google_benchmark("model_benchmark", "^model/")
-    # Its "real time" is the CPU time of explain alone, taken by hand: making the loops is not counted.
-    whole = found["model/all"][0]
-    kinds = {f"model_{name.split('/')[1]}_ms": entries[0]["real_time"]
-             for name, entries in found.items() if name != "model/all"}
-    return {"model_ms": whole["median_ms"], "model_mean_ms": whole["real_time"],
-            "model_p90_ms": whole["p90_ms"], **kinds}
+def measure_model(turns, rounds):
+    entries = benchmark_rounds(turns, "model_benchmark", "^model/", rounds)
+    medians, whole = _medians(entries), entries["model/all"]
+    kinds = {f"model_{name.split('/')[1]}_ms": value for name, value in medians.items()
+             if name != "model/all"}
+    return {"model_ms": statistics.median(entry["median_ms"] for entry in whole),
+            "model_mean_ms": medians["model/all"],
+            "model_p90_ms": statistics.median(entry["p90_ms"] for entry in whole), **kinds}
 
 
-def measure_reading():
+def measure_reading(turns, rounds):
     """Values a second on one connection, beside COPY BINARY of the same rows."""
-    server = SOURCE_DIR / "tests/support/postgres"
-    environment = SOURCE_DIR / "build/release/postgres.env"
-    plant.run([server, "start", environment])
+    server = plant.SOURCE_DIR / "tests/support/postgres"
+    environments = {build: build.folder / "postgres.env" for build in turns.builds}
+    ours = []
+    for environment in environments.values():
+        plant.run([server, "start", environment])
     try:
-        found = json.loads(plant.run([TESTS / "read_benchmark", "300", "5"]))
+        for number in range(rounds):
+            for build in turns.of_round(number):
+                found = json.loads(plant.run([build.tests / "read_benchmark", "300", "5"]))
+                turns.note("reading, time a value", build, 1.0 / found["read_values_per_s"])
+                if build is turns.ours:
+                    ours.append(found)
     finally:
-        plant.run([server, "stop", environment])
-    return {key: found[key] for key in ("read_values_per_s", "read_ratio_copy")}
-
-
-class RunningProgram:
-    """The program at work, and what it took: seconds, CPU seconds, peak memory in MB."""
-
-    def __init__(self, *arguments):
-        self.start = time.monotonic()
-        self.peak_mb = 0.0
-        with open(os.devnull, "w", encoding="ascii") as nowhere:
-            self.process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=nowhere,
-                                            stderr=nowhere)
-
-    def look(self):
-        """Notes the peak so far. Not the kernel's figure at the end: that one begins with the
-        memory of this script, whose child the program was for a moment."""
-        try:
-            status = Path(f"/proc/{self.process.pid}/status").read_text()
-            self.peak_mb = max(self.peak_mb, int(re.search(r"VmHWM:\s+(\d+)", status)[1]) / 1024)
-        except (FileNotFoundError, TypeError):
-            pass  # it has just ended
-
-    def ended(self):
-        return self.process.poll() is not None
-
-    def stop(self):
-        self.look()
-        self.process.send_signal(signal.SIGTERM)
-
-    def wait(self):
-        while True:
-            self.look()
-            pid, status, usage = os.wait4(self.process.pid, os.WNOHANG)
-            if pid != 0:
-                break
-            time.sleep(0.02)
-        self.process.returncode = os.waitstatus_to_exitcode(status)
-        if self.process.returncode != 0:
-            raise RuntimeError(f"loopscope ended with exit code {self.process.returncode}")
-        return {"elapsed_s": time.monotonic() - self.start,
-                "cpu_s": usage.ru_utime + usage.ru_stime, "rss_mb": self.peak_mb}
-
-
-def run_program(*arguments):
-    return RunningProgram(*arguments).wait()
-
-
-def stage_breakdown(results):
-    """Milliseconds a loop by stage, summed over the workers."""
-    columns = ("claim", "fetch", "prepare", "statistics", "model", "decide", "write", "wait")
-    sums = ", ".join(f"1000 * sum({column}_s) / sum(loops)" for column in columns)
-    row = results.sql(f"SELECT {sums}, sum(modelled) FROM loopscope.stage_cost")[0]
-    return {**{f"{column}_ms": float(value) for column, value in zip(columns, row)},
-            "modelled": int(float(row[-1]))}
-
-
-def measure_once(shop, historian, results_server, loops, rounds):
-    """Passes over an empty results database each, after one that warms the caches."""
-    runs = []
-    for round_number in range(rounds + 1):
-        results = plant.Results(results_server, PROGRAM, historian, shop.folder, loops, loops, {})
-        before = (historian.cpu_s(), results_server.cpu_s())
-        done = run_program("once", "--config", results.settings)
-        done["historian_cpu_s"] = historian.cpu_s() - before[0]
-        done["results_cpu_s"] = results_server.cpu_s() - before[1]
-        done["stages"] = stage_breakdown(results)
-        analysed = int(results.sql("SELECT count(*) FROM loopscope.analysis WHERE usable")[0][0])
-        if analysed != loops:
-            raise RuntimeError(f"{analysed} of {loops} loops were judged")
-        results.drop()
-        if round_number > 0:
-            runs.append(done)
-    runs.sort(key=lambda run: run["elapsed_s"])
-    return runs[len(runs) // 2] | {"rss_mb": max(run["rss_mb"] for run in runs)}
-
-
-def measure_passes(loops, rounds):
-    with plant.Workshop() as shop:
-        historian, results_server = shop.server(), shop.server()
-        say(f"a historian of {3 * loops * plant.WINDOW / 1e6:.1f} million rows ...")
-        plant.load_recordings(historian, PROGRAM, plant.WINDOW)
-        plant.make_history(historian)
-        plant.add_history(historian, loops, 0, plant.WINDOW - 1, "date_trunc('day', now())")
-        found = {"loops": loops}
-        peak = 0.0
-        for kind in ("covering", "plain"):
-            plant.index_history(historian, kind == "covering")
-            run = measure_once(shop, historian, results_server, loops, rounds)
-            found[f"pass_loops_per_s_{kind}"] = loops / run["elapsed_s"]
-            found[f"pass_{kind}"] = run
-            peak = max(peak, run["rss_mb"])
-        found["peak_rss_mb"] = peak
-        return found
+        for environment in environments.values():
+            plant.run([server, "stop", environment])
+    return {key: statistics.median(found[key] for found in ours)
+            for key in ("read_values_per_s", "read_ratio_copy")}
 
 
 def table(found):
@@ -222,36 +147,44 @@ def table(found):
     if "read_values_per_s" in found:
         rows.append(("reading", f"{found['read_values_per_s'] / 1e6:.2f} million values/s",
                      f"COPY / ours {found['read_ratio_copy']:.2f}"))
-    for kind in ("covering", "plain"):
-        if f"pass_{kind}" in found:
-            run = found[f"pass_{kind}"]
-            stages = ", ".join(f"{name[:-3]} {value:.2f}" for name, value in run["stages"].items()
-                               if name.endswith("_ms"))
-            rows += [(f"pass, {kind} index", f"{found[f'pass_loops_per_s_{kind}']:.0f} loops/s",
-                      f"{run['stages']['modelled']} of {found['loops']} with a model"),
-                     ("  CPU s: program, historian, results",
-                      f"{run['cpu_s']:.1f}, {run['historian_cpu_s']:.1f}, {run['results_cpu_s']:.1f}",
-                      f"peak {run['rss_mb']:.0f} MB"), ("  ms a loop", "", stages)]
-    return "\n".join(f"{name:42} {value:>24}  {note}" for name, value, note in rows)
+    rows += pass_rows(found) + steady_rows(found) + compared_rows(found)
+    return "\n".join(f"{name:42} {value:>24}  {note}".rstrip() for name, value, note in rows)
 
 
-def main():
+def parsed():
     parser = argparse.ArgumentParser(prog="tests/bench/run", description=__doc__)
     parser.add_argument("--json", action="store_true", help="one JSON object")
     parser.add_argument("--loops", type=int, default=2000, help="of the passes (2000)")
-    parser.add_argument("--rounds", type=int, default=3, help="of every measurement (3)")
+    parser.add_argument("--steady-loops", type=int, default=500, help="of the steady state (500)")
+    parser.add_argument("--rounds", type=int,
+                        help="of every measurement (3; 8 with --against; models 1 without)")
     parser.add_argument("--only", action="append", choices=PARTS, help="leave the other parts out")
-    options = parser.parse_args()
-    parts = options.only or PARTS
+    parser.add_argument("--against", metavar="BUILD",
+                        help="folder of another build, measured by turns: ratios ours / other")
+    return parser.parse_args()
+
+
+def main():
+    options = parsed()
+    builds = [Build(OURS)] + ([Build(options.against)] if options.against else [])
+    turns = Turns(builds)
+    rounds = options.rounds or (8 if options.against else 3)
+    measures = {"kernel": lambda: measure_kernel(turns, rounds),
+                "analysis": lambda: measure_analysis(turns, rounds),
+                "model": lambda: measure_model(turns, rounds if options.against else 1),
+                "read": lambda: measure_reading(turns, rounds if options.against else 1),
+                "pass": lambda: measure_passes(turns, options.loops, rounds),
+                "steady": lambda: measure_steady(turns, options.steady_loops)}
     found = {}
-    for part, measure in (("kernel", lambda: measure_kernel(options.rounds)),
-                          ("analysis", lambda: measure_analysis(options.rounds)),
-                          ("model", measure_model), ("read", measure_reading),
-                          ("pass", lambda: measure_passes(options.loops, options.rounds))):
-        if part in parts:
-            say(f"{part} ...")
-            found |= measure()
+    for part in options.only or PARTS:
+        say(f"{part} ...")
+        found |= measures[part]()
+    found |= turns.compared()
     print(json.dumps(found) if options.json else table(found))
+    if turns.differences:
+        say("error: the builds did not do the same work, their ratios of CPU time mean little: "
+            f"{'; '.join(turns.differences)}")
+        sys.exit(1)
 
 
 if __name__ == "__main__":

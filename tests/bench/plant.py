@@ -23,6 +23,7 @@ HEALTHY = ("healthy_flow", "paper_5_1", "level_loop", "healthy_flow")
 FAULTS = ("sticking_valve", "deadband", "saturated_valve", "oversized_valve", "tight_tuning",
           "outside_oscillation", "process_gain_change", "quantised_sensor")
 RECORDINGS = 160
+TICKS_PER_S = os.sysconf("SC_CLK_TCK")
 
 
 def run(command, **options):
@@ -62,13 +63,12 @@ class Server:
 
     def cpu_s(self):
         """CPU time of the server and of all back ends, those that have ended included."""
-        ticks = os.sysconf("SC_CLK_TCK")
-        total = sum(_cpu_ticks(self.postmaster))
+        total = sum(cpu_ticks(self.postmaster))
         children = Path(f"/proc/{self.postmaster}/task/{self.postmaster}/children").read_text()
-        return (total + sum(_cpu_ticks(int(pid))[0] for pid in children.split())) / ticks
+        return (total + sum(cpu_ticks(int(pid))[0] for pid in children.split())) / TICKS_PER_S
 
 
-def _cpu_ticks(pid):
+def cpu_ticks(pid):
     """Of the process itself, and of its children that have ended."""
     try:
         fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
@@ -105,18 +105,19 @@ def load_recordings(server, program, samples):
 
 
 def make_history(server):
+    # Vacuumed by those who add to it: a server that does so by itself does it while something is timed.
     server.sql("CREATE TABLE history (tag text NOT NULL, time timestamptz NOT NULL, value float8,"
-               " quality smallint)")
+               " quality smallint) WITH (autovacuum_enabled = off)")
 
 
-def add_history(server, tags, first_k, last_k, end):
+def add_history(server, tags, first_k, last_k, end, interval_s=INTERVAL_S):
     """Rows of the given number of sets of tags, in the order of their times, sample last_k at the
     time `end` (SQL)."""
     server.sql(f"""
         DO $$ BEGIN FOR n IN {first_k} .. {last_k} LOOP
           INSERT INTO history
           SELECT 'FC' || i || role.suffix,
-                 {end} - ({last_k} - n) * interval '{INTERVAL_S} seconds', role.value, 192
+                 {end} - ({last_k} - n) * interval '{interval_s} seconds', role.value, 192
           FROM generate_series(0, {tags - 1}) AS i
           JOIN recording ON recording.k = n AND recording.number = i % {RECORDINGS}
           CROSS JOIN LATERAL (VALUES ('.SP', sp), ('.PV', pv), ('.OP', op)) AS role (suffix, value);
@@ -126,34 +127,41 @@ def add_history(server, tags, first_k, last_k, end):
 def index_history(server, covering):
     include = " INCLUDE (value, quality)" if covering else ""
     server.sql(f"DROP INDEX IF EXISTS by_tag; CREATE INDEX by_tag ON history (tag, time){include}")
+    tidy_history(server)
+
+
+def tidy_history(server):
     # Pages become all-visible, which index-only scans need, once their commits are on disk.
     server.sql("CHECKPOINT")
     server.sql("VACUUM ANALYZE history")
 
 
 class Results:
-    """A results database of its own with a catalogue of `loops` loops over `tags` sets of tags."""
+    """A results database of its own with a catalogue of `loops` loops over `tags` sets of tags, as
+    the build makes it; `more` are further sections of the settings."""
 
-    def __init__(self, server, program, historian, folder, loops, tags, schedule):
-        self.server, self.program = server, program
+    def __init__(self, server, build, historian, folder, loops, tags, schedule, more=None,
+                 interval_s=INTERVAL_S, period_s=PERIOD_S):
+        self.server, self.build = server, build
         self.name = f"results_{loops}"
         server.sql(f"DROP DATABASE IF EXISTS {self.name}")
         server.sql(f"CREATE DATABASE {self.name}")
-        self.settings = Path(folder, f"{self.name}.json")
+        # Beside its server's name: two builds have a server each.
+        self.settings = Path(folder, f"{Path(server.folder).name}.{self.name}.json")
         self.settings.write_text(json.dumps({
             "results": {"connection": server.conninfo(self.name, "owner")},
             "historians": [{"name": "plant", "connection": historian.conninfo(),
                             "table": "public.history"}],
-            "schedule": {"settle_s": 60, **schedule}}))
-        self.sql((SOURCE_DIR / "deploy/roles.sql").read_text(encoding="utf-8"))
+            "schedule": {"settle_s": 60, **schedule}, **(more or {})}))
+        self.sql((build.source / "deploy/roles.sql").read_text(encoding="utf-8"))
         self.sql("DO $$ BEGIN CREATE ROLE owner LOGIN IN ROLE loopscope_owner;"
                  " EXCEPTION WHEN duplicate_object THEN NULL; END $$")
-        run([program, "migrate", "--config", self.settings])
+        run([build.program, "migrate", "--config", self.settings])
         self.sql(f"""
             INSERT INTO loopscope.loop (name, source, sp_tag, pv_tag, op_tag, interval_s, period_s,
                                         op_low, op_high, loop_type)
             SELECT 'FC' || i, 'plant', 'FC' || i % {tags} || '.SP', 'FC' || i % {tags} || '.PV',
-                   'FC' || i % {tags} || '.OP', {INTERVAL_S}, {PERIOD_S}, 0, 100,
+                   'FC' || i % {tags} || '.OP', {interval_s}, {period_s}, 0, 100,
                    CASE WHEN i % {tags} % {RECORDINGS} IN ({_levels()}) THEN 'level' END
             FROM generate_series(0, {loops - 1}) AS i""")
         self.sql("VACUUM ANALYZE loopscope.loop, loopscope.schedule")

@@ -14,10 +14,9 @@ import sys
 import time
 import urllib.error
 import urllib.request
-from pathlib import Path
 
-import measure
 import plant
+from builds import OURS, Build, RunningProgram, say
 
 sys.path.insert(0, str(plant.SOURCE_DIR / "tests/support"))
 import crowd  # noqa: E402
@@ -31,10 +30,6 @@ SETTLED_S = 60
 TODAY = "date_trunc('day', now())"
 
 
-def say(text):
-    print(text, file=sys.stderr, flush=True)
-
-
 def free_port():
     with socket.socket() as listener:
         listener.bind(("127.0.0.1", 0))
@@ -46,7 +41,7 @@ def serve(results, port):
     settings = json.loads(results.settings.read_text())
     settings["daemon"] = {"http_address": f"127.0.0.1:{port}"}
     results.settings.write_text(json.dumps(settings))
-    daemon = measure.RunningProgram("run", "--config", results.settings)
+    daemon = RunningProgram(results.build.program, "run", "--config", results.settings)
     while crowd.status_of(("127.0.0.1", port), crowd.request("/livez")) is None:
         if daemon.ended():
             raise RuntimeError("loopscope run ended by itself")
@@ -105,15 +100,15 @@ def measure_crowds(results, port, seconds):
     return found
 
 
-def measure_readers(loops, seconds):
+def measure_readers(build, loops, seconds):
     with plant.Workshop() as shop:
         historian, server = shop.server(), shop.server()
         say(f"{loops} loops ...")
-        plant.load_recordings(historian, measure.PROGRAM, plant.WINDOW)
+        plant.load_recordings(historian, build.program, plant.WINDOW)
         plant.make_history(historian)
         plant.add_history(historian, plant.RECORDINGS, 0, plant.WINDOW - 1, TODAY)
         plant.index_history(historian, covering=True)
-        results = plant.Results(server, measure.PROGRAM, historian, shop.folder, loops,
+        results = plant.Results(server, build, historian, shop.folder, loops,
                                 plant.RECORDINGS, {"settle_s": SETTLED_S, "model_all_up_to": 0})
         port = free_port()
         daemon = serve(results, port)
@@ -154,9 +149,8 @@ def main():
     parser.add_argument("--loops", type=int, default=5000, help="of the catalogue (5000)")
     parser.add_argument("--seconds", type=float, default=20, help="of each crowd (20)")
     options = parser.parse_args()
-    if "LOOPSCOPE_PROGRAM" in os.environ:
-        measure.PROGRAM = Path(os.environ["LOOPSCOPE_PROGRAM"])
-    found = measure_readers(options.loops, options.seconds)
+    build = Build(OURS, os.environ.get("LOOPSCOPE_PROGRAM"))
+    found = measure_readers(build, options.loops, options.seconds)
     print(json.dumps(found) if options.json else table(found))
     worst = max(one["livez_ms"]["p99"] for one in found["crowds"])
     if worst > BOUND_MS:
