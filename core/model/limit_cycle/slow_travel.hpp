@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/model/limit_cycle/travel_fit.hpp"
 #include "core/model/valve_law/valve_law.hpp"
 
 namespace loopscope::core::model {
@@ -14,13 +15,6 @@ namespace loopscope::core::model {
 inline constexpr ValveLaw kTravelLaw = ValveLaw::kano;
 /// Samples that are averaged to one.
 inline constexpr std::size_t kTravelMean = 8;
-
-/// pv as a constant, a trend over the record and a lag of the flow, by means.
-struct TravelModel {
-  double pole = 0.0;                             ///< of the lag, from mean to mean, 0 to 0.99
-  std::size_t delay = 0;                         ///< means
-  std::array<double, 3> weights{0.0, 0.0, 0.0};  ///< pv units, of the flow pv units per %
-};
 
 /// Whether pv follows op's slow travel, or rests while op travels and then jumps.
 ///
