@@ -119,6 +119,10 @@ struct DaemonSettings {
   /// Seconds that the most overdue loop may be late before /readyz says no, 1 to 2592000.
   double max_lag_s = 3600.0;
   AcknowledgeSettings acknowledge;
+
+  [[nodiscard]] std::size_t cache_bytes() const {
+    return static_cast<std::size_t>(cache_mb) * 1'000'000;
+  }
 };
 
 /// Which loops are shown as flagged.

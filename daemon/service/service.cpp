@@ -51,7 +51,7 @@ class Service {
         pool_(worker_count(settings_->daemon)),
         in_force_(settings_.get()) {
     set_up_log(settings_->daemon);
-    limit_windows();
+    tools_.windows.limit(settings_->daemon.cache_bytes());
     for (std::size_t index = 0; index < worker_count(settings_->daemon); ++index) {
       workers_.emplace_back(context_, settings_->schedule.poll_s);
     }
@@ -132,11 +132,6 @@ class Service {
     });
   }
 
-  void limit_windows() {
-    constexpr std::size_t kBytesPerMb = 1'000'000;
-    tools_.windows.limit(static_cast<std::size_t>(settings_->daemon.cache_mb) * kBytesPerMb);
-  }
-
   void tell_sources() {
     std::vector<std::string> sources;
     for (const auto& historian : settings_->historians) sources.push_back(historian.name);
@@ -164,7 +159,7 @@ class Service {
           settings_, std::make_shared<config::Settings>(config::read_settings(file_)));
       in_force_ = settings_.get();
       set_up_log(settings_->daemon);
-      limit_windows();
+      tools_.windows.limit(settings_->daemon.cache_bytes());
       tools_.historians.forget_idle();
       heartbeat_->use(settings_);
       watch_->use(settings_);

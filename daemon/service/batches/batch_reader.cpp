@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/signal/microseconds.hpp"
+#include "daemon/service/batches/slots_to_check.hpp"
 #include "daemon/service/historians/source_gate.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/windows/loop_slot.hpp"
@@ -17,58 +18,6 @@ namespace {
 
 /// SQLSTATE: one loop may fit where a batch did not.
 constexpr const char* kServerOutOfMemory = "53200";
-
-/// Slots before the newest one that are looked at again: those of the horizon that are stored and
-/// were analysed with the settings in force (others keep what they were judged by). Newest first.
-std::vector<std::int64_t> slots_to_check(const storage::ClaimedLoop& claim,
-                                         std::int64_t newest_end_us, const StoredAnalyses& stored,
-                                         int horizon) {
-  std::vector<std::int64_t> ends;
-  for (const std::int64_t end :
-       earlier_slots(newest_end_us, claim.last_slot_end_us, claim.loop.period_s, horizon)) {
-    const storage::StoredDigest* row = stored.find(claim.loop.loop_id, end);
-    if (row != nullptr && row->same_settings) ends.push_back(end);
-  }
-  return ends;
-}
-
-/// Loop and slot of everything that may be stored already: the newest slots and `horizon` earlier
-/// ones of each loop, its last one in any case, by which kept windows are known.
-std::vector<std::pair<std::int64_t, std::int64_t>> slots_that_may_be_stored(
-    const Claims& claims, std::span<const LoopSlot> newest, int horizon) {
-  std::vector<std::pair<std::int64_t, std::int64_t>> keys;
-  for (std::size_t k = 0; k < claims.size(); ++k) {
-    const storage::ClaimedLoop& claim = *claims[k];
-    const std::int64_t loop_id = claim.loop.loop_id, newest_us = newest[k].end_us;
-    keys.emplace_back(loop_id, newest_us);
-    for (const std::int64_t end : earlier_slots(newest_us, claim.last_slot_end_us,
-                                                claim.loop.period_s, std::max(horizon, 1))) {
-      keys.emplace_back(loop_id, end);
-    }
-  }
-  return keys;
-}
-
-/// Earlier slots to look at again, all tasks in one list; `claims` says whose each is.
-struct EarlierSlots {
-  std::vector<LoopSlot> slots;
-  Claims claims;
-};
-
-EarlierSlots earlier_slots_to_check(const Batch& batch, int horizon) {
-  EarlierSlots earlier;
-  for (const LoopTask& task : batch.tasks) {
-    const LoopWindowAtSlot& newest = task.newest.at_slot;
-    const storage::ClaimedLoop& claim = *task.claim;
-    for (const std::int64_t end :
-         slots_to_check(claim, newest.slot_end_us, batch.stored, horizon)) {
-      if (batch.kept.still_holds(claim, end, batch.stored)) continue;
-      earlier.slots.push_back({&claim.loop, end, newest.tags, claim.pv_past});
-      earlier.claims.push_back(task.claim);
-    }
-  }
-  return earlier;
-}
 
 std::size_t values_in(const LoopInput& input) {
   const core::signal::LoopWindow& window = input.at_slot.window;
