@@ -63,6 +63,12 @@ constexpr std::array kServiceSettings = {
     Setting{"/schedule/revise_slots", in_schedule<&ScheduleSettings::revise_slots>,
             range(0, 48, "windows"),
             "number of earlier windows of a loop that are checked for late rows at each analysis"},
+    Setting{"/schedule/whole_read_every", in_schedule<&ScheduleSettings::whole_read_every>,
+            range(1, 1000, "windows"),
+            "interval between two times that a loop's window is read whole; else only rows since "
+            "`revise_slots` windows (at least one) before the last one are read, and the others "
+            "are kept in memory (`cache_mb`), so that a row that changes further back is noticed "
+            "after so many windows at the latest; 1 = always whole"},
     Setting{"/schedule/catch_up_slots", in_schedule<&ScheduleSettings::catch_up_slots>,
             range(0, 1000, "windows"),
             "largest number of missed windows of a loop that `run` makes up for after an outage, "
@@ -83,6 +89,9 @@ constexpr std::array kServiceSettings = {
         "number of workers, each with a batch that it reads, analyses or writes, so that no core "
         "waits for a database; each holds a connection to the results; 0 = two for each "
         "core, eight at most"},
+    Setting{"/daemon/cache_mb", in_daemon<&DaemonSettings::cache_mb>, range(0, 1e6, "MB"),
+            "memory in which `run` keeps windows, so that it reads new rows only "
+            "(`schedule.whole_read_every`); about 50 kB a loop of three tags; 0 = none is kept"},
     Setting{"/daemon/log_level", in_daemon<&DaemonSettings::log_level>, one_of(kLogLevels),
             "least severe messages that are logged"},
     Setting{"/daemon/log_format", in_daemon<&DaemonSettings::log_format>, one_of(kLogFormats),

@@ -83,8 +83,11 @@ struct ScheduleSettings {
   int batch_loops = 32;              ///< loops per claim, 1 to 256
   double default_period_s = 3600.0;  ///< of a loop that is added without one, 1 to 2592000
   int revise_slots = 1;              ///< earlier slots that are checked for late rows, 0 to 48
-  int catch_up_slots = 6;            ///< missed slots that are made up for, 0 to 1000
-  int model_all_up_to = 500;         ///< enabled loops, 0 to 1000000; see model_every_slots
+  /// A window is read whole at every so many slots of a loop, 1 to 1000; between them only what is
+  /// new, where the rest is kept in memory (DaemonSettings::cache_mb). 1 = always.
+  int whole_read_every = 24;
+  int catch_up_slots = 6;     ///< missed slots that are made up for, 0 to 1000
+  int model_all_up_to = 500;  ///< enabled loops, 0 to 1000000; see model_every_slots
   /// With more loops than that, a loop that gives no cause gets a loop model in every so many slots
   /// only, 1 to 1000.
   int model_every_slots = 10;
@@ -106,15 +109,20 @@ struct AcknowledgeSettings {
 
 /// The process itself.
 struct DaemonSettings {
-  int workers = 0;                              ///< cores to analyse on; 0 = all; 0 to 256
-  int batches_in_flight = 0;                    ///< workers; 0 = two a core; 0 to 1024
-  std::string log_level = "info";               ///< debug, info, warning, error
-  std::string log_format = "text";              ///< text or json
+  int workers = 0;                  ///< cores to analyse on; 0 = all; 0 to 256
+  int batches_in_flight = 0;        ///< workers; 0 = two a core; 0 to 1024
+  int cache_mb = 512;               ///< memory for windows that are not read again; 0 to 1000000
+  std::string log_level = "info";   ///< debug, info, warning, error
+  std::string log_format = "text";  ///< text or json
   std::string http_address = "127.0.0.1:9470";  ///< see http_address.hpp; empty = no HTTP
   std::vector<std::string> http_names;          ///< it may be called so; see host_name.hpp
   /// Seconds that the most overdue loop may be late before /readyz says no, 1 to 2592000.
   double max_lag_s = 3600.0;
   AcknowledgeSettings acknowledge;
+
+  [[nodiscard]] std::size_t cache_bytes() const {
+    return static_cast<std::size_t>(cache_mb) * 1'000'000;
+  }
 };
 
 /// Which loops are shown as flagged.

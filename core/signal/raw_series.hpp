@@ -22,6 +22,7 @@ struct RawSeries {
   std::vector<double> value;          ///< NaN = bad or missing
   Hold hold = Hold::sample;           ///< as the archive demands
   std::size_t unknown_quality = 0;    ///< rows whose quality code nobody knows: bad, and counted
+  bool merged = false;  ///< of several ids of the tag: which rows count depends on all of them
 
   [[nodiscard]] bool empty() const { return time_us.empty(); }
 };

@@ -142,7 +142,7 @@ storage::WriteCount AnalysisWorker::process(const std::vector<ClaimedLoop>& clai
 
 storage::WriteCount AnalysisWorker::process_source(const std::string& source,
                                                    const Claims& claims) {
-  Batch batch;
+  Batch batch{KeptWindows(tools_.windows, settings_, settings_json_)};
   const BatchReader::Read read = reader_.read(source, claims, batch);
   if (read == BatchReader::Read::apart) {
     storage::WriteCount sum;
@@ -180,6 +180,7 @@ void AnalysisWorker::complete(const LoopTask& task, const AnalysisOrders& orders
     batch.completed.push_back(driver_.run(&storage::StageCost::decide_s, [&] {
       return complete_task(task, batch.stored, orders, driver_);
     }));
+    batch.kept.keep(task, batch.completed.back(), batch.stored, batch.rows);
   } catch (const std::exception& error) {
     set_aside(*task.claim, as_failure(*task.claim, error), batch);
   }

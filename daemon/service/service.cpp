@@ -51,6 +51,7 @@ class Service {
         pool_(worker_count(settings_->daemon)),
         in_force_(settings_.get()) {
     set_up_log(settings_->daemon);
+    tools_.windows.limit(settings_->daemon.cache_bytes());
     for (std::size_t index = 0; index < worker_count(settings_->daemon); ++index) {
       workers_.emplace_back(context_, settings_->schedule.poll_s);
     }
@@ -158,6 +159,7 @@ class Service {
           settings_, std::make_shared<config::Settings>(config::read_settings(file_)));
       in_force_ = settings_.get();
       set_up_log(settings_->daemon);
+      tools_.windows.limit(settings_->daemon.cache_bytes());
       tools_.historians.forget_idle();
       heartbeat_->use(settings_);
       watch_->use(settings_);

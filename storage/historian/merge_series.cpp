@@ -60,6 +60,7 @@ RawSeries merge_series(std::vector<RawSeries> parts, const TagRequest& request) 
     merged.value.push_back(row->second);
   }
   for (const RawSeries& part : parts) merged.unknown_quality += part.unknown_quality;
+  merged.merged = true;
   return merged;
 }
 

@@ -15,9 +15,6 @@ namespace loopscope::storage {
 inline constexpr std::int64_t kHour_us = std::int64_t{3600} * 1'000'000;
 inline constexpr std::int64_t kDay_us = std::int64_t{24} * kHour_us;
 
-/// How far back a row before the window is looked for: a setpoint may stand still for months.
-inline constexpr std::int64_t kReachBefore_us = std::int64_t{366} * kDay_us;
-
 /// The spans in which a newest row is looked for, one after the other: each begins earlier and all
 /// end at one time, so that the first that has a row gives the same as the last. A server that
 /// sorts what it is asked for, or opens every partition of it, then has to do with few rows more

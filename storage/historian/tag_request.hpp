@@ -5,6 +5,10 @@
 
 namespace loopscope::storage {
 
+/// How far back a row before the window is looked for, microseconds: a setpoint may stand still for
+/// months.
+inline constexpr std::int64_t kReachBefore_us = std::int64_t{366} * 24 * 3600 * 1'000'000;
+
 /// Whether the newest row before a span is wanted too.
 enum class RowBefore {
   no,

@@ -23,9 +23,10 @@ TEST(ReadTree, KeysInTheWrongObjectAreToldWhereTheyBelong) {
 }
 
 TEST(ReadTree, KeysLikeNoOtherGetTheListOfKnownOnes) {
-  EXPECT_EQ(first_hint_of(minimal_with(R"("daemon": {"colour": "red"})")),
-            "known here: workers, batches_in_flight, log_level, log_format, http_address, "
-            "http_names, max_lag_s, acknowledge");
+  EXPECT_EQ(
+      first_hint_of(minimal_with(R"("daemon": {"colour": "red"})")),
+      "known here: workers, batches_in_flight, cache_mb, log_level, log_format, http_address, "
+      "http_names, max_lag_s, acknowledge");
 }
 
 TEST(ReadTree, KeysThatLookLikePathsAreUnknown) {

@@ -93,7 +93,8 @@ TEST_F(LateData, OtherSettingsAreNoLateRows) {
 
 TEST_F(LateData, TheDaemonNoticesRowsThatComeAfterTheirSlot) {
   import();
-  plant.write_settings(Plant::settings(R"("schedule": {"poll_s": 0.2, "settle_s": 0})"));
+  plant.write_settings(
+      Plant::settings(R"("schedule": {"poll_s": 0.2, "settle_s": 0, "whole_read_every": 3})"));
   ASSERT_EQ(plant.loopscope("loops", {"set", "FIC101", "--period-s", "2"}).exit_code, 0);
   BackgroundProgram daemon(plant.command_line("run"), plant.folder() / "daemon.log");
   const auto becomes_true = [&](const std::string& query) {

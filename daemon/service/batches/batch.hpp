@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "daemon/service/batches/kept_windows.hpp"
 #include "daemon/service/batches/loop_task.hpp"
 #include "daemon/service/windows/row_memory.hpp"
 #include "daemon/text/failure.hpp"
@@ -19,12 +20,14 @@ using Claims = std::vector<const storage::ClaimedLoop*>;
 
 /// Claimed loops on their way through a worker: what was read, and what has come of it.
 struct Batch {
-  std::vector<LoopTask> tasks;
-  RowMemory rows;
-  StoredAnalyses stored;
-  std::vector<storage::CompletedLoop> completed;
-  std::vector<storage::FailedLoop> failed;
-  std::optional<Failure> first_failure;  ///< why loops stand in `failed`, the first of the reasons
+  KeptWindows kept;
+  std::vector<LoopTask> tasks = {};
+  RowMemory rows = {};
+  StoredAnalyses stored = {};
+  std::vector<storage::CompletedLoop> completed = {};
+  std::vector<storage::FailedLoop> failed = {};
+  std::optional<Failure> first_failure =
+      std::nullopt;  ///< why loops stand in `failed`, the first of the reasons
 };
 
 /// The loop cannot be brought to its end: it waits, longer each time.

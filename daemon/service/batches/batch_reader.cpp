@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/signal/microseconds.hpp"
+#include "daemon/service/batches/slots_to_check.hpp"
 #include "daemon/service/historians/source_gate.hpp"
 #include "daemon/service/historians/storage_settings.hpp"
 #include "daemon/service/windows/loop_slot.hpp"
@@ -17,57 +18,6 @@ namespace {
 
 /// SQLSTATE: one loop may fit where a batch did not.
 constexpr const char* kServerOutOfMemory = "53200";
-
-/// Slots before the newest one that are looked at again: those of the horizon that are stored and
-/// were analysed with the settings in force (others keep what they were judged by). Newest first.
-std::vector<std::int64_t> slots_to_check(const storage::ClaimedLoop& claim,
-                                         std::int64_t newest_end_us, const StoredAnalyses& stored,
-                                         int horizon) {
-  std::vector<std::int64_t> ends;
-  for (const std::int64_t end :
-       earlier_slots(newest_end_us, claim.last_slot_end_us, claim.loop.period_s, horizon)) {
-    const storage::StoredDigest* row = stored.find(claim.loop.loop_id, end);
-    if (row != nullptr && row->same_settings) ends.push_back(end);
-  }
-  return ends;
-}
-
-/// Loop and slot of everything that the tasks may find stored: the newest slots and `horizon`
-/// earlier ones of each loop.
-std::vector<std::pair<std::int64_t, std::int64_t>> slots_that_may_be_stored(
-    std::span<const LoopTask> tasks, int horizon) {
-  std::vector<std::pair<std::int64_t, std::int64_t>> keys;
-  for (const LoopTask& task : tasks) {
-    const std::int64_t newest = task.newest.at_slot.slot_end_us;
-    const storage::ClaimedLoop& claim = *task.claim;
-    keys.emplace_back(claim.loop.loop_id, newest);
-    for (const std::int64_t end :
-         earlier_slots(newest, claim.last_slot_end_us, claim.loop.period_s, horizon)) {
-      keys.emplace_back(claim.loop.loop_id, end);
-    }
-  }
-  return keys;
-}
-
-/// Earlier slots to look at again, all tasks in one list; `claims` says whose each is.
-struct EarlierSlots {
-  std::vector<LoopSlot> slots;
-  Claims claims;
-};
-
-EarlierSlots earlier_slots_to_check(std::span<const LoopTask> tasks, const StoredAnalyses& stored,
-                                    int horizon) {
-  EarlierSlots earlier;
-  for (const LoopTask& task : tasks) {
-    const LoopWindowAtSlot& newest = task.newest.at_slot;
-    const storage::ClaimedLoop& claim = *task.claim;
-    for (const std::int64_t end : slots_to_check(claim, newest.slot_end_us, stored, horizon)) {
-      earlier.slots.push_back({&claim.loop, end, newest.tags, claim.pv_past});
-      earlier.claims.push_back(task.claim);
-    }
-  }
-  return earlier;
-}
 
 std::size_t values_in(const LoopInput& input) {
   const core::signal::LoopWindow& window = input.at_slot.window;
@@ -132,12 +82,10 @@ BatchReader::Read BatchReader::read(const std::string& source, const Claims& cla
   Read done = read_newest(source, claims, batch);
   if (done == Read::all && !of_the_past(claims)) {
     note_data(source, batch.tasks, tools_.metrics);
-    batch.stored =
-        driver_.run(&storage::StageCost::claim_s, [&] { return stored_analyses(batch.tasks); });
     done = read_earlier(source, claims, batch);
   }
   if (done == Read::all) driver_.cost().values += values_in(batch.tasks);
-  batch.rows = {};  // the windows hold what is needed of them
+  if (batch.kept.keep_nothing()) batch.rows = {};  // the windows hold what is needed of them
   const double fetch_ms = 1e3 * (driver_.cost().fetch_s - fetched_before_s);
   for (LoopTask& task : batch.tasks) {
     task.fetch_ms = fetch_ms / static_cast<double>(claims.size());
@@ -180,18 +128,25 @@ BatchReader::Read BatchReader::with_source(const std::string& source, const Clai
 
 BatchReader::Read BatchReader::read_newest(const std::string& source, const Claims& claims,
                                            Batch& batch) {
-  const config::ScheduleSettings& schedule = settings_->schedule;
-  std::vector<LoopWindowAtSlot> windows;
+  std::vector<LoopSlot> slots;
   bool by_rows = false;
-  const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
+  Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
     const SourceTime time = time_of(source, historian);
     by_rows = time.rule != slot_rule_;
-    const SlotSettings wanted{schedule.settle_s, time.rule, schedule.catch_up_slots};
-    const auto slots = of_the_past(claims) ? claimed_past_slots(historian, claims)
-                                           : newest_slots(historian, claims, wanted, time.now_us);
+    slots = slots_of(claims, time, historian);
+  });
+  if (done != Read::all) return done;
+  if (!of_the_past(claims)) {
+    batch.stored =
+        driver_.run(&storage::StageCost::claim_s, [&] { return stored_analyses(claims, slots); });
+    batch.kept.use(claims, slots, batch.stored, batch.rows);
+  }
+  std::vector<LoopWindowAtSlot> windows;
+  done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
     windows = windows_of(historian, slots, batch);
   });
   if (done != Read::all) return done;
+  batch.kept.compare(batch.rows);
   prepare(claims, std::move(windows), batch,
           [&](const storage::ClaimedLoop* claim, LoopInput input) {
             batch.tasks.push_back({claim, std::move(input), {}, 0.0, by_rows});
@@ -199,6 +154,14 @@ BatchReader::Read BatchReader::read_newest(const std::string& source, const Clai
   std::vector<InputOfLoop> inputs;
   for (LoopTask& task : batch.tasks) inputs.push_back({&task.claim->loop, &task.newest});
   return read_longer(source, claims, batch, inputs);
+}
+
+std::vector<LoopSlot> BatchReader::slots_of(const Claims& claims, const SourceTime& time,
+                                            storage::HistorianReader& historian) const {
+  if (of_the_past(claims)) return claimed_past_slots(historian, claims);
+  const config::ScheduleSettings& schedule = settings_->schedule;
+  const SlotSettings wanted{schedule.settle_s, time.rule, schedule.catch_up_slots};
+  return newest_slots(historian, claims, wanted, time.now_us);
 }
 
 std::vector<LoopWindowAtSlot> BatchReader::windows_of(storage::HistorianReader& historian,
@@ -250,7 +213,7 @@ SourceTime BatchReader::time_of(const std::string& source, storage::HistorianRea
 BatchReader::Read BatchReader::read_earlier(const std::string& source, const Claims& claims,
                                             Batch& batch) {
   const int horizon = settings_->schedule.revise_slots;
-  const EarlierSlots earlier = earlier_slots_to_check(batch.tasks, batch.stored, horizon);
+  const EarlierSlots earlier = earlier_slots_to_check(batch, horizon);
   if (earlier.slots.empty()) return Read::all;
   std::vector<LoopWindowAtSlot> windows;
   const Read done = with_source(source, claims, batch, [&](storage::HistorianReader& historian) {
@@ -268,8 +231,8 @@ BatchReader::Read BatchReader::read_earlier(const std::string& source, const Cla
   return read_longer(source, claims, batch, inputs);
 }
 
-StoredAnalyses BatchReader::stored_analyses(const std::vector<LoopTask>& tasks) {
-  const auto keys = slots_that_may_be_stored(tasks, settings_->schedule.revise_slots);
+StoredAnalyses BatchReader::stored_analyses(const Claims& claims, std::span<const LoopSlot> slots) {
+  const auto keys = slots_that_may_be_stored(claims, slots, settings_->schedule.revise_slots);
   const auto ask = [&](storage::ResultsDatabase& database) {
     return database.stored_digests(keys, core::kAlgorithmRevision, settings_json_);
   };

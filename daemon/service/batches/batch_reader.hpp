@@ -24,7 +24,8 @@ struct SourceTime {
 
 /// Brings a batch from its claims to windows that are ready for analysis: the newest of each loop,
 /// what is stored of their slots, and the earlier ones that late rows may have changed; of claims
-/// for slots of the past their windows alone. Rows are
+/// for slots of the past their windows alone. Rows that are kept from the last visit are not read
+/// again (KeptWindows); those of the batch stay in it. Rows are
 /// read with a connection to the historian, windows prepared with a core, nothing with both. What
 /// is done when that fails is decided here: a source that is away postpones its loops, a loop at
 /// fault is set aside.
@@ -54,6 +55,8 @@ class BatchReader {
   /// Longer spans of those inputs that ask for them.
   Read read_longer(const std::string& source, const Claims& claims, Batch& batch,
                    std::span<const InputOfLoop> inputs);
+  [[nodiscard]] std::vector<LoopSlot> slots_of(const Claims& claims, const SourceTime& time,
+                                               storage::HistorianReader& historian) const;
   [[nodiscard]] std::vector<LoopWindowAtSlot> windows_of(storage::HistorianReader& historian,
                                                          std::span<const LoopSlot> slots,
                                                          Batch& batch);
@@ -61,7 +64,8 @@ class BatchReader {
   template <typename Keep>
   void prepare(const Claims& of_windows, std::vector<LoopWindowAtSlot> windows, Batch& batch,
                Keep keep);
-  [[nodiscard]] StoredAnalyses stored_analyses(const std::vector<LoopTask>& tasks);
+  [[nodiscard]] StoredAnalyses stored_analyses(const Claims& claims,
+                                               std::span<const LoopSlot> slots);
   void source_is_away(const std::string& source, const Failure& failure, const Claims& claims,
                       Batch& batch);
 

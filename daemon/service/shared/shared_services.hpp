@@ -13,6 +13,7 @@
 #include "daemon/service/shared/results_link.hpp"
 #include "daemon/service/threads/core_gate.hpp"
 #include "daemon/service/threads/progress_board.hpp"
+#include "daemon/service/windows/window_cache.hpp"
 #include "storage/results/leases/claim_watermark.hpp"
 
 namespace loopscope::daemon {
@@ -33,6 +34,7 @@ struct SharedServices {
   HistorianPool historians{metrics};
   CoreGate cores;
   KnownClocks clocks;
+  WindowCache windows;  ///< keeps nothing until it is given a limit
   ProgressBoard progress;
   const std::shared_ptr<storage::ClaimWatermarks> watermarks =
       std::make_shared<storage::ClaimWatermarks>();

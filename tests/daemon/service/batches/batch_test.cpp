@@ -16,7 +16,9 @@ storage::ClaimedLoop claim_of(std::int64_t loop_id) {
 /// pause, and is given back once.
 TEST(Batch, WhatWasSetAsideIsNotPostponedToo) {
   const storage::ClaimedLoop broken = claim_of(1), sound = claim_of(2);
-  Batch batch;
+  WindowCache cache;
+  const std::string settings_json;
+  Batch batch{KeptWindows(cache, std::make_shared<config::Settings>(), settings_json)};
   set_aside(broken, {ExitCode::fault, "out of memory", "fewer workers"}, batch);
   postpone({&broken, &sound}, {ExitCode::database, "away", "start it"}, 30.0, batch);
   ASSERT_EQ(batch.failed.size(), 2U);

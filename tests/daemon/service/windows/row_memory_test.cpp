@@ -41,7 +41,10 @@ class Archive {
       found.time_us.erase(found.time_us.begin(), found.time_us.begin() + extra);
       found.value.erase(found.value.begin(), found.value.begin() + extra);
     }
-    if (request.before == RowBefore::yes && before >= 0) {
+    const bool wanted =
+        request.before == RowBefore::yes ||
+        (request.before == RowBefore::if_held && rows_.hold != core::signal::Hold::sample);
+    if (wanted && before >= 0) {
       found.time_us.insert(found.time_us.begin(), rows_.time_us[static_cast<std::size_t>(before)]);
       found.value.insert(found.value.begin(), rows_.value[static_cast<std::size_t>(before)]);
     }
@@ -86,16 +89,87 @@ TEST(RowMemory, ALongerSpanToTheSameEndAsWell) {
               ElementsAre(1, 2, 3, 4));
 }
 
-TEST(RowMemory, OtherTagsAndLinesBetweenRowsAreReadWhole) {
-  RawSeries lines = rows_at({0, 10, 20, 30, 40});
-  lines.hold = core::signal::Hold::linear;
-  Archive archive(lines);
+TEST(RowMemory, ALaterSpanAsksOnlyForWhatIsNew) {
+  Archive archive(rows_at({0, 10, 20, 30, 40, 50, 60}));
+  RowMemory memory;
+  static_cast<void>(one(memory, archive, {"a", 10, 30, 100, RowBefore::yes}));
+  archive.given = 0;
+  EXPECT_THAT(one(memory, archive, {"a", 25, 50, 100, RowBefore::yes}).time_us,
+              ElementsAre(20, 30, 40, 50));
+  EXPECT_EQ(archive.given, 2u);
+}
+
+TEST(RowMemory, WhatIsKnownFromElsewhereIsNotRead) {
+  Archive archive(rows_at({0, 10, 20, 30, 40}));
+  RowMemory memory;
+  memory.know("a", false, {5, 30, false, rows_at({10, 20, 30})});
+  EXPECT_THAT(one(memory, archive, {"a", 15, 40, 100, RowBefore::yes}).time_us,
+              ElementsAre(10, 20, 30, 40));
+  EXPECT_EQ(archive.given, 1u);
+}
+
+// Two loops that share a tag want it read again from different times on.
+TEST(RowMemory, OfWhatIsKnownTwiceTheEarlierPartStays) {
+  Archive archive(rows_at({0, 10, 20, 30, 40}));
+  RowMemory memory;
+  memory.know("a", false, {0, 30, false, rows_at({0, 10, 20, 30})});
+  memory.know("a", false, {0, 15, false, rows_at({0, 10})});
+  static_cast<void>(one(memory, archive, {"a", 0, 40, 100, RowBefore::no}));
+  EXPECT_EQ(archive.given, 3u);
+}
+
+TEST(RowMemory, OfSpansWithoutACommonPartTheEarlierOneStays) {
+  Archive archive(rows_at({0, 10, 20, 30, 40}));
+  for (const bool earlier_first : {true, false}) {
+    RowMemory memory;
+    archive.given = 0;
+    if (earlier_first) memory.know("a", false, {0, 15, false, rows_at({0, 10})});
+    memory.know("a", false, {20, 30, false, rows_at({20, 30})});
+    if (!earlier_first) memory.know("a", false, {0, 15, false, rows_at({0, 10})});
+    EXPECT_EQ(one(memory, archive, {"a", 0, 40, 100, RowBefore::no}).time_us.size(), 5u);
+    EXPECT_EQ(archive.given, 3u);
+  }
+}
+
+TEST(RowMemory, ARowBeforeLiesNoFurtherBackThanOneIsLookedFor) {
+  RowMemory memory;
+  Archive archive(rows_at({}));
+  memory.know("a", false, {10, 30, true, rows_at({0})});
+  const std::int64_t far = storage::kReachBefore_us;
+  EXPECT_THAT(one(memory, archive, {"a", 20, far, 100, RowBefore::yes}).time_us, ElementsAre(0));
+  EXPECT_TRUE(one(memory, archive, {"a", far + 1, far + 2, 100, RowBefore::yes}).empty());
+}
+
+TEST(RowMemory, OtherTagsAreReadWhole) {
+  Archive archive(rows_at({0, 10, 20, 30, 40}));
   RowMemory memory;
   static_cast<void>(one(memory, archive, {"a", 20, 40, 100, RowBefore::no}));
   archive.given = 0;
-  static_cast<void>(one(memory, archive, {"a", 10, 30, 100, RowBefore::no}));
   static_cast<void>(one(memory, archive, {"b", 10, 30, 100, RowBefore::no}));
-  EXPECT_EQ(archive.given, 6u);
+  EXPECT_EQ(archive.given, 3u);
+}
+
+// Which rows of two ids count depends on all rows of both; codes of unknown quality are counted for
+// a whole span; a tag that became another one keeps its values otherwise.
+TEST(RowMemory, WhatCannotBeJoinedIsReadWhole) {
+  for (const auto change : {+[](RawSeries& rows) { rows.merged = true; },
+                            +[](RawSeries& rows) { rows.unknown_quality = 1; },
+                            +[](RawSeries& rows) { rows.hold = core::signal::Hold::step; }}) {
+    RawSeries changed = rows_at({0, 10, 20, 30, 40});
+    change(changed);
+    RowMemory memory;
+    memory.know("a", false, {0, 30, true, rows_at({0, 10, 20, 30})});
+    std::size_t reads = 0;
+    const TagRequest request{"a", 10, 40, 100, RowBefore::no};
+    const auto found = memory.read(std::vector{request}, [&](std::span<const TagRequest> requests) {
+      EXPECT_EQ(requests.front().from_us, ++reads == 1 ? 31 : 10);
+      RawSeries rows = rows_within(changed, requests.front().from_us, requests.front().to_us);
+      change(rows);
+      return std::vector{rows};
+    });
+    EXPECT_EQ(reads, 2U);
+    EXPECT_THAT(found.at(0).time_us, ElementsAre(10, 20, 30, 40));
+  }
 }
 
 TEST(RowMemory, ATagReadAsAModeIsAnotherReading) {
@@ -119,12 +193,14 @@ TEST(RowMemory, GivesWhatAReadOfTheWholeSpanGives) {
     std::vector<std::int64_t> times;
     for (std::int64_t k = below(30); k > 0; --k) times.push_back(below(60));
     std::ranges::sort(times);
-    Archive archive(rows_at(times));
+    RawSeries rows = rows_at(times);
+    rows.hold = static_cast<core::signal::Hold>(below(3));
+    Archive archive(rows);
     RowMemory memory;
-    for (int read = 0; read < 3; ++read) {
+    for (int read = 0; read < 5; ++read) {
       const std::int64_t from = below(60);
       const TagRequest request{"a", from, from + below(40), 1 + below(20),
-                               below(2) == 1 ? RowBefore::yes : RowBefore::no};
+                               static_cast<RowBefore>(below(3))};
       const RawSeries found = one(memory, archive, request);
       const RawSeries whole = archive.read(std::vector{request}).at(0);
       ASSERT_EQ(found.time_us, whole.time_us) << "round " << round;
