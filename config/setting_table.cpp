@@ -63,12 +63,13 @@ constexpr std::array kServiceSettings = {
     Setting{"/schedule/revise_slots", in_schedule<&ScheduleSettings::revise_slots>,
             range(0, 48, "windows"),
             "number of earlier windows of a loop that are checked for late rows at each analysis"},
-    Setting{"/schedule/whole_read_every", in_schedule<&ScheduleSettings::whole_read_every>,
-            range(1, 1000, "windows"),
-            "interval between two times that a loop's window is read whole; else only rows since "
-            "`revise_slots` windows (at least one) before the last one are read, and the others "
-            "are kept in memory (`cache_mb`), so that a row that changes further back is noticed "
-            "after so many windows at the latest; 1 = always whole"},
+    Setting{
+        "/schedule/whole_read_every", in_schedule<&ScheduleSettings::whole_read_every>,
+        range(1, 1000, "windows"),
+        "interval between two times that a loop's window is read whole; else only rows since the "
+        "last window are read, and those of `revise_slots` windows before; the others are kept "
+        "in memory (`cache_mb`), so that a row that changes further back is noticed after so "
+        "many windows at the latest; 1 = always whole"},
     Setting{"/schedule/catch_up_slots", in_schedule<&ScheduleSettings::catch_up_slots>,
             range(0, 1000, "windows"),
             "largest number of missed windows of a loop that `run` makes up for after an outage, "

@@ -100,8 +100,12 @@ std::size_t KeptWindows::facts_of(const CatalogueEntry& loop) const {
                                               loop.interval_s.value_or(0.0)));
 }
 
-std::int64_t KeptWindows::read_again_us(const CatalogueEntry& loop) const {
-  return std::max(settings_->schedule.revise_slots, 1) * core::signal::microseconds(loop.period_s);
+/// Of the rows before the last slot's end: where no earlier slot is checked for late rows, the
+/// newest sample alone, which may have been written while it was read.
+std::int64_t KeptWindows::read_again_us(const KeptWindow& window,
+                                        const CatalogueEntry& loop) const {
+  const int slots = settings_->schedule.revise_slots;
+  return core::signal::microseconds(slots > 0 ? slots * loop.period_s : window.sample_interval_s);
 }
 
 /// Whether these are the rows of the loop's last slot as it is stored. Where another worker has
@@ -135,7 +139,7 @@ std::optional<KeptWindows::Use> KeptWindows::use_of(const storage::ClaimedLoop& 
       is_to_be_read_whole(*window, claim.loop, slot.end_us))
     return std::nullopt;
   Use use{std::move(window), 0, {}};
-  use.fresh_from_us = use.window->slot_end_us - read_again_us(claim.loop) + 1;
+  use.fresh_from_us = use.window->slot_end_us - read_again_us(*use.window, claim.loop) + 1;
   try {
     for (const KeptTag& tag : use.window->tags) use.tags.push_back(known(tag));
   } catch (const std::bad_alloc&) {
@@ -263,6 +267,7 @@ std::optional<KeptWindow> KeptWindows::window_of(const LoopTask& task,
   window.settings = settings_;
   window.facts = facts_of(claim.loop);
   window.slot_end_us = end_us;
+  window.sample_interval_s = task.newest.at_slot.window.sample_interval_s;
   const auto use = uses_.find(loop_id);
   window.whole_slot_end_us = use == uses_.end() ? end_us : use->second.window->whole_slot_end_us;
   window.digests = digests_of(task, completed, stored);

@@ -16,10 +16,11 @@
 namespace loopscope::daemon {
 
 /// What a batch has from the window cache and leaves in it. Rows of a loop's last slot that are
-/// kept are not read again, but for those of the `revise_slots` periods (one at least) before its
-/// end: what came late there is noticed at once, as without the cache. What changed further back is
-/// noticed when the window is read whole: at every `whole_read_every`-th slot at the latest, and
-/// whenever the stored analysis of the last slot is not that of the rows that are kept.
+/// kept are not read again, but for those of the `revise_slots` periods before its end (none: of
+/// its last sample): what came late there is noticed at once, as without the cache. What changed
+/// further back is noticed when the window is read whole: at every `whole_read_every`-th slot at
+/// the latest, and whenever the stored analysis of the last slot is not that of the rows that are
+/// kept.
 class KeptWindows {
  public:
   /// Both have to outlive this.
@@ -62,7 +63,8 @@ class KeptWindows {
                                                     const StoredAnalyses& stored,
                                                     const RowMemory& memory) const;
   [[nodiscard]] std::size_t facts_of(const storage::CatalogueEntry& loop) const;
-  [[nodiscard]] std::int64_t read_again_us(const storage::CatalogueEntry& loop) const;
+  [[nodiscard]] std::int64_t read_again_us(const KeptWindow& window,
+                                           const storage::CatalogueEntry& loop) const;
   [[nodiscard]] std::map<std::int64_t, std::string> digests_of(
       const LoopTask& task, const storage::CompletedLoop& completed,
       const StoredAnalyses& stored) const;

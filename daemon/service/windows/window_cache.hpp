@@ -33,7 +33,8 @@ struct KeptTag {
 /// What was read for a loop's last slot, kept for its next one.
 struct KeptWindow {
   std::shared_ptr<const config::Settings> settings;  ///< that were in force
-  std::size_t facts = 0;               ///< what of catalogue and settings is in the digests, hashed
+  std::size_t facts = 0;  ///< what of catalogue and settings is in the digests, hashed
+  double sample_interval_s = 0.0;
   std::int64_t slot_end_us = 0;        ///< the slot; its rows end there
   std::int64_t whole_slot_end_us = 0;  ///< the slot at which all of it was read last
   /// Slots whose stored analysis is that of these rows, with the digest of each.

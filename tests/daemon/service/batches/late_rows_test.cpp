@@ -63,8 +63,8 @@ class History {
         if (!claim.last_slot_end_us) continue;
         const bool is_its =
             tag == claim.loop.sp_tag || tag == claim.loop.pv_tag || tag == claim.loop.op_tag;
-        const std::int64_t again_us =
-            std::max(settings_->schedule.revise_slots, 1) * kPeriod_s * kSecond_us;
+        const int revised = settings_->schedule.revise_slots;
+        const std::int64_t again_us = (revised > 0 ? revised * kPeriod_s : 1) * kSecond_us;
         if (is_its && time_us <= *claim.last_slot_end_us - again_us)
           changed_further_back_.insert(claim.loop.loop_id);
       }
