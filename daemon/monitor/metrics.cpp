@@ -83,6 +83,10 @@ struct Metrics::Impl {
       gauges(registry, "loopscope_retention_months", "Months that the settings keep; 0 = all");
   Family<Gauge>& progress = gauges(registry, "loopscope_seconds_since_progress",
                                    "Since the thread that stands still longest advanced");
+  Family<Gauge>& kept_loops = gauges(registry, "loopscope_kept_windows",
+                                     "Loops whose window is kept, so that new rows are read only");
+  Family<Gauge>& kept_bytes =
+      gauges(registry, "loopscope_kept_windows_bytes", "Memory that these windows take");
   Family<Gauge>& reload = gauges(registry, "loopscope_settings_reload_success",
                                  "1 = the last reading of the settings was in order, 0 = it failed "
                                  "and the old ones are in force");
@@ -252,6 +256,11 @@ void Metrics::set(const storage::ScheduleHealth& health, int retention_months) {
 void Metrics::set(const storage::PlantFigures& figures) {
   const std::lock_guard lock(impl_->mutex);
   impl_->plant.set(figures);
+}
+
+void Metrics::kept_windows(std::size_t loops, std::size_t bytes) {
+  impl_->kept_loops.Add({}).Set(static_cast<double>(loops));
+  impl_->kept_bytes.Add({}).Set(static_cast<double>(bytes));
 }
 
 void Metrics::settings_reload(bool success) {

@@ -67,6 +67,8 @@ class Metrics {
   void set(const storage::PlantFigures& figures);
   /// All clocks that were compared; others are forgotten.
   void set_clocks(std::span<const ClockFigure> clocks);
+  /// Windows that are kept in memory (WindowCache), and what they take.
+  void kept_windows(std::size_t loops, std::size_t bytes);
   void settings_reload(bool success);
   /// Of the thread that stands still longest.
   void since_progress(double seconds);

@@ -136,6 +136,8 @@ storage::WriteCount AnalysisWorker::process(const std::vector<ClaimedLoop>& clai
   }
   tools_.metrics.count(sum);
   tools_.metrics.observe_batch(watch.lap_s());
+  const WindowCache::Size kept = tools_.windows.size();
+  tools_.metrics.kept_windows(kept.loops, kept.bytes);
   store_cost(costs_.take(false));
   return sum;
 }

@@ -48,6 +48,7 @@ void fill(Metrics& metrics) {
   metrics.set(storage::PlantFigures{{{.area = "a", .control_sum = 0.5, .control_loops = 1}},
                                     {{"valve_stiction", 1}}});
   metrics.since_progress(1.5);
+  metrics.kept_windows(2, 100'000);
 }
 
 TEST_F(MetricsTest, HasExactlyTheNamesOfTheRunbook) {
@@ -67,6 +68,7 @@ TEST_F(MetricsTest, HasExactlyTheNamesOfTheRunbook) {
           Pair("loopscope_reconnects_total", "counter"), Pair("loopscope_faults_total", "counter"),
           Pair("loopscope_fault_standing", "gauge"),
           Pair("loopscope_unknown_quality_total", "counter"),
+          Pair("loopscope_kept_windows", "gauge"), Pair("loopscope_kept_windows_bytes", "gauge"),
           Pair("loopscope_settings_reload_success", "gauge"),
           Pair("loopscope_seconds_since_progress", "gauge"),
           Pair("loopscope_partition_months_ahead", "gauge"),
