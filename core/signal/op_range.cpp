@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/signal/order/order_statistic.hpp"
+
 namespace loopscope::core::signal {
 namespace {
 
@@ -74,23 +76,24 @@ std::string doubt_of(const OpValues& values, const OpRange& set) {
 std::optional<OpValues> summarise_op(std::span<const double> op) {
   OpValues values{0.0, 0.0, true, false};
   std::vector<double> recorded;
+  recorded.reserve(op.size());
   std::size_t held = 0;
   bool held_at_end = false;
   bool others_whole = true;
   for (const double value : op) {
     if (!std::isfinite(value)) continue;
     recorded.push_back(value);
-    values.whole = values.whole && is_whole(value);
     const bool at_end = value == kCurrent_mA.low || value == kCurrent_mA.high;
-    others_whole = others_whole && (at_end || is_whole(value));
+    // Both ends are whole.
+    values.whole = values.whole && is_whole(value);
+    others_whole = others_whole && (at_end || values.whole || is_whole(value));
     held = at_end ? held + 1 : 0;
     held_at_end = held_at_end || held >= kHeld;
   }
   if (recorded.empty()) return std::nullopt;
   const auto spared = static_cast<std::size_t>(kSpared * static_cast<double>(recorded.size()));
-  std::ranges::sort(recorded);
-  values.low = recorded[spared];
-  values.high = recorded[recorded.size() - 1 - spared];
+  values.low = order_statistic(recorded, spared);
+  values.high = order_statistic(recorded, recorded.size() - 1 - spared);
   const bool constant = values.low == values.high;
   values.at_20_ma = held_at_end && (constant || !others_whole);
   return values;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "core/signal/archive.hpp"
 #include "core/signal/gaps.hpp"
@@ -72,28 +73,36 @@ bool archive_known(Archive archive) {
          archive == Archive::swinging_door;
 }
 
-void scale_output(const LoopWindow& window, const PrepareSettings& settings, PreparedLoop& loop) {
+void scale_output(const LoopWindow& window, Samples recorded_op, const PrepareSettings& settings,
+                  PreparedLoop& loop) {
   // An archive that leaves out rows of pv leaves out the same ones of op where a file has both.
   PrepareSettings rule = settings;
   if (archive_known(loop.archive)) rule.max_filled_gap = kLongestBandedHole;
-  const Samples op = bridged(cut(window.op, settings), rule);
+  Samples op = bridged(std::move(recorded_op), rule);
   const std::optional<Spread> spread = measure_spread(op);
   loop.op_range = find_op_range(op, window.op_range);
   loop.op_moves = spread && !spread->constant();
-  loop.op_percent = to_percent(op, loop.op_range.range);
+  loop.op_percent = to_percent(std::move(op), loop.op_range.range);
   loop.mv_percent = to_percent(bridged(cut(window.mv, settings), rule), loop.op_range.range);
 }
 
-/// Outliers are looked for in what the stored samples say of all; returns how many were taken out.
-std::size_t discard_stored_spikes(const LoopWindow& window, const PrepareSettings& settings,
-                                  StoredSamples& stored) {
-  const Samples whole = reconstruct(stored).value;
-  const std::vector<bool> spikes =
-      find_spikes(whole, cut(window.op, settings), cut(window.sp, settings));
+/// pv, sp and op of the window as they were recorded.
+struct Recorded {
+  Samples pv, sp, op;
+};
+
+/// Outliers are looked for in what the stored samples say of all (`whole`), which is made anew
+/// where there are any; returns how many were taken out.
+std::size_t discard_stored_spikes(const Recorded& recorded, StoredSamples& stored,
+                                  Reconstruction& whole) {
+  const std::vector<bool> spikes = find_spikes(whole.value, recorded.op, recorded.sp);
+  const auto found = static_cast<std::size_t>(std::count(spikes.begin(), spikes.end(), true));
+  if (found == 0) return 0;
   for (std::size_t k = 0; k < spikes.size(); ++k) {
     if (spikes[k]) stored.value[k] = kMissing;
   }
-  return static_cast<std::size_t>(std::count(spikes.begin(), spikes.end(), true));
+  whole = reconstruct(stored);
+  return found;
 }
 
 /// pv as recorded, less what `stored` lacks of its own values: outliers and frozen stretches, but
@@ -105,13 +114,13 @@ Samples recorded_pv(Samples pv, const StoredSamples& stored, const Samples& whol
   return pv;
 }
 
-void take_pv(const LoopWindow& window, const PrepareSettings& settings, PreparedLoop& loop,
-             Reconstruction& whole) {
-  const Samples pv = cut(window.pv, settings);
+void take_pv(const LoopWindow& window, const Recorded& recorded, const PrepareSettings& settings,
+             PreparedLoop& loop, Reconstruction& whole) {
+  const Samples& pv = recorded.pv;
   loop.pv_recorded = count_recorded(pv);
   StoredSamples stored = find_stored(pv, cut(window.pv_rows, settings));
-  loop.spikes = discard_stored_spikes(window, settings, stored);
   whole = reconstruct(stored);
+  loop.spikes = discard_stored_spikes(recorded, stored, whole);
   loop.archive = stored.archive;
   loop.band = stored.band;
   loop.pv_stored = count_recorded(stored.value);
@@ -122,27 +131,20 @@ void take_pv(const LoopWindow& window, const PrepareSettings& settings, Prepared
 
 /// Whether a controller acts, and whether pv stands still while one does: by pv as it was recorded,
 /// whatever was discarded of it.
-void judge_states(const LoopWindow& window, const PrepareSettings& settings, PreparedLoop& loop) {
-  const Samples pv = cut(window.pv, settings);
-  const Samples sp = cut(window.sp, settings);
-  const RecordedLoop recorded{pv,
-                              sp,
-                              loop.op_percent,
-                              loop.op_in_percent(),
-                              loop.mode,
-                              window.pv_past,
-                              loop.sample_interval_s};
+void judge_states(const LoopWindow& window, const Recorded& series, PreparedLoop& loop) {
+  const RecordedLoop recorded{
+      series.pv, series.sp,      loop.op_percent,       loop.op_in_percent(),
+      loop.mode, window.pv_past, loop.sample_interval_s};
   loop.still = find_stand_still(recorded);
   loop.past = past_with(recorded);
-  const Samples error = control_error(loop.sp, pv, pv);
+  const Samples error = control_error(loop.sp, series.pv, series.pv);
   loop.control = find_control_state({loop.op_percent, error, loop.mode, loop.op_range.source});
 }
 
 /// The error where pv is guessed too, and the bounds of the guesses.
-PreparedLoop::Drawable drawable_error(const LoopWindow& window, const PrepareSettings& settings,
-                                      const PreparedLoop& loop, const Reconstruction& whole) {
+PreparedLoop::Drawable drawable_error(Samples sp, const PreparedLoop& loop,
+                                      const Reconstruction& whole) {
   if (whole.low.empty()) return {};
-  Samples sp = cut(window.sp, settings);
   hold_gaps(sp, kLongestBandedHole);
   PreparedLoop::Drawable drawable{control_error(sp, whole.value, whole.value),
                                   control_error(sp, whole.value, whole.high),
@@ -160,14 +162,15 @@ PreparedLoop prepare(const LoopWindow& window, const PrepareSettings& settings) 
   loop.sample_interval_s = window.sample_interval_s;
   loop.repeated_times = window.repeated_times;
   loop.mode = last_of(window.mode, settings.window_samples);
-  take_pv(window, settings, loop, whole);
-  loop.sp = cut(window.sp, settings);
+  Recorded recorded{cut(window.pv, settings), cut(window.sp, settings), cut(window.op, settings)};
+  take_pv(window, recorded, settings, loop, whole);
+  loop.sp = recorded.sp;
   hold_gaps(loop.sp, settings.max_filled_gap);
   loop.error = control_error(loop.sp, loop.pv, loop.pv);
-  scale_output(window, settings, loop);
-  judge_states(window, settings, loop);
+  scale_output(window, std::move(recorded.op), settings, loop);
+  judge_states(window, recorded, loop);
   if (loop.control.controlling()) mask_manual(loop.mode, loop.error);
-  loop.drawable = drawable_error(window, settings, loop, whole);
+  loop.drawable = drawable_error(std::move(recorded.sp), loop, whole);
   loop.quality = judge_quality(loop, settings);
   return loop;
 }

@@ -25,6 +25,7 @@ constexpr double kSmallSteps = 0.05;
 /// it does not move.
 std::optional<double> usual_step(std::span<const double> pv) {
   std::vector<double> steps;
+  steps.reserve(pv.size());
   double before = kMissing;
   for (const double value : pv) {
     if (!std::isfinite(value)) continue;
@@ -33,9 +34,8 @@ std::optional<double> usual_step(std::span<const double> pv) {
     before = value;
   }
   if (steps.empty()) return std::nullopt;
-  const auto place = static_cast<std::ptrdiff_t>(kSmallSteps * static_cast<double>(steps.size()));
-  std::ranges::nth_element(steps, steps.begin() + place);
-  return steps[static_cast<std::size_t>(place)];
+  const auto place = static_cast<std::size_t>(kSmallSteps * static_cast<double>(steps.size()));
+  return order_statistic(steps, place);
 }
 
 /// Of a value that never moved: the last of its decimals, as people and converters write them.

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
+
+#include "core/signal/order/bands.hpp"
 
 namespace loopscope::core::signal {
 namespace {
@@ -20,34 +21,10 @@ double select(std::vector<double> values, std::size_t rank) {
   return *at;
 }
 
-/// Bands of equal width between the extremes. A larger value never has a lower band, whatever
-/// rounding does.
-class Bands {
- public:
-  explicit Bands(std::span<const double> values) {
-    double high = values[0];
-    low_ = values[0];
-    for (const double value : values) {
-      low_ = value < low_ ? value : low_;
-      high = value > high ? value : high;
-    }
-    scale_ = static_cast<double>(kBands - 1) / (high - low_);
-  }
-  /// False when all values are equal, or their distance is out of the range of numbers.
-  [[nodiscard]] bool usable() const { return std::isfinite(scale_) && scale_ > 0.0; }
-  [[nodiscard]] std::size_t of(double value) const {
-    return static_cast<std::size_t>((value - low_) * scale_);
-  }
-
- private:
-  double low_ = 0.0;
-  double scale_ = 0.0;
-};
-
 }  // namespace
 
 double order_statistic(std::span<const double> values, std::size_t rank) {
-  const Bands bands(values);
+  const Bands bands(values, kBands);
   if (values.size() < kFewestForBands || !bands.usable()) {
     return select({values.begin(), values.end()}, rank);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
 
 #include "tests/core/signal/mixed_values.hpp"
 
@@ -19,6 +20,24 @@ TEST(SortValues, IsWhatComparisonsGive) {
       sort_values(values);
       ASSERT_EQ(values, expected) << count << " values of seed " << seed;
     }
+  }
+}
+
+TEST(SortValues, PutsEvenlySpreadValuesAndBothZerosInOrder) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const std::size_t count : {200U, 4096U, 50'000U}) {
+    std::vector<double> values(count);
+    std::ranges::generate(values, [&] { return uniform(random); });
+    values[3] = 0.0;
+    values[5] = -0.0;
+    std::vector<double> expected = values;
+    std::ranges::sort(expected);
+    sort_values(values);
+    ASSERT_EQ(values, expected);
+    const auto zero = std::ranges::find(values, 0.0);
+    EXPECT_TRUE(std::signbit(zero[0]));
+    EXPECT_FALSE(std::signbit(zero[1]));
   }
 }
 
