@@ -7,6 +7,7 @@
 #include "core/hos/numeric/quantile.hpp"
 #include "core/hos/slow/period.hpp"
 #include "core/model/valve_law/op_turns.hpp"
+#include "core/signal/order/sort_values.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -24,7 +25,7 @@ std::vector<double> sums_before(std::span<const double> kept) {
   return sums;
 }
 
-double mean_around(const std::vector<double>& sums, std::size_t k, std::size_t half) {
+double mean_around(std::span<const double> sums, std::size_t k, std::size_t half) {
   const std::size_t first = k - std::min(k, half);
   const std::size_t last = std::min(sums.size() - 1, k + half + 1);
   return (sums[last] - sums[first]) / static_cast<double>(last - first);
@@ -41,7 +42,7 @@ constexpr double kSamePeriod = 1.25;
 
 std::optional<double> period_of_turns(std::span<const double> op) {
   std::vector<double> sorted(op.begin(), op.end());
-  std::ranges::sort(sorted);
+  signal::sort_values(sorted);
   const double span = hos::sample_quantile(sorted, 0.95) - hos::sample_quantile(sorted, 0.05);
   const std::vector<OpTurn> turns = find_op_turns(op, kLargeTurn * span);
   if (turns.size() < kFewestTurns) return std::nullopt;
@@ -77,8 +78,11 @@ std::vector<double> CycleBand::drift(std::span<const double> kept) const {
 }
 
 std::vector<double> CycleBand::pass(std::span<const double> kept) const {
-  const std::size_t count = kept.size();
-  const std::vector<double> sums = sums_before(kept);
+  return pass_sums(sums_before(kept));
+}
+
+std::vector<double> CycleBand::pass_sums(std::span<const double> sums) const {
+  const std::size_t count = sums.size() - 1;
   std::vector<double> passed(count);
   const auto from_ends = [&](std::size_t k) {
     const std::size_t half = std::min({short_half_, k, count - 1 - k});

@@ -22,6 +22,8 @@ class CycleBand {
   [[nodiscard]] std::vector<double> resample(std::span<const double> samples) const;
   /// A short mean less a long one around every kept sample; same length.
   [[nodiscard]] std::vector<double> pass(std::span<const double> kept) const;
+  /// The same by the sums of all before each sample, and of all: one more than samples.
+  [[nodiscard]] std::vector<double> pass_sums(std::span<const double> sums) const;
   /// The long mean alone: the drift that pass() takes out.
   [[nodiscard]] std::vector<double> drift(std::span<const double> kept) const;
 

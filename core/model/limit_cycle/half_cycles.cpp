@@ -52,22 +52,36 @@ double third_harmonic_of(const HalfCycle& wave) {
   return -(harmonic(wave, 3.0) * back * back * back).real() / (size * size);
 }
 
-/// Squares that the best sine or triangle with its peak at one of the points leaves.
-template <typename QuarterWave>
-double misfit(const HalfCycle& wave, QuarterWave quarter_wave) {
-  double best = 0.0;
-  for (std::size_t peak = kPoints / 8; peak < kPoints - kPoints / 8; ++peak) {
-    double cross = 0.0;
-    double size = 0.0;
+/// Sines or triangles with their peaks at one of the points each.
+struct Shapes {
+  static constexpr std::size_t kFirstPeak = kPoints / 8;
+  static constexpr std::size_t kCount = kPoints - 2 * kFirstPeak;
+  std::array<std::array<double, kCount>, kPoints> at{};  ///< all shapes at one point
+  std::array<double, kCount> size{};                     ///< squares
+
+  template <typename QuarterWave>
+  explicit Shapes(QuarterWave quarter_wave) {
     for (std::size_t i = 0; i < kPoints; ++i) {
-      const double rise = static_cast<double>(i + 1) / static_cast<double>(peak + 1);
-      const double fall = static_cast<double>(kPoints - i) / static_cast<double>(kPoints - peak);
-      const double shape = quarter_wave(std::min(rise, fall));
-      cross += shape * wave[i];
-      size += shape * shape;
+      for (std::size_t k = 0; k < kCount; ++k) {
+        const std::size_t peak = kFirstPeak + k;
+        const double rise = static_cast<double>(i + 1) / static_cast<double>(peak + 1);
+        const double fall = static_cast<double>(kPoints - i) / static_cast<double>(kPoints - peak);
+        at[i][k] = quarter_wave(std::min(rise, fall));
+        size[k] += at[i][k] * at[i][k];
+      }
     }
-    best = std::max(best, cross * cross / size);
   }
+};
+
+/// Squares that the best of the shapes leaves.
+double misfit(const HalfCycle& wave, const Shapes& shapes) {
+  std::array<double, Shapes::kCount> cross{};
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    for (std::size_t k = 0; k < Shapes::kCount; ++k) cross[k] += shapes.at[i][k] * wave[i];
+  }
+  double best = 0.0;
+  for (std::size_t k = 0; k < Shapes::kCount; ++k)
+    best = std::max(best, cross[k] * cross[k] / shapes.size[k]);
   return std::max(0.0, square(wave) - best);
 }
 
@@ -113,6 +127,8 @@ std::optional<MeanHalfCycle> mean_half_cycle(std::span<const double> signal,
 }
 
 std::optional<double> triangle_share(std::span<const double> signal, double period) {
+  static const Shapes sines([](double x) { return std::sin(0.5 * std::numbers::pi * x); });
+  static const Shapes triangles([](double x) { return x; });
   if (signal.size() < 2) return std::nullopt;
   const std::vector<double> crossings = crossings_of(signal);
   double sum = 0.0;
@@ -121,8 +137,8 @@ std::optional<double> triangle_share(std::span<const double> signal, double peri
     const double length = crossings[i] - crossings[i - 1];
     if (length < 0.2 * period || length > period) continue;
     const HalfCycle wave = draw(signal, crossings[i - 1], length);
-    const double sine = misfit(wave, [](double x) { return std::sin(0.5 * std::numbers::pi * x); });
-    const double triangle = misfit(wave, [](double x) { return x; });
+    const double sine = misfit(wave, sines);
+    const double triangle = misfit(wave, triangles);
     if (!(sine + triangle > 0.0)) continue;
     sum += sine / (sine + triangle);
     ++count;

@@ -40,19 +40,31 @@ SimulationFit::SimulationFit(const CycleBand& band, std::span<const double> pv,
   }
 }
 
-std::vector<double> SimulationFit::respond(double lag, std::span<const double> input) const {
-  std::vector<double> response(input.size());
-  const bool integrates = lag == kIntegratingLag;
+/// Every lag's answer at once: none waits for the one before it.
+template <std::size_t Lags>
+std::array<std::vector<double>, Lags> SimulationFit::respond(const std::array<double, Lags>& lags,
+                                                             std::span<const double> input) const {
   const double mean = std::accumulate(input.begin(), input.end(), 0.0) /
                       static_cast<double>(std::max<std::size_t>(1, input.size()));
-  const double pole = integrates ? 1.0 : lag > 0.0 ? std::exp(-1.0 / lag) : 0.0;
-  const double share = integrates ? 1.0 : 1.0 - pole;
-  double state = integrates || input.empty() ? 0.0 : input[0] - mean;
-  for (std::size_t k = 0; k < input.size(); ++k) {
-    state = pole * state + share * (input[k] - mean);
-    response[k] = state;
+  std::array<double, Lags> pole, share, state, sum{};
+  std::array<std::vector<double>, Lags> sums;
+  for (std::size_t i = 0; i < Lags; ++i) {
+    const bool integrates = lags[i] == kIntegratingLag;
+    pole[i] = integrates ? 1.0 : lags[i] > 0.0 ? std::exp(-1.0 / lags[i]) : 0.0;
+    share[i] = integrates ? 1.0 : 1.0 - pole[i];
+    state[i] = integrates || input.empty() ? 0.0 : input[0] - mean;
+    sums[i].resize(input.size() + 1);
   }
-  return band_.pass(response);
+  for (std::size_t k = 0; k < input.size(); ++k) {
+    for (std::size_t i = 0; i < Lags; ++i) {
+      state[i] = pole[i] * state[i] + share[i] * (input[k] - mean);
+      sum[i] += state[i];
+      sums[i][k + 1] = sum[i];
+    }
+  }
+  std::array<std::vector<double>, Lags> responses;
+  for (std::size_t i = 0; i < Lags; ++i) responses[i] = band_.pass_sums(sums[i]);
+  return responses;
 }
 
 std::array<SimulationFit::Sums, 2> SimulationFit::sums(std::span<const double> response,
@@ -98,10 +110,10 @@ void SimulationFit::compare(const std::array<Sums, 2>& sums, SimulatedProcess pr
 }
 
 void SimulationFit::offer(std::span<const double> input, double stickband, double slip_jump) {
-  for (const double lag : kProcessLags) {
-    const std::vector<double> response = respond(lag, input);
+  const auto responses = respond(kProcessLags, input);
+  for (std::size_t i = 0; i < kProcessLags.size(); ++i) {
     for (const std::size_t delay : delays_) {
-      compare(sums(response, delay), {lag, delay, 0.0, stickband, slip_jump});
+      compare(sums(responses[i], delay), {kProcessLags[i], delay, 0.0, stickband, slip_jump});
     }
   }
 }
@@ -114,7 +126,7 @@ double SimulationFit::held_out() const {
 
 std::vector<double> SimulationFit::simulate(const SimulatedProcess& process,
                                             std::span<const double> input) const {
-  const std::vector<double> response = respond(process.lag, input);
+  const std::vector<double> response = respond(std::array{process.lag}, input)[0];
   std::vector<double> pv(response.size(), 0.0);
   for (std::size_t k = process.delay; k < pv.size(); ++k) {
     pv[k] = process.gain * response[k - process.delay];

@@ -1,6 +1,7 @@
 #include "core/model/limit_cycle/travel_fit.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 
 namespace loopscope::core::model {
@@ -30,12 +31,17 @@ double trend_at(std::size_t k, std::size_t size) {
 
 }  // namespace
 
+/// One lane for each lag, and one to spare: whole vectors of a processor.
+constexpr int kLanes = static_cast<int>(kTravelPoles.size()) + 1;
+
 /// The flow through each lag, less its first value.
-struct TravelFit::Lags : std::array<double, kTravelPoles.size()> {};
+struct TravelFit::Lags : Eigen::Array<double, kLanes, 1> {
+  using Array::Array, Array::operator=;
+};
 
 /// Of each lag, over the blocks that are fitted.
 struct TravelFit::LagSums {
-  Lags sum{}, with_trend{}, square{}, with_pv{};
+  Lags sum = Lags::Zero(), with_trend = Lags::Zero(), square = Lags::Zero(), with_pv = Lags::Zero();
 };
 
 std::vector<TravelRow> travel_rows(const std::vector<double>& flow, double pole,
@@ -76,13 +82,12 @@ TravelShare TravelFit::best(const std::vector<double>& flow, double to_beat) con
   // Every lag rests at the first value for as long as a delay holds it: the record of a delay is
   // the one without, later.
   std::vector<Lags> lagged(flow.size());
-  std::array<double, kTravelPoles.size()> state;
-  state.fill(flow.front());
+  Lags state = Lags::Constant(flow.front()), share = Lags::Zero();
+  for (std::size_t pole = 0; pole < kTravelPoles.size(); ++pole)
+    share[static_cast<Eigen::Index>(pole)] = 1.0 - kTravelPoles[pole];
   for (std::size_t k = 0; k < flow.size(); ++k) {
-    for (std::size_t pole = 0; pole < kTravelPoles.size(); ++pole) {
-      state[pole] += (1.0 - kTravelPoles[pole]) * (flow[k] - state[pole]);
-      lagged[k][pole] = state[pole] - flow.front();
-    }
+    state += share * (flow[k] - state);
+    lagged[k] = state - flow.front();
   }
   std::array<LagSums, kTravelDelays.size()> sums;
   for (std::size_t d = 0; d < kTravelDelays.size(); ++d)
@@ -101,24 +106,24 @@ TravelFit::LagSums TravelFit::sums_of(const std::vector<Lags>& lagged, std::size
   LagSums sums;
   each_of(kFitted, pv_.size(), [&](std::size_t k) {
     const Lags& flow = lagged[k < delay ? 0 : k - delay];
-    for (std::size_t pole = 0; pole < kTravelPoles.size(); ++pole) {
-      sums.sum[pole] += flow[pole];
-      sums.with_trend[pole] += trend_[k] * flow[pole];
-      sums.square[pole] += flow[pole] * flow[pole];
-      sums.with_pv[pole] += flow[pole] * pv_[k];
-    }
+    sums.sum += flow;
+    sums.with_trend += trend_[k] * flow;
+    sums.square += flow * flow;
+    sums.with_pv += flow * pv_[k];
   });
   return sums;
 }
 
 void TravelFit::try_lag(const std::vector<Lags>& lagged, const LagSums& sums, std::size_t pole,
                         std::size_t delay, TravelShare& best) const {
-  const double sum = sums.sum[pole], with_trend = sums.with_trend[pole];
-  if (sums.square[pole] <= 0.0) return;
+  const auto lane = static_cast<Eigen::Index>(pole);
+  const double sum = sums.sum[lane], with_trend = sums.with_trend[lane];
+  const double square = sums.square[lane];
+  if (square <= 0.0) return;
   const Eigen::Matrix3d normal{{count_, trend_sum_, sum},
                                {trend_sum_, trend_square_, with_trend},
-                               {sum, with_trend, sums.square[pole]}};
-  const Eigen::Vector3d right{pv_sum_, pv_trend_, sums.with_pv[pole]};
+                               {sum, with_trend, square}};
+  const Eigen::Vector3d right{pv_sum_, pv_trend_, sums.with_pv[lane]};
   const Eigen::Vector3d solved = normal.ldlt().solve(right);
   const double sizes = pv_square_ + 2.0 * solved.cwiseAbs().dot(right.cwiseAbs()) +
                        solved.cwiseAbs().dot(normal.cwiseAbs() * solved.cwiseAbs());
@@ -137,9 +142,10 @@ void TravelFit::try_lag(const std::vector<Lags>& lagged, const LagSums& sums, st
 double TravelFit::explained(const std::vector<Lags>& lagged, std::size_t pole, std::size_t delay,
                             const std::array<double, 3>& weights, Kind kind) const {
   if (!(variance_[kind] > 0.0)) return 0.0;
+  const auto lane = static_cast<Eigen::Index>(pole);
   double left = 0.0;
   each_of(kind, pv_.size(), [&](std::size_t k) {
-    const double flow = lagged[k < delay ? 0 : k - delay][pole];
+    const double flow = lagged[k < delay ? 0 : k - delay][lane];
     const double rest = pv_[k] - (weights[0] + (trend_[k] * weights[1] + flow * weights[2]));
     left += rest * rest;
   });
