@@ -21,6 +21,10 @@
 namespace loopscope::daemon {
 namespace {
 
+/// Of the errors that the comparison of all loops begins with: of four thousand windows. Those of
+/// further loops are read again.
+constexpr std::size_t kKeptErrorBytes = std::size_t{128} << 20;
+
 std::string pass_text(const PassResult& pass) {
   std::string text = count_text(pass.count);
   const std::size_t left = pass.enabled - std::min(pass.enabled, pass.loops);
@@ -42,6 +46,7 @@ void once(const std::string& config_file) {
   // Of the whole command: what the pass learns of the clocks holds for the round after it.
   const std::stop_source stop;
   SharedServices tools(core_count(settings->daemon), RetryLimit::one_lease, stop.get_token());
+  tools.errors.allow(kKeptErrorBytes);
   const PassResult pass = run_pass(settings, tools, stop);
   std::cout << pass_text(pass) << std::endl;
   if (pass.cost.loops > 0) {

@@ -96,6 +96,16 @@ void read_batch(storage::HistorianReader& historian, const LoopBatch& batch,
     series[batch.numbers[i]] = series_of(windows[i].window, batch.how, settings);
 }
 
+/// Whether the pass before has kept it.
+bool take_kept(const storage::PlantCandidate& candidate, KeptErrors& errors, PlantSeries& series) {
+  auto kept = errors.take(candidate.loop.loop_id, candidate.slot_end_us);
+  if (!kept) return false;
+  series.sample_interval_s = kept->sample_interval_s;
+  series.start_us = kept->start_us;
+  series.error = std::move(kept->error);
+  return true;
+}
+
 }  // namespace
 
 std::vector<PlantSeries> read_plant_series(Candidates candidates,
@@ -106,9 +116,14 @@ std::vector<PlantSeries> read_plant_series(Candidates candidates,
   // The longer the windows, the fewer at a time: what a batch holds stays the same.
   const auto most = std::max<std::size_t>(
       1, static_cast<std::size_t>(settings.schedule.batch_loops) / how.windows);
-  const auto sources = by_source(candidates, wanted);
+  auto sources = by_source(candidates, wanted);
   // Before anything is read: one that the settings lack ends the round.
   for (const auto& [source, numbers] : sources) static_cast<void>(find_historian(settings, source));
+  if (how.windows == 1 && how.error_only)
+    for (auto& [source, numbers] : sources)
+      std::erase_if(numbers, [&](std::size_t k) {
+        return take_kept(candidates[wanted[k]], tools.errors, series[k]);
+      });
   for (const auto& [source, numbers] : sources) {
     const config::HistorianSettings& historian = find_historian(settings, source);
     for (std::size_t done = 0; done < numbers.size(); done += most) {

@@ -13,6 +13,7 @@
 #include "daemon/service/observe/work_report.hpp"
 #include "daemon/service/threads/worker_identity.hpp"
 #include "daemon/text/failure.hpp"
+#include "storage/batch_share.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -64,7 +65,8 @@ std::vector<ClaimedLoop> AnalysisWorker::claim_due() {
   const config::ScheduleSettings& schedule = settings_->schedule;
   const std::vector<std::string> away = tools_.sources_away();
   return timed_claim([&](storage::ResultsDatabase& database) {
-    return database.claim_due(owner_, schedule.hold_s(), schedule.batch_loops, away);
+    return database.claim_due(owner_, schedule.hold_s(), schedule.batch_loops, away,
+                              worker_count(settings_->daemon));
   });
 }
 
@@ -78,10 +80,12 @@ std::vector<ClaimedLoop> AnalysisWorker::claim_suspect() {
   return claims;
 }
 
-std::vector<ClaimedLoop> AnalysisWorker::claim_next(std::int64_t after) {
+std::vector<ClaimedLoop> AnalysisWorker::claim_next(std::int64_t after, std::size_t left) {
   const config::ScheduleSettings& schedule = settings_->schedule;
+  const int size =
+      storage::batch_share(left, schedule.batch_loops, worker_count(settings_->daemon));
   return timed_claim([&](storage::ResultsDatabase& database) {
-    return database.claim_next(owner_, schedule.hold_s(), schedule.batch_loops, after);
+    return database.claim_next(owner_, schedule.hold_s(), size, after);
   });
 }
 
@@ -166,7 +170,7 @@ std::size_t AnalysisWorker::analyse(Batch& batch) {
   const CoreGate::Permit core =
       driver_.run(&storage::StageCost::wait_s, [&] { return take_core(tools_.cores, progress_); });
   std::size_t lost = 0;
-  for (const LoopTask& task : batch.tasks) {
+  for (LoopTask& task : batch.tasks) {
     if (progress_.lost(task.claim->loop.loop_id)) {
       ++lost;
     } else {
@@ -177,12 +181,13 @@ std::size_t AnalysisWorker::analyse(Batch& batch) {
   return lost;
 }
 
-void AnalysisWorker::complete(const LoopTask& task, const AnalysisOrders& orders, Batch& batch) {
+void AnalysisWorker::complete(LoopTask& task, const AnalysisOrders& orders, Batch& batch) {
   try {
     batch.completed.push_back(driver_.run(&storage::StageCost::decide_s, [&] {
       return complete_task(task, batch.stored, orders, driver_);
     }));
     batch.kept.keep(task, batch.completed.back(), batch.stored, batch.rows);
+    keep_error(task, tools_.errors);
   } catch (const std::exception& error) {
     set_aside(*task.claim, as_failure(*task.claim, error), batch);
   }

@@ -38,12 +38,14 @@ class AnalysisWorker {
   AnalysisWorker(const AnalysisWorker&) = delete;  // its parts refer to each other
   AnalysisWorker& operator=(const AnalysisWorker&) = delete;
 
-  /// Claims loops that are due. Throws storage::DatabaseError when the results database fails.
+  /// Claims a share of the loops that are due. Throws storage::DatabaseError when the results
+  /// database fails.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_due();
   /// Claims one loop that may be what kills processes, if no other worker has one in hand.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_suspect();
-  /// Claims the next loops after `after` in the order of the catalogue; no suspects.
-  [[nodiscard]] std::vector<storage::ClaimedLoop> claim_next(std::int64_t after);
+  /// Claims the next loops after `after` in the order of the catalogue, a share of the `left` that
+  /// are left of it; no suspects.
+  [[nodiscard]] std::vector<storage::ClaimedLoop> claim_next(std::int64_t after, std::size_t left);
   /// Claims loops for slots of the past (loop_id, slot_end_us), those that are not due for
   /// `reserve_s`; a results database that is away is tried again for a while.
   [[nodiscard]] std::vector<storage::ClaimedLoop> claim_past(
@@ -82,7 +84,7 @@ class AnalysisWorker {
   [[nodiscard]] std::size_t enabled_loops();
   /// Returns how many were left out because others have claimed them since.
   std::size_t analyse(Batch& batch);
-  void complete(const LoopTask& task, const AnalysisOrders& orders, Batch& batch);
+  void complete(LoopTask& task, const AnalysisOrders& orders, Batch& batch);
   storage::WriteCount write(const Claims& claims, Batch& batch);
   storage::WriteCount write_one_by_one(const Claims& claims, Batch& batch);
   storage::WriteCount finish(const std::vector<storage::CompletedLoop>& completed,

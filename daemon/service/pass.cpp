@@ -1,5 +1,6 @@
 #include "daemon/service/pass.hpp"
 
+#include <algorithm>
 #include <asio/io_context.hpp>
 #include <asio/post.hpp>
 #include <asio/signal_set.hpp>
@@ -123,7 +124,8 @@ class Pass {
 /// the process takes nothing with it.
 class CatalogueWalk : public ClaimSource {
  public:
-  explicit CatalogueWalk(std::size_t workers) : walking_workers_(workers) {}
+  CatalogueWalk(std::size_t workers, std::size_t enabled)
+      : walking_workers_(workers), left_(enabled) {}
 
   std::vector<ClaimedLoop> next(AnalysisWorker& worker) override {
     if (last_worker_ == &worker) return next_suspect(worker);
@@ -150,7 +152,8 @@ class CatalogueWalk : public ClaimSource {
   /// Claims are taken one worker at a time, so that all walk through the catalogue together.
   std::vector<ClaimedLoop> next_claims(AnalysisWorker& worker) {
     const std::lock_guard lock(mutex_);
-    auto claims = worker.claim_next(cursor_);
+    auto claims = worker.claim_next(cursor_, left_);
+    left_ -= std::min(left_, claims.size());
     for (const ClaimedLoop& claim : claims) cursor_ = std::max(cursor_, claim.loop.loop_id);
     return claims;
   }
@@ -160,6 +163,7 @@ class CatalogueWalk : public ClaimSource {
   std::atomic<std::size_t> settled_ = 0;
   std::mutex mutex_;
   std::int64_t cursor_ = 0;
+  std::size_t left_;  ///< of the loops, as many as were enabled at first
 };
 
 }  // namespace
@@ -178,7 +182,7 @@ PassResult run_pass(const std::shared_ptr<const config::Settings>& settings, Sha
       [](storage::ResultsDatabase& database) { return database.count_enabled_loops(); });
   const Heartbeat heartbeat(settings, tools);
   const std::size_t workers = worker_count(settings->daemon);
-  CatalogueWalk walk(workers);
+  CatalogueWalk walk(workers, enabled);
   PassResult result = run_workers(settings, tools, std::move(stop), {walk, workers, enabled});
   result.enabled = enabled;
   return result;

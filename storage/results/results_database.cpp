@@ -111,8 +111,9 @@ ResultsDatabase& ResultsDatabase::operator=(ResultsDatabase&&) noexcept = defaul
 
 std::vector<ClaimedLoop> ResultsDatabase::claim_due(const std::string& owner, double lease_s,
                                                     int limit,
-                                                    const std::vector<std::string>& but_of) {
-  return storage::claim_due(impl_->session, impl_->check, {owner, lease_s, limit, but_of},
+                                                    const std::vector<std::string>& but_of,
+                                                    std::size_t sharers) {
+  return storage::claim_due(impl_->session, impl_->check, {owner, lease_s, limit, but_of, sharers},
                             impl_->watermarks->of(but_of));
 }
 

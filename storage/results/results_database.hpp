@@ -42,9 +42,11 @@ class ResultsDatabase {
   /// Claims up to `limit` enabled loops that are due, oldest first, for `lease_s` seconds; no
   /// suspects, and none of the sources `but_of`. What it costs does not depend on the age of
   /// anybody's snapshot. None are claimed only where none is due, as far as one look back shows.
+  /// With more than one of `sharers` at most batch_share() of what is due.
   [[nodiscard]] std::vector<ClaimedLoop> claim_due(const std::string& owner, double lease_s,
                                                    int limit,
-                                                   const std::vector<std::string>& but_of = {});
+                                                   const std::vector<std::string>& but_of = {},
+                                                   std::size_t sharers = 1);
   /// Claims one loop whose lease would have ended without a result three times in a row, if one is
   /// due: it may be what kills the workers. One that was held alone then is first given a pause of
   /// its own, a minute up to six hours.

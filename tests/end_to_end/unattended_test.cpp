@@ -129,18 +129,19 @@ TEST_F(Unattended, OnceTakesWhatMayKillItAloneAndLast) {
 }
 
 TEST_F(Unattended, WhatIsHeldLongerThanALeaseStaysHeldWhileWorkGoesOn) {
-  for (unsigned seed = 1; seed <= 4; ++seed)
+  // As many as one batch takes at least, so that none waits for a worker.
+  for (unsigned seed = 1; seed <= 2; ++seed)
     plant.import_loop("loop " + std::to_string(seed), 600, seed);
   // Nothing can be written for longer than a lease; what is done waits and is written once.
   lock_results();
   run(R"(, "lease_s": 10)");
-  ASSERT_TRUE(becomes("select count(*) from loopscope.schedule where owner is not null", "4"));
+  ASSERT_TRUE(becomes("select count(*) from loopscope.schedule where owner is not null", "2"));
   std::this_thread::sleep_for(std::chrono::seconds(12));
   unlock_results();
   EXPECT_TRUE(
-      becomes("select count(*) from loopscope.schedule where last_slot_end is not null", "4"));
+      becomes("select count(*) from loopscope.schedule where last_slot_end is not null", "2"));
   EXPECT_EQ(plant.sql("select max(fence), max(lost_leases) from loopscope.schedule"), "1|0");
-  EXPECT_EQ(plant.sql(kCount), "4");
+  EXPECT_EQ(plant.sql(kCount), "2");
   EXPECT_EQ(stop(), 0);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 #include "core/hos/bicoherence/triple_sums.hpp"
 #include "core/signal/grid.hpp"
@@ -209,6 +210,15 @@ CompletedLoop complete_task(const LoopTask& task, const StoredAnalyses& stored,
     if (record) completed.revised.push_back(std::move(*record));
   }
   return completed;
+}
+
+void keep_error(LoopTask& task, KeptErrors& errors) {
+  const LoopWindow& window = task.newest.at_slot.window;
+  core::signal::Samples& error = task.newest.first.loop.error;
+  // Of a window that was cut the error begins later.
+  if (error.size() != window.size()) return;
+  errors.keep(task.claim->loop.loop_id, task.newest.at_slot.slot_end_us,
+              {window.sample_interval_s, window.start_us, std::move(error)});
 }
 
 }  // namespace loopscope::daemon

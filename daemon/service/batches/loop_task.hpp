@@ -11,6 +11,7 @@
 #include "config/settings.hpp"
 #include "core/diagnosis/diagnose.hpp"
 #include "daemon/service/observe/stage_driver.hpp"
+#include "daemon/service/shared/kept_errors.hpp"
 #include "daemon/service/windows/loop_input.hpp"
 #include "storage/catalogue_entry.hpp"
 #include "storage/loop_work.hpp"
@@ -85,5 +86,8 @@ struct AnalysisOrders {
                                                    const StoredAnalyses& stored,
                                                    const AnalysisOrders& orders,
                                                    StageDriver& driver);
+
+/// Keeps the error of the newest slot, which the task has no use for any more.
+void keep_error(LoopTask& task, KeptErrors& errors);
 
 }  // namespace loopscope::daemon

@@ -9,6 +9,7 @@
 
 #include "daemon/service/historians/historian_pool.hpp"
 #include "daemon/service/observe/fault_log.hpp"
+#include "daemon/service/shared/kept_errors.hpp"
 #include "daemon/service/shared/known_clocks.hpp"
 #include "daemon/service/shared/results_link.hpp"
 #include "daemon/service/threads/core_gate.hpp"
@@ -36,6 +37,7 @@ struct SharedServices {
   KnownClocks clocks;
   WindowCache windows;  ///< keeps nothing until it is given a limit
   ProgressBoard progress;
+  KeptErrors errors;
   const std::shared_ptr<storage::ClaimWatermarks> watermarks =
       std::make_shared<storage::ClaimWatermarks>();
   /// Held by the one worker that works on a suspect: two that kill the process cannot be told

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "storage/array_literal.hpp"
+#include "storage/batch_share.hpp"
 #include "storage/results/leases/claim_statement.hpp"
 #include "storage/results/session/results_clock.hpp"
 #include "storage/utf8.hpp"
@@ -35,6 +36,15 @@ const Statement kClaimDue{"claim_due", LOOPSCOPE_CLAIM_DUE("")};
 
 const Statement kClaimDueElsewhere{"claim_due_elsewhere",
                                    LOOPSCOPE_CLAIM_DUE("AND " LOOPSCOPE_ELSEWHERE("$6"))};
+
+// No more than what a batch's share has to be known of; sources that are away are counted too.
+const Statement kCountDue{"count_due",
+                          "SELECT count(*) AS due FROM (SELECT FROM loopscope.schedule AS due "
+                          "WHERE due.enabled AND due.visible_at <= now()"
+                          "  AND due.visible_at >= " LOOPSCOPE_TIME("$1")
+                          "  AND (due.visible_at, due.loop_id) > (" LOOPSCOPE_TIME("$1") ", $2::bigint)"
+                          "  AND NOT (" LOOPSCOPE_SUSPECT ") LIMIT $3::bigint) AS counted",
+                          Rows::one};
 
 // Seconds as the server counts them: what the way there takes says nothing of dead entries. What is
 // locked is being claimed, or would not be claimed.
@@ -107,12 +117,23 @@ struct Found {
   DuePlace last;
 };
 
+/// How many loops the claim takes.
+int size_of(Transaction& transaction, const DueClaim& claim, const DuePlace& from) {
+  if (claim.sharers <= 1) return claim.limit;
+  const auto counted = static_cast<std::size_t>(claim.limit) * claim.sharers;
+  const pqxx::row row = transaction.run(
+      kCountDue,
+      {std::to_string(from.due_us), std::to_string(from.loop_id), std::to_string(counted)})[0];
+  return batch_share(row["due"].as<std::size_t>(), claim.limit, claim.sharers);
+}
+
 Found claim_from_watermark(Transaction& transaction, std::int64_t now_us, const DueClaim& claim,
                            ClaimWatermark& watermark) {
   const ClaimWatermark::Start start = watermark.start(now_us);
   Found found{start, {}, start.place};
+  const int size = size_of(transaction, claim, start.place);
   std::vector<std::string> parameters{
-      make_storable(claim.owner), number_text(claim.lease_s), std::to_string(claim.limit),
+      make_storable(claim.owner), number_text(claim.lease_s), std::to_string(size),
       std::to_string(found.start.place.due_us), std::to_string(found.start.place.loop_id)};
   if (!claim.but_of.empty()) parameters.push_back(text_of(claim.but_of));
   const pqxx::result rows =
@@ -122,7 +143,7 @@ Found claim_from_watermark(Transaction& transaction, std::int64_t now_us, const 
     found.loops.push_back(read_claim(row));
     found.last = std::max(found.last, read_place(row));
   }
-  if (std::cmp_less(found.loops.size(), claim.limit)) found.last = behind(now_us);
+  if (std::cmp_less(found.loops.size(), size)) found.last = behind(now_us);
   return found;
 }
 

@@ -20,6 +20,7 @@ struct DueClaim {
   double lease_s = 0.0;             ///< > 0, up to 1 000 000
   int limit = 0;                    ///< > 0
   std::vector<std::string> but_of;  ///< sources that are left out
+  std::size_t sharers = 1;          ///< batch_share() of what is due; 1 = up to the limit
 };
 
 /// ResultsDatabase::claim_due(). Before the first claim, and where nothing is found from the

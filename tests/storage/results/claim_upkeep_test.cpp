@@ -20,6 +20,17 @@ TEST_F(ClaimUpkeepTest, LeavesOutSourcesThatAreAway) {
   EXPECT_EQ(results.claim_due("me", 60, 10, {"other \"one\""}).size(), 2U);
 }
 
+TEST_F(ClaimUpkeepTest, SharersLeaveTheirPartsToEachOther) {
+  add_loops({"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m"});
+  ResultsDatabase results = connect();
+  const auto share = [&](int limit) { return results.claim_due("me", 60, limit, {}, 4).size(); };
+  EXPECT_EQ(share(3), 3U) << "the limit";
+  EXPECT_EQ(share(32), 3U) << "a quarter of ten";
+  for (const std::size_t left : {7U, 5U, 3U}) EXPECT_EQ(share(32), 2U) << left << " are left";
+  EXPECT_EQ(share(32), 1U);
+  EXPECT_EQ(share(32), 0U);
+}
+
 TEST_F(ClaimUpkeepTest, GivesBackWhatAnOwnerNeverHeardOf) {
   add_loops({"a", "b", "c"});
   ResultsDatabase results = connect();
