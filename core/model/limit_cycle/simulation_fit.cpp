@@ -41,14 +41,14 @@ SimulationFit::SimulationFit(const CycleBand& band, std::span<const double> pv,
 }
 
 /// Every lag's answer at once: none waits for the one before it.
-template <std::size_t Lags>
-std::array<std::vector<double>, Lags> SimulationFit::respond(const std::array<double, Lags>& lags,
-                                                             std::span<const double> input) const {
+template <std::size_t lag_count>
+std::array<std::vector<double>, lag_count> SimulationFit::respond(
+    const std::array<double, lag_count>& lags, std::span<const double> input) const {
   const double mean = std::accumulate(input.begin(), input.end(), 0.0) /
                       static_cast<double>(std::max<std::size_t>(1, input.size()));
-  std::array<double, Lags> pole, share, state, sum{};
-  std::array<std::vector<double>, Lags> sums;
-  for (std::size_t i = 0; i < Lags; ++i) {
+  std::array<double, lag_count> pole{}, share{}, state{}, sum{};
+  std::array<std::vector<double>, lag_count> sums;
+  for (std::size_t i = 0; i < lag_count; ++i) {
     const bool integrates = lags[i] == kIntegratingLag;
     pole[i] = integrates ? 1.0 : lags[i] > 0.0 ? std::exp(-1.0 / lags[i]) : 0.0;
     share[i] = integrates ? 1.0 : 1.0 - pole[i];
@@ -56,14 +56,14 @@ std::array<std::vector<double>, Lags> SimulationFit::respond(const std::array<do
     sums[i].resize(input.size() + 1);
   }
   for (std::size_t k = 0; k < input.size(); ++k) {
-    for (std::size_t i = 0; i < Lags; ++i) {
+    for (std::size_t i = 0; i < lag_count; ++i) {
       state[i] = pole[i] * state[i] + share[i] * (input[k] - mean);
       sum[i] += state[i];
       sums[i][k + 1] = sum[i];
     }
   }
-  std::array<std::vector<double>, Lags> responses;
-  for (std::size_t i = 0; i < Lags; ++i) responses[i] = band_.pass_sums(sums[i]);
+  std::array<std::vector<double>, lag_count> responses;
+  for (std::size_t i = 0; i < lag_count; ++i) responses[i] = band_.pass_sums(sums[i]);
   return responses;
 }
 

@@ -55,9 +55,9 @@ class SimulationFit {
     double square = 0.0;
   };
 
-  template <std::size_t Lags>
-  [[nodiscard]] std::array<std::vector<double>, Lags> respond(const std::array<double, Lags>& lags,
-                                                              std::span<const double> input) const;
+  template <std::size_t lag_count>
+  [[nodiscard]] std::array<std::vector<double>, lag_count> respond(
+      const std::array<double, lag_count>& lags, std::span<const double> input) const;
   [[nodiscard]] std::array<Sums, 2> sums(std::span<const double> response, std::size_t delay) const;
   [[nodiscard]] double gain(const Sums& sums) const;
   void compare(const std::array<Sums, 2>& sums, SimulatedProcess process);

@@ -14,7 +14,7 @@ void KeptErrors::allow(std::size_t bytes) {
   room_bytes_ = bytes;
 }
 
-void KeptErrors::keep(std::int64_t loop_id, std::int64_t slot_end_us, Record record) {
+void KeptErrors::keep(std::int64_t loop_id, std::int64_t slot_end_us, Record&& record) {
   const std::lock_guard lock(mutex_);
   const std::size_t bytes = bytes_of(record);
   if (bytes == 0 || bytes > room_bytes_) return;

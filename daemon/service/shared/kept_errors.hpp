@@ -25,7 +25,7 @@ class KeptErrors {
   /// So many bytes of samples are kept, the first that come; 0 at first.
   void allow(std::size_t bytes);
   /// The error of a window, named by its slot's end; ignored where it does not fit any more.
-  void keep(std::int64_t loop_id, std::int64_t slot_end_us, Record record);
+  void keep(std::int64_t loop_id, std::int64_t slot_end_us, Record&& record);
   /// Gives it away; nullopt = it was not kept.
   [[nodiscard]] std::optional<Record> take(std::int64_t loop_id, std::int64_t slot_end_us);
 
