@@ -53,6 +53,9 @@ struct Kernels {
   /// x(n) - a_1 x(n - 1) - ... - a_p x(n - p) for n = 0 .. count - 1; x(-p) must be readable.
   void (*subtract_predictions)(const double* x, std::size_t count, std::span<const double> a,
                                double* errors);
+  /// sums[l] = sum over n of weighted(n) x(n - l), l = 0 .. sums.size() - 1; x(-l) must be
+  /// readable.
+  void (*sum_lags)(std::span<const double> weighted, const double* x, std::span<double> sums);
   /// Dot product of each column with the samples from x on, into kColumns outputs.
   void (*apply_taps)(const FilterTaps& taps, const double* x, double* outputs);
   /// Rows times weights, added up; `sums` as long as a row.
