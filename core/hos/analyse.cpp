@@ -67,8 +67,8 @@ void add_peak_p(const TestedSpectra& tested, std::vector<Peak>& peaks) {
 }
 
 void add_indices(std::span<const double> bic2, std::size_t segments, const Settings& settings,
-                 Result& result) {
-  const Indices found = indices(bic2, segments, settings.alpha);
+                 const Kernels& kernels, Result& result) {
+  const Indices found = indices(bic2, segments, settings.alpha, kernels);
   result.segments = segments;
   result.bifrequencies = bic2.size();
   result.mean_bic2 = found.mean_bic2;
@@ -86,7 +86,7 @@ std::optional<Result> describe(std::span<const double> signal, std::span<const d
                                const Kernels& kernels) {
   if (bic2.empty()) return std::nullopt;
   Result result;
-  add_indices(bic2, segments, settings, result);
+  add_indices(bic2, segments, settings, kernels, result);
   const Moments shape = moments(signal, kernels);
   result.skewness = shape.skewness;
   result.excess_kurtosis = shape.excess_kurtosis;

@@ -39,7 +39,7 @@ void kernel(benchmark::State& state, const Kernels& kernels) {
   PeakFinder peaks(settings);
   for (auto _ : state) {
     const auto bic2 = bicoherence.estimate(signal);
-    benchmark::DoNotOptimize(indices(bic2, bicoherence.segments(), settings.alpha));
+    benchmark::DoNotOptimize(indices(bic2, bicoherence.segments(), settings.alpha, kernels));
     benchmark::DoNotOptimize(peaks.find(bic2, bicoherence.segments()));
   }
 }
@@ -80,7 +80,7 @@ void indices_and_peaks(benchmark::State& state, const Kernels& kernels) {
   PeakFinder peaks(settings);
   const auto bic2 = bicoherence.estimate(signal);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(indices(bic2, bicoherence.segments(), settings.alpha));
+    benchmark::DoNotOptimize(indices(bic2, bicoherence.segments(), settings.alpha, kernels));
     benchmark::DoNotOptimize(peaks.find(bic2, bicoherence.segments()));
   }
 }

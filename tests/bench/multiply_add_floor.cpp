@@ -29,6 +29,7 @@ __attribute__((target("avx512f"))) void run_avx512(std::size_t rounds) {
   const __m512d factor = _mm512_set1_pd(kFactor);
   const __m512d term = _mm512_set1_pd(kTerm);
   for (std::size_t round = 0; round < rounds; ++round) {
+#pragma GCC unroll 12
     for (__m512d& chain : chains) chain = _mm512_fmadd_pd(chain, factor, term);
     LOOPSCOPE_KEEP(chains);
   }
@@ -39,6 +40,7 @@ __attribute__((target("avx2,fma"))) void run_avx2(std::size_t rounds) {
   const __m256d factor = _mm256_set1_pd(kFactor);
   const __m256d term = _mm256_set1_pd(kTerm);
   for (std::size_t round = 0; round < rounds; ++round) {
+#pragma GCC unroll 12
     for (__m256d& chain : chains) chain = _mm256_fmadd_pd(chain, factor, term);
     LOOPSCOPE_KEEP(chains);
   }
@@ -53,6 +55,7 @@ void run_portable(std::size_t rounds) {
   const Vector factor = {kFactor, kFactor};
   const Vector term = {kTerm, kTerm};
   for (std::size_t round = 0; round < rounds; ++round) {
+#pragma GCC unroll 12
     for (Vector& chain : chains) chain = chain * factor + term;
 #if defined(__x86_64__)
     LOOPSCOPE_KEEP(chains);

@@ -31,7 +31,7 @@ struct PeakLoop {
 ///       2  zero frequency and half the sampling rate
 ///     130  powers
 ///
-/// The estimate itself needs 7 where the definition has 9 (triple_tile-inl.hpp), so that it could
+/// The estimate itself needs 8 where the definition has 9 (triple_tile-inl.hpp), so that it could
 /// in principle go below this floor.
 inline constexpr double kSegments = 127.0;
 inline constexpr double kMultiplyAdds = kSegments * (9.0 * 1024.0 + 1464.0);

@@ -44,14 +44,9 @@ class Bicoherence {
   [[nodiscard]] const PrincipalDomain& domain() const { return domain_; }
 
  private:
-  /// Of every bifrequency; 0 where a bin has no power. Says whether any is above zero.
-  bool find_denominators();
-  void normalise();
-
   Spectra spectra_;
   PrincipalDomain domain_;
   TripleSums sums_;
-  std::vector<double> has_power_;  // of every bin: 1 or 0
   std::vector<double> bic2_;
 };
 

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <span>
 
+#include "core/hos/kernels/kernels.hpp"
+
 namespace loopscope::core::hos {
 
 /// The paper's indices of one squared bicoherence.
@@ -23,6 +25,7 @@ struct Indices {
 
 /// Indices of the values `bic2` (not empty, each 0 to 1) over a principal domain; the rest as
 /// above.
-[[nodiscard]] Indices indices(std::span<const double> bic2, std::size_t segments, double alpha);
+[[nodiscard]] Indices indices(std::span<const double> bic2, std::size_t segments, double alpha,
+                              const Kernels& kernels = best_kernels());
 
 }  // namespace loopscope::core::hos

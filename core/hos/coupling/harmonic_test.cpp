@@ -1,6 +1,7 @@
 #include "core/hos/coupling/harmonic_test.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <vector>
 
@@ -45,7 +46,7 @@ double evidence_of(const HarmonicFilters::Amplitudes& amplitudes, std::size_t or
   const double given_powers =
       coherence_evidence({powers, phases, amplitudes.positions, correlation});
   for (std::size_t s = 0; s < powers.size(); ++s) {
-    const double magnitude = std::abs(phases[s]);
+    const double magnitude = std::sqrt(std::norm(phases[s]));
     powers[s] *= magnitude;
     phases[s] = magnitude > 0.0 ? phases[s] / magnitude : Complex(0.0);
   }

@@ -6,6 +6,8 @@
 // The above includes this file again, so that what follows stands behind it.
 #include <hwy/highway.h>
 
+#include "core/hos/kernels/bic2-inl.hpp"
+#include "core/hos/kernels/dot_products-inl.hpp"
 #include "core/hos/kernels/record_sums-inl.hpp"
 #include "core/hos/kernels/row_scans-inl.hpp"
 #include "core/hos/kernels/segment_dft-inl.hpp"
@@ -21,11 +23,12 @@ constexpr std::string_view kName = HWY_TARGET == HWY_AVX3   ? "avx512"
                                    : HWY_TARGET == HWY_NEON ? "neon"
                                                             : "portable";
 
-constexpr Kernels kKernels{kName,        scan_magnitude,     transform_segments,
-                           sum_each_row, sum_all_triples,    sum_powers,
-                           sum_trend,    taper_record,       sum_differences,
-                           sum_pairs,    predict_each_other, subtract_predictions,
-                           apply_taps,   weigh_rows};
+constexpr Kernels kKernels{
+    kName,           scan_magnitude,     transform_segments,   sum_each_row,
+    sum_all_triples, normalise_triples,  sum_values,           sum_square_deviations,
+    sum_powers,      sum_trend,          taper_record,         sum_differences,
+    sum_pairs,       predict_each_other, subtract_predictions, sum_lags,
+    apply_taps,      weigh_rows};
 
 }  // namespace
 

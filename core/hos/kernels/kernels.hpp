@@ -25,12 +25,19 @@ struct Kernels {
   std::string_view name;  ///< "avx512", "avx2", "sse4", "neon", or "portable": the compiler's own
   /// largest_magnitude() and whether every sample is finite, in one look.
   MagnitudeScan (*scan)(std::span<const double> signal);
-  /// The spectra of up to kLanes segments; `dft` must be made for their length.
+  /// The spectra of kLanes segments; `dft` must be made for their length.
   void (*transform)(const SegmentDft& dft, const SegmentBatch& batch);
   /// Sum of every row, `sums[0 .. count - 1]`.
   void (*sum_rows)(const Rows& rows, double* sums);
   /// Every bifrequency of the principal domain.
   void (*sum_triples)(const SpectrumRows& rows, const TripleOutputs& sums);
+  /// Squared bicoherence of every bifrequency from these sums and the power of all bins; 0 where
+  /// the denominator is not above zero. Says whether any is. Here the digits are the same on every
+  /// kind of processor, as those of the two below.
+  bool (*normalise)(const TripleOutputs& sums, const double* total_power, std::size_t dft_length,
+                    double* bic2);
+  ValueTotals (*sum_values)(std::span<const double> values);
+  double (*sum_square_deviations)(std::span<const double> values, double mean);
   /// Over the finite samples.
   PowerSums (*sum_powers)(std::span<const double> signal, const Centring& centring);
   TrendSums (*sum_trend)(std::span<const double> signal, const Centring& centring);
@@ -46,6 +53,9 @@ struct Kernels {
   /// x(n) - a_1 x(n - 1) - ... - a_p x(n - p) for n = 0 .. count - 1; x(-p) must be readable.
   void (*subtract_predictions)(const double* x, std::size_t count, std::span<const double> a,
                                double* errors);
+  /// sums[l] = sum over n of weighted(n) x(n - l), l = 0 .. sums.size() - 1; x(-l) must be
+  /// readable.
+  void (*sum_lags)(std::span<const double> weighted, const double* x, std::span<double> sums);
   /// Dot product of each column with the samples from x on, into kColumns outputs.
   void (*apply_taps)(const FilterTaps& taps, const double* x, double* outputs);
   /// Rows times weights, added up; `sums` as long as a row.

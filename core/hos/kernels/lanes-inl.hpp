@@ -94,9 +94,11 @@ HWY_INLINE Vector high_lanes(Vector a, Vector b) {
 template <std::size_t step = 1, std::size_t count>
 HWY_INLINE void sum_lanes(const Vectors<count>& v, double* sums) {
   if constexpr (step == kWidth) {
+#pragma GCC unroll 32
     for (std::size_t i = 0; i < count; ++i) store(sums + i * kWidth, v.at[i]);
   } else {
     Vectors<(count + 1) / 2> folded;
+#pragma GCC unroll 32
     for (std::size_t i = 0; i < (count + 1) / 2; ++i) {
       const Vector a = v.at[2 * i];
       const Vector b = 2 * i + 1 < count ? v.at[2 * i + 1] : a;
@@ -110,6 +112,7 @@ HWY_INLINE void sum_lanes(const Vectors<count>& v, double* sums) {
 template <std::size_t step = 1>
 HWY_INLINE void transpose(Vectors<kWidth>& v) {
   if constexpr (step < kWidth) {
+#pragma GCC unroll 8
     for (std::size_t i = 0; i < kWidth; ++i) {
       if ((i & step) != 0) continue;
       const Vector a = v.at[i];

@@ -234,60 +234,6 @@ void predict_each_other(double* f, double* b, std::size_t count, double k) {
   }
 }
 
-/// x(n) - a_1 x(n - 1) - ... - a_order x(n - order), n = 0 .. count - 1; x(-order) is readable.
-void subtract_predictions(const double* x, std::size_t count, std::span<const double> a,
-                          double* errors) {
-  std::size_t n = 0;
-  for (; n + kWidth <= count; n += kWidth) {
-    Vector error = load_anywhere(x + n);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      error = subtract_product(broadcast(a[i]), load_anywhere(x + n - (i + 1)), error);
-    }
-    store_anywhere(errors + n, error);
-  }
-  for (; n < count; ++n) {
-    errors[n] = x[n];
-    for (std::size_t i = 0; i < a.size(); ++i) errors[n] -= a[i] * x[n - (i + 1)];
-  }
-}
-
-void apply_taps(const FilterTaps& taps, const double* x, double* outputs) {
-  constexpr std::size_t kColumns = FilterTaps::kColumns;
-  Vectors<kColumns> partial{};
-  std::size_t n = 0;
-  for (; n + kWidth <= taps.length; n += kWidth) {
-    const Vector samples = load_anywhere(x + n);
-    for (std::size_t i = 0; i < kColumns; ++i) {
-      const Vector weights = load_anywhere(taps.first + i * taps.length + n);
-      partial.at[i] = multiply_add(weights, samples, partial.at[i]);
-    }
-  }
-  alignas(kAlignment) double sums[kColumns + kWidth];
-  sum_lanes(partial, sums);
-  for (std::size_t i = 0; i < kColumns; ++i) {
-    outputs[i] = sums[i];
-    for (std::size_t m = n; m < taps.length; ++m) {
-      outputs[i] += taps.first[i * taps.length + m] * x[m];
-    }
-  }
-}
-
-/// sums[s] = sum over rows of weights[row] times the row's value at s.
-void weigh_rows(const Rows& rows, const double* weights, double* sums) {
-  for (std::size_t s = 0; s < rows.length; s += kWidth) {
-    Vector even = hn::Zero(Tag());
-    Vector odd = hn::Zero(Tag());
-    const double* row = rows.first + s;
-    std::size_t k = 0;
-    for (; k + 2 <= rows.count; k += 2, row += 2 * rows.stride) {
-      even = multiply_add(broadcast(weights[k]), load(row), even);
-      odd = multiply_add(broadcast(weights[k + 1]), load(row + rows.stride), odd);
-    }
-    if (k < rows.count) even = multiply_add(broadcast(weights[k]), load(row), even);
-    store_anywhere(sums + s, even + odd);
-  }
-}
-
 }  // namespace loopscope::core::hos::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -37,6 +37,12 @@ struct PairSums {
   double power = 0.0;
 };
 
+/// Of values of at least zero.
+struct ValueTotals {
+  double sum = 0.0;
+  double largest = 0.0;
+};
+
 /// Columns of equal length, one after another, by which a series is multiplied.
 struct FilterTaps {
   static constexpr std::size_t kColumns = 6;

@@ -22,26 +22,27 @@ HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::hos::HWY_NAMESPACE {
 
 MagnitudeScan scan_magnitude(std::span<const double> signal) {
+  constexpr std::size_t kChains = 4;
   // Zero as long as every sample is finite: infinity less itself is NaN, and stays.
-  Vector trace[2] = {};
-  Vector largest[2] = {};
+  Vector trace[kChains] = {};
+  Vector largest[kChains] = {};
   std::size_t n = 0;
-  for (; n + 2 * kWidth <= signal.size(); n += 2 * kWidth) {
-    for (std::size_t i = 0; i < 2; ++i) {
+  for (; n + kChains * kWidth <= signal.size(); n += kChains * kWidth) {
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < kChains; ++i) {
       const Vector sample = load_anywhere(signal.data() + n + i * kWidth);
-      const Vector size = hn::Abs(sample);
       trace[i] += sample - sample;
-      largest[i] = hn::IfThenElse(size > largest[i], size, largest[i]);
+      largest[i] = hn::Max(hn::Abs(sample), largest[i]);
     }
   }
   MagnitudeScan found;
-  alignas(kAlignment) double traces[2 * kWidth];
-  alignas(kAlignment) double sizes[2 * kWidth];
-  for (std::size_t i = 0; i < 2; ++i) {
+  alignas(kAlignment) double traces[kChains * kWidth];
+  alignas(kAlignment) double sizes[kChains * kWidth];
+  for (std::size_t i = 0; i < kChains; ++i) {
     store(traces + i * kWidth, trace[i]);
     store(sizes + i * kWidth, largest[i]);
   }
-  for (std::size_t i = 0; i < 2 * kWidth; ++i) {
+  for (std::size_t i = 0; i < kChains * kWidth; ++i) {
     found.complete = found.complete && traces[i] == 0.0;
     found.largest = std::max(found.largest, sizes[i]);
   }

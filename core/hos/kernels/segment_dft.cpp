@@ -56,7 +56,7 @@ Level make_level(std::size_t real_length, std::size_t dft_length) {
 }  // namespace
 
 bool SegmentDft::made_for(std::size_t segment_length, std::size_t dft_length) {
-  return dft_length == 2 * segment_length && std::has_single_bit(dft_length) && dft_length >= 32;
+  return dft_length == 2 * segment_length && std::has_single_bit(dft_length) && dft_length >= 64;
 }
 
 const SegmentDft& SegmentDft::of_length(std::size_t dft_length) {

@@ -22,7 +22,7 @@ namespace loopscope::core::hos {
 /// (radix 8, 4, 2 or 1) writes to the rows of the spectra, in whatever order they come.
 class SegmentDft {
  public:
-  /// Whether it is made for segments and DFTs of these lengths: M a power of two, 32 or more, and
+  /// Whether it is made for segments and DFTs of these lengths: M a power of two, 64 or more, and
   /// half of it segment.
   [[nodiscard]] static bool made_for(std::size_t segment_length, std::size_t dft_length);
 

@@ -1,14 +1,13 @@
 // Sums of triple products over the whole principal domain, tile by tile.
 //
-// A complex product takes three multiplications instead of four (Gauss), here for a b and again for
-// (a b) c*; with fused multiply-adds that is six and a few additions per bifrequency and segment
-// where the definition takes eight, and additions have units of their own on most processors:
+// X(k1) X(k2) takes three multiplications instead of four (Gauss), and with fused multiply-adds
+// three instructions, since the sums and differences of b are made once for all k1:
 //
-//   t = b_r (a_r + a_i)                P_r = t - a_i (b_r + b_i)      P_i = t + a_r (b_i - b_r)
-//   both = sum (P_r + P_i) c_r         Re = both - sum P_i (c_r - c_i)
-//                                      Im = both - sum P_r (c_r + c_i)
+//   t = b_r (a_r + a_i)      P_r = t - a_i (b_r + b_i)      P_i = t + a_r (b_i - b_r)
 //
-// Three bifrequencies along k2 share their rows of k1, and those of one k1 + k2 their rows of it.
+// With four for P c* that is seven instructions per bifrequency and segment where the definition
+// takes eight. P c* in three would take an addition more, and where vectors are widest additions
+// have no units of their own.
 //
 // Compiled once for each kind of processor, like lanes-inl.hpp.
 #if defined(LOOPSCOPE_HOS_TRIPLE_TILE_INL) == defined(HWY_TARGET_TOGGLE)
@@ -19,9 +18,12 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <hwy/highway.h>
+#include <utility>
 
+#include "core/hos/kernels/domain_tiles-inl.hpp"
 #include "core/hos/kernels/lanes-inl.hpp"
 #include "core/hos/kernels/principal_domain.hpp"
 #include "core/hos/kernels/triple_tile.hpp"
@@ -29,135 +31,188 @@
 HWY_BEFORE_NAMESPACE();
 namespace loopscope::core::hos::HWY_NAMESPACE {
 
-constexpr std::size_t kTileHigh = 3;
-
-/// Bifrequencies along k1 in a tile of triple products, of powers: as many running sums and
-/// operands as the registers hold, of which AVX-512 and NEON have 32 and the others 16.
+/// As many running sums and operands as the registers hold, of which AVX-512 and NEON have 32 and
+/// the others 16.
 constexpr bool kManyRegisters = HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON;
-constexpr std::size_t kTileWide = kManyRegisters ? 2 : 1;
-constexpr std::size_t kPowerTileWide = kManyRegisters ? 4 : 3;
+using TripleShape = TileShape<kManyRegisters ? 2 : 1, kManyRegisters ? 5 : 4, 2>;
+using PowerShape = TileShape<kManyRegisters ? 4 : 3, kManyRegisters ? 6 : 4, 1>;
 
-/// Height of the tile at (k1, k2) that holds every bifrequency of the domain in `wide` columns.
-inline std::size_t tile_height(const PrincipalDomain& domain, Bifrequency at, std::size_t wide,
-                               std::size_t most) {
-  std::size_t height = 0;
-  for (std::size_t k1 = at.k1; k1 < at.k1 + wide; ++k1) {
-    while (height < most && domain.contains({k1, at.k2 + height})) ++height;
-  }
-  return height;
-}
+/// Spectra of the k2 of one row of tiles, b_r, b_r + b_i and b_i - b_r, as a tile reads them: for
+/// each vector of segments all that it needs, one after another.
+struct Band {
+  /// Segments at once, so that this and the rows beside it fit into the first cache.
+  static constexpr std::size_t kSegments = 128;
+  static constexpr std::size_t kStep = 3 * TripleShape::kHigh * kWidth;  ///< doubles a vector
 
-struct PartialSum {
-  Vector both{};
-  Vector with_real{};       // P_r (c_r + c_i)
-  Vector with_imaginary{};  // P_i (c_r - c_i)
+  alignas(kAlignment) double values[kSegments / kWidth * kStep];
 };
 
-template <std::size_t wide, std::size_t high>
-void sum_triple_tile(const SpectrumRows& rows, Bifrequency at, double* sums) {
+/// Part of the rows: segments begin .. begin + length - 1.
+struct SegmentBlock {
+  std::size_t begin;
+  std::size_t length;
+};
+
+HWY_INLINE void fill_band(const SpectrumRows& rows, std::size_t k2, std::size_t count,
+                          const SegmentBlock& block, Band& band) {
+  for (std::size_t j = 0; j < count; ++j) {
+    const double* const real = rows.real(k2 + j) + block.begin;
+    double* to = band.values + 3 * j * kWidth;
+    for (std::size_t s = 0; s < block.length; s += kWidth, to += Band::kStep) {
+      const Vector re = load(real + s);
+      const Vector im = load(real + rows.pitch + s);
+      store(to, re);
+      store(to + kWidth, re + im);
+      store(to + 2 * kWidth, im - re);
+    }
+  }
+}
+
+struct ComplexSum {
+  Vector re{};
+  Vector im{};
+};
+
+/// Sums of the tile at `at`, for each k2 the real ones and then the imaginary ones.
+template <std::size_t high>
+void sum_triple_tile(const SpectrumRows& rows, const SegmentBlock& block, const Band& band,
+                     Bifrequency at, double* sums) {
+  constexpr std::size_t kWide = TripleShape::kWide;
   const std::size_t pitch = rows.pitch;
   const std::size_t stride = rows.stride();
-  const double* const first = rows.real(at.k1);
-  const double* const second = rows.real(at.k2);
-  const double* const third = rows.real(at.k1 + at.k2);
-  PartialSum partial[high][wide];
-  for (std::size_t s = 0; s < rows.row_length; s += kWidth) {
-    Vector a_re[wide];
-    Vector a_im[wide];
-    Vector a_sum[wide];
+  const double* const first = rows.real(at.k1) + block.begin;
+  const double* const third = rows.real(at.k1 + at.k2) + block.begin;
+  const double* second = band.values;
+  ComplexSum partial[high][kWide];
+  for (std::size_t s = 0; s < block.length; s += kWidth, second += Band::kStep) {
+    Vector a_re[kWide];
+    Vector a_im[kWide];
+    Vector a_sum[kWide];
 #pragma GCC unroll 4
-    for (std::size_t i = 0; i < wide; ++i) {
+    for (std::size_t i = 0; i < kWide; ++i) {
       a_re[i] = load(first + i * stride + s);
       a_im[i] = load(first + i * stride + pitch + s);
       a_sum[i] = a_re[i] + a_im[i];
     }
-#pragma GCC unroll 4
+#pragma GCC unroll 8
     for (std::size_t j = 0; j < high; ++j) {
-      const Vector b_re = load(second + j * stride + s);
-      const Vector b_im = load(second + j * stride + pitch + s);
-      const Vector b_sum = b_re + b_im;
-      const Vector b_difference = b_re - b_im;
+      const double* const b = second + 3 * j * kWidth;
+      Vector re[kWide];
+      Vector im[kWide];
 #pragma GCC unroll 4
-      for (std::size_t i = 0; i < wide; ++i) {
-        const Vector common = b_re * a_sum[i];
-        const Vector re = subtract_product(a_im[i], b_sum, common);
-        const Vector im = subtract_product(a_re[i], b_difference, common);
+      for (std::size_t i = 0; i < kWide; ++i) re[i] = load(b) * a_sum[i];
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < kWide; ++i) {
+        im[i] = multiply_add(a_re[i], load(b + 2 * kWidth), re[i]);
+      }
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < kWide; ++i) {
+        re[i] = subtract_product(a_im[i], load(b + kWidth), re[i]);
+      }
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < kWide; ++i) {
+        ComplexSum& sum = partial[j][i];
         const Vector c_re = load(third + (i + j) * stride + s);
+        sum.re = multiply_add(re[i], c_re, sum.re);
+        sum.im = multiply_add(im[i], c_re, sum.im);
         const Vector c_im = load(third + (i + j) * stride + pitch + s);
-        PartialSum& sum = partial[j][i];
-        sum.both = multiply_add(re + im, c_re, sum.both);
-        sum.with_real = multiply_add(re, c_re + c_im, sum.with_real);
-        sum.with_imaginary = multiply_add(im, c_re - c_im, sum.with_imaginary);
+        sum.re = multiply_add(im[i], c_im, sum.re);
+        sum.im = subtract_product(re[i], c_im, sum.im);
       }
     }
   }
-  Vectors<2 * wide * high> totals;
-#pragma GCC unroll 16
-  for (std::size_t i = 0; i < wide * high; ++i) {
-    const PartialSum& sum = partial[i / wide][i % wide];
-    totals.at[2 * i] = sum.both - sum.with_imaginary;
-    totals.at[2 * i + 1] = sum.both - sum.with_real;
+  Vectors<high * TripleShape::kRow> totals;
+#pragma GCC unroll 32
+  for (std::size_t i = 0; i < kWide * high; ++i) {
+    const ComplexSum& sum = partial[i / kWide][i % kWide];
+    totals.at[i / kWide * TripleShape::kRow + i % kWide] = sum.re;
+    totals.at[i / kWide * TripleShape::kRow + kWide + i % kWide] = sum.im;
   }
   sum_lanes(totals, sums);
 }
 
-template <std::size_t wide, std::size_t high>
+template <std::size_t high>
 void sum_power_tile(const SpectrumRows& rows, Bifrequency at, double* sums) {
+  constexpr std::size_t kWide = PowerShape::kWide;
   const std::size_t stride = rows.stride();
   const double* const first = rows.real(at.k1) + 2 * rows.pitch;
   const double* const second = rows.real(at.k2) + 2 * rows.pitch;
-  Vectors<wide * high> totals{};
+  Vectors<kWide * high> totals{};
   for (std::size_t s = 0; s < rows.row_length; s += kWidth) {
-    Vector a[wide];
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < wide; ++i) a[i] = load(first + i * stride + s);
-#pragma GCC unroll 4
+    Vector a[kWide];
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < kWide; ++i) a[i] = load(first + i * stride + s);
+#pragma GCC unroll 8
     for (std::size_t j = 0; j < high; ++j) {
       const Vector b = load(second + j * stride + s);
-#pragma GCC unroll 4
-      for (std::size_t i = 0; i < wide; ++i) {
-        totals.at[j * wide + i] = multiply_add(a[i], b, totals.at[j * wide + i]);
+#pragma GCC unroll 8
+      for (std::size_t i = 0; i < kWide; ++i) {
+        totals.at[j * kWide + i] = multiply_add(a[i], b, totals.at[j * kWide + i]);
       }
     }
   }
   sum_lanes(totals, sums);
 }
 
-using TileKernel = void (*)(const SpectrumRows& rows, Bifrequency at, double* sums);
+/// One kernel for each height, 1 .. kHigh.
+template <std::size_t... below>
+constexpr auto triple_kernels(std::index_sequence<below...> /*heights*/) {
+  return std::array{&sum_triple_tile<below + 1>...};
+}
+template <std::size_t... below>
+constexpr auto power_kernels(std::index_sequence<below...> /*heights*/) {
+  return std::array{&sum_power_tile<below + 1>...};
+}
 
-/// Calls store(bifrequency, its place in `sums`) for the tiles of one size that cover the domain;
-/// tiles[h - 1] is the tile of height h. What sticks out of the domain is dropped.
-template <std::size_t wide, std::size_t high, class Store>
-void sweep(const SpectrumRows& rows, const TileKernel (&tiles)[high], const Store& store) {
+HWY_INLINE void add_row(const double* row, std::size_t first, std::size_t last, double* to) {
+  for (std::size_t i = first; i < last; ++i) to[i] += row[i];
+}
+
+HWY_INLINE void add_triples(const SpectrumRows& rows, const SegmentBlock& block,
+                            const TripleOutputs& outputs) {
+  constexpr std::size_t kHigh = TripleShape::kHigh;
+  static constexpr auto kKernels = triple_kernels(std::make_index_sequence<kHigh>());
   const PrincipalDomain domain(rows.dft_length);
-  alignas(kAlignment) double sums[2 * wide * high + kWidth];
-  for (std::size_t k2 = 1; k2 <= domain.rows(); k2 += high) {
-    for (std::size_t k1 = k2; k1 < k2 + domain.row_size(k2); k1 += wide) {
-      const std::size_t height = tile_height(domain, {k1, k2}, wide, high);
-      tiles[height - 1](rows, {k1, k2}, sums);
-      for (std::size_t j = 0; j < height; ++j) {
-        const std::size_t first = k2 + j > k1 ? k2 + j - k1 : 0;
-        const std::size_t last = std::min(wide, rows.dft_length / 2 + 1 - (k2 + j) - k1);
-        const std::size_t begin = domain.row_begin(k2 + j) + k1 - (k2 + j);
-        for (std::size_t i = first; i < last; ++i) store(begin + i, j * wide + i, sums);
-      }
-    }
+  Band band;
+  for (std::size_t k2 = 1; k2 <= domain.rows(); k2 += kHigh) {
+    fill_band(rows, k2, std::min(kHigh, domain.rows() + 1 - k2), block, band);
+    sweep_band<TripleShape>(
+        domain, k2,
+        [&](std::size_t k1, std::size_t height, double* sums) {
+          kKernels[height - 1](rows, block, band, {k1, k2}, sums);
+        },
+        [&](std::size_t place, const double* row, std::size_t first, std::size_t last) {
+          add_row(row, first, last, outputs.real + place);
+          add_row(row + TripleShape::kWide, first, last, outputs.imaginary + place);
+        });
+  }
+}
+
+HWY_INLINE void add_powers(const SpectrumRows& rows, double* power12) {
+  constexpr std::size_t kHigh = PowerShape::kHigh;
+  static constexpr auto kKernels = power_kernels(std::make_index_sequence<kHigh>());
+  const PrincipalDomain domain(rows.dft_length);
+  for (std::size_t k2 = 1; k2 <= domain.rows(); k2 += kHigh) {
+    sweep_band<PowerShape>(
+        domain, k2,
+        [&](std::size_t k1, std::size_t height, double* sums) {
+          kKernels[height - 1](rows, {k1, k2}, sums);
+        },
+        [&](std::size_t place, const double* row, std::size_t first, std::size_t last) {
+          add_row(row, first, last, power12 + place);
+        });
   }
 }
 
 inline void sum_all_triples(const SpectrumRows& rows, const TripleOutputs& outputs) {
-  static constexpr TileKernel kTriples[kTileHigh] = {
-      sum_triple_tile<kTileWide, 1>, sum_triple_tile<kTileWide, 2>, sum_triple_tile<kTileWide, 3>};
-  sweep<kTileWide>(rows, kTriples, [&](std::size_t at, std::size_t i, const double* sums) {
-    outputs.real[at] = sums[2 * i];
-    outputs.imaginary[at] = sums[2 * i + 1];
-  });
-  static constexpr TileKernel kPowers[4] = {
-      sum_power_tile<kPowerTileWide, 1>, sum_power_tile<kPowerTileWide, 2>,
-      sum_power_tile<kPowerTileWide, 3>, sum_power_tile<kPowerTileWide, 4>};
-  sweep<kPowerTileWide>(rows, kPowers, [&](std::size_t at, std::size_t i, const double* sums) {
-    outputs.power12[at] = sums[i];
-  });
+  const std::size_t size = PrincipalDomain(rows.dft_length).size();
+  std::fill_n(outputs.real, size, 0.0);
+  std::fill_n(outputs.imaginary, size, 0.0);
+  std::fill_n(outputs.power12, size, 0.0);
+  for (std::size_t begin = 0; begin < rows.row_length; begin += Band::kSegments) {
+    add_triples(rows, {begin, std::min(Band::kSegments, rows.row_length - begin)}, outputs);
+  }
+  add_powers(rows, outputs.power12);
 }
 
 }  // namespace loopscope::core::hos::HWY_NAMESPACE

@@ -85,10 +85,10 @@ double Innovations::scatter() const {
 }
 
 Innovations Innovations::reweighted(std::span<const double> signal, const Kernels& kernels) const {
-  LinearModel once = model_.reweighted(signal, values_, scale_);
+  LinearModel once = model_.reweighted(signal, values_, scale_, kernels);
   std::vector<double> values = once.errors(signal, kernels);
   const Innovations first(std::move(once), std::move(values));
-  LinearModel twice = first.model_.reweighted(signal, first.values_, first.scale_);
+  LinearModel twice = first.model_.reweighted(signal, first.values_, first.scale_, kernels);
   values = twice.errors(signal, kernels);
   return {std::move(twice), std::move(values)};
 }

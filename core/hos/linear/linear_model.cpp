@@ -32,17 +32,15 @@ struct Pieces {
 
 Pieces split(std::span<const double> signal) {
   Pieces pieces;
-  bool open = false;
   const double first = first_finite(signal);
   double sum = 0.0;
-  for (const double value : signal) {
-    if (std::isfinite(value)) {
-      if (!open) pieces.all.emplace_back();
-      pieces.all.back().forward.push_back(value);
-      sum += value - first;
-      ++pieces.samples;
-    }
-    open = std::isfinite(value);
+  const auto known = [](double value) { return std::isfinite(value); };
+  for (auto begin = std::ranges::find_if(signal, known); begin != signal.end();) {
+    const auto end = std::find_if_not(begin, signal.end(), known);
+    pieces.all.push_back({{begin, end}, {}});
+    for (auto value = begin; value != end; ++value) sum += *value - first;
+    pieces.samples += static_cast<std::size_t>(end - begin);
+    begin = std::find_if(end, signal.end(), known);
   }
   pieces.mean = first + sum / static_cast<double>(std::max<std::size_t>(pieces.samples, 1));
   for (Piece& piece : pieces.all) {
@@ -182,7 +180,7 @@ std::vector<double> LinearModel::errors(std::span<const double> signal,
 }
 
 LinearModel LinearModel::reweighted(std::span<const double> signal, std::span<const double> errors,
-                                    std::span<const double> scale) const {
+                                    std::span<const double> scale, const Kernels& kernels) const {
   const Eigen::Index order = std::ssize(coefficients_);
   if (order == 0) return *this;
   const Eigen::VectorXd x = centred_samples(signal, mean_);
@@ -194,13 +192,15 @@ LinearModel LinearModel::reweighted(std::span<const double> signal, std::span<co
   }
   Eigen::MatrixXd products(order, order);
   Eigen::VectorXd target(order);
+  Eigen::VectorXd sums(order + 1);  // of a lag's samples with those of lag 0, 1, ...
   for (Eigen::Index i = 0; i < order; ++i) {
     const Eigen::VectorXd lagged = weights.cwiseProduct(x.segment(order - 1 - i, count));
-    target[i] = lagged.dot(x.tail(count));
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      products(i, j) = products(j, i) = lagged.dot(x.segment(order - 1 - j, count));
-    }
+    kernels.sum_lags({lagged.data(), lagged.data() + count}, x.data() + order,
+                     {sums.data(), sums.data() + i + 2});
+    target[i] = sums[0];
+    products.row(i).head(i + 1) = sums.segment(1, i + 1).transpose();
   }
+  products = products.selfadjointView<Eigen::Lower>();
   const Eigen::VectorXd found = products.ldlt().solve(target);
   std::vector<double> coefficients(found.begin(), found.end());
   if (!found.allFinite() || !is_stable(coefficients)) return *this;

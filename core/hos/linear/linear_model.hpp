@@ -47,7 +47,8 @@ class LinearModel {
   /// (> 0) and `errors` as long as `signal`, `errors` those of any model of this order.
   [[nodiscard]] LinearModel reweighted(std::span<const double> signal,
                                        std::span<const double> errors,
-                                       std::span<const double> scale) const;
+                                       std::span<const double> scale,
+                                       const Kernels& kernels = best_kernels()) const;
 
   /// Turns `record` from innovations into the process that they drive, about mean 0; its first
   /// samples, as many as there are coefficients, are taken as they are.

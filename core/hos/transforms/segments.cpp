@@ -25,11 +25,12 @@ void find_segments(std::span<const double> signal, bool complete, const Settings
   positions.clear();
   std::size_t checked = complete ? signal.size() : 0;  // samples before this one are known
   std::size_t after_gap = 0;                           // one past the last missing one among them
-  for (std::size_t start = 0; start + length <= signal.size(); start += hop) {
+  std::size_t place = 0;
+  for (std::size_t start = 0; start + length <= signal.size(); start += hop, ++place) {
     for (; checked < start + length; ++checked) {
       after_gap = std::isfinite(signal[checked]) ? after_gap : checked + 1;
     }
-    if (start >= after_gap) positions.push_back(start / hop);
+    if (start >= after_gap) positions.push_back(place);
   }
 }
 

@@ -166,5 +166,24 @@ TEST(HosRecordSums, TapsAndWeightedRowsByTheDefinition) {
   }
 }
 
+TEST(HosRecordSums, LagsByTheDefinition) {
+  constexpr std::size_t kLags = 27;
+  const std::vector<double> x = tests::white_noise(5, kLags + 40);
+  for (const Kernels* kernels : tests::runnable_kernels()) {
+    for (const std::size_t count : {0U, 1U, 8U, 40U}) {
+      const std::vector<double> weighted = tests::white_noise(6, count);
+      for (std::size_t lags = 1; lags <= kLags; ++lags) {
+        std::vector<double> found(lags);
+        kernels->sum_lags(weighted, x.data() + kLags, found);
+        for (std::size_t l = 0; l < lags; ++l) {
+          double expected = 0.0;
+          for (std::size_t n = 0; n < count; ++n) expected += weighted[n] * x[kLags + n - l];
+          ASSERT_NEAR(found[l], expected, 1e-13) << kernels->name;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace loopscope::core::hos
