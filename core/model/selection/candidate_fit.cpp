@@ -177,6 +177,7 @@ void compare_fairly(CandidateFit& trial) {
 }  // namespace
 
 Fit fit_candidate(const LoopData& data, Fit fit, double hopeless) {
+  constexpr double kNear = 0.25;  // once refined, parameters move little
   const EffectKind kind = fit.structure.effects.back()->kind();
   const bool bends = bends_flow(kind);
   if (!traits_of(kind).moves_on_half) return searched_and_settled(data, fit);
@@ -190,10 +191,10 @@ Fit fit_candidate(const LoopData& data, Fit fit, double hopeless) {
   if (scans) fit = scan_jump(data, std::move(fit));
   for (int round = 0; bends && round < 3; ++round) {
     const double before = fit.fit_error;
-    fit = polish(data, refine_last(data, std::move(fit)).structure, 4);
+    fit = polish(data, refine_last(data, std::move(fit), kNear).structure, 4);
     if (fit.fit_error > 0.999 * before) break;
   }
-  return prefer_play(data, refine_last(data, std::move(fit)));
+  return prefer_play(data, refine_last(data, std::move(fit), kNear));
 }
 
 double multi_step_evidence(const LoopData& rows, const Fit& before, const Fit& after) {
