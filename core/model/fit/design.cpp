@@ -18,12 +18,6 @@ std::span<double> column(Eigen::MatrixXd& table, Index at) {
   return {table.col(at).data(), static_cast<std::size_t>(table.rows())};
 }
 
-std::vector<Signal> columns_of(const Eigen::MatrixXd& table) {
-  std::vector<Signal> result;
-  for (Index at = 0; at < table.cols(); ++at) result.push_back(table.col(at).data());
-  return result;
-}
-
 DesignMaker::DesignMaker(const LoopData& data, const std::vector<EffectPtr>& effects)
     : data_(data), effects_(effects), flow_(data.op) {
   for (const EffectPtr& effect : effects_) effect->shape_flow(flow_);

@@ -9,9 +9,8 @@
 
 namespace loopscope::core::model {
 
-/// A column of a table that holds a row for each row of the record, and all of them.
+/// A column of a table that holds a row for each row of the record.
 [[nodiscard]] std::span<double> column(Eigen::MatrixXd& table, Eigen::Index at);
-[[nodiscard]] std::vector<Signal> columns_of(const Eigen::MatrixXd& table);
 
 /// The whitened columns of a structure: pv, numerator, effects, offset (and ramp, integrating), one
 /// after the other.

@@ -2,13 +2,15 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
 #include "core/model/record/loop_data.hpp"
+#include "core/model/response/row_kernel.hpp"
 
 namespace loopscope::core::model {
 
-/// Signals of one record by their first samples.
-using Signal = const double*;
+/// The columns of a table, which has to outlive them.
+[[nodiscard]] std::vector<Signal> columns_of(const Eigen::Ref<const Eigen::MatrixXd>& table);
 
 /// Sums over the rows, which ascend, of the products of each signal of `left` with each of `right`.
 /// Where signals begin or end with zeros, as columns that sit in one place do, nothing is summed.

@@ -12,10 +12,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd products_of(const MatrixXd& columns) {
-  MatrixXd products = MatrixXd::Zero(columns.cols(), columns.cols());
-  products.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
-  return products;
+/// Of the columns from `first` on with all of them, a row each.
+MatrixXd products_of(const MatrixXd& columns, Index first) {
+  SumTable sums = SumTable::Zero(columns.cols() - first, columns.cols());
+  const std::vector<Signal> all = columns_of(columns);
+  for_blocks(columns.rows(), [&](const Range& rows) {
+    add_products(std::span(all).subspan(static_cast<std::size_t>(first)), all, rows, sums);
+  });
+  return sums;
 }
 
 /// One over the length of each column; 0 where it is zero.
@@ -26,18 +30,17 @@ VectorXd scales(const MatrixXd& products) {
   return scale;
 }
 
-/// R with R' P R = I for products P (lower triangle) of columns of length 1, by Cholesky's factors:
+/// R with R' P R = I for products P of columns of length 1, by Cholesky's factors:
 /// of the columns that are left, the one that adds most comes next, and none that adds nothing.
 /// Eigen's own (LDLT) goes by the lengths of the columns, not by what they add.
 MatrixXd root_of(const MatrixXd& products) {
   const Index columns = products.cols();
-  const MatrixXd all = products.selfadjointView<Eigen::Lower>();
   VectorXd added = products.diagonal();
   MatrixXd factors(columns, 0);
   std::vector<Index> chosen;
   for (Index next = 0; added.maxCoeff(&next) > kLeastLeft;) {
     const Index rank = factors.cols();
-    VectorXd factor = all.col(next) - factors * factors.row(next).transpose();
+    VectorXd factor = products.col(next) - factors * factors.row(next).transpose();
     factor /= std::sqrt(added[next]);
     added -= factor.cwiseAbs2();
     added[next] = 0.0;
@@ -65,36 +68,58 @@ void LaggedColumns::add(std::span<const double> signal, std::span<const int> lag
   for (const int lag : lags) columns_.push_back({signal, lag});
 }
 
-MatrixXd LaggedColumns::block(Index first_row, Index rows) const {
+MatrixXd LaggedColumns::block(const Range& range, const ArrayXd& recorded) const {
+  const auto first_row = static_cast<Index>(range.first), rows = static_cast<Index>(range.size());
   MatrixXd result(rows, columns());
   for (Index j = 0; j < columns(); ++j) {
     const auto& [signal, lag] = columns_[static_cast<std::size_t>(j)];
     const Index zeros = std::clamp(lag - first_row, Index{0}, rows);
+    const Eigen::Map<const ArrayXd> later(signal.data() + (first_row + zeros - lag), rows - zeros);
     result.col(j).head(zeros).setZero();
-    std::copy_n(signal.data() + (first_row + zeros - lag), rows - zeros,
-                result.col(j).data() + zeros);
+    result.col(j).tail(rows - zeros) = recorded.segment(first_row + zeros, rows - zeros) * later;
   }
   return result;
+}
+
+void add_products(std::span<const Signal> left, std::span<const Signal> right, const Range& rows,
+                  SumTable& sums) {
+  best_row_kernel().add_products(left, right, {&rows, 1}, sums.data(), right.size());
 }
 
 LinearSpan::LinearSpan(const LaggedColumns& columns, const ArrayXd& recorded)
     : columns_(columns.rows(), columns.columns() + 1) {
   columns_.col(0) = recorded.matrix();
-  columns_.rightCols(columns.columns()) =
-      recorded.matrix().asDiagonal() * columns.block(0, columns.rows());
-  root_ = scaled_root_of(products_of(columns_));
+  take(columns, recorded);
 }
 
 LinearSpan::LinearSpan(const LinearSpan& known, const LaggedColumns& columns,
                        const ArrayXd& recorded)
-    : columns_(columns.rows(), known.columns() + columns.columns()) {
-  columns_ << known.columns_, recorded.matrix().asDiagonal() * columns.block(0, columns.rows());
-  root_ = scaled_root_of(products_of(columns_));
+    : columns_(columns.rows(), known.columns() + columns.columns()), products_(known.products_) {
+  columns_.leftCols(known.columns()) = known.columns_;
+  take(columns, recorded);
+}
+
+/// Behind the columns that are known with their products.
+void LinearSpan::take(const LaggedColumns& columns, const ArrayXd& recorded) {
+  columns_.rightCols(columns.columns()) =
+      columns.block({0, static_cast<std::size_t>(columns.rows())}, recorded);
+  const Index first = products_.cols();
+  const MatrixXd added = products_of(columns_, first);
+  products_.conservativeResize(columns_.cols(), columns_.cols());
+  products_.bottomRows(added.rows()) = added;
+  products_.topRightCorner(first, added.rows()) = added.leftCols(first).transpose();
+  root_ = scaled_root_of(products_);
 }
 
 VectorXd LinearSpan::without(std::span<const double> signal) const {
-  const Eigen::Map<const VectorXd> y(signal.data(), static_cast<Index>(signal.size()));
-  return y - columns_ * coefficients(columns_.transpose() * y);
+  const std::vector<Signal> columns = columns_of(columns_);
+  const Signal one = signal.data();
+  SumTable products = SumTable::Zero(columns_.cols(), 1);
+  add_products(columns, {&one, 1}, {0, signal.size()}, products);
+  const VectorXd explained = coefficients(products);
+  VectorXd left = Eigen::Map<const VectorXd>(signal.data(), static_cast<Index>(signal.size()));
+  best_row_kernel().subtract(columns, explained.data(), signal.size(), left.data());
+  return left;
 }
 
 }  // namespace loopscope::core::model

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
+
+#include "core/model/record/loop_data.hpp"
+#include "core/model/response/products.hpp"
 
 namespace loopscope::core::model {
 
@@ -18,7 +22,8 @@ class LaggedColumns {
 
   [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(samples_); }
   [[nodiscard]] Eigen::Index columns() const { return static_cast<Eigen::Index>(columns_.size()); }
-  [[nodiscard]] Eigen::MatrixXd block(Eigen::Index first_row, Eigen::Index rows) const;
+  /// Some rows of them, 0 where `recorded` (of all rows) is.
+  [[nodiscard]] Eigen::MatrixXd block(const Range& rows, const Eigen::ArrayXd& recorded) const;
 
  private:
   struct Column {
@@ -32,8 +37,22 @@ class LaggedColumns {
 /// Of a column of which the others leave less than this share of its square rounding is left.
 inline constexpr double kLeastLeft = 1e-10;
 
-/// Rows that are worked on at a time: twenty columns of them stay in the processor's cache.
-inline constexpr Eigen::Index kRowsTogether = 256;
+/// Sums of products, row by row in memory.
+using SumTable = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Adds the products over some rows of each signal of `left` with each of `right`.
+void add_products(std::span<const Signal> left, std::span<const Signal> right, const Range& rows,
+                  SumTable& sums);
+
+/// Rows that are worked on at a time: sixty columns of them stay in the processor's cache.
+inline constexpr std::size_t kRowsTogether = 128;
+
+template <class Work>
+void for_blocks(Eigen::Index rows, Work work) {
+  const auto all = static_cast<std::size_t>(rows);
+  for (std::size_t row = 0; row < all; row += kRowsTogether)
+    work(Range{row, std::min(row + kRowsTogether, all)});
+}
 
 /// All that a constant and lagged signals explain over the recorded samples: the columns K as they
 /// are and a root R of the inverse of their products, (K R)'(K R) = I. Without the orthonormal
@@ -50,8 +69,9 @@ class LinearSpan {
   [[nodiscard]] Eigen::Index rank() const { return root_.cols(); }
   [[nodiscard]] Eigen::Index columns() const { return columns_.cols(); }
   /// K of some rows, 0 where nothing is recorded. A view of this span.
-  [[nodiscard]] auto rows(Eigen::Index first, Eigen::Index count) const& {
-    return columns_.middleRows(first, count);
+  [[nodiscard]] auto rows(const Range& some) const& {
+    return columns_.middleRows(static_cast<Eigen::Index>(some.first),
+                               static_cast<Eigen::Index>(some.size()));
   }
   /// The coefficients of K that explain most of signals y, of which `products` = K'y.
   [[nodiscard]] Eigen::MatrixXd coefficients(const Eigen::MatrixXd& products) const {
@@ -61,8 +81,11 @@ class LinearSpan {
   [[nodiscard]] Eigen::VectorXd without(std::span<const double> signal) const;
 
  private:
-  Eigen::MatrixXd columns_;  ///< K
-  Eigen::MatrixXd root_;     ///< R
+  void take(const LaggedColumns& columns, const Eigen::ArrayXd& recorded);
+
+  Eigen::MatrixXd columns_;   ///< K
+  Eigen::MatrixXd products_;  ///< of K with itself
+  Eigen::MatrixXd root_;      ///< R
 };
 
 }  // namespace loopscope::core::model

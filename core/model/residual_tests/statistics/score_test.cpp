@@ -6,6 +6,7 @@
 
 #include "core/hos/numeric/symmetric_eigen.hpp"
 #include "core/model/residual_tests/statistics/tails.hpp"
+#include "core/model/response/products.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -17,30 +18,53 @@ using Eigen::VectorXd;
 /// A direction with less than this share of the largest one's variance is rounding noise.
 constexpr double kRankTolerance = 1e-10;
 
-template <class Work>
-void for_blocks(Index rows, Work work) {
-  for (Index row = 0; row < rows; row += kRowsTogether)
-    work(row, std::min(kRowsTogether, rows - row));
-}
-
+/// Of a few columns.
 struct ScoreSums {
   explicit ScoreSums(Index columns)
       : before(VectorXd::Zero(columns)),
         after(VectorXd::Zero(columns)),
         score(VectorXd::Zero(columns)),
-        variance(MatrixXd::Zero(columns, columns)) {}
-
-  void add(MatrixXd& z, const Eigen::Ref<const VectorXd>& r) {
-    after += z.colwise().squaredNorm();
-    score.noalias() += z.transpose() * r;
-    z = r.asDiagonal() * z;
-    variance.selfadjointView<Eigen::Lower>().rankUpdate(z.transpose());
-  }
+        variance(SumTable::Zero(columns, columns)) {}
 
   VectorXd before;  ///< squared length of each column
   VectorXd after;   ///< the same less what is known
   VectorXd score;
-  MatrixXd variance;  ///< lower triangle
+  SumTable variance;
+};
+
+/// Columns of which so many at a time ask a question of their own.
+class GroupSums {
+ public:
+  GroupSums(Index columns, Index together) : together_(together) {
+    for (Index first = 0; first < columns; first += together) groups_.emplace_back(together);
+  }
+  [[nodiscard]] const std::vector<ScoreSums>& groups() const { return groups_; }
+
+  void add_before(const MatrixXd& z) {
+    for_groups([&](ScoreSums& sums, Index first) {
+      sums.before += z.middleCols(first, together_).colwise().squaredNorm();
+    });
+  }
+  void add(MatrixXd& z, const Eigen::Ref<const VectorXd>& r) {
+    for_groups([&](ScoreSums& sums, Index first) {
+      auto own = z.middleCols(first, together_);
+      sums.after += own.colwise().squaredNorm();
+      own.array().colwise() *= r.array();
+      sums.score += own.colwise().sum();
+      const std::vector<Signal> columns = columns_of(own);
+      add_products(columns, columns, {0, static_cast<std::size_t>(z.rows())}, sums.variance);
+    });
+  }
+
+ private:
+  template <class Work>
+  void for_groups(Work work) {
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+      work(groups_[i], static_cast<Index>(i) * together_);
+  }
+
+  Index together_;
+  std::vector<ScoreSums> groups_;
 };
 
 /// One over the length of each column; 0 where nothing is left of it.
@@ -56,7 +80,8 @@ VectorXd scales(const ScoreSums& sums) {
 Score quadratic_form(const ScoreSums& sums, double free) {
   const VectorXd scale = scales(sums);
   const VectorXd score = scale.cwiseProduct(sums.score);
-  const MatrixXd variance = scale.asDiagonal() * sums.variance * scale.asDiagonal() / free;
+  const MatrixXd variance =
+      scale.asDiagonal() * MatrixXd(sums.variance) * scale.asDiagonal() / free;
   Score result;
   result.t = VectorXd::Zero(score.size());
   for (Index j = 0; j < score.size(); ++j)
@@ -75,26 +100,41 @@ Score quadratic_form(const ScoreSums& sums, double free) {
   return result;
 }
 
+/// What the columns explain of so many rows, off those.
+void take_out(const std::vector<Signal>& columns, const MatrixXd& coefficients, MatrixXd& z) {
+  for (Index j = 0; j < z.cols(); ++j)
+    best_row_kernel().subtract(columns, coefficients.col(j).data(),
+                               static_cast<std::size_t>(z.rows()), z.col(j).data());
+}
+
 }  // namespace
+
+std::vector<Score> score_tests(const VectorXd& residual, const LaggedColumns& columns,
+                               Index together, const LinearSpan& known,
+                               const Eigen::ArrayXd& recorded) {
+  SumTable products = SumTable::Zero(known.columns(), columns.columns());
+  for_blocks(columns.rows(), [&](const Range& rows) {
+    const MatrixXd z = columns.block(rows, recorded);
+    add_products(columns_of(known.rows(rows)), columns_of(z), {0, rows.size()}, products);
+  });
+  const MatrixXd explained = known.coefficients(products);
+  GroupSums sums(columns.columns(), together);
+  for_blocks(columns.rows(), [&](const Range& rows) {
+    MatrixXd z = columns.block(rows, recorded);
+    sums.add_before(z);
+    take_out(columns_of(known.rows(rows)), explained, z);
+    sums.add(z, residual.segment(static_cast<Index>(rows.first), z.rows()));
+  });
+  const double free = 1.0 - static_cast<double>(known.rank()) / recorded.sum();
+  std::vector<Score> scores;
+  for (const ScoreSums& group : sums.groups()) scores.push_back(quadratic_form(group, free));
+  return scores;
+}
 
 Score score_test(const VectorXd& residual, const LaggedColumns& columns, const LinearSpan& known,
                  const Eigen::ArrayXd& recorded) {
-  const auto block = [&](Index row, Index rows) -> MatrixXd {
-    return recorded.segment(row, rows).matrix().asDiagonal() * columns.block(row, rows);
-  };
-  MatrixXd products = MatrixXd::Zero(known.columns(), columns.columns());
-  for_blocks(columns.rows(), [&](Index row, Index rows) {
-    products.noalias() += known.rows(row, rows).transpose() * block(row, rows);
-  });
-  const MatrixXd explained = known.coefficients(products);
-  ScoreSums sums(columns.columns());
-  for_blocks(columns.rows(), [&](Index row, Index rows) {
-    MatrixXd z = block(row, rows);
-    sums.before += z.colwise().squaredNorm();
-    z.noalias() -= known.rows(row, rows) * explained;
-    sums.add(z, residual.segment(row, rows));
-  });
-  return quadratic_form(sums, 1.0 - static_cast<double>(known.rank()) / recorded.sum());
+  if (columns.columns() == 0) return {};
+  return score_tests(residual, columns, columns.columns(), known, recorded).front();
 }
 
 }  // namespace loopscope::core::model

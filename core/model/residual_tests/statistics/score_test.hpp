@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <vector>
 
 #include "core/model/residual_tests/statistics/linear_span.hpp"
 
@@ -24,5 +25,12 @@ struct Score {
 /// without(). One sample can never add more than its own share: outliers do not make it reject.
 [[nodiscard]] Score score_test(const Eigen::VectorXd& residual, const LaggedColumns& columns,
                                const LinearSpan& known, const Eigen::ArrayXd& recorded);
+
+/// The same of `together` columns after the other `together` ones, a score each: what they share is
+/// worked out once.
+[[nodiscard]] std::vector<Score> score_tests(const Eigen::VectorXd& residual,
+                                             const LaggedColumns& columns, Eigen::Index together,
+                                             const LinearSpan& known,
+                                             const Eigen::ArrayXd& recorded);
 
 }  // namespace loopscope::core::model

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "core/hos/coupling/combine_p.hpp"
 #include "core/hos/numeric/quantile.hpp"
@@ -14,16 +15,12 @@ namespace {
 /// Shares of the samples on the near side of a limit that is tried.
 constexpr std::array kShares = {0.65, 0.92};
 
-/// p of op passed through `map`; 1 where that says nothing.
-template <class Map>
-double p_of(const ResidualContext& context, Map map) {
+/// A figure of op that the residual may follow.
+std::optional<Centred> feature_of(const ResidualContext& context,
+                                  const std::function<double(double)>& map) {
   std::vector<double> mapped(context.view.op_percent.begin(), context.view.op_percent.end());
   for (double& value : mapped) value = map(value);
-  const std::optional<Centred> feature = centred(high_passed(mapped), kFewestAsked);
-  if (!feature) return 1.0;
-  LaggedColumns columns(mapped.size());
-  columns.add(feature->values, ResidualContext::kOpLags);
-  return score_test(context.beyond_linear, columns, context.linear_past, context.recorded).p;
+  return centred(high_passed(mapped), kFewestAsked);
 }
 
 struct Limit {
@@ -31,23 +28,34 @@ struct Limit {
   bool high = true;
   double share = 0.0;  ///< of the samples beyond
   double p = 1.0;
+  [[nodiscard]] double beyond(double op) const {
+    return high ? std::max(op - at_percent, 0.0 * op) : std::min(op - at_percent, 0.0 * op);
+  }
 };
 
-Limit try_limit(const ResidualContext& context, double share, bool high) {
-  const double near = high ? share : 1.0 - share;
-  Limit limit{hos::sample_quantile(context.op_sorted, near), high, 1.0 - share, 1.0};
-  limit.p = p_of(context, [&limit](double op) {
-    return limit.high ? std::max(op - limit.at_percent, 0.0 * op)
-                      : std::min(op - limit.at_percent, 0.0 * op);
-  });
-  return limit;
+std::vector<Limit> limits_of(const ResidualContext& context) {
+  std::vector<Limit> limits;
+  for (const bool high : {true, false}) {
+    for (const double share : kShares)
+      limits.push_back(
+          {hos::sample_quantile(context.op_sorted, high ? share : 1.0 - share), high, 1.0 - share});
+  }
+  return limits;
 }
 
-std::vector<Limit> try_limits(const ResidualContext& context) {
-  std::vector<Limit> limits;
-  for (const bool high : {true, false})
-    for (const double share : kShares) limits.push_back(try_limit(context, share, high));
-  return limits;
+/// Of each feature; 1 where there is none.
+std::vector<double> p_of(const ResidualContext& context,
+                         const std::vector<std::optional<Centred>>& features) {
+  LaggedColumns columns(context.view.op_percent.size());
+  for (const std::optional<Centred>& feature : features)
+    if (feature) columns.add(feature->values, ResidualContext::kOpLags);
+  constexpr Eigen::Index kTogether = ResidualContext::kOpLags.size();
+  const std::vector<Score> scores =
+      score_tests(context.beyond_linear, columns, kTogether, context.linear_past, context.recorded);
+  std::vector<double> p;
+  auto score = scores.begin();
+  for (const std::optional<Centred>& feature : features) p.push_back(feature ? (score++)->p : 1.0);
+  return p;
 }
 
 Nomination saturation_of(const Limit& limit) {
@@ -71,10 +79,14 @@ std::string statement_of(double curved_p, const Limit& limit) {
 std::optional<TestOutcome> test_op_level(const ResidualContext& context) {
   if (!context.op) return std::nullopt;
   const double mean = context.op->mean;
-  const double curved_p = p_of(context, [mean](double op) { return (op - mean) * (op - mean); });
-  const std::vector<Limit> limits = try_limits(context);
-  std::vector<double> parts = {curved_p};
-  for (const Limit& limit : limits) parts.push_back(limit.p);
+  std::vector<Limit> limits = limits_of(context);
+  std::vector<std::optional<Centred>> features;
+  features.push_back(feature_of(context, [mean](double op) { return (op - mean) * (op - mean); }));
+  for (const Limit& limit : limits)
+    features.push_back(feature_of(context, [&](double op) { return limit.beyond(op); }));
+  const std::vector<double> parts = p_of(context, features);
+  const double curved_p = parts.front();
+  for (std::size_t i = 0; i < limits.size(); ++i) limits[i].p = parts[i + 1];
   TestOutcome answer{{"op_level", hos::combine_p(parts), {}}, {}};
   if (answer.question.p > kSignificant) return answer;
   const Limit best = *std::min_element(limits.begin(), limits.end(),

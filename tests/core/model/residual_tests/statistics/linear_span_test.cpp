@@ -44,7 +44,7 @@ TEST_F(TheSpan, GrowsByWhatIsNew) {
 TEST_F(TheSpan, LeavesWhatIsAtRightAnglesToIt) {
   const LinearSpan span(first, recorded);
   const Eigen::VectorXd left = span.without(more);
-  EXPECT_LT((span.rows(0, kSamples).transpose() * left).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((span.rows({0, kSamples}).transpose() * left).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT(left.norm(), length(more));
 }
 

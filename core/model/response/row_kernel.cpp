@@ -1,0 +1,136 @@
+#include "core/model/response/row_kernel.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/model/response/row_kernel.cpp"  // once for each processor
+#include <hwy/foreach_target.h>
+// The above includes this file again, so that what follows stands behind it.
+#include <cstring>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace loopscope::core::model::HWY_NAMESPACE {
+namespace {
+
+/// Rows side by side. Longer vectors would add in another order than the other processors.
+constexpr std::size_t kTogether = 4;
+using Quad __attribute__((vector_size(kTogether * sizeof(double)))) = double;
+
+/// Where no rows are added to one another any length will do.
+constexpr std::size_t kVectorBytes = HWY_TARGET == HWY_AVX3 ? 64 : HWY_TARGET == HWY_AVX2 ? 32 : 16;
+using Wide __attribute__((vector_size(kVectorBytes))) = double;
+constexpr std::size_t kWide = kVectorBytes / sizeof(double);
+
+/// Signals to a tile: each loaded row serves several sums, and these fit into the registers.
+constexpr std::size_t kHeight = HWY_TARGET == HWY_AVX3 ? 4 : 2;
+constexpr std::size_t kWidth = kVectorBytes >= sizeof(Quad) ? 4 : 2;
+
+template <typename Vector>
+inline void load(Vector& into, Signal from) {
+  std::memcpy(&into, from, sizeof(Vector));
+}
+
+template <std::size_t height, std::size_t width>
+void add_tile(const Signal* left, const Signal* right, std::span<const Range> rows, double* sums,
+              std::size_t stride) {
+  Quad all[height][width] = {};
+  double rest[height][width] = {};
+  for (const Range& range : rows) {
+    std::size_t k = range.first;
+    for (; k + kTogether <= range.end; k += kTogether) {
+      Quad b[width];
+#pragma GCC unroll 4
+      for (std::size_t j = 0; j < width; ++j) load(b[j], right[j] + k);
+#pragma GCC unroll 4
+      for (std::size_t i = 0; i < height; ++i) {
+        Quad a;
+        load(a, left[i] + k);
+#pragma GCC unroll 4
+        for (std::size_t j = 0; j < width; ++j) all[i][j] += a * b[j];
+      }
+    }
+    for (; k < range.end; ++k) {
+      for (std::size_t i = 0; i < height; ++i) {
+        for (std::size_t j = 0; j < width; ++j) rest[i][j] += left[i][k] * right[j][k];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < height; ++i) {
+    for (std::size_t j = 0; j < width; ++j) {
+      const Quad& sum = all[i][j];
+      sums[i * stride + j] += rest[i][j] + ((sum[0] + sum[1]) + (sum[2] + sum[3]));
+    }
+  }
+}
+
+/// So many of the left with all of the right.
+template <std::size_t height>
+void add_band(const Signal* left, std::span<const Signal> right, std::span<const Range> rows,
+              double* sums, std::size_t stride) {
+  std::size_t j = 0;
+  for (; j + kWidth <= right.size(); j += kWidth)
+    add_tile<height, kWidth>(left, &right[j], rows, sums + j, stride);
+  for (; j + 2 <= right.size(); j += 2)
+    add_tile<height, 2>(left, &right[j], rows, sums + j, stride);
+  for (; j < right.size(); ++j) add_tile<height, 1>(left, &right[j], rows, sums + j, stride);
+}
+
+void add_products(std::span<const Signal> left, std::span<const Signal> right,
+                  std::span<const Range> rows, double* sums, std::size_t stride) {
+  std::size_t i = 0;
+  for (; i + kHeight <= left.size(); i += kHeight)
+    add_band<kHeight>(&left[i], right, rows, sums + i * stride, stride);
+  for (; i + 2 <= left.size(); i += 2)
+    add_band<2>(&left[i], right, rows, sums + i * stride, stride);
+  for (; i < left.size(); ++i) add_band<1>(&left[i], right, rows, sums + i * stride, stride);
+}
+
+/// Two vectors at a time: they hide what each of them waits for.
+void subtract(std::span<const Signal> columns, const double* coefficients, std::size_t rows,
+              double* from) {
+  std::size_t r = 0;
+  for (; r + 2 * kWide <= rows; r += 2 * kWide) {
+    Wide first{}, second{}, a, b;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      load(a, columns[i] + r);
+      load(b, columns[i] + r + kWide);
+      first += coefficients[i] * a;
+      second += coefficients[i] * b;
+    }
+    load(a, from + r);
+    load(b, from + r + kWide);
+    a -= first;
+    b -= second;
+    std::memcpy(from + r, &a, sizeof(Wide));
+    std::memcpy(from + r + kWide, &b, sizeof(Wide));
+  }
+  for (; r < rows; ++r) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < columns.size(); ++i) sum += coefficients[i] * columns[i][r];
+    from[r] -= sum;
+  }
+}
+
+constexpr RowKernel kRowKernel{add_products, subtract};
+
+}  // namespace
+
+const RowKernel* row_kernel() {
+  return &kRowKernel;
+}
+
+}  // namespace loopscope::core::model::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace loopscope::core::model {
+
+HWY_EXPORT(row_kernel);
+
+const RowKernel& best_row_kernel() {
+  return *HWY_DYNAMIC_DISPATCH(row_kernel)();
+}
+
+}  // namespace loopscope::core::model
+
+#endif
