@@ -40,6 +40,9 @@ struct TagRole {
   std::string storage::CatalogueEntry::*tag;
   core::signal::RawSeries core::signal::LoopRows::*rows;
   bool on_change;  ///< recorded when it changes, whatever the archive: it holds between its rows
+
+  /// Whether its values are read as modes.
+  [[nodiscard]] constexpr bool is_mode() const { return rows == &core::signal::LoopRows::mode; }
 };
 
 /// All of them: the one list of roles in this room.

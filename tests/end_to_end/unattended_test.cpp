@@ -129,19 +129,19 @@ TEST_F(Unattended, OnceTakesWhatMayKillItAloneAndLast) {
 }
 
 TEST_F(Unattended, WhatIsHeldLongerThanALeaseStaysHeldWhileWorkGoesOn) {
-  // As many as one batch takes at least, so that none waits for a worker.
-  for (unsigned seed = 1; seed <= 2; ++seed)
+  for (unsigned seed = 1; seed <= 4; ++seed)
     plant.import_loop("loop " + std::to_string(seed), 600, seed);
   // Nothing can be written for longer than a lease; what is done waits and is written once.
   lock_results();
-  run(R"(, "lease_s": 10)");
-  ASSERT_TRUE(becomes("select count(*) from loopscope.schedule where owner is not null", "2"));
+  // One worker, whose batch is all of them.
+  run(R"(, "lease_s": 10)", R"("workers": 1, "batches_in_flight": 1)");
+  ASSERT_TRUE(becomes("select count(*) from loopscope.schedule where owner is not null", "4"));
   std::this_thread::sleep_for(std::chrono::seconds(12));
   unlock_results();
   EXPECT_TRUE(
-      becomes("select count(*) from loopscope.schedule where last_slot_end is not null", "2"));
+      becomes("select count(*) from loopscope.schedule where last_slot_end is not null", "4"));
   EXPECT_EQ(plant.sql("select max(fence), max(lost_leases) from loopscope.schedule"), "1|0");
-  EXPECT_EQ(plant.sql(kCount), "2");
+  EXPECT_EQ(plant.sql(kCount), "4");
   EXPECT_EQ(stop(), 0);
 }
 

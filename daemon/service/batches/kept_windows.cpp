@@ -23,8 +23,7 @@ using TagKey = std::pair<std::string, bool>;  ///< tag, and whether its values a
 std::vector<TagKey> tags_of(const CatalogueEntry& loop) {
   std::vector<TagKey> tags;
   for (const TagRole& role : kTagRoles) {
-    if (!(loop.*role.tag).empty())
-      tags.emplace_back(loop.*role.tag, role.rows == &core::signal::LoopRows::mode);
+    if (!(loop.*role.tag).empty()) tags.emplace_back(loop.*role.tag, role.is_mode());
   }
   return tags;
 }
@@ -65,9 +64,7 @@ std::vector<KnownRows> all_known(const std::vector<TagKey>& tags, const RowMemor
   for (const auto& [tag, mode] : tags) {
     const KnownRows* rows = memory.find(tag, mode);
     if (rows == nullptr || rows->from_us > from_us || rows->to_us < to_us) return {};
-    all.push_back(later_part(
-        {rows->from_us, to_us, rows->before_known, rows_within(rows->rows, kBeforeAll_us, to_us)},
-        from_us));
+    all.push_back(later_part(*rows, from_us, to_us));
   }
   return all;
 }

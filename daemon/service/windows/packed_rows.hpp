@@ -12,8 +12,8 @@ namespace loopscope::daemon {
 /// side for zstd: second differences of the times (nothing is left of a regular interval), values
 /// on a decimal grid as differences of whole numbers, all by their bytes, so that signs and
 /// exponents, and the empty low bytes of single precision, take next to nothing. Of 4096 regular
-/// rows a value at rest takes 30 bytes in all, a grid of hundredths about one byte a row, single
-/// precision four and random mantissas of double precision seven.
+/// rows a value at rest takes some 100 bytes in all, a grid of hundredths a byte and a half a row,
+/// single precision four and random mantissas of double precision seven (daemon/MEASURED.md).
 class PackedRows {
  public:
   PackedRows() = default;

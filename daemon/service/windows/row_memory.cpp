@@ -223,12 +223,15 @@ RawSeries rows_within(const RawSeries& rows, std::int64_t from_us, std::int64_t 
   return part;
 }
 
-KnownRows later_part(const KnownRows& known, std::int64_t from_us) {
-  KnownRows later{std::max(known.from_us, from_us), known.to_us, tells_before(known, from_us), {}};
+KnownRows later_part(const KnownRows& known, std::int64_t from_us, std::int64_t to_us) {
+  KnownRows later{std::max(known.from_us, from_us),
+                  std::min(known.to_us, to_us),
+                  tells_before(known, from_us),
+                  {}};
   later.rows.hold = known.rows.hold;
   std::size_t first = first_from(known.rows, later.from_us);
   if (first > 0) --first;
-  append(known.rows, first, known.rows.time_us.size(), later.rows);
+  append(known.rows, first, first_from(known.rows, later.to_us + 1), later.rows);
   return later;
 }
 

@@ -61,7 +61,8 @@ inline constexpr std::int64_t kBeforeAll_us = std::numeric_limits<std::int64_t>:
 [[nodiscard]] core::signal::RawSeries rows_within(const core::signal::RawSeries& rows,
                                                   std::int64_t from_us, std::int64_t to_us);
 
-/// The later part of what is known, from `from_us` on, with the row before it.
-[[nodiscard]] KnownRows later_part(const KnownRows& known, std::int64_t from_us);
+/// The part of what is known from `from_us` on up to and with `to_us`, with the row before it.
+[[nodiscard]] KnownRows later_part(const KnownRows& known, std::int64_t from_us,
+                                   std::int64_t to_us);
 
 }  // namespace loopscope::daemon

@@ -73,8 +73,7 @@ std::vector<TagRequest> requests_of(const Plan& plan) {
     const std::string& tag = plan.loop->*role.tag;
     if (tag.empty()) continue;
     requests.push_back({tag, plan.slot_end_us - span_us, plan.slot_end_us, kRowsPerSlot * slots,
-                        role.on_change ? RowBefore::yes : RowBefore::if_held,
-                        role.rows == &LoopRows::mode});
+                        role.on_change ? RowBefore::yes : RowBefore::if_held, role.is_mode()});
   }
   return requests;
 }
