@@ -84,30 +84,52 @@ void add_products(std::span<const Signal> left, std::span<const Signal> right,
   for (; i < left.size(); ++i) add_band<1>(&left[i], right, rows, sums + i * stride, stride);
 }
 
-/// Two vectors at a time: they hide what each of them waits for.
-void subtract(std::span<const Signal> columns, const double* coefficients, std::size_t rows,
-              double* from) {
+/// From `count` signals: each loaded row of a column serves all of them, and what one of their sums
+/// waits for is hidden by the others.
+template <std::size_t count>
+void subtract_from(std::span<const Signal> columns, const double* coefficients, std::size_t rows,
+                   double* const* from) {
+  constexpr std::size_t kVectors = 2;
+  const std::size_t stride = columns.size();
   std::size_t r = 0;
-  for (; r + 2 * kWide <= rows; r += 2 * kWide) {
-    Wide first{}, second{}, a, b;
+  for (; r + kVectors * kWide <= rows; r += kVectors * kWide) {
+    Wide sums[count][kVectors] = {};
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      load(a, columns[i] + r);
-      load(b, columns[i] + r + kWide);
-      first += coefficients[i] * a;
-      second += coefficients[i] * b;
+      Wide row[kVectors];
+      for (std::size_t v = 0; v < kVectors; ++v) load(row[v], columns[i] + r + v * kWide);
+#pragma GCC unroll 4
+      for (std::size_t j = 0; j < count; ++j) {
+        for (std::size_t v = 0; v < kVectors; ++v)
+          sums[j][v] += coefficients[j * stride + i] * row[v];
+      }
     }
-    load(a, from + r);
-    load(b, from + r + kWide);
-    a -= first;
-    b -= second;
-    std::memcpy(from + r, &a, sizeof(Wide));
-    std::memcpy(from + r + kWide, &b, sizeof(Wide));
+    for (std::size_t j = 0; j < count; ++j) {
+      for (std::size_t v = 0; v < kVectors; ++v) {
+        double* const at = from[j] + r + v * kWide;
+        Wide left;
+        load(left, at);
+        left -= sums[j][v];
+        std::memcpy(at, &left, sizeof(Wide));
+      }
+    }
   }
   for (; r < rows; ++r) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < columns.size(); ++i) sum += coefficients[i] * columns[i][r];
-    from[r] -= sum;
+    for (std::size_t j = 0; j < count; ++j) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < columns.size(); ++i)
+        sum += coefficients[j * stride + i] * columns[i][r];
+      from[j][r] -= sum;
+    }
   }
+}
+
+void subtract(std::span<const Signal> columns, const double* coefficients, std::size_t rows,
+              std::span<double* const> from) {
+  std::size_t j = 0;
+  for (; j + 4 <= from.size(); j += 4)
+    subtract_from<4>(columns, coefficients + j * columns.size(), rows, &from[j]);
+  for (; j < from.size(); ++j)
+    subtract_from<1>(columns, coefficients + j * columns.size(), rows, &from[j]);
 }
 
 constexpr RowKernel kRowKernel{add_products, subtract};

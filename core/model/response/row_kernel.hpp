@@ -17,9 +17,10 @@ struct RowKernel {
   /// sums[i * stride + j] += the product of left[i] and right[j] over the rows.
   void (*add_products)(std::span<const Signal> left, std::span<const Signal> right,
                        std::span<const Range> rows, double* sums, std::size_t stride);
-  /// from[r] -= the sum over i of coefficients[i] * columns[i][r], r < rows.
+  /// from[j][r] -= the sum over i of coefficients[j * columns.size() + i] * columns[i][r], r <
+  /// rows.
   void (*subtract)(std::span<const Signal> columns, const double* coefficients, std::size_t rows,
-                   double* from);
+                   std::span<double* const> from);
 };
 
 /// The fastest that this processor can run.

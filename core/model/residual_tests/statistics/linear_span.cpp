@@ -12,11 +12,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// From column to column in memory. Columns of 4096 rows one behind the other begin at multiples of
+/// 32 kB, and as many as there are here drive each other out of the processor's caches, which put
+/// all such addresses into the same few places: here each begins 17 lines of 64 bytes further on
+/// than the one before, whatever the number of rows.
+Index spacing_of(Index rows) {
+  constexpr Index kRepeats = 512, kFurther = 136;
+  const Index beyond = rows % kRepeats;
+  return rows + kFurther - beyond + (beyond > kFurther ? kRepeats : 0);
+}
+
 /// Of the columns from `first` on with all of them, a row each.
-MatrixXd products_of(const MatrixXd& columns, Index first) {
+MatrixXd products_of(const MatrixXd& columns, Index rows_used, Index first) {
   SumTable sums = SumTable::Zero(columns.cols() - first, columns.cols());
   const std::vector<Signal> all = columns_of(columns);
-  for_blocks(columns.rows(), [&](const Range& rows) {
+  for_blocks(rows_used, [&](const Range& rows) {
     add_products(std::span(all).subspan(static_cast<std::size_t>(first)), all, rows, sums);
   });
   return sums;
@@ -87,24 +97,26 @@ void add_products(std::span<const Signal> left, std::span<const Signal> right, c
 }
 
 LinearSpan::LinearSpan(const LaggedColumns& columns, const ArrayXd& recorded)
-    : columns_(columns.rows(), columns.columns() + 1) {
-  columns_.col(0) = recorded.matrix();
+    : rows_(columns.rows()), columns_(spacing_of(rows_), columns.columns() + 1) {
+  columns_.col(0).head(rows_) = recorded.matrix();
   take(columns, recorded);
 }
 
 LinearSpan::LinearSpan(const LinearSpan& known, const LaggedColumns& columns,
                        const ArrayXd& recorded)
-    : columns_(columns.rows(), known.columns() + columns.columns()), products_(known.products_) {
-  columns_.leftCols(known.columns()) = known.columns_;
+    : rows_(known.rows_),
+      columns_(spacing_of(rows_), known.columns() + columns.columns()),
+      products_(known.products_) {
+  columns_.topLeftCorner(rows_, known.columns()) = known.columns_.topRows(rows_);
   take(columns, recorded);
 }
 
 /// Behind the columns that are known with their products.
 void LinearSpan::take(const LaggedColumns& columns, const ArrayXd& recorded) {
-  columns_.rightCols(columns.columns()) =
+  columns_.topRightCorner(rows_, columns.columns()) =
       columns.block({0, static_cast<std::size_t>(columns.rows())}, recorded);
   const Index first = products_.cols();
-  const MatrixXd added = products_of(columns_, first);
+  const MatrixXd added = products_of(columns_, rows_, first);
   products_.conservativeResize(columns_.cols(), columns_.cols());
   products_.bottomRows(added.rows()) = added;
   products_.topRightCorner(first, added.rows()) = added.leftCols(first).transpose();
@@ -118,7 +130,8 @@ VectorXd LinearSpan::without(std::span<const double> signal) const {
   add_products(columns, {&one, 1}, {0, signal.size()}, products);
   const VectorXd explained = coefficients(products);
   VectorXd left = Eigen::Map<const VectorXd>(signal.data(), static_cast<Index>(signal.size()));
-  best_row_kernel().subtract(columns, explained.data(), signal.size(), left.data());
+  double* const from = left.data();
+  best_row_kernel().subtract(columns, explained.data(), signal.size(), {&from, 1});
   return left;
 }
 

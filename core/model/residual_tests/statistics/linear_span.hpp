@@ -83,7 +83,8 @@ class LinearSpan {
  private:
   void take(const LaggedColumns& columns, const Eigen::ArrayXd& recorded);
 
-  Eigen::MatrixXd columns_;   ///< K
+  Eigen::Index rows_ = 0;
+  Eigen::MatrixXd columns_;   ///< K in its first rows, then some that are not in use
   Eigen::MatrixXd products_;  ///< of K with itself
   Eigen::MatrixXd root_;      ///< R
 };

@@ -102,9 +102,10 @@ Score quadratic_form(const ScoreSums& sums, double free) {
 
 /// What the columns explain of so many rows, off those.
 void take_out(const std::vector<Signal>& columns, const MatrixXd& coefficients, MatrixXd& z) {
-  for (Index j = 0; j < z.cols(); ++j)
-    best_row_kernel().subtract(columns, coefficients.col(j).data(),
-                               static_cast<std::size_t>(z.rows()), z.col(j).data());
+  std::vector<double*> from;
+  for (Index j = 0; j < z.cols(); ++j) from.push_back(z.col(j).data());
+  best_row_kernel().subtract(columns, coefficients.data(), static_cast<std::size_t>(z.rows()),
+                             from);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "core/model/response/row_kernel.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -30,11 +31,16 @@ std::vector<double> sums_by(const RowKernel& kernel, const KernelSetting& settin
   return sums;
 }
 
-tests::Series left_by(const RowKernel& kernel, const KernelSetting& setting) {
-  const std::vector<double> coefficients{0.5, -2.0, 0.1, 1.0, 0.0, 3.0};
-  tests::Series left = setting.series.back();
-  kernel.subtract(std::span(setting.signals).first(coefficients.size()), coefficients.data(),
-                  KernelSetting::kRows, left.data());
+/// Of `count` copies of the last signal, each less another combination of three others.
+std::vector<tests::Series> left_by(const RowKernel& kernel, const KernelSetting& setting,
+                                   std::size_t count) {
+  const std::vector<double> coefficients{0.5, -2.0, 0.1, 1.0, 0.0, 3.0, 0.7, -0.3,
+                                         0.2, 0.9,  4.0, 0.6, 1.5, 0.4, -0.8};
+  std::vector<tests::Series> left(count, setting.series.back());
+  std::vector<double*> from;
+  for (tests::Series& one : left) from.push_back(one.data());
+  kernel.subtract(std::span(setting.signals).first(3), coefficients.data(), KernelSetting::kRows,
+                  from);
   return left;
 }
 
@@ -58,8 +64,20 @@ TEST(RowKernel, IsTheSameOnEveryProcessor) {
   const auto kernels = loopscope::tests::on_each_processor([] { return &best_row_kernel(); });
   for (const RowKernel* kernel : kernels) {
     EXPECT_EQ(sums_by(*kernel, setting), sums_by(*kernels.front(), setting));
-    EXPECT_EQ(left_by(*kernel, setting), left_by(*kernels.front(), setting));
+    EXPECT_EQ(left_by(*kernel, setting, 5), left_by(*kernels.front(), setting, 5));
   }
+}
+
+TEST(RowKernel, SubtractsFromManySignalsWhatItSubtractsFromEach) {
+  const KernelSetting setting;
+  const auto all = left_by(best_row_kernel(), setting, 5);
+  for (std::size_t count = 1; count < 5; ++count) {
+    const auto some = left_by(best_row_kernel(), setting, count);
+    EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin()));
+  }
+  const tests::Series& last = setting.series.back();
+  for (std::size_t k = 0; k < last.size(); ++k)
+    EXPECT_NEAR(all[1][k], last[k] - setting.signals[0][k] - 3.0 * setting.signals[2][k], 1e-13);
 }
 
 }  // namespace
