@@ -80,20 +80,32 @@ struct LoopBatch {
   SeriesWanted how;
 };
 
+/// The rows that this process has judged the loop's slot by, or a later one, need not be read.
+void know_kept(const storage::PlantCandidate& candidate, const config::Settings& settings,
+               const WindowCache& windows, RowMemory& memory) {
+  const auto window = windows.find(candidate.loop.loop_id);
+  if (!window || window->slot_end_us < candidate.slot_end_us ||
+      !window->is_of(candidate.loop, settings))
+    return;
+  for (const KeptTag& tag : window->tags) memory.know(tag.tag, tag.mode, known(tag));
+}
+
 void read_batch(storage::HistorianReader& historian, const LoopBatch& batch,
-                core::signal::PrepareSettings settings, CoreGate& cores,
+                const config::Settings& settings, SharedServices& tools,
                 std::vector<PlantSeries>& series) {
   std::vector<LoopSlot> slots;
+  RowMemory memory;
   for (const std::size_t k : batch.numbers) {
     const storage::PlantCandidate& candidate = batch.candidates[batch.wanted[k]];
     slots.push_back(past_slot(candidate.loop, candidate.slot_end_us));
+    know_kept(candidate, settings, tools.windows, memory);
   }
-  settings.window_samples *= batch.how.windows;
-  RowMemory memory;
-  const auto windows = read_windows(historian, slots, settings.window_samples, memory);
-  const CoreGate::Permit core(cores);
+  core::signal::PrepareSettings prepare = settings.analysis.prepare;
+  prepare.window_samples *= batch.how.windows;
+  const auto windows = read_windows(historian, slots, prepare.window_samples, memory);
+  const CoreGate::Permit core(tools.cores);
   for (std::size_t i = 0; i < windows.size(); ++i)
-    series[batch.numbers[i]] = series_of(windows[i].window, batch.how, settings);
+    series[batch.numbers[i]] = series_of(windows[i].window, batch.how, prepare);
 }
 
 /// Whether the pass before has kept it.
@@ -129,12 +141,11 @@ std::vector<PlantSeries> read_plant_series(Candidates candidates,
     for (std::size_t done = 0; done < numbers.size(); done += most) {
       if (tools.stop.stop_requested()) return {};
       const auto part = std::span(numbers).subspan(done, std::min(most, numbers.size() - done));
-      tools.historians.with_reader(historian, source_terms(settings.schedule),
-                                   [&](storage::HistorianReader& reader) {
-                                     read_batch(reader, {candidates, wanted, part, how},
-                                                settings.analysis.prepare, tools.cores, series);
-                                     return true;
-                                   });
+      tools.historians.with_reader(
+          historian, source_terms(settings.schedule), [&](storage::HistorianReader& reader) {
+            read_batch(reader, {candidates, wanted, part, how}, settings, tools, series);
+            return true;
+          });
     }
   }
   return series;

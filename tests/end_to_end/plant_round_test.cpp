@@ -136,6 +136,24 @@ TEST_F(PlantRound, IsMadeByTheDaemonOnItsSchedule) {
   EXPECT_EQ(daemon.wait(30), 0);
 }
 
+// What the loops' slots were judged by is in memory: a round asks the historian for nothing.
+TEST_F(PlantRound, IsMadeOfTheRowsThatTheDaemonHasKept) {
+  plant.write_settings(Plant::settings(
+      R"("plant": {"round_s": 0.5, "notice_s": 0.5}, "schedule": {"poll_s": 0.5, "settle_s": 0})"));
+  BackgroundProgram daemon(plant.command_line("run"), plant.folder() / "daemon.log");
+  const auto becomes = [&](const std::string& what) {
+    for (int tries = 0; tries < 600 && members() != what; ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return members() == what;
+  };
+  ASSERT_TRUE(becomes(kOneSource)) << content_of(plant.folder() / "daemon.log");
+  plant.sql("delete from history; delete from loopscope.plant_round");
+  EXPECT_TRUE(becomes(kOneSource)) << content_of(plant.folder() / "daemon.log");
+  EXPECT_EQ(plant.sql("select loops from loopscope.plant_round order by 1 limit 1"), "6");
+  daemon.send(SIGTERM);
+  EXPECT_EQ(daemon.wait(30), 0);
+}
+
 TEST_F(PlantRound, ARoundThatFailsKeepsNoFlagBack) {
   plant.write_settings(
       Plant::settings(R"("plant": {"round_s": 0.5, "notice_s": 0}, "schedule": {"settle_s": 0})"));

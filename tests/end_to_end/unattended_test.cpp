@@ -133,9 +133,10 @@ TEST_F(Unattended, WhatIsHeldLongerThanALeaseStaysHeldWhileWorkGoesOn) {
     plant.import_loop("loop " + std::to_string(seed), 600, seed);
   // Nothing can be written for longer than a lease; what is done waits and is written once.
   lock_results();
-  // One worker, whose batch is all of them.
-  run(R"(, "lease_s": 10)", R"("workers": 1, "batches_in_flight": 1)");
-  ASSERT_TRUE(becomes("select count(*) from loopscope.schedule where owner is not null", "4"));
+  run(R"(, "lease_s": 10)");
+  // Of four that are due at once a first claim may take fewer (ClaimWatermark); the others wait for
+  // the batches that cannot be written.
+  ASSERT_TRUE(becomes("select count(*) > 0 from loopscope.schedule where owner is not null", "t"));
   std::this_thread::sleep_for(std::chrono::seconds(12));
   unlock_results();
   EXPECT_TRUE(

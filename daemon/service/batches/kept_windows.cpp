@@ -9,8 +9,6 @@
 #include <utility>
 
 #include "core/signal/microseconds.hpp"
-#include "daemon/catalogue/entry_fields.hpp"
-#include "daemon/service/historians/storage_settings.hpp"
 
 namespace loopscope::daemon {
 namespace {
@@ -19,20 +17,6 @@ using core::signal::RawSeries;
 using storage::CatalogueEntry;
 
 using TagKey = std::pair<std::string, bool>;  ///< tag, and whether its values are read as modes
-
-std::vector<TagKey> tags_of(const CatalogueEntry& loop) {
-  std::vector<TagKey> tags;
-  for (const TagRole& role : kTagRoles) {
-    if (!(loop.*role.tag).empty()) tags.emplace_back(loop.*role.tag, role.is_mode());
-  }
-  return tags;
-}
-
-bool has_tags(const KeptWindow& window, const std::vector<TagKey>& tags) {
-  return std::ranges::equal(window.tags, tags, [](const KeptTag& kept, const TagKey& tag) {
-    return kept.tag == tag.first && kept.mode == tag.second;
-  });
-}
 
 bool same_rows(const RawSeries& a, const RawSeries& b) {
   const auto same_bits = [](double x, double y) {
@@ -114,9 +98,7 @@ bool KeptWindows::is_of(const KeptWindow& window, const storage::ClaimedLoop& cl
   const auto digest = window.digests.find(end_us);
   return claim.last_slot_end_us == end_us && row != nullptr && row->same_settings &&
          digest != window.digests.end() && digest->second == row->input_digest &&
-         window.facts == facts_of(claim.loop) && has_tags(window, tags_of(claim.loop)) &&
-         find_historian(*window.settings, claim.loop.source) ==
-             find_historian(*settings_, claim.loop.source);
+         window.facts == facts_of(claim.loop) && window.is_of(claim.loop, *settings_);
 }
 
 /// Loops take turns, so that a plant's whole reads are spread over its slots.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "daemon/catalogue/entry_fields.hpp"
+#include "daemon/service/historians/storage_settings.hpp"
+
 namespace loopscope::daemon {
 namespace {
 
@@ -30,6 +33,23 @@ std::size_t KeptWindow::bytes() const {
   for (const auto& [end_us, digest] : digests) sum += sizeof(end_us) + digest.capacity();
   for (const KeptTag& tag : tags) sum += sizeof(tag) + tag.tag.capacity() + tag.rows.bytes();
   return sum;
+}
+
+bool KeptWindow::is_of(const storage::CatalogueEntry& loop,
+                       const config::Settings& in_force) const {
+  const auto same_tag = [](const KeptTag& tag, const std::pair<std::string, bool>& wanted) {
+    return tag.tag == wanted.first && tag.mode == wanted.second;
+  };
+  return std::ranges::equal(tags, tags_of(loop), same_tag) &&
+         find_historian(*settings, loop.source) == find_historian(in_force, loop.source);
+}
+
+std::vector<std::pair<std::string, bool>> tags_of(const storage::CatalogueEntry& loop) {
+  std::vector<std::pair<std::string, bool>> tags;
+  for (const TagRole& role : kTagRoles) {
+    if (!(loop.*role.tag).empty()) tags.emplace_back(loop.*role.tag, role.is_mode());
+  }
+  return tags;
 }
 
 void WindowCache::limit(std::size_t bytes) {

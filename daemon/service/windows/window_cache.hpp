@@ -14,6 +14,7 @@
 #include "config/settings.hpp"
 #include "daemon/service/windows/packed_rows.hpp"
 #include "daemon/service/windows/row_memory.hpp"
+#include "storage/catalogue_entry.hpp"
 
 namespace loopscope::daemon {
 
@@ -44,7 +45,15 @@ struct KeptWindow {
   std::int64_t stale_us = 0;         ///< a loop that has not come by then is with others
 
   [[nodiscard]] std::size_t bytes() const;
+  /// Whether its tags are those of the loop, in the same historian.
+  [[nodiscard]] bool is_of(const storage::CatalogueEntry& loop,
+                           const config::Settings& in_force) const;
 };
+
+/// The tags of a loop that are read for its windows, in the order of KeptWindow::tags; of each
+/// whether its values are read as modes.
+[[nodiscard]] std::vector<std::pair<std::string, bool>> tags_of(
+    const storage::CatalogueEntry& loop);
 
 /// Windows kept in memory within a limit. What is kept is what saves most rows for each byte and
 /// hour, never what is newest: loops come round in a circle, and the newest of more than fit are
