@@ -6,7 +6,7 @@
 
 #include "core/hos/numeric/quantile.hpp"
 #include "core/hos/slow/period.hpp"
-#include "core/model/limit_cycle/cycle_kernel.hpp"
+#include "core/model/limit_cycle/kernels/cycle_kernel.hpp"
 #include "core/model/valve_law/op_turns.hpp"
 #include "core/signal/order/sort_values.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/limit_cycle/cycle_kernel.hpp"
+#include "core/model/limit_cycle/kernels/cycle_kernel.hpp"
 
 namespace loopscope::core::model {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/model/limit_cycle/travel_kernel.hpp"
+#include "core/model/limit_cycle/kernels/travel_kernel.hpp"
 
 namespace loopscope::core::model {
 

@@ -1,4 +1,4 @@
-#include "core/model/limit_cycle/cycle_kernel.hpp"
+#include "core/model/limit_cycle/kernels/cycle_kernel.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

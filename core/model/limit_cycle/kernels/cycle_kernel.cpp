@@ -1,7 +1,8 @@
-#include "core/model/limit_cycle/cycle_kernel.hpp"
+#include "core/model/limit_cycle/kernels/cycle_kernel.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/model/limit_cycle/cycle_kernel.cpp"  // once for each processor
+#define HWY_TARGET_INCLUDE \
+  "core/model/limit_cycle/kernels/cycle_kernel.cpp"  // once for each processor
 #include <hwy/foreach_target.h>
 // The above includes this file again, so that what follows stands behind it.
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "core/model/limit_cycle/travel_kernel.hpp"
+#include "core/model/limit_cycle/kernels/travel_kernel.hpp"
 
 #include <gtest/gtest.h>
 #include <vector>
