@@ -68,17 +68,17 @@ Runs rests_at(const std::vector<double>& depth, double near) {
   return runs_where(depth, [&](double value) { return value <= near; });
 }
 
-/// Values farther than `near` from the one below.
-std::size_t count_values(std::vector<double> values, double near) {
-  std::ranges::sort(values);
-  std::size_t count = 1;
-  double last = values.front();
-  for (const double value : values) {
-    if (value - last <= near) continue;
-    last = value;
-    ++count;
+/// Whether there are so many values, from `lowest` on, farther than `near` from the one below.
+bool has_values(const std::vector<double>& values, double lowest, double near, std::size_t many) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  double last = lowest;
+  for (std::size_t count = 1; count < many; ++count) {
+    double next = kNone;
+    for (const double value : values) next = value - last > near ? std::min(next, value) : next;
+    if (next == kNone) return false;
+    last = next;
   }
-  return count;
+  return true;
 }
 
 std::vector<double> depth_of(const std::vector<double>& values, double end) {
@@ -95,7 +95,7 @@ std::optional<OpAtEnds> measure_op_at_ends(std::span<const double> op) {
   if (recorded.size() < kFewestForRests) return std::nullopt;
   const auto ends = std::ranges::minmax(recorded);
   const double near = kNear * (ends.max - ends.min);
-  if (!(near > 0.0) || count_values(recorded, near) < kFewestValues) return std::nullopt;
+  if (!(near > 0.0) || !has_values(recorded, ends.min, near, kFewestValues)) return std::nullopt;
   const Runs below = rests_at(depth_of(recorded, ends.min), near);
   const Runs above = rests_at(depth_of(recorded, ends.max), near);
   std::size_t resting = 0;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/hos/numeric/distributions.hpp"
+#include "core/loop/deviate_bound.hpp"
 
 namespace loopscope::core::loop {
 namespace {
@@ -79,6 +80,14 @@ bool is_better(const Candidate& candidate, const Candidate& best) {
   return clear ? candidate.excess > best.excess : candidate.peak.prominence > best.peak.prominence;
 }
 
+/// Whether a candidate of that excess and at most so prominent may be better than the best so far.
+bool may_win(double excess, double most_prominent, const std::optional<Candidate>& best) {
+  if (!best) return true;
+  if (best->peak.prominence >= kClearProminence)
+    return excess > best->excess && !(most_prominent < kClearProminence);
+  return !(most_prominent < best->peak.prominence);
+}
+
 }  // namespace
 
 std::optional<SpectralPeak> find_spectral_peak(const RecordSpectrum& spectrum, Band range) {
@@ -88,8 +97,9 @@ std::optional<SpectralPeak> find_spectral_peak(const RecordSpectrum& spectrum, B
     const BandPower peak = sums.mean(f / kPeakFactor, f * kPeakFactor);
     const BandPower around = background(sums, f);
     const double ratio = (peak.mean + sums.floor()) / around.mean;
-    const Candidate candidate{{f, hos::f_deviate(ratio, peak.freedom, around.freedom)},
-                              (peak.mean - around.mean) * peak.bins};
+    const double excess = (peak.mean - around.mean) * peak.bins;
+    if (!may_win(excess, f_deviate_bound(ratio, peak.freedom, around.freedom), best)) continue;
+    const Candidate candidate{{f, hos::f_deviate(ratio, peak.freedom, around.freedom)}, excess};
     if (!best || is_better(candidate, *best)) best = candidate;
   }
   if (!best) return std::nullopt;

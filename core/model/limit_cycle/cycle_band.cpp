@@ -6,6 +6,7 @@
 
 #include "core/hos/numeric/quantile.hpp"
 #include "core/hos/slow/period.hpp"
+#include "core/model/limit_cycle/kernels/cycle_kernel.hpp"
 #include "core/model/valve_law/op_turns.hpp"
 #include "core/signal/order/sort_values.hpp"
 
@@ -62,11 +63,13 @@ CycleBand::CycleBand(double period_samples)
 
 std::vector<double> CycleBand::resample(std::span<const double> samples) const {
   std::vector<double> kept(samples.size() / factor_);
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    double sum = 0.0;
-    for (const double value : samples.subspan(i * factor_, factor_)) sum += value;
-    kept[i] = sum / static_cast<double>(factor_);
-  }
+  best_cycle_kernel().resample(samples, 1, factor_, kept.data());
+  return kept;
+}
+
+std::vector<EightNumbers> CycleBand::resample(std::span<const EightNumbers> samples) const {
+  std::vector<EightNumbers> kept(samples.size() / factor_);
+  best_cycle_kernel().resample(flat(samples), kSideBySide, factor_, first_of(kept));
   return kept;
 }
 
@@ -78,26 +81,14 @@ std::vector<double> CycleBand::drift(std::span<const double> kept) const {
 }
 
 std::vector<double> CycleBand::pass(std::span<const double> kept) const {
-  return pass_sums(sums_before(kept));
+  std::vector<double> passed(kept.size());
+  best_cycle_kernel().pass({long_half_, short_half_}, sums_before(kept), 1, passed.data());
+  return passed;
 }
 
-std::vector<double> CycleBand::pass_sums(std::span<const double> sums) const {
-  const std::size_t count = sums.size() - 1;
-  std::vector<double> passed(count);
-  const auto from_ends = [&](std::size_t k) {
-    const std::size_t half = std::min({short_half_, k, count - 1 - k});
-    return mean_around(sums, k, half) - mean_around(sums, k, long_half_);
-  };
-  const double short_share = 1.0 / static_cast<double>(2 * short_half_ + 1);
-  const double long_share = 1.0 / static_cast<double>(2 * long_half_ + 1);
-  const std::size_t inner = std::min(count, long_half_);
-  const std::size_t outer = std::max(inner, count - std::min(count, long_half_));
-  for (std::size_t k = 0; k < inner; ++k) passed[k] = from_ends(k);
-  for (std::size_t k = inner; k < outer; ++k) {
-    passed[k] = (sums[k + short_half_ + 1] - sums[k - short_half_]) * short_share -
-                (sums[k + long_half_ + 1] - sums[k - long_half_]) * long_share;
-  }
-  for (std::size_t k = outer; k < count; ++k) passed[k] = from_ends(k);
+std::vector<EightNumbers> CycleBand::pass_sums(std::span<const EightNumbers> sums) const {
+  std::vector<EightNumbers> passed(sums.size() - 1);
+  best_cycle_kernel().pass({long_half_, short_half_}, flat(sums), kSideBySide, first_of(passed));
   return passed;
 }
 

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/model/vectors/eight_numbers.hpp"
+
 namespace loopscope::core::model {
 
 /// The band of frequencies of one limit cycle: samples are averaged until a cycle has 20 to 40 of
@@ -20,10 +22,12 @@ class CycleBand {
 
   /// Means of `factor` samples; a rest at the end is dropped.
   [[nodiscard]] std::vector<double> resample(std::span<const double> samples) const;
+  [[nodiscard]] std::vector<EightNumbers> resample(std::span<const EightNumbers> samples) const;
   /// A short mean less a long one around every kept sample; same length.
   [[nodiscard]] std::vector<double> pass(std::span<const double> kept) const;
-  /// The same by the sums of all before each sample, and of all: one more than samples.
-  [[nodiscard]] std::vector<double> pass_sums(std::span<const double> sums) const;
+  /// The same of eight series, by the sums of all before each sample, and of all: one more than
+  /// samples.
+  [[nodiscard]] std::vector<EightNumbers> pass_sums(std::span<const EightNumbers> sums) const;
   /// The long mean alone: the drift that pass() takes out.
   [[nodiscard]] std::vector<double> drift(std::span<const double> kept) const;
 

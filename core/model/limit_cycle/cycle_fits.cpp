@@ -49,23 +49,53 @@ double controller_sign(std::span<const double> op, std::span<const double> error
   return proportional * std::sqrt(aa) + integral * std::sqrt(bb) > 0.0 ? 1.0 : -1.0;
 }
 
-using RunValve = void (*)(double, double, std::span<const double>, std::span<const OpTurn>,
-                          std::span<double>);
+using RunValves = void (*)(std::vector<Valve>, std::span<const double>, std::span<const OpTurn>,
+                           std::span<EightNumbers>);
 
-/// op behind a valve, in kept samples.
-std::vector<double> behind_valve(RunValve run, double stickband, double jump,
-                                 const CycleRecord& record, std::span<const OpTurn> turns,
-                                 const CycleBand& band) {
-  std::vector<double> position(record.op.size());
-  run(stickband, jump, record.op, turns, position);
-  return band.resample(position);
+/// op behind up to eight valves, in kept samples.
+std::vector<EightNumbers> behind_valves(RunValves run, const std::vector<Valve>& valves,
+                                        const CycleRecord& record, std::span<const OpTurn> turns,
+                                        const CycleBand& band) {
+  std::vector<EightNumbers> positions(record.op.size());
+  run(valves, record.op, turns, positions);
+  return band.resample(positions);
 }
 
-std::vector<double> best_output(const SimulationFit& fit, RunValve run, const CycleFits& fits,
+std::vector<double> best_output(const SimulationFit& fit, RunValves run, const CycleFits& fits,
                                 const CycleRecord& record, const CycleBand& band) {
   const SimulatedProcess& best = fit.best();
-  return fit.simulate(best,
-                      behind_valve(run, best.stickband, best.slip_jump, record, fits.turns, band));
+  const Valve valve{ValveLaw::he, best.stickband, best.slip_jump};
+  return fit.simulate(best, series_at(0, behind_valves(run, {valve}, record, fits.turns, band)));
+}
+
+/// Bands of a geometric grid, each with every jump.
+std::vector<Valve> law_valves(double travel) {
+  std::vector<Valve> valves;
+  double stickband = kLeastBand * travel;
+  for (int i = 0; i < kBands; ++i, stickband *= kCycleBandStep) {
+    for (const double jump : kLawJumps)
+      valves.push_back({ValveLaw::he, stickband, jump * stickband});
+  }
+  return valves;
+}
+
+std::vector<Valve> turning_valves(double travel) {
+  std::vector<Valve> valves;
+  for (const double share : kTurningBands) {
+    const double s = share * travel;
+    for (const double jump : kTurningJumps) valves.push_back({ValveLaw::he, s, jump * s});
+  }
+  return valves;
+}
+
+void offer_all(const std::vector<Valve>& valves, RunValves run, const CycleRecord& record,
+               std::span<const OpTurn> turns, const CycleBand& band, SimulationFit& fit) {
+  for (auto first = valves.begin(); first != valves.end();) {
+    const auto count = std::min<std::ptrdiff_t>(kSideBySide, valves.end() - first);
+    const std::vector<Valve> some(first, first + count);
+    fit.offer(behind_valves(run, some, record, turns, band), some);
+    first += count;
+  }
 }
 
 SimulationFit empty_fit(const CycleBand& band, const BandedCycle& banded, double delay_cycles) {
@@ -97,18 +127,9 @@ CycleFits fit_cycle(const CycleRecord& record, const CycleBand& band, const Band
                  empty_fit(band, banded, kAnyDelay), empty_fit(band, banded, kPlausibleDelay),
                  empty_fit(band, banded, kPlausibleDelay)};
   fits.linear.offer(banded.op_kept);
-  const auto offer = [&](SimulationFit& fit, RunValve run, double stickband, double jump) {
-    fit.offer(behind_valve(run, stickband, jump, record, fits.turns, band), stickband, jump);
-  };
-  double stickband = kLeastBand * banded.travel;
-  for (int i = 0; i < kBands; ++i, stickband *= kCycleBandStep) {
-    for (const double jump : kLawJumps)
-      offer(fits.law, run_from_first_turn, stickband, jump * stickband);
-  }
-  for (const double share : kTurningBands) {
-    const double s = share * banded.travel;
-    for (const double jump : kTurningJumps) offer(fits.turning, run_from_every_turn, s, jump * s);
-  }
+  offer_all(law_valves(banded.travel), run_from_first_turn, record, fits.turns, band, fits.law);
+  offer_all(turning_valves(banded.travel), run_from_every_turn, record, fits.turns, band,
+            fits.turning);
   return fits;
 }
 

@@ -1,9 +1,9 @@
 #include "core/model/limit_cycle/simulation_fit.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "core/model/limit_cycle/kernels/cycle_kernel.hpp"
 
 namespace loopscope::core::model {
 namespace {
@@ -14,6 +14,12 @@ constexpr std::array kProcessLags = {0.0, 1.0, 3.0, 8.0, kIntegratingLag};
 constexpr std::array<std::size_t, 8> kDelays = {0, 1, 2, 4, 6, 8, 11, 15};
 constexpr double kBlockCycles = 2.0;
 constexpr std::size_t kShortestSimulatedBlock = 20;
+
+LagStep step_of(double lag) {
+  if (lag == kIntegratingLag) return {1.0, 1.0, true};
+  const double pole = lag > 0.0 ? std::exp(-1.0 / lag) : 0.0;
+  return {pole, 1.0 - pole, false};
+}
 
 double error_of(double pv_square, double gain, double cross, double square) {
   return pv_square - 2.0 * gain * cross + gain * gain * square;
@@ -27,6 +33,7 @@ SimulationFit::SimulationFit(const CycleBand& band, std::span<const double> pv,
     : band_(band),
       pv_(pv),
       weights_(weights),
+      weighted_pv_(pv.size()),
       gain_sign_(gain_sign),
       block_(std::max(kShortestSimulatedBlock,
                       static_cast<std::size_t>(kBlockCycles * band.period()))) {
@@ -36,53 +43,23 @@ SimulationFit::SimulationFit(const CycleBand& band, std::span<const double> pv,
     if (delay <= longest_delay) delays_.push_back(delay + least);
   }
   for (std::size_t k = 0; k < pv.size(); ++k) {
+    weighted_pv_[k] = weights[k] * pv[k];
     folds_[(k / block_) % 2].pv_square += weights[k] * pv[k] * pv[k];
   }
 }
 
-/// Every lag's answer at once: none waits for the one before it.
-template <std::size_t lag_count>
-std::array<std::vector<double>, lag_count> SimulationFit::respond(
-    const std::array<double, lag_count>& lags, std::span<const double> input) const {
-  const double mean = std::accumulate(input.begin(), input.end(), 0.0) /
-                      static_cast<double>(std::max<std::size_t>(1, input.size()));
-  std::array<double, lag_count> pole{}, share{}, state{}, sum{};
-  std::array<std::vector<double>, lag_count> sums;
-  for (std::size_t i = 0; i < lag_count; ++i) {
-    const bool integrates = lags[i] == kIntegratingLag;
-    pole[i] = integrates ? 1.0 : lags[i] > 0.0 ? std::exp(-1.0 / lags[i]) : 0.0;
-    share[i] = integrates ? 1.0 : 1.0 - pole[i];
-    state[i] = integrates || input.empty() ? 0.0 : input[0] - mean;
-    sums[i].resize(input.size() + 1);
+std::vector<std::vector<EightNumbers>> SimulationFit::respond(
+    std::span<const double> lags, std::span<const EightNumbers> inputs) const {
+  std::vector<LagStep> steps;
+  std::vector<std::vector<EightNumbers>> sums;
+  std::vector<EightNumbers*> first_sums;
+  for (const double lag : lags) {
+    steps.push_back(step_of(lag));
+    sums.emplace_back(inputs.size() + 1);
+    first_sums.push_back(sums.back().data());
   }
-  for (std::size_t k = 0; k < input.size(); ++k) {
-    for (std::size_t i = 0; i < lag_count; ++i) {
-      state[i] = pole[i] * state[i] + share[i] * (input[k] - mean);
-      sum[i] += state[i];
-      sums[i][k + 1] = sum[i];
-    }
-  }
-  std::array<std::vector<double>, lag_count> responses;
-  for (std::size_t i = 0; i < lag_count; ++i) responses[i] = band_.pass_sums(sums[i]);
-  return responses;
-}
-
-std::array<SimulationFit::Sums, 2> SimulationFit::sums(std::span<const double> response,
-                                                       std::size_t delay) const {
-  std::array<Sums, 2> result;
-  for (std::size_t start = 0; start < pv_.size(); start += block_) {
-    const std::size_t end = std::min(pv_.size(), start + block_);
-    const std::size_t first = std::max(start, delay);
-    if (first >= end) continue;
-    const auto count = static_cast<Eigen::Index>(end - first);
-    const Eigen::Map<const Eigen::ArrayXd> x(response.data() + (first - delay), count);
-    const Eigen::Map<const Eigen::ArrayXd> y(pv_.data() + first, count);
-    const Eigen::Map<const Eigen::ArrayXd> w(weights_.data() + first, count);
-    Sums& fold = result[(start / block_) % 2];
-    fold.cross += (w * x * y).sum();
-    fold.square += (w * x * x).sum();
-  }
-  return result;
+  best_cycle_kernel().respond(inputs, steps, first_sums.data());
+  return sums;
 }
 
 double SimulationFit::gain(const Sums& sums) const {
@@ -109,11 +86,26 @@ void SimulationFit::compare(const std::array<Sums, 2>& sums, SimulatedProcess pr
   best_ = process;
 }
 
-void SimulationFit::offer(std::span<const double> input, double stickband, double slip_jump) {
-  const auto responses = respond(kProcessLags, input);
-  for (std::size_t i = 0; i < kProcessLags.size(); ++i) {
-    for (const std::size_t delay : delays_) {
-      compare(sums(responses[i], delay), {kProcessLags[i], delay, 0.0, stickband, slip_jump});
+void SimulationFit::offer(std::span<const double> input) {
+  offer(eight_times(input), std::array{Valve{}});
+}
+
+void SimulationFit::offer(std::span<const EightNumbers> inputs, std::span<const Valve> valves) {
+  std::vector<std::array<FoldSums, 2>> sums;
+  for (const std::vector<EightNumbers>& of_lag : respond(kProcessLags, inputs)) {
+    const std::vector<EightNumbers> responses = band_.pass_sums(of_lag);
+    for (const std::size_t delay : delays_)
+      sums.push_back(
+          best_cycle_kernel().multiply(responses, delay, weighted_pv_, weights_, block_));
+  }
+  for (std::size_t v = 0; v < valves.size(); ++v) {
+    auto folds = sums.begin();
+    for (const double lag : kProcessLags) {
+      for (const std::size_t delay : delays_) {
+        const auto [first, second] = *folds++;
+        compare({Sums{first.cross[v], first.square[v]}, Sums{second.cross[v], second.square[v]}},
+                {lag, delay, 0.0, valves[v].stickband_percent, valves[v].slip_jump_percent});
+      }
     }
   }
 }
@@ -126,7 +118,8 @@ double SimulationFit::held_out() const {
 
 std::vector<double> SimulationFit::simulate(const SimulatedProcess& process,
                                             std::span<const double> input) const {
-  const std::vector<double> response = respond(std::array{process.lag}, input)[0];
+  const auto sums = respond(std::array{process.lag}, eight_times(input));
+  const std::vector<double> response = series_at(0, band_.pass_sums(sums[0]));
   std::vector<double> pv(response.size(), 0.0);
   for (std::size_t k = process.delay; k < pv.size(); ++k) {
     pv[k] = process.gain * response[k - process.delay];

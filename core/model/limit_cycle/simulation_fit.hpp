@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/limit_cycle/cycle_band.hpp"
+#include "core/model/valve_law/valve_law.hpp"
 
 namespace loopscope::core::model {
 
@@ -32,7 +33,9 @@ class SimulationFit {
                 double gain_sign, std::size_t longest_delay);
 
   /// `input` kept samples, not yet in the band.
-  void offer(std::span<const double> input, double stickband = 0.0, double slip_jump = 0.0);
+  void offer(std::span<const double> input);
+  /// One to eight inputs at once: inputs[k][i] is op behind valves[i].
+  void offer(std::span<const EightNumbers> inputs, std::span<const Valve> valves);
 
   /// Share of pv's variance that is left on the blocks held out, >= 0; 1 before the first offer.
   [[nodiscard]] double held_out() const;
@@ -55,16 +58,16 @@ class SimulationFit {
     double square = 0.0;
   };
 
-  template <std::size_t lag_count>
-  [[nodiscard]] std::array<std::vector<double>, lag_count> respond(
-      const std::array<double, lag_count>& lags, std::span<const double> input) const;
-  [[nodiscard]] std::array<Sums, 2> sums(std::span<const double> response, std::size_t delay) const;
+  /// Of each lag's answers to the inputs, as CycleBand::pass_sums() takes them.
+  [[nodiscard]] std::vector<std::vector<EightNumbers>> respond(
+      std::span<const double> lags, std::span<const EightNumbers> inputs) const;
   [[nodiscard]] double gain(const Sums& sums) const;
   void compare(const std::array<Sums, 2>& sums, SimulatedProcess process);
 
   const CycleBand& band_;
   std::span<const double> pv_;
   std::span<const double> weights_;
+  std::vector<double> weighted_pv_;
   double gain_sign_;
   std::size_t block_;
   std::vector<std::size_t> delays_;

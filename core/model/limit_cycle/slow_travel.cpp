@@ -47,15 +47,34 @@ std::vector<double> output_of(const TravelModel& model, const std::vector<double
   return pv;
 }
 
-/// Returns the share on the fitted blocks, by which valves are ranked.
-double try_valve(const TravelFit& fit, const std::vector<double>& op, const Valve& valve,
-                 double to_beat, SlowTravel& best) {
-  const TravelShare share = fit.best(behind(valve, op), to_beat);
-  if (share.fitted <= to_beat) return to_beat;
-  best.valve_share = share.scored;
-  best.valve_model = share.model;
-  best.valve = valve;
-  return share.fitted;
+/// Of one band: with every jump; those of the first half have moved down last.
+std::array<Valve, kSideBySide> valves_of(double stickband) {
+  static_assert(2 * kJumps.size() == kSideBySide);
+  std::array<Valve, kSideBySide> valves;
+  for (std::size_t i = 0; i < kJumps.size(); ++i) {
+    valves[i] = {kTravelLaw, stickband, kJumps[i] * stickband, -1.0};
+    valves[kJumps.size() + i] = {kTravelLaw, stickband, kJumps[i] * stickband, 1.0};
+  }
+  return valves;
+}
+
+/// `to_beat`: the best share on the fitted blocks so far, by which valves are ranked.
+void try_valves(const TravelFit& fit, const std::vector<double>& op, double stickband,
+                double& to_beat, SlowTravel& best) {
+  const std::array<Valve, kSideBySide> valves = valves_of(stickband);
+  std::vector<EightNumbers> flows(op.size());
+  run_valves(valves, op, flows);
+  const LaggedFlows lagged = fit.lag(flows);
+  for (std::size_t i = 0; i < kJumps.size(); ++i) {
+    for (const std::size_t place : {i, kJumps.size() + i}) {
+      const TravelShare share = fit.best(lagged, place, to_beat);
+      if (share.fitted <= to_beat) continue;
+      to_beat = share.fitted;
+      best.valve_share = share.scored;
+      best.valve_model = share.model;
+      best.valve = valves[place];
+    }
+  }
 }
 
 }  // namespace
@@ -84,20 +103,13 @@ std::optional<SlowTravel> judge_slow_travel(std::span<const double> pv,
   if (!spread || spread->constant()) return std::nullopt;
   result.variance = spread->std * spread->std;
   const TravelFit fit(pv_means);
-  const TravelShare linear = fit.best(op_means);
+  const TravelShare linear = fit.best(fit.lag(eight_times(op_means)), 0);
   result.linear_share = result.valve_share = linear.scored;
   result.linear_model = result.valve_model = linear.model;
   double fitted = linear.fitted;
   constexpr double kNarrowest = 0.35, kWidest = 0.95, kStep = 1.07;
-  for (double band = kNarrowest; band < kWidest; band *= kStep) {
-    for (const double jump : kJumps) {
-      for (const double direction : {-1.0, 1.0}) {
-        const double stickband = band * travel;
-        const Valve valve{kTravelLaw, stickband, jump * stickband, direction};
-        fitted = try_valve(fit, op_means, valve, fitted, result);
-      }
-    }
-  }
+  for (double band = kNarrowest; band < kWidest; band *= kStep)
+    try_valves(fit, op_means, band * travel, fitted, result);
   return result;
 }
 

@@ -7,21 +7,23 @@
 namespace loopscope::core::model {
 namespace {
 
-/// Lags of up to a hundred means, delays of up to three: a lag that the linear rival lacks looks
-/// like a valve that comes late.
-constexpr std::array kTravelPoles = {0.0, 0.6, 0.85, 0.95, 0.99};
-constexpr std::array<std::size_t, 3> kTravelDelays = {0, 1, 3};
-
 /// Of sums of some thousand products, relative to their sizes, with room.
 constexpr double kSumRounding = 1e-11;
 
 constexpr std::size_t kBlock = 6;
-/// Calls `use(k)` for every mean of the blocks that are fitted (0), or of the others (1).
+/// Those that are fitted, and the others.
+std::array<std::vector<Range>, 2> blocks_of(std::size_t size) {
+  std::array<std::vector<Range>, 2> blocks;
+  for (std::size_t from = 0; from < size; from += kBlock)
+    blocks[from / kBlock % 2].push_back({from, std::min(from + kBlock, size)});
+  return blocks;
+}
+
+/// Calls `use(k)` for every mean of them.
 template <typename Use>
-void each_of(std::size_t kind, std::size_t size, Use use) {
-  for (std::size_t from = kind * kBlock; from < size; from += 2 * kBlock) {
-    const std::size_t to = std::min(from + kBlock, size);
-    for (std::size_t k = from; k < to; ++k) use(k);
+void each_of(const std::vector<Range>& blocks, Use use) {
+  for (const Range& block : blocks) {
+    for (std::size_t k = block.first; k < block.end; ++k) use(k);
   }
 }
 
@@ -30,19 +32,6 @@ double trend_at(std::size_t k, std::size_t size) {
 }
 
 }  // namespace
-
-/// One lane for each lag, and one to spare: whole vectors of a processor.
-constexpr int kLanes = static_cast<int>(kTravelPoles.size()) + 1;
-
-/// The flow through each lag, less its first value.
-struct TravelFit::Lags : Eigen::Array<double, kLanes, 1> {
-  using Array::Array, Array::operator=;
-};
-
-/// Of each lag, over the blocks that are fitted.
-struct TravelFit::LagSums {
-  Lags sum = Lags::Zero(), with_trend = Lags::Zero(), square = Lags::Zero(), with_pv = Lags::Zero();
-};
 
 std::vector<TravelRow> travel_rows(const std::vector<double>& flow, double pole,
                                    std::size_t delay) {
@@ -55,11 +44,12 @@ std::vector<TravelRow> travel_rows(const std::vector<double>& flow, double pole,
   return rows;
 }
 
-TravelFit::TravelFit(const std::vector<double>& pv) : pv_(pv), trend_(pv.size()) {
+TravelFit::TravelFit(const std::vector<double>& pv)
+    : pv_(pv), trend_(pv.size()), blocks_(blocks_of(pv.size())) {
   for (std::size_t k = 0; k < pv.size(); ++k) trend_[k] = trend_at(k, pv.size());
   for (const Kind kind : {kFitted, kScored}) {
     double sum = 0.0, square = 0.0, count = 0.0;
-    each_of(kind, pv.size(), [&](std::size_t k) {
+    each_of(blocks_[kind], [&](std::size_t k) {
       sum += pv[k];
       square += pv[k] * pv[k];
       count += 1.0;
@@ -70,7 +60,7 @@ TravelFit::TravelFit(const std::vector<double>& pv) : pv_(pv), trend_(pv.size())
     }
     variance_[kind] = square - sum * sum / count;
   }
-  each_of(kFitted, pv.size(), [&](std::size_t k) {
+  each_of(blocks_[kFitted], [&](std::size_t k) {
     count_ += 1.0;
     trend_sum_ += trend_[k];
     trend_square_ += trend_[k] * trend_[k];
@@ -78,52 +68,45 @@ TravelFit::TravelFit(const std::vector<double>& pv) : pv_(pv), trend_(pv.size())
   });
 }
 
-TravelShare TravelFit::best(const std::vector<double>& flow, double to_beat) const {
-  // Every lag rests at the first value for as long as a delay holds it: the record of a delay is
-  // the one without, later.
-  std::vector<Lags> lagged(flow.size());
-  Lags state = Lags::Constant(flow.front()), share = Lags::Zero();
-  for (std::size_t pole = 0; pole < kTravelPoles.size(); ++pole)
-    share[static_cast<Eigen::Index>(pole)] = 1.0 - kTravelPoles[pole];
-  for (std::size_t k = 0; k < flow.size(); ++k) {
-    state += share * (flow[k] - state);
-    lagged[k] = state - flow.front();
+LaggedFlows TravelFit::lag(std::span<const EightNumbers> flows) const {
+  const TravelKernel& kernel = best_travel_kernel();
+  LaggedFlows result;
+  std::array<EightNumbers*, kTravelPoles.size()> firsts{};
+  for (std::size_t pole = 0; pole < kTravelPoles.size(); ++pole) {
+    result.lagged[pole].resize(flows.size());
+    firsts[pole] = result.lagged[pole].data();
   }
-  std::array<LagSums, kTravelDelays.size()> sums;
-  for (std::size_t d = 0; d < kTravelDelays.size(); ++d)
-    sums[d] = sums_of(lagged, kTravelDelays[d]);
+  kernel.lag(flows, firsts.data());
+  for (std::size_t pole = 0; pole < kTravelPoles.size(); ++pole) {
+    for (std::size_t d = 0; d < kTravelDelays.size(); ++d)
+      result.sums[pole][d] =
+          kernel.sum(firsts[pole], kTravelDelays[d], blocks_[kFitted], trend_.data(), pv_.data());
+  }
+  return result;
+}
+
+TravelShare TravelFit::best(const LaggedFlows& flows, std::size_t place, double to_beat) const {
   TravelShare best;
   best.fitted = to_beat;
   for (std::size_t pole = 0; pole < kTravelPoles.size(); ++pole) {
     for (std::size_t d = 0; d < kTravelDelays.size(); ++d) {
-      try_lag(lagged, sums[d], pole, kTravelDelays[d], best);
+      const Lagged lagged{flows.lagged[pole], place, kTravelDelays[d]};
+      try_lag(lagged, flows.sums[pole][d], kTravelPoles[pole], best);
     }
   }
   return best;
 }
 
-TravelFit::LagSums TravelFit::sums_of(const std::vector<Lags>& lagged, std::size_t delay) const {
-  LagSums sums;
-  each_of(kFitted, pv_.size(), [&](std::size_t k) {
-    const Lags& flow = lagged[k < delay ? 0 : k - delay];
-    sums.sum += flow;
-    sums.with_trend += trend_[k] * flow;
-    sums.square += flow * flow;
-    sums.with_pv += flow * pv_[k];
-  });
-  return sums;
-}
-
-void TravelFit::try_lag(const std::vector<Lags>& lagged, const LagSums& sums, std::size_t pole,
-                        std::size_t delay, TravelShare& best) const {
-  const auto lane = static_cast<Eigen::Index>(pole);
-  const double sum = sums.sum[lane], with_trend = sums.with_trend[lane];
-  const double square = sums.square[lane];
+void TravelFit::try_lag(const Lagged& lagged, const TravelSums& sums, double pole,
+                        TravelShare& best) const {
+  const std::size_t place = lagged.place;
+  const double sum = sums.sum[place], with_trend = sums.with_trend[place];
+  const double square = sums.square[place];
   if (square <= 0.0) return;
   const Eigen::Matrix3d normal{{count_, trend_sum_, sum},
                                {trend_sum_, trend_square_, with_trend},
                                {sum, with_trend, square}};
-  const Eigen::Vector3d right{pv_sum_, pv_trend_, sums.with_pv[lane]};
+  const Eigen::Vector3d right{pv_sum_, pv_trend_, sums.with_pv[place]};
   const Eigen::Vector3d solved = normal.ldlt().solve(right);
   const double sizes = pv_square_ + 2.0 * solved.cwiseAbs().dot(right.cwiseAbs()) +
                        solved.cwiseAbs().dot(normal.cwiseAbs() * solved.cwiseAbs());
@@ -131,22 +114,18 @@ void TravelFit::try_lag(const std::vector<Lags>& lagged, const LagSums& sums, st
   const bool varies = variance_[kFitted] > 0.0;
   if (varies && left - kSumRounding * sizes > (1.0 - best.fitted) * variance_[kFitted]) return;
   const std::array weights{solved[0], solved[1], solved[2]};
-  const double fitted = explained(lagged, pole, delay, weights, kFitted);
+  const double fitted = explained(lagged, weights, kFitted);
   if (!(fitted > best.fitted)) return;
-  best = {fitted,
-          explained(lagged, pole, delay, weights, kScored),
-          {kTravelPoles[pole], delay, weights}};
+  best = {fitted, explained(lagged, weights, kScored), {pole, lagged.delay, weights}};
 }
 
 /// One less the mean square that `weights` leave by the variance, on the blocks of one kind.
-double TravelFit::explained(const std::vector<Lags>& lagged, std::size_t pole, std::size_t delay,
-                            const std::array<double, 3>& weights, Kind kind) const {
+double TravelFit::explained(const Lagged& lagged, const std::array<double, 3>& weights,
+                            Kind kind) const {
   if (!(variance_[kind] > 0.0)) return 0.0;
-  const auto lane = static_cast<Eigen::Index>(pole);
   double left = 0.0;
-  each_of(kind, pv_.size(), [&](std::size_t k) {
-    const double flow = lagged[k < delay ? 0 : k - delay][lane];
-    const double rest = pv_[k] - (weights[0] + (trend_[k] * weights[1] + flow * weights[2]));
+  each_of(blocks_[kind], [&](std::size_t k) {
+    const double rest = pv_[k] - (weights[0] + (trend_[k] * weights[1] + lagged[k] * weights[2]));
     left += rest * rest;
   });
   return 1.0 - left / variance_[kind];

@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
+
+#include "core/model/limit_cycle/kernels/travel_kernel.hpp"
 
 namespace loopscope::core::model {
 
@@ -25,6 +28,12 @@ using TravelRow = std::array<double, 3>;
 [[nodiscard]] std::vector<TravelRow> travel_rows(const std::vector<double>& flow, double pole,
                                                  std::size_t delay);
 
+/// Up to eight flows through every lag, and what fits of one pv ask of them.
+struct LaggedFlows {
+  std::array<std::vector<EightNumbers>, kTravelPoles.size()> lagged;  ///< less their first values
+  std::array<std::array<TravelSums, kTravelDelays.size()>, kTravelPoles.size()> sums;
+};
+
 /// Fits of one pv by any flow, for every lag and delay; blocks of six means are fitted and scored
 /// by turns. What does not depend on the flow is summed once, and every sum runs in the record's
 /// order.
@@ -33,25 +42,33 @@ class TravelFit {
   /// `pv`: the means, all finite; has to outlive this.
   explicit TravelFit(const std::vector<double>& pv);
 
-  /// The best on the blocks that are fitted; its `fitted` is `to_beat` and nothing else of it means
-  /// anything where none is better than that. `flow` has the length of pv.
-  [[nodiscard]] TravelShare best(const std::vector<double>& flow, double to_beat = -1.0) const;
+  /// `flows`: as many as pv has means, at least one.
+  [[nodiscard]] LaggedFlows lag(std::span<const EightNumbers> flows) const;
+  /// The best of one of the flows on the blocks that are fitted; its `fitted` is `to_beat` and
+  /// nothing else of it means anything where none is better than that.
+  [[nodiscard]] TravelShare best(const LaggedFlows& flows, std::size_t place,
+                                 double to_beat = -1.0) const;
 
  private:
-  struct Lags;
-  struct LagSums;
   enum Kind : std::size_t { kFitted, kScored };
+  /// One flow through one lag, and so much later.
+  struct Lagged {
+    std::span<const EightNumbers> flows;
+    std::size_t place = 0;
+    std::size_t delay = 0;
+    [[nodiscard]] double operator[](std::size_t k) const {
+      return flows[k < delay ? 0 : k - delay][place];
+    }
+  };
 
-  [[nodiscard]] LagSums sums_of(const std::vector<Lags>& lagged, std::size_t delay) const;
   /// Replaces `best` if it is better.
-  void try_lag(const std::vector<Lags>& lagged, const LagSums& sums, std::size_t pole,
-               std::size_t delay, TravelShare& best) const;
-  [[nodiscard]] double explained(const std::vector<Lags>& lagged, std::size_t pole,
-                                 std::size_t delay, const std::array<double, 3>& weights,
+  void try_lag(const Lagged& lagged, const TravelSums& sums, double pole, TravelShare& best) const;
+  [[nodiscard]] double explained(const Lagged& lagged, const std::array<double, 3>& weights,
                                  Kind kind) const;
 
   const std::vector<double>& pv_;
   std::vector<double> trend_;
+  std::array<std::vector<Range>, 2> blocks_;  ///< of means, by kind
   /// Over the blocks that are fitted: the constant and the trend with themselves and with pv.
   double count_ = 0.0, trend_sum_ = 0.0, trend_square_ = 0.0;
   double pv_sum_ = 0.0, pv_square_ = 0.0, pv_trend_ = 0.0;

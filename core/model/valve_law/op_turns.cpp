@@ -1,23 +1,20 @@
 #include "core/model/valve_law/op_turns.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace loopscope::core::model {
 namespace {
 
-Valve he_valve(double stickband, double slip_jump, double direction) {
-  return {ValveLaw::he, stickband, slip_jump, direction};
-}
-
 /// From `turn` to `end`.
-void run_from(const OpTurn& turn, std::size_t end, double stickband, double slip_jump,
-              std::span<const double> op, std::span<double> mv) {
+void run_from(const OpTurn& turn, std::size_t end, std::span<Valve> valves,
+              std::span<const double> op, std::span<EightNumbers> mv) {
+  for (Valve& valve : valves) valve.start_direction = turn.direction;
   const std::size_t count = end - turn.sample;
-  run_valve(he_valve(stickband, slip_jump, turn.direction), op.subspan(turn.sample, count),
-            mv.subspan(turn.sample, count));
+  run_valves(valves, op.subspan(turn.sample, count), mv.subspan(turn.sample, count));
 }
 
-void stand_before(const OpTurn& turn, std::span<double> mv) {
+void stand_before(const OpTurn& turn, std::span<EightNumbers> mv) {
   std::ranges::fill(mv.first(turn.sample), mv[turn.sample]);
 }
 
@@ -47,19 +44,19 @@ std::vector<OpTurn> find_op_turns(std::span<const double> op, double prominence)
   return turns;
 }
 
-void run_from_first_turn(double stickband, double slip_jump, std::span<const double> op,
-                         std::span<const OpTurn> turns, std::span<double> mv) {
+void run_from_first_turn(std::vector<Valve> valves, std::span<const double> op,
+                         std::span<const OpTurn> turns, std::span<EightNumbers> mv) {
   const OpTurn start = turns.empty() ? OpTurn{0, op[0], 1.0} : turns.front();
-  run_from(start, op.size(), stickband, slip_jump, op, mv);
+  run_from(start, op.size(), valves, op, mv);
   stand_before(start, mv);
 }
 
-void run_from_every_turn(double stickband, double slip_jump, std::span<const double> op,
-                         std::span<const OpTurn> turns, std::span<double> mv) {
-  if (turns.empty()) return run_from_first_turn(stickband, slip_jump, op, turns, mv);
+void run_from_every_turn(std::vector<Valve> valves, std::span<const double> op,
+                         std::span<const OpTurn> turns, std::span<EightNumbers> mv) {
+  if (turns.empty()) return run_from_first_turn(std::move(valves), op, turns, mv);
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const std::size_t end = i + 1 < turns.size() ? turns[i + 1].sample : op.size();
-    run_from(turns[i], end, stickband, slip_jump, op, mv);
+    run_from(turns[i], end, valves, op, mv);
   }
   stand_before(turns.front(), mv);
 }

@@ -19,15 +19,16 @@ struct OpTurn {
 /// and minima by turns. NaN is skipped.
 [[nodiscard]] std::vector<OpTurn> find_op_turns(std::span<const double> op, double prominence);
 
-/// run_valve by He's law (units and exceptions as there), the valve starting at the first turn,
-/// where it has just moved. Before it the valve stands. `op` is not empty.
-void run_from_first_turn(double stickband, double slip_jump, std::span<const double> op,
-                         std::span<const OpTurn> turns, std::span<double> mv);
+/// run_valves by He's law (units and exceptions as there), the valves starting at the first turn,
+/// where they have just moved, in whatever direction it ends. Before it they stand. `op` is not
+/// empty.
+void run_from_first_turn(std::vector<Valve> valves, std::span<const double> op,
+                         std::span<const OpTurn> turns, std::span<EightNumbers> mv);
 
 /// The same, started anew at every turn. In a self-regulating loop op turns because the valve has
 /// slipped, so every turn tells where the valve is, and a slip that the law misses (the error has a
 /// narrow minimum over S) is not carried on through the rest of the record.
-void run_from_every_turn(double stickband, double slip_jump, std::span<const double> op,
-                         std::span<const OpTurn> turns, std::span<double> mv);
+void run_from_every_turn(std::vector<Valve> valves, std::span<const double> op,
+                         std::span<const OpTurn> turns, std::span<EightNumbers> mv);
 
 }  // namespace loopscope::core::model

@@ -55,6 +55,20 @@ struct ValveLanes {
     turn.fill(all(op));
   }
 
+  /// Puts a valve with a friction of its own into one lane, before the first op.
+  void put_in(std::size_t lane, const Valve& valve, Element op, Frictions& frictions) {
+    const std::size_t v = lane / kElements<Number>, i = lane % kElements<Number>;
+    const FrictionIn<Element> friction(valve);
+    frictions[v].band[i] = friction.band;
+    frictions[v].jump[i] = friction.jump;
+    frictions[v].breakaway[i] = friction.breakaway;
+    frictions[v].lag[i] = friction.lag;
+    position[v][i] = valve.start_percent
+                         ? static_cast<Element>(*valve.start_percent)
+                         : op - static_cast<Element>(valve.start_direction) * friction.lag;
+    turn[v][i] = op;
+  }
+
   template <ValveLaw law, typename OneOrMany>
   void step(const OneOrMany& friction, const OpStep<Element>& step) {
     if constexpr (law == ValveLaw::he) {

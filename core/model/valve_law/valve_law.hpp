@@ -4,6 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include "core/model/vectors/eight_numbers.hpp"
+
 namespace loopscope::core::model {
 
 /// How a valve that sticks and jumps follows its controller output. Band S and jump J in % of op,
@@ -47,6 +49,12 @@ inline void run_valve(ValveLaw law, double stickband_percent, double slip_jump_p
                       double start_direction, std::span<const double> op, std::span<double> mv) {
   run_valve({law, stickband_percent, slip_jump_percent, start_direction, {}}, op, mv);
 }
+
+/// The same of one to eight valves of one law that act at the samples, side by side: mv(k)[i] is
+/// where valves[i] stands. The first four share their direction at the start, and so do the others,
+/// or the law is `he`, which asks for none. mv beyond the last valve means nothing.
+void run_valves(std::span<const Valve> valves, std::span<const double> op,
+                std::span<EightNumbers> mv);
 
 /// What op does at a sample, as valves see it.
 template <typename Element>

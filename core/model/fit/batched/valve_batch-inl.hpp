@@ -52,17 +52,7 @@ class SampledBatch final : public ValveBatch<NumberRow<Number, count>> {
   explicit SampledBatch(const SeenOp<Element>& seen) : steps_(seen.steps) {}
 
   void put_in(std::size_t lane, const Valve& valve) override {
-    const std::size_t v = lane / kElements<Number>, i = lane % kElements<Number>;
-    const FrictionIn<Element> friction(valve);
-    friction_[v].band[i] = friction.band;
-    friction_[v].jump[i] = friction.jump;
-    friction_[v].breakaway[i] = friction.breakaway;
-    friction_[v].lag[i] = friction.lag;
-    const Element op = steps_.front().op;
-    valves_.position[v][i] = valve.start_percent
-                                 ? static_cast<Element>(*valve.start_percent)
-                                 : op - static_cast<Element>(valve.start_direction) * friction.lag;
-    valves_.turn[v][i] = op;
+    valves_.put_in(lane, valve, steps_.front().op, friction_);
   }
 
   void run(std::size_t first, std::size_t samples, Numbers* places) override {

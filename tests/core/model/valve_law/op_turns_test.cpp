@@ -29,8 +29,9 @@ TEST(OpTurns, SmallOnesAreNone) {
 TEST(OpTurns, AStickbandAboveTheTravelStandsBetweenTheTurns) {
   const std::vector<double> op = triangle(60, 10);
   const std::vector<OpTurn> turns = find_op_turns(op, 3.0);
-  std::vector<double> mv(op.size());
-  run_from_every_turn(14.0, 10.0, op, turns, mv);
+  std::vector<EightNumbers> eight(op.size());
+  run_from_every_turn({{ValveLaw::he, 14.0, 10.0}}, op, turns, eight);
+  const std::vector<double> mv = series_at(0, eight);
   EXPECT_EQ(mv[12], 8.0);  // 10 - (S - J) / 2
   EXPECT_EQ(mv[19], 8.0);
   EXPECT_EQ(mv[25], 2.0);
@@ -39,8 +40,9 @@ TEST(OpTurns, AStickbandAboveTheTravelStandsBetweenTheTurns) {
 TEST(OpTurns, WithoutAResetTheBandCounts) {
   const std::vector<double> op = triangle(60, 10);
   const std::vector<OpTurn> turns = find_op_turns(op, 3.0);
-  std::vector<double> mv(op.size());
-  run_from_first_turn(6.0, 6.0, op, turns, mv);
+  std::vector<EightNumbers> eight(op.size());
+  run_from_first_turn({{ValveLaw::he, 6.0, 6.0}}, op, turns, eight);
+  const std::vector<double> mv = series_at(0, eight);
   EXPECT_EQ(mv[0], 10.0);   // stands where it is at the first turn
   EXPECT_EQ(mv[16], 10.0);  // 6 below the turn is not beyond the band
   EXPECT_EQ(mv[17], 3.0);

@@ -1,5 +1,6 @@
 #include "core/model/valve_law/valve_law.hpp"
 
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -109,10 +110,41 @@ TEST(ValveLaw, AValveMayBeginElsewhere) {
   EXPECT_EQ(mv, (std::vector<double>{50.8, 50.8, 50.8}));
 }
 
+/// Bands and jumps of all kinds; each half comes from one direction.
+std::vector<Valve> some_valves(ValveLaw law, std::size_t count) {
+  std::vector<Valve> valves;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double band = 1.0 + 2.0 * static_cast<double>(i);
+    valves.push_back({law, band, 0.3 * static_cast<double>(i % 4) * band, i < 4 ? -1.0 : 1.0});
+  }
+  valves.back().start_percent = 48.0;
+  return valves;
+}
+
+TEST(ValveLaw, SideBySideTheyStandWhereEachDoesByItself) {
+  std::vector<double> op = wandering_op(3, 0.5);
+  op[0] = op[1] = op[40] = op[41] = kNaN;
+  for (const ValveLaw law : {ValveLaw::choudhury, ValveLaw::kano, ValveLaw::he}) {
+    for (std::size_t count = 1; count <= kSideBySide; ++count) {
+      const std::vector<Valve> valves = some_valves(law, count);
+      std::vector<EightNumbers> together(op.size());
+      run_valves(valves, op, together);
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::vector<double> alone = positions(valves[i], op);
+        for (std::size_t k = 2; k < op.size(); ++k) ASSERT_EQ(together[k][i], alone[k]) << k;
+        EXPECT_TRUE(std::isnan(together[1][i]));
+      }
+    }
+  }
+}
+
 TEST(ValveLaw, RefusesAJumpOutsideTheBand) {
   std::vector<double> values(3, 1.0);
   EXPECT_THROW(run_valve(ValveLaw::kano, 1.0, 2.0, 1.0, values, values), std::invalid_argument);
   EXPECT_THROW(run_valve(ValveLaw::he, 1.0, -0.1, 1.0, values, values), std::invalid_argument);
+  std::vector<EightNumbers> eight(3);
+  EXPECT_THROW(run_valves(std::array{Valve{ValveLaw::he, 1.0, 2.0}}, values, eight),
+               std::invalid_argument);
 }
 
 }  // namespace
